@@ -1,1 +1,48 @@
-//! placeholder
+//! What mapd's tests share: places of maps, and the generator of the town that the project carries.
+//!
+//! Tests live in `tests/tests`. Those that need maps from outside the project look for them in `../shared` beside the
+//! workspace and say aloud that they skip where it is missing.
+//!
+//! ```
+//! assert!(mapd_tests::carried("one_road.xodr").exists());
+//! ```
+
+pub mod town;
+
+use std::path::{Path, PathBuf};
+
+/// Root of the workspace.
+pub fn workspace() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().map(Path::to_owned).unwrap_or_default()
+}
+
+/// A map that the project carries.
+pub fn carried(name: &str) -> PathBuf {
+    workspace().join("examples/maps").join(name)
+}
+
+/// A folder of material outside the project, if it is there.
+pub fn shared(name: &str) -> Option<PathBuf> {
+    let path = workspace().parent()?.join("shared").join(name);
+    path.is_dir().then_some(path)
+}
+
+/// All maps of the shared corpus, sorted, as (name such as `carla/Town05`, path).
+pub fn corpus() -> Option<Vec<(String, PathBuf)>> {
+    let root = shared("maps")?;
+    let mut maps = Vec::new();
+    for origin in std::fs::read_dir(root).ok()?.flatten().filter(|entry| entry.path().is_dir()) {
+        for file in std::fs::read_dir(origin.path()).ok()?.flatten() {
+            let path = file.path();
+            if path.extension().is_some_and(|extension| extension == "xodr") {
+                let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+                maps.push((
+                    format!("{}/{stem}", origin.file_name().to_string_lossy()),
+                    path.clone(),
+                ));
+            }
+        }
+    }
+    maps.sort();
+    Some(maps)
+}

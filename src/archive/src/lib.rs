@@ -1,1 +1,47 @@
-//! placeholder
+//! The mapd archive: an HD map as flat tables of numbers, the same bytes in a file and in shared memory.
+//!
+//! An archive is a header of 128 bytes and a body: tables that hold nothing but fixed-width little-endian numbers,
+//! written by rkyv. Opening one is cheap and always validated ([`open`]: the same few hundred nanoseconds for 1 MB and
+//! 1 GB); proving every row and the content hash is explicit and linear ([`verify`]).
+//!
+//! Invariants: nothing here does I/O or holds global state; no table holds a bool, an enum, an option or a nested
+//! list, so that a check of bounds and alignment is a whole validation; every reference read from an archive goes
+//! through a checked accessor. Deliberately absent: XML, iceoryx2, file handling.
+//!
+//! ```
+//! use mapd_archive::{Rows, Provenance, encode, open, verify};
+//!
+//! let mut rows = Rows::default();
+//! rows.string_offsets.push(0);
+//! rows.string_offsets.push(0);
+//! rows.map.push(bytemuck::Zeroable::zeroed());
+//! let bytes = encode(&rows, &Provenance::default()).unwrap();
+//! let archive = open(&bytes).unwrap();
+//! assert_eq!(archive.tables.roads.len(), 0);
+//! verify(&bytes).unwrap();
+//! ```
+
+#[cfg(not(target_endian = "little"))]
+compile_error!(
+    "mapd archives are little-endian and read in place: big-endian machines are not supported"
+);
+
+mod codes;
+mod error;
+mod generated;
+mod header;
+mod open;
+mod strings;
+mod table;
+mod verify;
+mod write;
+
+pub use codes::{ContactPoint, LaneType, LinkKind, NONE, RoadType, SpeedKind, lane_flags};
+pub use error::{OpenError, VerifyError, WriteError};
+pub use generated::{rows::*, tables::*};
+pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
+pub use open::{Archive, open, string};
+pub use strings::StringTable;
+pub use table::{ArchivedRange, ArchivedTable, Range, Table, TableInfo};
+pub use verify::verify;
+pub use write::{AlignedBytes, encode, encode_into, encoded_length};

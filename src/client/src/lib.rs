@@ -1,1 +1,36 @@
-//! placeholder
+//! Attach to a map that mapd serves and query its lanes in place.
+//!
+//! A [`Client`] connects by map name, whichever side starts first. A [`Snapshot`] pins one generation: it stays valid and
+//! readable while it is held, whatever the daemon does, and many threads query it without locks. [`Snapshot::open`] maps
+//! a `.mapd` file as the same thing, so that planner tests need no daemon.
+//!
+//! Invariants: attaching validates in constant time; every wait has a deadline; no signal handlers, no threads, no
+//! output, no configuration read from the working directory. Deliberately absent: XML, compiling, publishing.
+//!
+//! ```no_run
+//! use mapd_client::{Client, NearestOptions, glam::DVec2};
+//! use std::time::Duration;
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let client = Client::connect("town", Duration::from_secs(5))?;
+//! let snapshot = client.snapshot();
+//! let map = snapshot.map();
+//! if let Some(hit) = map.nearest_lane(DVec2::new(12.0, -3.0), &NearestOptions::default())? {
+//!     println!("{} s={:.2}", map.lane(hit.lane)?.key(), hit.position.s);
+//! }
+//! # Ok(())
+//! # }
+//! ```
+
+mod client;
+mod error;
+mod file;
+mod snapshot;
+pub mod transport;
+
+pub use client::Client;
+pub use error::ClientError;
+pub use mapd_archive as archive;
+pub use mapd_query::*;
+pub use snapshot::Snapshot;
+pub use transport::{AttachError, Domain};

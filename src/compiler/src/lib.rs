@@ -1,1 +1,137 @@
-//! placeholder
+//! From an OpenDRIVE document to the tables of an archive.
+//!
+//! [`compile`] reads a stream road by road, checks each, lowers it to flat rows, then resolves links, samples lanes and
+//! builds the spatial index on the compact network. What is wrong with the map comes back as findings with line and
+//! column; `Err` is for the environment.
+//!
+//! Invariants: the document is never whole in memory; geometry is evaluated by the very functions that queries use; the
+//! same bytes and options give the same archive on every machine and for every number of threads. Deliberately absent:
+//! files, shared memory, printing.
+//!
+//! ```
+//! let map = r#"<OpenDRIVE><header revMajor="1" revMinor="7"/>
+//! <road id="1" length="10" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="10"><line/></geometry></planView>
+//! <lanes><laneSection s="0"><center><lane id="0"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes>
+//! </road></OpenDRIVE>"#;
+//! let compiled = mapd_compiler::compile(map.as_bytes(), &Default::default(), &mut |_| {}).unwrap();
+//! let bytes = mapd_archive::encode(compiled.rows.as_ref().unwrap(), &compiled.provenance).unwrap();
+//! assert_eq!(mapd_archive::verify(&bytes).unwrap().tables.lanes.len(), 2);
+//! ```
+
+mod flatten;
+mod graph;
+mod hashing;
+mod index;
+mod lanes;
+mod links;
+mod lower;
+mod options;
+mod origin;
+mod report;
+
+pub use options::{CompileOptions, OptionsError};
+pub use report::{Compilation, Diagnostic, Progress, Verdict};
+
+use hashing::HashingReader;
+use lower::Lowering;
+use mapd_archive::{NONE, Provenance, Rows};
+use mapd_xodr::{Finding, Item, Limits, Reader, Severity};
+use report::Collector;
+use std::io::{self, BufReader, Read};
+
+/// Bytes read at a time.
+const READ_BUFFER: usize = 1 << 20;
+
+/// Compiles a document. `progress` is told after each top-level element and at each stage.
+///
+/// Errors: reading failed. A map that is rejected is no error: see [`Compilation::verdict`].
+pub fn compile(
+    input: impl Read,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Compilation> {
+    let mut hashing = HashingReader::new(input);
+    let mut lowering = Lowering::default();
+    let mut collector = Collector::default();
+    {
+        let mut reader =
+            Reader::new(BufReader::with_capacity(READ_BUFFER, &mut hashing), Limits::default());
+        let mut checked = Vec::new();
+        while let Some(item) = reader.next()? {
+            collector.add(reader.take_findings(), reader.line_index());
+            match &item {
+                Item::Header(header) => lowering.header(header),
+                Item::Road(road) => {
+                    mapd_rules::check_road(road, &mut checked);
+                    lowering.road(
+                        road,
+                        reader.line_index().position(road.span.start),
+                        &mut checked,
+                    );
+                }
+                Item::Junction(junction) => {
+                    lowering.junction(junction, reader.line_index().position(junction.span.start));
+                }
+            }
+            collector.add(std::mem::take(&mut checked), reader.line_index());
+            progress(Progress::Reading { bytes: reader.bytes_read(), roads: lowering.roads() });
+        }
+        collector.add(reader.take_findings(), reader.line_index());
+        let mut late = Vec::new();
+        lowering.finish_reading(&mut late);
+        links::resolve(&mut lowering, &mut late);
+        collector.add(late, reader.line_index());
+        if !collector.has_errors() {
+            graph::build(&mut lowering, &mut checked);
+            collector.add(checked, reader.line_index());
+        }
+    }
+    let provenance = Provenance {
+        input_hash: hashing.finish()?,
+        options_hash: options.hash(),
+        compiler_version: version(),
+    };
+    let rows = if collector.has_errors() {
+        None
+    } else {
+        progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
+        Some(build(lowering, options, progress).map_err(io::Error::other)?)
+    };
+    Ok(collector.finish(rows, provenance))
+}
+
+/// Samples lanes, builds the index and completes the tables.
+fn build(
+    lowering: Lowering,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Rows, TooLarge> {
+    let mut rows = lowering.into_rows(options);
+    lanes::sample(&mut rows, options)?;
+    progress(Progress::Indexing { segments: rows.points.len() });
+    index::build(&mut rows, options)?;
+    Ok(rows)
+}
+
+/// A table outgrew 32-bit row numbers.
+#[derive(Debug, thiserror::Error)]
+#[error("table `{0}` would need more than {max} rows; compile the map in smaller tiles", max = NONE)]
+pub(crate) struct TooLarge(pub(crate) &'static str);
+
+/// This crate's version as numbers.
+fn version() -> [u16; 3] {
+    let mut parts = env!("CARGO_PKG_VERSION").split('.').map(|part| part.parse().unwrap_or(0));
+    std::array::from_fn(|_| parts.next().unwrap_or(0))
+}
+
+/// A finding of the compiler's own.
+fn finding(
+    rule: &'static str,
+    severity: Severity,
+    span: mapd_xodr::Span,
+    path: String,
+    message: String,
+    hint: &str,
+) -> Finding {
+    Finding { rule, severity, span, path, message, hint: hint.to_owned() }
+}

@@ -1,1 +1,29 @@
-//! placeholder
+//! The daemon and command line of mapd, as a library so that programs and tests can run the same jobs.
+//!
+//! `mapd --load map.xodr` compiles a map, proves the archive and publishes it in shared memory until it is told to stop.
+//! Other jobs are subcommands. Answers go to stdout, everything else to stderr.
+//!
+//! Invariants: a map that is rejected leaves nothing behind; what is published has been verified in place; exit codes are
+//! those of [`exit::Exit`]. Deliberately absent: queries and geometry, which live in `mapd-query`.
+//!
+//! ```
+//! use mapd::source;
+//!
+//! # let path = std::env::temp_dir().join(format!("mapd-doc-{}.xodr", std::process::id()));
+//! # std::fs::write(&path, r#"<OpenDRIVE><header revMajor="1" revMinor="7"/></OpenDRIVE>"#).unwrap();
+//! let compiled = source::compile_file(&path, &Default::default(), &mut |_| {}).unwrap();
+//! assert!(compiled.rows.is_some());
+//! # std::fs::remove_file(&path).unwrap();
+//! ```
+
+pub mod archive_file;
+pub mod cli;
+pub mod exit;
+mod inspect;
+mod load;
+mod progress;
+pub mod query;
+pub mod report;
+pub mod serve;
+pub mod source;
+mod status;

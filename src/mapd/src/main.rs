@@ -1,1 +1,5 @@
-fn main() {}
+//! The `mapd` program: see the library.
+
+fn main() -> std::process::ExitCode {
+    mapd::cli::run()
+}

@@ -1,1 +1,46 @@
-//! placeholder
+//! What planners and localisers ask of an HD map, answered in place on a borrowed mapd archive.
+//!
+//! [`Map`] is a small `Copy` view; [`Road`], [`LaneSection`], [`Lane`] and [`Junction`] are cursors into it.
+//!
+//! Invariants: a query never allocates, locks, prints, panics or does I/O, also on a damaged archive; there is no global
+//! state; the compiler evaluates geometry through the same functions, bit for bit. Deliberately absent: how the bytes
+//! came here (see `mapd-client`).
+//!
+//! ```
+//! use mapd_query::{Map, NearestOptions, glam::DVec2};
+//!
+//! fn lane_under(map: Map<'_>, x: f64, y: f64) -> Option<String> {
+//!     let hit = map.nearest_lane(DVec2::new(x, y), &NearestOptions::default()).ok()??;
+//!     Some(map.lane(hit.lane).ok()?.key().to_string())
+//! }
+//! ```
+
+mod area;
+mod error;
+mod ids;
+mod index;
+mod junction;
+mod key;
+mod lane;
+mod map;
+mod nearest;
+mod polyline;
+mod profile;
+mod road;
+mod section;
+mod types;
+
+pub use error::QueryError;
+pub use glam;
+pub use ids::{JunctionId, LaneId, LaneSectionId, RoadId};
+pub use index::{SegmentHit, nearest_segment};
+pub use junction::{Connection, Junction};
+pub use key::{LaneKey, ParseLaneKeyError};
+pub use lane::{Lane, LaneSpeed};
+pub use map::Map;
+pub use mapd_archive::{ContactPoint, LaneType, RoadType, SpeedKind};
+pub use nearest::{LaneTypes, Nearest, NearestOptions};
+pub use polyline::Polyline;
+pub use road::{Road, RoadLink, RoadTypeRecord};
+pub use section::LaneSection;
+pub use types::{LaneEdges, LanePosition, Point, Pose, Track, TrackPosition};

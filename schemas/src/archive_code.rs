@@ -1,0 +1,189 @@
+//! Rust code of the archive's rows and tables.
+
+use crate::archive::{Field, Layout, Table, array_of};
+use std::fmt::Write as _;
+
+const NOTE: &str = "// Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.\n\n";
+
+/// Row types with their accessors.
+pub(crate) fn rows(layout: &Layout) -> String {
+    let mut out = format!("//! Row types of the archive's tables.\n{NOTE}");
+    out += "use crate::table::Range;\n";
+    out += "use bytemuck::{Pod, Zeroable};\nuse rkyv::{Archive, rend};\n";
+    for table in &layout.tables {
+        let Some(row) = &table.row else { continue };
+        let _ = write!(out, "\n/// {}\n", table.doc);
+        out += "#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]\n";
+        out += "#[rkyv(derive(Pod, Zeroable, Clone, Copy))]\n#[repr(C)]\n";
+        let _ = writeln!(out, "pub struct {row} {{");
+        for field in &table.fields {
+            let _ = writeln!(
+                out,
+                "/// {}{}\npub {}: {},",
+                unit(field),
+                field.doc,
+                field.name,
+                native(&field.kind)
+            );
+        }
+        out += "}\n";
+        let _ = writeln!(out, "impl Archived{row} {{");
+        for field in table.fields.iter().filter(|f| f.name != "reserved") {
+            let _ = writeln!(out, "/// {}{}\n#[inline]", unit(field), field.doc);
+            out += &getter(field);
+        }
+        out += "}\n";
+        let _ = writeln!(
+            out,
+            "const _: () = assert!(size_of::<{row}>() == {0} && size_of::<Archived{row}>() == {0});",
+            table.element_bytes()
+        );
+    }
+    out
+}
+
+fn unit(field: &Field) -> String {
+    field.unit.as_ref().map(|u| format!("`[{u}]` ")).unwrap_or_default()
+}
+
+fn native(kind: &str) -> &str {
+    if kind == "range" { "Range" } else { kind }
+}
+
+fn getter(field: &Field) -> String {
+    let name = &field.name;
+    match (field.kind.as_str(), array_of(&field.kind)) {
+        ("u8", _) => format!("pub fn {name}(&self) -> u8 {{ self.{name} }}\n"),
+        ("range", _) => format!("pub fn {name}(&self) -> Range {{ self.{name}.to_native() }}\n"),
+        (_, Some((element, count))) => format!(
+            "pub fn {name}(&self) -> &[{element}; {count}] {{ bytemuck::cast_ref::<[rend::{element}_le; {count}], _>(&self.{name}) }}\n"
+        ),
+        (kind, None) => format!("pub fn {name}(&self) -> {kind} {{ self.{name}.to_native() }}\n"),
+    }
+}
+
+/// The archive's root, the borrowed tables and the row part of `verify()`.
+pub(crate) fn tables(layout: &Layout) -> String {
+    let mut out = format!("//! The archive's tables in the order in which they lie.\n{NOTE}");
+    out += "use super::rows::*;\nuse crate::error::{OpenError, VerifyError};\n";
+    out += "use crate::table::{Table, TableInfo};\nuse crate::verify::Check;\nuse rkyv::{Archive, Serialize, rend};\n\n";
+    let _ = writeln!(
+        out,
+        "/// Number of the format, raised by hand when old archives can no longer be read.\npub const FORMAT: u32 = {};",
+        layout.format
+    );
+    let _ = writeln!(
+        out,
+        "/// Identifies the layout: tables, fields, types, references and rkyv's format flags.\npub const LAYOUT_ID: [u8; 16] = {:?};\n",
+        layout.id()
+    );
+    out += "/// All tables of a map as the compiler fills them: the archive's root.\n#[derive(Archive, Serialize, Default)]\npub struct Rows {\n";
+    for t in &layout.tables {
+        let _ = writeln!(out, "/// {}\npub {}: Table<{}>,", t.doc, t.name, element(t));
+    }
+    out += "}\n\nimpl Rows {\n/// The rows as the tables that an archive of them would have, so that queries run while it is being built.\npub fn as_tables(&self) -> Tables<'_> {\nTables {\n";
+    for t in &layout.tables {
+        let cast = if t.row.is_some() { "bytemuck::cast_slice" } else { "" };
+        let _ = writeln!(out, "{0}: {cast}(self.{0}.as_slice()),", t.name);
+    }
+    out += "}\n}\n}\n\n/// All tables of an opened archive. Lengths and places were read once and checked; they stay what they are\n/// whatever happens to the bytes later.\n#[derive(Clone, Copy)]\npub struct Tables<'a> {\n";
+    for t in &layout.tables {
+        let _ = writeln!(out, "/// {}\npub {}: &'a [{}],", t.doc, t.name, view(t));
+    }
+    out += "}\n\nimpl<'a> Tables<'a> {\n";
+    out += "/// Reads place and length of every table once and checks them against the body.\npub(crate) fn new(root: &ArchivedRows, body: &'a [u8]) -> Result<Self, OpenError> {\nOk(Self {\n";
+    for t in &layout.tables {
+        let cast =
+            if t.row.is_none() && t.scalar.as_deref() != Some("u8") { "_numbers" } else { "" };
+        let _ = writeln!(out, "{0}: root.{0}.view{cast}(body, \"{0}\")?,", t.name);
+    }
+    out += "})\n}\n\n/// Name, element size and length of every table, in the order in which they lie.\n";
+    let _ = writeln!(out, "pub fn infos(&self) -> [TableInfo; {}] {{\n[", layout.tables.len());
+    for t in &layout.tables {
+        let _ = writeln!(out, "TableInfo::of(\"{0}\", self.{0}),", t.name);
+    }
+    out += "]\n}\n\n/// Proves every row: finite numbers, known codes, references and ranges inside their tables.\npub(crate) fn verify_rows(&self) -> Result<(), VerifyError> {\nlet strings = self.string_offsets.len().saturating_sub(1);\n";
+    for t in &layout.tables {
+        out += &verify_table(t);
+    }
+    out += "Ok(())\n}\n}\n";
+    out += "\n// The element types as they lie in the bytes.\n";
+    for t in &layout.tables {
+        if let Some(s) = t.scalar.as_deref().filter(|s| *s != "u8") {
+            let _ = writeln!(
+                out,
+                "const _: () = assert!(size_of::<rend::{s}_le>() == size_of::<{s}>());"
+            );
+        }
+    }
+    out
+}
+
+fn element(t: &Table) -> &str {
+    t.row.as_deref().or(t.scalar.as_deref()).unwrap_or_default()
+}
+
+fn view(t: &Table) -> String {
+    match &t.row {
+        Some(row) => format!("Archived{row}"),
+        None => t.scalar.clone().unwrap_or_default(),
+    }
+}
+
+fn count(to: &str) -> String {
+    if to == "strings" { "strings".into() } else { format!("self.{to}.len()") }
+}
+
+fn verify_table(t: &Table) -> String {
+    let mut checks = String::new();
+    if t.scalar.as_deref() == Some("f64") {
+        checks += "check.finite(\"\", *row)?;\n";
+    }
+    if let Some(to) = &t.to {
+        let _ = writeln!(checks, "check.reference(\"\", *row, {}, false)?;", count(to));
+    }
+    for f in &t.fields {
+        let name = &f.name;
+        let array = array_of(&f.kind).map(|(element, _)| element);
+        match (f.kind.as_str(), &f.to) {
+            ("f64", _) => {
+                let _ = writeln!(checks, "check.finite(\"{name}\", row.{name}())?;");
+            }
+            ("f32", _) => {
+                let _ = writeln!(checks, "check.finite(\"{name}\", f64::from(row.{name}()))?;");
+            }
+            ("range", Some(to)) => {
+                let _ = writeln!(checks, "check.range(\"{name}\", row.{name}(), {})?;", count(to));
+            }
+            ("u32", Some(to)) => {
+                let _ = writeln!(
+                    checks,
+                    "check.reference(\"{name}\", row.{name}(), {}, {})?;",
+                    count(to),
+                    f.optional
+                );
+            }
+            ("u8", _) if f.codes.is_some() => {
+                let _ = writeln!(
+                    checks,
+                    "check.code(\"{name}\", row.{name}(), {})?;",
+                    f.codes.unwrap_or_default()
+                );
+            }
+            _ if array == Some("f32") => {
+                let _ = writeln!(
+                    checks,
+                    "for value in row.{name}() {{ check.finite(\"{name}\", f64::from(*value))?; }}"
+                );
+            }
+            _ => {}
+        }
+    }
+    if checks.is_empty() {
+        return String::new();
+    }
+    format!(
+        "for (i, row) in self.{0}.iter().enumerate() {{\nlet check = Check {{ table: \"{0}\", row: i }};\n{checks}}}\n",
+        t.name
+    )
+}

@@ -1,0 +1,51 @@
+//! The tables' part of `docs/format.md`.
+
+use crate::archive::{Layout, size_of};
+use anyhow::{Context, Result};
+use std::fmt::Write as _;
+
+const START: &str = "<!-- tables: written from schemas/archive.toml -->\n";
+const END: &str = "<!-- end of tables -->\n";
+
+/// Replaces what stands between the two marks of the page.
+pub(crate) fn splice(page: &str, layout: &Layout) -> Result<String> {
+    let start =
+        page.find(START).context("docs/format.md lacks the mark where tables start")? + START.len();
+    let end = page.find(END).context("docs/format.md lacks the mark where tables end")?;
+    Ok(format!("{}{}{}", &page[..start], render(layout)?, &page[end..]))
+}
+
+fn render(layout: &Layout) -> Result<String> {
+    let id: String = layout.id().iter().map(|b| format!("{b:02x}")).collect();
+    let mut out = format!("\nFormat {}, layout id `{id}`.\n", layout.format);
+    for (i, table) in layout.tables.iter().enumerate() {
+        let _ = write!(out, "\n### {}. `{}`\n\n{}\n", i + 1, table.name, table.doc);
+        if let Some(scalar) = &table.scalar {
+            let to = table.to.as_ref().map(|to| format!(" → `{to}`")).unwrap_or_default();
+            let _ =
+                write!(out, "\nElements: `{scalar}`{to}, {} bytes each.\n", table.element_bytes());
+            continue;
+        }
+        let _ = write!(
+            out,
+            "\n{} bytes a row.\n\n| at | field | type | unit | meaning |\n|---|---|---|---|---|\n",
+            table.element_bytes()
+        );
+        let mut offset = 0;
+        for f in &table.fields {
+            let to = f.to.as_ref().map(|to| format!(" → `{to}`")).unwrap_or_default();
+            let optional = if f.optional { " or none" } else { "" };
+            let _ = writeln!(
+                out,
+                "| {offset} | `{}` | {}{to}{optional} | {} | {} |",
+                f.name,
+                f.kind,
+                f.unit.as_deref().unwrap_or(""),
+                f.doc.replace('|', "\\|")
+            );
+            offset += size_of(&f.kind)?.bytes;
+        }
+    }
+    out.push('\n');
+    Ok(out)
+}

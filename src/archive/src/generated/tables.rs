@@ -1,0 +1,378 @@
+//! The archive's tables in the order in which they lie.
+// Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
+
+use super::rows::*;
+use crate::error::{OpenError, VerifyError};
+use crate::table::{Table, TableInfo};
+use crate::verify::Check;
+use rkyv::{Archive, Serialize, rend};
+
+/// Number of the format, raised by hand when old archives can no longer be read.
+pub const FORMAT: u32 = 1;
+/// Identifies the layout: tables, fields, types, references and rkyv's format flags.
+pub const LAYOUT_ID: [u8; 16] =
+    [147, 245, 37, 118, 76, 153, 156, 202, 180, 6, 118, 101, 73, 89, 177, 133];
+
+/// All tables of a map as the compiler fills them: the archive's root.
+#[derive(Archive, Serialize, Default)]
+pub struct Rows {
+    /// UTF-8 text of all strings, one after the other, each once. String 0 is empty.
+    pub string_bytes: Table<u8>,
+    /// Start of each string in `string_bytes`; one more entry than strings.
+    pub string_offsets: Table<u32>,
+    /// Exactly one row: what concerns the whole map.
+    pub map: Table<MapRow>,
+    /// One row per road, in file order. The row number is the RoadId.
+    pub roads: Table<RoadRow>,
+    /// Plan-view geometries as written, with what their evaluation needs (OpenDRIVE 1.8.1, 9.2).
+    pub geometries: Table<GeometryRow>,
+    /// Numbers of the geometries. Line: none. Arc: curvature. Spiral: start and end curvature, then pieces of 20 (x and y as polynomials of degree 9 over [-1, 1]). poly3: 4, paramPoly3: 8, then pieces of 10 (the curve parameter as a polynomial of true arc length).
+    pub coefficients: Table<f64>,
+    /// Cubic records a + b·ds + c·ds² + d·ds³ with ds = s − `s`; each holds until the next of its range.
+    pub cubics: Table<CubicRow>,
+    /// road/type records.
+    pub road_types: Table<RoadTypeRow>,
+    /// Lane sections, road by road, ascending in s.
+    pub sections: Table<SectionRow>,
+    /// Lanes, section by section, from left to right. The row number is the LaneId. Lane 0 has no width; its border is the shifted reference line.
+    pub lanes: Table<LaneRow>,
+    /// lane/speed records.
+    pub lane_speeds: Table<LaneSpeedRow>,
+    /// Targets of the lanes' `successors` and `predecessors` (compressed sparse rows).
+    pub lane_links: Table<u32>,
+    /// Points of polylines, relative to the origin of the lane that owns them.
+    pub points: Table<PointRow>,
+    /// One row per junction, in file order. The row number is the JunctionId.
+    pub junctions: Table<JunctionRow>,
+    /// junction/connection.
+    pub connections: Table<ConnectionRow>,
+    /// junction/connection/laneLink as written.
+    pub connection_lane_links: Table<ConnectionLaneLinkRow>,
+    /// Rows of `roads` in byte order of their ids.
+    pub roads_by_id: Table<u32>,
+    /// Rows of `junctions` in byte order of their ids.
+    pub junctions_by_id: Table<u32>,
+    /// First node of each level of the spatial index, root first, then the number of nodes. Empty if the map has no lanes.
+    pub index_levels: Table<u32>,
+    /// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie the leaves. Boxes are relative to the local origin and rounded outwards; unused places are empty boxes.
+    pub index_nodes: Table<IndexNodeRow>,
+    /// Sixteen segments of lanes' centre lines each. A lane's area between a segment's ends lies within `reach` of the segment. Unused places have reach 0 and lane u32::MAX.
+    pub index_leaves: Table<IndexLeafRow>,
+}
+
+impl Rows {
+    /// The rows as the tables that an archive of them would have, so that queries run while it is being built.
+    pub fn as_tables(&self) -> Tables<'_> {
+        Tables {
+            string_bytes: (self.string_bytes.as_slice()),
+            string_offsets: (self.string_offsets.as_slice()),
+            map: bytemuck::cast_slice(self.map.as_slice()),
+            roads: bytemuck::cast_slice(self.roads.as_slice()),
+            geometries: bytemuck::cast_slice(self.geometries.as_slice()),
+            coefficients: (self.coefficients.as_slice()),
+            cubics: bytemuck::cast_slice(self.cubics.as_slice()),
+            road_types: bytemuck::cast_slice(self.road_types.as_slice()),
+            sections: bytemuck::cast_slice(self.sections.as_slice()),
+            lanes: bytemuck::cast_slice(self.lanes.as_slice()),
+            lane_speeds: bytemuck::cast_slice(self.lane_speeds.as_slice()),
+            lane_links: (self.lane_links.as_slice()),
+            points: bytemuck::cast_slice(self.points.as_slice()),
+            junctions: bytemuck::cast_slice(self.junctions.as_slice()),
+            connections: bytemuck::cast_slice(self.connections.as_slice()),
+            connection_lane_links: bytemuck::cast_slice(self.connection_lane_links.as_slice()),
+            roads_by_id: (self.roads_by_id.as_slice()),
+            junctions_by_id: (self.junctions_by_id.as_slice()),
+            index_levels: (self.index_levels.as_slice()),
+            index_nodes: bytemuck::cast_slice(self.index_nodes.as_slice()),
+            index_leaves: bytemuck::cast_slice(self.index_leaves.as_slice()),
+        }
+    }
+}
+
+/// All tables of an opened archive. Lengths and places were read once and checked; they stay what they are
+/// whatever happens to the bytes later.
+#[derive(Clone, Copy)]
+pub struct Tables<'a> {
+    /// UTF-8 text of all strings, one after the other, each once. String 0 is empty.
+    pub string_bytes: &'a [u8],
+    /// Start of each string in `string_bytes`; one more entry than strings.
+    pub string_offsets: &'a [u32],
+    /// Exactly one row: what concerns the whole map.
+    pub map: &'a [ArchivedMapRow],
+    /// One row per road, in file order. The row number is the RoadId.
+    pub roads: &'a [ArchivedRoadRow],
+    /// Plan-view geometries as written, with what their evaluation needs (OpenDRIVE 1.8.1, 9.2).
+    pub geometries: &'a [ArchivedGeometryRow],
+    /// Numbers of the geometries. Line: none. Arc: curvature. Spiral: start and end curvature, then pieces of 20 (x and y as polynomials of degree 9 over [-1, 1]). poly3: 4, paramPoly3: 8, then pieces of 10 (the curve parameter as a polynomial of true arc length).
+    pub coefficients: &'a [f64],
+    /// Cubic records a + b·ds + c·ds² + d·ds³ with ds = s − `s`; each holds until the next of its range.
+    pub cubics: &'a [ArchivedCubicRow],
+    /// road/type records.
+    pub road_types: &'a [ArchivedRoadTypeRow],
+    /// Lane sections, road by road, ascending in s.
+    pub sections: &'a [ArchivedSectionRow],
+    /// Lanes, section by section, from left to right. The row number is the LaneId. Lane 0 has no width; its border is the shifted reference line.
+    pub lanes: &'a [ArchivedLaneRow],
+    /// lane/speed records.
+    pub lane_speeds: &'a [ArchivedLaneSpeedRow],
+    /// Targets of the lanes' `successors` and `predecessors` (compressed sparse rows).
+    pub lane_links: &'a [u32],
+    /// Points of polylines, relative to the origin of the lane that owns them.
+    pub points: &'a [ArchivedPointRow],
+    /// One row per junction, in file order. The row number is the JunctionId.
+    pub junctions: &'a [ArchivedJunctionRow],
+    /// junction/connection.
+    pub connections: &'a [ArchivedConnectionRow],
+    /// junction/connection/laneLink as written.
+    pub connection_lane_links: &'a [ArchivedConnectionLaneLinkRow],
+    /// Rows of `roads` in byte order of their ids.
+    pub roads_by_id: &'a [u32],
+    /// Rows of `junctions` in byte order of their ids.
+    pub junctions_by_id: &'a [u32],
+    /// First node of each level of the spatial index, root first, then the number of nodes. Empty if the map has no lanes.
+    pub index_levels: &'a [u32],
+    /// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie the leaves. Boxes are relative to the local origin and rounded outwards; unused places are empty boxes.
+    pub index_nodes: &'a [ArchivedIndexNodeRow],
+    /// Sixteen segments of lanes' centre lines each. A lane's area between a segment's ends lies within `reach` of the segment. Unused places have reach 0 and lane u32::MAX.
+    pub index_leaves: &'a [ArchivedIndexLeafRow],
+}
+
+impl<'a> Tables<'a> {
+    /// Reads place and length of every table once and checks them against the body.
+    pub(crate) fn new(root: &ArchivedRows, body: &'a [u8]) -> Result<Self, OpenError> {
+        Ok(Self {
+            string_bytes: root.string_bytes.view(body, "string_bytes")?,
+            string_offsets: root.string_offsets.view_numbers(body, "string_offsets")?,
+            map: root.map.view(body, "map")?,
+            roads: root.roads.view(body, "roads")?,
+            geometries: root.geometries.view(body, "geometries")?,
+            coefficients: root.coefficients.view_numbers(body, "coefficients")?,
+            cubics: root.cubics.view(body, "cubics")?,
+            road_types: root.road_types.view(body, "road_types")?,
+            sections: root.sections.view(body, "sections")?,
+            lanes: root.lanes.view(body, "lanes")?,
+            lane_speeds: root.lane_speeds.view(body, "lane_speeds")?,
+            lane_links: root.lane_links.view_numbers(body, "lane_links")?,
+            points: root.points.view(body, "points")?,
+            junctions: root.junctions.view(body, "junctions")?,
+            connections: root.connections.view(body, "connections")?,
+            connection_lane_links: root
+                .connection_lane_links
+                .view(body, "connection_lane_links")?,
+            roads_by_id: root.roads_by_id.view_numbers(body, "roads_by_id")?,
+            junctions_by_id: root.junctions_by_id.view_numbers(body, "junctions_by_id")?,
+            index_levels: root.index_levels.view_numbers(body, "index_levels")?,
+            index_nodes: root.index_nodes.view(body, "index_nodes")?,
+            index_leaves: root.index_leaves.view(body, "index_leaves")?,
+        })
+    }
+
+    /// Name, element size and length of every table, in the order in which they lie.
+    pub fn infos(&self) -> [TableInfo; 21] {
+        [
+            TableInfo::of("string_bytes", self.string_bytes),
+            TableInfo::of("string_offsets", self.string_offsets),
+            TableInfo::of("map", self.map),
+            TableInfo::of("roads", self.roads),
+            TableInfo::of("geometries", self.geometries),
+            TableInfo::of("coefficients", self.coefficients),
+            TableInfo::of("cubics", self.cubics),
+            TableInfo::of("road_types", self.road_types),
+            TableInfo::of("sections", self.sections),
+            TableInfo::of("lanes", self.lanes),
+            TableInfo::of("lane_speeds", self.lane_speeds),
+            TableInfo::of("lane_links", self.lane_links),
+            TableInfo::of("points", self.points),
+            TableInfo::of("junctions", self.junctions),
+            TableInfo::of("connections", self.connections),
+            TableInfo::of("connection_lane_links", self.connection_lane_links),
+            TableInfo::of("roads_by_id", self.roads_by_id),
+            TableInfo::of("junctions_by_id", self.junctions_by_id),
+            TableInfo::of("index_levels", self.index_levels),
+            TableInfo::of("index_nodes", self.index_nodes),
+            TableInfo::of("index_leaves", self.index_leaves),
+        ]
+    }
+
+    /// Proves every row: finite numbers, known codes, references and ranges inside their tables.
+    pub(crate) fn verify_rows(&self) -> Result<(), VerifyError> {
+        let strings = self.string_offsets.len().saturating_sub(1);
+        for (i, row) in self.map.iter().enumerate() {
+            let check = Check { table: "map", row: i };
+            check.finite("origin_x", row.origin_x())?;
+            check.finite("origin_y", row.origin_y())?;
+            check.finite("min_x", row.min_x())?;
+            check.finite("min_y", row.min_y())?;
+            check.finite("min_z", row.min_z())?;
+            check.finite("max_x", row.max_x())?;
+            check.finite("max_y", row.max_y())?;
+            check.finite("max_z", row.max_z())?;
+            check.finite("stated_north", row.stated_north())?;
+            check.finite("stated_south", row.stated_south())?;
+            check.finite("stated_east", row.stated_east())?;
+            check.finite("stated_west", row.stated_west())?;
+            check.finite("road_length", row.road_length())?;
+            check.finite("index_tolerance", row.index_tolerance())?;
+            check.finite("bound_tolerance", row.bound_tolerance())?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("version", row.version(), strings, false)?;
+            check.reference("date", row.date(), strings, false)?;
+            check.reference("vendor", row.vendor(), strings, false)?;
+            check.reference("geo_reference", row.geo_reference(), strings, false)?;
+        }
+        for (i, row) in self.roads.iter().enumerate() {
+            let check = Check { table: "roads", row: i };
+            check.finite("length", row.length())?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("junction", row.junction(), self.junctions.len(), true)?;
+            check.range("geometries", row.geometries(), self.geometries.len())?;
+            check.range("elevations", row.elevations(), self.cubics.len())?;
+            check.range("superelevations", row.superelevations(), self.cubics.len())?;
+            check.range("lane_offsets", row.lane_offsets(), self.cubics.len())?;
+            check.range("sections", row.sections(), self.sections.len())?;
+            check.range("types", row.types(), self.road_types.len())?;
+            check.code("predecessor_kind", row.predecessor_kind(), 5)?;
+            check.code("successor_kind", row.successor_kind(), 5)?;
+            check.code("predecessor_contact", row.predecessor_contact(), 3)?;
+            check.code("successor_contact", row.successor_contact(), 3)?;
+            check.code("rule", row.rule(), 2)?;
+        }
+        for (i, row) in self.geometries.iter().enumerate() {
+            let check = Check { table: "geometries", row: i };
+            check.finite("s", row.s())?;
+            check.finite("x", row.x())?;
+            check.finite("y", row.y())?;
+            check.finite("hdg", row.hdg())?;
+            check.finite("cos", row.cos())?;
+            check.finite("sin", row.sin())?;
+            check.finite("length", row.length())?;
+            check.range("coefficients", row.coefficients(), self.coefficients.len())?;
+            check.finite("error", f64::from(row.error()))?;
+            check.code("kind", row.kind(), 5)?;
+            check.code("parameter_range", row.parameter_range(), 3)?;
+        }
+        for (i, row) in self.coefficients.iter().enumerate() {
+            let check = Check { table: "coefficients", row: i };
+            check.finite("", *row)?;
+        }
+        for (i, row) in self.cubics.iter().enumerate() {
+            let check = Check { table: "cubics", row: i };
+            check.finite("s", row.s())?;
+            check.finite("a", row.a())?;
+            check.finite("b", row.b())?;
+            check.finite("c", row.c())?;
+            check.finite("d", row.d())?;
+        }
+        for (i, row) in self.road_types.iter().enumerate() {
+            let check = Check { table: "road_types", row: i };
+            check.finite("s", row.s())?;
+            check.finite("speed", row.speed())?;
+            check.reference("country", row.country(), strings, false)?;
+            check.code("speed_kind", row.speed_kind(), 4)?;
+        }
+        for (i, row) in self.sections.iter().enumerate() {
+            let check = Check { table: "sections", row: i };
+            check.finite("s_start", row.s_start())?;
+            check.finite("s_end", row.s_end())?;
+            check.reference("road", row.road(), self.roads.len(), false)?;
+            check.range("lanes", row.lanes(), self.lanes.len())?;
+        }
+        for (i, row) in self.lanes.iter().enumerate() {
+            let check = Check { table: "lanes", row: i };
+            check.finite("x", row.x())?;
+            check.finite("y", row.y())?;
+            check.finite("z", row.z())?;
+            check.reference("section", row.section(), self.sections.len(), false)?;
+            check.range("widths", row.widths(), self.cubics.len())?;
+            check.range("speeds", row.speeds(), self.lane_speeds.len())?;
+            check.range("successors", row.successors(), self.lane_links.len())?;
+            check.range("predecessors", row.predecessors(), self.lane_links.len())?;
+            check.range("center", row.center(), self.points.len())?;
+            check.range("border", row.border(), self.points.len())?;
+        }
+        for (i, row) in self.lane_speeds.iter().enumerate() {
+            let check = Check { table: "lane_speeds", row: i };
+            check.finite("s", row.s())?;
+            check.finite("max", row.max())?;
+        }
+        for (i, row) in self.lane_links.iter().enumerate() {
+            let check = Check { table: "lane_links", row: i };
+            check.reference("", *row, self.lanes.len(), false)?;
+        }
+        for (i, row) in self.points.iter().enumerate() {
+            let check = Check { table: "points", row: i };
+            check.finite("x", f64::from(row.x()))?;
+            check.finite("y", f64::from(row.y()))?;
+            check.finite("z", f64::from(row.z()))?;
+            check.finite("s", f64::from(row.s()))?;
+        }
+        for (i, row) in self.junctions.iter().enumerate() {
+            let check = Check { table: "junctions", row: i };
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.range("connections", row.connections(), self.connections.len())?;
+            check.code("kind", row.kind(), 4)?;
+        }
+        for (i, row) in self.connections.iter().enumerate() {
+            let check = Check { table: "connections", row: i };
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("incoming_road", row.incoming_road(), self.roads.len(), true)?;
+            check.reference("connecting_road", row.connecting_road(), self.roads.len(), true)?;
+            check.range("lane_links", row.lane_links(), self.connection_lane_links.len())?;
+            check.code("contact", row.contact(), 3)?;
+        }
+        for (i, row) in self.roads_by_id.iter().enumerate() {
+            let check = Check { table: "roads_by_id", row: i };
+            check.reference("", *row, self.roads.len(), false)?;
+        }
+        for (i, row) in self.junctions_by_id.iter().enumerate() {
+            let check = Check { table: "junctions_by_id", row: i };
+            check.reference("", *row, self.junctions.len(), false)?;
+        }
+        for (i, row) in self.index_nodes.iter().enumerate() {
+            let check = Check { table: "index_nodes", row: i };
+            for value in row.min_x() {
+                check.finite("min_x", f64::from(*value))?;
+            }
+            for value in row.min_y() {
+                check.finite("min_y", f64::from(*value))?;
+            }
+            for value in row.max_x() {
+                check.finite("max_x", f64::from(*value))?;
+            }
+            for value in row.max_y() {
+                check.finite("max_y", f64::from(*value))?;
+            }
+        }
+        for (i, row) in self.index_leaves.iter().enumerate() {
+            let check = Check { table: "index_leaves", row: i };
+            check.finite("x", row.x())?;
+            check.finite("y", row.y())?;
+            for value in row.start_x() {
+                check.finite("start_x", f64::from(*value))?;
+            }
+            for value in row.start_y() {
+                check.finite("start_y", f64::from(*value))?;
+            }
+            for value in row.delta_x() {
+                check.finite("delta_x", f64::from(*value))?;
+            }
+            for value in row.delta_y() {
+                check.finite("delta_y", f64::from(*value))?;
+            }
+            for value in row.reach() {
+                check.finite("reach", f64::from(*value))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+// The element types as they lie in the bytes.
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::f64_le>() == size_of::<f64>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());

@@ -1,0 +1,246 @@
+//! Proving an archive: the content hash and what every row says. Linear in its size.
+
+use crate::error::VerifyError;
+use crate::header::HEADER_LENGTH;
+use crate::open::{Archive, open};
+use crate::table::Range;
+use crate::{NONE, Tables};
+
+/// Places in a node or leaf of the index.
+const WIDTH: usize = 16;
+
+/// Opens an archive and proves it: content hash, finite numbers, known codes, references and ranges inside their
+/// tables, strings that are UTF-8, ascending `s`, sections that meet, an index that is a complete tree.
+///
+/// Errors: the first thing that is wrong, with table, row and field.
+pub fn verify(bytes: &[u8]) -> Result<Archive<'_>, VerifyError> {
+    let archive = open(bytes)?;
+    let found = *blake3::hash(&bytes[HEADER_LENGTH..]).as_bytes();
+    if found != archive.header.content_hash {
+        return Err(VerifyError::ContentHash { expected: archive.header.content_hash, found });
+    }
+    let tables = &archive.tables;
+    strings(tables)?;
+    tables.verify_rows()?;
+    exactly_one_map(tables)?;
+    ascending(tables)?;
+    sections(tables)?;
+    index(tables)?;
+    Ok(archive)
+}
+
+/// The place of a row that is being checked.
+pub(crate) struct Check {
+    pub(crate) table: &'static str,
+    pub(crate) row: usize,
+}
+
+impl Check {
+    fn fail(
+        &self,
+        field: &'static str,
+        expected: impl Into<String>,
+        found: impl ToString,
+    ) -> Result<(), VerifyError> {
+        Err(VerifyError::Row {
+            table: self.table,
+            row: self.row,
+            field,
+            expected: expected.into(),
+            found: found.to_string(),
+        })
+    }
+
+    pub(crate) fn finite(&self, field: &'static str, value: f64) -> Result<(), VerifyError> {
+        if value.is_finite() { Ok(()) } else { self.fail(field, "a finite number", value) }
+    }
+
+    pub(crate) fn code(
+        &self,
+        field: &'static str,
+        value: u8,
+        codes: u32,
+    ) -> Result<(), VerifyError> {
+        if u32::from(value) < codes {
+            Ok(())
+        } else {
+            self.fail(field, format!("a code below {codes}"), value)
+        }
+    }
+
+    pub(crate) fn reference(
+        &self,
+        field: &'static str,
+        value: u32,
+        count: usize,
+        optional: bool,
+    ) -> Result<(), VerifyError> {
+        if (value as usize) < count || (optional && value == NONE) {
+            Ok(())
+        } else {
+            self.fail(field, format!("a row below {count}"), value)
+        }
+    }
+
+    pub(crate) fn range(
+        &self,
+        field: &'static str,
+        range: Range,
+        count: usize,
+    ) -> Result<(), VerifyError> {
+        if range.end() <= count as u64 {
+            Ok(())
+        } else {
+            self.fail(field, format!("a range ending at most at {count}"), format!("{range:?}"))
+        }
+    }
+}
+
+fn strings(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    let at = |row| Check { table: "string_offsets", row };
+    let (first, last) = (tables.string_offsets.first(), tables.string_offsets.last());
+    if first != Some(&0) || last.map(|l| *l as usize) != Some(tables.string_bytes.len()) {
+        return at(0).fail(
+            "",
+            "offsets from 0 to the number of bytes",
+            format!("{first:?} to {last:?}"),
+        );
+    }
+    for (row, pair) in tables.string_offsets.windows(2).enumerate() {
+        let bytes = tables.string_bytes.get(pair[0] as usize..pair[1] as usize);
+        match bytes.map(std::str::from_utf8) {
+            None => return at(row).fail("", "ascending offsets", format!("{pair:?}")),
+            Some(Err(error)) => return at(row).fail("", "UTF-8 text", error),
+            Some(Ok(_)) => {}
+        }
+    }
+    Ok(())
+}
+
+fn exactly_one_map(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    match tables.map.len() {
+        1 => Ok(()),
+        found => Check { table: "map", row: 0 }.fail("", "exactly one row", found),
+    }
+}
+
+/// Records along s never fall within their range.
+fn ascending(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    fn check<T>(
+        table: &'static str,
+        rows: &[T],
+        range: Range,
+        s: impl Fn(&T) -> f64,
+    ) -> Result<(), VerifyError> {
+        for (i, pair) in range.of(rows).windows(2).enumerate() {
+            if s(&pair[1]) < s(&pair[0]) {
+                let row = range.first as usize + i + 1;
+                return Check { table, row }.fail(
+                    "s",
+                    format!("at least {}", s(&pair[0])),
+                    s(&pair[1]),
+                );
+            }
+        }
+        Ok(())
+    }
+    for road in tables.roads {
+        check("geometries", tables.geometries, road.geometries(), |r| r.s())?;
+        check("cubics", tables.cubics, road.elevations(), |r| r.s())?;
+        check("cubics", tables.cubics, road.superelevations(), |r| r.s())?;
+        check("cubics", tables.cubics, road.lane_offsets(), |r| r.s())?;
+        check("road_types", tables.road_types, road.types(), |r| r.s())?;
+    }
+    for lane in tables.lanes {
+        check("cubics", tables.cubics, lane.widths(), |r| r.s())?;
+        check("lane_speeds", tables.lane_speeds, lane.speeds(), |r| r.s())?;
+        check("points", tables.points, lane.center(), |r| f64::from(r.s()))?;
+        check("points", tables.points, lane.border(), |r| f64::from(r.s()))?;
+    }
+    Ok(())
+}
+
+/// Sections know their road, follow each other, and own the lanes that say so.
+fn sections(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    for (number, road) in tables.roads.iter().enumerate() {
+        let range = road.sections();
+        let mut end = None;
+        for (i, section) in range.of(tables.sections).iter().enumerate() {
+            let check = Check { table: "sections", row: range.first as usize + i };
+            if section.road() as usize != number {
+                return check.fail("road", number.to_string(), section.road());
+            }
+            if end.is_some_and(|end| end != section.s_start())
+                || section.s_end() < section.s_start()
+            {
+                return check.fail("s_start", format!("{end:?}"), section.s_start());
+            }
+            end = Some(section.s_end());
+        }
+    }
+    for (number, section) in tables.sections.iter().enumerate() {
+        let lanes = section.lanes();
+        let mut left = i32::MAX;
+        for (i, lane) in lanes.of(tables.lanes).iter().enumerate() {
+            let check = Check { table: "lanes", row: lanes.first as usize + i };
+            if lane.section() as usize != number {
+                return check.fail("section", number.to_string(), lane.section());
+            }
+            if lane.number() >= left {
+                return check.fail("number", format!("below {left}"), lane.number());
+            }
+            left = lane.number();
+        }
+    }
+    Ok(())
+}
+
+/// Each level has as many nodes as the next one's places need, and every used place names a lane and its points.
+fn index(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    let levels = tables.index_levels;
+    let at = |row| Check { table: "index_levels", row };
+    if levels.is_empty() != tables.index_leaves.is_empty() || levels.len() == 1 {
+        return at(0).fail("", "levels just where there are leaves", levels.len());
+    }
+    if let (Some(first), Some(last)) = (levels.first(), levels.last())
+        && (*first != 0 || *last as usize != tables.index_nodes.len())
+    {
+        return at(0).fail(
+            "",
+            "levels from 0 to the number of nodes",
+            format!("{first} to {last}"),
+        );
+    }
+    let mut below = tables.index_leaves.len();
+    for (row, pair) in levels.windows(2).enumerate().rev() {
+        let nodes = (pair[1] as usize).checked_sub(pair[0] as usize);
+        if nodes != Some(below.div_ceil(WIDTH)) {
+            return at(row).fail(
+                "",
+                format!("{} nodes", below.div_ceil(WIDTH)),
+                format!("{nodes:?}"),
+            );
+        }
+        below = below.div_ceil(WIDTH);
+    }
+    if !levels.is_empty() && below != 1 {
+        return at(0).fail("", "one root", below);
+    }
+    for (row, leaf) in tables.index_leaves.iter().enumerate() {
+        let check = Check { table: "index_leaves", row };
+        for place in 0..WIDTH {
+            let (lane, point) = (leaf.lane()[place], leaf.point()[place]);
+            if lane == NONE {
+                continue;
+            }
+            let Some(owner) = tables.lanes.get(lane as usize) else {
+                return check.fail("lane", "a lane", lane);
+            };
+            let center = owner.center();
+            if point < center.first || u64::from(point) + 1 >= center.end() {
+                return check.fail("point", format!("a segment of {center:?}"), point);
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,72 @@
+//! Connecting by name and following generations.
+
+use crate::error::ClientError;
+use crate::snapshot::Snapshot;
+use crate::transport::{Domain, Subscription};
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// A connection to one served map. `Send` and `Sync`; queries run on [`Snapshot`]s and never pass through here.
+pub struct Client {
+    name: String,
+    subscription: Subscription,
+    current: Mutex<Snapshot>,
+}
+
+impl Client {
+    /// Connects to a map in the domain that the environment names (see [`Domain::from_env`]) and pins its newest
+    /// generation. Daemon and client may start in any order; waits at most `deadline`.
+    ///
+    /// Errors: what was missing when the deadline passed, or why the archive cannot be read.
+    pub fn connect(map: &str, deadline: Duration) -> Result<Self, ClientError> {
+        let domain = Domain::from_env().map_err(crate::transport::AttachError::from)?;
+        Self::connect_in(&domain, map, deadline)
+    }
+
+    /// As [`Client::connect`], in a given domain.
+    pub fn connect_in(domain: &Domain, map: &str, deadline: Duration) -> Result<Self, ClientError> {
+        let until = Instant::now() + deadline;
+        let subscription = Subscription::connect(domain, map, until)?;
+        let pinned = subscription.wait_newer(0, until)?;
+        let current = Mutex::new(Snapshot::from_pinned(pinned, map)?);
+        Ok(Self { name: map.to_owned(), subscription, current })
+    }
+
+    /// Name of the map.
+    pub fn map_name(&self) -> &str {
+        &self.name
+    }
+
+    /// The newest generation seen so far, without looking for another.
+    pub fn snapshot(&self) -> Snapshot {
+        self.current.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// Looks for a newer generation without waiting and returns the newest.
+    ///
+    /// Errors: the transport failed, or the new archive cannot be read; the old snapshot stays what it was.
+    pub fn refresh(&self) -> Result<Snapshot, ClientError> {
+        match self.subscription.latest()? {
+            Some(pinned) => self.keep(Snapshot::from_pinned(pinned, &self.name)?),
+            None => Ok(self.snapshot()),
+        }
+    }
+
+    /// Waits for a generation newer than the newest seen so far, at most `deadline`.
+    ///
+    /// Errors: none came in time; the transport failed; the new archive cannot be read.
+    pub fn wait_next(&self, deadline: Duration) -> Result<Snapshot, ClientError> {
+        let than = self.snapshot().generation();
+        let pinned = self.subscription.wait_newer(than, Instant::now() + deadline)?;
+        self.keep(Snapshot::from_pinned(pinned, &self.name)?)
+    }
+
+    /// Keeps the newer of two generations: threads may race here.
+    fn keep(&self, new: Snapshot) -> Result<Snapshot, ClientError> {
+        let mut current = self.current.lock().unwrap_or_else(PoisonError::into_inner);
+        if new.generation() > current.generation() {
+            *current = new;
+        }
+        Ok(current.clone())
+    }
+}

@@ -1,0 +1,39 @@
+//! Why a map cannot be had.
+
+use crate::transport::AttachError;
+use mapd_archive::{OpenError, VerifyError};
+use std::path::PathBuf;
+use thiserror::Error;
+
+/// Why a map cannot be had.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum ClientError {
+    /// The daemon, the map or a generation was not there, or refused us.
+    #[error(transparent)]
+    Attach(#[from] AttachError),
+    /// The bytes are no archive that this program reads.
+    #[error("{source_name}: {error}")]
+    Open {
+        /// File or map name.
+        source_name: String,
+        /// What is wrong.
+        error: OpenError,
+    },
+    /// The archive does not prove.
+    #[error("{source_name}: {error}")]
+    Verify {
+        /// File or map name.
+        source_name: String,
+        /// What is wrong.
+        error: VerifyError,
+    },
+    /// The file cannot be read.
+    #[error("{}: {error}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        error: std::io::Error,
+    },
+}

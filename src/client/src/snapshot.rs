@@ -1,0 +1,101 @@
+//! One generation, pinned.
+#![allow(unsafe_code)]
+
+use crate::error::ClientError;
+use crate::file;
+use crate::transport::Pinned;
+use mapd_archive::{AlignedBytes, Archive, open, verify};
+use mapd_query::Map;
+use memmap2::Mmap;
+use std::path::Path;
+use std::sync::Arc;
+
+/// What keeps the bytes where they are.
+enum Memory {
+    Shared(Pinned),
+    File(Mmap),
+    Owned(AlignedBytes),
+}
+
+impl Memory {
+    fn bytes(&self) -> &[u8] {
+        match self {
+            Self::Shared(pinned) => pinned.bytes(),
+            Self::File(map) => map,
+            Self::Owned(bytes) => bytes,
+        }
+    }
+}
+
+struct Inner {
+    /// Borrows from `memory`; declared first, dropped first.
+    archive: Archive<'static>,
+    memory: Memory,
+    generation: u64,
+}
+
+/// One generation of a map, pinned: cheap to clone, shared by threads without locks, readable as long as any clone lives.
+#[derive(Clone)]
+pub struct Snapshot(Arc<Inner>);
+
+impl Snapshot {
+    /// Opens a `.mapd` file in place.
+    ///
+    /// Errors: the file cannot be read, or is no archive that this program reads.
+    pub fn open(path: impl AsRef<Path>) -> Result<Self, ClientError> {
+        let path = path.as_ref();
+        let map = file::map(path).map_err(|error| ClientError::File { path: path.to_owned(), error })?;
+        Self::new(Memory::File(map), 0, &path.display().to_string())
+    }
+
+    /// An archive that was encoded in this process.
+    ///
+    /// Errors: the bytes are no archive that this program reads.
+    pub fn from_bytes(bytes: AlignedBytes) -> Result<Self, ClientError> {
+        Self::new(Memory::Owned(bytes), 0, "archive in memory")
+    }
+
+    pub(crate) fn from_pinned(pinned: Pinned, name: &str) -> Result<Self, ClientError> {
+        let generation = pinned.info().generation;
+        Self::new(Memory::Shared(pinned), generation, name)
+    }
+
+    fn new(memory: Memory, generation: u64, name: &str) -> Result<Self, ClientError> {
+        let bytes = memory.bytes();
+        // SAFETY: the bytes live in `memory` (shared sample, mapping or heap block), which moves into the same `Inner`
+        // and neither moves nor frees them before it is dropped; `archive` is dropped first, is private, and is handed
+        // out only with the lifetime of a borrow of the snapshot (`map`).
+        let bytes: &'static [u8] = unsafe { std::slice::from_raw_parts(bytes.as_ptr(), bytes.len()) };
+        let archive = open(bytes).map_err(|error| ClientError::Open { source_name: name.to_owned(), error })?;
+        Ok(Self(Arc::new(Inner { archive, memory, generation })))
+    }
+
+    /// The map.
+    pub fn map(&self) -> Map<'_> {
+        Map::new(&self.0.archive, self.0.generation)
+    }
+
+    /// What the map was published as; 0 for a file.
+    pub fn generation(&self) -> u64 {
+        self.0.generation
+    }
+
+    /// The archive's header.
+    pub fn header(&self) -> &mapd_archive::Header {
+        &self.0.archive.header
+    }
+
+    /// The archive's bytes.
+    pub fn bytes(&self) -> &[u8] {
+        self.0.memory.bytes()
+    }
+
+    /// Proves the whole archive, content hash included. Linear in its size; attaching does not do this.
+    ///
+    /// Errors: the first thing that is wrong.
+    pub fn verify(&self) -> Result<(), ClientError> {
+        verify(self.bytes())
+            .map(|_| ())
+            .map_err(|error| ClientError::Verify { source_name: "archive".to_owned(), error })
+    }
+}

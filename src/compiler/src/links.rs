@@ -1,0 +1,257 @@
+//! Ids become rows: roads, junctions, connections.
+
+use crate::finding;
+use crate::lower::{Lowering, between};
+use mapd_archive::{
+    ConnectionLaneLinkRow, ConnectionRow, ContactPoint, LinkKind, NONE, RoadRow, StringTable,
+};
+use mapd_xodr::{self as xodr, Finding, LinkElement, Severity, Span};
+use std::collections::HashMap;
+
+/// Rows by the number of their id's string.
+type ById = HashMap<u32, u32>;
+
+/// Resolves every id and sorts the look-up tables. What is not found is named and kept as unresolved.
+pub(crate) fn resolve(lowering: &mut Lowering, findings: &mut Vec<Finding>) {
+    let roads = by_id(
+        lowering.rows.roads.iter().map(|road| road.id),
+        &lowering.links.road_spans,
+        ("road", "mapd:compile.duplicate_road"),
+        findings,
+    );
+    let junction_spans: Vec<Span> =
+        lowering.links.junctions.iter().map(|junction| junction.span).collect();
+    let junctions = by_id(
+        lowering.rows.junctions.iter().map(|junction| junction.id),
+        &junction_spans,
+        ("junction", "mapd:compile.duplicate_junction"),
+        findings,
+    );
+    for number in 0..lowering.rows.roads.len() {
+        resolve_road(lowering, number, &roads, &junctions, findings);
+    }
+    resolve_connections(lowering, &roads, findings);
+    sort_by_id(lowering);
+}
+
+fn by_id(
+    ids: impl Iterator<Item = u32>,
+    spans: &[Span],
+    (what, rule): (&str, &'static str),
+    findings: &mut Vec<Finding>,
+) -> ById {
+    let mut rows = ById::new();
+    for (row, id) in ids.enumerate() {
+        if rows.insert(id, row as u32).is_some() {
+            let span = spans.get(row).copied().unwrap_or_default();
+            let message = format!("the id of this {what} stands on an earlier one too");
+            let path = format!("OpenDRIVE/{what}");
+            findings.push(finding(
+                rule,
+                Severity::Error,
+                span,
+                path,
+                message,
+                "give each its own id",
+            ));
+        }
+    }
+    rows
+}
+
+fn find(rows: &ById, strings: &StringTable, id: &str) -> Option<u32> {
+    strings.number(id).and_then(|number| rows.get(&number)).copied()
+}
+
+fn resolve_road(
+    lowering: &mut Lowering,
+    number: usize,
+    roads: &ById,
+    junctions: &ById,
+    findings: &mut Vec<Finding>,
+) {
+    let span = lowering.links.road_spans.get(number).copied().unwrap_or_default();
+    if let Some(id) = lowering.links.road_junctions.get(number).cloned().flatten() {
+        match find(junctions, &lowering.strings, &id) {
+            Some(junction) => lowering.rows.roads[number].junction = junction,
+            None => {
+                let message =
+                    format!("expected a junction of the map, found {id:?}, which it does not have");
+                let path = "OpenDRIVE/road/@junction".to_owned();
+                findings.push(finding(
+                    "mapd:compile.orphan_junction",
+                    Severity::Warning,
+                    span,
+                    path,
+                    message,
+                    "",
+                ));
+            }
+        }
+    }
+    let links = lowering.links.roads.get(number).cloned().unwrap_or_default();
+    for (i, link) in links.iter().enumerate() {
+        let Some(link) = link else { continue };
+        let (known, found, missing) = match link.element_type {
+            LinkElement::Road => (
+                LinkKind::Road,
+                find(roads, &lowering.strings, &link.element_id),
+                LinkKind::UnresolvedRoad,
+            ),
+            LinkElement::Junction => (
+                LinkKind::Junction,
+                find(junctions, &lowering.strings, &link.element_id),
+                LinkKind::UnresolvedJunction,
+            ),
+        };
+        let end = if i == 0 { "predecessor" } else { "successor" };
+        if found.is_none() {
+            let message = format!(
+                "expected a {} of the map, found {:?}, which it does not have",
+                known.name(),
+                link.element_id
+            );
+            let path = format!("OpenDRIVE/road/link/{end}");
+            findings.push(finding(
+                "mapd:compile.orphan_link",
+                Severity::Warning,
+                link.span,
+                path,
+                message,
+                "",
+            ));
+        }
+        let mut contact = contact_code(link.contact_point);
+        if let (Some(target), LinkElement::Road, None) =
+            (found, link.element_type, link.contact_point)
+        {
+            contact = nearer_end(lowering, number, i == 1, target as usize);
+            let message = format!(
+                "expected @contactPoint, found none; read as {} because that end is nearer",
+                ContactPoint::from_code(contact).name()
+            );
+            let path = format!("OpenDRIVE/road/link/{end}");
+            findings.push(finding(
+                "mapd:compile.contact_point",
+                Severity::Warning,
+                link.span,
+                path,
+                message,
+                "",
+            ));
+        }
+        let kind = if found.is_some() { known } else { missing }.code();
+        let row = &mut lowering.rows.roads[number];
+        if i == 0 {
+            (row.predecessor, row.predecessor_kind, row.predecessor_contact) =
+                (found.unwrap_or(NONE), kind, contact);
+        } else {
+            (row.successor, row.successor_kind, row.successor_contact) =
+                (found.unwrap_or(NONE), kind, contact);
+        }
+    }
+}
+
+fn contact_code(contact: Option<xodr::ContactPoint>) -> u8 {
+    match contact {
+        None => ContactPoint::None,
+        Some(xodr::ContactPoint::Start) => ContactPoint::Start,
+        Some(xodr::ContactPoint::End) => ContactPoint::End,
+    }
+    .code()
+}
+
+/// Which end of `target` lies nearer to this road's end.
+fn nearer_end(lowering: &Lowering, road: usize, at_end: bool, target: usize) -> u8 {
+    let ends = |row: &RoadRow| {
+        let geometries = row.geometries.of(&lowering.rows.geometries);
+        let start = geometries.first().map_or((0.0, 0.0), |g| (g.x, g.y));
+        // The last geometry's end, straight on: enough to tell two ends of a road apart.
+        let end = geometries
+            .last()
+            .map_or((0.0, 0.0), |g| (g.x + g.cos * g.length, g.y + g.sin * g.length));
+        (start, end)
+    };
+    let (Some(from), Some(to)) = (lowering.rows.roads.get(road), lowering.rows.roads.get(target))
+    else {
+        return ContactPoint::None.code();
+    };
+    let here = if at_end { ends(from).1 } else { ends(from).0 };
+    let squared = |p: (f64, f64)| (p.0 - here.0) * (p.0 - here.0) + (p.1 - here.1) * (p.1 - here.1);
+    let (start, end) = ends(to);
+    if squared(start) <= squared(end) { ContactPoint::Start } else { ContactPoint::End }.code()
+}
+
+fn resolve_connections(lowering: &mut Lowering, roads: &ById, findings: &mut Vec<Finding>) {
+    let junctions = std::mem::take(&mut lowering.links.junctions);
+    for (number, junction) in junctions.iter().enumerate() {
+        let before = lowering.rows.connections.len();
+        for connection in &junction.connections {
+            let mut resolve = |id: Option<&str>, what: &str| {
+                let id = id?;
+                let row = find(roads, &lowering.strings, id);
+                if row.is_none() && id != "-1" {
+                    let message =
+                        format!("expected a road of the map, found {id:?}, which it does not have");
+                    let path =
+                        format!("OpenDRIVE/junction[@id={}]/connection/@{what}", junction.id);
+                    let rule = "mapd:compile.orphan_connection";
+                    findings.push(finding(
+                        rule,
+                        Severity::Warning,
+                        connection.span,
+                        path,
+                        message,
+                        "",
+                    ));
+                }
+                row
+            };
+            let incoming = resolve(
+                Some(connection.incoming_road.as_str()).filter(|id| !id.is_empty()),
+                "incomingRoad",
+            );
+            let connecting = match &connection.linked_road {
+                Some(linked) => resolve(Some(linked), "linkedRoad"),
+                None => resolve(connection.connecting_road.as_deref(), "connectingRoad"),
+            };
+            let links = lowering.rows.connection_lane_links.len();
+            let written = connection
+                .lane_links
+                .iter()
+                .map(|l| ConnectionLaneLinkRow { from: l.from, to: l.to });
+            lowering.rows.connection_lane_links.extend(written);
+            let id = lowering.strings.add(&connection.id);
+            let row = ConnectionRow {
+                id,
+                incoming_road: incoming.unwrap_or(NONE),
+                connecting_road: connecting.unwrap_or(NONE),
+                lane_links: between(links, lowering.rows.connection_lane_links.len()),
+                contact: contact_code(connection.contact_point),
+                reserved: [0; 3],
+            };
+            lowering.rows.connections.push(row);
+        }
+        let connections = between(before, lowering.rows.connections.len());
+        if let Some(row) = lowering.rows.junctions.get_mut(number) {
+            row.connections = connections;
+        }
+    }
+    lowering.links.junctions = junctions;
+}
+
+/// Rows in byte order of their ids, for looking ids up.
+fn sort_by_id(lowering: &mut Lowering) {
+    let Lowering { rows, strings, .. } = lowering;
+    let order = |ids: Vec<u32>| {
+        let mut by_id: Vec<u32> = (0..ids.len() as u32).collect();
+        by_id.sort_by(|a, b| {
+            let text = |row: u32| ids.get(row as usize).map_or(&[][..], |id| strings.bytes_of(*id));
+            text(*a).cmp(text(*b)).then(a.cmp(b))
+        });
+        by_id
+    };
+    rows.roads_by_id = order(rows.roads.iter().map(|road| road.id).collect()).into();
+    rows.junctions_by_id =
+        order(rows.junctions.iter().map(|junction| junction.id).collect()).into();
+}

@@ -1,0 +1,59 @@
+//! What shapes the output.
+
+use thiserror::Error;
+
+/// Default of [`CompileOptions::index_tolerance`] `[m]`.
+const INDEX_TOLERANCE: f64 = 0.05;
+/// Default of [`CompileOptions::bound_tolerance`] `[m]`.
+const BOUND_TOLERANCE: f64 = 0.01;
+/// Tolerances that make sense `[m]`: below, single precision has no room; above, an index stops to be one.
+const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-3..=1.0;
+
+/// What shapes the output; part of the archive's provenance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CompileOptions {
+    /// Largest distance of a lane's centre line from its polyline `[m]`. Default 0.05.
+    pub index_tolerance: f64,
+    /// Largest distance of a lane's border from its polyline `[m]`. Default 0.01.
+    pub bound_tolerance: f64,
+}
+
+/// An option outside its range.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[error("{name} must lie between {low} and {high} m, found {found}")]
+pub struct OptionsError {
+    name: &'static str,
+    low: f64,
+    high: f64,
+    found: f64,
+}
+
+impl Default for CompileOptions {
+    fn default() -> Self {
+        Self { index_tolerance: INDEX_TOLERANCE, bound_tolerance: BOUND_TOLERANCE }
+    }
+}
+
+impl CompileOptions {
+    /// Refuses tolerances out of range.
+    pub fn validate(&self) -> Result<(), OptionsError> {
+        let all =
+            [("index tolerance", self.index_tolerance), ("bound tolerance", self.bound_tolerance)];
+        match all.into_iter().find(|(_, value)| !TOLERANCES.contains(value)) {
+            Some((name, found)) => {
+                Err(OptionsError { name, low: *TOLERANCES.start(), high: *TOLERANCES.end(), found })
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// First bytes of the BLAKE3 of all options, as the header carries them.
+    pub fn hash(&self) -> [u8; 8] {
+        let mut hasher = blake3::Hasher::new();
+        hasher.update(&self.index_tolerance.to_le_bytes());
+        hasher.update(&self.bound_tolerance.to_le_bytes());
+        let mut out = [0; 8];
+        out.copy_from_slice(&hasher.finalize().as_bytes()[..8]);
+        out
+    }
+}

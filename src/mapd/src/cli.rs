@@ -1,0 +1,282 @@
+//! The command line.
+
+use crate::exit::Exit;
+use crate::progress::Bar;
+use crate::query::{self, Kind};
+use crate::{archive_file, inspect, load, report, source, status};
+use anyhow::{Context, Result, bail};
+use clap::{Args, CommandFactory, Parser, Subcommand};
+use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions};
+use mapd_compiler::CompileOptions;
+use std::io::{self, BufWriter, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Compile OpenDRIVE maps once and serve them to every process from shared memory.
+///
+/// `mapd --load map.xodr` compiles and checks the map, publishes it under the name `map` and serves until SIGINT or
+/// SIGTERM. Other processes read it in place: with the crate mapd-client, or here with `mapd query shm:map …`.
+#[derive(Parser)]
+#[command(version, args_conflicts_with_subcommands = true, after_help = EXIT_CODES)]
+struct Cli {
+    /// Serve a map (.xodr or .mapd) or every map of a folder; may be repeated
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    load: Vec<PathBuf>,
+
+    /// Serve under this name instead of the file's stem
+    #[arg(long, requires = "load")]
+    name: Option<String>,
+
+    #[command(flatten)]
+    options: Options,
+
+    #[command(flatten)]
+    domain: DomainArgs,
+
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+const EXIT_CODES: &str = "Exit codes: 0 done and accepted, 4 map rejected, 2 wrong usage, 1 the environment failed.";
+
+#[derive(Args)]
+struct Options {
+    /// Largest distance of a lane's centre line from its polyline [m]
+    #[arg(long, value_name = "M", default_value_t = CompileOptions::default().index_tolerance)]
+    index_tolerance: f64,
+
+    /// Largest distance of a lane's border from its polyline [m]
+    #[arg(long, value_name = "M", default_value_t = CompileOptions::default().bound_tolerance)]
+    bound_tolerance: f64,
+}
+
+#[derive(Args)]
+struct DomainArgs {
+    /// Prefix of everything in shared memory; daemons and clients meet where it is equal [default: mapd_]
+    #[arg(long, env = "MAPD_PREFIX", value_name = "PREFIX")]
+    prefix: Option<String>,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Compile an OpenDRIVE file into an archive
+    Compile {
+        /// OpenDRIVE file
+        file: PathBuf,
+        /// Archive to write [default: FILE with the ending .mapd]
+        #[arg(short, long, value_name = "OUT.mapd")]
+        output: Option<PathBuf>,
+        /// Write all findings as JSON
+        #[arg(long, value_name = "R.json")]
+        report: Option<PathBuf>,
+        #[command(flatten)]
+        options: Options,
+    },
+    /// Show what a map holds
+    Inspect {
+        /// .xodr, .mapd or shm:NAME
+        source: String,
+        /// As JSON
+        #[arg(long)]
+        json: bool,
+        /// Prove the content hash and every row first
+        #[arg(long)]
+        verify: bool,
+        #[command(flatten)]
+        domain: DomainArgs,
+    },
+    /// Answer questions: CSV with a header row from stdin to stdout
+    #[command(after_help = QUERY_HELP)]
+    Query {
+        /// .xodr, .mapd or shm:NAME
+        source: String,
+        /// What is asked
+        #[arg(value_enum)]
+        kind: Kind,
+        /// nearest: largest distance from a lane's area [m]
+        #[arg(long, value_name = "M", default_value_t = NearestOptions::default().radius)]
+        radius: f64,
+        /// nearest: lane types that count, separated by commas, or `drivable` [default: all]
+        #[arg(long, value_name = "TYPES", value_delimiter = ',')]
+        types: Vec<String>,
+        /// nearest: largest difference in z [m], where the input has z
+        #[arg(long, value_name = "M")]
+        z_tolerance: Option<f64>,
+        /// nearest: largest difference from the lane's driving direction [rad], where the input has hdg
+        #[arg(long, value_name = "RAD")]
+        heading_tolerance: Option<f64>,
+        #[command(flatten)]
+        domain: DomainArgs,
+    },
+    /// List the maps that are served
+    Status {
+        /// As JSON
+        #[arg(long)]
+        json: bool,
+        #[command(flatten)]
+        domain: DomainArgs,
+    },
+}
+
+const QUERY_HELP: &str = "\
+Columns:
+  inertial    road_id,s,t[,h]      x,y,z,hdg (h = 0 is the plane rolled by superelevation)
+  lane        road_id,s,lane_id    width,t_inner,t_outer,x,y,z,hdg of the lane's centre on that plane
+  nearest     x,y[,z][,hdg]        lane,road_id,lane_id,s,t,offset,distance
+  track       road_id,x,y[,z]      s,t,h (h only with z)
+  successors  road_id,s,lane_id    successors in driving direction, joined by ;
+Metres and radians. A row that has no answer says why in the column `error`; the command still ends with 0.
+
+  printf 'x,y\\n12.5,-3\\n' | mapd query map.xodr nearest";
+
+impl Options {
+    fn compile(&self) -> CompileOptions {
+        CompileOptions { index_tolerance: self.index_tolerance, bound_tolerance: self.bound_tolerance }
+    }
+}
+
+impl DomainArgs {
+    fn domain(&self) -> Result<Domain> {
+        Ok(match &self.prefix {
+            Some(prefix) => Domain::new(prefix)?,
+            None => Domain::from_env()?,
+        })
+    }
+}
+
+/// Runs the program with the process's arguments.
+pub fn run() -> ExitCode {
+    let cli = Cli::parse();
+    match execute(cli) {
+        Ok(exit) => exit.into(),
+        // The reader of our output has gone: nobody is left to be told.
+        Err(error) if is_broken_pipe(&error) => Exit::Done.into(),
+        Err(error) => {
+            let _ = writeln!(io::stderr(), "mapd: {error:#}");
+            let exit = if error.is::<UsageError>() { Exit::Usage } else { Exit::Environment };
+            exit.into()
+        }
+    }
+}
+
+/// Wrong usage that only shows while running.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+struct UsageError(String);
+
+fn is_broken_pipe(error: &anyhow::Error) -> bool {
+    error.chain().any(|cause| {
+        let io = cause.downcast_ref::<io::Error>();
+        io.is_some_and(|e| e.kind() == io::ErrorKind::BrokenPipe)
+            || matches!(cause.downcast_ref::<csv::Error>().map(csv::Error::kind), Some(csv::ErrorKind::Io(e)) if e.kind() == io::ErrorKind::BrokenPipe)
+    })
+}
+
+fn validated(options: &Options) -> Result<CompileOptions> {
+    let options = options.compile();
+    options.validate().map_err(|error| UsageError(error.to_string()))?;
+    Ok(options)
+}
+
+fn execute(cli: Cli) -> Result<Exit> {
+    let out = &mut BufWriter::new(io::stdout().lock());
+    let Some(command) = cli.command else {
+        if cli.load.is_empty() {
+            Cli::command().print_help()?;
+            return Ok(Exit::Usage);
+        }
+        return load::run(&cli.load, cli.name.as_deref(), &validated(&cli.options)?, &cli.domain.domain()?);
+    };
+    let exit = match command {
+        Command::Compile { file, output, report, options } => {
+            compile(&file, output, report, &validated(&options)?, out)?
+        }
+        Command::Inspect { source, json, verify, domain } => {
+            match source::open_or_report(&source, &CompileOptions::default(), &domain.domain()?)? {
+                Some(snapshot) => {
+                    inspect::run(&source, &snapshot, json, verify, out)?;
+                    Exit::Done
+                }
+                None => Exit::Rejected,
+            }
+        }
+        Command::Query { source, kind, radius, types, z_tolerance, heading_tolerance, domain } => {
+            let types = lane_types(&types)?;
+            let options = NearestOptions { radius, types, z_tolerance, heading: None, heading_tolerance };
+            match source::open_or_report(&source, &CompileOptions::default(), &domain.domain()?)? {
+                Some(snapshot) => {
+                    query::run(snapshot.map(), kind, &options, io::stdin().lock(), &mut *out).map_err(|error| match error {
+                        query::QueryRunError::Columns { .. } => UsageError(error.to_string()).into(),
+                        other => anyhow::Error::new(other),
+                    })?;
+                    Exit::Done
+                }
+                None => Exit::Rejected,
+            }
+        }
+        Command::Status { json, domain } => {
+            status::run(&domain.domain()?, json, out)?;
+            Exit::Done
+        }
+    };
+    out.flush()?;
+    Ok(exit)
+}
+
+fn compile(
+    file: &std::path::Path,
+    output: Option<PathBuf>,
+    report_to: Option<PathBuf>,
+    options: &CompileOptions,
+    out: &mut dyn Write,
+) -> Result<Exit> {
+    let bar = Bar::new(file);
+    let compiled = source::compile_file(file, options, &mut |p| bar.show(p))?;
+    bar.finish();
+    let name = file.display().to_string();
+    report::print(&name, &compiled);
+    if let Some(path) = report_to {
+        let mut json = serde_json::to_vec_pretty(&report::report(&name, &compiled))?;
+        json.push(b'\n');
+        std::fs::write(&path, json).with_context(|| format!("writing {}", path.display()))?;
+    }
+    if let Some(rows) = &compiled.rows {
+        let output = output.unwrap_or_else(|| file.with_extension("mapd"));
+        if output == file {
+            bail!("{} would overwrite its source; name another file with -o", output.display());
+        }
+        let header = archive_file::write(&output, rows, &compiled.provenance)?;
+        writeln!(
+            out,
+            "{}: {} bytes, {} roads, {} lanes, content {}",
+            output.display(),
+            header.body_length + mapd_archive::HEADER_LENGTH as u64,
+            rows.roads.len(),
+            rows.lanes.iter().filter(|lane| lane.number != 0).count(),
+            report::hex(&header.content_hash)
+        )?;
+    }
+    Ok(compiled.verdict.into())
+}
+
+/// The set of lane types that names stand for.
+fn lane_types(names: &[String]) -> Result<LaneTypes> {
+    if names.is_empty() {
+        return Ok(LaneTypes::ALL);
+    }
+    let mut set = LaneTypes::NONE;
+    for name in names {
+        if name == "drivable" {
+            set = LaneType::ALL.iter().filter(|kind| kind.is_drivable()).fold(set, |set, kind| set.with(*kind));
+            continue;
+        }
+        match LaneType::from_name(name) {
+            LaneType::Unknown => {
+                let known: Vec<&str> = LaneType::ALL.iter().map(|kind| kind.name()).collect();
+                bail!(UsageError(format!("unknown lane type {name:?}; known are drivable, {}", known.join(", "))));
+            }
+            kind => set = set.with(kind),
+        }
+    }
+    Ok(set)
+}

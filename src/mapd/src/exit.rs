@@ -1,0 +1,56 @@
+//! Exit codes.
+
+use mapd_compiler::Verdict;
+use std::process::ExitCode;
+
+/// How a job ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Exit {
+    /// Done and accepted.
+    Done,
+    /// A map was rejected.
+    Rejected,
+    /// Wrong usage.
+    Usage,
+    /// The environment failed: files, memory, shared memory.
+    Environment,
+}
+
+impl Exit {
+    /// The process's exit code.
+    pub fn code(self) -> u8 {
+        match self {
+            Self::Done => 0,
+            Self::Environment => 1,
+            Self::Usage => 2,
+            Self::Rejected => 4,
+        }
+    }
+
+    /// The worse of two: the environment, then rejected maps.
+    #[must_use]
+    pub fn worst(self, other: Self) -> Self {
+        let rank = |exit: Self| match exit {
+            Self::Done => 0,
+            Self::Rejected => 1,
+            Self::Usage => 2,
+            Self::Environment => 3,
+        };
+        if rank(other) > rank(self) { other } else { self }
+    }
+}
+
+impl From<Verdict> for Exit {
+    fn from(verdict: Verdict) -> Self {
+        match verdict {
+            Verdict::Accepted => Self::Done,
+            Verdict::Rejected => Self::Rejected,
+        }
+    }
+}
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> Self {
+        Self::from(exit.code())
+    }
+}

@@ -1,0 +1,135 @@
+//! `mapd inspect`.
+
+use crate::report::hex;
+use anyhow::Result;
+use mapd_client::Snapshot;
+use serde::Serialize;
+use std::io::Write;
+
+#[derive(Serialize)]
+struct Inspection {
+    source: String,
+    bytes: usize,
+    format: u32,
+    layout_id: String,
+    content_hash: String,
+    input_hash: String,
+    options_hash: String,
+    compiler_version: String,
+    generation: u64,
+    verified: Option<bool>,
+    map: MapFacts,
+    quarantined: Vec<()>,
+    tables: Vec<TableFacts>,
+}
+
+#[derive(Serialize)]
+struct MapFacts {
+    name: String,
+    opendrive: String,
+    geo_reference: String,
+    roads: usize,
+    junctions: usize,
+    sections: usize,
+    lanes: usize,
+    lane_links: usize,
+    road_length_m: f64,
+    min: [f64; 3],
+    max: [f64; 3],
+    bytes_per_road_km: f64,
+}
+
+#[derive(Serialize)]
+struct TableFacts {
+    name: &'static str,
+    count: usize,
+    element_bytes: usize,
+    bytes: usize,
+}
+
+/// Prints what an archive holds; with `verify` proves it first.
+///
+/// Errors: the archive does not prove.
+pub(crate) fn run(source: &str, snapshot: &Snapshot, json: bool, verify: bool, out: &mut dyn Write) -> Result<()> {
+    if verify {
+        snapshot.verify()?;
+    }
+    let inspection = inspect(source, snapshot, verify);
+    if json {
+        serde_json::to_writer_pretty(&mut *out, &inspection)?;
+        writeln!(out)?;
+        return Ok(());
+    }
+    let i = &inspection;
+    let m = &i.map;
+    writeln!(out, "source        {}", i.source)?;
+    writeln!(out, "map           {:?}, OpenDRIVE {}", m.name, m.opendrive)?;
+    writeln!(out, "roads         {} ({:.3} km), {} junctions", m.roads, m.road_length_m / 1000.0, m.junctions)?;
+    writeln!(out, "lanes         {} in {} sections, {} links", m.lanes, m.sections, m.lane_links)?;
+    writeln!(out, "bounds [m]    {:?} to {:?}", m.min, m.max)?;
+    writeln!(out, "geoReference  {}", m.geo_reference)?;
+    writeln!(out, "archive       {} bytes, {:.0} per km of road", i.bytes, m.bytes_per_road_km)?;
+    writeln!(out, "generation    {}", i.generation)?;
+    writeln!(out, "layout id     {} (format {})", i.layout_id, i.format)?;
+    writeln!(out, "content hash  {}", i.content_hash)?;
+    writeln!(out, "input hash    {}", i.input_hash)?;
+    writeln!(out, "options hash  {}", i.options_hash)?;
+    writeln!(out, "compiler      {}", i.compiler_version)?;
+    if verify {
+        writeln!(out, "verified      content hash and every row")?;
+    }
+    writeln!(out, "\n{:<24}{:>12}{:>8}{:>14}", "table", "elements", "bytes", "total")?;
+    for t in &i.tables {
+        writeln!(out, "{:<24}{:>12}{:>8}{:>14}", t.name, t.count, t.element_bytes, t.bytes)?;
+    }
+    Ok(())
+}
+
+fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
+    let map = snapshot.map();
+    let tables = map.tables();
+    let header = snapshot.header();
+    let (min, max) = map.bounds();
+    let (major, minor) = map.revision();
+    let length = map.road_length();
+    let bytes = snapshot.bytes().len();
+    let [a, b, c] = header.provenance.compiler_version;
+    let links: u64 = tables.lanes.iter().map(|lane| u64::from(lane.successors().count)).sum();
+    Inspection {
+        source: source.to_owned(),
+        bytes,
+        format: mapd_archive::FORMAT,
+        layout_id: hex(&mapd_archive::LAYOUT_ID),
+        content_hash: hex(&header.content_hash),
+        input_hash: hex(&header.provenance.input_hash),
+        options_hash: hex(&header.provenance.options_hash),
+        compiler_version: format!("{a}.{b}.{c}"),
+        generation: snapshot.generation(),
+        verified: verified.then_some(true),
+        map: MapFacts {
+            name: map.name().to_owned(),
+            opendrive: format!("{major}.{minor}"),
+            geo_reference: map.geo_reference().to_owned(),
+            roads: tables.roads.len(),
+            junctions: tables.junctions.len(),
+            sections: tables.sections.len(),
+            lanes: map.lanes().count(),
+            lane_links: links as usize,
+            road_length_m: length,
+            min: min.to_array(),
+            max: max.to_array(),
+            bytes_per_road_km: if length > 0.0 { bytes as f64 / (length / 1000.0) } else { 0.0 },
+        },
+        quarantined: Vec::new(),
+        tables: tables
+            .infos()
+            .iter()
+            .map(|t| TableFacts {
+                name: t.name,
+                count: t.count,
+                element_bytes: t.element_bytes,
+                bytes: t.count * t.element_bytes,
+            })
+            .collect(),
+    }
+}

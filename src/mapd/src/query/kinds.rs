@@ -1,0 +1,154 @@
+//! The kinds of queries and their columns.
+
+use super::row::Row;
+use clap::ValueEnum;
+use mapd_client::{Lane, Map, NearestOptions, Point, QueryError, Road, Track};
+use mapd_query::glam::DVec2;
+
+/// A value of s may lie this far `[m]` outside the road: rounding in somebody's file.
+const S_TOLERANCE: f64 = 1e-6;
+
+/// What is asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Kind {
+    /// road_id,s,t[,h] → x,y,z,hdg
+    Inertial,
+    /// road_id,s,lane_id → width,t_inner,t_outer,x,y,z,hdg of the lane's centre
+    Lane,
+    /// x,y[,z][,hdg] → lane,road_id,lane_id,s,t,offset,distance
+    Nearest,
+    /// road_id,x,y[,z] → s,t,h
+    Track,
+    /// road_id,s,lane_id → successors in driving direction
+    Successors,
+}
+
+impl Kind {
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Inertial => "inertial",
+            Self::Lane => "lane",
+            Self::Nearest => "nearest",
+            Self::Track => "track",
+            Self::Successors => "successors",
+        }
+    }
+
+    /// Columns that the input must have.
+    pub(crate) fn needs(self) -> &'static [&'static str] {
+        match self {
+            Self::Inertial => &["road_id", "s", "t"],
+            Self::Lane | Self::Successors => &["road_id", "s", "lane_id"],
+            Self::Nearest => &["x", "y"],
+            Self::Track => &["road_id", "x", "y"],
+        }
+    }
+
+    /// Columns of the answer.
+    pub(crate) fn answers(self) -> &'static [&'static str] {
+        match self {
+            Self::Inertial => &["x", "y", "z", "hdg"],
+            Self::Lane => &["width", "t_inner", "t_outer", "x", "y", "z", "hdg"],
+            Self::Nearest => &["lane", "road_id", "lane_id", "s", "t", "offset", "distance"],
+            Self::Track => &["s", "t", "h"],
+            Self::Successors => &["successors"],
+        }
+    }
+
+    /// Answers one row; the error says why there is no answer.
+    pub(crate) fn answer(
+        self,
+        map: Map<'_>,
+        options: &NearestOptions,
+        row: &Row<'_>,
+        out: &mut Vec<String>,
+    ) -> Result<(), String> {
+        match self {
+            Self::Inertial => {
+                let road = road(map, row)?;
+                let track =
+                    Track { s: s_on(&road, row)?, t: row.number("t")?, h: row.optional("h")?.unwrap_or(0.0) };
+                let pose = road.to_inertial(track).map_err(text)?;
+                numbers(out, &[pose.position.x, pose.position.y, pose.position.z, pose.heading]);
+            }
+            Self::Lane => {
+                let (lane, s) = lane(map, row)?;
+                let edges = lane.edges_at(s);
+                let pose = lane.pose_at(s, 0.0).map_err(text)?;
+                let (p, hdg) = (pose.position, pose.heading);
+                numbers(out, &[edges.width(), edges.inner, edges.outer, p.x, p.y, p.z, hdg]);
+            }
+            Self::Nearest => nearest(map, options, row, out)?,
+            Self::Track => {
+                let road = road(map, row)?;
+                let point = point(row)?;
+                let track = road.to_track(point).map_err(text)?;
+                numbers(out, &[track.s, track.t]);
+                out.push(track.h.map(number).unwrap_or_default());
+            }
+            Self::Successors => {
+                let (lane, _) = lane(map, row)?;
+                let keys: Result<Vec<String>, QueryError> =
+                    lane.successors().map(|id| Ok(map.lane(id)?.key().to_string())).collect();
+                out.push(keys.map_err(text)?.join(";"));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn nearest(map: Map<'_>, options: &NearestOptions, row: &Row<'_>, out: &mut Vec<String>) -> Result<(), String> {
+    let options = NearestOptions { heading: row.optional("hdg")?, ..*options };
+    let hit = map.nearest_lane(point(row)?, &options).map_err(text)?;
+    let hit = hit.ok_or_else(|| format!("no lane within {} m", options.radius))?;
+    let lane = map.lane(hit.lane).map_err(text)?;
+    out.push(lane.key().to_string());
+    out.push(lane.road().id().to_owned());
+    out.push(lane.number().to_string());
+    numbers(out, &[hit.position.s, hit.position.t, hit.position.offset, hit.position.distance]);
+    Ok(())
+}
+
+fn text(error: QueryError) -> String {
+    error.to_string()
+}
+
+fn number(value: f64) -> String {
+    // Debug is the shortest form that reads back as the same number, with an exponent where that is shorter.
+    format!("{value:?}")
+}
+
+fn numbers(out: &mut Vec<String>, values: &[f64]) {
+    out.extend(values.iter().map(|value| number(*value)));
+}
+
+fn point(row: &Row<'_>) -> Result<Point, String> {
+    Ok(Point { xy: DVec2::new(row.number("x")?, row.number("y")?), z: row.optional("z")? })
+}
+
+fn road<'a>(map: Map<'a>, row: &Row<'_>) -> Result<Road<'a>, String> {
+    let id = row.text("road_id")?;
+    map.road_by_id(id).ok_or_else(|| format!("the map has no road {id:?}"))
+}
+
+/// s within the road, give or take rounding.
+fn s_on(road: &Road<'_>, row: &Row<'_>) -> Result<f64, String> {
+    let s = row.number("s")?;
+    let length = road.length();
+    if s < -S_TOLERANCE || s > length + S_TOLERANCE {
+        return Err(format!("s must lie between 0 and the road's length {length:?}, found {s:?}"));
+    }
+    Ok(s.clamp(0.0, length))
+}
+
+/// The lane with a number at s.
+fn lane<'a>(map: Map<'a>, row: &Row<'_>) -> Result<(Lane<'a>, f64), String> {
+    let road = road(map, row)?;
+    let s = s_on(&road, row)?;
+    let number = row.lane_number()?;
+    let section = road.section_at(s).ok_or_else(|| format!("road {:?} has no lane section", road.id()))?;
+    let lane = section
+        .lane(number)
+        .ok_or_else(|| format!("road {:?} has no lane {number} at s = {s:?}", road.id()))?;
+    Ok((lane, s))
+}

@@ -1,0 +1,77 @@
+//! `mapd query`: CSV in, CSV out.
+//!
+//! Columns are found by name. The input's columns are echoed first, except those that the answer itself has; then come
+//! the answer's columns and `error`, which is empty where the row has an answer. Numbers are in shortest round-trip form.
+
+mod kinds;
+mod row;
+
+pub use kinds::Kind;
+use mapd_client::Map;
+use mapd_query::NearestOptions;
+use row::Row;
+use std::io::{Read, Write};
+use thiserror::Error;
+
+/// Why a whole query cannot run; single rows fail in their `error` column instead.
+#[derive(Debug, Error)]
+pub enum QueryRunError {
+    /// The input lacks columns.
+    #[error("kind {kind} needs the columns {needed}, the input has {found}")]
+    Columns {
+        /// The kind of query.
+        kind: &'static str,
+        /// Columns that the kind needs.
+        needed: String,
+        /// Columns of the input.
+        found: String,
+    },
+    /// Reading or writing failed.
+    #[error(transparent)]
+    Csv(#[from] csv::Error),
+    /// Writing failed.
+    #[error(transparent)]
+    Io(#[from] std::io::Error),
+}
+
+/// Answers every row of `input`.
+///
+/// Errors: missing columns; reading or writing fails.
+pub fn run(
+    map: Map<'_>,
+    kind: Kind,
+    options: &NearestOptions,
+    input: impl Read,
+    output: impl Write,
+) -> Result<(), QueryRunError> {
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::Headers).flexible(true).from_reader(input);
+    let mut writer = csv::Writer::from_writer(output);
+    let headers = reader.headers()?.clone();
+    let missing = kind.needs().iter().any(|name| !headers.iter().any(|header| header == *name));
+    if missing {
+        return Err(QueryRunError::Columns {
+            kind: kind.name(),
+            needed: kind.needs().join(","),
+            found: headers.iter().collect::<Vec<_>>().join(","),
+        });
+    }
+    let answers = kind.answers();
+    let echoed: Vec<usize> = (0..headers.len()).filter(|i| !answers.contains(&&headers[*i]) && &headers[*i] != "error").collect();
+    let head = echoed.iter().map(|i| &headers[*i]).chain(answers.iter().copied()).chain(["error"]);
+    writer.write_record(head)?;
+    let mut record = csv::StringRecord::new();
+    let mut answer = Vec::new();
+    while reader.read_record(&mut record)? {
+        answer.clear();
+        let error = kind.answer(map, options, &Row::new(&headers, &record), &mut answer).err();
+        if error.is_some() {
+            answer.clear();
+        }
+        answer.resize(answers.len(), String::new());
+        let echo = echoed.iter().map(|i| record.get(*i).unwrap_or(""));
+        let error = error.unwrap_or_default();
+        writer.write_record(echo.chain(answer.iter().map(String::as_str)).chain([error.as_str()]))?;
+    }
+    writer.flush()?;
+    Ok(())
+}

@@ -1,0 +1,48 @@
+//! One row of the input, by column names.
+
+use csv::StringRecord;
+
+/// A row with its header.
+pub(crate) struct Row<'a> {
+    headers: &'a StringRecord,
+    record: &'a StringRecord,
+}
+
+impl<'a> Row<'a> {
+    pub(crate) fn new(headers: &'a StringRecord, record: &'a StringRecord) -> Self {
+        Self { headers, record }
+    }
+
+    /// A column's text; an error that names the column where the row ends before it.
+    pub(crate) fn text(&self, name: &str) -> Result<&'a str, String> {
+        self.headers
+            .iter()
+            .position(|header| header == name)
+            .and_then(|i| self.record.get(i))
+            .ok_or_else(|| format!("expected a value in column {name}, found none"))
+    }
+
+    /// A finite number.
+    pub(crate) fn number(&self, name: &str) -> Result<f64, String> {
+        let text = self.text(name)?;
+        match text.trim().parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(number),
+            _ => Err(format!("expected a finite number in column {name}, found {text:?}")),
+        }
+    }
+
+    /// A finite number, or nothing where the column is absent or empty.
+    pub(crate) fn optional(&self, name: &str) -> Result<Option<f64>, String> {
+        match self.text(name) {
+            Err(_) => Ok(None),
+            Ok(text) if text.trim().is_empty() => Ok(None),
+            Ok(_) => self.number(name).map(Some),
+        }
+    }
+
+    /// A lane number.
+    pub(crate) fn lane_number(&self) -> Result<i32, String> {
+        let text = self.text("lane_id")?;
+        text.trim().parse().map_err(|_| format!("expected a lane number in column lane_id, found {text:?}"))
+    }
+}

@@ -1,0 +1,90 @@
+//! SOURCE: an OpenDRIVE file, an archive, or a live map.
+
+use crate::report;
+use anyhow::{Context, Result};
+use mapd_archive::encode;
+use mapd_client::{Client, Domain, Snapshot};
+use mapd_compiler::{Compilation, CompileOptions, Progress, compile};
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+use std::time::Duration;
+
+/// Prefix of a live map's name.
+const SHARED: &str = "shm:";
+/// How long to wait for a live map by default.
+pub const DEADLINE: Duration = Duration::from_secs(2);
+/// First bytes of a gzip stream.
+const GZIP: [u8; 2] = [0x1f, 0x8b];
+
+/// A source that answers queries, or the report of why it does not.
+pub enum Opened {
+    /// A map.
+    Map(Snapshot),
+    /// An OpenDRIVE file that was rejected.
+    Rejected(Compilation),
+}
+
+/// Whether a file is an archive by its name.
+pub fn is_archive(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension == "mapd")
+}
+
+/// Compiles an OpenDRIVE file.
+///
+/// Errors: the file cannot be read. A rejected map is no error.
+pub fn compile_file(
+    path: &Path,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Compilation> {
+    let mut file = File::open(path).with_context(|| format!("opening {}", path.display()))?;
+    anyhow::ensure!(!file.metadata()?.is_dir(), "{} is a folder, expected an OpenDRIVE file", path.display());
+    let mut head = [0; 2];
+    let count = file.read(&mut head)?;
+    anyhow::ensure!(
+        head != GZIP,
+        "{} is compressed with gzip, which is not read yet; unpack it first",
+        path.display()
+    );
+    let input = head.get(..count).unwrap_or(&[]).chain(file);
+    compile(input, options, progress).with_context(|| format!("reading {}", path.display()))
+}
+
+/// Opens a SOURCE: `shm:NAME`, a `.mapd` file in place, or an OpenDRIVE file compiled in memory.
+///
+/// Errors: files that cannot be read, archives of another layout, no such live map.
+pub fn open(
+    source: &str,
+    options: &CompileOptions,
+    domain: &Domain,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Opened> {
+    if let Some(name) = source.strip_prefix(SHARED) {
+        let client = Client::connect_in(domain, name, DEADLINE)?;
+        return Ok(Opened::Map(client.snapshot()));
+    }
+    let path = Path::new(source);
+    if is_archive(path) {
+        return Ok(Opened::Map(Snapshot::open(path)?));
+    }
+    let compiled = compile_file(path, options, progress)?;
+    match &compiled.rows {
+        Some(rows) => Ok(Opened::Map(Snapshot::from_bytes(encode(rows, &compiled.provenance)?)?)),
+        None => Ok(Opened::Rejected(compiled)),
+    }
+}
+
+/// Opens a SOURCE for a command that needs a map; prints why there is none.
+pub(crate) fn open_or_report(source: &str, options: &CompileOptions, domain: &Domain) -> Result<Option<Snapshot>> {
+    let bar = crate::progress::Bar::new(Path::new(source));
+    let opened = open(source, options, domain, &mut |p| bar.show(p))?;
+    bar.finish();
+    Ok(match opened {
+        Opened::Map(snapshot) => Some(snapshot),
+        Opened::Rejected(compiled) => {
+            report::print(source, &compiled);
+            None
+        }
+    })
+}

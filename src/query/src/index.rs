@@ -1,0 +1,115 @@
+//! Search in the packed spatial index: an R-tree of 16 children a node, flattened level by level.
+
+use glam::DVec2;
+use mapd_archive::{ArchivedIndexLeafRow, NONE, Tables};
+
+/// Children of a node, places of a leaf.
+const WIDTH: usize = 16;
+/// Places on the search stack: 15 siblings on each of 8 levels (16⁸ leaves) and some more.
+const STACK: usize = 160;
+
+/// A segment of a lane's centre line found by [`nearest_segment`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SegmentHit {
+    /// Row of the lane.
+    pub lane: u32,
+    /// Row of the segment's first point.
+    pub point: u32,
+    /// Plan-view distance `[m]`, in single precision.
+    pub distance: f32,
+}
+
+/// Visits every leaf whose box is not farther from the point than the bound, nearer children first. `visit` gets the
+/// leaf and the point relative to the leaf's origin and returns the new bound `[m]`, which must not grow.
+#[inline]
+pub(crate) fn visit<'a>(
+    tables: &Tables<'a>,
+    local: DVec2,
+    mut bound: f32,
+    mut visit: impl FnMut(&'a ArchivedIndexLeafRow, f32, f32, f32) -> f32,
+) {
+    let Some(depth) = tables.index_levels.len().checked_sub(1) else { return };
+    let (px, py) = (local.x as f32, local.y as f32);
+    // Squared distance, level, node or leaf within the level.
+    let mut stack = [(0f32, 0u32, 0u32); STACK];
+    let mut top = 1;
+    while top > 0 {
+        top -= 1;
+        let Some(&(squared, level, at)) = stack.get(top) else { return };
+        if squared > bound * bound {
+            continue;
+        }
+        if level as usize == depth {
+            let Some(leaf) = tables.index_leaves.get(at as usize) else { continue };
+            bound = visit(leaf, (local.x - leaf.x()) as f32, (local.y - leaf.y()) as f32, bound);
+            continue;
+        }
+        let first = tables.index_levels.get(level as usize).copied().unwrap_or(0);
+        let Some(node) = tables.index_nodes.get(first.wrapping_add(at) as usize) else { continue };
+        let (min_x, min_y, max_x, max_y) = (node.min_x(), node.min_y(), node.max_x(), node.max_y());
+        let mut squares = [0f32; WIDTH];
+        for k in 0..WIDTH {
+            let dx = (min_x[k] - px).max(px - max_x[k]).max(0.0);
+            let dy = (min_y[k] - py).max(py - max_y[k]).max(0.0);
+            squares[k] = dx * dx + dy * dy;
+        }
+        let limit = bound * bound;
+        let mut hits = 0u32;
+        for (k, square) in squares.iter().enumerate() {
+            hits |= u32::from(*square <= limit) << k;
+        }
+        let base = top;
+        while hits != 0 {
+            let k = hits.trailing_zeros() as usize;
+            hits &= hits - 1;
+            if top >= STACK {
+                return;
+            }
+            // Insertion keeps the nearest child on top.
+            let mut place = top;
+            while place > base && stack[place - 1].0 < squares[k] {
+                stack[place] = stack[place - 1];
+                place -= 1;
+            }
+            stack[place] =
+                (squares[k], level + 1, at.wrapping_mul(WIDTH as u32).wrapping_add(k as u32));
+            top += 1;
+        }
+    }
+}
+
+/// Squared distances of a point (relative to the leaf's origin) from the leaf's segments `[m²]`.
+#[inline]
+pub(crate) fn squared_distances(leaf: &ArchivedIndexLeafRow, qx: f32, qy: f32) -> [f32; WIDTH] {
+    let (ax, ay, dx, dy) = (leaf.start_x(), leaf.start_y(), leaf.delta_x(), leaf.delta_y());
+    let mut out = [0f32; WIDTH];
+    for k in 0..WIDTH {
+        let (ex, ey) = (qx - ax[k], qy - ay[k]);
+        let length = (dx[k] * dx[k] + dy[k] * dy[k]).max(f32::MIN_POSITIVE);
+        let along = ((ex * dx[k] + ey * dy[k]) / length).clamp(0.0, 1.0);
+        let (fx, fy) = (ex - along * dx[k], ey - along * dy[k]);
+        out[k] = fx * fx + fy * fy;
+    }
+    out
+}
+
+/// The segment of any lane's centre line that is nearest to an inertial point, within `radius` `[m]`. This is the bare
+/// index; lanes are found by [`crate::Map::nearest_lane`], which knows their areas.
+pub fn nearest_segment(map: crate::Map<'_>, point: DVec2, radius: f64) -> Option<SegmentHit> {
+    let mut best: Option<SegmentHit> = None;
+    visit(map.tables(), point - map.origin(), radius as f32, |leaf, qx, qy, mut bound| {
+        let squares = squared_distances(leaf, qx, qy);
+        let (lanes, points) = (leaf.lane(), leaf.point());
+        for k in 0..WIDTH {
+            if lanes[k] != NONE && squares[k] <= bound * bound {
+                let distance = squares[k].sqrt();
+                if best.is_none_or(|b| distance < b.distance) {
+                    best = Some(SegmentHit { lane: lanes[k], point: points[k], distance });
+                }
+                bound = distance;
+            }
+        }
+        bound
+    });
+    best
+}

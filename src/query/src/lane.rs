@@ -1,0 +1,270 @@
+//! Lanes: edges, poses, polylines, neighbours and links.
+
+use crate::area;
+use crate::error::QueryError;
+use crate::ids::LaneId;
+use crate::key::LaneKey;
+use crate::map::Map;
+use crate::polyline::Polyline;
+use crate::profile::{self, Slope};
+use crate::road::Road;
+use crate::section::LaneSection;
+use crate::types::{LaneEdges, LanePosition, Point, Pose, Track};
+use glam::DVec3;
+use mapd_archive::{ArchivedLaneRow, LaneType, Range, SpeedKind, lane_flags};
+use std::borrow::Cow;
+
+/// A lane of a section.
+#[derive(Clone, Copy)]
+pub struct Lane<'a> {
+    pub(crate) map: Map<'a>,
+    number: u32,
+    pub(crate) row: &'a ArchivedLaneRow,
+    pub(crate) section: LaneSection<'a>,
+    pub(crate) road: Road<'a>,
+}
+
+/// A `lane/speed` record.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LaneSpeed {
+    /// Start on the road `[m]`.
+    pub s: f64,
+    /// What the record says.
+    pub kind: SpeedKind,
+    /// Limit `[m/s]` if `kind` is `Value`, else 0.
+    pub max: f64,
+}
+
+/// t of both edges with their derivatives by s.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct EdgeSlopes {
+    pub(crate) inner: Slope,
+    pub(crate) outer: Slope,
+}
+
+impl<'a> Lane<'a> {
+    #[inline]
+    pub(crate) fn new(map: Map<'a>, number: u32) -> Option<Self> {
+        let row = map.tables().lanes.get(number as usize)?;
+        let section = LaneSection::new(map, row.section())?;
+        let road = section.road()?;
+        Some(Self { map, number, row, section, road })
+    }
+
+    /// Dense id.
+    pub fn lane_id(&self) -> LaneId {
+        LaneId { row: self.number, content: self.map.content() }
+    }
+
+    /// OpenDRIVE's lane number: positive left of lane 0, negative right.
+    #[inline]
+    pub fn number(&self) -> i32 {
+        self.row.number()
+    }
+
+    /// The lane's stable name.
+    pub fn key(&self) -> LaneKey<'a> {
+        LaneKey {
+            road: Cow::Borrowed(self.road.id()),
+            section: self.section.number(),
+            lane: self.number(),
+        }
+    }
+
+    /// The lane type.
+    #[inline]
+    pub fn kind(&self) -> LaneType {
+        LaneType::from_code(self.row.kind())
+    }
+
+    /// The section.
+    pub fn section(&self) -> LaneSection<'a> {
+        self.section
+    }
+
+    /// The road.
+    pub fn road(&self) -> Road<'a> {
+        self.road
+    }
+
+    /// Whether vehicles travel towards +s (by traffic rule, side and `direction`).
+    pub fn is_forward(&self) -> bool {
+        self.row.flags() & lane_flags::FORWARD != 0
+    }
+
+    /// Whether the lane may be travelled in both directions.
+    pub fn is_bidirectional(&self) -> bool {
+        self.row.flags() & lane_flags::BOTH != 0
+    }
+
+    /// `speed` records in ascending s.
+    pub fn speeds(&self) -> impl ExactSizeIterator<Item = LaneSpeed> + 'a {
+        self.row.speeds().of(self.map.tables().lane_speeds).iter().map(|r| LaneSpeed {
+            s: r.s(),
+            kind: SpeedKind::from_code(u8::try_from(r.kind()).unwrap_or(u8::MAX)),
+            max: r.max(),
+        })
+    }
+
+    /// Both edges at s, from the file's own polynomials (OpenDRIVE 1.8.1, 11.6). Negative widths count as 0.
+    #[inline]
+    pub fn edges_at(&self, s: f64) -> LaneEdges {
+        let edges = self.edge_slopes(s);
+        LaneEdges { inner: edges.inner.value, outer: edges.outer.value }
+    }
+
+    /// Walks from lane 0 outwards: widths add up from the lane offset; a border stands for itself.
+    #[inline]
+    pub(crate) fn edge_slopes(&self, s: f64) -> EdgeSlopes {
+        let mut edge = self.road.lane_offset_slope(s);
+        let mut edges = EdgeSlopes { inner: edge, outer: edge };
+        let number = self.number();
+        let lanes = self.section.rows();
+        let Ok(center) = lanes.binary_search_by(|lane| 0.cmp(&lane.number())) else { return edges };
+        let own = (self.number.wrapping_sub(self.section.row.lanes().first)) as usize;
+        let steps = own.abs_diff(center);
+        for step in 1..=steps {
+            let at = if number > 0 { center.wrapping_sub(step) } else { center + step };
+            let Some(lane) = lanes.get(at) else { return edges };
+            let record = profile::slope(lane.widths().of(self.map.tables().cubics), s);
+            edges.inner = edge;
+            edge = if lane.flags() & lane_flags::BORDER != 0 {
+                record
+            } else {
+                let sign = if number > 0 { 1.0 } else { -1.0 };
+                let (width, growth) =
+                    if record.value > 0.0 { (record.value, record.derivative) } else { (0.0, 0.0) };
+                Slope {
+                    value: edge.value + sign * width,
+                    derivative: edge.derivative + sign * growth,
+                }
+            };
+            edges.outer = edge;
+        }
+        edges
+    }
+
+    /// Every s on the road at which a record begins that shapes this lane in space, in no order, repeated ones included:
+    /// between two of them the lane is smooth.
+    pub fn shape_breaks(&self) -> impl Iterator<Item = f64> + 'a {
+        let cubics = self.map.tables().cubics;
+        let section = self.section.row.lanes();
+        let lanes = section.of(self.map.tables().lanes);
+        let own = self.number.wrapping_sub(section.first) as usize;
+        let center = lanes.binary_search_by(|lane| 0.cmp(&lane.number())).unwrap_or(own);
+        let inner = lanes.get(own.min(center)..=own.max(center)).unwrap_or(&[]);
+        inner
+            .iter()
+            .flat_map(move |lane| lane.widths().of(cubics).iter().map(|record| record.s()))
+            .chain(self.road.shape_breaks())
+    }
+
+    /// Width at s `[m]`, never negative.
+    pub fn width_at(&self, s: f64) -> f64 {
+        self.edges_at(s).width()
+    }
+
+    /// Pose at s, `offset` from the lane's centre (positive to the left of the reference line), on the plane h = 0.
+    ///
+    /// Errors: coordinates that are not finite; a damaged archive.
+    pub fn pose_at(&self, s: f64, offset: f64) -> Result<Pose, QueryError> {
+        self.road.to_inertial(Track { s, t: self.edges_at(s).center() + offset, h: 0.0 })
+    }
+
+    /// A point in the lane's coordinates: exact foot on the reference line within the lane's section, distance from
+    /// the lane's area.
+    ///
+    /// Errors: coordinates that are not finite; a damaged archive; lane 0, which has no area.
+    pub fn position_of(&self, point: impl Into<Point>) -> Result<LanePosition, QueryError> {
+        let point = point.into();
+        if !point.xy.is_finite() {
+            return Err(QueryError::NotFinite);
+        }
+        area::position_in(self, point.xy - self.map.origin()).ok_or(QueryError::Corrupt)
+    }
+
+    /// Whether a point lies in the lane's area, edges included, in plan view.
+    ///
+    /// Errors: as [`Lane::position_of`].
+    pub fn contains(&self, point: impl Into<Point>) -> Result<bool, QueryError> {
+        Ok(self.position_of(point)?.distance == 0.0)
+    }
+
+    fn polyline(&self, row: &'a ArchivedLaneRow, range: Range) -> Polyline<'a> {
+        let origin = self.map.origin();
+        Polyline {
+            origin: DVec3::new(origin.x + row.x(), origin.y + row.y(), row.z()),
+            s_start: self.section.s_start(),
+            points: range.of(self.map.tables().points),
+        }
+    }
+
+    /// Centre line in ascending s. Empty for lane 0.
+    pub fn center_line(&self) -> Polyline<'a> {
+        self.polyline(self.row, self.row.center())
+    }
+
+    /// Border on the left of the reference line's direction, in ascending s.
+    pub fn left_bound(&self) -> Polyline<'a> {
+        if self.number() >= 0 {
+            self.polyline(self.row, self.row.border())
+        } else {
+            self.neighbour_border(-1)
+        }
+    }
+
+    /// Border on the right of the reference line's direction, in ascending s.
+    pub fn right_bound(&self) -> Polyline<'a> {
+        if self.number() <= 0 {
+            self.polyline(self.row, self.row.border())
+        } else {
+            self.neighbour_border(1)
+        }
+    }
+
+    /// A border is stored once, with the lane on its inner side; rows run from left to right.
+    fn neighbour_border(&self, step: i64) -> Polyline<'a> {
+        let at = usize::try_from(i64::from(self.number) + step).unwrap_or(usize::MAX);
+        let row = self.map.tables().lanes.get(at).unwrap_or(self.row);
+        self.polyline(row, row.border())
+    }
+
+    /// The next lane to the left of the reference line's direction; lane 0 is skipped.
+    pub fn left(&self) -> Option<Lane<'a>> {
+        self.beside(-1)
+    }
+
+    /// The next lane to the right of the reference line's direction; lane 0 is skipped.
+    pub fn right(&self) -> Option<Lane<'a>> {
+        self.beside(1)
+    }
+
+    fn beside(&self, step: i64) -> Option<Lane<'a>> {
+        let mut at = i64::from(self.number);
+        loop {
+            at += step;
+            let lane = Lane::new(self.map, u32::try_from(at).ok()?)?;
+            if lane.row.section() != self.row.section() {
+                return None;
+            }
+            if lane.number() != 0 {
+                return Some(lane);
+            }
+        }
+    }
+
+    /// Lanes entered from this one in driving direction.
+    pub fn successors(&self) -> impl ExactSizeIterator<Item = LaneId> + 'a {
+        self.links(self.row.successors())
+    }
+
+    /// Lanes from which this one is entered in driving direction.
+    pub fn predecessors(&self) -> impl ExactSizeIterator<Item = LaneId> + 'a {
+        self.links(self.row.predecessors())
+    }
+
+    fn links(&self, range: Range) -> impl ExactSizeIterator<Item = LaneId> + 'a {
+        let content = self.map.content();
+        range.of(self.map.tables().lane_links).iter().map(move |row| LaneId { row: *row, content })
+    }
+}

@@ -1,0 +1,174 @@
+//! The borrowed map.
+
+use crate::error::QueryError;
+use crate::ids::{JunctionId, LaneId, LaneSectionId, RoadId};
+use crate::junction::Junction;
+use crate::key::LaneKey;
+use crate::lane::Lane;
+use crate::road::Road;
+use crate::section::LaneSection;
+use glam::{DVec2, DVec3};
+use mapd_archive::{Archive, ArchivedMapRow, Tables, string};
+
+/// A view of an opened archive. `Copy`, two words, valid as long as the archive is borrowed.
+#[derive(Clone, Copy)]
+pub struct Map<'a> {
+    pub(crate) archive: &'a Archive<'a>,
+    pub(crate) generation: u64,
+}
+
+impl<'a> Map<'a> {
+    /// A view of an archive that was opened elsewhere. `generation` is what it was published as, 0 for a file.
+    pub fn new(archive: &'a Archive<'a>, generation: u64) -> Self {
+        Self { archive, generation }
+    }
+
+    /// The tables themselves, for what no query answers.
+    #[inline]
+    pub fn tables(&self) -> &'a Tables<'a> {
+        &self.archive.tables
+    }
+
+    /// What the map was published as; rises with every swap. 0 for a map opened from a file.
+    pub fn generation(&self) -> u64 {
+        self.generation
+    }
+
+    /// BLAKE3 of the archive's body.
+    pub fn content_hash(&self) -> [u8; 32] {
+        self.archive.header.content_hash
+    }
+
+    /// BLAKE3 of the OpenDRIVE bytes that the map was compiled from.
+    pub fn source_hash(&self) -> [u8; 32] {
+        self.archive.header.provenance.input_hash
+    }
+
+    /// Ties ids to this content.
+    #[inline]
+    pub(crate) fn content(&self) -> u32 {
+        let hash = &self.archive.header.content_hash;
+        u32::from_le_bytes([hash[0], hash[1], hash[2], hash[3]])
+    }
+
+    fn row(&self) -> Option<&'a ArchivedMapRow> {
+        self.tables().map.first()
+    }
+
+    /// Name in the file's header.
+    pub fn name(&self) -> &'a str {
+        self.row().map_or("", |row| string(self.tables(), row.name()))
+    }
+
+    /// OpenDRIVE version (revMajor, revMinor); 0 where the file has none.
+    pub fn revision(&self) -> (u16, u16) {
+        self.row().map_or((0, 0), |row| (row.rev_major(), row.rev_minor()))
+    }
+
+    /// Text of `geoReference` as written; empty if there is none.
+    pub fn geo_reference(&self) -> &'a str {
+        self.row().map_or("", |row| string(self.tables(), row.geo_reference()))
+    }
+
+    /// Smallest and largest inertial coordinates of all lanes `[m]`, each within the polylines' tolerance.
+    pub fn bounds(&self) -> (DVec3, DVec3) {
+        self.row().map_or((DVec3::ZERO, DVec3::ZERO), |r| {
+            (
+                DVec3::new(r.min_x(), r.min_y(), r.min_z()),
+                DVec3::new(r.max_x(), r.max_y(), r.max_z()),
+            )
+        })
+    }
+
+    /// Sum of the roads' lengths `[m]`.
+    pub fn road_length(&self) -> f64 {
+        self.row().map_or(0.0, |row| row.road_length())
+    }
+
+    /// Local origin `[m]`: what stored geometry is relative to.
+    pub fn local_origin(&self) -> DVec2 {
+        self.origin()
+    }
+
+    /// The lane in a row of the archive's table, lane 0 included.
+    pub fn lane_by_row(&self, row: u32) -> Option<Lane<'a>> {
+        Lane::new(*self, row)
+    }
+
+    #[inline]
+    pub(crate) fn origin(&self) -> DVec2 {
+        self.row().map_or(DVec2::ZERO, |row| DVec2::new(row.origin_x(), row.origin_y()))
+    }
+
+    fn known(&self, content: u32) -> Result<(), QueryError> {
+        if content == self.content() { Ok(()) } else { Err(QueryError::ForeignId) }
+    }
+
+    /// The road of an id.
+    pub fn road(&self, id: RoadId) -> Result<Road<'a>, QueryError> {
+        self.known(id.content)?;
+        Road::new(*self, id.row).ok_or(QueryError::Corrupt)
+    }
+
+    /// The lane section of an id.
+    pub fn section(&self, id: LaneSectionId) -> Result<LaneSection<'a>, QueryError> {
+        self.known(id.content)?;
+        LaneSection::new(*self, id.row).ok_or(QueryError::Corrupt)
+    }
+
+    /// The lane of an id.
+    pub fn lane(&self, id: LaneId) -> Result<Lane<'a>, QueryError> {
+        self.known(id.content)?;
+        Lane::new(*self, id.row).ok_or(QueryError::Corrupt)
+    }
+
+    /// The junction of an id.
+    pub fn junction(&self, id: JunctionId) -> Result<Junction<'a>, QueryError> {
+        self.known(id.content)?;
+        Junction::new(*self, id.row).ok_or(QueryError::Corrupt)
+    }
+
+    /// All roads in file order.
+    pub fn roads(&self) -> impl Iterator<Item = Road<'a>> + 'a {
+        let map = *self;
+        (0..map.tables().roads.len() as u32).filter_map(move |row| Road::new(map, row))
+    }
+
+    /// All junctions in file order.
+    pub fn junctions(&self) -> impl Iterator<Item = Junction<'a>> + 'a {
+        let map = *self;
+        (0..map.tables().junctions.len() as u32).filter_map(move |row| Junction::new(map, row))
+    }
+
+    /// All lanes, lane 0 of each section left out.
+    pub fn lanes(&self) -> impl Iterator<Item = Lane<'a>> + 'a {
+        let map = *self;
+        (0..map.tables().lanes.len() as u32)
+            .filter_map(move |row| Lane::new(map, row))
+            .filter(|lane| lane.number() != 0)
+    }
+
+    /// The road with OpenDRIVE's id, compared byte by byte.
+    pub fn road_by_id(&self, id: &str) -> Option<Road<'a>> {
+        let name = |row: u32| Road::new(*self, row).map(|road| road.id());
+        Road::new(*self, find(self.tables().roads_by_id, id, name)?)
+    }
+
+    /// The junction with OpenDRIVE's id, compared byte by byte.
+    pub fn junction_by_id(&self, id: &str) -> Option<Junction<'a>> {
+        let name = |row: u32| Junction::new(*self, row).map(|junction| junction.id());
+        Junction::new(*self, find(self.tables().junctions_by_id, id, name)?)
+    }
+
+    /// The lane with this name.
+    pub fn lane_by_key(&self, key: &LaneKey<'_>) -> Option<Lane<'a>> {
+        self.road_by_id(&key.road)?.section(key.section)?.lane(key.lane)
+    }
+}
+
+/// Row with an id, from rows in byte order of their ids.
+fn find<'a>(rows: &[u32], id: &str, name: impl Fn(u32) -> Option<&'a str>) -> Option<u32> {
+    let at =
+        rows.binary_search_by(|row| name(*row).unwrap_or("").as_bytes().cmp(id.as_bytes())).ok()?;
+    rows.get(at).copied()
+}

@@ -1,0 +1,317 @@
+//! Roads: the reference line and what lies along it.
+
+use crate::error::QueryError;
+use crate::ids::RoadId;
+use crate::junction::Junction;
+use crate::map::Map;
+use crate::profile;
+use crate::section::LaneSection;
+use crate::types::{Point, Pose, Track, TrackPosition};
+use glam::{DVec2, DVec3};
+use mapd_archive::{
+    ArchivedCubicRow, ArchivedGeometryRow, ArchivedRoadRow, ContactPoint, LinkKind, NONE, Range,
+    RoadType, SpeedKind, string,
+};
+use mapd_geometry::{Curve, CurveKind, CurvePoint, Start, normalize_angle};
+
+/// A road.
+#[derive(Clone, Copy)]
+pub struct Road<'a> {
+    pub(crate) map: Map<'a>,
+    number: u32,
+    row: &'a ArchivedRoadRow,
+}
+
+/// What a road is linked to at one of its ends.
+#[derive(Clone, Copy)]
+pub enum RoadLink<'a> {
+    /// A road, and which of its ends.
+    Road(Road<'a>, ContactPoint),
+    /// A junction.
+    Junction(Junction<'a>),
+    /// Something that the map does not have.
+    Unresolved,
+}
+
+/// A `road/type` record.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RoadTypeRecord {
+    /// Start on the road `[m]`.
+    pub s: f64,
+    /// The type.
+    pub kind: RoadType,
+    /// What the speed record says.
+    pub speed_kind: SpeedKind,
+    /// Speed limit `[m/s]` if `speed_kind` is `Value`, else 0.
+    pub speed: f64,
+}
+
+/// A plan-view geometry with its place on the road.
+#[derive(Clone, Copy)]
+pub(crate) struct Piece<'a> {
+    pub(crate) s: f64,
+    pub(crate) curve: Curve<'a>,
+}
+
+impl<'a> Road<'a> {
+    #[inline]
+    pub(crate) fn new(map: Map<'a>, number: u32) -> Option<Self> {
+        Some(Self { map, number, row: map.tables().roads.get(number as usize)? })
+    }
+
+    /// Dense id.
+    pub fn road_id(&self) -> RoadId {
+        RoadId { row: self.number, content: self.map.content() }
+    }
+
+    /// OpenDRIVE's id, verbatim.
+    pub fn id(&self) -> &'a str {
+        string(self.map.tables(), self.row.id())
+    }
+
+    /// OpenDRIVE's name.
+    pub fn name(&self) -> &'a str {
+        string(self.map.tables(), self.row.name())
+    }
+
+    /// Length of the reference line as written `[m]`.
+    #[inline]
+    pub fn length(&self) -> f64 {
+        self.row.length()
+    }
+
+    /// Whether traffic keeps to the left.
+    pub fn is_left_hand_traffic(&self) -> bool {
+        self.row.rule() == 1
+    }
+
+    /// The junction that this is a connecting road of.
+    pub fn junction(&self) -> Option<Junction<'a>> {
+        if self.row.junction() == NONE {
+            None
+        } else {
+            Junction::new(self.map, self.row.junction())
+        }
+    }
+
+    /// What lies at s = 0.
+    pub fn predecessor(&self) -> Option<RoadLink<'a>> {
+        self.link(
+            self.row.predecessor_kind(),
+            self.row.predecessor(),
+            self.row.predecessor_contact(),
+        )
+    }
+
+    /// What lies at s = length.
+    pub fn successor(&self) -> Option<RoadLink<'a>> {
+        self.link(self.row.successor_kind(), self.row.successor(), self.row.successor_contact())
+    }
+
+    fn link(&self, kind: u8, row: u32, contact: u8) -> Option<RoadLink<'a>> {
+        match LinkKind::from_code(kind) {
+            LinkKind::None => None,
+            LinkKind::Road => {
+                Some(RoadLink::Road(Road::new(self.map, row)?, ContactPoint::from_code(contact)))
+            }
+            LinkKind::Junction => Some(RoadLink::Junction(Junction::new(self.map, row)?)),
+            _ => Some(RoadLink::Unresolved),
+        }
+    }
+
+    /// Place of the road in its file: line and column of the start tag, from 1.
+    pub fn source_position(&self) -> (u32, u32) {
+        (self.row.line(), self.row.column())
+    }
+
+    /// `road/type` records in ascending s.
+    pub fn types(&self) -> impl ExactSizeIterator<Item = RoadTypeRecord> + 'a {
+        self.row.types().of(self.map.tables().road_types).iter().map(|r| RoadTypeRecord {
+            s: r.s(),
+            kind: RoadType::from_code(r.kind()),
+            speed_kind: SpeedKind::from_code(r.speed_kind()),
+            speed: r.speed(),
+        })
+    }
+
+    /// Sections in ascending s.
+    pub fn sections(&self) -> impl Iterator<Item = LaneSection<'a>> + 'a {
+        let map = self.map;
+        let range = self.row.sections();
+        (0..range.count).filter_map(move |i| LaneSection::new(map, range.first.checked_add(i)?))
+    }
+
+    /// Section by its number, from 0.
+    pub fn section(&self, number: u32) -> Option<LaneSection<'a>> {
+        let range = self.row.sections();
+        if number >= range.count {
+            return None;
+        }
+        LaneSection::new(self.map, range.first.checked_add(number)?)
+    }
+
+    /// Section at s; at a boundary the later one, beyond the ends the first or last.
+    pub fn section_at(&self, s: f64) -> Option<LaneSection<'a>> {
+        let range = self.row.sections();
+        let rows = range.of(self.map.tables().sections);
+        let after = rows.partition_point(|section| section.s_start() <= s);
+        LaneSection::new(self.map, range.first.checked_add(after.saturating_sub(1) as u32)?)
+    }
+
+    #[inline]
+    fn cubics(&self, range: Range) -> &'a [ArchivedCubicRow] {
+        range.of(self.map.tables().cubics)
+    }
+
+    /// Elevation of the reference line at s `[m]`.
+    pub fn elevation_at(&self, s: f64) -> f64 {
+        profile::value(self.cubics(self.row.elevations()), s)
+    }
+
+    /// Superelevation at s `[rad]`; positive lifts the left side.
+    pub fn superelevation_at(&self, s: f64) -> f64 {
+        profile::value(self.cubics(self.row.superelevations()), s)
+    }
+
+    /// Lane offset at s `[m]`; positive to the left.
+    pub fn lane_offset_at(&self, s: f64) -> f64 {
+        self.lane_offset_slope(s).value
+    }
+
+    #[inline]
+    pub(crate) fn lane_offset_slope(&self, s: f64) -> profile::Slope {
+        profile::slope(self.cubics(self.row.lane_offsets()), s)
+    }
+
+    /// Cosine and sine of the superelevation at s; (1, 0) without any trigonometry where the road has none.
+    #[inline]
+    pub(crate) fn roll(&self, s: f64) -> (f64, f64) {
+        let records = self.cubics(self.row.superelevations());
+        if records.is_empty() {
+            return (1.0, 0.0);
+        }
+        let angle = profile::value(records, s);
+        if angle == 0.0 { (1.0, 0.0) } else { mapd_geometry::cos_sin(angle) }
+    }
+
+    #[inline]
+    pub(crate) fn geometries(&self) -> &'a [ArchivedGeometryRow] {
+        self.row.geometries().of(self.map.tables().geometries)
+    }
+
+    /// The geometry that holds at s: the last that starts at or before it.
+    #[inline]
+    pub(crate) fn piece_at(&self, s: f64) -> Option<Piece<'a>> {
+        let rows = self.geometries();
+        let after = rows.partition_point(|g| g.s() <= s);
+        self.piece(rows.get(after.saturating_sub(1))?)
+    }
+
+    #[inline]
+    fn piece(&self, g: &'a ArchivedGeometryRow) -> Option<Piece<'a>> {
+        let start = Start { x: g.x(), y: g.y(), heading: g.hdg(), cos: g.cos(), sin: g.sin() };
+        let coefficients = g.coefficients().of(self.map.tables().coefficients);
+        let curve = Curve::new(CurveKind::from_code(g.kind())?, start, g.length(), coefficients)?;
+        Some(Piece { s: g.s(), curve })
+    }
+
+    /// Every s at which a geometry, elevation, superelevation or lane offset record begins, and the reference line's end.
+    pub(crate) fn shape_breaks(&self) -> impl Iterator<Item = f64> + 'a {
+        let profiles = [self.row.elevations(), self.row.superelevations(), self.row.lane_offsets()];
+        let cubics = self.map.tables().cubics;
+        self.geometries()
+            .iter()
+            .map(|g| g.s())
+            .chain(
+                profiles.into_iter().flat_map(move |range| range.of(cubics).iter().map(|r| r.s())),
+            )
+            .chain(std::iter::once(self.reference_end()))
+    }
+
+    /// Largest s that the reference line reaches `[m]`: the road's length or the end of its last geometry.
+    pub fn reference_end(&self) -> f64 {
+        self.geometries().last().map_or(0.0, |g| self.length().min(g.s() + g.length()))
+    }
+
+    /// The reference line at s, relative to the local origin.
+    pub(crate) fn reference_at(&self, s: f64) -> Option<CurvePoint> {
+        let piece = self.piece_at(s)?;
+        Some(piece.curve.evaluate(s - piece.s))
+    }
+
+    /// Inertial pose of a track position: (x, y, e) + t along the rolled lateral axis + h along its normal
+    /// (OpenDRIVE 1.8.1, 8.3). s beyond the reference line is moved to its end and flagged.
+    ///
+    /// Errors: coordinates that are not finite; a damaged archive.
+    pub fn to_inertial(&self, track: Track) -> Result<Pose, QueryError> {
+        if !(track.s.is_finite() && track.t.is_finite() && track.h.is_finite()) {
+            return Err(QueryError::NotFinite);
+        }
+        let s = track.s.clamp(0.0, self.reference_end().max(0.0));
+        let point = self.reference_at(s).ok_or(QueryError::Corrupt)?;
+        let elevation = profile::slope(self.cubics(self.row.elevations()), s);
+        let (roll_cos, roll_sin) = self.roll(s);
+        let lateral = track.t * roll_cos - track.h * roll_sin;
+        let origin = self.map.origin();
+        Ok(Pose {
+            position: DVec3::new(
+                origin.x + (point.x - point.sin * lateral),
+                origin.y + (point.y + point.cos * lateral),
+                elevation.value + track.t * roll_sin + track.h * roll_cos,
+            ),
+            heading: normalize_angle(point.heading),
+            curvature: point.curvature,
+            slope: elevation.derivative,
+            superelevation: self.superelevation_at(s),
+            clamped: s != track.s,
+        })
+    }
+
+    /// Track position of a point: the foot on the nearest place of the whole reference line. Without z in plan view
+    /// (t then lies on the rolled plane below or above the point, h stays unknown).
+    ///
+    /// Errors: coordinates that are not finite; a damaged archive.
+    pub fn to_track(&self, point: impl Into<Point>) -> Result<TrackPosition, QueryError> {
+        let point = point.into();
+        if !(point.xy.is_finite() && point.z.is_none_or(f64::is_finite)) {
+            return Err(QueryError::NotFinite);
+        }
+        let local: DVec2 = point.xy - self.map.origin();
+        let end = self.reference_end();
+        let mut best: Option<(f64, Piece<'a>, mapd_geometry::Projection)> = None;
+        for g in self.geometries().iter().filter(|g| g.s() <= end) {
+            let from_start = DVec2::new(local.x - g.x(), local.y - g.y()).length();
+            // No point of a line, arc or spiral is farther from its start than its length; parametric curves are scaled
+            // to their stated length and may reach farther.
+            let scaled = matches!(
+                CurveKind::from_code(g.kind()),
+                Some(CurveKind::Poly3 | CurveKind::ParamPoly3)
+            );
+            let nearest_possible = if scaled { 0.0 } else { from_start - g.length() };
+            if best.as_ref().is_some_and(|(d, ..)| nearest_possible > *d) {
+                continue;
+            }
+            let piece = self.piece(g).ok_or(QueryError::Corrupt)?;
+            let foot = piece.curve.project(local.x, local.y);
+            let distance = foot.distance_squared.sqrt();
+            if best.as_ref().is_none_or(|(d, ..)| distance < *d) {
+                best = Some((distance, piece, foot));
+            }
+        }
+        let (distance, piece, foot) = best.ok_or(QueryError::Corrupt)?;
+        let s = (piece.s + foot.u).clamp(0.0, end.max(0.0));
+        let (roll_cos, roll_sin) = self.roll(s);
+        let at_end = foot.clamped && (s <= 0.0 || s >= end);
+        let (t, h) = match point.z {
+            None => (foot.lateral / roll_cos, None),
+            Some(z) => {
+                let up = z - self.elevation_at(s);
+                (
+                    foot.lateral * roll_cos + up * roll_sin,
+                    Some(up * roll_cos - foot.lateral * roll_sin),
+                )
+            }
+        };
+        Ok(TrackPosition { s, t, h, distance, clamped: at_end })
+    }
+}

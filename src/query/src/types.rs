@@ -1,0 +1,105 @@
+//! Coordinates and results, in the field's words.
+
+use glam::{DVec2, DVec3};
+
+/// Track coordinates of a road (OpenDRIVE 1.8.1, 8.3).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Track {
+    /// Along the reference line `[m]`, s ∈ [0, length].
+    pub s: f64,
+    /// Lateral `[m]`, positive to the left of the reference line.
+    pub t: f64,
+    /// Upwards `[m]`, perpendicular to the plane rolled by superelevation.
+    pub h: f64,
+}
+
+/// A place on or beside a road, with the frame there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// Inertial position `[m]`.
+    pub position: DVec3,
+    /// Heading of the reference line `[rad]`, in (−π, π], counter-clockwise from x.
+    pub heading: f64,
+    /// Curvature of the reference line `[1/m]`, positive to the left.
+    pub curvature: f64,
+    /// Slope dz/ds of the reference line.
+    pub slope: f64,
+    /// Superelevation `[rad]`, positive lifts the left side.
+    pub superelevation: f64,
+    /// Whether s lay outside the road and was moved to its nearer end.
+    pub clamped: bool,
+}
+
+/// Foot of a point on a road's reference line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TrackPosition {
+    /// Along the reference line `[m]`.
+    pub s: f64,
+    /// Lateral `[m]`, positive to the left.
+    pub t: f64,
+    /// Upwards `[m]`; only where the point had a z.
+    pub h: Option<f64>,
+    /// Plan-view distance from the reference line `[m]`.
+    pub distance: f64,
+    /// Whether the foot is an end of the road and the point lies beyond it.
+    pub clamped: bool,
+}
+
+/// A point to be matched.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// Plan-view position `[m]`, inertial.
+    pub xy: DVec2,
+    /// Height `[m]`, if known.
+    pub z: Option<f64>,
+}
+
+impl From<DVec2> for Point {
+    fn from(xy: DVec2) -> Self {
+        Self { xy, z: None }
+    }
+}
+
+impl From<DVec3> for Point {
+    fn from(p: DVec3) -> Self {
+        Self { xy: p.truncate(), z: Some(p.z) }
+    }
+}
+
+/// Both edges of a lane at s, as lateral coordinates.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LaneEdges {
+    /// t of the edge nearer to lane 0 `[m]`.
+    pub inner: f64,
+    /// t of the edge away from lane 0 `[m]`.
+    pub outer: f64,
+}
+
+impl LaneEdges {
+    /// Width `[m]`, never negative.
+    pub fn width(self) -> f64 {
+        (self.outer - self.inner).abs()
+    }
+
+    /// t of the centre `[m]`.
+    pub fn center(self) -> f64 {
+        0.5 * (self.inner + self.outer)
+    }
+}
+
+/// A point in a lane's own coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LanePosition {
+    /// Along the road's reference line `[m]`, within the lane's section.
+    pub s: f64,
+    /// Lateral coordinate on the road `[m]`, positive to the left.
+    pub t: f64,
+    /// From the lane's centre `[m]`, positive to the left of the reference line.
+    pub offset: f64,
+    /// Plan-view distance from the lane's area `[m]`; 0 inside.
+    pub distance: f64,
+    /// Height of the plane h = 0 at (s, t) `[m]`.
+    pub z: f64,
+    /// Heading of the reference line at s `[rad]`, in (−π, π].
+    pub heading: f64,
+}

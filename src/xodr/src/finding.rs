@@ -1,0 +1,38 @@
+//! What is wrong, and where.
+
+/// A byte range of the decoded input.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Span {
+    /// First byte, from the start of the input.
+    pub start: u64,
+    /// Number of bytes.
+    pub len: u32,
+}
+
+/// How bad a finding is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Worth knowing.
+    Info,
+    /// Read on as described.
+    Warning,
+    /// The part that it concerns cannot be used.
+    Error,
+}
+
+/// Something that the document has wrong.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Finding {
+    /// Id of the rule that found it.
+    pub rule: &'static str,
+    /// How bad it is.
+    pub severity: Severity,
+    /// Where it stands.
+    pub span: Span,
+    /// Path of elements, such as `OpenDRIVE/road[@id=12]/planView/geometry`.
+    pub path: String,
+    /// What was expected and what was found.
+    pub message: String,
+    /// The way out; may be empty.
+    pub hint: String,
+}
