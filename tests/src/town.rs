@@ -16,7 +16,9 @@ const REACH: f64 = 12.0;
 const LANE: f64 = 3.5;
 /// Width of a sidewalk `[m]`.
 const SIDEWALK: f64 = 2.0;
-/// Ids of junctions start here, those of connecting roads at ten times this.
+/// Connecting roads have ids from this times their junction's: four arms need twelve.
+const ROADS_PER_JUNCTION: usize = 100;
+/// Ids of junctions start here.
 const JUNCTION_IDS: usize = 1000;
 
 /// Direction in quarter turns from east, counter-clockwise.
@@ -145,7 +147,7 @@ fn crossroads(
     let mut connection = 0;
     for from in arms {
         for to in arms.iter().filter(|to| to.out != from.out) {
-            let road = 10 * id + connection;
+            let road = ROADS_PER_JUNCTION * id + connection;
             // Into the crossing on the lane that ends here, out of it on the one that begins here.
             let (lane_in, end_in) = if from.begins { (1, "start") } else { (-1, "end") };
             let (lane_out, end_out) = if to.begins { (-1, "start") } else { (1, "end") };

@@ -44,7 +44,8 @@ impl Snapshot {
     /// Errors: the file cannot be read, or is no archive that this program reads.
     pub fn open(path: impl AsRef<Path>) -> Result<Self, ClientError> {
         let path = path.as_ref();
-        let map = file::map(path).map_err(|error| ClientError::File { path: path.to_owned(), error })?;
+        let map =
+            file::map(path).map_err(|error| ClientError::File { path: path.to_owned(), error })?;
         Self::new(Memory::File(map), 0, &path.display().to_string())
     }
 
@@ -65,8 +66,10 @@ impl Snapshot {
         // SAFETY: the bytes live in `memory` (shared sample, mapping or heap block), which moves into the same `Inner`
         // and neither moves nor frees them before it is dropped; `archive` is dropped first, is private, and is handed
         // out only with the lifetime of a borrow of the snapshot (`map`).
-        let bytes: &'static [u8] = unsafe { std::slice::from_raw_parts(bytes.as_ptr(), bytes.len()) };
-        let archive = open(bytes).map_err(|error| ClientError::Open { source_name: name.to_owned(), error })?;
+        let bytes: &'static [u8] =
+            unsafe { std::slice::from_raw_parts(bytes.as_ptr(), bytes.len()) };
+        let archive = open(bytes)
+            .map_err(|error| ClientError::Open { source_name: name.to_owned(), error })?;
         Ok(Self(Arc::new(Inner { archive, memory, generation })))
     }
 

@@ -39,10 +39,16 @@ pub fn write(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Header
 
 fn fill(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Header> {
     let length = encoded_length(rows)?;
-    let file: File = OpenOptions::new().read(true).write(true).create(true).truncate(true).open(path)?;
+    let file: File =
+        OpenOptions::new().read(true).write(true).create(true).truncate(true).open(path)?;
     // Reserves the blocks: a full disk is an error here instead of a signal while filling.
-    rustix::fs::fallocate(&file, FallocateFlags::empty(), 0, length as u64)
-        .or_else(|error| if error == rustix::io::Errno::OPNOTSUPP { file.set_len(length as u64).map_err(|_| error) } else { Err(error) })?;
+    rustix::fs::fallocate(&file, FallocateFlags::empty(), 0, length as u64).or_else(|error| {
+        if error == rustix::io::Errno::OPNOTSUPP {
+            file.set_len(length as u64).map_err(|_| error)
+        } else {
+            Err(error)
+        }
+    })?;
     // SAFETY: the file is new, has this process's id in its name and no reader before it is renamed; its blocks are
     // reserved, so that writing cannot fault.
     let mut map = unsafe { MmapMut::map_mut(&file)? };

@@ -37,7 +37,8 @@ struct Cli {
     command: Option<Command>,
 }
 
-const EXIT_CODES: &str = "Exit codes: 0 done and accepted, 4 map rejected, 2 wrong usage, 1 the environment failed.";
+const EXIT_CODES: &str =
+    "Exit codes: 0 done and accepted, 4 map rejected, 2 wrong usage, 1 the environment failed.";
 
 #[derive(Args)]
 struct Options {
@@ -131,7 +132,10 @@ Metres and radians. A row that has no answer says why in the column `error`; the
 
 impl Options {
     fn compile(&self) -> CompileOptions {
-        CompileOptions { index_tolerance: self.index_tolerance, bound_tolerance: self.bound_tolerance }
+        CompileOptions {
+            index_tolerance: self.index_tolerance,
+            bound_tolerance: self.bound_tolerance,
+        }
     }
 }
 
@@ -185,7 +189,12 @@ fn execute(cli: Cli) -> Result<Exit> {
             Cli::command().print_help()?;
             return Ok(Exit::Usage);
         }
-        return load::run(&cli.load, cli.name.as_deref(), &validated(&cli.options)?, &cli.domain.domain()?);
+        return load::run(
+            &cli.load,
+            cli.name.as_deref(),
+            &validated(&cli.options)?,
+            &cli.domain.domain()?,
+        );
     };
     let exit = match command {
         Command::Compile { file, output, report, options } => {
@@ -202,13 +211,17 @@ fn execute(cli: Cli) -> Result<Exit> {
         }
         Command::Query { source, kind, radius, types, z_tolerance, heading_tolerance, domain } => {
             let types = lane_types(&types)?;
-            let options = NearestOptions { radius, types, z_tolerance, heading: None, heading_tolerance };
+            let options =
+                NearestOptions { radius, types, z_tolerance, heading: None, heading_tolerance };
             match source::open_or_report(&source, &CompileOptions::default(), &domain.domain()?)? {
                 Some(snapshot) => {
-                    query::run(snapshot.map(), kind, &options, io::stdin().lock(), &mut *out).map_err(|error| match error {
-                        query::QueryRunError::Columns { .. } => UsageError(error.to_string()).into(),
-                        other => anyhow::Error::new(other),
-                    })?;
+                    query::run(snapshot.map(), kind, &options, io::stdin().lock(), &mut *out)
+                        .map_err(|error| match error {
+                            query::QueryRunError::Columns { .. } => {
+                                UsageError(error.to_string()).into()
+                            }
+                            other => anyhow::Error::new(other),
+                        })?;
                     Exit::Done
                 }
                 None => Exit::Rejected,
@@ -267,13 +280,19 @@ fn lane_types(names: &[String]) -> Result<LaneTypes> {
     let mut set = LaneTypes::NONE;
     for name in names {
         if name == "drivable" {
-            set = LaneType::ALL.iter().filter(|kind| kind.is_drivable()).fold(set, |set, kind| set.with(*kind));
+            set = LaneType::ALL
+                .iter()
+                .filter(|kind| kind.is_drivable())
+                .fold(set, |set, kind| set.with(*kind));
             continue;
         }
         match LaneType::from_name(name) {
             LaneType::Unknown => {
                 let known: Vec<&str> = LaneType::ALL.iter().map(|kind| kind.name()).collect();
-                bail!(UsageError(format!("unknown lane type {name:?}; known are drivable, {}", known.join(", "))));
+                bail!(UsageError(format!(
+                    "unknown lane type {name:?}; known are drivable, {}",
+                    known.join(", ")
+                )));
             }
             kind => set = set.with(kind),
         }

@@ -50,7 +50,13 @@ struct TableFacts {
 /// Prints what an archive holds; with `verify` proves it first.
 ///
 /// Errors: the archive does not prove.
-pub(crate) fn run(source: &str, snapshot: &Snapshot, json: bool, verify: bool, out: &mut dyn Write) -> Result<()> {
+pub(crate) fn run(
+    source: &str,
+    snapshot: &Snapshot,
+    json: bool,
+    verify: bool,
+    out: &mut dyn Write,
+) -> Result<()> {
     if verify {
         snapshot.verify()?;
     }
@@ -64,7 +70,13 @@ pub(crate) fn run(source: &str, snapshot: &Snapshot, json: bool, verify: bool, o
     let m = &i.map;
     writeln!(out, "source        {}", i.source)?;
     writeln!(out, "map           {:?}, OpenDRIVE {}", m.name, m.opendrive)?;
-    writeln!(out, "roads         {} ({:.3} km), {} junctions", m.roads, m.road_length_m / 1000.0, m.junctions)?;
+    writeln!(
+        out,
+        "roads         {} ({:.3} km), {} junctions",
+        m.roads,
+        m.road_length_m / 1000.0,
+        m.junctions
+    )?;
     writeln!(out, "lanes         {} in {} sections, {} links", m.lanes, m.sections, m.lane_links)?;
     writeln!(out, "bounds [m]    {:?} to {:?}", m.min, m.max)?;
     writeln!(out, "geoReference  {}", m.geo_reference)?;

@@ -41,7 +41,9 @@ pub(crate) fn run(
             None => stem(file)?,
         };
         if !names.insert(name.clone()) {
-            bail!("two maps would be named {name}; serve them from daemons of their own with --name");
+            bail!(
+                "two maps would be named {name}; serve them from daemons of their own with --name"
+            );
         }
         match prepare(file, options)? {
             Some(ready) => maps.push((name, ready)),
@@ -76,8 +78,12 @@ fn expand(files: &[PathBuf]) -> Result<Vec<PathBuf>> {
             out.push(file.clone());
             continue;
         }
-        let entries = std::fs::read_dir(file).with_context(|| format!("reading folder {}", file.display()))?;
-        let mut maps: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).filter(|path| is_map(path)).collect();
+        let entries = std::fs::read_dir(file)
+            .with_context(|| format!("reading folder {}", file.display()))?;
+        let mut maps: Vec<PathBuf> = entries
+            .filter_map(|entry| Some(entry.ok()?.path()))
+            .filter(|path| is_map(path))
+            .collect();
         if maps.is_empty() {
             bail!("{} holds no .xodr or .mapd file", file.display());
         }
@@ -93,7 +99,11 @@ fn is_map(path: &Path) -> bool {
 
 fn stem(file: &Path) -> Result<String> {
     let stem = file.file_stem().and_then(|stem| stem.to_str());
-    Ok(stem.with_context(|| format!("{} has no name that is text; give one with --name", file.display()))?.to_owned())
+    Ok(stem
+        .with_context(|| {
+            format!("{} has no name that is text; give one with --name", file.display())
+        })?
+        .to_owned())
 }
 
 fn prepare(file: &Path, options: &CompileOptions) -> Result<Option<Ready>> {
@@ -123,7 +133,11 @@ fn publish(server: &mut Server, name: &str, ready: Ready) -> Result<(u64, usize)
         let header = verify(loan)?.header;
         let mut layout_id = [0; 32];
         layout_id[..LAYOUT_ID.len()].copy_from_slice(&LAYOUT_ID);
-        Ok(PublishMeta { layout_id, content_hash: header.content_hash, input_hash: header.provenance.input_hash })
+        Ok(PublishMeta {
+            layout_id,
+            content_hash: header.content_hash,
+            input_hash: header.provenance.input_hash,
+        })
     };
     Ok((server.publish(name, length, fill)?, length))
 }

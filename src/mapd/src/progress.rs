@@ -17,7 +17,9 @@ impl Bar {
         }
         let bar = ProgressBar::with_draw_target(Some(size), ProgressDrawTarget::stderr());
         let template = "{msg} [{bar:30}] {bytes}/{total_bytes} {bytes_per_sec} {eta}";
-        bar.set_style(ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar()));
+        bar.set_style(
+            ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar()),
+        );
         Self(bar)
     }
 
@@ -28,7 +30,9 @@ impl Bar {
                 self.0.set_message(format!("reading, {roads} roads"));
             }
             Progress::Sampling { lanes } => self.0.set_message(format!("sampling {lanes} lanes")),
-            Progress::Indexing { segments } => self.0.set_message(format!("indexing {segments} points")),
+            Progress::Indexing { segments } => {
+                self.0.set_message(format!("indexing {segments} points"))
+            }
         }
     }
 

@@ -95,18 +95,26 @@ pub fn report<'a>(file: &'a str, compiled: &'a Compilation) -> Report<'a> {
 pub fn print(file: &str, compiled: &Compilation) {
     let mut err = std::io::stderr().lock();
     let counts = report(file, compiled).counts;
-    for (severity, count) in [(Severity::Error, counts.errors), (Severity::Warning, counts.warnings)] {
+    for (severity, count) in
+        [(Severity::Error, counts.errors), (Severity::Warning, counts.warnings)]
+    {
         for d in of(compiled, severity).take(PRINTED) {
             let f = &d.finding;
             let name = severity_name(severity);
-            let _ = writeln!(err, "{file}:{}:{}: {name}[{}]: {}", d.line, d.column, f.rule, f.message);
+            let _ =
+                writeln!(err, "{file}:{}:{}: {name}[{}]: {}", d.line, d.column, f.rule, f.message);
             let _ = writeln!(err, "    at {}", f.path);
             if !f.hint.is_empty() {
                 let _ = writeln!(err, "    hint: {}", f.hint);
             }
         }
         if count > PRINTED {
-            let _ = writeln!(err, "{file}: {} more {}s; `--report` writes all", count - PRINTED, severity_name(severity));
+            let _ = writeln!(
+                err,
+                "{file}: {} more {}s; `--report` writes all",
+                count - PRINTED,
+                severity_name(severity)
+            );
         }
     }
     if compiled.verdict == Verdict::Rejected {

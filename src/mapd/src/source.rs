@@ -39,7 +39,11 @@ pub fn compile_file(
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Compilation> {
     let mut file = File::open(path).with_context(|| format!("opening {}", path.display()))?;
-    anyhow::ensure!(!file.metadata()?.is_dir(), "{} is a folder, expected an OpenDRIVE file", path.display());
+    anyhow::ensure!(
+        !file.metadata()?.is_dir(),
+        "{} is a folder, expected an OpenDRIVE file",
+        path.display()
+    );
     let mut head = [0; 2];
     let count = file.read(&mut head)?;
     anyhow::ensure!(
@@ -76,7 +80,11 @@ pub fn open(
 }
 
 /// Opens a SOURCE for a command that needs a map; prints why there is none.
-pub(crate) fn open_or_report(source: &str, options: &CompileOptions, domain: &Domain) -> Result<Option<Snapshot>> {
+pub(crate) fn open_or_report(
+    source: &str,
+    options: &CompileOptions,
+    domain: &Domain,
+) -> Result<Option<Snapshot>> {
     let bar = crate::progress::Bar::new(Path::new(source));
     let opened = open(source, options, domain, &mut |p| bar.show(p))?;
     bar.finish();

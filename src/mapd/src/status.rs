@@ -53,10 +53,15 @@ pub(crate) fn run(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<()
         return Ok(());
     }
     let head = ("map", "generation", "bytes", "readers", "since", "content");
-    writeln!(out, "{:<20} {:>10} {:>12} {:>8} {:>10}  {}", head.0, head.1, head.2, head.3, head.4, head.5)?;
+    writeln!(
+        out,
+        "{:<20} {:>10} {:>12} {:>8} {:>10}  {}",
+        head.0, head.1, head.2, head.3, head.4, head.5
+    )?;
     for map in maps {
         let number = |n: Option<u64>| n.map(|n| n.to_string()).unwrap_or_else(|| "-".to_owned());
-        let content = map.content_hash.map(|hash| hash[..16].to_owned()).unwrap_or_else(|| "-".to_owned());
+        let content =
+            map.content_hash.map(|hash| hash[..16].to_owned()).unwrap_or_else(|| "-".to_owned());
         let since = if map.alive { age(map.published_unix_ns) } else { "no daemon".to_owned() };
         writeln!(
             out,

@@ -66,8 +66,11 @@ impl Kind {
         match self {
             Self::Inertial => {
                 let road = road(map, row)?;
-                let track =
-                    Track { s: s_on(&road, row)?, t: row.number("t")?, h: row.optional("h")?.unwrap_or(0.0) };
+                let track = Track {
+                    s: s_on(&road, row)?,
+                    t: row.number("t")?,
+                    h: row.optional("h")?.unwrap_or(0.0),
+                };
                 let pose = road.to_inertial(track).map_err(text)?;
                 numbers(out, &[pose.position.x, pose.position.y, pose.position.z, pose.heading]);
             }
@@ -97,7 +100,12 @@ impl Kind {
     }
 }
 
-fn nearest(map: Map<'_>, options: &NearestOptions, row: &Row<'_>, out: &mut Vec<String>) -> Result<(), String> {
+fn nearest(
+    map: Map<'_>,
+    options: &NearestOptions,
+    row: &Row<'_>,
+    out: &mut Vec<String>,
+) -> Result<(), String> {
     let options = NearestOptions { heading: row.optional("hdg")?, ..*options };
     let hit = map.nearest_lane(point(row)?, &options).map_err(text)?;
     let hit = hit.ok_or_else(|| format!("no lane within {} m", options.radius))?;
@@ -146,7 +154,8 @@ fn lane<'a>(map: Map<'a>, row: &Row<'_>) -> Result<(Lane<'a>, f64), String> {
     let road = road(map, row)?;
     let s = s_on(&road, row)?;
     let number = row.lane_number()?;
-    let section = road.section_at(s).ok_or_else(|| format!("road {:?} has no lane section", road.id()))?;
+    let section =
+        road.section_at(s).ok_or_else(|| format!("road {:?} has no lane section", road.id()))?;
     let lane = section
         .lane(number)
         .ok_or_else(|| format!("road {:?} has no lane {number} at s = {s:?}", road.id()))?;

@@ -44,7 +44,8 @@ pub fn run(
     input: impl Read,
     output: impl Write,
 ) -> Result<(), QueryRunError> {
-    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::Headers).flexible(true).from_reader(input);
+    let mut reader =
+        csv::ReaderBuilder::new().trim(csv::Trim::Headers).flexible(true).from_reader(input);
     let mut writer = csv::Writer::from_writer(output);
     let headers = reader.headers()?.clone();
     let missing = kind.needs().iter().any(|name| !headers.iter().any(|header| header == *name));
@@ -56,7 +57,9 @@ pub fn run(
         });
     }
     let answers = kind.answers();
-    let echoed: Vec<usize> = (0..headers.len()).filter(|i| !answers.contains(&&headers[*i]) && &headers[*i] != "error").collect();
+    let echoed: Vec<usize> = (0..headers.len())
+        .filter(|i| !answers.contains(&&headers[*i]) && &headers[*i] != "error")
+        .collect();
     let head = echoed.iter().map(|i| &headers[*i]).chain(answers.iter().copied()).chain(["error"]);
     writer.write_record(head)?;
     let mut record = csv::StringRecord::new();
@@ -70,7 +73,8 @@ pub fn run(
         answer.resize(answers.len(), String::new());
         let echo = echoed.iter().map(|i| record.get(*i).unwrap_or(""));
         let error = error.unwrap_or_default();
-        writer.write_record(echo.chain(answer.iter().map(String::as_str)).chain([error.as_str()]))?;
+        writer
+            .write_record(echo.chain(answer.iter().map(String::as_str)).chain([error.as_str()]))?;
     }
     writer.flush()?;
     Ok(())

@@ -43,6 +43,8 @@ impl<'a> Row<'a> {
     /// A lane number.
     pub(crate) fn lane_number(&self) -> Result<i32, String> {
         let text = self.text("lane_id")?;
-        text.trim().parse().map_err(|_| format!("expected a lane number in column lane_id, found {text:?}"))
+        text.trim()
+            .parse()
+            .map_err(|_| format!("expected a lane number in column lane_id, found {text:?}"))
     }
 }
