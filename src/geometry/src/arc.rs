@@ -1,21 +1,48 @@
-//! Arcs (OpenDRIVE 1.8.1, 9.3.2), stable down to curvature 0.
+//! Circular arcs in closed form, stable down to zero curvature.
 
-/// Half turns below this `[rad]` use the series of sin(x)/x: its next term is below rounding.
-const SMALL: f64 = 1e-4;
+use crate::clamp;
+use crate::point::Frame;
+use core::f64::consts::TAU;
+use glam::DVec2;
 
-/// Chord of an arc: its length `[m]`, and cosine and sine of half its turn.
-#[derive(Clone, Copy)]
-pub(crate) struct Chord {
-    pub(crate) length: f64,
-    pub(crate) cos: f64,
-    pub(crate) sin: f64,
-}
+/// Below this |κ| `[1/m]` an arc is projected as a line: κ times any sane coordinate nears the underflow of f64.
+const STRAIGHT: f64 = 1e-150;
 
-/// The chord from the start to u.
+/// Half turning angle `[rad]` below which sin(x)/x is taken from its series: 1 − x²/6 is exact to 1e-18 there.
+const SMALL_HALF_ANGLE: f64 = 1e-4;
+
+/// Distance `[m]` by which a foot may miss the end of its range and still count as that end, so that rounding at the
+/// start of a full circle does not throw the foot one turn further.
+const SNAP: f64 = 1e-9;
+
+/// Position and tangent at `u`: a chord of length u·sinc(κu/2) in direction κu/2, and the double angle.
 #[inline]
-pub(crate) fn chord(curvature: f64, u: f64) -> Chord {
+pub(crate) fn frame(curvature: f64, u: f64) -> Frame {
     let half = 0.5 * curvature * u;
     let (sin, cos) = libm::sincos(half);
-    let sinc = if half.abs() < SMALL { 1.0 - half * half / 6.0 } else { sin / half };
-    Chord { length: u * sinc, cos, sin }
+    let sinc = if half.abs() < SMALL_HALF_ANGLE { 1.0 - half * half / 6.0 } else { sin / half };
+    let direction = DVec2::new(cos, sin);
+    Frame { position: direction * (u * sinc), tangent: direction.rotate(direction), curvature }
+}
+
+/// The u ∈ [lo, hi] of the point nearest to `target`; among several turns, the one nearest to `seed`.
+pub(crate) fn project(curvature: f64, target: DVec2, seed: f64, lo: f64, hi: f64) -> f64 {
+    if curvature.abs() < STRAIGHT {
+        return clamp(target.x, lo, hi);
+    }
+    // The centre is (0, 1/κ). Multiplied by κ, nothing cancels as κ tends to zero.
+    let angle = libm::atan2(curvature * target.x, 1.0 - curvature * target.y);
+    let turn = TAU / curvature.abs();
+    let mut u = angle / curvature;
+    u += turn * libm::rint((seed - u) / turn);
+    if u < lo - SNAP {
+        u += turn * libm::ceil((lo - u) / turn);
+    } else if u > hi + SNAP {
+        u -= turn * libm::ceil((u - hi) / turn);
+    }
+    if u >= lo - SNAP && u <= hi + SNAP {
+        return clamp(u, lo, hi);
+    }
+    let distance = |u| frame(curvature, u).position.distance_squared(target);
+    if distance(hi) < distance(lo) { hi } else { lo }
 }

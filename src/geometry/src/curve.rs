@@ -1,196 +1,254 @@
-//! Evaluating a compiled curve.
+//! A compiled curve, borrowed from wherever its coefficients are stored.
 
-use crate::cubic::Cubic;
-use crate::polynomial::{self, COEFFICIENTS};
-use crate::primitive::CurveKind;
-use crate::{arc, cos_sin, spiral};
+use crate::parametric::{Cubics, IDENTITY, Parametric};
+use crate::piecewise::Pieces;
+use crate::point::{CurvePoint, Frame, Projection, Tangent};
+use crate::primitive::{CurveKind, Start};
+use crate::spiral::Spiral;
+use crate::{arc, clamp, nearest};
+use glam::DVec2;
 
-/// Start of a geometry as written, with cosine and sine of its heading so that evaluation need not repeat them.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Start {
-    /// x `[m]`.
-    pub x: f64,
-    /// y `[m]`.
-    pub y: f64,
-    /// Heading `[rad]`, counter-clockwise from x.
-    pub heading: f64,
-    /// Cosine of the heading.
-    pub cos: f64,
-    /// Sine of the heading.
-    pub sin: f64,
-}
+/// The foot of a point at the end of a range is perpendicular if the point lies ahead or behind by no more than this,
+/// per metre of its distance and at least this many metres.
+const PERPENDICULAR: f64 = 1e-9;
 
-impl Start {
-    /// From position `[m]` and heading `[rad]`.
-    pub fn new(x: f64, y: f64, heading: f64) -> Self {
-        let (cos, sin) = cos_sin(heading);
-        Self { x, y, heading, cos, sin }
-    }
-}
-
-/// A point of a curve with its frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CurvePoint {
-    /// x `[m]`.
-    pub x: f64,
-    /// y `[m]`.
-    pub y: f64,
-    /// Cosine of the heading: x of the unit tangent.
-    pub cos: f64,
-    /// Sine of the heading: y of the unit tangent.
-    pub sin: f64,
-    /// Heading `[rad]`, not normalised: the start's heading plus the turn.
-    pub heading: f64,
-    /// Curvature `[1/m]`, positive to the left.
-    pub curvature: f64,
-}
-
-/// A compiled curve, borrowed; u ∈ [0, length] is the distance from its start along it.
+/// A compiled curve over u ∈ [0, length] m, borrowing its coefficients.
+///
+/// `u` is arc length; only for a paramPoly3 whose true length differs from the written one it is arc length scaled to
+/// the written length. Every method takes any `f64`: u is clamped to the curve, not-a-number counts as its start.
+/// Nothing allocates and nothing panics, also for coefficients that [`compile`](crate::compile()) did not make.
+///
+/// Errors against the exact curve: line and arc are closed forms, a spiral is within 1e-10 m with exact heading and
+/// curvature, a poly3 or paramPoly3 is displaced along itself by at most 1e-7 m.
 #[derive(Clone, Copy, Debug)]
 pub struct Curve<'a> {
-    pub(crate) kind: CurveKind,
-    pub(crate) start: Start,
-    pub(crate) length: f64,
-    coefficients: &'a [f64],
+    start: Start,
+    length: f64,
+    parameters: &'a [f64],
+    shape: Shape<'a>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Shape<'a> {
+    Line,
+    Arc { curvature: f64 },
+    Spiral(Spiral<'a>),
+    Parametric(Parametric<'a>),
 }
 
 impl<'a> Curve<'a> {
-    /// A curve over numbers that [`crate::compile`] made.
+    /// A view of the coefficients that [`compile`](crate::compile()) made for this kind and length `[m]`.
     ///
-    /// `None` if there are not as many numbers as the kind has, or the length is negative or not finite.
-    #[inline]
+    /// `None` if their number does not fit the kind, or the length is negative or not finite.
+    #[must_use]
     pub fn new(
         kind: CurveKind,
         start: Start,
         length: f64,
         coefficients: &'a [f64],
     ) -> Option<Self> {
-        let pieces = coefficients.len().checked_sub(kind.parameters())?;
-        let fits = match kind.piece_numbers() {
-            0 => pieces == 0,
-            numbers => pieces.is_multiple_of(numbers) && (pieces > 0 || length == 0.0),
+        if !(length >= 0.0 && length.is_finite()) {
+            return None;
+        }
+        let (shape, pieces) = match kind {
+            CurveKind::Line => {
+                let [] = coefficients else { return None };
+                (Shape::Line, coefficients)
+            }
+            CurveKind::Arc => {
+                let &[curvature] = coefficients else { return None };
+                (Shape::Arc { curvature }, &[][..])
+            }
+            CurveKind::Spiral => {
+                let (&[from, to], pieces) = coefficients.split_first_chunk()?;
+                (Shape::Spiral(Spiral::new(from, to, length, pieces)?), pieces)
+            }
+            CurveKind::Poly3 => {
+                let (v, pieces) = coefficients.split_first_chunk()?;
+                (Shape::parametric(IDENTITY, v, length, pieces)?, pieces)
+            }
+            CurveKind::ParamPoly3 => {
+                let (u, rest) = coefficients.split_first_chunk()?;
+                let (v, pieces) = rest.split_first_chunk()?;
+                (Shape::parametric(u, v, length, pieces)?, pieces)
+            }
         };
-        (fits && length >= 0.0 && length.is_finite()).then_some(Self {
-            kind,
-            start,
-            length,
-            coefficients,
-        })
+        let parameters = coefficients.get(..coefficients.len() - pieces.len())?;
+        Some(Self { start, length, parameters, shape })
     }
 
-    /// Length `[m]`.
+    /// The length as written `[m]`.
+    #[must_use]
+    #[inline]
     pub fn length(&self) -> f64 {
         self.length
     }
 
-    /// The primitive's own numbers, as written.
+    /// Where the curve starts, as written.
+    #[must_use]
+    #[inline]
+    pub fn start(&self) -> &Start {
+        &self.start
+    }
+
+    /// The primitive's own parameters as written: nothing for a line, the curvature of an arc, both curvatures of a
+    /// spiral, v of a poly3, u then v of a paramPoly3.
+    #[must_use]
+    #[inline]
     pub fn primitive_parameters(&self) -> &'a [f64] {
-        self.coefficients.get(..self.kind.parameters()).unwrap_or(&[])
+        self.parameters
     }
 
-    /// Number of pieces; 1 for lines and arcs.
-    pub(crate) fn pieces(&self) -> usize {
-        match self.kind.piece_numbers() {
-            0 => 1,
-            numbers => (self.coefficients.len() - self.kind.parameters()) / numbers,
-        }
-    }
-
-    #[inline]
-    pub(crate) fn number(&self, i: usize) -> f64 {
-        self.coefficients.get(i).copied().unwrap_or(0.0)
-    }
-
-    /// The piece that holds u, with u's place in it: τ ∈ [−1, 1].
-    #[inline]
-    fn piece(&self, u: f64) -> (&'a [f64], f64) {
-        let numbers = self.kind.piece_numbers();
-        let first = self.kind.parameters();
-        let count = (self.coefficients.len().saturating_sub(first)) / numbers.max(1);
-        let place = if self.length > 0.0 { u / self.length * count as f64 } else { 0.0 };
-        let i = (place as usize).min(count.saturating_sub(1));
-        let from = first + i * numbers;
-        (self.coefficients.get(from..from + numbers).unwrap_or(&[]), 2.0 * (place - i as f64) - 1.0)
-    }
-
-    /// Parameter of a poly3 or paramPoly3 at u.
-    #[inline]
-    fn parameter(&self, u: f64) -> f64 {
-        let (piece, tau) = self.piece(u);
-        piece.first_chunk::<COEFFICIENTS>().map_or(0.0, |p| polynomial::value(p, tau))
-    }
-
-    fn cubics(&self) -> (Cubic, Cubic) {
-        let four = |first: usize| Cubic::new(std::array::from_fn(|i| self.number(first + i)));
-        match self.kind {
-            CurveKind::Poly3 => (Cubic { a: 0.0, b: 1.0, c: 0.0, d: 0.0 }, four(0)),
-            _ => (four(0), four(4)),
-        }
-    }
-
-    /// Point, frame and curvature at u; u outside [0, length] is moved to the nearer end.
+    /// Everything about the point at `u` `[m]`.
+    #[must_use]
     #[inline]
     pub fn evaluate(&self, u: f64) -> CurvePoint {
-        let u = if u > 0.0 { u.min(self.length) } else { 0.0 };
-        let start = &self.start;
-        // Position and tangent in the start's frame.
-        let (x, y, cos, sin, turn, curvature) = match self.kind {
-            CurveKind::Line => (u, 0.0, 1.0, 0.0, 0.0, 0.0),
-            CurveKind::Arc => {
-                let curvature = self.number(0);
-                let chord = arc::chord(curvature, u);
-                let (cos, sin) =
-                    (chord.cos * chord.cos - chord.sin * chord.sin, 2.0 * chord.cos * chord.sin);
-                (
-                    chord.length * chord.cos,
-                    chord.length * chord.sin,
-                    cos,
-                    sin,
-                    curvature * u,
-                    curvature,
-                )
-            }
-            CurveKind::Spiral => {
-                let (from, to) = (self.number(0), self.number(1));
-                let (piece, tau) = self.piece(u);
-                let (x, y) = match (piece.first_chunk(), piece.last_chunk()) {
-                    (Some(px), Some(py)) => {
-                        (polynomial::value(px, tau), polynomial::value(py, tau))
-                    }
-                    _ => (0.0, 0.0),
-                };
-                let turn = spiral::turn(from, to, self.length, u);
-                let (cos, sin) = cos_sin(turn);
-                (x, y, cos, sin, turn, from + spiral::rate(from, to, self.length) * u)
-            }
-            CurveKind::Poly3 | CurveKind::ParamPoly3 => {
-                let p = self.parameter(u);
-                let (cu, cv) = self.cubics();
-                let (du, dv) = (cu.derivative(p), cv.derivative(p));
-                let speed = (du * du + dv * dv).sqrt();
-                let (cos, sin) = if speed > 0.0 { (du / speed, dv / speed) } else { (1.0, 0.0) };
-                let bend = du * cv.second_derivative(p) - dv * cu.second_derivative(p);
-                let curvature = if speed > 0.0 { bend / (speed * speed * speed) } else { 0.0 };
-                (cu.value(p), cv.value(p), cos, sin, libm::atan2(sin, cos), curvature)
-            }
-        };
+        let u = self.clamp(u);
+        let frame = self.frame(u);
+        let position = self.start.place(frame.position);
+        let tangent = self.start.rotate(frame.tangent);
         CurvePoint {
-            x: start.x + (start.cos * x - start.sin * y),
-            y: start.y + (start.sin * x + start.cos * y),
-            cos: start.cos * cos - start.sin * sin,
-            sin: start.sin * cos + start.cos * sin,
-            heading: start.heading + turn,
-            curvature,
+            x: position.x,
+            y: position.y,
+            cos: tangent.x,
+            sin: tangent.y,
+            heading: self.start.heading + self.turned(u),
+            curvature: frame.curvature,
         }
     }
 
-    /// Heading at u `[rad]`, not normalised.
-    pub fn heading(&self, u: f64) -> f64 {
-        self.evaluate(u).heading
+    /// Position and unit tangent at `u` `[m]`, the same bits as [`evaluate`](Self::evaluate) gives.
+    #[must_use]
+    #[inline]
+    pub fn tangent(&self, u: f64) -> Tangent {
+        let frame = self.frame(self.clamp(u));
+        let position = self.start.place(frame.position);
+        let tangent = self.start.rotate(frame.tangent);
+        Tangent { x: position.x, y: position.y, cos: tangent.x, sin: tangent.y }
     }
 
-    /// Curvature at u `[1/m]`, positive to the left.
+    /// Heading at `u` `[m]` in rad: continuous along the curve, counted from the heading of the start, not normalised.
+    #[must_use]
+    pub fn heading(&self, u: f64) -> f64 {
+        self.start.heading + self.turned(self.clamp(u))
+    }
+
+    /// Signed curvature at `u` `[m]` in 1/m, positive to the left.
+    #[must_use]
     pub fn curvature(&self, u: f64) -> f64 {
-        self.evaluate(u).curvature
+        let u = self.clamp(u);
+        match &self.shape {
+            Shape::Line => 0.0,
+            Shape::Arc { curvature } => *curvature,
+            Shape::Spiral(spiral) => spiral.curvature(u),
+            Shape::Parametric(parametric) => parametric.frame(u).curvature,
+        }
+    }
+
+    /// The foot of (`x`, `y`) `[m]` over u ∈ [`lo`, `hi`], found from `seed`.
+    ///
+    /// Line and arc give the nearest point of the range in closed form, whatever the seed; if an arc passes that point
+    /// several times, the seed chooses. The other kinds give a local minimum of the distance, the one Newton's method
+    /// reaches from the seed, or an end of the range. The range is cut to [0, length].
+    #[must_use]
+    #[inline]
+    pub fn project_from(&self, x: f64, y: f64, seed: f64, lo: f64, hi: f64) -> Projection {
+        let lo = self.clamp(lo);
+        // A missing upper limit is no limit.
+        let hi = if hi.is_nan() { self.length } else { clamp(hi, lo, self.length) };
+        let seed = clamp(seed, lo, hi);
+        let target = self.start.localize(x, y);
+        let u = match &self.shape {
+            Shape::Line => clamp(target.x, lo, hi),
+            Shape::Arc { curvature } => arc::project(*curvature, target, seed, lo, hi),
+            Shape::Spiral(spiral) => nearest::descend(|u| spiral.jet(u), target, seed, lo, hi),
+            Shape::Parametric(parametric) => {
+                nearest::descend(|u| parametric.jet(u), target, seed, lo, hi)
+            }
+        };
+        self.foot(target, u, lo, hi)
+    }
+
+    /// The nearest point of the whole curve to (`x`, `y`) `[m]`; of equally near points the first.
+    #[must_use]
+    pub fn project(&self, x: f64, y: f64) -> Projection {
+        let length = self.length;
+        let target = self.start.localize(x, y);
+        let u = match &self.shape {
+            Shape::Line => clamp(target.x, 0.0, length),
+            Shape::Arc { curvature } => arc::project(*curvature, target, 0.0, 0.0, length),
+            Shape::Spiral(spiral) => {
+                nearest::search(|u| spiral.jet(u), target, spiral.pieces.count(), length)
+            }
+            Shape::Parametric(parametric) => {
+                nearest::search(|u| parametric.jet(u), target, parametric.pieces.count(), length)
+            }
+        };
+        self.foot(target, u, 0.0, length)
+    }
+
+    /// What is known about the foot at `u` of a target in the curve's own frame.
+    #[inline]
+    fn foot(&self, target: DVec2, u: f64, lo: f64, hi: f64) -> Projection {
+        let frame = self.frame(u);
+        let gap = target - frame.position;
+        let distance_squared = gap.length_squared();
+        let ahead = gap.dot(frame.tangent);
+        let tolerance = PERPENDICULAR * (1.0 + distance_squared.sqrt());
+        let position = self.start.place(frame.position);
+        let tangent = self.start.rotate(frame.tangent);
+        Projection {
+            u,
+            x: position.x,
+            y: position.y,
+            cos: tangent.x,
+            sin: tangent.y,
+            lateral: frame.tangent.perp_dot(gap),
+            distance_squared,
+            clamped: (u >= hi && ahead > tolerance) || (u <= lo && ahead < -tolerance),
+            curvature: frame.curvature,
+        }
+    }
+
+    #[inline]
+    fn clamp(&self, u: f64) -> f64 {
+        clamp(u, 0.0, self.length)
+    }
+
+    /// In the curve's own frame; `u` lies on the curve.
+    #[inline]
+    fn frame(&self, u: f64) -> Frame {
+        match &self.shape {
+            Shape::Line => {
+                Frame { position: DVec2::new(u, 0.0), tangent: DVec2::X, curvature: 0.0 }
+            }
+            Shape::Arc { curvature } => arc::frame(*curvature, u),
+            Shape::Spiral(spiral) => spiral.frame(u),
+            Shape::Parametric(parametric) => parametric.frame(u),
+        }
+    }
+
+    /// Heading relative to the start `[rad]`; `u` lies on the curve.
+    #[inline]
+    fn turned(&self, u: f64) -> f64 {
+        match &self.shape {
+            Shape::Line => 0.0,
+            Shape::Arc { curvature } => curvature * u,
+            Shape::Spiral(spiral) => spiral.heading(u),
+            Shape::Parametric(parametric) => parametric.heading(u),
+        }
+    }
+}
+
+impl<'a> Shape<'a> {
+    #[inline]
+    fn parametric(
+        u: &'a [f64; 4],
+        v: &'a [f64; 4],
+        length: f64,
+        pieces: &'a [f64],
+    ) -> Option<Self> {
+        let pieces = Pieces::new(pieces, length)?;
+        Some(Self::Parametric(Parametric { cubics: Cubics { u, v }, pieces }))
     }
 }

@@ -1,59 +1,55 @@
 //! Plane curves and cubic profiles of an OpenDRIVE reference line: compile, evaluate, project.
 //!
-//! A [`Primitive`] is what the file says. [`compile`] turns it into numbers that are cheap to evaluate, with a bound on
-//! their error; a [`Curve`] borrows these numbers and evaluates or projects.
+//! Plain arguments in, plain results out. A primitive as written ([`Primitive`]) is compiled once into a list of numbers
+//! ([`compile()`]), which can be stored anywhere; a [`Curve`] borrows that list and answers.
 //!
-//! Invariants: evaluation and projection allocate nothing, keep no state and never panic, whatever the numbers; every
-//! transcendental function comes from `libm`, so that results are equal bit for bit on every machine. Deliberately
-//! absent: roads, lanes and anything that knows s of a road (here u runs from 0 to a geometry's length).
+//! Invariants: evaluation and projection allocate nothing, do no I/O, hold no global state, and neither panic nor loop
+//! without bound on coefficients that are wrong. The same arguments give the same bits on every machine:
+//! sines and cosines come from `libm`, never from the system, and no operation is fused. Deliberately absent: height,
+//! lanes, and chains of geometries, which the crates above add.
+//!
+//! Lengths are in metres, angles in radians, counter-clockwise positive; curvature is positive to the left.
 //!
 //! ```
 //! use mapd_geometry::{Curve, Primitive, Start, compile};
 //!
-//! let compiled = compile(&Primitive::Arc { curvature: 0.1 }, 5.0).unwrap();
-//! let curve = Curve::new(compiled.kind, Start::new(0.0, 0.0, 0.0), 5.0, &compiled.coefficients).unwrap();
-//! let end = curve.evaluate(5.0);
-//! assert!((end.heading - 0.5).abs() < 1e-15);
-//! assert!((curve.project(end.x, end.y).u - 5.0).abs() < 1e-12);
+//! // A transition from straight to a left curve of 50 m radius, starting at (100, 200), heading north.
+//! let spiral = Primitive::Spiral { curvature_start: 0.0, curvature_end: 0.02 };
+//! let compiled = compile(&spiral, 40.0)?;
+//! let start = Start::new(100.0, 200.0, std::f64::consts::FRAC_PI_2);
+//! let curve = Curve::new(compiled.kind, start, 40.0, &compiled.coefficients).expect("just compiled");
+//!
+//! let end = curve.evaluate(40.0);
+//! assert!((end.heading - (start.heading + 0.4)).abs() < 1e-12);
+//!
+//! // A point 2 m to the left of the end finds its foot there.
+//! let foot = curve.project(end.x - 2.0 * end.sin, end.y + 2.0 * end.cos);
+//! assert!((foot.u - 40.0).abs() < 1e-9 && (foot.lateral - 2.0).abs() < 1e-9);
+//! # Ok::<(), mapd_geometry::CompileError>(())
 //! ```
 
+mod angle;
 mod arc;
+mod compile;
 mod cubic;
 mod curve;
-mod gauss;
+mod nearest;
 mod parametric;
-mod polynomial;
+mod piecewise;
+mod point;
 mod primitive;
-mod project;
 mod spiral;
 
+pub use angle::{cos_sin, normalize_angle};
+pub use compile::{CompileError, Compiled, MAX_LENGTH, MAX_PIECES, MAX_TURNING, compile};
 pub use cubic::Cubic;
-pub use curve::{Curve, CurvePoint, Start};
-pub use primitive::{
-    CompileError, Compiled, CurveKind, MAX_PIECES, ParameterRange, Primitive, compile,
-};
-pub use project::Projection;
+pub use curve::Curve;
+pub use point::{CurvePoint, Projection, Tangent};
+pub use primitive::{CurveKind, PARAMETER_PIECE, ParameterRange, Primitive, SPIRAL_PIECE, Start};
 
-use std::f64::consts::{PI, TAU};
-
-/// Cosine and sine of an angle `[rad]`, by `libm`.
+/// `value` within [lo, hi]; not-a-number becomes `lo`. Unlike `f64::clamp` it cannot panic, and unlike `f64::max` it
+/// never returns a zero of unspecified sign.
 #[inline]
-pub fn cos_sin(angle: f64) -> (f64, f64) {
-    let (sin, cos) = libm::sincos(angle);
-    (cos, sin)
-}
-
-/// An angle `[rad]` moved into (−π, π]. Not finite stays not finite.
-pub fn normalize_angle(angle: f64) -> f64 {
-    if angle > -PI && angle <= PI {
-        return angle;
-    }
-    let turned = angle - TAU * ((angle + PI) / TAU).floor();
-    if turned <= -PI {
-        turned + TAU
-    } else if turned > PI {
-        turned - TAU
-    } else {
-        turned
-    }
+fn clamp(value: f64, lo: f64, hi: f64) -> f64 {
+    if value > lo { if value < hi { value } else { hi } } else { lo }
 }

@@ -1,90 +1,65 @@
-//! Spirals (OpenDRIVE 1.8.1, 9.3.3): heading is exact, positions are polynomials per piece.
-//!
-//! The classic form by Fresnel integrals cancels badly where the curvature hardly changes; here curvature may change
-//! sign or not at all.
+//! Clothoids: position from polynomial pieces, heading and curvature exact.
 
-use crate::gauss::integrate2;
-use crate::polynomial::{self, COEFFICIENTS};
-use crate::primitive::{CompileError, MAX_PIECES};
+use crate::piecewise::{Pieces, point, point_and_derivative, reciprocal};
+use crate::point::{Frame, Jet};
+use crate::primitive::SPIRAL_PIECE;
+use glam::DVec2;
 
-/// Numbers of a piece: x and y over [−1, 1].
-pub(crate) const PIECE: usize = 2 * COEFFICIENTS;
-/// Turn per piece `[rad]` up to which degree 9 stays below 1e-10 m.
-const TURN: f64 = 0.25;
-/// Accepted error of a fit `[m]`; pieces are halved until it holds.
-const ERROR: f64 = 1e-10;
-/// Places in a piece at which the fit is compared with quadrature.
-const PROBES: usize = 16;
-/// Rounding of the sums `[relative to the length]`.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
-
-/// Heading at u relative to the start `[rad]`.
-#[inline]
-pub(crate) fn turn(start: f64, end: f64, length: f64, u: f64) -> f64 {
-    u * (start + 0.5 * rate(start, end, length) * u)
+/// A compiled spiral.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Spiral<'a> {
+    curvature_start: f64,
+    /// Change of curvature over the whole length `[1/m]`.
+    change: f64,
+    /// 1/length `[1/m]`.
+    per_length: f64,
+    pub(crate) pieces: Pieces<'a, SPIRAL_PIECE>,
 }
 
-/// Change of curvature `[1/m²]`.
-#[inline]
-pub(crate) fn rate(start: f64, end: f64, length: f64) -> f64 {
-    if length > 0.0 { (end - start) / length } else { 0.0 }
-}
+impl<'a> Spiral<'a> {
+    #[inline]
+    pub(crate) fn new(
+        curvature_start: f64,
+        curvature_end: f64,
+        length: f64,
+        pieces: &'a [f64],
+    ) -> Option<Self> {
+        Some(Self {
+            curvature_start,
+            change: curvature_end - curvature_start,
+            per_length: reciprocal(length),
+            pieces: Pieces::new(pieces, length)?,
+        })
+    }
 
-/// Appends pieces in the start's frame; returns their error `[m]`.
-pub(crate) fn pieces(
-    start: f64,
-    end: f64,
-    length: f64,
-    out: &mut Vec<f64>,
-) -> Result<f64, CompileError> {
-    if length == 0.0 {
-        return Ok(0.0);
+    /// Heading relative to the start `[rad]`.
+    #[inline]
+    pub(crate) fn heading(&self, u: f64) -> f64 {
+        u * (self.curvature_start + 0.5 * self.change * (u * self.per_length))
     }
-    let needed = (start.abs().max(end.abs()) * length / TURN).ceil().max(1.0);
-    if needed > MAX_PIECES as f64 {
-        return Err(CompileError::TooManyPieces(needed));
+
+    #[inline]
+    pub(crate) fn curvature(&self, u: f64) -> f64 {
+        self.curvature_start + self.change * (u * self.per_length)
     }
-    let mut count = needed as usize;
-    let before = out.len();
-    loop {
-        out.truncate(before);
-        let error = fit(start, end, length, count, out);
-        if error <= ERROR || count * 2 > MAX_PIECES {
-            return Ok(error + length * ROUNDING);
+
+    #[inline]
+    pub(crate) fn frame(&self, u: f64) -> Frame {
+        let (piece, t) = self.pieces.find(u);
+        let (sin, cos) = libm::sincos(self.heading(u));
+        Frame {
+            position: point(piece, t),
+            tangent: DVec2::new(cos, sin),
+            curvature: self.curvature(u),
         }
-        count *= 2;
     }
-}
 
-fn fit(start: f64, end: f64, length: f64, count: usize, out: &mut Vec<f64>) -> f64 {
-    let tangent = |u: f64| {
-        let (sin, cos) = libm::sincos(turn(start, end, length, u));
-        (cos, sin)
-    };
-    let half = 0.5 * length / count as f64;
-    let nodes = polynomial::nodes();
-    let (mut x, mut y) = (0.0, 0.0);
-    let mut error = 0f64;
-    for i in 0..count {
-        let middle = (2 * i + 1) as f64 * half;
-        let from = middle - half;
-        let at = |tau: f64| {
-            let (dx, dy) = integrate2(from, middle + half * tau, tangent);
-            (x + dx, y + dy)
-        };
-        let values = nodes.map(at);
-        let (px, py) =
-            (polynomial::fit(&values.map(|v| v.0)), polynomial::fit(&values.map(|v| v.1)));
-        for k in 0..=PROBES {
-            let tau = 2.0 * k as f64 / PROBES as f64 - 1.0;
-            let exact = at(tau);
-            let (ex, ey) =
-                (polynomial::value(&px, tau) - exact.0, polynomial::value(&py, tau) - exact.1);
-            error = error.max((ex * ex + ey * ey).sqrt());
-        }
-        out.extend_from_slice(&px);
-        out.extend_from_slice(&py);
-        (x, y) = at(1.0);
+    /// The tangent comes from the polynomials here: no sine or cosine per Newton step.
+    #[inline]
+    pub(crate) fn jet(&self, u: f64) -> Jet {
+        let (piece, t) = self.pieces.find(u);
+        let (position, slope) = point_and_derivative(piece, t);
+        let first = slope * self.pieces.rate();
+        Jet { position, first, second: first.perp() * self.curvature(u) }
     }
-    error
 }

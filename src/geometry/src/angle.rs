@@ -1,0 +1,31 @@
+//! Angles.
+
+use core::f64::consts::{PI, TAU};
+
+/// The same direction as `angle` `[rad]`, in (−π, π].
+///
+/// The result is exact to the rounding of 2π itself: an angle of `n` turns comes back with an error of about
+/// `n · 2.5e-16` rad. Not-a-number and infinities give not-a-number.
+#[must_use]
+pub fn normalize_angle(angle: f64) -> f64 {
+    if angle > -PI && angle <= PI {
+        return angle;
+    }
+    // The remainder of fmod is exact, so no digits are lost before the single correction below.
+    let remainder = libm::fmod(angle, TAU);
+    if remainder > PI {
+        remainder - TAU
+    } else if remainder <= -PI {
+        remainder + TAU
+    } else {
+        remainder
+    }
+}
+
+/// Cosine and sine of an angle `[rad]`, by `libm`: equal bit for bit on every machine.
+#[inline]
+#[must_use]
+pub fn cos_sin(angle: f64) -> (f64, f64) {
+    let (sin, cos) = libm::sincos(angle);
+    (cos, sin)
+}
