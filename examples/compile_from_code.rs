@@ -24,7 +24,11 @@ fn main() -> Result<()> {
     for s in [0.0, 60.0, 100.0, 160.0, 200.0] {
         let pose = road.to_inertial(Track { s, t: -1.75, h: 0.0 })?;
         let p = pose.position;
-        writeln!(out, "s = {s:5.1} m: ({:.3}, {:.3}, {:.3}), heading {:.4} rad", p.x, p.y, p.z, pose.heading)?;
+        writeln!(
+            out,
+            "s = {s:5.1} m: ({:.3}, {:.3}, {:.3}), heading {:.4} rad",
+            p.x, p.y, p.z, pose.heading
+        )?;
     }
     Ok(())
 }

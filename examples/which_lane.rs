@@ -10,7 +10,10 @@ use std::time::Duration;
 fn main() -> Result<()> {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let [name, x, y] = args.as_slice() else { bail!("usage: which_lane MAP X Y") };
-    let point = DVec2::new(x.parse().context("X must be a number")?, y.parse().context("Y must be a number")?);
+    let point = DVec2::new(
+        x.parse().context("X must be a number")?,
+        y.parse().context("Y must be a number")?,
+    );
 
     // Waits up to two seconds for daemon and map; nothing is copied, the archive is read where it lies.
     let client = Client::connect(name, Duration::from_secs(2))?;
@@ -23,7 +26,11 @@ fn main() -> Result<()> {
             let lane = map.lane(hit.lane)?;
             let p = hit.position;
             writeln!(out, "lane {} ({})", lane.key(), lane.kind().name())?;
-            writeln!(out, "s = {:.3} m, {:.3} m from its centre, {:.3} m outside", p.s, p.offset, p.distance)?;
+            writeln!(
+                out,
+                "s = {:.3} m, {:.3} m from its centre, {:.3} m outside",
+                p.s, p.offset, p.distance
+            )?;
             for next in lane.successors() {
                 writeln!(out, "leads to {}", map.lane(next)?.key())?;
             }

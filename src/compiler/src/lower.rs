@@ -199,15 +199,13 @@ impl Lowering {
         between(before, self.rows.geometries.len())
     }
 
-    /// Records with `shift` added to their s, in file order. One that begins before its predecessor (a finding: by
-    /// rounding a warning, else an error) begins with it.
+    /// Records with `shift` added to their s, by s. Where the file's order differs (a finding: by rounding a warning, else
+    /// an error) s decides, because a record holds until the next one along the road.
     fn cubics(&mut self, records: &[CubicRecord], shift: f64) -> Range {
         let before = self.rows.cubics.len();
-        let mut s = f64::NEG_INFINITY;
-        for r in records {
-            s = s.max(r.s + shift);
-            self.rows.cubics.push(CubicRow { s, a: r.a, b: r.b, c: r.c, d: r.d });
-        }
+        let row = |r: &CubicRecord| CubicRow { s: r.s + shift, a: r.a, b: r.b, c: r.c, d: r.d };
+        self.rows.cubics.extend(records.iter().map(row));
+        self.rows.cubics[before..].sort_by(|a, b| a.s.total_cmp(&b.s));
         between(before, self.rows.cubics.len())
     }
 

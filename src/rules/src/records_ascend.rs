@@ -3,7 +3,7 @@
 use crate::finding;
 use mapd_xodr::{CubicRecord, Finding, Road, Severity};
 
-/// Falls up to this size `[m]` come from rounding in the file; the later record then begins with the earlier one.
+/// Falls up to this size `[m]` come from rounding in the file.
 const TOLERANCE: f64 = 1e-6;
 
 const RULE: &str = "mapd:xodr:1.4.0:road.records_ascend";

@@ -1,5 +1,6 @@
 //! The stream of top-level elements.
 
+use crate::attributes::Context;
 use crate::cursor::{Cursor, Step};
 use crate::elements;
 use crate::finding::{Finding, Severity, Span};
@@ -168,7 +169,9 @@ impl<R: BufRead> Reader<R> {
         self.state = State::Done;
         if !self.has_header {
             let message = "expected the element header, found none".to_owned();
-            self.cursor.add(rule_ids::ELEMENT, Severity::Warning, Span::default(), message);
+            let mut context =
+                Context { findings: &mut self.cursor.findings, path: ROOT.to_owned() };
+            context.add(rule_ids::ELEMENT, Severity::Warning, Span::default(), message);
         }
         loop {
             let start = self.cursor.offset();

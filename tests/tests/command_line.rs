@@ -1,0 +1,171 @@
+//! What the command line promises: exit codes, columns, errors in rows.
+
+use std::io::Write;
+use std::process::{Command, Output, Stdio};
+
+const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
+
+fn run(args: &[&str], input: &str) -> Output {
+    let mut child = Command::new(MAPD)
+        .args(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("starts");
+    // A command that refuses its arguments does not read.
+    let _ = child.stdin.take().expect("stdin").write_all(input.as_bytes());
+    child.wait_with_output().expect("ends")
+}
+
+fn one_road() -> String {
+    mapd_tests::carried("one_road.xodr").display().to_string()
+}
+
+/// Runs a query on the one-road map and compares the whole output.
+fn check(kind: &[&str], input: &str, expected: &str) {
+    let road = one_road();
+    let mut args = vec!["query", road.as_str()];
+    args.extend(kind);
+    let output = run(&args, input);
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(String::from_utf8_lossy(&output.stdout), expected, "{kind:?}: {errors}");
+    assert_eq!(output.status.code(), Some(0), "{kind:?}: {errors}");
+}
+
+#[test]
+fn inertial_echoes_and_answers_in_order() {
+    check(
+        &["inertial"],
+        "t,s,road_id,note\n2,10,1,a\n-1.5,0,1,\"b,c\"\n",
+        "t,s,road_id,note,x,y,z,hdg,error\n2,10,1,a,10.0,2.0,10.0,0.0,\n-1.5,0,1,\"b,c\",0.0,-1.5,10.0,0.0,\n",
+    );
+}
+
+#[test]
+fn rows_that_fail_keep_their_place() {
+    check(
+        &["inertial"],
+        "road_id,s,t\n1,5,0\nx,5,0\n1,NaN,0\n1,201,0\n1,6,0\n",
+        "road_id,s,t,x,y,z,hdg,error\n1,5,0,5.0,0.0,10.0,0.0,\nx,5,0,,,,,\"the map has no road \"\"x\"\"\"\n1,NaN,0,,,,,\"expected a finite number in column s, found \"\"NaN\"\"\"\n1,201,0,,,,,\"s must lie between 0 and the road's length 200.0, found 201.0\"\n1,6,0,6.0,0.0,10.0,0.0,\n",
+    );
+}
+
+#[test]
+fn lanes_have_edges_and_centres() {
+    check(
+        &["lane"],
+        "road_id,s,lane_id\n1,20,-1\n1,20,2\n1,20,5\n",
+        "road_id,s,lane_id,width,t_inner,t_outer,x,y,z,hdg,error\n1,20,-1,3.5,0.0,-3.5,20.0,-1.75,10.0,0.0,\n1,20,2,1.5,3.5,5.0,20.0,4.25,10.0,0.0,\n1,20,5,,,,,,,,\"road \"\"1\"\" has no lane 5 at s = 20.0\"\n",
+    );
+}
+
+#[test]
+fn nearest_finds_the_lane_or_says_so() {
+    check(
+        &["nearest"],
+        "x,y\n20,-1\n20,-7\n20,300\n",
+        "x,y,lane,road_id,lane_id,s,t,offset,distance,error\n20,-1,1:0:-1,1,-1,20.0,-1.0,0.75,0.0,\n20,-7,1:0:-2,1,-2,20.0,-7.0,-2.75,2.0,\n20,300,,,,,,,,no lane within 10 m\n",
+    );
+}
+
+#[test]
+fn nearest_takes_types_radius_and_z() {
+    check(
+        &["nearest", "--types", "drivable"],
+        "x,y\n20,-7\n",
+        "x,y,lane,road_id,lane_id,s,t,offset,distance,error\n20,-7,1:0:-1,1,-1,20.0,-7.0,-5.25,3.5,\n",
+    );
+    check(
+        &["nearest", "--radius", "1"],
+        "x,y\n20,-7\n",
+        "x,y,lane,road_id,lane_id,s,t,offset,distance,error\n20,-7,,,,,,,,no lane within 1 m\n",
+    );
+    check(
+        &["nearest", "--z-tolerance", "2"],
+        "x,y,z\n20,-1,50\n20,-1,11\n",
+        "x,y,z,lane,road_id,lane_id,s,t,offset,distance,error\n20,-1,50,,,,,,,,no lane within 10 m\n20,-1,11,1:0:-1,1,-1,20.0,-1.0,0.75,0.0,\n",
+    );
+}
+
+#[test]
+fn track_inverts() {
+    check(
+        &["track"],
+        "road_id,x,y,z\n1,30,2,11\n1,30,2,\n",
+        "road_id,x,y,z,s,t,h,error\n1,30,2,11,30.0,2.0,1.0,\n1,30,2,,30.0,2.0,,\n",
+    );
+}
+
+#[test]
+fn successors_follow_the_driving_direction() {
+    check(
+        &["successors"],
+        "road_id,s,lane_id\n1,20,-1\n1,20,-2\n1,150,1\n1,150,-1\n1,20,1\n",
+        "road_id,s,lane_id,successors,error\n1,20,-1,1:1:-1,\n1,20,-2,1:1:-3,\n1,150,1,1:0:1,\n1,150,-1,,\n1,20,1,,\n",
+    );
+}
+
+#[test]
+fn wrong_usage_ends_with_two() {
+    let road = one_road();
+    for args in [
+        &["query", &road, "nothing"][..],
+        &["nonsense"],
+        &[],
+        &["query", &road, "nearest", "--types", "sky"],
+    ] {
+        let output = run(args, "");
+        assert_eq!(
+            output.status.code(),
+            Some(2),
+            "{args:?}: {}",
+            String::from_utf8_lossy(&output.stderr)
+        );
+    }
+    let output = run(&["query", &road, "lane"], "road_id,s\n1,2\n");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("road_id,s,lane_id"));
+}
+
+#[test]
+fn missing_files_end_with_one_and_bad_maps_with_four() {
+    assert_eq!(run(&["inspect", "no/such.xodr"], "").status.code(), Some(1));
+    assert_eq!(run(&["inspect", "no/such.mapd"], "").status.code(), Some(1));
+    let folder = tempfile::tempdir().expect("a folder");
+    for (text, place) in [
+        ("<OpenDRIVE>\n<road id=\"1\" length=\"nan\"/></OpenDRIVE>", ":2:22: error"),
+        ("<ODrive/>", ":1:1: error"),
+        ("<OpenDRIVE>\n  <road>", ":2:9: error"),
+        ("", ":1:1: error"),
+        ("<OpenDRIVE></ODrive>", ":1:1"),
+    ] {
+        let path = folder.path().join("bad.xodr");
+        std::fs::write(&path, text).expect("written");
+        let output = run(&["compile", path.to_str().expect("text")], "");
+        let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(4), "{text:?}: {errors}");
+        assert!(errors.contains(place), "{text:?}: {errors}");
+        assert!(!folder.path().join("bad.mapd").exists());
+    }
+}
+
+#[test]
+fn compile_writes_archive_and_report() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let output =
+        run(&["compile", &one_road(), "-o", &path("a.mapd"), "--report", &path("r.json")], "");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let report: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(path("r.json")).expect("a report")).expect("JSON");
+    assert_eq!(report["verdict"], "accepted");
+    let inspected = run(&["inspect", &path("a.mapd"), "--json", "--verify"], "");
+    let facts: serde_json::Value = serde_json::from_slice(&inspected.stdout).expect("JSON");
+    assert_eq!(facts["map"]["roads"], 1);
+    assert_eq!(facts["map"]["lanes"], 9);
+    assert_eq!(facts["verified"], true);
+    assert_eq!(facts["input_hash"], report["input_hash"]);
+    let left: Vec<_> = std::fs::read_dir(folder.path()).expect("the folder").flatten().collect();
+    assert_eq!(left.len(), 2, "temporary files are left: {left:?}");
+}

@@ -1,0 +1,141 @@
+//! The packed index against rstar, and the nearest lane against looking at every lane.
+
+use glam::DVec2;
+use mapd_archive::encode;
+use mapd_client::{Map, NearestOptions, Snapshot, nearest_segment};
+use mapd_compiler::{CompileOptions, compile};
+use rstar::primitives::{GeomWithData, Line};
+use rstar::{PointDistance, RTree};
+use std::path::PathBuf;
+
+/// Points per map for the index.
+const POINTS: usize = 20_000;
+/// Points per map for the nearest lane; each looks at every lane.
+const LANE_POINTS: usize = 300;
+/// Farthest search `[m]`.
+const RADIUS: f64 = 200.0;
+
+/// Small numbers that look random, the same in every run.
+struct Random(u64);
+
+impl Random {
+    fn unit(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// A point in the map's bounds, widened by ten metres.
+    fn point(&mut self, map: Map<'_>) -> DVec2 {
+        let (low, high) = map.bounds();
+        let (low, size) = (low.truncate() - 10.0, (high - low).truncate() + 20.0);
+        low + DVec2::new(self.unit() * size.x, self.unit() * size.y)
+    }
+}
+
+fn maps() -> Vec<PathBuf> {
+    let mut maps = vec![mapd_tests::carried("town.xodr"), mapd_tests::carried("one_road.xodr")];
+    match mapd_tests::shared("maps") {
+        Some(folder) => {
+            maps.extend(
+                ["carla/Town05.xodr", "Scenic/Issue295a.xodr", "esmini/velodrome.xodr"]
+                    .map(|m| folder.join(m)),
+            );
+        }
+        None => eprintln!("SKIPPED in part: no shared corpus beside the workspace"),
+    }
+    maps
+}
+
+fn open(path: &PathBuf) -> Snapshot {
+    let file = std::fs::File::open(path).expect("the map can be read");
+    let compiled = compile(file, &CompileOptions::default(), &mut |_| {}).expect("reading works");
+    let rows = compiled.rows.expect("the map is accepted");
+    Snapshot::from_bytes(encode(&rows, &compiled.provenance).expect("encodes")).expect("opens")
+}
+
+#[test]
+fn the_packed_index_finds_what_rstar_finds() {
+    for path in maps() {
+        let snapshot = open(&path);
+        let map = snapshot.map();
+        let mut segments = Vec::new();
+        for lane in map.lanes() {
+            let line = lane.center_line();
+            for i in 1..line.len() {
+                let (a, b) =
+                    (line.position(i - 1).expect("a point"), line.position(i).expect("a point"));
+                if line.points[i - 1].s() != line.points[i].s() {
+                    segments.push(GeomWithData::new(
+                        Line::new([a.x, a.y], [b.x, b.y]),
+                        lane.lane_id().row(),
+                    ));
+                }
+            }
+        }
+        let tree = RTree::bulk_load(segments);
+        let (low, high) = map.bounds();
+        let size = (high - low).truncate().length()
+            + low.truncate().abs().max(high.truncate().abs()).max_element();
+        // Single precision: the distance in the leaf's frame, and the point on the map.
+        let tolerance = 1e-5 + size * f64::from(f32::EPSILON);
+        let mut random = Random(1);
+        let mut found = 0;
+        for _ in 0..POINTS {
+            let point = random.point(map);
+            let nearest = tree.nearest_neighbor([point.x, point.y]).expect("the map has lanes");
+            let expected = nearest.distance_2(&[point.x, point.y]).sqrt();
+            match nearest_segment(map, point, RADIUS) {
+                Some(hit) => {
+                    let error = (f64::from(hit.distance) - expected).abs();
+                    assert!(
+                        error <= tolerance,
+                        "{}: {point} expected {expected}, found {hit:?}",
+                        path.display()
+                    );
+                    found += 1;
+                }
+                None => assert!(
+                    expected > RADIUS - tolerance,
+                    "{}: {point} missed {expected}",
+                    path.display()
+                ),
+            }
+        }
+        assert!(found > POINTS / 2, "{}: only {found} points were near the map", path.display());
+    }
+}
+
+#[test]
+fn the_nearest_lane_is_the_nearest_of_all() {
+    let options = NearestOptions { radius: 50.0, ..NearestOptions::default() };
+    for path in maps() {
+        let snapshot = open(&path);
+        let map = snapshot.map();
+        let mut random = Random(2);
+        for _ in 0..LANE_POINTS {
+            let point = random.point(map);
+            let expected = map
+                .lanes()
+                .map(|lane| lane.position_of(point).expect("a position").distance)
+                .fold(f64::INFINITY, f64::min);
+            let hit = map.nearest_lane(point, &options).expect("an answer");
+            match hit {
+                Some(hit) => {
+                    let error = (hit.position.distance - expected).abs();
+                    assert!(
+                        error < 1e-7,
+                        "{}: {point}: expected {expected}, found {hit:?}",
+                        path.display()
+                    );
+                }
+                None => assert!(
+                    expected > options.radius - 1e-7,
+                    "{}: {point} missed {expected}",
+                    path.display()
+                ),
+            }
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! Queries do not allocate: an allocator counts.
+#![allow(unsafe_code)]
+
+use mapd_archive::encode;
+use mapd_client::{LaneKey, NearestOptions, Snapshot, Track, glam::DVec2};
+use mapd_compiler::{CompileOptions, compile};
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+thread_local! {
+    static COUNT: Cell<usize> = const { Cell::new(0) };
+}
+
+struct Counting;
+
+// SAFETY: every call is passed on to the system's allocator; counting touches nothing of it.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        COUNT.with(|count| count.set(count.get() + 1));
+        // SAFETY: the caller's promises are passed on.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: the caller's promises are passed on.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+#[test]
+fn queries_do_not_allocate() {
+    let file = std::fs::File::open(mapd_tests::carried("town.xodr")).expect("the map can be read");
+    let compiled = compile(file, &CompileOptions::default(), &mut |_| {}).expect("reading works");
+    let rows = compiled.rows.expect("accepted");
+    let snapshot =
+        Snapshot::from_bytes(encode(&rows, &compiled.provenance).expect("encodes")).expect("opens");
+    let key: LaneKey<'_> = "1:0:-1".parse().expect("a key");
+    let before = COUNT.with(Cell::get);
+    let copy = snapshot.clone();
+    let map = copy.map();
+    let mut seen = 0;
+    for i in 0..200 {
+        let point = DVec2::new(f64::from(i), f64::from(i * 3 % 200));
+        if let Some(hit) = map.nearest_lane(point, &NearestOptions::default()).expect("an answer") {
+            let lane = map.lane(hit.lane).expect("known");
+            seen += lane.successors().count() + lane.predecessors().count();
+            seen += lane.center_line().len() + lane.left_bound().len() + lane.right_bound().len();
+            seen += usize::from(lane.contains(point).expect("an answer"));
+            lane.pose_at(1.0, 0.5).expect("a pose");
+            lane.road().to_track(point).expect("a foot");
+        }
+    }
+    let road = map.road_by_id("1").expect("a road");
+    road.to_inertial(Track { s: 3.0, t: 1.0, h: 0.0 }).expect("a pose");
+    seen += map.lane_by_key(&key).map_or(0, |lane| lane.speeds().len() + 1);
+    seen += map.junction_by_id("1000").map_or(0, |junction| junction.connections().len());
+    let after = COUNT.with(Cell::get);
+    assert!(seen > 100, "the queries found nothing to count");
+    assert_eq!(after - before, 0, "queries allocated");
+}
