@@ -11,6 +11,13 @@ pub mod town;
 
 use std::path::{Path, PathBuf};
 
+/// Says something aloud: on stderr itself, which the test harness does not swallow.
+pub fn say(message: &str) {
+    use std::io::Write as _;
+    // A closed stderr is no reason to fail a test.
+    let _ = writeln!(std::io::stderr(), "{message}");
+}
+
 /// Root of the workspace.
 pub fn workspace() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().map(Path::to_owned).unwrap_or_default()

@@ -16,7 +16,7 @@ const REJECTED: [(&str, (u32, u32)); 5] = [
 #[test]
 fn every_map_is_accepted_or_refused_with_its_place() {
     let Some(corpus) = mapd_tests::corpus() else {
-        eprintln!("SKIPPED: no shared corpus beside the workspace");
+        mapd_tests::say("SKIPPED: no shared corpus beside the workspace");
         return;
     };
     assert_eq!(corpus.len(), 60, "the corpus has another size");

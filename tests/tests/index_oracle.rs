@@ -43,7 +43,7 @@ fn maps() -> Vec<PathBuf> {
                     .map(|m| folder.join(m)),
             );
         }
-        None => eprintln!("SKIPPED in part: no shared corpus beside the workspace"),
+        None => mapd_tests::say("SKIPPED in part: no shared corpus beside the workspace"),
     }
     maps
 }

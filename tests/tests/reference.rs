@@ -88,7 +88,7 @@ fn angle_between(a: f64, b: f64) -> f64 {
 fn every_compiled_map_agrees_with_the_independent_evaluator() {
     let (Some(corpus), Some(folder)) = (mapd_tests::corpus(), mapd_tests::shared("reference"))
     else {
-        eprintln!("SKIPPED: no shared corpus beside the workspace");
+        mapd_tests::say("SKIPPED: no shared corpus beside the workspace");
         return;
     };
     let mut compared = 0;
@@ -98,5 +98,5 @@ fn every_compiled_map_agrees_with_the_independent_evaluator() {
         }
     }
     assert!(compared > 10_000, "only {compared} rows were compared");
-    eprintln!("{compared} rows agree");
+    mapd_tests::say(&format!("{compared} rows agree"));
 }

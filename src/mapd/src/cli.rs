@@ -11,6 +11,7 @@ use mapd_compiler::CompileOptions;
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::time::Duration;
 
 /// Compile OpenDRIVE maps once and serve them to every process from shared memory.
 ///
@@ -58,6 +59,24 @@ struct DomainArgs {
     prefix: Option<String>,
 }
 
+#[derive(Args)]
+struct Live {
+    #[command(flatten)]
+    domain: DomainArgs,
+
+    /// shm:NAME: longest wait for daemon and map [s]
+    #[arg(long, value_name = "S", default_value_t = source::WAIT.as_secs_f64())]
+    wait: f64,
+}
+
+impl Live {
+    fn get(&self) -> Result<(Domain, Duration)> {
+        let wait = Duration::try_from_secs_f64(self.wait)
+            .map_err(|error| UsageError(format!("--wait: {error}")))?;
+        Ok((self.domain.domain()?, wait))
+    }
+}
+
 #[derive(Subcommand)]
 enum Command {
     /// Compile an OpenDRIVE file into an archive
@@ -84,7 +103,7 @@ enum Command {
         #[arg(long)]
         verify: bool,
         #[command(flatten)]
-        domain: DomainArgs,
+        live: Live,
     },
     /// Answer questions: CSV with a header row from stdin to stdout
     #[command(after_help = QUERY_HELP)]
@@ -107,7 +126,7 @@ enum Command {
         #[arg(long, value_name = "RAD")]
         heading_tolerance: Option<f64>,
         #[command(flatten)]
-        domain: DomainArgs,
+        live: Live,
     },
     /// List the maps that are served
     Status {
@@ -200,8 +219,9 @@ fn execute(cli: Cli) -> Result<Exit> {
         Command::Compile { file, output, report, options } => {
             compile(&file, output, report, &validated(&options)?, out)?
         }
-        Command::Inspect { source, json, verify, domain } => {
-            match source::open_or_report(&source, &CompileOptions::default(), &domain.domain()?)? {
+        Command::Inspect { source, json, verify, live } => {
+            let (domain, wait) = live.get()?;
+            match source::open_or_report(&source, &CompileOptions::default(), (&domain, wait))? {
                 Some(snapshot) => {
                     inspect::run(&source, &snapshot, json, verify, out)?;
                     Exit::Done
@@ -209,11 +229,12 @@ fn execute(cli: Cli) -> Result<Exit> {
                 None => Exit::Rejected,
             }
         }
-        Command::Query { source, kind, radius, types, z_tolerance, heading_tolerance, domain } => {
+        Command::Query { source, kind, radius, types, z_tolerance, heading_tolerance, live } => {
+            let (domain, wait) = live.get()?;
             let types = lane_types(&types)?;
             let options =
                 NearestOptions { radius, types, z_tolerance, heading: None, heading_tolerance };
-            match source::open_or_report(&source, &CompileOptions::default(), &domain.domain()?)? {
+            match source::open_or_report(&source, &CompileOptions::default(), (&domain, wait))? {
                 Some(snapshot) => {
                     query::run(snapshot.map(), kind, &options, io::stdin().lock(), &mut *out)
                         .map_err(|error| match error {

@@ -13,7 +13,7 @@ use std::time::Duration;
 /// Prefix of a live map's name.
 const SHARED: &str = "shm:";
 /// How long to wait for a live map by default.
-pub const DEADLINE: Duration = Duration::from_secs(2);
+pub const WAIT: Duration = Duration::from_secs(2);
 /// First bytes of a gzip stream.
 const GZIP: [u8; 2] = [0x1f, 0x8b];
 
@@ -22,7 +22,7 @@ pub enum Opened {
     /// A map.
     Map(Snapshot),
     /// An OpenDRIVE file that was rejected.
-    Rejected(Compilation),
+    Rejected(Box<Compilation>),
 }
 
 /// Whether a file is an archive by its name.
@@ -55,17 +55,17 @@ pub fn compile_file(
     compile(input, options, progress).with_context(|| format!("reading {}", path.display()))
 }
 
-/// Opens a SOURCE: `shm:NAME`, a `.mapd` file in place, or an OpenDRIVE file compiled in memory.
+/// Opens a SOURCE: `shm:NAME` (in a domain, waiting so long at most), a `.mapd` file in place, or an OpenDRIVE file compiled in memory.
 ///
 /// Errors: files that cannot be read, archives of another layout, no such live map.
 pub fn open(
     source: &str,
     options: &CompileOptions,
-    domain: &Domain,
+    (domain, wait): (&Domain, Duration),
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Opened> {
     if let Some(name) = source.strip_prefix(SHARED) {
-        let client = Client::connect_in(domain, name, DEADLINE)?;
+        let client = Client::connect_in(domain, name, wait)?;
         return Ok(Opened::Map(client.snapshot()));
     }
     let path = Path::new(source);
@@ -75,7 +75,7 @@ pub fn open(
     let compiled = compile_file(path, options, progress)?;
     match &compiled.rows {
         Some(rows) => Ok(Opened::Map(Snapshot::from_bytes(encode(rows, &compiled.provenance)?)?)),
-        None => Ok(Opened::Rejected(compiled)),
+        None => Ok(Opened::Rejected(Box::new(compiled))),
     }
 }
 
@@ -83,10 +83,10 @@ pub fn open(
 pub(crate) fn open_or_report(
     source: &str,
     options: &CompileOptions,
-    domain: &Domain,
+    live: (&Domain, Duration),
 ) -> Result<Option<Snapshot>> {
     let bar = crate::progress::Bar::new(Path::new(source));
-    let opened = open(source, options, domain, &mut |p| bar.show(p))?;
+    let opened = open(source, options, live, &mut |p| bar.show(p))?;
     bar.finish();
     Ok(match opened {
         Opened::Map(snapshot) => Some(snapshot),

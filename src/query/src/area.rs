@@ -123,7 +123,8 @@ fn border_distance(
         let curvature = if stretch.abs() > f64::EPSILON { point.curvature / stretch } else { 0.0 };
         let contraction = (1.0 - curvature * away.dot(normal)).max(MIN_CONTRACTION);
         let next = (s + away.dot(derivative) / (squared * contraction)).clamp(slab.s_lo, slab.s_hi);
-        if !((next - s).abs() > BORDER_STEP) {
+        let step = (next - s).abs();
+        if step <= BORDER_STEP || !step.is_finite() {
             break;
         }
         s = next;

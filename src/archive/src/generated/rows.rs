@@ -188,11 +188,11 @@ pub struct RoadRow {
     pub successor: u32,
     /// Plan view, ascending in s.
     pub geometries: Range,
-    /// Elevation [m] over s.
+    /// Elevation `[m]` over s.
     pub elevations: Range,
-    /// Superelevation [rad] over s; positive lifts the left side.
+    /// Superelevation `[rad]` over s; positive lifts the left side.
     pub superelevations: Range,
-    /// Lane offset [m] over s; positive to the left.
+    /// Lane offset `[m]` over s; positive to the left.
     pub lane_offsets: Range,
     /// Lane sections, ascending in s.
     pub sections: Range,
@@ -251,17 +251,17 @@ impl ArchivedRoadRow {
     pub fn geometries(&self) -> Range {
         self.geometries.to_native()
     }
-    /// Elevation [m] over s.
+    /// Elevation `[m]` over s.
     #[inline]
     pub fn elevations(&self) -> Range {
         self.elevations.to_native()
     }
-    /// Superelevation [rad] over s; positive lifts the left side.
+    /// Superelevation `[rad]` over s; positive lifts the left side.
     #[inline]
     pub fn superelevations(&self) -> Range {
         self.superelevations.to_native()
     }
-    /// Lane offset [m] over s; positive to the left.
+    /// Lane offset `[m]` over s; positive to the left.
     #[inline]
     pub fn lane_offsets(&self) -> Range {
         self.lane_offsets.to_native()
@@ -553,7 +553,7 @@ pub struct LaneRow {
     pub z: f64,
     /// The lane's section.
     pub section: u32,
-    /// Width [m] over s, or the outer border's t [m] where flag 4 is set.
+    /// Width `[m]` over s, or the outer border's t `[m]` where flag 4 is set.
     pub widths: Range,
     /// Speed records, ascending in s.
     pub speeds: Range,
@@ -595,7 +595,7 @@ impl ArchivedLaneRow {
     pub fn section(&self) -> u32 {
         self.section.to_native()
     }
-    /// Width [m] over s, or the outer border's t [m] where flag 4 is set.
+    /// Width `[m]` over s, or the outer border's t `[m]` where flag 4 is set.
     #[inline]
     pub fn widths(&self) -> Range {
         self.widths.to_native()

@@ -26,7 +26,7 @@ pub struct Rows {
     pub roads: Table<RoadRow>,
     /// Plan-view geometries as written, with what their evaluation needs (OpenDRIVE 1.8.1, 9.2).
     pub geometries: Table<GeometryRow>,
-    /// Numbers of the geometries. Line: none. Arc: curvature. Spiral: start and end curvature, then pieces of 20 (x and y as polynomials of degree 9 over [-1, 1]). poly3: 4, paramPoly3: 8, then pieces of 10 (the curve parameter as a polynomial of true arc length).
+    /// Numbers of the geometries. Line: none. Arc: curvature. Spiral: start and end curvature, then pieces of 20 (x and y as polynomials of degree 9 over −1 to 1). poly3: 4, paramPoly3: 8, then pieces of 10 (the curve parameter as a polynomial of true arc length).
     pub coefficients: Table<f64>,
     /// Cubic records a + b·ds + c·ds² + d·ds³ with ds = s − `s`; each holds until the next of its range.
     pub cubics: Table<CubicRow>,
@@ -103,7 +103,7 @@ pub struct Tables<'a> {
     pub roads: &'a [ArchivedRoadRow],
     /// Plan-view geometries as written, with what their evaluation needs (OpenDRIVE 1.8.1, 9.2).
     pub geometries: &'a [ArchivedGeometryRow],
-    /// Numbers of the geometries. Line: none. Arc: curvature. Spiral: start and end curvature, then pieces of 20 (x and y as polynomials of degree 9 over [-1, 1]). poly3: 4, paramPoly3: 8, then pieces of 10 (the curve parameter as a polynomial of true arc length).
+    /// Numbers of the geometries. Line: none. Arc: curvature. Spiral: start and end curvature, then pieces of 20 (x and y as polynomials of degree 9 over −1 to 1). poly3: 4, paramPoly3: 8, then pieces of 10 (the curve parameter as a polynomial of true arc length).
     pub coefficients: &'a [f64],
     /// Cubic records a + b·ds + c·ds² + d·ds³ with ds = s − `s`; each holds until the next of its range.
     pub cubics: &'a [ArchivedCubicRow],

@@ -11,15 +11,15 @@ const S_TOLERANCE: f64 = 1e-6;
 /// What is asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Kind {
-    /// road_id,s,t[,h] → x,y,z,hdg
+    /// `road_id,s,t[,h]` → x,y,z,hdg
     Inertial,
-    /// road_id,s,lane_id → width,t_inner,t_outer,x,y,z,hdg of the lane's centre
+    /// `road_id,s,lane_id` → width,t_inner,t_outer,x,y,z,hdg of the lane's centre
     Lane,
-    /// x,y[,z][,hdg] → lane,road_id,lane_id,s,t,offset,distance
+    /// `x,y[,z][,hdg]` → lane,road_id,lane_id,s,t,offset,distance
     Nearest,
-    /// road_id,x,y[,z] → s,t,h
+    /// `road_id,x,y[,z]` → s,t,h
     Track,
-    /// road_id,s,lane_id → successors in driving direction
+    /// `road_id,s,lane_id` → successors in driving direction
     Successors,
 }
 
