@@ -1,1 +1,72 @@
-//! placeholder
+//! What mapd's benchmarks share. Each benchmark prints ratios against a floor or a peer measured in the same run.
+//!
+//! ```text
+//! cargo bench -p mapd-benches --bench compile
+//! cargo bench -p mapd-benches --bench attach
+//! cargo bench -p mapd-benches --bench queries
+//! ```
+//!
+//! They use `carla/Town05.xodr` of the shared corpus and its 6×6 tiling, and say so where these are missing.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::{Duration, Instant};
+
+/// Prints a line of results.
+pub fn print(line: &str) {
+    // A closed stdout ends the benchmark's purpose, not the benchmark.
+    let _ = writeln!(std::io::stdout(), "{line}");
+}
+
+/// The benchmark maps that are there: name and path. The tiling is made once, in `folder`.
+pub fn maps(folder: &Path) -> Vec<(&'static str, PathBuf)> {
+    let Some(shared) = mapd_tests::shared("maps") else {
+        print("skipped in part: no shared corpus beside the workspace; the carried town stands in");
+        return vec![("town", mapd_tests::carried("town.xodr"))];
+    };
+    let town = shared.join("carla/Town05.xodr");
+    let mut maps = vec![("Town05", town.clone())];
+    let big = folder.join("big104.xodr");
+    let tile = shared.with_file_name("tools").join("tile.py");
+    let made = Command::new("python3").arg(tile).arg(&town).arg(&big).args(["6", "6"]).output();
+    match made {
+        Ok(output) if output.status.success() && big.exists() => maps.push(("big104", big)),
+        _ => print("skipped in part: the 6×6 tiling could not be made"),
+    }
+    maps
+}
+
+/// Best time of several runs: what the machine can do when nothing disturbs it.
+pub fn best(runs: usize, mut work: impl FnMut()) -> Duration {
+    (0..runs)
+        .map(|_| {
+            let start = Instant::now();
+            work();
+            start.elapsed()
+        })
+        .min()
+        .unwrap_or_default()
+}
+
+/// Median and 99th percentile.
+pub fn percentiles(mut times: Vec<Duration>) -> (Duration, Duration) {
+    times.sort();
+    let at = |share: f64| {
+        times.get(((times.len() as f64 - 1.0) * share) as usize).copied().unwrap_or_default()
+    };
+    (at(0.5), at(0.99))
+}
+
+/// Numbers that look random, the same in every run.
+pub struct Random(pub u64);
+
+impl Random {
+    /// In [0, 1).
+    pub fn unit(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+}

@@ -1,0 +1,106 @@
+//! Nearest lane and (s, t) → (x, y, z), against rstar and the crate `xodr`, in one run.
+
+use mapd_benches::{Random, maps, percentiles, print};
+use mapd_client::{Map, NearestOptions, Snapshot, Track, glam::DVec2};
+use mapd_compiler::{CompileOptions, compile};
+use rstar::RTree;
+use rstar::primitives::{GeomWithData, Line};
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+/// Queries of each kind.
+const QUERIES: usize = 20_000;
+/// Queries timed together: a single one is near the clock's resolution.
+const BATCH: usize = 8;
+/// The slow peer gets fewer.
+const PEER_QUERIES: usize = 2_000;
+
+/// Percentiles of the time of one query.
+fn time<T>(inputs: &[T], mut query: impl FnMut(&T)) -> (Duration, Duration) {
+    let batches = inputs.chunks_exact(BATCH).map(|batch| {
+        let start = Instant::now();
+        batch.iter().for_each(&mut query);
+        start.elapsed() / BATCH as u32
+    });
+    percentiles(batches.collect())
+}
+
+/// Places on roads: (road row, s, t), at random over the map, or in small steps along roads.
+fn places(map: Map<'_>, along: bool) -> Vec<(u32, f64, f64)> {
+    let mut random = Random(7);
+    let roads: Vec<_> = map.roads().filter(|road| road.length() > 1.0).collect();
+    let mut places = Vec::new();
+    while places.len() < QUERIES {
+        let road = &roads[(random.unit() * roads.len() as f64) as usize];
+        let row = road.road_id().row();
+        if along {
+            let steps = (road.length() / 0.5) as usize;
+            places.extend((0..steps).map(|i| (row, i as f64 * 0.5, -1.5)));
+        } else {
+            places.push((row, random.unit() * road.length(), random.unit() * 8.0 - 4.0));
+        }
+    }
+    places.truncate(QUERIES);
+    places
+}
+
+fn main() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, path) in maps(folder.path()) {
+        let file = std::fs::File::open(&path).expect("the map opens");
+        let compiled =
+            compile(file, &CompileOptions::default(), &mut |_| {}).expect("reading works");
+        let rows = compiled.rows.expect("accepted");
+        let archive = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes");
+        let snapshot = Snapshot::from_bytes(archive).expect("opens");
+        let map = snapshot.map();
+        let roads: Vec<_> = map.roads().collect();
+        let options = NearestOptions::default();
+        let mut segments = Vec::new();
+        for lane in map.lanes() {
+            let points: Vec<_> = lane.center_line().positions().collect();
+            let row = lane.lane_id().row();
+            segments.extend(
+                points
+                    .windows(2)
+                    .map(|p| GeomWithData::new(Line::new([p[0].x, p[0].y], [p[1].x, p[1].y]), row)),
+            );
+        }
+        let tree = RTree::bulk_load(segments);
+        let peer = xodr::load_file(&path).ok();
+        for (kind, along) in [("random", false), ("along a trajectory", true)] {
+            let places = places(map, along);
+            let track = |&(road, s, t): &(u32, f64, f64)| {
+                roads[road as usize].to_inertial(Track { s, t, h: 0.0 }).expect("a pose").position
+            };
+            let points: Vec<DVec2> = places.iter().map(|place| track(place).truncate()).collect();
+            let (near, near99) = time(&points, |p| {
+                black_box(map.nearest_lane(*p, &options).expect("an answer"));
+            });
+            // rstar finds the segment; the same projection then gives s and offset.
+            let (rstar, _) = time(&points, |p| {
+                let hit = tree.nearest_neighbor([p.x, p.y]).expect("the map has lanes");
+                let road = map.lane_by_row(hit.data).expect("a lane").road();
+                black_box(road.to_track(*p).expect("a foot"));
+            });
+            let other = peer.as_ref().map(|net| {
+                let few = &points[..PEER_QUERIES.min(points.len())];
+                time(few, |p| {
+                    black_box(net.lane_position(xodr::Point::new(p.x as f32, p.y as f32, 0.0)));
+                })
+            });
+            let ratio = |other: Duration| other.as_secs_f64() / near.as_secs_f64();
+            let other = other.map_or("xodr did not load".to_owned(), |(p50, _)| {
+                format!("xodr lane_position p50 {p50:.0?} ({:.1} ×)", ratio(p50))
+            });
+            print(&format!(
+                "nearest lane, {name}, {kind}: p50 {near:.0?} p99 {near99:.0?}; rstar and projection p50 {rstar:.0?} ({:.1} ×); {other}",
+                ratio(rstar)
+            ));
+            let (to_xyz, to_xyz99) = time(&places, |place| {
+                black_box(track(place));
+            });
+            print(&format!("(s,t) → x,y,z, {name}, {kind}: p50 {to_xyz:.0?} p99 {to_xyz99:.0?}"));
+        }
+    }
+}
