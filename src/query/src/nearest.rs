@@ -132,13 +132,25 @@ impl<'a> Map<'a> {
         // Single precision rounds the bound; a little more than the radius loses nothing, the exact test follows.
         let start = round_up(options.radius);
         index::visit(self.tables(), local, start, |leaf, qx, qy, mut bound| {
-            let squares = index::squared_distances(leaf, qx, qy);
             let (lanes, points, reach) = (leaf.lane(), leaf.point(), leaf.reach());
-            for k in 0..squares.len() {
-                let limit = bound + reach[k];
-                if lanes[k] == NONE || squares[k] > limit * limit {
-                    continue;
+            // No point of a lane's stretch is nearer than this. The most promising comes first: what it yields excludes
+            // most of the others before they cost a projection.
+            let mut lower = index::squared_distances(leaf, qx, qy);
+            for k in 0..lower.len() {
+                lower[k] =
+                    if lanes[k] == NONE { f32::INFINITY } else { lower[k].sqrt() - reach[k] };
+            }
+            loop {
+                let (mut k, mut least) = (0, f32::INFINITY);
+                for (place, value) in lower.iter().enumerate() {
+                    if *value < least {
+                        (k, least) = (place, *value);
+                    }
                 }
+                if least > bound || least == f32::INFINITY {
+                    break;
+                }
+                lower[k] = f32::INFINITY;
                 let Some(candidate) = self.candidate(lanes[k], points[k], point, local, options)
                 else {
                     continue;
