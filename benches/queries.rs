@@ -100,7 +100,23 @@ fn main() {
             let (to_xyz, to_xyz99) = time(&places, |place| {
                 black_box(track(place));
             });
-            print(&format!("(s,t) → x,y,z, {name}, {kind}: p50 {to_xyz:.0?} p99 {to_xyz99:.0?}"));
+            // The peer's own road positions of the same points.
+            let other = peer.as_ref().map_or("xodr did not load".to_owned(), |net| {
+                let few = &points[..PEER_QUERIES.min(points.len())];
+                let at =
+                    |p: &DVec2| net.road_position(xodr::Point::new(p.x as f32, p.y as f32, 0.0));
+                let positions: Vec<_> = few.iter().filter_map(at).collect();
+                let (p50, _) = time(&positions, |at| {
+                    black_box(net.road_point(*at));
+                });
+                format!(
+                    "xodr road_point p50 {p50:.0?} ({:.1} ×)",
+                    p50.as_secs_f64() / to_xyz.as_secs_f64()
+                )
+            });
+            print(&format!(
+                "(s,t) → x,y,z, {name}, {kind}: p50 {to_xyz:.0?} p99 {to_xyz99:.0?}; {other}"
+            ));
         }
     }
 }

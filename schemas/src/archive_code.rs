@@ -5,11 +5,11 @@ use std::fmt::Write as _;
 
 const NOTE: &str = "// Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.\n\n";
 
-/// Row types with their accessors.
+/// Row types.
 pub(crate) fn rows(layout: &Layout) -> String {
     let mut out = format!("//! Row types of the archive's tables.\n{NOTE}");
     out += "use crate::table::Range;\n";
-    out += "use bytemuck::{Pod, Zeroable};\nuse rkyv::{Archive, rend};\n";
+    out += "use bytemuck::{Pod, Zeroable};\nuse rkyv::Archive;\n";
     for table in &layout.tables {
         let Some(row) = &table.row else { continue };
         let _ = write!(out, "\n/// {}\n", table.doc);
@@ -27,17 +27,27 @@ pub(crate) fn rows(layout: &Layout) -> String {
             );
         }
         out += "}\n";
-        let _ = writeln!(out, "impl Archived{row} {{");
-        for field in table.fields.iter().filter(|f| f.name != "reserved") {
-            let _ = writeln!(out, "/// {}{}\n#[inline]", unit(field), field.doc);
-            out += &getter(field);
-        }
-        out += "}\n";
         let _ = writeln!(
             out,
             "const _: () = assert!(size_of::<{row}>() == {0} && size_of::<Archived{row}>() == {0});",
             table.element_bytes()
         );
+    }
+    out
+}
+
+/// Accessors of the rows as they lie in an archive.
+pub(crate) fn accessors(layout: &Layout) -> String {
+    let mut out = format!("//! Reading the rows of an archive.\n{NOTE}");
+    out += "use super::rows::*;\nuse crate::table::Range;\nuse rkyv::rend;\n";
+    for table in &layout.tables {
+        let Some(row) = &table.row else { continue };
+        let _ = writeln!(out, "\nimpl Archived{row} {{");
+        for field in table.fields.iter().filter(|f| f.name != "reserved") {
+            let _ = writeln!(out, "/// {}{}\n#[inline]", unit(field), field.doc);
+            out += &getter(field);
+        }
+        out += "}\n";
     }
     out
 }

@@ -34,6 +34,10 @@ fn main() -> Result<()> {
     let format_page = root.join("docs/format.md");
     let outputs = [
         Output { path: "src/archive/src/generated/rows.rs", text: archive_code::rows(&layout) },
+        Output {
+            path: "src/archive/src/generated/accessors.rs",
+            text: archive_code::accessors(&layout),
+        },
         Output { path: "src/archive/src/generated/tables.rs", text: archive_code::tables(&layout) },
         Output {
             path: "docs/format.md",

@@ -1,4 +1,5 @@
 //! Code written from `schemas/archive.toml`.
 
+mod accessors;
 pub(crate) mod rows;
 pub(crate) mod tables;

@@ -1,0 +1,613 @@
+//! Reading the rows of an archive.
+// Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
+
+use super::rows::*;
+use crate::table::Range;
+use rkyv::rend;
+
+impl ArchivedMapRow {
+    /// `[m]` x of the local origin: geometry lies relative to it. 0 unless coordinates are large.
+    #[inline]
+    pub fn origin_x(&self) -> f64 {
+        self.origin_x.to_native()
+    }
+    /// `[m]` y of the local origin.
+    #[inline]
+    pub fn origin_y(&self) -> f64 {
+        self.origin_y.to_native()
+    }
+    /// `[m]` Smallest x of any lane, inertial.
+    #[inline]
+    pub fn min_x(&self) -> f64 {
+        self.min_x.to_native()
+    }
+    /// `[m]` Smallest y of any lane, inertial.
+    #[inline]
+    pub fn min_y(&self) -> f64 {
+        self.min_y.to_native()
+    }
+    /// `[m]` Smallest z of any lane, inertial.
+    #[inline]
+    pub fn min_z(&self) -> f64 {
+        self.min_z.to_native()
+    }
+    /// `[m]` Largest x of any lane, inertial.
+    #[inline]
+    pub fn max_x(&self) -> f64 {
+        self.max_x.to_native()
+    }
+    /// `[m]` Largest y of any lane, inertial.
+    #[inline]
+    pub fn max_y(&self) -> f64 {
+        self.max_y.to_native()
+    }
+    /// `[m]` Largest z of any lane, inertial.
+    #[inline]
+    pub fn max_z(&self) -> f64 {
+        self.max_z.to_native()
+    }
+    /// `[m]` header/@north as written; 0 if absent.
+    #[inline]
+    pub fn stated_north(&self) -> f64 {
+        self.stated_north.to_native()
+    }
+    /// `[m]` header/@south as written; 0 if absent.
+    #[inline]
+    pub fn stated_south(&self) -> f64 {
+        self.stated_south.to_native()
+    }
+    /// `[m]` header/@east as written; 0 if absent.
+    #[inline]
+    pub fn stated_east(&self) -> f64 {
+        self.stated_east.to_native()
+    }
+    /// `[m]` header/@west as written; 0 if absent.
+    #[inline]
+    pub fn stated_west(&self) -> f64 {
+        self.stated_west.to_native()
+    }
+    /// `[m]` Sum of the roads' lengths.
+    #[inline]
+    pub fn road_length(&self) -> f64 {
+        self.road_length.to_native()
+    }
+    /// `[m]` Largest distance of a lane's centre line from its polyline.
+    #[inline]
+    pub fn index_tolerance(&self) -> f64 {
+        self.index_tolerance.to_native()
+    }
+    /// `[m]` Largest distance of a lane's border from its polyline.
+    #[inline]
+    pub fn bound_tolerance(&self) -> f64 {
+        self.bound_tolerance.to_native()
+    }
+    /// header/@name.
+    #[inline]
+    pub fn name(&self) -> u32 {
+        self.name.to_native()
+    }
+    /// header/@version.
+    #[inline]
+    pub fn version(&self) -> u32 {
+        self.version.to_native()
+    }
+    /// header/@date.
+    #[inline]
+    pub fn date(&self) -> u32 {
+        self.date.to_native()
+    }
+    /// header/@vendor.
+    #[inline]
+    pub fn vendor(&self) -> u32 {
+        self.vendor.to_native()
+    }
+    /// header/geoReference verbatim.
+    #[inline]
+    pub fn geo_reference(&self) -> u32 {
+        self.geo_reference.to_native()
+    }
+    /// header/@revMajor; 0 if absent.
+    #[inline]
+    pub fn rev_major(&self) -> u16 {
+        self.rev_major.to_native()
+    }
+    /// header/@revMinor; 0 if absent.
+    #[inline]
+    pub fn rev_minor(&self) -> u16 {
+        self.rev_minor.to_native()
+    }
+}
+
+impl ArchivedRoadRow {
+    /// `[m]` Length of the reference line as written.
+    #[inline]
+    pub fn length(&self) -> f64 {
+        self.length.to_native()
+    }
+    /// road/@id verbatim.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// road/@name.
+    #[inline]
+    pub fn name(&self) -> u32 {
+        self.name.to_native()
+    }
+    /// Junction that the road belongs to as a connecting road.
+    #[inline]
+    pub fn junction(&self) -> u32 {
+        self.junction.to_native()
+    }
+    /// Row of the road or junction at s = 0, by `predecessor_kind`; u32::MAX if none.
+    #[inline]
+    pub fn predecessor(&self) -> u32 {
+        self.predecessor.to_native()
+    }
+    /// Row of the road or junction at s = length, by `successor_kind`; u32::MAX if none.
+    #[inline]
+    pub fn successor(&self) -> u32 {
+        self.successor.to_native()
+    }
+    /// Plan view, ascending in s.
+    #[inline]
+    pub fn geometries(&self) -> Range {
+        self.geometries.to_native()
+    }
+    /// Elevation `[m]` over s.
+    #[inline]
+    pub fn elevations(&self) -> Range {
+        self.elevations.to_native()
+    }
+    /// Superelevation `[rad]` over s; positive lifts the left side.
+    #[inline]
+    pub fn superelevations(&self) -> Range {
+        self.superelevations.to_native()
+    }
+    /// Lane offset `[m]` over s; positive to the left.
+    #[inline]
+    pub fn lane_offsets(&self) -> Range {
+        self.lane_offsets.to_native()
+    }
+    /// Lane sections, ascending in s.
+    #[inline]
+    pub fn sections(&self) -> Range {
+        self.sections.to_native()
+    }
+    /// Road types, ascending in s.
+    #[inline]
+    pub fn types(&self) -> Range {
+        self.types.to_native()
+    }
+    /// Line of the road's start tag, from 1.
+    #[inline]
+    pub fn line(&self) -> u32 {
+        self.line.to_native()
+    }
+    /// Column of the road's start tag in bytes, from 1.
+    #[inline]
+    pub fn column(&self) -> u32 {
+        self.column.to_native()
+    }
+    /// 0 none, 1 road, 2 junction, 3 unresolved road, 4 unresolved junction.
+    #[inline]
+    pub fn predecessor_kind(&self) -> u8 {
+        self.predecessor_kind
+    }
+    /// As `predecessor_kind`.
+    #[inline]
+    pub fn successor_kind(&self) -> u8 {
+        self.successor_kind
+    }
+    /// End of the linked road: 0 none, 1 start, 2 end.
+    #[inline]
+    pub fn predecessor_contact(&self) -> u8 {
+        self.predecessor_contact
+    }
+    /// As `predecessor_contact`.
+    #[inline]
+    pub fn successor_contact(&self) -> u8 {
+        self.successor_contact
+    }
+    /// 0 right-hand traffic, 1 left-hand traffic.
+    #[inline]
+    pub fn rule(&self) -> u8 {
+        self.rule
+    }
+}
+
+impl ArchivedGeometryRow {
+    /// `[m]` Start on the road.
+    #[inline]
+    pub fn s(&self) -> f64 {
+        self.s.to_native()
+    }
+    /// `[m]` Start point relative to the local origin.
+    #[inline]
+    pub fn x(&self) -> f64 {
+        self.x.to_native()
+    }
+    /// `[m]` Start point relative to the local origin.
+    #[inline]
+    pub fn y(&self) -> f64 {
+        self.y.to_native()
+    }
+    /// `[rad]` Start heading as written.
+    #[inline]
+    pub fn hdg(&self) -> f64 {
+        self.hdg.to_native()
+    }
+    /// Cosine of `hdg`.
+    #[inline]
+    pub fn cos(&self) -> f64 {
+        self.cos.to_native()
+    }
+    /// Sine of `hdg`.
+    #[inline]
+    pub fn sin(&self) -> f64 {
+        self.sin.to_native()
+    }
+    /// `[m]` Length as written.
+    #[inline]
+    pub fn length(&self) -> f64 {
+        self.length.to_native()
+    }
+    /// The primitive's own numbers, then its pieces.
+    #[inline]
+    pub fn coefficients(&self) -> Range {
+        self.coefficients.to_native()
+    }
+    /// `[m]` Bound on the distance of an evaluated point from the exact curve.
+    #[inline]
+    pub fn error(&self) -> f32 {
+        self.error.to_native()
+    }
+    /// 0 line, 1 arc, 2 spiral, 3 poly3, 4 paramPoly3.
+    #[inline]
+    pub fn kind(&self) -> u8 {
+        self.kind
+    }
+    /// paramPoly3/@pRange: 0 not given, 1 arcLength, 2 normalized.
+    #[inline]
+    pub fn parameter_range(&self) -> u8 {
+        self.parameter_range
+    }
+}
+
+impl ArchivedCubicRow {
+    /// `[m]` Start on the road (lane records too).
+    #[inline]
+    pub fn s(&self) -> f64 {
+        self.s.to_native()
+    }
+    /// Constant part.
+    #[inline]
+    pub fn a(&self) -> f64 {
+        self.a.to_native()
+    }
+    /// Linear part.
+    #[inline]
+    pub fn b(&self) -> f64 {
+        self.b.to_native()
+    }
+    /// Quadratic part.
+    #[inline]
+    pub fn c(&self) -> f64 {
+        self.c.to_native()
+    }
+    /// Cubic part.
+    #[inline]
+    pub fn d(&self) -> f64 {
+        self.d.to_native()
+    }
+}
+
+impl ArchivedRoadTypeRow {
+    /// `[m]` Start on the road.
+    #[inline]
+    pub fn s(&self) -> f64 {
+        self.s.to_native()
+    }
+    /// `[m/s]` Speed limit, if `speed_kind` is 1; else 0.
+    #[inline]
+    pub fn speed(&self) -> f64 {
+        self.speed.to_native()
+    }
+    /// type/@country.
+    #[inline]
+    pub fn country(&self) -> u32 {
+        self.country.to_native()
+    }
+    /// Road type code.
+    #[inline]
+    pub fn kind(&self) -> u8 {
+        self.kind
+    }
+    /// 0 none, 1 value, 2 no limit, 3 undefined.
+    #[inline]
+    pub fn speed_kind(&self) -> u8 {
+        self.speed_kind
+    }
+}
+
+impl ArchivedSectionRow {
+    /// `[m]` Start on the road.
+    #[inline]
+    pub fn s_start(&self) -> f64 {
+        self.s_start.to_native()
+    }
+    /// `[m]` End: start of the next section, or the road's length.
+    #[inline]
+    pub fn s_end(&self) -> f64 {
+        self.s_end.to_native()
+    }
+    /// The road.
+    #[inline]
+    pub fn road(&self) -> u32 {
+        self.road.to_native()
+    }
+    /// Lanes from left to right: falling lane numbers, lane 0 among them.
+    #[inline]
+    pub fn lanes(&self) -> Range {
+        self.lanes.to_native()
+    }
+    /// Number of the section in its road, from 0.
+    #[inline]
+    pub fn number(&self) -> u32 {
+        self.number.to_native()
+    }
+}
+
+impl ArchivedLaneRow {
+    /// `[m]` Origin of the lane's points, relative to the local origin.
+    #[inline]
+    pub fn x(&self) -> f64 {
+        self.x.to_native()
+    }
+    /// `[m]` Origin of the lane's points, relative to the local origin.
+    #[inline]
+    pub fn y(&self) -> f64 {
+        self.y.to_native()
+    }
+    /// `[m]` Origin of the lane's points.
+    #[inline]
+    pub fn z(&self) -> f64 {
+        self.z.to_native()
+    }
+    /// The lane's section.
+    #[inline]
+    pub fn section(&self) -> u32 {
+        self.section.to_native()
+    }
+    /// Width `[m]` over s, or the outer border's t `[m]` where flag 4 is set.
+    #[inline]
+    pub fn widths(&self) -> Range {
+        self.widths.to_native()
+    }
+    /// Speed records, ascending in s.
+    #[inline]
+    pub fn speeds(&self) -> Range {
+        self.speeds.to_native()
+    }
+    /// Lanes entered from this one in driving direction.
+    #[inline]
+    pub fn successors(&self) -> Range {
+        self.successors.to_native()
+    }
+    /// Lanes from which this one is entered.
+    #[inline]
+    pub fn predecessors(&self) -> Range {
+        self.predecessors.to_native()
+    }
+    /// Centre line, ascending in s. Empty for lane 0.
+    #[inline]
+    pub fn center(&self) -> Range {
+        self.center.to_native()
+    }
+    /// Outer border, ascending in s; for lane 0 the shifted reference line.
+    #[inline]
+    pub fn border(&self) -> Range {
+        self.border.to_native()
+    }
+    /// OpenDRIVE's lane number: positive left, negative right.
+    #[inline]
+    pub fn number(&self) -> i32 {
+        self.number.to_native()
+    }
+    /// Lane type code.
+    #[inline]
+    pub fn kind(&self) -> u8 {
+        self.kind
+    }
+    /// 1 travels towards +s, 2 level, 4 `widths` hold borders, 8 also travels the other way.
+    #[inline]
+    pub fn flags(&self) -> u8 {
+        self.flags
+    }
+}
+
+impl ArchivedLaneSpeedRow {
+    /// `[m]` Start on the road.
+    #[inline]
+    pub fn s(&self) -> f64 {
+        self.s.to_native()
+    }
+    /// `[m/s]` Speed limit, if `kind` is 1; else 0.
+    #[inline]
+    pub fn max(&self) -> f64 {
+        self.max.to_native()
+    }
+    /// 1 value, 2 no limit, 3 undefined.
+    #[inline]
+    pub fn kind(&self) -> u32 {
+        self.kind.to_native()
+    }
+}
+
+impl ArchivedPointRow {
+    /// `[m]` x minus the lane's x.
+    #[inline]
+    pub fn x(&self) -> f32 {
+        self.x.to_native()
+    }
+    /// `[m]` y minus the lane's y.
+    #[inline]
+    pub fn y(&self) -> f32 {
+        self.y.to_native()
+    }
+    /// `[m]` z minus the lane's z.
+    #[inline]
+    pub fn z(&self) -> f32 {
+        self.z.to_native()
+    }
+    /// `[m]` s minus the section's start.
+    #[inline]
+    pub fn s(&self) -> f32 {
+        self.s.to_native()
+    }
+}
+
+impl ArchivedJunctionRow {
+    /// junction/@id verbatim.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// junction/@name.
+    #[inline]
+    pub fn name(&self) -> u32 {
+        self.name.to_native()
+    }
+    /// Connections in file order.
+    #[inline]
+    pub fn connections(&self) -> Range {
+        self.connections.to_native()
+    }
+    /// Line of the start tag, from 1.
+    #[inline]
+    pub fn line(&self) -> u32 {
+        self.line.to_native()
+    }
+    /// Column of the start tag in bytes, from 1.
+    #[inline]
+    pub fn column(&self) -> u32 {
+        self.column.to_native()
+    }
+    /// 0 default, 1 direct, 2 virtual, 3 crossing.
+    #[inline]
+    pub fn kind(&self) -> u8 {
+        self.kind
+    }
+}
+
+impl ArchivedConnectionRow {
+    /// connection/@id verbatim.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// Road that leads in.
+    #[inline]
+    pub fn incoming_road(&self) -> u32 {
+        self.incoming_road.to_native()
+    }
+    /// Connecting road, or the linked road of a direct junction.
+    #[inline]
+    pub fn connecting_road(&self) -> u32 {
+        self.connecting_road.to_native()
+    }
+    /// Lane links as written.
+    #[inline]
+    pub fn lane_links(&self) -> Range {
+        self.lane_links.to_native()
+    }
+    /// End of the connecting road that touches the incoming one: 0 none, 1 start, 2 end.
+    #[inline]
+    pub fn contact(&self) -> u8 {
+        self.contact
+    }
+}
+
+impl ArchivedConnectionLaneLinkRow {
+    /// Lane number on the incoming road.
+    #[inline]
+    pub fn from(&self) -> i32 {
+        self.from.to_native()
+    }
+    /// Lane number on the connecting or linked road.
+    #[inline]
+    pub fn to(&self) -> i32 {
+        self.to.to_native()
+    }
+}
+
+impl ArchivedIndexNodeRow {
+    /// `[m]` Smallest x of each child.
+    #[inline]
+    pub fn min_x(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.min_x)
+    }
+    /// `[m]` Smallest y of each child.
+    #[inline]
+    pub fn min_y(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.min_y)
+    }
+    /// `[m]` Largest x of each child.
+    #[inline]
+    pub fn max_x(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.max_x)
+    }
+    /// `[m]` Largest y of each child.
+    #[inline]
+    pub fn max_y(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.max_y)
+    }
+}
+
+impl ArchivedIndexLeafRow {
+    /// `[m]` Origin of the leaf relative to the local origin.
+    #[inline]
+    pub fn x(&self) -> f64 {
+        self.x.to_native()
+    }
+    /// `[m]` Origin of the leaf relative to the local origin.
+    #[inline]
+    pub fn y(&self) -> f64 {
+        self.y.to_native()
+    }
+    /// `[m]` Start of each segment.
+    #[inline]
+    pub fn start_x(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.start_x)
+    }
+    /// `[m]` Start of each segment.
+    #[inline]
+    pub fn start_y(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.start_y)
+    }
+    /// `[m]` End minus start.
+    #[inline]
+    pub fn delta_x(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.delta_x)
+    }
+    /// `[m]` End minus start.
+    #[inline]
+    pub fn delta_y(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.delta_y)
+    }
+    /// `[m]` Largest distance of the lane's area from the segment, rounded up.
+    #[inline]
+    pub fn reach(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.reach)
+    }
+    /// The lane; u32::MAX if unused.
+    #[inline]
+    pub fn lane(&self) -> &[u32; 16] {
+        bytemuck::cast_ref::<[rend::u32_le; 16], _>(&self.lane)
+    }
+    /// The segment's first point in `points`.
+    #[inline]
+    pub fn point(&self) -> &[u32; 16] {
+        bytemuck::cast_ref::<[rend::u32_le; 16], _>(&self.point)
+    }
+}
