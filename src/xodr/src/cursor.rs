@@ -160,6 +160,10 @@ impl<R: BufRead> Cursor<R> {
                 }
             };
             match event {
+                Event::Start(tag) if tag.len() > self.limits.tag_bytes => {
+                    self.refuse(rule_ids::LIMIT, start, TOO_LARGE.to_owned());
+                    return Step::Over;
+                }
                 Event::Start(tag) => {
                     let mut attributes = Attributes::default();
                     let parsed = attributes.parse(tag.as_bytes(), start);
