@@ -24,7 +24,7 @@ fn time(prefix: &str, how: &str, what: &str) -> Duration {
 fn main() {
     let folder = tempfile::tempdir().expect("a folder");
     for (name, path) in maps(folder.path()) {
-        let prefix = format!("mapdbench_{}_", std::process::id());
+        let prefix = format!("mapdbench{}_", std::process::id());
         let domain = Domain::new(&prefix).expect("a prefix");
         let file = std::fs::File::open(&path).expect("the map opens");
         let compiled =
@@ -34,19 +34,23 @@ fn main() {
         let saved = folder.path().join(format!("{name}.mapd"));
         std::fs::write(&saved, &archive).expect("written");
         let saved = saved.display().to_string();
-        let stop = StopSignal::default();
+        let stop = StopSignal::new().expect("a signal");
         let (ready, served) = std::sync::mpsc::channel();
         std::thread::scope(|scope| {
-            let (domain, stop_here, bytes) = (&domain, stop.clone(), &archive);
+            let (domain, stop_here, bytes) = (&domain, &stop, &archive);
             scope.spawn(move || {
                 let mut server = Server::start(domain).expect("starts");
                 let fill = |loan: &mut [u8]| {
                     loan.copy_from_slice(bytes);
-                    Ok(PublishMeta::default())
+                    Ok(PublishMeta {
+                        layout_id: [0; 32],
+                        content_hash: [0; 32],
+                        input_hash: [0; 32],
+                    })
                 };
                 server.publish(name, bytes.len(), fill).expect("publishes");
                 ready.send(()).expect("told");
-                server.run(&stop_here).expect("serves");
+                server.run(stop_here).expect("serves");
             });
             served.recv().expect("served");
             let (mut shared, mut plain) = (Vec::new(), Vec::new());
@@ -60,7 +64,7 @@ fn main() {
                 archive.len(),
                 shared.as_secs_f64() / plain.as_secs_f64()
             ));
-            stop.stop();
+            stop.request();
         });
         let _ = std::fs::remove_dir_all(domain.root());
     }

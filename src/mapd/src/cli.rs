@@ -54,7 +54,7 @@ struct Options {
 
 #[derive(Args)]
 struct DomainArgs {
-    /// Prefix of everything in shared memory; daemons and clients meet where it is equal [default: mapd_]
+    /// Prefix of everything in shared memory; daemons and clients meet where it is equal (letters and digits, one _ at the end) [default: mapd_]
     #[arg(long, env = "MAPD_PREFIX", value_name = "PREFIX")]
     prefix: Option<String>,
 }

@@ -1,81 +1,98 @@
 //! Where daemon and clients meet.
 
-use iceoryx2::prelude::{Config, FileName, Path as IoxPath, SemanticString};
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// Environment variable that replaces the default prefix.
-const PREFIX_VARIABLE: &str = "MAPD_PREFIX";
-/// Prefix of everything in shared memory.
-const DEFAULT_PREFIX: &str = "mapd_";
-/// Where POSIX shared memory lies on Linux; also where containers meet that share it.
-const SHARED_MEMORY: &str = "/dev/shm";
-/// Longest prefix in bytes.
-const MAX_PREFIX: usize = 32;
+/// Prefix of every file when nothing else is said.
+pub const DEFAULT_PREFIX: &str = "mapd_";
 
-/// A prefix in shared memory: daemons and clients see each other where it is equal.
+/// Environment variable that replaces [`DEFAULT_PREFIX`] in [`Domain::from_env`].
+pub const PREFIX_VARIABLE: &str = "MAPD_PREFIX";
+
+/// Longest prefix in bytes: the path of an event socket holds it twice and is limited to 107 bytes by the kernel.
+pub const MAX_PREFIX_LENGTH: usize = 20;
+
+/// The file system that holds everything of a domain. POSIX shared memory lives here on Linux.
+pub const SHARED_MEMORY_FOLDER: &str = "/dev/shm";
+
+/// The prefix cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error(
+    "expected a prefix of ASCII letters, digits and '-' that ends with its only '_', at most {MAX_PREFIX_LENGTH} bytes, \
+     such as {DEFAULT_PREFIX:?}; found {prefix:?}; change it or {PREFIX_VARIABLE}"
+)]
+pub struct DomainError {
+    /// What was given.
+    pub prefix: String,
+}
+
+/// Where daemon and clients meet: the prefix of all files in [`SHARED_MEMORY_FOLDER`], and the root folder
+/// `/dev/shm/{prefix}root`. Domains with different prefixes know nothing of each other.
+///
+/// The only `_` of a prefix is its last character, so that no prefix begins another: a daemon removes unfinished files
+/// of its own domain, and must never meet those of a neighbour.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Domain {
     prefix: String,
     root: PathBuf,
 }
 
-/// A prefix that cannot be used.
-#[derive(Clone, Debug, Error, PartialEq, Eq)]
-#[error("a prefix has 1 to 32 letters, digits and underscores, found {found:?}")]
-pub struct DomainError {
-    found: String,
-}
-
 impl Domain {
-    /// The domain of a prefix. The root folder is derived from it and lies in shared memory.
+    /// A domain of its own.
     ///
-    /// Errors: characters other than letters, digits and underscores, or too many.
+    /// Errors: the prefix cannot be used.
     pub fn new(prefix: &str) -> Result<Self, DomainError> {
-        let fits = |c: char| c.is_ascii_alphanumeric() || c == '_';
-        if prefix.is_empty() || prefix.len() > MAX_PREFIX || !prefix.chars().all(fits) {
-            return Err(DomainError { found: prefix.to_owned() });
+        let stem = prefix.strip_suffix('_').unwrap_or_default();
+        let allowed = |c: char| c.is_ascii_alphanumeric() || c == '-';
+        let starts_well = stem.starts_with(|c: char| c.is_ascii_alphanumeric());
+        if !starts_well || prefix.len() > MAX_PREFIX_LENGTH || !stem.chars().all(allowed) {
+            return Err(DomainError { prefix: prefix.to_owned() });
         }
-        Ok(Self {
-            prefix: prefix.to_owned(),
-            root: Path::new(SHARED_MEMORY).join(format!("{prefix}root")),
-        })
+        let root = Path::new(SHARED_MEMORY_FOLDER).join(format!("{prefix}root"));
+        Ok(Self { prefix: prefix.to_owned(), root })
     }
 
-    /// The domain that `MAPD_PREFIX` names, else the default one (`mapd_`).
+    /// The domain that the environment variable [`PREFIX_VARIABLE`] names, else the default one.
     ///
-    /// Errors: as [`Domain::new`].
+    /// Errors: the variable's prefix cannot be used.
     pub fn from_env() -> Result<Self, DomainError> {
-        match std::env::var(PREFIX_VARIABLE) {
-            Ok(prefix) => Self::new(&prefix),
-            Err(_) => Self::new(DEFAULT_PREFIX),
+        match std::env::var_os(PREFIX_VARIABLE) {
+            Some(prefix) => Self::new(&prefix.to_string_lossy()),
+            None => Self::new(DEFAULT_PREFIX),
         }
     }
 
-    /// Prefix of everything in shared memory.
+    /// Prefix of all files.
     pub fn prefix(&self) -> &str {
         &self.prefix
     }
 
-    /// Folder with iceoryx2's files and mapd's locks.
+    /// The root folder.
     pub fn root(&self) -> &Path {
         &self.root
     }
 
-    /// Folder of shared memory segments.
-    pub fn shared_memory(&self) -> &Path {
-        Path::new(SHARED_MEMORY)
+    /// A file of this map in the root folder.
+    pub(crate) fn map_file(&self, map: &str, suffix: &str) -> PathBuf {
+        self.root.join(format!("{map}{suffix}"))
     }
+}
 
-    /// iceoryx2's configuration, given whole: nothing is read from files. Dead nodes are never cleaned up by the way;
-    /// the daemon does that where it is safe.
-    pub fn config(&self) -> Option<Config> {
-        let mut config = Config::default();
-        config.global.prefix = FileName::new(self.prefix.as_bytes()).ok()?;
-        config.global.set_root_path(&IoxPath::new(self.root.to_str()?.as_bytes()).ok()?);
-        config.global.node.cleanup_dead_nodes_on_creation = false;
-        config.global.node.cleanup_dead_nodes_on_destruction = false;
-        config.global.service.cleanup_dead_nodes_on_open = false;
-        Some(config)
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn prefixes() {
+        for good in ["mapd_", "t42_", "a-b_"] {
+            let domain = Domain::new(good);
+            let root = domain.map(|d| d.root().to_owned());
+            assert_eq!(root, Ok(PathBuf::from(format!("/dev/shm/{good}root"))));
+        }
+        for bad in
+            ["", "_", "mapd", "mapd_x_", "-a_", "a/b_", "a b_", "\u{e4}_", "abcdefghijklmnopqrst_"]
+        {
+            assert_eq!(Domain::new(bad), Err(DomainError { prefix: bad.to_owned() }));
+        }
     }
 }

@@ -1,84 +1,134 @@
 //! Why a map cannot be attached to.
 
 use super::domain::DomainError;
+use super::limits::{MAX_MAP_NAME_LENGTH, MAX_PINNED, MAX_SUBSCRIBERS, TRANSPORT_REVISION};
 use std::path::PathBuf;
 use thiserror::Error;
 
-/// Why a map cannot be attached to.
-#[derive(Clone, Debug, Error, PartialEq, Eq)]
+/// Why a map cannot be attached to, or a generation not be had.
+#[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum AttachError {
-    /// The prefix cannot be used.
+    /// The domain's prefix cannot be used.
     #[error(transparent)]
     Domain(#[from] DomainError),
-    /// The name cannot be one of a map.
-    #[error("a map's name has 1 to 64 letters, digits, '.', '_' or '-', found {name:?}")]
+    /// The map's name cannot be used.
+    #[error(
+        "expected a map name of 1 to {MAX_MAP_NAME_LENGTH} ASCII letters, digits, '.', '_' or '-' that begins with a letter, \
+         digit or '_'; found {map:?}; give the map another name with --name"
+    )]
     MapName {
-        /// The name.
-        name: String,
+        /// What was given.
+        map: String,
     },
-    /// No daemon has ever served in this domain.
-    #[error("no daemon serves under {}; start `mapd --load FILE`, or check MAPD_PREFIX on both sides", root.display())]
+    /// No daemon serves anything in this domain.
+    #[error("map {map:?}: no daemon is running in {}; start one with `mapd --load FILE`", root.display())]
     NoDaemon {
+        /// The map.
+        map: String,
         /// The domain's root folder.
         root: PathBuf,
     },
-    /// There is a domain, but not this map.
-    #[error("no map named {name:?} is served; `mapd status` lists those that are")]
+    /// Daemons are running, but none serves this map.
+    #[error("map {map:?} is not served; served are {available:?}; check the name or load the map")]
     NoSuchMap {
-        /// Name that was asked for.
-        name: String,
+        /// The map.
+        map: String,
+        /// Maps that are served now.
+        available: Vec<String>,
     },
-    /// The map's service is there, but nothing newer came before the deadline.
+    /// The map is there, but no (newer) generation came before the deadline.
     #[error(
-        "map {name:?} has no generation newer than {than} before the deadline; is its daemon running? `mapd status` tells"
+        "map {map:?}: no generation newer than {newer_than} came in time; {}",
+        if *daemon_alive { "the daemon is running: wait longer" } else { "the daemon has ended: start it again" }
     )]
     NoGeneration {
-        /// Name of the map.
-        name: String,
-        /// What the caller has.
-        than: u64,
+        /// The map.
+        map: String,
+        /// A generation newer than this was waited for; 0 for any.
+        newer_than: u64,
+        /// Whether a daemon serves the map now.
+        daemon_alive: bool,
     },
-    /// Someone else owns the domain.
-    #[error("{} belongs to user {owner}, this process runs as user {user}; run daemon and clients as one user", root.display())]
-    OtherUser {
-        /// The domain's root folder.
-        root: PathBuf,
-        /// Its owner.
+    /// The daemon speaks another revision of the transport, or uses another version of iceoryx2.
+    #[error(
+        "map {map:?}: expected transport revision {TRANSPORT_REVISION}, found {found}; use daemon and client of one release"
+    )]
+    WrongTransport {
+        /// The map.
+        map: String,
+        /// What the daemon speaks.
+        found: String,
+    },
+    /// All places are taken.
+    #[error(
+        "map {map:?} already has {MAX_SUBSCRIBERS} subscriptions; end one, or share a subscription within a process"
+    )]
+    TooManySubscribers {
+        /// The map.
+        map: String,
+    },
+    /// This subscription keeps as many generations as it can.
+    #[error("map {map:?}: {MAX_PINNED} generations are held already; drop old ones")]
+    TooManyPinned {
+        /// The map.
+        map: String,
+    },
+    /// The files belong to another user.
+    #[error("{} belongs to user {owner}, this process runs as user {us}; run daemon and clients as one user", path.display())]
+    PermissionDenied {
+        /// What cannot be used.
+        path: PathBuf,
+        /// User id of its owner.
         owner: u32,
-        /// This process's user.
-        user: u32,
+        /// Effective user id of this process.
+        us: u32,
     },
-    /// The map has as many clients as it may have.
-    #[error("map {name:?} has its {limit} clients already; end one")]
-    TooManyClients {
-        /// Name of the map.
-        name: String,
-        /// How many it may have.
-        limit: usize,
+    /// A file that a killed process left unfinished is in the way until a daemon removes it.
+    #[error("{} was left unfinished by a process that was killed; a running daemon removes it within seconds, else start one", file.display())]
+    Stuck {
+        /// The file.
+        file: PathBuf,
     },
-    /// The lock that guards attaching is held by a daemon for too long.
-    #[error("attaching waits for {}, which another process holds; is a daemon stopped?", lock.display())]
-    Locked {
+    /// A daemon did not release the attach lock in time.
+    #[error("{} stayed locked until the deadline; wait longer, or end the daemon that is stopped", lock.display())]
+    Busy {
         /// The lock file.
         lock: PathBuf,
     },
-    /// The sample is not what its header says.
-    #[error("map {name:?} announces {announced} bytes, its sample has {found}; restart its daemon")]
-    Sample {
-        /// Name of the map.
-        name: String,
-        /// Length in the header.
-        announced: u64,
-        /// Bytes there are.
-        found: u64,
+    /// A file of the domain cannot be used.
+    #[error("{}: {error}", path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        error: std::io::Error,
     },
-    /// iceoryx2 refuses; daemon and clients need the identical version of it.
-    #[error("iceoryx2 0.10.0 refuses to {action}: {reason}")]
-    Iceoryx2 {
-        /// What was tried.
-        action: &'static str,
-        /// What it says.
-        reason: String,
-    },
+    /// iceoryx2 refused something that should work.
+    #[error(
+        "shared memory: {0}; if it stays, stop every process of the domain and start the daemon again"
+    )]
+    Iceoryx(String),
+}
+
+impl AttachError {
+    pub(crate) fn iceoryx(error: impl std::fmt::Debug) -> Self {
+        Self::Iceoryx(format!("{error:?}"))
+    }
+
+    pub(crate) fn io(path: impl Into<PathBuf>, error: std::io::Error) -> Self {
+        Self::Io { path: path.into(), error }
+    }
+
+    /// Whether trying again may help: not for wrong names, users and versions.
+    pub(crate) fn may_pass(&self) -> bool {
+        !matches!(
+            self,
+            Self::Domain(_)
+                | Self::MapName { .. }
+                | Self::WrongTransport { .. }
+                | Self::PermissionDenied { .. }
+                | Self::TooManyPinned { .. }
+        )
+    }
 }

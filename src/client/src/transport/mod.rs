@@ -1,20 +1,72 @@
-//! How maps travel: iceoryx2 publish-subscribe, one sample per generation.
+//! How a generation of a map travels from the daemon to its readers: opaque bytes in iceoryx2 shared memory.
 //!
-//! This side attaches; the daemon's side is in the crate `mapd`. What both must agree on stands in `protocol`. The bytes
-//! are opaque here.
+//! The daemon publishes one exactly sized sample per generation; a [`Subscription`] receives it and a [`Pinned`] keeps it
+//! alive and readable for as long as it is held, whatever becomes of the daemon. Nothing here knows what the bytes mean.
+//!
+//! Where both sides meet is a [`Domain`]: a prefix for every file in `/dev/shm` and a root folder there, mode 0700.
+//!
+//! ```text
+//! /dev/shm/mapd_…                     segments of iceoryx2: map data (0444), queues, service state
+//! /dev/shm/mapd_root/.attach          flock: shared while a client attaches, exclusive while a daemon creates or cleans
+//! /dev/shm/mapd_root/.present            flock: shared by everyone who uses the domain; free, when it is deserted
+//! /dev/shm/mapd_root/{map}.lock       flock, exclusive while a daemon serves the map; holds its process id
+//! /dev/shm/mapd_root/{map}.generation the last generation number handed out
+//! /dev/shm/mapd_root/{map}.published  what is served now, for `mapd status`
+//! /dev/shm/mapd_root/{nodes,services} iceoryx2's own files
+//! ```
+//!
+//! Why the attach lock: a process killed while it creates a segment leaves one of size zero or without read permission,
+//! and iceoryx2 0.10 waits for such a segment for ever. Whoever creates anything therefore holds the lock; a daemon that
+//! holds it exclusively knows that every unfinished segment is a dead one and removes it before anyone can wait for it.
+//!
+//! Invariants: a client creates no service, cleans up nothing, starts no thread, installs no signal handler, prints
+//! nothing, and reads no configuration; every wait has a deadline. All processes of a domain run as one user.
+//!
+//! ```no_run
+//! use mapd_client::transport::{Domain, Subscription};
+//! use std::time::{Duration, Instant};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let deadline = Instant::now() + Duration::from_secs(2);
+//! let subscription = Subscription::connect(&Domain::from_env()?, "town", deadline)?;
+//! let pinned = subscription.current();
+//! assert_eq!(pinned.bytes().len() as u64, pinned.info().length);
+//! # Ok(())
+//! # }
+//! ```
 
+mod attach;
+mod attach_lock;
+mod claim;
+mod config;
 mod domain;
 mod error;
-mod locks;
+mod limits;
+mod payload;
 mod pinned;
-pub mod protocol;
+mod presence;
+mod record;
 mod status;
 mod subscription;
+mod unfinished;
+mod user;
 
-pub use domain::{Domain, DomainError};
+pub use attach::AttachTiming;
+pub use attach_lock::{AttachGuard, AttachLock};
+pub use claim::{Claim, ClaimError, served_by};
+pub use config::{TransportService, iceoryx2_config, silence_iceoryx2};
+pub use domain::{
+    DEFAULT_PREFIX, Domain, DomainError, MAX_PREFIX_LENGTH, PREFIX_VARIABLE, SHARED_MEMORY_FOLDER,
+};
 pub use error::AttachError;
-pub use locks::{AttachLock, LockMode};
+pub use limits::*;
+pub use payload::{Chunk64, GenerationInfo, chunks_for};
 pub use pinned::Pinned;
-pub use protocol::GenerationInfo;
-pub use status::{MapStatus, list_maps, map_lock};
+pub use presence::Presence;
+pub use record::{
+    GENERATION_SUFFIX, read_generation, read_published, write_generation, write_published,
+};
+pub use status::{MapStatus, list_maps};
 pub use subscription::Subscription;
+pub use unfinished::unfinished_segments;
+pub use user::check_owner;

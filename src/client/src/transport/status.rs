@@ -1,85 +1,88 @@
-//! Which maps a domain serves.
+//! What is served in a domain.
 
+use super::attach_lock::AttachLock;
+use super::claim::{SUFFIX, served_by};
+use super::config::{TransportService, iceoryx2_config, silence_iceoryx2};
 use super::domain::Domain;
 use super::error::AttachError;
-use super::protocol::{Channel, Chunk64, GenerationInfo, Ipc, service_name};
-use super::subscription::Subscription;
-use iceoryx2::prelude::*;
-use iceoryx2::service::port_factory::PortFactory as _;
-use iceoryx2::service::port_factory::publish_subscribe::PortFactory;
-use std::fs::{File, TryLockError};
-use std::path::PathBuf;
+use super::limits::service_name;
+use super::payload::GenerationInfo;
+use super::record::read_published;
+use super::user::check_owner;
+use iceoryx2::node::NodeView;
+use iceoryx2::prelude::{MessagingPattern, NodeState, Service, ServiceName};
+use std::io;
 use std::time::{Duration, Instant};
 
-/// Ending of a map's lock file in the root folder.
-const LOCK_ENDING: &str = "map.lock";
-/// Longest wait for one map's header.
-const WAIT: Duration = Duration::from_millis(500);
+/// How long a daemon may hold the attach lock before the number of subscriptions is given up.
+const LOCK_PATIENCE: Duration = Duration::from_millis(500);
 
-/// A map of a domain.
+/// One map of a domain.
 #[derive(Clone, Debug)]
 pub struct MapStatus {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// Whether a daemon serves it now.
+    /// Whether a daemon serves it now. If not, only processes that hold a generation can read it.
     pub alive: bool,
-    /// What it was published with; none if no generation could be had.
+    /// What was published last.
     pub info: Option<GenerationInfo>,
-    /// Clients attached, this look left out.
+    /// Subscriptions, of this and of all other processes; 0 as well if they cannot be counted.
     pub subscribers: usize,
 }
 
-/// Path of a map's lock file, which its daemon holds.
-pub fn map_lock(domain: &Domain, map: &str) -> PathBuf {
-    domain.root().join(format!("{map}.{LOCK_ENDING}"))
-}
-
-/// Maps that are served, or were when their daemon died; in order of their names. Empty where there is no domain.
+/// Maps of a domain that are served, or were when their daemon was killed, by name. Attaches to nothing.
 ///
-/// Errors: iceoryx2 refuses to be asked.
+/// Errors: the domain belongs to another user, or cannot be read. A domain where no daemon has been is empty, not an error.
 pub fn list_maps(domain: &Domain) -> Result<Vec<MapStatus>, AttachError> {
-    let Ok(entries) = std::fs::read_dir(domain.root()) else { return Ok(Vec::new()) };
-    let mut names: Vec<String> = entries
-        .flatten()
-        .filter_map(|e| {
-            Some(e.file_name().to_str()?.strip_suffix(LOCK_ENDING)?.strip_suffix('.')?.to_owned())
-        })
-        .collect();
-    names.sort();
-    let mut maps = Vec::new();
-    for name in names {
-        let alive = File::open(map_lock(domain, &name))
-            .is_ok_and(|file| matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock)));
-        if !alive {
-            continue;
+    silence_iceoryx2();
+    match check_owner(domain) {
+        Err(AttachError::Io { error, .. }) if error.kind() == io::ErrorKind::NotFound => {
+            return Ok(Vec::new());
         }
-        let until = Instant::now() + WAIT;
-        let subscription = Subscription::connect(domain, &name, until).ok();
-        let info = subscription
-            .as_ref()
-            .and_then(|s| s.wait_newer(0, until).ok())
-            .map(|pinned| *pinned.info());
-        let subscribers =
-            count_subscribers(domain, &name).saturating_sub(usize::from(subscription.is_some()));
-        maps.push(MapStatus { name, alive, info, subscribers });
+        other => other?,
     }
-    Ok(maps)
+    let names = claimed_names(domain).map_err(|error| AttachError::io(domain.root(), error))?;
+    let status = |name: String| {
+        let alive = served_by(domain, &name).is_some();
+        let info = read_published(domain, &name).map(|(_, info)| info);
+        let subscribers =
+            info.and_then(|info| count_subscriptions(domain, &name, info.daemon_pid)).unwrap_or(0);
+        MapStatus { name, alive, info, subscribers }
+    };
+    Ok(names.into_iter().map(status).collect())
 }
 
-fn count_subscribers(domain: &Domain, map: &str) -> usize {
-    let count = || {
-        let node = NodeBuilder::new()
-            .config(&domain.config()?)
-            .signal_handling_mode(SignalHandlingMode::Disabled)
-            .create::<Ipc>()
-            .ok()?;
-        let service: PortFactory<Ipc, [Chunk64], GenerationInfo> = node
-            .service_builder(&service_name(map, Channel::Archive).ok()?)
-            .publish_subscribe::<[Chunk64]>()
-            .user_header::<GenerationInfo>()
-            .open()
-            .ok()?;
-        Some(service.dynamic_config().number_of_subscribers())
+/// Names of the maps that are served now, sorted.
+pub(crate) fn alive_maps(domain: &Domain) -> Vec<String> {
+    let names = claimed_names(domain).unwrap_or_default();
+    names.into_iter().filter(|name| served_by(domain, name).is_some()).collect()
+}
+
+fn claimed_names(domain: &Domain) -> io::Result<Vec<String>> {
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(domain.root())? {
+        if let Some(map) = entry?.file_name().to_str().and_then(|name| name.strip_suffix(SUFFIX)) {
+            names.push(map.to_owned());
+        }
+    }
+    names.sort();
+    Ok(names)
+}
+
+/// Living nodes that have the map's service open, without the daemon's: each subscription has one of its own.
+fn count_subscriptions(domain: &Domain, map: &str, daemon_pid: u64) -> Option<usize> {
+    let lock = AttachLock::open(domain).ok()?;
+    let _guard = lock.shared(Instant::now() + LOCK_PATIENCE).ok()??;
+    let name = ServiceName::new(&service_name(map)).ok()?;
+    let config = iceoryx2_config(domain).ok()?;
+    let details =
+        TransportService::details(&name, &config, MessagingPattern::PublishSubscribe).ok()??;
+    let living = |state: &NodeState<TransportService>| match state {
+        NodeState::Alive(node) => node
+            .id()
+            .pid::<TransportService>()
+            .is_ok_and(|pid| i64::from(pid.value()) != daemon_pid as i64),
+        _ => false,
     };
-    count().unwrap_or(0)
+    Some(details.dynamic_details?.nodes.iter().filter(|state| living(state)).count())
 }

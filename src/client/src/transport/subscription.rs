@@ -1,219 +1,296 @@
-//! Attaching to a map and following its generations.
+//! Following one map.
 
+use super::attach::{AttachTiming, Ports, open_listener, open_ports};
+use super::claim::served_by;
+use super::config::{TransportService, silence_iceoryx2};
 use super::domain::Domain;
 use super::error::AttachError;
-use super::locks::{AttachLock, LockMode};
-use super::pinned::Pinned;
-use super::protocol::{Channel, Chunk64, GenerationInfo, Ipc, MAX_SUBSCRIBERS, service_name};
+use super::limits::{MAX_PINNED, check_map_name};
+use super::pinned::{Pinned, Watch};
 use iceoryx2::port::listener::Listener;
-use iceoryx2::port::subscriber::{Subscriber, SubscriberCreateError};
-use iceoryx2::prelude::*;
-use iceoryx2::service::builder::event::EventOpenError;
-use iceoryx2::service::builder::publish_subscribe::PublishSubscribeOpenError;
-use std::os::unix::fs::MetadataExt;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use iceoryx2::service::port_factory::PortFactory as _;
+use std::fmt;
+use std::sync::{Mutex, MutexGuard, PoisonError, TryLockError};
 use std::time::{Duration, Instant};
 
-/// Pause between two tries while daemon or map are not there yet.
-const RETRY: Duration = Duration::from_millis(5);
-/// Longest wait for the attach lock within one try.
-const LOCK_WAIT: Duration = Duration::from_millis(100);
-/// Pause between two looks for the first sample, which comes some hundred microseconds after waking the daemon.
-const FIRST_LOOK: Duration = Duration::from_micros(50);
-/// After this time without a sample, waiting goes over to events.
-const FIRST_WAIT: Duration = Duration::from_millis(20);
-/// Longest sleep on events before looking again: covers a daemon that died before it could notify.
-const EVENT_WAIT: Duration = Duration::from_millis(50);
+/// First pause between two attempts to attach or to receive the first generation; doubles up to [`LONGEST_PAUSE`].
+const FIRST_PAUSE: Duration = Duration::from_micros(50);
 
-/// One subscription to a map. May be shared by threads; attaching and receiving take a lock, reading does not.
+/// Longest pause between two such attempts.
+const LONGEST_PAUSE: Duration = Duration::from_millis(10);
+
+/// How often a client that waits for its first generation rings again, should the daemon have been unable to answer.
+const RING_AGAIN: Duration = Duration::from_millis(100);
+
+/// Longest sleep on the event of a new generation: whoever waits looks this often even if the event was lost.
+const COARSE_POLL: Duration = Duration::from_millis(100);
+
+/// Longest wait for the attach lock while the subscription itself is locked, so that [`Subscription::latest`] of another
+/// thread stays quick.
+const LOCK_WAIT: Duration = Duration::from_millis(5);
+
+/// Sleep of a thread that cannot listen to the event: another thread does, or the daemon has ended.
+const SECOND_WAITER_POLL: Duration = Duration::from_millis(5);
+
+/// A subscription to one map, holding its newest generation received so far. `Send` and `Sync`; its methods take a lock
+/// for microseconds, queries on a [`Pinned`] take none.
+///
+/// It survives the daemon: generations that are held stay readable, and those of a restarted daemon arrive here.
 pub struct Subscription {
-    domain: Domain,
     map: String,
-    ports: Mutex<Ports>,
+    domain: Domain,
+    /// Made by the first call that waits. Dropped before the state, with which the domain is left.
+    changed: Mutex<Option<Listener<TransportService>>>,
+    state: Mutex<State>,
 }
 
-/// iceoryx2's ports. Fields are dropped in order: the node last.
-struct Ports {
-    listener: Option<Listener<Ipc>>,
-    subscriber: Subscriber<Ipc, [Chunk64], GenerationInfo>,
-    newest: u64,
-    node: Node<Ipc>,
+struct State {
+    current: Pinned,
+    handed_out: u64,
+    inbox: Inbox,
+}
+
+/// The ports, and what came through them that may still be held.
+struct Inbox {
+    ports: Ports,
+    held: Vec<Watch>,
 }
 
 impl Subscription {
-    /// Attaches to a map, waiting for daemon and map until the deadline.
+    /// Attaches to a map and receives its newest generation. Daemon and client may start in any order: tries again until
+    /// the deadline while there is no daemon, no such map, or no generation.
     ///
-    /// Errors: what was missing when the deadline passed; refusals that waiting cannot mend come at once.
+    /// Errors: what was missing at the deadline; at once, what no waiting helps against: wrong names, another user's
+    /// daemon, another release's daemon.
     pub fn connect(domain: &Domain, map: &str, deadline: Instant) -> Result<Self, AttachError> {
-        service_name(map, Channel::Archive)?;
-        loop {
-            match attach(domain, map) {
-                Ok(ports) => {
-                    return Ok(Self {
-                        domain: domain.clone(),
-                        map: map.to_owned(),
-                        ports: Mutex::new(ports),
-                    });
+        check_map_name(map)?;
+        silence_iceoryx2();
+        let mut pause = FIRST_PAUSE;
+        let mut inbox = loop {
+            match open_ports(domain, map, deadline) {
+                Ok(ports) => break Inbox { ports, held: Vec::new() },
+                Err(error) if error.may_pass() && Instant::now() < deadline => {
+                    sleep(&mut pause, deadline)
                 }
-                Err(error) if is_final(&error) || Instant::now() + RETRY >= deadline => {
-                    return Err(error);
-                }
-                Err(_) => std::thread::sleep(RETRY),
+                Err(error) => return Err(error),
             }
-        }
-    }
-
-    fn ports(&self) -> MutexGuard<'_, Ports> {
-        self.ports.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// A generation newer than any handed out before, if there is one. Does not wait.
-    ///
-    /// Errors: iceoryx2 fails.
-    pub fn latest(&self) -> Result<Option<Pinned>, AttachError> {
-        self.receive(&mut self.ports())
-    }
-
-    /// Waits for a generation newer than `than`.
-    ///
-    /// Errors: none came before the deadline, whether the daemon lives or not; iceoryx2 fails.
-    pub fn wait_newer(&self, than: u64, deadline: Instant) -> Result<Pinned, AttachError> {
+        };
         let start = Instant::now();
-        loop {
-            let mut ports = self.ports();
-            if let Some(pinned) =
-                self.receive(&mut ports)?.filter(|pinned| pinned.info().generation > than)
-            {
-                return Ok(pinned);
-            }
-            let now = Instant::now();
-            if now >= deadline {
-                return Err(AttachError::NoGeneration { name: self.map.clone(), than });
-            }
-            if now - start < FIRST_WAIT {
-                drop(ports);
-                std::thread::sleep(FIRST_LOOK);
-                continue;
-            }
-            if ports.listener.is_none() {
-                ports.listener = self.listen(&ports.node)?;
-                // What was published before we listened is received in the next round.
-                continue;
-            }
-            if let Some(listener) = &ports.listener {
-                let pause = EVENT_WAIT.min(deadline - now);
-                listener
-                    .timed_wait(|_| {}, pause)
-                    .map_err(|error| refused("wait for an event", &error))?;
-            }
-        }
+        let current = inbox.first(domain, map, deadline)?;
+        inbox.ports.timing.receive += start.elapsed();
+        let state = Mutex::new(State { current, handed_out: 0, inbox });
+        Ok(Self { map: map.to_owned(), domain: domain.clone(), state, changed: Mutex::new(None) })
     }
 
-    /// Takes what has arrived and keeps the newest. A publisher that appears makes iceoryx2 create a connection here, so
-    /// that this needs the attach lock; where a daemon is sweeping, the next look finds what is there.
-    fn receive(&self, ports: &mut Ports) -> Result<Option<Pinned>, AttachError> {
-        let lock = AttachLock::take(&self.domain, LockMode::Shared, Instant::now());
-        if !matches!(lock, Ok(Some(_))) {
+    /// The newest generation received so far. Looks for no other.
+    pub fn current(&self) -> Pinned {
+        let mut state = self.state();
+        state.handed_out = state.current.info().generation;
+        state.current.clone()
+    }
+
+    /// A generation newer than any handed out before, if one has come; takes the newest. Never waits: while a daemon
+    /// cleans up (some milliseconds, seldom), the answer is `None`.
+    ///
+    /// Errors: too many generations are held; shared memory failed. What is held stays valid.
+    pub fn latest(&self) -> Result<Option<Pinned>, AttachError> {
+        let mut state = self.state();
+        state.receive(&self.map, Instant::now())?;
+        if state.current.info().generation <= state.handed_out {
             return Ok(None);
         }
-        let mut best: Option<Pinned> = None;
+        state.handed_out = state.current.info().generation;
+        Ok(Some(state.current.clone()))
+    }
+
+    /// Waits for a generation newer than `than`; one that has been received already counts. Keeps the deadline even if
+    /// the daemon has died, and gets the generation of a restarted one. Several threads may wait.
+    ///
+    /// Errors: none came in time; too many generations are held; shared memory failed.
+    pub fn wait_newer(&self, than: u64, deadline: Instant) -> Result<Pinned, AttachError> {
         loop {
-            let received = ports
-                .subscriber
-                .receive()
-                .map_err(|error| refused("receive a generation", &error))?;
-            let Some(sample) = received else { break };
-            let generation = sample.user_header().generation;
-            if generation > ports.newest {
-                best = Some(Pinned::new(sample, &self.map)?);
-                ports.newest = generation;
+            {
+                let mut state = self.state();
+                state.receive(&self.map, deadline.min(Instant::now() + LOCK_WAIT))?;
+                if state.current.info().generation > than {
+                    state.handed_out = state.handed_out.max(state.current.info().generation);
+                    return Ok(state.current.clone());
+                }
             }
+            let left = deadline.saturating_duration_since(Instant::now());
+            if left.is_zero() {
+                let daemon_alive = served_by(&self.domain, &self.map).is_some();
+                return Err(AttachError::NoGeneration {
+                    map: self.map.clone(),
+                    newer_than: than,
+                    daemon_alive,
+                });
+            }
+            self.sleep(left.min(COARSE_POLL))?;
         }
-        Ok(best)
     }
 
-    fn listen(&self, node: &Node<Ipc>) -> Result<Option<Listener<Ipc>>, AttachError> {
-        let _lock = AttachLock::take(&self.domain, LockMode::Shared, Instant::now() + LOCK_WAIT);
-        let service = match node
-            .service_builder(&service_name(&self.map, Channel::Changed)?)
-            .event()
-            .open()
-        {
-            Ok(service) => service,
-            // The daemon is being restarted; the next round tries again.
-            Err(EventOpenError::DoesNotExist) => {
-                std::thread::sleep(RETRY);
-                return Ok(None);
+    /// Subscriptions to this map now, of all processes, this one among them. One that was killed counts until the daemon
+    /// has cleaned up.
+    pub fn subscribers(&self) -> usize {
+        self.state().inbox.ports.service.dynamic_config().number_of_subscribers()
+    }
+
+    /// Where the time of attaching went.
+    pub fn timing(&self) -> AttachTiming {
+        self.state().inbox.ports.timing
+    }
+
+    fn state(&self) -> MutexGuard<'_, State> {
+        // A panic cannot leave the state half changed: it is changed by single assignments.
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Sleeps until the daemon announces a generation, at most `longest`.
+    fn sleep(&self, longest: Duration) -> Result<(), AttachError> {
+        let mut changed = match self.changed.try_lock() {
+            Ok(changed) => changed,
+            Err(TryLockError::Poisoned(poisoned)) => poisoned.into_inner(),
+            Err(TryLockError::WouldBlock) => {
+                std::thread::sleep(longest.min(SECOND_WAITER_POLL));
+                return Ok(());
             }
-            Err(error) => return Err(refused("open the service of events", &error)),
         };
-        service
-            .listener_builder()
-            .create()
-            .map(Some)
-            .map_err(|error| refused("listen for events", &error))
-    }
-}
-
-fn refused(action: &'static str, error: &dyn std::fmt::Debug) -> AttachError {
-    AttachError::Iceoryx2 { action, reason: format!("{error:?}") }
-}
-
-/// Whether waiting cannot help.
-fn is_final(error: &AttachError) -> bool {
-    !matches!(
-        error,
-        AttachError::NoDaemon { .. } | AttachError::NoSuchMap { .. } | AttachError::Locked { .. }
-    )
-}
-
-/// One try.
-fn attach(domain: &Domain, map: &str) -> Result<Ports, AttachError> {
-    set_log_level(LogLevel::Fatal);
-    let root = domain.root();
-    let no_daemon = || AttachError::NoDaemon { root: root.to_owned() };
-    let owner = std::fs::metadata(root).map_err(|_| no_daemon())?.uid();
-    let user = rustix::process::geteuid().as_raw();
-    if user != 0 && owner != user {
-        return Err(AttachError::OtherUser { root: root.to_owned(), owner, user });
-    }
-    let _lock = AttachLock::take(domain, LockMode::Shared, Instant::now() + LOCK_WAIT)
-        .map_err(|_| no_daemon())?
-        .ok_or_else(|| AttachError::Locked { lock: AttachLock::path(domain) })?;
-    let config = domain.config().ok_or_else(no_daemon)?;
-    let node = NodeBuilder::new()
-        .config(&config)
-        .signal_handling_mode(SignalHandlingMode::Disabled)
-        .create::<Ipc>()
-        .map_err(|error| refused("create a node", &error))?;
-    let no_such_map = || AttachError::NoSuchMap { name: map.to_owned() };
-    let service = node
-        .service_builder(&service_name(map, Channel::Archive)?)
-        .publish_subscribe::<[Chunk64]>()
-        .user_header::<GenerationInfo>()
-        .open()
-        .map_err(|error| match error {
-            PublishSubscribeOpenError::DoesNotExist
-            | PublishSubscribeOpenError::IsMarkedForDestruction
-            | PublishSubscribeOpenError::HangsInCreation => no_such_map(),
-            error => refused("open the map's service", &error),
-        })?;
-    let subscriber = service.subscriber_builder().create().map_err(|error| match error {
-        SubscriberCreateError::ExceedsMaxSupportedSubscribers => {
-            AttachError::TooManyClients { name: map.to_owned(), limit: MAX_SUBSCRIBERS }
+        if changed.is_none() {
+            let state = self.state();
+            let ports = &state.inbox.ports;
+            if let Some(guard) = ports.lock.shared(Instant::now() + LOCK_WAIT)? {
+                match open_listener(&ports.node, &self.map, &guard) {
+                    Ok(listener) => {
+                        *changed = Some(listener);
+                        // What was published before the listener was there has to be looked for again.
+                        return Ok(());
+                    }
+                    // The service ends with a daemon that is stopped, and comes back with the next.
+                    Err(error) if error.may_pass() => {}
+                    Err(error) => return Err(error),
+                }
+            }
         }
-        error => refused("create a subscriber", &error),
-    })?;
-    let wake = node.service_builder(&service_name(map, Channel::Wake)?).event().open().map_err(
-        |error| match error {
-            EventOpenError::DoesNotExist
-            | EventOpenError::IsMarkedForDestruction
-            | EventOpenError::HangsInCreation => no_such_map(),
-            error => refused("open the service of events", &error),
-        },
-    )?;
-    let notifier =
-        wake.notifier_builder().create().map_err(|error| refused("create a notifier", &error))?;
-    notifier.notify().map_err(|error| refused("wake the daemon", &error))?;
-    Ok(Ports { listener: None, subscriber, newest: 0, node })
+        match changed.as_ref().map(|listener| listener.timed_wait(|_| {}, longest)) {
+            Some(Ok(_)) => {}
+            // Nothing to sleep on, or interrupted by a signal: the caller looks again, and sleeps again.
+            None | Some(Err(_)) => std::thread::sleep(longest.min(SECOND_WAITER_POLL)),
+        }
+        Ok(())
+    }
+}
+
+impl State {
+    fn receive(&mut self, map: &str, deadline: Instant) -> Result<(), AttachError> {
+        if let Some(pinned) = self.inbox.receive(map, deadline)?
+            && pinned.info().generation > self.current.info().generation
+        {
+            self.current = pinned;
+        }
+        Ok(())
+    }
+}
+
+impl Inbox {
+    /// Waits for the first generation, ringing again now and then.
+    fn first(
+        &mut self,
+        domain: &Domain,
+        map: &str,
+        deadline: Instant,
+    ) -> Result<Pinned, AttachError> {
+        let mut pause = FIRST_PAUSE;
+        let mut rung = Instant::now();
+        loop {
+            match self.receive(map, deadline) {
+                Ok(Some(pinned)) => {
+                    self.ports.wake = None;
+                    return Ok(pinned);
+                }
+                Err(error) if !error.may_pass() => return Err(error),
+                // A publisher that was killed cannot be connected to until a daemon has cleaned up.
+                Ok(None) | Err(_) => {}
+            }
+            if Instant::now() >= deadline {
+                return Err(match served_by(domain, map) {
+                    Some(_) => AttachError::NoGeneration {
+                        map: map.to_owned(),
+                        newer_than: 0,
+                        daemon_alive: true,
+                    },
+                    None => AttachError::NoDaemon {
+                        map: map.to_owned(),
+                        root: domain.root().to_owned(),
+                    },
+                });
+            }
+            sleep(&mut pause, deadline);
+            if rung.elapsed() >= RING_AGAIN {
+                rung = Instant::now();
+                self.ring(deadline)?;
+            }
+        }
+    }
+
+    fn ring(&self, deadline: Instant) -> Result<(), AttachError> {
+        let guard = self.ports.lock.shared(deadline)?;
+        if let (Some(wake), Some(_)) = (&self.ports.wake, guard) {
+            wake.notify().map_err(AttachError::iceoryx)?;
+        }
+        Ok(())
+    }
+
+    /// Takes everything that has come and returns the newest of it. Under the attach lock, for receiving from a new
+    /// publisher creates a segment; waits for the lock at most until the deadline, and finds nothing if it stays taken.
+    fn receive(&mut self, map: &str, deadline: Instant) -> Result<Option<Pinned>, AttachError> {
+        let Some(_guard) = self.ports.lock.shared(deadline)? else { return Ok(None) };
+        self.held.retain(Watch::is_held);
+        let mut newest: Option<Pinned> = None;
+        loop {
+            if self.held.len() >= MAX_PINNED {
+                return Err(AttachError::TooManyPinned { map: map.to_owned() });
+            }
+            // The last round, which finds nothing, also unmaps generations that nobody holds any more.
+            let Some(sample) = self.ports.subscriber.receive().map_err(AttachError::iceoryx)?
+            else {
+                return Ok(newest);
+            };
+            let pinned = Pinned::new(sample, map, &self.ports.presence)?;
+            self.held.push(pinned.watch());
+            if newest
+                .as_ref()
+                .is_none_or(|newest| newest.info().generation < pinned.info().generation)
+            {
+                newest = Some(pinned);
+            }
+        }
+    }
+}
+
+/// Sleeps and doubles the pause.
+fn sleep(pause: &mut Duration, deadline: Instant) {
+    std::thread::sleep((*pause).min(deadline.saturating_duration_since(Instant::now())));
+    *pause = (*pause * 2).min(LONGEST_PAUSE);
+}
+
+impl fmt::Debug for Subscription {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Subscription")
+            .field("map", &self.map)
+            .field("domain", &self.domain)
+            .finish_non_exhaustive()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn threads_may_share_them() {
+        fn shared<T: Send + Sync>() {}
+        shared::<Subscription>();
+        shared::<Pinned>();
+    }
 }

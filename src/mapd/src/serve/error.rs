@@ -1,8 +1,7 @@
 //! Why a map cannot be served.
 
-use mapd_client::AttachError;
-use std::error::Error as StdError;
-use std::io;
+use mapd_client::transport::{AttachError, ClaimError};
+use std::error::Error;
 use std::path::PathBuf;
 use thiserror::Error;
 
@@ -10,60 +9,77 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ServeError {
+    /// The domain, the map's name, or a file of the domain cannot be used.
+    #[error(transparent)]
+    Domain(#[from] AttachError),
     /// Another daemon serves a map of this name.
-    #[error(
-        "a map named {name:?} is served already by process {pid}; stop that one or give another --name"
-    )]
-    AlreadyServed {
-        /// Name of the map.
-        name: String,
-        /// Who serves it.
-        pid: String,
+    #[error(transparent)]
+    Claim(#[from] ClaimError),
+    /// A map of no bytes cannot be published.
+    #[error("map {map:?}: expected at least one byte, found none")]
+    Empty {
+        /// The map.
+        map: String,
     },
-    /// Shared memory or the memory's limit leaves too little room.
+    /// The map does not fit.
     #[error(
-        "map {name:?} needs {needed} bytes of shared memory, {available} are free ({limit}); free some or raise the limit"
+        "map {map:?} needs {needed} bytes of shared memory, {available} are left by {limit}; {hint}"
     )]
-    NoRoom {
-        /// Name of the map.
-        name: String,
-        /// Bytes needed.
+    NotEnoughMemory {
+        /// The map.
+        map: String,
+        /// Bytes that publishing needs.
         needed: u64,
-        /// Bytes free.
+        /// Bytes that are left.
         available: u64,
         /// What limits them.
         limit: &'static str,
+        /// How to get more.
+        hint: &'static str,
     },
-    /// A file of the root folder fails.
+    /// Writing the bytes failed; nothing was published and the generation before, if any, is still served.
+    #[error("map {map:?}: {error}")]
+    Fill {
+        /// The map.
+        map: String,
+        /// What the writer says.
+        error: Box<dyn Error + Send + Sync>,
+    },
+    /// A killed process left files that cannot be removed while another process holds the attach lock.
+    #[error(
+        "{} was left unfinished by a killed process and cannot be removed while another process holds the attach lock; \
+         continue or end the process that is stopped", file.display())]
+    Wedged {
+        /// The file.
+        file: PathBuf,
+    },
+    /// A file of the domain cannot be used.
     #[error("{}: {error}", path.display())]
-    File {
+    Io {
         /// The file.
         path: PathBuf,
         /// What the system says.
-        error: io::Error,
+        error: std::io::Error,
     },
-    /// The archive could not be written into its place, or does not prove there.
-    #[error("map {name:?} could not be published: {error}")]
-    Fill {
-        /// Name of the map.
-        name: String,
-        /// Why.
-        error: Box<dyn StdError + Send + Sync>,
-    },
-    /// The name cannot be one of a map.
-    #[error(transparent)]
-    Name(#[from] AttachError),
-    /// iceoryx2 refuses.
-    #[error("iceoryx2 0.10.0 refuses to {action}: {reason}")]
-    Iceoryx2 {
+    /// iceoryx2 refused something that should work.
+    #[error(
+        "shared memory: {what}: {error}; if it stays, stop every process of the domain and start the daemon again"
+    )]
+    Iceoryx {
         /// What was tried.
-        action: &'static str,
-        /// What it says.
-        reason: String,
+        what: &'static str,
+        /// What iceoryx2 says.
+        error: String,
     },
 }
 
-/// An iceoryx2 error with what was tried.
-pub(super) fn refused(action: &'static str) -> impl Fn(&dyn std::fmt::Debug) -> ServeError {
-    move |error| ServeError::Iceoryx2 { action, reason: format!("{error:?}") }
+impl ServeError {
+    pub(crate) fn iceoryx<E: std::fmt::Debug>(what: &'static str) -> impl FnOnce(E) -> Self {
+        move |error| Self::Iceoryx { what, error: format!("{error:?}") }
+    }
+
+    pub(crate) fn io(path: impl Into<PathBuf>) -> impl FnOnce(std::io::Error) -> Self {
+        let path = path.into();
+        move |error| Self::Io { path, error }
+    }
 }

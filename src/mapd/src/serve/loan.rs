@@ -1,52 +1,56 @@
-//! Filling a loaned sample.
+//! Filling a loan: from unwritten shared memory to a slice that safe code may write.
 #![allow(unsafe_code)]
 
-use mapd_client::transport::protocol::Chunk64;
-use rustix::mm::{Advice, madvise};
-use std::io;
+use super::error::ServeError;
+use iceoryx2::sample_mut::SampleMut;
+use iceoryx2::sample_mut_uninit::SampleMutUninit;
+use mapd_client::transport::{Chunk64, GenerationInfo, TransportService};
+use std::error::Error;
 use std::mem::MaybeUninit;
 
-/// The loan as bytes, all zero, with its pages reserved: where memory is short this is an error instead of a signal.
-///
-/// Errors: the system cannot give the pages.
-pub(super) fn bytes(payload: &mut [MaybeUninit<Chunk64>]) -> io::Result<&mut [u8]> {
-    let length = size_of_val(payload);
-    let start = payload.as_mut_ptr().cast::<u8>();
-    let page = rustix::param::page_size();
-    let before = start as usize % page;
-    // SAFETY: the range covers the pages of the loan, which are mapped writable; populating them changes no content.
-    let reserved =
-        unsafe { madvise(start.sub(before).cast(), length + before, Advice::LinuxPopulateWrite) };
-    match reserved {
-        Ok(()) => {}
-        // Kernels before 5.14 do not know the advice; the check of free space has to do there.
-        Err(rustix::io::Errno::INVAL) => {}
-        Err(error) => return Err(error.into()),
-    }
-    // SAFETY: the payload is exclusively borrowed, `length` bytes long and mapped; zero is a valid byte, and after
-    // writing it every byte is initialised.
-    unsafe {
-        std::ptr::write_bytes(start, 0, length);
-        Ok(std::slice::from_raw_parts_mut(start, length))
-    }
+/// What the writer of a generation says about it. Opaque here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PublishMeta {
+    /// Identifies the archive's layout.
+    pub layout_id: [u8; 32],
+    /// Hash of the archive's content.
+    pub content_hash: [u8; 32],
+    /// Hash of what the archive was compiled from.
+    pub input_hash: [u8; 32],
 }
 
+/// A sample that may be written.
+pub(crate) type Loan = SampleMutUninit<TransportService, [MaybeUninit<Chunk64>], GenerationInfo>;
+
 /// A sample that may be sent.
-pub(super) type Filled = iceoryx2::sample_mut::SampleMut<
-    mapd_client::transport::protocol::Ipc,
-    [Chunk64],
-    mapd_client::transport::GenerationInfo,
->;
+pub(crate) type Filled = SampleMut<TransportService, [Chunk64], GenerationInfo>;
 
-/// A sample that is to be filled.
-pub(super) type Empty = iceoryx2::sample_mut_uninit::SampleMutUninit<
-    mapd_client::transport::protocol::Ipc,
-    [MaybeUninit<Chunk64>],
-    mapd_client::transport::GenerationInfo,
->;
-
-/// Declares a loan filled.
-pub(super) fn filled(sample: Empty) -> Filled {
-    // SAFETY: callers obtain the payload through `bytes`, which writes every byte of it.
-    unsafe { sample.assume_init() }
+/// Has `fill` write the loan's first `length` bytes, and writes the header that `header` makes. Bytes that `fill` leaves
+/// alone, and those after `length`, are zero. The segment's pages have been reserved before.
+///
+/// Errors: `fill` fails; `header` fails.
+pub(crate) fn fill_loan(
+    map: &str,
+    mut loan: Loan,
+    length: usize,
+    fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
+    header: impl FnOnce(PublishMeta) -> Result<GenerationInfo, ServeError>,
+) -> Result<Filled, ServeError> {
+    let chunks: &mut [MaybeUninit<Chunk64>] = loan.payload_mut();
+    let size = size_of_val(chunks);
+    let start = chunks.as_mut_ptr().cast::<u8>();
+    // SAFETY: `start` and `size` are those of `chunks`, mapped, writable and borrowed mutably up to the end of `bytes`;
+    // every byte is written before the slice exists. `u8` has no alignment, `Chunk64` no padding. Nobody reads the
+    // segment before the sample is sent.
+    let bytes = unsafe {
+        start.write_bytes(0, size);
+        std::slice::from_raw_parts_mut(start, size)
+    };
+    let Some(wanted) = bytes.get_mut(..length) else {
+        return Err(ServeError::iceoryx("loaning")(format!("{size} bytes instead of {length}")));
+    };
+    let meta = fill(wanted).map_err(|error| ServeError::Fill { map: map.to_owned(), error })?;
+    *loan.user_header_mut() = header(meta)?;
+    // SAFETY: all of the payload was written above, and any bytes are a valid `Chunk64`.
+    Ok(unsafe { loan.assume_init() })
 }

@@ -1,19 +1,48 @@
-//! The daemon's side of the transport: one exactly sized publisher per generation.
+//! Publishing generations of maps from one daemon to any number of processes.
 //!
-//! ```text
-//! start    root folder, attach lock alone, sweep half-made segments, clean up after the dead
-//! publish  map lock, room?, service, publisher, loan, reserve pages, fill, verify, send, 0444, tell clients
-//! run      a client arrived → connect it; once a second → sweep and clean up, if nobody is attaching
+//! A [`Server`] claims map names, publishes opaque bytes under them, and answers newcomers until a [`StopSignal`] ends it.
+//! The bytes are written once, straight into shared memory, by a function that the caller gives; each generation has a
+//! publisher of its own, exactly as large as the map. The meeting place and what clients do there is described in
+//! [`mapd_client::transport`].
+//!
+//! Invariants: a generation number never repeats while anyone who saw it is attached; a fill that fails leaves nothing
+//! behind; memory is reserved before it is written, so that too little of it is an error and no signal; segments are
+//! created and dead processes cleaned up only under the attach lock; a server that is dropped leaves nothing in shared
+//! memory but what living clients hold. Nothing is printed: what happens meanwhile is told through
+//! [`Server::start_with`].
+//!
+//! ```no_run
+//! use mapd::serve::{PublishMeta, Server, StopSignal};
+//! use mapd_client::Domain;
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let stop = StopSignal::install()?;
+//! let mut server = Server::start(&Domain::from_env()?)?;
+//! let bytes = b"the map";
+//! server.publish("town", bytes.len(), |loan| {
+//!     loan.copy_from_slice(bytes);
+//!     Ok(PublishMeta { layout_id: [0; 32], content_hash: [0; 32], input_hash: [0; 32] })
+//! })?;
+//! server.run(&stop)?;
+//! # Ok(())
+//! # }
 //! ```
 
+mod cleanup;
 mod error;
-mod generation;
+mod greeter;
 mod loan;
-mod room;
+mod memory;
+mod nodes;
+mod notice;
+mod segment;
+mod served_map;
 mod server;
+mod services;
 mod stop;
-mod sweep;
 
 pub use error::ServeError;
-pub use server::{PublishMeta, Server};
+pub use loan::PublishMeta;
+pub use notice::Notice;
+pub use server::{ServedMap, Server};
 pub use stop::StopSignal;

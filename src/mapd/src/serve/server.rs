@@ -1,281 +1,381 @@
-//! Publishing maps and serving those who arrive.
+//! The server.
 
-use super::error::{ServeError, refused};
-use super::generation::Lease;
+use super::cleanup;
+use super::error::ServeError;
+use super::greeter::{greet_until, greeting_meanwhile};
+use super::loan::{Filled, PublishMeta, fill_loan};
+use super::memory;
+use super::notice::Notice;
+use super::segment::Segment;
+use super::served_map::{MapPorts, MapPublisher};
 use super::stop::StopSignal;
-use super::{loan, room, sweep};
-use iceoryx2::port::listener::Listener;
-use iceoryx2::port::notifier::Notifier;
-use iceoryx2::port::publisher::Publisher;
-use iceoryx2::port::update_connections::UpdateConnections;
-use iceoryx2::prelude::*;
-use iceoryx2::service::port_factory::event::PortFactory as EventService;
-use iceoryx2::service::port_factory::publish_subscribe::PortFactory as ArchiveService;
-use mapd_client::Domain;
-use mapd_client::transport::protocol::{
-    Channel, Chunk64, Ipc, MAX_LISTENERS, MAX_NODES, MAX_PUBLISHERS, MAX_SUBSCRIBERS, service_name,
+use iceoryx2::prelude::{Node, NodeBuilder, SignalHandlingMode};
+use mapd_client::transport::{
+    AttachGuard, AttachLock, Claim, Domain, GenerationInfo, Presence, SHARED_MEMORY_FOLDER,
+    TransportService, check_map_name, check_owner, chunks_for, iceoryx2_config, read_generation,
+    silence_iceoryx2, unfinished_segments, write_generation, write_published,
 };
-use mapd_client::transport::{AttachLock, GenerationInfo, LockMode};
-use std::collections::BTreeSet;
-use std::error::Error as StdError;
-use std::fs;
-use std::os::unix::fs::{DirBuilderExt, PermissionsExt};
+use std::cell::Cell;
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::fmt;
+use std::fs::DirBuilder;
+use std::io;
+use std::os::unix::fs::DirBuilderExt;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-/// Wait for the attach lock at start. A client that is stopped in the middle of attaching holds it longer; the daemon
-/// then goes on without sweeping.
-const LOCK_WAIT: Duration = Duration::from_secs(2);
-/// Time between two clean-ups after the dead.
-const TICK: Duration = Duration::from_secs(1);
-/// Mode of the root folder: one user.
+/// Mode of the root folder: the daemon's user alone.
 const ROOT_MODE: u32 = 0o700;
-/// Mode of a filled data segment: nobody writes it any more.
-const READ_ONLY: u32 = 0o444;
 
-/// What is published with an archive besides its bytes.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct PublishMeta {
-    /// Layout id, padded with zeros.
-    pub layout_id: [u8; 32],
-    /// BLAKE3 of the archive's body.
-    pub content_hash: [u8; 32],
-    /// BLAKE3 of the input.
-    pub input_hash: [u8; 32],
+/// How long the server waits for the attach lock before it goes on without. Clients hold it for about a millisecond;
+/// only one that was stopped holds it longer.
+const LOCK_PATIENCE: Duration = Duration::from_secs(2);
+
+/// The same, once it was in vain, until the lock can be had again.
+const PATIENCE_LOST: Duration = Duration::from_millis(20);
+
+/// Rounds without the attach lock after which the operator is told.
+const ROUNDS_BEFORE_NOTICE: u32 = 10;
+
+/// What a server says about one of its maps.
+#[derive(Clone, Debug)]
+pub struct ServedMap {
+    /// Name.
+    pub name: String,
+    /// What is served; `None` between [`Server::claim`] and the first publication.
+    pub info: Option<GenerationInfo>,
+    /// Subscriptions now.
+    pub subscribers: usize,
 }
 
-/// A map that is being served. Fields are dropped in order: the right to the name last.
-struct Served {
-    name: String,
-    publisher: Option<Publisher<Ipc, [Chunk64], GenerationInfo>>,
-    wake: Listener<Ipc>,
-    changed: Notifier<Ipc>,
-    archive: ArchiveService<Ipc, [Chunk64], GenerationInfo>,
-    wake_service: EventService<Ipc>,
-    _changed_service: EventService<Ipc>,
-    lease: Lease,
-}
-
-/// Publishes maps and serves clients as they arrive.
+/// Serves maps, one generation each. Dropping it removes everything of its own from shared memory; clients keep what they
+/// hold.
 pub struct Server {
-    maps: Vec<Served>,
-    node: Node<Ipc>,
+    /// Dropped by hand, before the node.
+    maps: BTreeMap<String, MapPorts>,
+    node: Option<Node<TransportService>>,
+    presence: Option<Presence>,
+    lock: AttachLock,
     domain: Domain,
+    notify: Box<dyn Fn(&Notice)>,
+    patience: Cell<Duration>,
 }
 
 impl Server {
-    /// Makes the domain ready: root folder, clean-up after processes that were killed.
+    /// Enters a domain, and cleans up after killed processes.
     ///
-    /// Errors: the root folder cannot be made; iceoryx2 refuses.
+    /// Errors: the domain belongs to another user, or cannot be written; iceoryx2 refuses; a killed process left an
+    /// unfinished file that cannot be removed because a stopped process holds the attach lock.
     pub fn start(domain: &Domain) -> Result<Self, ServeError> {
-        set_log_level(LogLevel::Fatal);
-        let root = domain.root();
-        let failed = |error| ServeError::File { path: root.to_owned(), error };
-        fs::DirBuilder::new().recursive(true).mode(ROOT_MODE).create(root).map_err(failed)?;
-        let lock = AttachLock::take(domain, LockMode::Exclusive, Instant::now() + LOCK_WAIT)
-            .map_err(failed)?;
-        if lock.is_some() {
-            sweep::sweep(domain);
+        Self::start_with(domain, |_| {})
+    }
+
+    /// As [`Server::start`], telling `notify` what happens on the way and later.
+    ///
+    /// Errors: as [`Server::start`].
+    pub fn start_with(
+        domain: &Domain,
+        notify: impl Fn(&Notice) + 'static,
+    ) -> Result<Self, ServeError> {
+        silence_iceoryx2();
+        let config = iceoryx2_config(domain)?;
+        let (lock, exclusive) = enter(domain)?;
+        match &exclusive {
+            Some(guard) if Presence::is_deserted(domain) => cleanup::wipe(domain, false, guard),
+            Some(guard) => cleanup::sweep(domain, guard, &notify),
+            None => {
+                notify(&Notice::LockHeld { lock: lock.path().to_owned() });
+                if let Some(file) = unfinished_segments(domain).into_iter().next() {
+                    return Err(ServeError::Wedged { file });
+                }
+            }
         }
-        let config = domain.config().ok_or_else(|| ServeError::Iceoryx2 {
-            action: "use the root folder",
-            reason: root.display().to_string(),
-        })?;
+        let presence = Presence::enter(domain).map_err(ServeError::io(domain.root()))?;
         let node = NodeBuilder::new()
             .config(&config)
             .signal_handling_mode(SignalHandlingMode::Disabled)
-            .create::<Ipc>()
-            .map_err(|e| refused("create a node")(&e))?;
-        if lock.is_some() {
-            node.try_cleanup_dead_nodes();
+            .create::<TransportService>()
+            .map_err(ServeError::iceoryx("creating a node"))?;
+        if let Some(guard) = &exclusive {
+            cleanup::clean(domain, &node, guard, &notify);
         }
-        Ok(Self { maps: Vec::new(), node, domain: domain.clone() })
+        drop(exclusive);
+        Ok(Self {
+            maps: BTreeMap::new(),
+            node: Some(node),
+            presence: Some(presence),
+            lock,
+            domain: domain.clone(),
+            notify: Box::new(notify),
+            patience: Cell::new(LOCK_PATIENCE),
+        })
     }
 
-    /// Publishes a map of exactly `length` bytes under a name. `fill` writes and proves them in place.
+    /// Claims a map before its first generation is ready, so that a second daemon fails at once and clients know that the
+    /// map is coming. [`Server::publish`] does so by itself.
     ///
-    /// Errors: the name is served elsewhere; no room; `fill` fails. Nothing of this generation is left behind then.
+    /// Errors: the name cannot be used; another daemon serves the map; iceoryx2 refuses.
+    pub fn claim(&mut self, map: &str) -> Result<(), ServeError> {
+        check_map_name(map)?;
+        if self.maps.contains_key(map) {
+            return Ok(());
+        }
+        let claim = Claim::acquire(&self.domain, map)?;
+        // A killed daemon's word is out of date.
+        self.tell_if_failed("removing an old record", write_published(&self.domain, map, None));
+        let exclusive = self.exclusive();
+        let Some(node) = &self.node else {
+            return Err(ServeError::iceoryx("creating a service")("no node"));
+        };
+        let ports = MapPorts::create(&self.domain, node, map, claim, exclusive.as_ref())?;
+        self.maps.insert(map.to_owned(), ports);
+        Ok(())
+    }
+
+    /// Publishes the next generation of a map and returns its number. `fill` is given exactly `length` zeroed bytes in
+    /// shared memory, writes the map, and says what it is. Readers keep the generation before for as long as they hold it.
+    ///
+    /// Newcomers are greeted meanwhile, by a thread that ends with the call.
+    ///
+    /// Errors: the name cannot be used, another daemon serves it, too little memory, `fill` fails, iceoryx2 refuses.
+    /// After an error what was served before is still served; a map that was not, is not.
     pub fn publish(
         &mut self,
         map: &str,
         length: usize,
-        fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn StdError + Send + Sync>>,
+        fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
     ) -> Result<u64, ServeError> {
-        room::check(&self.domain, map, length)?;
-        // Shared with clients: a sweeping daemon of the same domain must not take what is half-made here.
-        let _lock = AttachLock::take(&self.domain, LockMode::Shared, Instant::now() + LOCK_WAIT);
-        if !self.maps.iter().any(|served| served.name == map) {
-            let served = open(&self.node, &self.domain, map)?;
-            self.maps.push(served);
+        if length == 0 {
+            return Err(ServeError::Empty { map: map.to_owned() });
         }
-        let Some(at) = self.maps.iter().position(|served| served.name == map) else { return Ok(0) };
-        let served = &mut self.maps[at];
-        match send(served, &self.domain, length, fill) {
-            Ok(generation) => Ok(generation),
-            Err(error) => {
-                if served.publisher.is_none() {
-                    self.maps.remove(at);
-                }
-                Err(error)
-            }
+        memory::check(map, length as u64)?;
+        let known = self.maps.contains_key(map);
+        self.claim(map)?;
+        let published = self.publish_claimed(map, length, fill);
+        if published.is_err() && !known {
+            self.withdraw(map);
         }
+        published
     }
 
-    /// Serves until stopped.
-    ///
-    /// Errors: iceoryx2 fails.
-    pub fn run(&mut self, stop: &StopSignal) -> Result<(), ServeError> {
-        let waitset = WaitSetBuilder::new()
-            .signal_handling_mode(SignalHandlingMode::Disabled)
-            .create::<Ipc>()
-            .map_err(|e| refused("create a wait set")(&e))?;
-        let mut guards = Vec::new();
-        for served in &self.maps {
-            guards.push(
-                waitset
-                    .attach_notification(&served.wake)
-                    .map_err(|e| refused("wait for clients")(&e))?,
-            );
-        }
-        let tick = waitset.attach_interval(TICK).map_err(|e| refused("wait for time")(&e))?;
-        if let Some(served) = self.maps.first() {
-            let notifier = served.wake_service.notifier_builder().create();
-            let notifier = notifier.map_err(|e| refused("create a notifier")(&e))?;
-            stop.on_stop(Some(Box::new(move || {
-                // A daemon that cannot be woken looks at its next tick.
-                let _ = notifier.notify();
-            })));
-        }
-        let served = waitset.wait_and_process(|event| {
-            if stop.is_stopped() {
-                return CallbackProgression::Stop;
-            }
-            for (guard, served) in guards.iter().zip(&self.maps) {
-                if event.has_event_from(guard) {
-                    let _ = served.wake.try_wait(|_| {});
-                    connect(served);
-                }
-            }
-            if event.has_event_from(&tick) {
-                self.clean_up();
-            }
-            CallbackProgression::Continue
+    fn publish_claimed(
+        &mut self,
+        map: &str,
+        length: usize,
+        fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
+    ) -> Result<u64, ServeError> {
+        let chunks = chunks_for(length);
+        let Some(ports) = self.maps.get(map) else {
+            return Err(ServeError::iceoryx("publishing")("map not claimed"));
+        };
+        let publisher = {
+            let exclusive = self.exclusive();
+            ports.create_publisher(chunks, exclusive.as_ref())?
+        };
+        let prepared = greeting_meanwhile(&self.maps, &self.lock, || {
+            self.prepare(map, length, &publisher, fill)
         });
-        stop.on_stop(None);
-        served.map(|_| ()).map_err(|e| refused("wait")(&e))
+        let exclusive = self.exclusive();
+        let (sample, segment) = match prepared {
+            Ok(prepared) => prepared,
+            Err(error) => {
+                // Unlinks the segment, under the lock.
+                drop(publisher);
+                return Err(error);
+            }
+        };
+        let info = *sample.user_header();
+        sample.send().map_err(ServeError::iceoryx("sending"))?;
+        self.tell_if_failed("making the data segment read-only", segment.protect());
+        if let Some(ports) = self.maps.get_mut(map) {
+            ports.replace(publisher, info, exclusive.as_ref());
+        }
+        drop(exclusive);
+        self.tell_if_failed("writing the record", write_published(&self.domain, map, Some(&info)));
+        if let Some(ports) = self.maps.get(map) {
+            self.tell_if_failed("announcing a generation", ports.announce());
+        }
+        Ok(info.generation)
     }
 
-    /// Sweeps and cleans up, if nobody is attaching; else the next tick will.
-    fn clean_up(&self) {
-        if let Ok(Some(_lock)) = AttachLock::take(&self.domain, LockMode::Exclusive, Instant::now())
+    /// Reserves, loans and fills. Without the attach lock, for it takes as long as `fill` does.
+    fn prepare(
+        &self,
+        map: &str,
+        length: usize,
+        publisher: &MapPublisher,
+        fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
+    ) -> Result<(Filled, Segment), ServeError> {
+        let segment =
+            Segment::of(&self.domain, publisher).map_err(ServeError::io(SHARED_MEMORY_FOLDER))?;
+        segment.reserve().map_err(|error| memory::refused(map, length as u64, &error))?;
+        let loan = publisher
+            .loan_slice_uninit(chunks_for(length))
+            .map_err(ServeError::iceoryx("loaning"))?;
+        let filled = fill_loan(map, loan, length, fill, |meta| self.next_info(map, length, &meta))?;
+        Ok((filled, segment))
+    }
+
+    /// Hands out the next generation number, for good, before anyone can see it.
+    fn next_info(
+        &self,
+        map: &str,
+        length: usize,
+        meta: &PublishMeta,
+    ) -> Result<GenerationInfo, ServeError> {
+        let path = || self.domain.root().join(map);
+        let last = read_generation(&self.domain, map).map_err(ServeError::io(path()))?;
+        let generation = last.saturating_add(1);
+        write_generation(&self.domain, map, generation).map_err(ServeError::io(path()))?;
+        let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+        Ok(GenerationInfo {
+            generation,
+            length: length as u64,
+            published_unix_ns: u64::try_from(now.as_nanos()).unwrap_or(u64::MAX),
+            daemon_pid: u64::from(std::process::id()),
+            layout_id: meta.layout_id,
+            content_hash: meta.content_hash,
+            input_hash: meta.input_hash,
+        })
+    }
+
+    /// Serves until `stop` is set: greets newcomers at once, and cleans up after killed clients about once a second. May
+    /// be called again afterwards.
+    ///
+    /// Errors: the wait fails.
+    pub fn run(&mut self, stop: &StopSignal) -> Result<(), ServeError> {
+        let mut rounds_missed = 0;
+        greet_until(stop, &self.maps, &self.lock, &self.notify, &mut || {
+            self.round(&mut rounds_missed)
+        })
+    }
+
+    /// Cleans up and greets, if nobody is attaching just now.
+    fn round(&self, missed: &mut u32) -> Result<(), ServeError> {
+        let Some(exclusive) = self.lock.exclusive(Instant::now())? else {
+            *missed += 1;
+            if *missed == ROUNDS_BEFORE_NOTICE {
+                (self.notify)(&Notice::LockHeld { lock: self.lock.path().to_owned() });
+            }
+            return Ok(());
+        };
+        *missed = 0;
+        if let Some(node) = &self.node {
+            cleanup::clean(&self.domain, node, &exclusive, &self.notify);
+        }
+        for (name, ports) in &self.maps {
+            ports.greet(name, &self.notify);
+        }
+        Ok(())
+    }
+
+    /// The maps served, by name.
+    pub fn maps(&self) -> Vec<ServedMap> {
+        let map = |(name, ports): (&String, &MapPorts)| ServedMap {
+            name: name.clone(),
+            info: ports.info().copied(),
+            subscribers: ports.subscribers(),
+        };
+        self.maps.iter().map(map).collect()
+    }
+
+    /// Stops serving a map. Clients keep what they hold.
+    pub fn withdraw(&mut self, map: &str) {
+        let exclusive = self.exclusive();
+        if let Some(ports) = self.maps.remove(map) {
+            self.tell_if_failed("removing the record", write_published(&self.domain, map, None));
+            ports.close();
+        }
+        drop(exclusive);
+    }
+
+    /// The attach lock, or none if a stopped process holds it: then the server goes on without, as long as nothing else
+    /// creates or cleans up at the same moment.
+    fn exclusive(&self) -> Option<AttachGuard> {
+        match self.lock.exclusive(Instant::now() + self.patience.get()) {
+            Ok(Some(guard)) => {
+                self.patience.set(LOCK_PATIENCE);
+                Some(guard)
+            }
+            Ok(None) => {
+                self.patience.set(PATIENCE_LOST);
+                (self.notify)(&Notice::LockHeld { lock: self.lock.path().to_owned() });
+                None
+            }
+            Err(error) => {
+                (self.notify)(&Notice::Failed {
+                    what: "locking".to_owned(),
+                    error: error.to_string(),
+                });
+                None
+            }
+        }
+    }
+
+    fn tell_if_failed<T, E: fmt::Display>(&self, what: &str, result: Result<T, E>) {
+        if let Err(error) = result {
+            (self.notify)(&Notice::Failed { what: what.to_owned(), error: error.to_string() });
+        }
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        let exclusive = self.exclusive();
+        if let (Some(guard), Some(node)) = (&exclusive, &self.node) {
+            cleanup::clean(&self.domain, node, guard, &self.notify);
+        }
+        for (name, ports) in std::mem::take(&mut self.maps) {
+            self.tell_if_failed("removing the record", write_published(&self.domain, &name, None));
+            ports.close();
+        }
+        drop(self.node.take());
+        drop(self.presence.take());
+        if let Some(guard) = &exclusive
+            && Presence::is_deserted(&self.domain)
         {
-            sweep::sweep(&self.domain);
-            self.node.try_cleanup_dead_nodes();
+            cleanup::wipe(&self.domain, true, guard);
         }
     }
 }
 
-/// Connects clients that have arrived; they are sent the newest generation. One that died meanwhile is no reason to stop.
-fn connect(served: &Served) {
-    if let Some(publisher) = &served.publisher {
-        let _ = publisher.update_connections();
+impl fmt::Debug for Server {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Server")
+            .field("domain", &self.domain)
+            .field("maps", &self.maps())
+            .finish_non_exhaustive()
     }
 }
 
-/// Takes the name and opens or makes its services.
-fn open(node: &Node<Ipc>, domain: &Domain, map: &str) -> Result<Served, ServeError> {
-    let names = [Channel::Archive, Channel::Wake, Channel::Changed]
-        .map(|channel| service_name(map, channel));
-    let [archive, wake, changed] = names;
-    let lease = Lease::take(domain, map)?;
-    let archive = node
-        .service_builder(&archive?)
-        .publish_subscribe::<[Chunk64]>()
-        .user_header::<GenerationInfo>()
-        .history_size(1)
-        .subscriber_max_buffer_size(1)
-        .subscriber_max_borrowed_samples(1)
-        .max_publishers(MAX_PUBLISHERS)
-        .max_subscribers(MAX_SUBSCRIBERS)
-        .max_nodes(MAX_NODES)
-        .enable_safe_overflow(true)
-        .open_or_create()
-        .map_err(|e| refused("open the map's service")(&e))?;
-    let event = |name: &ServiceName| {
-        node.service_builder(name)
-            .event()
-            .max_notifiers(MAX_SUBSCRIBERS)
-            .max_listeners(MAX_LISTENERS)
-            .max_nodes(MAX_NODES)
-            .open_or_create()
-            .map_err(|e| refused("open a service of events")(&e))
-    };
-    let (wake_service, changed_service) = (event(&wake?)?, event(&changed?)?);
-    let wake =
-        wake_service.listener_builder().create().map_err(|e| refused("listen for clients")(&e))?;
-    let changed = changed_service
-        .notifier_builder()
-        .create()
-        .map_err(|e| refused("create a notifier")(&e))?;
-    Ok(Served {
-        name: map.to_owned(),
-        publisher: None,
-        wake,
-        changed,
-        archive,
-        wake_service,
-        _changed_service: changed_service,
-        lease,
-    })
-}
-
-/// Publishes one generation: a publisher of its exact size takes the place of the one before.
-fn send(
-    served: &mut Served,
-    domain: &Domain,
-    length: usize,
-    fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn StdError + Send + Sync>>,
-) -> Result<u64, ServeError> {
-    let chunks = length.div_ceil(size_of::<Chunk64>());
-    let before: BTreeSet<_> = sweep::segments(domain).into_iter().map(|(path, _)| path).collect();
-    let publisher = served
-        .archive
-        .publisher_builder()
-        .initial_max_slice_len(chunks)
-        .allocation_strategy(AllocationStrategy::Static)
-        .max_loaned_samples(1)
-        .override_sample_preallocation(|_| 1)
-        .create()
-        .map_err(|e| refused("create a publisher")(&e))?;
-    let mut sample =
-        publisher.loan_slice_uninit(chunks).map_err(|e| refused("loan the map's memory")(&e))?;
-    let failed = |error| ServeError::Fill { name: served.name.clone(), error };
-    let bytes = loan::bytes(sample.payload_mut()).map_err(|error| failed(error.into()))?;
-    let exact = bytes.get_mut(..length).ok_or_else(|| failed("the loan is too short".into()))?;
-    let meta = fill(exact).map_err(failed)?;
-    let generation = served.lease.next()?;
-    *sample.user_header_mut() = GenerationInfo {
-        generation,
-        length: length as u64,
-        published_unix_ns: SystemTime::now()
-            .duration_since(UNIX_EPOCH)
-            .unwrap_or_default()
-            .as_nanos() as u64,
-        daemon_pid: u64::from(std::process::id()),
-        layout_id: meta.layout_id,
-        content_hash: meta.content_hash,
-        input_hash: meta.input_hash,
-    };
-    // Filled: from here on nobody opens the archive for writing.
-    for (path, metadata) in sweep::segments(domain) {
-        if metadata.len() >= length as u64 && !before.contains(&path) {
-            let read_only = fs::Permissions::from_mode(READ_ONLY);
-            fs::set_permissions(&path, read_only)
-                .map_err(|error| ServeError::File { path, error })?;
+/// Makes the root folder and takes the attach lock exclusively. `None`: a stopped process holds it.
+fn enter(domain: &Domain) -> Result<(AttachLock, Option<AttachGuard>), ServeError> {
+    let until = Instant::now() + LOCK_PATIENCE;
+    loop {
+        match DirBuilder::new().mode(ROOT_MODE).create(domain.root()) {
+            Err(error) if error.kind() != io::ErrorKind::AlreadyExists => {
+                return Err(ServeError::io(domain.root())(error));
+            }
+            _ => {}
+        }
+        check_owner(domain)?;
+        let lock = match AttachLock::create(domain) {
+            Ok(lock) => lock,
+            // A daemon that ends has just removed the folder.
+            Err(error) if error.kind() == io::ErrorKind::NotFound && Instant::now() < until => {
+                continue;
+            }
+            Err(error) => return Err(ServeError::io(domain.root())(error)),
+        };
+        let exclusive = lock.exclusive(until)?;
+        if let Err(error) = Presence::prepare(domain) {
+            if error.kind() == io::ErrorKind::NotFound && Instant::now() < until {
+                continue;
+            }
+            return Err(ServeError::io(domain.root())(error));
+        }
+        if exclusive.is_none() || lock.is_current() {
+            return Ok((lock, exclusive));
         }
     }
-    loan::filled(sample).send().map_err(|e| refused("send the map")(&e))?;
-    served.publisher = Some(publisher);
-    // Clients without a listener look by themselves.
-    let _ = served.changed.notify();
-    Ok(generation)
 }

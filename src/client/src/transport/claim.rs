@@ -1,0 +1,117 @@
+//! Who serves a map: one daemon at a time, known by a lock that the kernel releases when it dies.
+
+use super::domain::Domain;
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::{self, Read, Write};
+use std::os::unix::fs::{MetadataExt, OpenOptionsExt};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+use thiserror::Error;
+
+/// Suffix of the lock file of a map.
+pub(crate) const SUFFIX: &str = ".lock";
+
+/// How long a daemon tries to claim a map: longer than a client needs to look whether the map is served, which takes the
+/// lock for some microseconds.
+const PATIENCE: Duration = Duration::from_millis(200);
+
+/// Pause between two attempts.
+const PAUSE: Duration = Duration::from_millis(2);
+
+/// Why a map cannot be claimed.
+#[derive(Debug, Error)]
+pub enum ClaimError {
+    /// Another daemon serves it.
+    #[error("map {map:?} is served by process {} already; stop that daemon, or serve under another name with --name",
+        pid.map_or_else(|| "(unknown)".to_owned(), |pid| pid.to_string()))]
+    Served {
+        /// The map.
+        map: String,
+        /// What the lock file names.
+        pid: Option<u32>,
+    },
+    /// The lock file cannot be used.
+    #[error("{}: {error}", path.display())]
+    Io {
+        /// The lock file.
+        path: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
+}
+
+/// The right to serve a map. Held by an exclusive `flock`, so that it ends with the process at the latest.
+#[derive(Debug)]
+pub struct Claim {
+    file: File,
+    path: PathBuf,
+}
+
+impl Claim {
+    /// Claims a map for this process.
+    ///
+    /// Errors: another daemon serves the map; the lock file cannot be used.
+    pub fn acquire(domain: &Domain, map: &str) -> Result<Self, ClaimError> {
+        let path = domain.map_file(map, SUFFIX);
+        let io = |error| ClaimError::Io { path: path.clone(), error };
+        let until = Instant::now() + PATIENCE;
+        loop {
+            let mut file = OpenOptions::new()
+                .read(true)
+                .write(true)
+                .create(true)
+                .truncate(false)
+                .mode(0o600)
+                .open(&path)
+                .map_err(io)?;
+            match file.try_lock() {
+                // A daemon that ends removes the file before it unlocks: then the lock is on a file without a name.
+                Ok(()) if is_named(&file, &path) => {
+                    file.set_len(0)
+                        .and_then(|()| write!(file, "{}", std::process::id()))
+                        .map_err(io)?;
+                    return Ok(Self { file, path });
+                }
+                Ok(()) => {}
+                Err(TryLockError::WouldBlock) if Instant::now() >= until => {
+                    return Err(ClaimError::Served {
+                        map: map.to_owned(),
+                        pid: read_pid(&mut file),
+                    });
+                }
+                Err(TryLockError::WouldBlock) => std::thread::sleep(PAUSE),
+                Err(TryLockError::Error(error)) => return Err(io(error)),
+            }
+        }
+    }
+
+    /// Gives the map up and removes the lock file.
+    pub fn release(self) {
+        // A file that cannot be removed is unlocked all the same, and then says that nobody serves the map.
+        let _ = std::fs::remove_file(&self.path);
+        drop(self.file);
+    }
+}
+
+fn is_named(file: &File, path: &std::path::Path) -> bool {
+    match (file.metadata(), std::fs::metadata(path)) {
+        (Ok(ours), Ok(named)) => (ours.dev(), ours.ino()) == (named.dev(), named.ino()),
+        _ => false,
+    }
+}
+
+fn read_pid(file: &mut File) -> Option<u32> {
+    let mut text = String::new();
+    file.read_to_string(&mut text).ok()?;
+    text.trim().parse().ok()
+}
+
+/// Process id of the daemon that serves a map now, 0 if it is alive but has not said; `None` if nobody serves it.
+pub fn served_by(domain: &Domain, map: &str) -> Option<u32> {
+    let mut file = File::open(domain.map_file(map, SUFFIX)).ok()?;
+    match file.try_lock_shared() {
+        // Closing the file releases the lock.
+        Ok(()) => None,
+        Err(_) => Some(read_pid(&mut file).unwrap_or(0)),
+    }
+}

@@ -1,0 +1,49 @@
+//! Who is in a domain: known by a lock that the kernel releases when a process dies.
+
+use super::domain::Domain;
+use std::fs::{File, OpenOptions};
+use std::io;
+use std::os::unix::fs::OpenOptionsExt;
+
+/// Name in the root folder.
+const FILE_NAME: &str = ".present";
+
+/// Held by everyone who uses shared memory of a domain: daemons, subscriptions, and pinned generations that outlive their
+/// subscription. A shared `flock`; entered under the attach lock, left at any time.
+#[derive(Debug)]
+pub struct Presence {
+    /// Unlocked when closed.
+    _file: File,
+}
+
+impl Presence {
+    /// Enters a domain where a daemon has been. Under the attach lock.
+    ///
+    /// Errors: what the system says; would-block only while somebody asks, without the attach lock, who is there.
+    pub fn enter(domain: &Domain) -> io::Result<Self> {
+        let file = OpenOptions::new().read(true).open(domain.root().join(FILE_NAME))?;
+        file.try_lock_shared()?;
+        Ok(Self { _file: file })
+    }
+
+    /// Makes the lock file. For daemons.
+    ///
+    /// Errors: what the system says.
+    pub fn prepare(domain: &Domain) -> io::Result<()> {
+        let path = domain.root().join(FILE_NAME);
+        OpenOptions::new()
+            .write(true)
+            .create(true)
+            .truncate(false)
+            .mode(0o600)
+            .open(path)
+            .map(|_| ())
+    }
+
+    /// Whether nobody is present: whatever is in the domain was left by processes that have ended. Under the exclusive
+    /// attach lock it stays so, for nobody can enter.
+    pub fn is_deserted(domain: &Domain) -> bool {
+        let file = File::open(domain.root().join(FILE_NAME));
+        file.is_ok_and(|file| file.try_lock().is_ok())
+    }
+}

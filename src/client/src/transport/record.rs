@@ -1,0 +1,136 @@
+//! Two small text files per map: the last generation number, which outlives the daemon, and what is served now.
+
+use super::domain::Domain;
+use super::limits::TRANSPORT_REVISION;
+use super::payload::GenerationInfo;
+use std::fs;
+use std::io;
+use std::path::Path;
+
+/// Suffix of the file of the last generation number of a map.
+pub const GENERATION_SUFFIX: &str = ".generation";
+const PUBLISHED: &str = ".published";
+
+/// The last generation number handed out for a map; 0 if none was.
+///
+/// Errors: the file cannot be read, or holds no number.
+pub fn read_generation(domain: &Domain, map: &str) -> io::Result<u64> {
+    match fs::read_to_string(domain.map_file(map, GENERATION_SUFFIX)) {
+        Ok(text) => {
+            text.trim().parse().map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))
+        }
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(0),
+        Err(error) => Err(error),
+    }
+}
+
+/// Remembers that a generation number has been handed out. Only the daemon that has claimed the map does so.
+///
+/// Errors: what the system says.
+pub fn write_generation(domain: &Domain, map: &str, generation: u64) -> io::Result<()> {
+    replace(&domain.map_file(map, GENERATION_SUFFIX), &generation.to_string())
+}
+
+/// What was published last, and by which transport revision; `None` if nothing was.
+pub fn read_published(domain: &Domain, map: &str) -> Option<(u32, GenerationInfo)> {
+    parse(&fs::read_to_string(domain.map_file(map, PUBLISHED)).ok()?)
+}
+
+/// Writes down what is served now; `None` removes it.
+///
+/// Errors: what the system says.
+pub fn write_published(
+    domain: &Domain,
+    map: &str,
+    info: Option<&GenerationInfo>,
+) -> io::Result<()> {
+    let path = domain.map_file(map, PUBLISHED);
+    match info {
+        Some(info) => replace(&path, &print(info)),
+        None => match fs::remove_file(&path) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+            _ => Ok(()),
+        },
+    }
+}
+
+/// Replaces a file so that a reader sees the old text or the new one.
+fn replace(path: &Path, text: &str) -> io::Result<()> {
+    let mut new = path.as_os_str().to_owned();
+    new.push(".new");
+    fs::write(&new, text)?;
+    fs::rename(&new, path)
+}
+
+fn print(info: &GenerationInfo) -> String {
+    format!(
+        "revision {TRANSPORT_REVISION}\ngeneration {}\nlength {}\npublished_unix_ns {}\ndaemon_pid {}\nlayout_id {}\ncontent_hash {}\ninput_hash {}\n",
+        info.generation,
+        info.length,
+        info.published_unix_ns,
+        info.daemon_pid,
+        hex(&info.layout_id),
+        hex(&info.content_hash),
+        hex(&info.input_hash)
+    )
+}
+
+fn parse(text: &str) -> Option<(u32, GenerationInfo)> {
+    let field =
+        |name: &str| text.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(' '));
+    let number = |name: &str| field(name)?.parse().ok();
+    let hash = |name: &str| unhex(field(name)?);
+    let info = GenerationInfo {
+        generation: number("generation")?,
+        length: number("length")?,
+        published_unix_ns: number("published_unix_ns")?,
+        daemon_pid: number("daemon_pid")?,
+        layout_id: hash("layout_id")?,
+        content_hash: hash("content_hash")?,
+        input_hash: hash("input_hash")?,
+    };
+    Some((u32::try_from(number("revision")?).ok()?, info))
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn unhex(text: &str) -> Option<[u8; 32]> {
+    let mut bytes = [0; 32];
+    if text.len() != 2 * bytes.len() {
+        return None;
+    }
+    for (i, byte) in bytes.iter_mut().enumerate() {
+        *byte = u8::from_str_radix(text.get(2 * i..2 * i + 2)?, 16).ok()?;
+    }
+    Some(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_is_read() {
+        let info = GenerationInfo {
+            generation: u64::MAX,
+            length: 1,
+            published_unix_ns: 2,
+            daemon_pid: 3,
+            layout_id: std::array::from_fn(|i| i as u8),
+            content_hash: [0xff; 32],
+            input_hash: [0xa0; 32],
+        };
+        let text = print(&info);
+        assert_eq!(parse(&text), Some((TRANSPORT_REVISION, info)));
+        for (at, _) in text.match_indices('\n').skip(1) {
+            let cut = &text[..at - 1];
+            assert_ne!(
+                parse(cut),
+                Some((TRANSPORT_REVISION, info)),
+                "a cut record is not the whole one: {cut}"
+            );
+        }
+    }
+}

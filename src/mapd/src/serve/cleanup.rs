@@ -1,0 +1,76 @@
+//! Removing what killed processes left, and in the end what we leave.
+
+use super::nodes;
+use super::notice::Notice;
+use iceoryx2::prelude::Node;
+use mapd_client::transport::{
+    AttachGuard, Domain, GENERATION_SUFFIX, SHARED_MEMORY_FOLDER, TransportService,
+    unfinished_segments,
+};
+use std::fs;
+use std::path::Path;
+
+/// Removes unfinished segments. Under the exclusive attach lock nobody is creating any.
+pub(crate) fn sweep(domain: &Domain, _exclusive: &AttachGuard, notify: &dyn Fn(&Notice)) {
+    for file in unfinished_segments(domain) {
+        match fs::remove_file(&file) {
+            Ok(()) => notify(&Notice::Removed { file }),
+            Err(error) => {
+                notify(&Notice::Failed {
+                    what: format!("removing {}", file.display()),
+                    error: error.to_string(),
+                });
+            }
+        }
+    }
+}
+
+/// Sweeps, then has iceoryx2 release what killed processes held: places, queues, borrowed samples. In this order: it
+/// would wait for an unfinished segment without end.
+pub(crate) fn clean(
+    domain: &Domain,
+    node: &Node<TransportService>,
+    exclusive: &AttachGuard,
+    notify: &dyn Fn(&Notice),
+) {
+    sweep(domain, exclusive, notify);
+    nodes::purge(domain, node.config(), exclusive);
+    let done = node.try_cleanup_dead_nodes();
+    if done.cleanups > 0 {
+        notify(&Notice::CleanedUp { nodes: done.cleanups });
+    }
+    if done.failed_cleanups > 0 {
+        notify(&Notice::CleanUpFailed { nodes: done.failed_cleanups });
+        nodes::purge(domain, node.config(), exclusive);
+    }
+}
+
+/// Removes every file of a deserted domain, so that nothing that killed processes left can be in anybody's way; unless
+/// `all`, keeps the lock files of the domain and the generation numbers. Under the exclusive attach lock nobody enters it.
+pub(crate) fn wipe(domain: &Domain, all: bool, _exclusive: &AttachGuard) {
+    // What cannot be removed is swept, reused or tried again by the next daemon.
+    for entry in entries(Path::new(SHARED_MEMORY_FOLDER)) {
+        let ours = entry.file_name().to_str().is_some_and(|name| name.starts_with(domain.prefix()));
+        if ours && entry.file_type().is_ok_and(|kind| kind.is_file()) {
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+    if all {
+        let _ = fs::remove_dir_all(domain.root());
+        return;
+    }
+    for entry in entries(domain.root()) {
+        let kept = entry
+            .file_name()
+            .to_str()
+            .is_some_and(|name| name.starts_with('.') || name.ends_with(GENERATION_SUFFIX));
+        if !kept {
+            let path = entry.path();
+            let _ = if path.is_dir() { fs::remove_dir_all(&path) } else { fs::remove_file(&path) };
+        }
+    }
+}
+
+fn entries(folder: &Path) -> impl Iterator<Item = fs::DirEntry> {
+    fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok)
+}

@@ -1,0 +1,90 @@
+//! Answering newcomers: a subscriber gets the served generation when the publisher looks for it, not before.
+
+use super::error::ServeError;
+use super::notice::Notice;
+use super::served_map::MapPorts;
+use super::stop::StopSignal;
+use iceoryx2::prelude::{CallbackProgression, SignalHandlingMode, WaitSetBuilder};
+use mapd_client::transport::{AttachLock, TransportService};
+use std::collections::BTreeMap;
+use std::time::{Duration, Instant};
+
+/// How long newcomers wait, at most, for another daemon of the domain that cleans up; else they are served by the round.
+const PATIENCE: Duration = Duration::from_millis(50);
+
+/// Time between two rounds.
+const ROUND: Duration = Duration::from_secs(1);
+
+/// Greets whoever rings, at once, until `stop` is set; calls `round` about once a second.
+///
+/// Errors: waiting fails; `round` fails.
+pub(crate) fn greet_until(
+    stop: &StopSignal,
+    maps: &BTreeMap<String, MapPorts>,
+    lock: &AttachLock,
+    notify: &dyn Fn(&Notice),
+    round: &mut dyn FnMut() -> Result<(), ServeError>,
+) -> Result<(), ServeError> {
+    let waits = WaitSetBuilder::new()
+        .signal_handling_mode(SignalHandlingMode::Disabled)
+        .create::<TransportService>()
+        .map_err(ServeError::iceoryx("creating a wait set"))?;
+    let _stop = waits
+        .attach_notification(stop)
+        .map_err(ServeError::iceoryx("waiting for the stop signal"))?;
+    let mut bells = Vec::new();
+    for (name, ports) in maps {
+        let bell = waits
+            .attach_notification(&ports.woken)
+            .map_err(ServeError::iceoryx("waiting for clients"))?;
+        bells.push((bell, name, ports));
+    }
+    let mut next_round = Instant::now();
+    while !stop.is_requested() {
+        if Instant::now() >= next_round {
+            round()?;
+            next_round = Instant::now() + ROUND;
+        }
+        let mut ringing = Vec::new();
+        let left = next_round.saturating_duration_since(Instant::now());
+        let collect = |id: iceoryx2::prelude::WaitSetAttachmentId<TransportService>| {
+            ringing.extend(bells.iter().filter(|(bell, ..)| id.has_event_from(bell)));
+            CallbackProgression::Continue
+        };
+        waits
+            .wait_and_process_once_with_timeout(collect, left)
+            .map_err(ServeError::iceoryx("waiting"))?;
+        if !ringing.is_empty() {
+            let guard = lock.shared(Instant::now() + PATIENCE)?;
+            for (_, name, ports) in ringing {
+                ports.take_wake_ups();
+                if guard.is_some() {
+                    ports.greet(name, notify);
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Does something that takes long while a thread of its own greets newcomers.
+pub(crate) fn greeting_meanwhile<T>(
+    maps: &BTreeMap<String, MapPorts>,
+    lock: &AttachLock,
+    work: impl FnOnce() -> Result<T, ServeError>,
+) -> Result<T, ServeError> {
+    /// Stops even if the work panics: the scope waits for the thread.
+    struct StopAtEnd<'a>(&'a StopSignal);
+    impl Drop for StopAtEnd<'_> {
+        fn drop(&mut self) {
+            self.0.request();
+        }
+    }
+    let stop = StopSignal::new().map_err(ServeError::io("socket pair"))?;
+    std::thread::scope(|scope| {
+        let _at_end = StopAtEnd(&stop);
+        // If it fails, newcomers wait until the work is done, as they would without it.
+        scope.spawn(|| greet_until(&stop, maps, lock, &|_| {}, &mut || Ok(())));
+        work()
+    })
+}

@@ -1,0 +1,134 @@
+//! Whether a map fits, asked before anything is created: shared memory that is written without being there kills the
+//! writer with a signal, or makes the kernel kill somebody.
+
+use super::error::ServeError;
+use mapd_client::transport::SHARED_MEMORY_FOLDER;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// What a publisher needs besides the payload: header, allocator state, queues to all subscribers, rounding to pages.
+const OVERHEAD: u64 = 1 << 20;
+
+/// Mount point of control groups, version 2.
+const CGROUP_ROOT: &str = "/sys/fs/cgroup";
+
+/// Bytes that something leaves us.
+struct Room {
+    available: u64,
+    limit: &'static str,
+    hint: &'static str,
+}
+
+/// Checks that `length` bytes can be published.
+///
+/// Errors: [`ServeError::NotEnoughMemory`], naming the tightest limit. A limit that cannot be read is none.
+pub(crate) fn check(map: &str, length: u64) -> Result<(), ServeError> {
+    let needed = length.saturating_add(OVERHEAD);
+    let rooms = [file_system(), control_group(), machine()];
+    match rooms.into_iter().flatten().min_by_key(|room| room.available) {
+        Some(Room { available, limit, hint }) if available < needed => {
+            Err(ServeError::NotEnoughMemory { map: map.to_owned(), needed, available, limit, hint })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The kernel refused to provide the pages although [`check`] saw room: somebody else was quicker.
+pub(crate) fn refused(map: &str, length: u64, error: &std::io::Error) -> ServeError {
+    let limit = "the kernel";
+    let available = file_system().map_or(0, |room| room.available);
+    match error.kind() {
+        std::io::ErrorKind::StorageFull | std::io::ErrorKind::OutOfMemory => {
+            ServeError::NotEnoughMemory {
+                map: map.to_owned(),
+                needed: length.saturating_add(OVERHEAD),
+                available,
+                limit,
+                hint: "free memory, or enlarge /dev/shm",
+            }
+        }
+        _ => ServeError::io(SHARED_MEMORY_FOLDER)(std::io::Error::new(
+            error.kind(),
+            error.to_string(),
+        )),
+    }
+}
+
+fn file_system() -> Option<Room> {
+    let fs = rustix::fs::statvfs(SHARED_MEMORY_FOLDER).ok()?;
+    let hint = "enlarge it (`mount -o remount,size=…`, for containers `--shm-size`)";
+    Some(Room {
+        available: fs.f_bavail.saturating_mul(fs.f_frsize),
+        limit: SHARED_MEMORY_FOLDER,
+        hint,
+    })
+}
+
+fn machine() -> Option<Room> {
+    let text = fs::read_to_string("/proc/meminfo").ok()?;
+    let available = [field(&text, "MemAvailable:"), field(&text, "SwapFree:")];
+    let kilobytes = available[0]?.saturating_add(available[1].unwrap_or(0));
+    Some(Room {
+        available: kilobytes.saturating_mul(1024),
+        limit: "the machine's memory",
+        hint: "free some",
+    })
+}
+
+/// The tightest of this process's control group and those around it.
+fn control_group() -> Option<Room> {
+    let text = fs::read_to_string("/proc/self/cgroup").ok()?;
+    let own = text.lines().find_map(|line| line.strip_prefix("0::/"))?;
+    let own: PathBuf = Path::new(CGROUP_ROOT).join(own);
+    let around = own.ancestors().take_while(|folder| folder.starts_with(CGROUP_ROOT));
+    let available = around.filter_map(left_in_group).min()?;
+    Some(Room {
+        available,
+        limit: "the control group's memory.max",
+        hint: "raise the limit of the container or service",
+    })
+}
+
+/// `memory.max − memory.current`, and what the kernel takes back by itself when memory is short: cached files. Shared
+/// memory is not among them.
+fn left_in_group(folder: &Path) -> Option<u64> {
+    let read = |name: &str| fs::read_to_string(folder.join(name)).ok();
+    let max: u64 = read("memory.max")?.trim().parse().ok()?;
+    let current: u64 = read("memory.current")?.trim().parse().ok()?;
+    let stat = read("memory.stat").unwrap_or_default();
+    let cached = [field(&stat, "inactive_file"), field(&stat, "active_file")];
+    let cached: u64 = cached.iter().flatten().sum();
+    Some(max.saturating_sub(current.saturating_sub(cached)))
+}
+
+/// The number after a name at the beginning of a line.
+fn field(text: &str, name: &str) -> Option<u64> {
+    text.lines().find_map(|line| line.strip_prefix(name)?.split_whitespace().next()?.parse().ok())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_byte_fits_and_the_largest_number_does_not() {
+        assert!(check("m", 1).is_ok());
+        assert!(matches!(check("m", u64::MAX), Err(ServeError::NotEnoughMemory { .. })));
+    }
+
+    #[test]
+    fn a_group_is_read() {
+        let folder = std::env::temp_dir().join(format!("mapd-group-{}", std::process::id()));
+        fs::create_dir_all(&folder).expect("a folder");
+        let write = |name: &str, text: &str| fs::write(folder.join(name), text).expect("a file");
+        assert_eq!(left_in_group(&folder), None, "no controller, no limit");
+        write("memory.max", "1000\n");
+        write("memory.current", "700\n");
+        assert_eq!(left_in_group(&folder), Some(300));
+        write("memory.stat", "anon 1\ninactive_file 50\nactive_file 40\n");
+        assert_eq!(left_in_group(&folder), Some(390));
+        write("memory.max", "max\n");
+        assert_eq!(left_in_group(&folder), None, "no limit set");
+        fs::remove_dir_all(&folder).expect("the folder");
+    }
+}

@@ -1,0 +1,53 @@
+//! The file that holds a generation.
+
+use super::served_map::MapPublisher;
+use mapd_client::transport::{Domain, SHARED_MEMORY_FOLDER};
+use rustix::fs::FallocateFlags;
+use std::fs::{File, OpenOptions, Permissions};
+use std::io;
+use std::os::unix::fs::PermissionsExt;
+
+/// Mode of a published data segment: nobody changes it any more.
+const READ_ONLY: u32 = 0o444;
+
+/// The data segment of a publisher.
+pub(crate) struct Segment(File);
+
+impl Segment {
+    /// Finds it. iceoryx2 names it prefix, hash of a type name, `_`, publisher, `.data`.
+    ///
+    /// Errors: there is none, or the system refuses.
+    pub(crate) fn of(domain: &Domain, publisher: &MapPublisher) -> io::Result<Self> {
+        let suffix = format!("_{}.data", publisher.id().value());
+        let is_it = |name: &str| name.starts_with(domain.prefix()) && name.ends_with(&suffix);
+        for entry in std::fs::read_dir(SHARED_MEMORY_FOLDER)? {
+            let entry = entry?;
+            if entry.file_name().to_str().is_some_and(is_it) {
+                return Ok(Self(OpenOptions::new().read(true).write(true).open(entry.path())?));
+            }
+        }
+        Err(io::Error::new(
+            io::ErrorKind::NotFound,
+            format!("no data segment {}*{suffix}", domain.prefix()),
+        ))
+    }
+
+    /// Has the kernel provide all its pages now: too little memory is an error here, and would be SIGBUS for whoever
+    /// writes. (Populating the mapping with `madvise` would do as well, but needs Linux 5.14.)
+    ///
+    /// Errors: no space, no memory.
+    pub(crate) fn reserve(&self) -> io::Result<()> {
+        let length = self.0.metadata()?.len();
+        Ok(rustix::io::retry_on_intr(|| {
+            rustix::fs::fallocate(&self.0, FallocateFlags::empty(), 0, length)
+        })?)
+    }
+
+    /// Makes it read-only for good. Existing mappings stay what they are; iceoryx2 maps readers read-only anyway, but
+    /// would give any process of the user a writable one.
+    ///
+    /// Errors: what the system says.
+    pub(crate) fn protect(&self) -> io::Result<()> {
+        self.0.set_permissions(Permissions::from_mode(READ_ONLY))
+    }
+}

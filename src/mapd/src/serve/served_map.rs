@@ -1,0 +1,132 @@
+//! One map of a server: its services, its publisher, its claim.
+
+use super::error::ServeError;
+use super::notice::Notice;
+use super::services::MapServices;
+use iceoryx2::port::listener::Listener;
+use iceoryx2::port::notifier::Notifier;
+use iceoryx2::port::publisher::Publisher;
+use iceoryx2::port::update_connections::UpdateConnections;
+use iceoryx2::prelude::{AllocationStrategy, Node};
+use iceoryx2::service::port_factory::PortFactory as _;
+use mapd_client::transport::{
+    AttachGuard, Chunk64, Claim, Domain, GenerationInfo, TransportService,
+};
+
+pub(crate) type MapPublisher = Publisher<TransportService, [Chunk64], GenerationInfo>;
+
+/// The services and ports of a map. Fields are dropped in the order they are written.
+pub(crate) struct MapPorts {
+    current: Option<(MapPublisher, GenerationInfo)>,
+    pub(crate) woken: Listener<TransportService>,
+    changed: Notifier<TransportService>,
+    services: MapServices,
+    claim: Claim,
+}
+
+impl MapPorts {
+    /// Opens or creates the services of a claimed map. Opens those that clients of a killed daemon still hold.
+    ///
+    /// Errors: iceoryx2 refuses; the claim is given up.
+    pub(crate) fn create(
+        domain: &Domain,
+        node: &Node<TransportService>,
+        map: &str,
+        claim: Claim,
+        exclusive: Option<&AttachGuard>,
+    ) -> Result<Self, ServeError> {
+        let ports =
+            MapServices::open_or_create(domain, node, map, exclusive).and_then(|services| {
+                let woken = services
+                    .wake
+                    .listener_builder()
+                    .create()
+                    .map_err(ServeError::iceoryx("creating a listener"))?;
+                let changed = services
+                    .changed
+                    .notifier_builder()
+                    .create()
+                    .map_err(ServeError::iceoryx("creating a notifier"))?;
+                Ok((services, woken, changed))
+            });
+        match ports {
+            Ok((services, woken, changed)) => {
+                Ok(Self { current: None, woken, changed, services, claim })
+            }
+            Err(error) => {
+                claim.release();
+                Err(error)
+            }
+        }
+    }
+
+    /// A publisher for one sample of exactly `chunks` chunks. Connects to every subscriber, but sends nothing.
+    ///
+    /// Errors: iceoryx2 refuses.
+    pub(crate) fn create_publisher(
+        &self,
+        chunks: usize,
+        _exclusive: Option<&AttachGuard>,
+    ) -> Result<MapPublisher, ServeError> {
+        self.services
+            .map
+            .publisher_builder()
+            .initial_max_slice_len(chunks)
+            .allocation_strategy(AllocationStrategy::Static)
+            .max_loaned_samples(1)
+            // One sample is all there ever is. iceoryx2 would reserve one for each that subscribers could hold, each as
+            // large as the map.
+            .override_sample_preallocation(|_| 1)
+            .create()
+            .map_err(ServeError::iceoryx("creating a publisher"))
+    }
+
+    /// Makes a publisher whose sample was sent the current one and drops the one before: readers keep what they hold.
+    pub(crate) fn replace(
+        &mut self,
+        publisher: MapPublisher,
+        info: GenerationInfo,
+        _exclusive: Option<&AttachGuard>,
+    ) {
+        self.current = Some((publisher, info));
+    }
+
+    /// Tells those who wait.
+    ///
+    /// Errors: iceoryx2 refuses; whoever waits looks by itself now and then.
+    pub(crate) fn announce(&self) -> Result<(), ServeError> {
+        self.changed.notify().map(|_| ()).map_err(ServeError::iceoryx("announcing a generation"))
+    }
+
+    /// What is served.
+    pub(crate) fn info(&self) -> Option<&GenerationInfo> {
+        self.current.as_ref().map(|(_, info)| info)
+    }
+
+    /// Subscriptions now.
+    pub(crate) fn subscribers(&self) -> usize {
+        self.services.map.dynamic_config().number_of_subscribers()
+    }
+
+    /// Takes the wake-ups that have come, so that the next one is seen.
+    pub(crate) fn take_wake_ups(&self) {
+        // Fails only when interrupted by a signal; then the wait set reports the same wake-up again.
+        let _ = self.woken.try_wait(|_| {});
+    }
+
+    /// Gives the generation to newcomers.
+    pub(crate) fn greet(&self, map: &str, notify: &dyn Fn(&Notice)) {
+        if let Some((publisher, _)) = &self.current
+            && let Err(error) = publisher.update_connections()
+        {
+            notify(&Notice::Unconnected { map: map.to_owned(), error: format!("{error:?}") });
+        }
+    }
+
+    /// Closes the ports, then gives up the claim.
+    pub(crate) fn close(self) {
+        let Self { current, woken, changed, services, claim } = self;
+        drop((current, woken, changed, services));
+        claim.release();
+    }
+}
