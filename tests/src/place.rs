@@ -117,17 +117,26 @@ impl Daemon {
 
     /// Reads its messages until it says that it serves.
     pub fn wait_until_serving(&mut self) {
+        if let Err(text) = self.wait_for_serving() {
+            panic!("the daemon ended without serving: {text}");
+        }
+    }
+
+    /// Reads its messages until it says that it serves.
+    ///
+    /// Errors: it ended before; what it said.
+    pub fn wait_for_serving(&mut self) -> Result<(), String> {
         let stderr = self.0.stderr.take().expect("stderr");
         let mut lines = BufReader::new(stderr);
-        let mut line = String::new();
-        while lines.read_line(&mut line).expect("stderr can be read") > 0 {
-            if line.contains("serving") {
+        let mut text = String::new();
+        while lines.read_line(&mut text).expect("stderr can be read") > 0 {
+            if text.lines().last().is_some_and(|line| line.contains("serving")) {
                 // Whatever follows is not needed, but must not block the daemon.
                 std::thread::spawn(move || std::io::copy(&mut lines, &mut std::io::sink()));
-                return;
+                return Ok(());
             }
         }
-        panic!("the daemon ended without serving: {line}");
+        Err(text)
     }
 
     /// SIGKILL.

@@ -4,13 +4,14 @@
 //! - `faults NAME`: minor page faults of the checked access, and how the data segment is mapped.
 //! - `write NAME`: writes to the map, which must end the process.
 //! - `connect NAME WAIT_MS`: attaches with a deadline and says what came of it.
+//! - `ask NAME WAIT_MS`: attaches, asks for a lane, detaches.
 //! - `wait NAME WAIT_MS`: attaches, says so, reads a line from stdin, and waits for the next generation.
 //!
 //! One `key value` per line on stdout.
 #![allow(unsafe_code, clippy::print_stdout)]
 
 use mapd_client::transport::Subscription;
-use mapd_client::{Client, Domain, archive};
+use mapd_client::{Client, Domain, NearestOptions, archive, glam::DVec2};
 use std::io::{Read, Seek};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -28,6 +29,7 @@ fn main() -> ExitCode {
         ["faults", map] => faults(map),
         ["write", map] => write(map),
         ["connect", map, wait] => milliseconds(wait).and_then(|wait| connect(map, wait)),
+        ["ask", map, wait] => milliseconds(wait).and_then(|wait| ask(map, wait)),
         ["wait", map, wait] => milliseconds(wait).and_then(|wait| wait_next(map, wait)),
         _ => Err("unknown arguments".into()),
     };
@@ -72,6 +74,13 @@ fn connect(map: &str, wait: Duration) -> Outcome {
     let outcome = Client::connect(map, wait);
     println!("milliseconds {}", start.elapsed().as_millis());
     println!("generation {}", outcome?.snapshot().generation());
+    Ok(())
+}
+
+fn ask(map: &str, wait: Duration) -> Outcome {
+    let snapshot = Client::connect(map, wait)?.snapshot();
+    let hit = snapshot.map().nearest_lane(DVec2::new(50.0, -1.75), &NearestOptions::default())?;
+    println!("lane {}", snapshot.map().lane(hit.ok_or("no lane")?.lane)?.key());
     Ok(())
 }
 
