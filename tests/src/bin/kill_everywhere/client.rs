@@ -4,8 +4,9 @@ use crate::holder::Stage;
 use crate::{Plan, Tally, trace};
 use std::time::Duration;
 
-/// After the last kill the daemon has this long to clean up; it does so about once a second.
-const CLEAN_UP: Duration = Duration::from_secs(10);
+/// After the last kill the daemon has this long to clean up. It does so about once a second; what may belong to a process
+/// that is just leaving it lets lie for ten.
+const CLEAN_UP: Duration = Duration::from_secs(30);
 
 pub(crate) fn kill_everywhere(plan: &Plan) -> Result<Tally, Box<dyn std::error::Error>> {
     let stage = Stage::new()?;
