@@ -3,53 +3,13 @@
 use mapd_archive::{
     AlignedBytes, HEADER_LENGTH, OpenError, Tables, VerifyError, encode, open, verify,
 };
-use mapd_client::{NearestOptions, Snapshot, Track, glam::DVec2};
 use mapd_compiler::{CompileOptions, compile};
+use mapd_tests::damage::{ask_everything, seal, seal_header};
 
 fn archive(name: &str) -> AlignedBytes {
     let file = std::fs::File::open(mapd_tests::carried(name)).expect("the map can be read");
     let compiled = compile(file, &CompileOptions::default(), &mut |_| {}).expect("reading works");
     encode(&compiled.rows.expect("accepted"), &compiled.provenance).expect("encodes")
-}
-
-/// Asks everything of a map that may be damaged; only the absence of a panic counts.
-fn ask_everything(bytes: AlignedBytes) {
-    let Ok(snapshot) = Snapshot::from_bytes(bytes) else { return };
-    let map = snapshot.map();
-    for x in [-5.0, 20.0, 120.0] {
-        let _ = map.nearest_lane(DVec2::new(x, 1.0), &NearestOptions::default());
-    }
-    for road in map.roads() {
-        let _ = (
-            road.id(),
-            road.name(),
-            road.junction().map(|j| j.id()),
-            road.predecessor(),
-            road.successor(),
-        );
-        let _ = road.to_inertial(Track { s: 10.0, t: 1.0, h: 0.0 });
-        let _ = road.to_track(DVec2::new(3.0, 4.0));
-        let _ = (road.section_at(5.0).map(|s| s.lane_at(5.0, 1.0).is_some()), road.types().count());
-    }
-    for lane in map.lanes() {
-        let _ = (
-            lane.key().to_string(),
-            lane.left_bound().positions().count(),
-            lane.right_bound().len(),
-        );
-        let _ = (
-            lane.successors().count(),
-            lane.left().is_some(),
-            lane.right().is_some(),
-            lane.speeds().count(),
-        );
-        let _ = lane.pose_at(1.0, 0.0);
-    }
-    for junction in map.junctions() {
-        let _ = junction.connections().map(|c| c.lane_links().count()).sum::<usize>();
-    }
-    let _ = map.road_by_id("1");
-    let _ = snapshot.verify();
 }
 
 #[test]
@@ -133,18 +93,6 @@ fn places(tables: &Tables<'_>, base: usize) -> Vec<(&'static str, std::ops::Rang
     places
 }
 
-/// Makes hashes fit again, as a faulty or hostile writer would: what is left to find damage are the checks of rows.
-fn seal(bytes: &mut [u8]) {
-    let content = blake3::hash(&bytes[HEADER_LENGTH..]);
-    bytes[40..72].copy_from_slice(content.as_bytes());
-    seal_header(bytes);
-}
-
-fn seal_header(bytes: &mut [u8]) {
-    let sum = blake3::hash(&bytes[..120]);
-    bytes[120..HEADER_LENGTH].copy_from_slice(&sum.as_bytes()[..8]);
-}
-
 /// Flips per table of the town.
 const FLIPS: usize = 10;
 
@@ -167,6 +115,41 @@ fn flips_in_every_table_are_found_and_survived_even_with_fitting_hashes() {
             ask_everything(bad);
         }
     }
+}
+
+/// Found by fuzzing: numbers that are none, as bounds of `f64::clamp`, made the nearest lane panic.
+#[test]
+fn numbers_that_are_none_do_not_panic() {
+    let good = archive("one_road.xodr");
+    let places = places(&open(&good).expect("opens").tables, good.as_ptr() as usize);
+    for (_, place) in places
+        .iter()
+        .filter(|(name, _)| ["cubics", "geometries", "sections", "coefficients"].contains(name))
+    {
+        for at in place.clone().step_by(7 * size_of::<f64>()) {
+            for value in [f64::NAN, f64::INFINITY, -f64::MAX] {
+                let mut bad = good.clone();
+                if let Some(bytes) = bad.get_mut(at..at + size_of::<f64>()) {
+                    bytes.copy_from_slice(&value.to_le_bytes());
+                }
+                seal(&mut bad);
+                ask_everything(bad);
+            }
+        }
+    }
+}
+
+/// Found by fuzzing: a section with a damaged count of lanes was walked through to its end, four thousand million rows.
+#[test]
+fn damaged_counts_end_at_the_table() {
+    let mut bad = archive("one_road.xodr");
+    let places = places(&open(&bad).expect("opens").tables, bad.as_ptr() as usize);
+    let section = &places.iter().find(|(name, _)| *name == "sections").expect("a table").1;
+    for at in section.clone() {
+        bad[at] |= 0x7f;
+    }
+    seal(&mut bad);
+    ask_everything(bad);
 }
 
 /// Small and repeatable (Marsaglia's xorshift).

@@ -5,6 +5,7 @@ use crate::lanes::view;
 use crate::options::CompileOptions;
 use glam::DVec2;
 use mapd_archive::{IndexLeafRow, IndexNodeRow, NONE, Rows};
+use mapd_geometry::clamp;
 use mapd_query::{Lane, Map};
 use rayon::prelude::*;
 
@@ -113,7 +114,7 @@ fn reach(lane: &Lane<'_>, map_origin: DVec2, a: DVec2, b: DVec2, s_a: f32, s_b: 
             if let (Some((p, s_p)), Some((q, s_q))) = (i.checked_sub(1).and_then(xy), xy(i))
                 && s_q > s_p
             {
-                visit(p.lerp(q, f64::from(((cut - s_p) / (s_q - s_p)).clamp(0.0, 1.0))));
+                visit(p.lerp(q, clamp(f64::from((cut - s_p) / (s_q - s_p)), 0.0, 1.0)));
             }
         }
     }
@@ -123,7 +124,7 @@ fn reach(lane: &Lane<'_>, map_origin: DVec2, a: DVec2, b: DVec2, s_a: f32, s_b: 
 fn distance_to_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     let d = b - a;
     let squared = d.length_squared();
-    let along = if squared > 0.0 { ((p - a).dot(d) / squared).clamp(0.0, 1.0) } else { 0.0 };
+    let along = if squared > 0.0 { clamp((p - a).dot(d) / squared, 0.0, 1.0) } else { 0.0 };
     p.distance(a + d * along)
 }
 

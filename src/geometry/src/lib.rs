@@ -50,6 +50,7 @@ pub use primitive::{CurveKind, PARAMETER_PIECE, ParameterRange, Primitive, SPIRA
 /// `value` within [lo, hi]; not-a-number becomes `lo`. Unlike `f64::clamp` it cannot panic, and unlike `f64::max` it
 /// never returns a zero of unspecified sign.
 #[inline]
-fn clamp(value: f64, lo: f64, hi: f64) -> f64 {
+#[must_use]
+pub fn clamp(value: f64, lo: f64, hi: f64) -> f64 {
     if value > lo { if value < hi { value } else { hi } } else { lo }
 }

@@ -6,7 +6,7 @@
 use crate::lane::Lane;
 use crate::types::LanePosition;
 use glam::DVec2;
-use mapd_geometry::normalize_angle;
+use mapd_geometry::{clamp, normalize_angle};
 
 /// Iterations for the foot on a border; each gains several digits, the last ones are for points far outside.
 const BORDER_ITERATIONS: usize = 12;
@@ -54,7 +54,7 @@ pub(crate) fn position_in_slab(lane: &Lane<'_>, slab: Slab, local: DVec2) -> Opt
         slab.s_lo - piece.s,
         slab.s_hi - piece.s,
     );
-    let s = (piece.s + foot.u).clamp(slab.s_lo, slab.s_hi);
+    let s = clamp(piece.s + foot.u, slab.s_lo, slab.s_hi);
     let (roll_cos, roll_sin) = lane.road.roll(s);
     let t = foot.lateral / roll_cos;
     let edges = lane.edges_at(s);
@@ -68,7 +68,8 @@ pub(crate) fn position_in_slab(lane: &Lane<'_>, slab: Slab, local: DVec2) -> Opt
             let (tangent, normal) =
                 (DVec2::new(foot.cos, foot.sin), DVec2::new(-foot.sin, foot.cos));
             let away = local - DVec2::new(foot.x, foot.y);
-            let past = away.dot(normal) - (away.dot(normal)).clamp(low * roll_cos, high * roll_cos);
+            let sideways = away.dot(normal);
+            let past = sideways - clamp(sideways, low * roll_cos, high * roll_cos);
             best = away.dot(tangent).hypot(past);
         }
         if beside {
@@ -122,7 +123,8 @@ fn border_distance(
         // Curvature of the border, its own change of t left out: it only shapes the step.
         let curvature = if stretch.abs() > f64::EPSILON { point.curvature / stretch } else { 0.0 };
         let contraction = (1.0 - curvature * away.dot(normal)).max(MIN_CONTRACTION);
-        let next = (s + away.dot(derivative) / (squared * contraction)).clamp(slab.s_lo, slab.s_hi);
+        let next = s + away.dot(derivative) / (squared * contraction);
+        let next = clamp(next, slab.s_lo, slab.s_hi);
         let step = (next - s).abs();
         if step <= BORDER_STEP || !step.is_finite() {
             break;

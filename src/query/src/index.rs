@@ -86,7 +86,8 @@ pub(crate) fn squared_distances(leaf: &ArchivedIndexLeafRow, qx: f32, qy: f32) -
     for k in 0..WIDTH {
         let (ex, ey) = (qx - ax[k], qy - ay[k]);
         let length = (dx[k] * dx[k] + dy[k] * dy[k]).max(f32::MIN_POSITIVE);
-        let along = ((ex * dx[k] + ey * dy[k]) / length).clamp(0.0, 1.0);
+        let along = (ex * dx[k] + ey * dy[k]) / length;
+        let along = if along > 0.0 { along.min(1.0) } else { 0.0 };
         let (fx, fy) = (ex - along * dx[k], ey - along * dy[k]);
         out[k] = fx * fx + fy * fy;
     }

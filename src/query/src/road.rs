@@ -12,7 +12,7 @@ use mapd_archive::{
     ArchivedCubicRow, ArchivedGeometryRow, ArchivedRoadRow, ContactPoint, LinkKind, NONE, Range,
     RoadType, SpeedKind, string,
 };
-use mapd_geometry::{Curve, CurveKind, CurvePoint, Start, normalize_angle};
+use mapd_geometry::{Curve, CurveKind, CurvePoint, Start, clamp, normalize_angle};
 
 /// A road.
 #[derive(Clone, Copy)]
@@ -137,8 +137,8 @@ impl<'a> Road<'a> {
     /// Sections in ascending s.
     pub fn sections(&self) -> impl Iterator<Item = LaneSection<'a>> + 'a {
         let map = self.map;
-        let range = self.row.sections();
-        (0..range.count).filter_map(move |i| LaneSection::new(map, range.first.checked_add(i)?))
+        let rows = self.row.sections().rows(map.tables().sections.len());
+        rows.filter_map(move |row| LaneSection::new(map, row))
     }
 
     /// Section by its number, from 0.
@@ -247,7 +247,7 @@ impl<'a> Road<'a> {
         if !(track.s.is_finite() && track.t.is_finite() && track.h.is_finite()) {
             return Err(QueryError::NotFinite);
         }
-        let s = track.s.clamp(0.0, self.reference_end().max(0.0));
+        let s = clamp(track.s, 0.0, self.reference_end().max(0.0));
         let point = self.reference_at(s).ok_or(QueryError::Corrupt)?;
         let elevation = profile::slope(self.cubics(self.row.elevations()), s);
         let (roll_cos, roll_sin) = self.roll(s);
@@ -299,7 +299,7 @@ impl<'a> Road<'a> {
             }
         }
         let (distance, piece, foot) = best.ok_or(QueryError::Corrupt)?;
-        let s = (piece.s + foot.u).clamp(0.0, end.max(0.0));
+        let s = clamp(piece.s + foot.u, 0.0, end.max(0.0));
         let (roll_cos, roll_sin) = self.roll(s);
         let at_end = foot.clamped && (s <= 0.0 || s >= end);
         let (t, h) = match point.z {
