@@ -7,7 +7,7 @@ use crate::index;
 use crate::lane::Lane;
 use crate::map::Map;
 use crate::types::{LanePosition, Point};
-use mapd_archive::{LaneType, NONE};
+use mapd_archive::LaneType;
 use mapd_geometry::normalize_angle;
 use std::cmp::Ordering;
 
@@ -131,27 +131,21 @@ impl<'a> Map<'a> {
         let mut best: Option<Candidate<'a>> = None;
         // Single precision rounds the bound; a little more than the radius loses nothing, the exact test follows.
         let start = round_up(options.radius);
-        index::visit(self.tables(), local, start, |leaf, qx, qy, mut bound| {
-            let (lanes, points, reach) = (leaf.lane(), leaf.point(), leaf.reach());
-            // No point of a lane's stretch is nearer than this. The most promising comes first: what it yields excludes
-            // most of the others before they cost a projection.
-            let mut lower = index::squared_distances(leaf, qx, qy);
-            for k in 0..lower.len() {
-                lower[k] =
-                    if lanes[k] == NONE { f32::INFINITY } else { lower[k].sqrt() - reach[k] };
-            }
-            loop {
-                let (mut k, mut least) = (0, f32::INFINITY);
-                for (place, value) in lower.iter().enumerate() {
-                    if *value < least {
-                        (k, least) = (place, *value);
-                    }
-                }
-                if least > bound || least == f32::INFINITY {
+        let heights = match (point.z, options.z_tolerance) {
+            (Some(z), Some(tolerance)) => Some([z - tolerance, z + tolerance]),
+            _ => None,
+        };
+        index::visit(self.tables(), local, heights, start, |leaf, qx, qy, mut bound| {
+            let (lanes, segments) = (leaf.lane(), leaf.segment());
+            let lower = index::lower_bounds(leaf, qx, qy, heights);
+            let mut open = index::places_within(&lower, bound);
+            // The most promising comes first: what it yields excludes most of the others before they cost a projection.
+            while let Some(k) = index::least(&lower, open) {
+                open &= !(1 << k);
+                if lower[k] > bound {
                     break;
                 }
-                lower[k] = f32::INFINITY;
-                let Some(candidate) = self.candidate(lanes[k], points[k], point, local, options)
+                let Some(candidate) = self.candidate(lanes[k], segments[k], point, local, options)
                 else {
                     continue;
                 };
@@ -173,7 +167,7 @@ impl<'a> Map<'a> {
     fn candidate(
         &self,
         lane: u32,
-        segment: u32,
+        segment: u16,
         point: Point,
         local: glam::DVec2,
         options: &NearestOptions,
@@ -182,7 +176,7 @@ impl<'a> Map<'a> {
         if !options.types.contains(lane.kind()) {
             return None;
         }
-        let slab = area::slab(&lane, segment.checked_sub(lane.row.center().first)? as usize)?;
+        let slab = area::slab(&lane, usize::from(segment))?;
         let position = area::position_in_slab(&lane, slab, local)?;
         let z_difference = point.z.map_or(0.0, |z| (z - position.z).abs());
         let heading_difference =
