@@ -7,6 +7,7 @@
 //! assert!(mapd_tests::carried("one_road.xodr").exists());
 //! ```
 
+pub mod maps;
 pub mod place;
 pub mod town;
 

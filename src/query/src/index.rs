@@ -89,6 +89,40 @@ pub(crate) fn visit<'a>(
     }
 }
 
+/// Visits every leaf that may hold something of a box (relative to the local origin, smallest and largest coordinates).
+pub(crate) fn visit_box<'a>(
+    tables: &Tables<'a>,
+    low: DVec2,
+    high: DVec2,
+    mut visit: impl FnMut(&'a ArchivedIndexLeafRow),
+) {
+    let Some(depth) = tables.index_levels.len().checked_sub(1) else { return };
+    let mut stack = [(0u32, 0u32); STACK];
+    let mut top = 1;
+    while top > 0 {
+        top -= 1;
+        let Some(&(level, at)) = stack.get(top) else { return };
+        if level as usize == depth {
+            tables.index_leaves.get(at as usize).into_iter().for_each(&mut visit);
+            continue;
+        }
+        let first = tables.index_levels.get(level as usize).copied().unwrap_or(0);
+        let Some(node) = tables.index_nodes.get(first.wrapping_add(at) as usize) else { continue };
+        let (min_x, min_y, max_x, max_y) = (node.min_x(), node.min_y(), node.max_x(), node.max_y());
+        for k in 0..WIDTH {
+            let apart = f64::from(min_x[k]) > high.x
+                || f64::from(max_x[k]) < low.x
+                || f64::from(min_y[k]) > high.y
+                || f64::from(max_y[k]) < low.y;
+            if apart || top >= STACK {
+                continue;
+            }
+            stack[top] = (level + 1, at.wrapping_mul(WIDTH as u32).wrapping_add(k as u32));
+            top += 1;
+        }
+    }
+}
+
 /// Squared distances of a point (relative to the leaf's origin) from the leaf's segments `[m²]`.
 #[inline]
 pub(crate) fn squared_distances(leaf: &ArchivedIndexLeafRow, qx: f32, qy: f32) -> [f32; WIDTH] {

@@ -53,7 +53,7 @@ impl<'a> LaneSection<'a> {
     }
 
     /// Lanes from left to right, lane 0 among them.
-    pub fn lanes(&self) -> impl Iterator<Item = Lane<'a>> + 'a {
+    pub fn lanes(&self) -> impl Iterator<Item = Lane<'a>> + use<'a> {
         let map = self.map;
         let range = self.row.lanes();
         (0..range.count).filter_map(move |i| Lane::new(map, range.first.checked_add(i)?))
