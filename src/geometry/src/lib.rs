@@ -40,7 +40,7 @@ mod point;
 mod primitive;
 mod spiral;
 
-pub use angle::{cos_sin, normalize_angle};
+pub use angle::{atan2, cos_sin, normalize_angle};
 pub use compile::{CompileError, Compiled, MAX_LENGTH, MAX_PIECES, MAX_TURNING, compile};
 pub use cubic::Cubic;
 pub use curve::Curve;

@@ -53,7 +53,7 @@ impl<'a> LaneSection<'a> {
     }
 
     /// Lanes from left to right, lane 0 among them.
-    pub fn lanes(&self) -> impl Iterator<Item = Lane<'a>> + 'a {
+    pub fn lanes(&self) -> impl Iterator<Item = Lane<'a>> + use<'a> {
         let map = self.map;
         let rows = self.row.lanes().rows(map.tables().lanes.len());
         rows.filter_map(move |row| Lane::new(map, row))
