@@ -12,6 +12,9 @@ use glam::DVec2;
 /// per metre of its distance and at least this many metres.
 const PERPENDICULAR: f64 = 1e-9;
 
+/// Longest last step of a projection `[m]`: what it neglects is of the order of its square.
+const LAST_STEP: f64 = 1e-7;
+
 /// A compiled curve over u ∈ [0, length] m, borrowing its coefficients.
 ///
 /// `u` is arc length; only for a paramPoly3 whose true length differs from the written one it is arc length scaled to
@@ -187,10 +190,22 @@ impl<'a> Curve<'a> {
         self.foot(target, u, 0.0, length)
     }
 
-    /// What is known about the foot at `u` of a target in the curve's own frame.
+    /// What is known about the foot near `u` of a target in the curve's own frame.
+    ///
+    /// The search for it stops within about 1e-10 m, and takes a spiral's direction from its polynomials. One more step
+    /// with the exact direction makes the gap perpendicular to it to rounding, so that a point is met again from its s and
+    /// t.
     #[inline]
     fn foot(&self, target: DVec2, u: f64, lo: f64, hi: f64) -> Projection {
-        let frame = self.frame(u);
+        let (mut u, mut frame) = (u, self.frame(u));
+        if let Shape::Spiral(_) | Shape::Parametric(_) = self.shape {
+            let gap = target - frame.position;
+            let bend = 1.0 - frame.curvature * frame.tangent.perp_dot(gap);
+            let better = u + gap.dot(frame.tangent) / bend;
+            if better != u && (better - u).abs() <= LAST_STEP && lo < better && better < hi {
+                (u, frame) = (better, self.frame(better));
+            }
+        }
         let gap = target - frame.position;
         let distance_squared = gap.length_squared();
         let ahead = gap.dot(frame.tangent);

@@ -14,6 +14,10 @@ use mapd_archive::{
 };
 use mapd_geometry::{Curve, CurveKind, CurvePoint, Start, clamp, normalize_angle};
 
+/// Two geometries that meet may miss each other by the rounding of their written coordinates: a unit in the last place of
+/// 8,000 km `[m]`. Of two feet whose distances differ by less, the perpendicular one is the foot.
+const JOINT: f64 = 1e-9;
+
 /// A road.
 #[derive(Clone, Copy)]
 pub struct Road<'a> {
@@ -305,13 +309,18 @@ impl<'a> Road<'a> {
                 Some(CurveKind::Poly3 | CurveKind::ParamPoly3)
             );
             let nearest_possible = if scaled { 0.0 } else { from_start - g.length() };
-            if best.as_ref().is_some_and(|(d, ..)| nearest_possible > *d) {
+            if best.as_ref().is_some_and(|(d, ..)| nearest_possible > *d + JOINT) {
                 continue;
             }
             let piece = self.piece(g).ok_or(QueryError::Corrupt)?;
             let foot = piece.curve.project(local.x, local.y);
             let distance = foot.distance_squared.sqrt();
-            if best.as_ref().is_none_or(|(d, ..)| distance < *d) {
+            let better = |(d, _, b): &(f64, Piece<'a>, mapd_geometry::Projection)| {
+                // A perpendicular foot has to lose by more than rounding, and wins within it.
+                let allowance = f64::from(i8::from(b.clamped) - i8::from(foot.clamped)) * JOINT;
+                distance < *d + allowance
+            };
+            if best.as_ref().is_none_or(better) {
                 best = Some((distance, piece, foot));
             }
         }
