@@ -175,19 +175,26 @@ impl<'a> Curve<'a> {
     /// The nearest point of the whole curve to (`x`, `y`) `[m]`; of equally near points the first.
     #[must_use]
     pub fn project(&self, x: f64, y: f64) -> Projection {
-        let length = self.length;
+        self.project_within(x, y, self.length)
+    }
+
+    /// As [`project`](Self::project), over u ∈ [0, `limit`] `[m]`: of a geometry that the next one of a road cuts short.
+    #[must_use]
+    pub fn project_within(&self, x: f64, y: f64, limit: f64) -> Projection {
+        let (length, limit) = (self.length, self.clamp(limit));
         let target = self.start.localize(x, y);
         let u = match &self.shape {
-            Shape::Line => clamp(target.x, 0.0, length),
-            Shape::Arc { curvature } => arc::project(*curvature, target, 0.0, 0.0, length),
+            Shape::Line => clamp(target.x, 0.0, limit),
+            Shape::Arc { curvature } => arc::project(*curvature, target, 0.0, 0.0, limit),
             Shape::Spiral(spiral) => {
-                nearest::search(|u| spiral.jet(u), target, spiral.pieces.count(), length)
+                nearest::search(|u| spiral.jet(u), target, spiral.pieces.count(), length, limit)
             }
             Shape::Parametric(parametric) => {
-                nearest::search(|u| parametric.jet(u), target, parametric.pieces.count(), length)
+                let count = parametric.pieces.count();
+                nearest::search(|u| parametric.jet(u), target, count, length, limit)
             }
         };
-        self.foot(target, u, 0.0, length)
+        self.foot(target, u, 0.0, limit)
     }
 
     /// What is known about the foot near `u` of a target in the curve's own frame.

@@ -3,7 +3,7 @@
 use crate::exit::Exit;
 use crate::progress::Bar;
 use crate::query::{self, Kind};
-use crate::{archive_file, inspect, load, report, source, status};
+use crate::{archive_file, export, inspect, load, report, source, status};
 use anyhow::{Context, Result, bail};
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions};
@@ -128,6 +128,22 @@ enum Command {
         #[command(flatten)]
         live: Live,
     },
+    /// Draw or convert a map
+    Export {
+        /// .xodr, .mapd or shm:NAME
+        source: String,
+        /// What to write
+        #[arg(long, value_enum)]
+        format: export::Format,
+        /// File to write [default: stdout]
+        #[arg(short, long, value_name = "OUT")]
+        output: Option<PathBuf>,
+        /// svg: also the boxes of the spatial index
+        #[arg(long)]
+        index_boxes: bool,
+        #[command(flatten)]
+        live: Live,
+    },
     /// List the maps that are served
     Status {
         /// As JSON
@@ -248,6 +264,17 @@ fn execute(cli: Cli) -> Result<Exit> {
                             }
                             other => anyhow::Error::new(other),
                         })?;
+                    Exit::Done
+                }
+                None => Exit::Rejected,
+            }
+        }
+        Command::Export { source, format, output, index_boxes, live } => {
+            let (domain, wait) = live.get()?;
+            match source::open_or_report(&source, &CompileOptions::default(), (&domain, wait))? {
+                Some(snapshot) => {
+                    let options = export::Options { index_boxes };
+                    export::run(snapshot.map(), format, options, output.as_deref(), out)?;
                     Exit::Done
                 }
                 None => Exit::Rejected,

@@ -98,6 +98,11 @@ impl<'a> Road<'a> {
         }
     }
 
+    /// Row of the junction that this is a connecting road of.
+    pub(crate) fn junction_row(&self) -> Option<u32> {
+        Some(self.row.junction()).filter(|row| *row != NONE)
+    }
+
     /// What lies at s = 0.
     pub fn predecessor(&self) -> Option<RoadLink<'a>> {
         self.link(
@@ -185,6 +190,11 @@ impl<'a> Road<'a> {
     #[inline]
     pub(crate) fn elevation(&self, at: At) -> f64 {
         profile::value(self.cubics(self.row.elevations()), at)
+    }
+
+    /// Elevation with its slope.
+    pub(crate) fn elevation_slope(&self, at: At) -> profile::Slope {
+        profile::slope(self.cubics(self.row.elevations()), at)
     }
 
     /// Lane offset at s `[m]`; positive to the left.
@@ -300,7 +310,8 @@ impl<'a> Road<'a> {
         let local: DVec2 = point.xy - self.map.origin();
         let end = self.reference_end();
         let mut best: Option<(f64, Piece<'a>, mapd_geometry::Projection)> = None;
-        for g in self.geometries().iter().filter(|g| g.s() <= end) {
+        let rows = self.geometries();
+        for (i, g) in rows.iter().enumerate().filter(|(_, g)| g.s() <= end) {
             let from_start = DVec2::new(local.x - g.x(), local.y - g.y()).length();
             // No point of a line, arc or spiral is farther from its start than its length; parametric curves are scaled
             // to their stated length and may reach farther.
@@ -313,7 +324,9 @@ impl<'a> Road<'a> {
                 continue;
             }
             let piece = self.piece(g).ok_or(QueryError::Corrupt)?;
-            let foot = piece.curve.project(local.x, local.y);
+            // Where geometries overlap, the later one holds.
+            let next = rows.get(i + 1).map_or(end, |next| next.s().min(end));
+            let foot = piece.curve.project_within(local.x, local.y, next - piece.s);
             let distance = foot.distance_squared.sqrt();
             let better = |(d, _, b): &(f64, Piece<'a>, mapd_geometry::Projection)| {
                 // A perpendicular foot has to lose by more than rounding, and wins within it.
