@@ -29,7 +29,7 @@ fn every_lane_is_drawn_once() {
         let places = (count(&drawing, "lane"), count(&drawing, "bound"), count(&drawing, "leaf"));
         assert_eq!(places, (lanes, lanes, 0), "{}", path.display());
         let segments = snapshot.map().tables().index_leaves.iter().flat_map(|leaf| leaf.lane());
-        let segments = segments.filter(|lane| *lane != mapd_archive::NONE).count();
+        let segments = segments.filter(|lane| **lane != mapd_archive::NONE).count();
         assert_eq!(count(&draw(&path, &["--index-boxes"]), "leaf"), segments, "{}", path.display());
         let mut reader = quick_xml::Reader::from_str(&drawing);
         while reader.read_event().expect("well-formed XML") != quick_xml::events::Event::Eof {}

@@ -16,6 +16,8 @@ const BORDER_ITERATIONS: usize = 12;
 const BORDER_STEP: f64 = 1e-10;
 /// Nearness to the border's centre of curvature, as a share of the radius, below which Newton's method is not trusted.
 const MIN_CONTRACTION: f64 = 0.5;
+/// Bend of a border's t, times the point's distance, up to which the border counts as convex.
+const MAX_SWING: f64 = 0.25;
 /// Parts of a stretch that are looked at where it is not.
 const SEARCH_PARTS: usize = 8;
 /// Narrowings to two thirds around the nearest of them: from metres to a nanometre.
@@ -182,7 +184,18 @@ impl Border<'_, '_> {
             }
             s = next;
         }
-        best
+        if self.swings(best) { best.min(self.search()) } else { best }
+    }
+
+    /// Whether the border's t bends so much within the slab that from so far away there may be several nearest places.
+    fn swings(&self, distance: f64) -> bool {
+        let slopes = [self.slab.s_lo, self.slab.middle(), self.slab.s_hi].map(|s| {
+            let slopes = self.lane.edge_slopes(self.slab.at(s));
+            if self.outer { slopes.outer.derivative } else { slopes.inner.derivative }
+        });
+        let swing = slopes.iter().fold(f64::NEG_INFINITY, |a, b| a.max(*b))
+            - slopes.iter().fold(f64::INFINITY, |a, b| a.min(*b));
+        swing * distance > MAX_SWING * (self.slab.s_hi - self.slab.s_lo)
     }
 
     /// Distance by looking everywhere, then more closely around the nearest place.
