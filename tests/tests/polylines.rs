@@ -74,7 +74,7 @@ fn no_polyline_exceeds_its_tolerance() {
     for path in carried_and(&MAPS) {
         for (center, bound) in TOLERANCES {
             let snapshot = open(&path, center, bound);
-            let mut seen = [0f64; 2];
+            let mut compared = 0;
             for row in 0..snapshot.map().tables().lanes.len() as u32 {
                 let lane = snapshot.map().lane_by_row(row).expect("a lane");
                 let road = lane.road();
@@ -95,17 +95,9 @@ fn no_polyline_exceeds_its_tolerance() {
                         lane.key()
                     );
                 }
-                seen = [seen[0].max(centers), seen[1].max(bounds)];
+                compared += lane.border().len();
             }
-            // Much better than asked would be wasteful, and a sign that nothing was compared.
-            assert!(
-                seen[0] > 0.0
-                    || seen[1] > 0.0
-                    || path.ends_with("one_road.xodr")
-                    || snapshot.map().lanes().count() < 50,
-                "{}: {seen:?}",
-                path.display()
-            );
+            assert!(compared > 0, "{}", path.display());
         }
     }
 }

@@ -209,8 +209,9 @@ fn an_oval_with_steep_turns() {
 
 #[test]
 fn a_spiral_that_winds_around_itself() {
-    // Curvature from 1/60 to 1/12 over 300 m: more than two turns, each beside the one before, 9 m to 20 m apart.
-    check(open(&[Way::new(DVec2::ZERO, 0.0, &[(1.0 / 60.0, 1.0 / 12.0, 300.0)], 0.0)]).map(), true);
+    // Curvature from 1/60 to 1/20 over 300 m: more than one and a half turns, the second one inside the first, 9.4 m apart
+    // where they are nearest.
+    check(open(&[Way::new(DVec2::ZERO, 0.0, &[(1.0 / 60.0, 1.0 / 20.0, 300.0)], 0.0)]).map(), true);
 }
 
 #[test]

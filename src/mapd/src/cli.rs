@@ -157,6 +157,7 @@ enum Command {
 const QUERY_HELP: &str = "\
 Columns:
   inertial    road_id,s,t[,h]      x,y,z,hdg (h = 0 is the plane rolled by superelevation)
+  surface     road_id,s,t          x,y,z,nx,ny,nz,friction,roughness: point and normal of the surface, the lane's material
   lane        road_id,s,lane_id    width,t_inner,t_outer,x,y,z,hdg of the lane's centre on that plane
   nearest     x,y[,z][,hdg]        lane,road_id,lane_id,s,t,offset,distance
   track       road_id,x,y[,z]      s,t,h (h only with z)

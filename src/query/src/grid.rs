@@ -2,7 +2,7 @@
 
 use crate::map::Map;
 use glam::{DVec2, DVec3};
-use mapd_archive::{ArchivedElevationGridRow, ArchivedGridRowRow};
+use mapd_archive::{ArchivedElevationGridRow, ArchivedGridRowRow, ArchivedGridTransitionRow};
 use mapd_geometry::clamp;
 use mapd_geometry::surface::{CellCorner, grid_cell, transition};
 
@@ -92,53 +92,52 @@ impl Grid<'_> {
 }
 
 /// A point of a road's own surface (relative to the local origin) moved to the height of the grid, or between the two
-/// within a joint's transition; and its normal. A damaged grid changes nothing.
+/// within a joint's transition; and the slopes of z by x and y there, from those of the road's own surface. A damaged grid
+/// changes nothing.
 pub(crate) fn replace(
     map: &Map<'_>,
     row: &ArchivedElevationGridRow,
     position: DVec3,
-    normal: DVec3,
-) -> (DVec3, DVec3) {
+    own: DVec2,
+) -> (DVec3, DVec2) {
     let tables = map.tables();
     let grid = Grid { map: *map, rows: row.rows().of(tables.grid_rows) };
     let direction = DVec2::new(row.cos(), row.sin());
     let away = position.truncate() - DVec2::new(row.x(), row.y());
     let spacing = row.spacing();
     if spacing <= 0.0 {
-        return (position, normal);
+        return (position, own);
     }
     let along = (away.dot(direction) - row.s_start()) / spacing;
     let across = direction.perp_dot(away) / spacing;
-    let Some([z, by_along, by_across]) = grid.height(along, across) else {
-        return (position, normal);
-    };
+    let Some([z, by_along, by_across]) = grid.height(along, across) else { return (position, own) };
     let slopes = (direction * by_along + direction.perp() * by_across) / spacing;
-    let own = DVec2::new(-normal.x, -normal.y) / normal.z;
-    let mut share = (1.0, DVec2::ZERO);
-    for joint in row.transitions().of(tables.grid_transitions) {
-        let start = DVec2::new(joint.start_x(), joint.start_y());
-        let end = DVec2::new(joint.end_x(), joint.end_y());
-        let (along, inwards) =
-            ((end - start).normalize_or_zero(), (end - start).normalize_or_zero().perp());
-        let away = position.truncate() - start;
-        let beside = away.dot(along);
-        let into = away.dot(inwards) / joint.length();
-        // What lies at the joint within rounding still belongs to it.
-        let covers = (0.0..=start.distance(end)).contains(&beside) && into < 1.0;
-        if joint.length() > 0.0
-            && covers
-            && into < share.0
-            && into * joint.length() >= -start.distance(end)
-        {
-            share =
-                (into.max(0.0), if into > 0.0 { inwards / joint.length() } else { DVec2::ZERO });
-        }
-    }
-    let (share, share_slope) = share;
-    let blended = transition(position.z, z, share);
+    let joints = row.transitions().of(tables.grid_transitions);
+    // Of several transitions the one that is least done decides.
+    let (share, share_slope) = joints
+        .iter()
+        .filter_map(|joint| share_of(joint, position.truncate()))
+        .min_by(|a, b| a.0.total_cmp(&b.0))
+        .unwrap_or((1.0, DVec2::ZERO));
     let weight = share * share * (3.0 - 2.0 * share);
     let weight_slope = share_slope * (6.0 * share * (1.0 - share));
     let slope = own + (slopes - own) * weight + weight_slope * (z - position.z);
-    let normal = DVec3::new(-slope.x, -slope.y, 1.0).normalize_or(DVec3::Z);
-    (position.truncate().extend(blended), normal)
+    (position.truncate().extend(transition(position.z, z, share)), slope)
+}
+
+/// How far a point has come through a joint's transition, in [0, 1], with its slopes by x and y; `None` beside the joint
+/// and beyond the transition. What lies before the joint by less than its own width has not begun.
+fn share_of(joint: &ArchivedGridTransitionRow, point: DVec2) -> Option<(f64, DVec2)> {
+    let start = DVec2::new(joint.start_x(), joint.start_y());
+    let end = DVec2::new(joint.end_x(), joint.end_y());
+    let width = start.distance(end);
+    let along = (end - start).normalize_or_zero();
+    let away = point - start;
+    let (beside, into) = (away.dot(along), along.perp_dot(away));
+    let covers = (0.0..=width).contains(&beside) && (-width..joint.length()).contains(&into);
+    if !covers || joint.length() <= 0.0 {
+        return None;
+    }
+    let slope = if into > 0.0 { along.perp() / joint.length() } else { DVec2::ZERO };
+    Some(((into / joint.length()).max(0.0), slope))
 }

@@ -7,7 +7,7 @@ use crate::lane::Lane;
 use crate::map::Map;
 use crate::profile::{self, At, Slope};
 use crate::road::Road;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use mapd_archive::{
     ArchivedCubicRow, ArchivedShapeStationRow, ArchivedSurfaceRow, ArchivedSurfaceStripRow, Range,
     lane_flags, string,
@@ -49,6 +49,34 @@ struct Patch {
     position: DVec3,
     by_s: DVec3,
     by_t: DVec3,
+}
+
+impl Patch {
+    /// Unit normal, upwards.
+    fn normal(&self) -> DVec3 {
+        self.by_s.cross(self.by_t).normalize_or(DVec3::Z)
+    }
+
+    /// Slopes by x and y of a height whose slopes by s and t are known.
+    fn slope_of(&self, height: Height) -> DVec2 {
+        let (s, t) = (self.by_s.truncate(), self.by_t.truncate());
+        let area = s.perp_dot(t);
+        if area == 0.0 {
+            return DVec2::ZERO;
+        }
+        DVec2::new(height.by_s * t.y - height.by_t * s.y, height.by_t * s.x - height.by_s * t.x)
+            / area
+    }
+}
+
+/// Slopes of z by x and y where the normal is this.
+fn slope_of(normal: DVec3) -> DVec2 {
+    -normal.truncate() / normal.z
+}
+
+/// The unit normal, upwards, where z has these slopes by x and y.
+fn normal_of(slope: DVec2) -> DVec3 {
+    (-slope).extend(1.0).normalize_or(DVec3::Z)
 }
 
 /// The frame of the reference line at an s (see [`Road::to_inertial`]): origin, axes and their derivatives by s.
@@ -115,16 +143,20 @@ impl<'a> Road<'a> {
         let profile = self.row_of_surface();
         let height =
             |t: f64| profile.map_or_else(Height::default, |row| lateral(&self.map, row, at, t));
+        let grid = self.grid();
+        // A grid replaces everything but what the lane itself adds, which then counts along z.
+        let (below, above) =
+            if grid.is_some() { (Height::default(), rise) } else { (rise, Height::default()) };
         let patch = match self.level_edge(inside, at, t) {
-            Some(edge) => frame.level_patch(edge, height(edge.value), t, rise),
-            None if self.grid().is_some() => frame.patch(t, height(t)),
-            None => frame.patch(t, height(t) + rise),
+            Some(edge) => frame.level_patch(edge, height(edge.value), t, below),
+            None => frame.patch(t, height(t) + below),
         };
-        let normal = patch.by_s.cross(patch.by_t).normalize_or(DVec3::Z);
-        let (mut position, mut normal) = (patch.position, normal);
-        if let Some(row) = self.grid() {
-            (position, normal) = grid::replace(&self.map, row, position, normal);
-            position.z += rise.h;
+        let (mut position, mut normal) = (patch.position, patch.normal());
+        if let Some(row) = grid {
+            let slope;
+            (position, slope) = grid::replace(&self.map, row, position, slope_of(normal));
+            position.z += above.h;
+            normal = normal_of(slope + patch.slope_of(above));
         }
         let origin = self.map.origin();
         Ok(Surface {
