@@ -3,8 +3,8 @@
 use crate::attributes::{Attributes, Context};
 use crate::finding::{Finding, Severity, Span};
 use crate::limits::Limits;
-use crate::position::LineIndex;
 use crate::rule_ids;
+use crate::source::LineIndex;
 use quick_xml::events::{BytesRef, Event};
 use std::io::{self, BufRead, Read};
 

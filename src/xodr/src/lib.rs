@@ -24,14 +24,14 @@ mod elements;
 mod finding;
 mod limits;
 mod names;
-mod position;
 mod reader;
 pub mod rule_ids;
+pub mod source;
 mod types;
 
 pub use finding::{Finding, Severity, Span};
 pub use limits::Limits;
 pub use names::{LaneKind, RoadTypeKind};
-pub use position::{LineIndex, Position};
 pub use reader::{Item, Reader};
+pub use source::{LineIndex, Position};
 pub use types::*;

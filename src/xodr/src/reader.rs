@@ -5,8 +5,8 @@ use crate::cursor::{Cursor, Step};
 use crate::elements;
 use crate::finding::{Finding, Severity, Span};
 use crate::limits::Limits;
-use crate::position::LineIndex;
 use crate::rule_ids;
+use crate::source::LineIndex;
 use crate::types::{Header, Junction, Road};
 use std::io::{self, BufRead};
 
