@@ -297,17 +297,15 @@ pub fn split_range(kind: &str) -> (&str, &str) {
     }
 }
 
-/// A file to be written: its path below the workspace and its text.
-pub type Output = (String, String);
-
 /// Everything that follows from the table.
 ///
 /// Errors: the table has something that code cannot be written for.
-pub fn outputs(table: &Table) -> Result<Vec<Output>> {
+pub fn outputs(table: &Table) -> Result<Vec<crate::Output>> {
     const FOLDER: &str = "src/xodr/src/generated";
     let mut outputs = vec![
         (format!("{FOLDER}/mod.rs"), module(table)),
-        (format!("{FOLDER}/words.rs"), words_code::words(table)),
+        (format!("{FOLDER}/words.rs"), words_code::enums(table)),
+        (format!("{FOLDER}/schema_words.rs"), words_code::lists(table)),
         ("docs/coverage.md".to_owned(), coverage::page(table)),
     ];
     for part in &table.parts {
@@ -333,7 +331,7 @@ fn module(table: &Table) -> String {
         let name = part.name;
         out += &format!("mod {name};\nmod read_{name};\npub(crate) mod schema_{name};\n");
     }
-    out += "mod words;\n\n";
+    out += "pub(crate) mod schema_words;\nmod words;\n\n";
     for part in &table.parts {
         out += &format!("pub use {}::*;\n", part.name);
     }

@@ -11,6 +11,9 @@ pub const VERSIONS: [&str; 7] = ["1.4", "1.5", "1.6", "1.7", "1.8", "1.8.1", "1.
 pub struct Version(usize);
 
 impl Version {
+    /// The first version for whose files the text's own view of what is required is applied.
+    pub(super) const TEXT: Self = Self(4);
+
     fn parse(text: &str) -> Option<Self> {
         VERSIONS.iter().position(|version| *version == text).map(Self)
     }
@@ -49,6 +52,11 @@ impl VersionSet {
     /// What both have.
     pub fn and(self, other: Self) -> Self {
         Self(self.0 & other.0)
+    }
+
+    /// What the other does not have.
+    pub fn without(self, other: Self) -> Self {
+        Self(self.0 & !other.0)
     }
 
     /// Whether a version, by its rank, belongs to it.

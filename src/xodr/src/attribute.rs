@@ -1,0 +1,90 @@
+//! Values with their places.
+
+use crate::finding::Span;
+use crate::schema::WordList;
+use std::num::NonZeroU32;
+
+/// The value of an attribute and where it stands. An optional one costs no more than a plain one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attribute<T> {
+    /// What is written.
+    pub value: T,
+    /// Bytes from the start of the element's tag to the value; never 0, for the tag has a name before it.
+    offset: NonZeroU32,
+    len: u32,
+}
+
+impl<T> Attribute<T> {
+    pub(crate) fn new(value: T, offset: usize, len: usize) -> Self {
+        let clamped = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
+        let offset = NonZeroU32::new(clamped(offset)).unwrap_or(NonZeroU32::MIN);
+        Self { value, offset, len: clamped(len) }
+    }
+
+    /// Where the value stands, without its quotes. `element` is the span of the element that has it.
+    pub fn span(&self, element: Span) -> Span {
+        Span { start: element.start + u64::from(self.offset.get()), len: self.len }
+    }
+}
+
+/// What a speed limit says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SpeedLimit {
+    /// A number in the record's unit.
+    Value(f64),
+    /// `no limit`.
+    NoLimit,
+    /// `undefined`.
+    Undefined,
+}
+
+/// A place along a road.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PositionOrEnd {
+    /// Distance along the reference line `[m]`.
+    At(f64),
+    /// `start`, in examples also `begin`.
+    Start,
+    /// `end`.
+    End,
+}
+
+/// Words that stand for values.
+pub(crate) trait Enumeration: Sized {
+    /// The words as the schema has them.
+    fn list() -> &'static WordList;
+    /// The value of the word of a rank.
+    fn of_rank(rank: usize) -> Option<Self>;
+    /// A word that the standard does not know.
+    const OTHER: Self;
+}
+
+macro_rules! enumeration {
+    ($(#[$doc:meta])* $name:ident: $list:ident { $($variant:ident = $text:literal,)* }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[non_exhaustive]
+        pub enum $name {
+            $(#[doc = concat!("`", $text, "`")] $variant,)*
+            /// A word that the standard does not know; the finding about it has the word.
+            Other,
+        }
+
+        impl $name {
+            /// All known words, in the order of the standard's schema.
+            pub const ALL: &[Self] = &[$(Self::$variant),*];
+
+            /// The word; empty for `Other`.
+            pub fn name(self) -> &'static str {
+                match self { $(Self::$variant => $text,)* Self::Other => "" }
+            }
+        }
+
+        impl $crate::attribute::Enumeration for $name {
+            fn list() -> &'static $crate::schema::WordList { &$list }
+            fn of_rank(rank: usize) -> Option<Self> { Self::ALL.get(rank).copied() }
+            const OTHER: Self = Self::Other;
+        }
+    };
+}
+pub(crate) use enumeration;
