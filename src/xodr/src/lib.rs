@@ -28,6 +28,7 @@ mod reader;
 pub mod rule_ids;
 pub mod source;
 mod types;
+pub mod values;
 
 pub use finding::{Finding, Severity, Span};
 pub use limits::Limits;

@@ -16,7 +16,6 @@ mod places;
 mod prolog;
 mod text;
 
-#[allow(unused_imports, reason = "used with the next step")]
 pub(crate) use characters::is_legal;
 pub use include::{IncludeRefusal, Inputs};
 pub use limits::SourceLimits;
