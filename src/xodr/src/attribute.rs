@@ -2,6 +2,7 @@
 
 use crate::finding::Span;
 use crate::schema::WordList;
+pub use crate::values::Speed as SpeedLimit;
 use std::num::NonZeroU32;
 
 /// The value of an attribute and where it stands. An optional one costs no more than a plain one.
@@ -25,17 +26,6 @@ impl<T> Attribute<T> {
     pub fn span(&self, element: Span) -> Span {
         Span { start: element.start + u64::from(self.offset.get()), len: self.len }
     }
-}
-
-/// What a speed limit says.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum SpeedLimit {
-    /// A number in the record's unit.
-    Value(f64),
-    /// `no limit`.
-    NoLimit,
-    /// `undefined`.
-    Undefined,
 }
 
 /// A place along a road.
