@@ -29,6 +29,7 @@ pub mod rule_ids;
 pub mod source;
 mod types;
 pub mod values;
+pub mod well_formed;
 
 pub use finding::{Finding, Severity, Span};
 pub use limits::Limits;

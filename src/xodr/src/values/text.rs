@@ -15,8 +15,8 @@ pub fn text(raw: &str) -> Cow<'_, str> {
     let mut rest = raw;
     while let Some(at) = memchr::memchr(b'&', rest.as_bytes()) {
         push_spaced(&mut out, &rest[..at]);
-        let end = reference_end(&rest[at..]).map(|end| at + end);
-        match end.and_then(|end| Some((end, reference(&rest[at + 1..end - 1])?))) {
+        let end = reference_end(&rest.as_bytes()[at..]).map(|end| at + end);
+        match end.and_then(|end| Some((end, reference(&rest.as_bytes()[at + 1..end - 1])?))) {
             Some((end, character)) => {
                 out.push(character);
                 rest = &rest[end..];
@@ -35,21 +35,21 @@ pub fn text(raw: &str) -> Cow<'_, str> {
 const REFERENCE: usize = 64;
 
 /// The bytes of the reference that text begins with, `&` and `;` included.
-pub(crate) fn reference_end(text: &str) -> Option<usize> {
-    let head = text.as_bytes().get(..REFERENCE).unwrap_or(text.as_bytes());
+pub(crate) fn reference_end(text: &[u8]) -> Option<usize> {
+    let head = text.get(..REFERENCE).unwrap_or(text);
     let end = memchr::memchr3(b';', b'<', b' ', head)?;
     (head[end] == b';').then_some(end + 1)
 }
 
 /// The character of a reference, given without `&` and `;`: by number, or one of XML's five names.
-pub(crate) fn reference(name: &str) -> Option<char> {
+pub(crate) fn reference(name: &[u8]) -> Option<char> {
     let number = match name {
-        "amp" => return Some('&'),
-        "lt" => return Some('<'),
-        "gt" => return Some('>'),
-        "quot" => return Some('"'),
-        "apos" => return Some('\''),
-        _ => name.strip_prefix('#')?,
+        b"amp" => return Some('&'),
+        b"lt" => return Some('<'),
+        b"gt" => return Some('>'),
+        b"quot" => return Some('"'),
+        b"apos" => return Some('\''),
+        _ => std::str::from_utf8(name.strip_prefix(b"#")?).ok()?,
     };
     let (digits, radix) = match number.strip_prefix('x') {
         Some(digits) => (digits, 16),
