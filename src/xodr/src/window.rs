@@ -85,7 +85,7 @@ impl<'a> Window<'a> {
 
     /// The token has `length` bytes.
     pub(crate) fn take(&mut self, length: usize) {
-        self.at = (self.start + length).min(self.end);
+        self.at = self.start.saturating_add(length).min(self.end);
     }
 
     /// From the token's start on everything stays, until [`Window::release`].
