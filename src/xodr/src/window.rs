@@ -43,13 +43,15 @@ pub(crate) struct Window<'a> {
 
 impl<'a> Window<'a> {
     pub(crate) fn new(source: Source<'a>, limit: usize, hold_limit: usize) -> Self {
+        // Where the text begins, unless something before it is passed over.
+        let base = Places::start(source.file(), 0);
         Self {
             source,
             buffer: vec![0; ROOM],
             start: 0,
             at: 0,
             end: 0,
-            base: 0,
+            base,
             hold: None,
             limit,
             hold_limit,
