@@ -56,7 +56,16 @@ impl Findings {
         if *count <= self.limit {
             let (path, message) = make();
             let (path, message) = (shown(path), shown(message));
-            self.kept.push(Finding { rule, severity, span, path, message, hint: String::new() });
+            let subject = shorten(detail, DETAIL_BYTES).into();
+            self.kept.push(Finding {
+                rule,
+                severity,
+                span,
+                path,
+                subject,
+                message,
+                hint: String::new(),
+            });
             return;
         }
         match more.and_then(|at| self.more.get_mut(at)) {
@@ -83,7 +92,16 @@ impl Findings {
             let message =
                 format!("{} more findings like this ({what}), the first of them here", more.count);
             let (severity, span, path) = (more.severity, more.span, more.path);
-            self.kept.push(Finding { rule, severity, span, path, message, hint: String::new() });
+            let subject = detail;
+            self.kept.push(Finding {
+                rule,
+                severity,
+                span,
+                path,
+                subject,
+                message,
+                hint: String::new(),
+            });
         }
     }
 
