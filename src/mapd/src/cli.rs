@@ -3,7 +3,7 @@
 use crate::exit::Exit;
 use crate::progress::Bar;
 use crate::query::{self, Kind};
-use crate::{archive_file, check, inspect, load, report, source, status};
+use crate::{archive_file, check, export, inspect, load, report, source, status};
 use anyhow::{Context, Result, bail};
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions};
@@ -139,6 +139,22 @@ enum Command {
         #[command(flatten)]
         live: Live,
     },
+    /// Draw or convert a map
+    Export {
+        /// .xodr, .mapd or shm:NAME
+        source: String,
+        /// What to write
+        #[arg(long, value_enum)]
+        format: export::Format,
+        /// File to write [default: stdout]
+        #[arg(short, long, value_name = "OUT")]
+        output: Option<PathBuf>,
+        /// svg: also the boxes of the spatial index
+        #[arg(long)]
+        index_boxes: bool,
+        #[command(flatten)]
+        live: Live,
+    },
     /// List the maps that are served
     Status {
         /// As JSON
@@ -156,6 +172,7 @@ built from is missing or unusable. Ends with 0 where the map would be accepted, 
 const QUERY_HELP: &str = "\
 Columns:
   inertial    road_id,s,t[,h]      x,y,z,hdg (h = 0 is the plane rolled by superelevation)
+  surface     road_id,s,t          x,y,z,nx,ny,nz,friction,roughness: point and normal of the surface, the lane's material
   lane        road_id,s,lane_id    width,t_inner,t_outer,x,y,z,hdg of the lane's centre on that plane
   nearest     x,y[,z][,hdg]        lane,road_id,lane_id,s,t,offset,distance
   track       road_id,x,y[,z]      s,t,h (h only with z)
@@ -266,6 +283,17 @@ fn execute(cli: Cli) -> Result<Exit> {
                             }
                             other => anyhow::Error::new(other),
                         })?;
+                    Exit::Done
+                }
+                None => Exit::Rejected,
+            }
+        }
+        Command::Export { source, format, output, index_boxes, live } => {
+            let (domain, wait) = live.get()?;
+            match source::open_or_report(&source, &CompileOptions::default(), (&domain, wait))? {
+                Some(snapshot) => {
+                    let options = export::Options { index_boxes };
+                    export::run(snapshot.map(), format, options, output.as_deref(), out)?;
                     Exit::Done
                 }
                 None => Exit::Rejected,

@@ -20,6 +20,7 @@ pub mod archive_file;
 mod check;
 pub mod cli;
 pub mod exit;
+pub mod export;
 mod inspect;
 mod load;
 mod progress;

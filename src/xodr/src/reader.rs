@@ -4,7 +4,7 @@ use crate::cursor::{Cursor, Markup, Open, Step};
 use crate::extension::Extensions;
 use crate::finding::{Finding, Severity, Span};
 use crate::generated::{Item, read_document, schema_document};
-use crate::limits::Limits;
+use crate::limits::{ELEMENT_BYTES, Limits};
 use crate::markup::Text;
 use crate::other;
 use crate::rule_ids;
@@ -29,6 +29,8 @@ pub struct Reader<'a> {
     cursor: Cursor<'a>,
     state: State,
     extensions: Extensions,
+    /// Bytes of these.
+    extended: usize,
 }
 
 impl Reader<'static> {
@@ -56,6 +58,7 @@ impl<'a> Reader<'a> {
             cursor: Cursor::new(inputs, source, limits),
             state: State::BeforeRoot,
             extensions: Extensions::default(),
+            extended: 0,
         }
     }
 
@@ -205,9 +208,27 @@ impl<'a> Reader<'a> {
                         cursor.set_version();
                     }
                     let item = read_document::item(slot, cursor);
+                    cursor.spent = 0;
                     return item.filter(|_| !cursor.over);
                 }
-                Step::Extension(extension) => self.extensions.push(extension),
+                Step::Extension(extension) => {
+                    cursor.spent = 0;
+                    let bytes = extension.text.len() + ELEMENT_BYTES;
+                    if self.extended + bytes <= cursor.limits.item_bytes {
+                        self.extended += bytes;
+                        self.extensions.push(extension);
+                    } else {
+                        let message = "expected less beyond the standard's own elements in the root, found more; not kept";
+                        let message = message.to_owned();
+                        cursor.add(
+                            rule_ids::NOT_KEPT,
+                            Severity::Warning,
+                            extension.span,
+                            "",
+                            message,
+                        );
+                    }
+                }
                 Step::End => {
                     if !cursor.over {
                         cursor.structure.end();
