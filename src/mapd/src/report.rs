@@ -133,11 +133,8 @@ pub fn print(file: &str, compiled: &Compilation) {
             let _ = writeln!(err, "{file}: rejected, {} errors", counts.errors);
         }
         Verdict::Accepted if counts.errors > 0 => {
-            let _ = writeln!(
-                err,
-                "{file}: accepted; errors against the standard: {}",
-                counts.errors
-            );
+            let _ =
+                writeln!(err, "{file}: accepted; errors against the standard: {}", counts.errors);
         }
         Verdict::Accepted => {}
     }
