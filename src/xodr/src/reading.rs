@@ -363,7 +363,6 @@ impl Cursor<'_> {
         if let Some(done) = problem {
             let stated = if self.stated.is_empty() { "none" } else { &self.stated };
             let message = format!("expected revision 1.4 to 1.9, found {stated}; {done}");
-            self.stated = NAMES[version].to_owned();
             let path = format!("{}/header", self.path());
             self.findings.add(
                 rule_ids::VERSION,
