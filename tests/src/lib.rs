@@ -8,6 +8,7 @@
 //! ```
 
 pub mod damage;
+pub mod literal;
 pub mod maps;
 pub mod place;
 pub mod town;

@@ -85,8 +85,9 @@ fn places(tables: &Tables<'_>, base: usize) -> Vec<(&'static str, std::ops::Rang
     }
     let places = places!(
         string_bytes string_offsets map roads geometries coefficients cubics road_types sections lanes lane_speeds
-        lane_links points junctions connections connection_lane_links roads_by_id junctions_by_id index_levels
-        index_nodes index_leaves
+        points junctions connections connection_lane_links roads_by_id junctions_by_id index_levels
+        index_nodes index_leaves graph lane_nodes successor_offsets successors edges predecessor_offsets predecessors
+        conflicts landmark_lengths landmark_times
     );
     let names: Vec<_> = tables.infos().iter().map(|info| info.name).collect();
     assert_eq!(names, places.iter().map(|(name, _)| *name).collect::<Vec<_>>());

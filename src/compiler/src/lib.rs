@@ -29,7 +29,7 @@ mod options;
 mod origin;
 mod report;
 
-pub use options::{CompileOptions, OptionsError};
+pub use options::{CompileOptions, CyclePolicy, OptionsError};
 pub use report::{Compilation, Diagnostic, Progress, Verdict};
 
 use hashing::HashingReader;
@@ -53,7 +53,7 @@ pub fn compile(
     let mut hashing = HashingReader::new(input);
     let mut lowering = Lowering::default();
     let mut collector = Collector::default();
-    {
+    let rows = {
         let mut reader =
             Reader::new(BufReader::with_capacity(READ_BUFFER, &mut hashing), Limits::default());
         let mut checked = Vec::new();
@@ -81,36 +81,40 @@ pub fn compile(
         lowering.finish_reading(&mut late);
         links::resolve(&mut lowering, &mut late);
         collector.add(late, reader.line_index());
-        if !collector.has_errors() {
-            graph::build(&mut lowering, &mut checked);
+        if collector.has_errors() {
+            None
+        } else {
+            let spans = graph::build(&mut lowering, reader.line_index(), &mut checked)
+                .map_err(io::Error::other)?;
             collector.add(checked, reader.line_index());
+            progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
+            let (rows, findings) =
+                build(lowering, &spans, options, progress).map_err(io::Error::other)?;
+            collector.add(findings, reader.line_index());
+            Some(rows).filter(|_| !collector.has_errors())
         }
-    }
+    };
     let provenance = Provenance {
         input_hash: hashing.finish()?,
         options_hash: options.hash(),
         compiler_version: version(),
     };
-    let rows = if collector.has_errors() {
-        None
-    } else {
-        progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
-        Some(build(lowering, options, progress).map_err(io::Error::other)?)
-    };
     Ok(collector.finish(rows, provenance))
 }
 
-/// Samples lanes, builds the index and completes the tables.
+/// Samples lanes, completes the lane graph, builds the index.
 fn build(
     lowering: Lowering,
+    spans: &[mapd_xodr::Span],
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
-) -> Result<Rows, TooLarge> {
+) -> Result<(Rows, Vec<Finding>), TooLarge> {
     let mut rows = lowering.into_rows(options);
     lanes::sample(&mut rows, options)?;
+    let findings = graph::complete(&mut rows, spans, options);
     progress(Progress::Indexing { segments: rows.points.len() });
     index::build(&mut rows, options)?;
-    Ok(rows)
+    Ok((rows, findings))
 }
 
 /// A table outgrew 32-bit row numbers.

@@ -122,8 +122,8 @@ fn resolve_road(
             ));
         }
         let mut contact = contact_code(link.contact_point);
-        if let (Some(target), LinkElement::Road, None) =
-            (found, link.element_type, link.contact_point)
+        if let (Some(target), LinkElement::Road, None, None) =
+            (found, link.element_type, link.contact_point, link.element_s)
         {
             contact = nearer_end(lowering, number, i == 1, target as usize);
             let message = format!(

@@ -1,5 +1,6 @@
 //! One element after the other, from what the file says to flat rows.
 
+use crate::graph::Permissions;
 use crate::options::CompileOptions;
 use crate::{finding, origin};
 use mapd_archive::{
@@ -31,7 +32,7 @@ pub(crate) struct Links {
     pub(crate) road_spans: Vec<Span>,
     /// Per lane row: predecessors and successors as written, ranges of `lane_numbers`.
     pub(crate) lanes: Vec<[Range; 2]>,
-    pub(crate) lane_numbers: Vec<i32>,
+    pub(crate) lane_numbers: Vec<xodr::LinkedLane>,
     /// Junctions as written.
     pub(crate) junctions: Vec<Junction>,
 }
@@ -42,6 +43,7 @@ pub(crate) struct Lowering {
     pub(crate) rows: Rows,
     pub(crate) strings: StringTable,
     pub(crate) links: Links,
+    pub(crate) permissions: Permissions,
     map: Option<MapRow>,
 }
 
@@ -283,7 +285,7 @@ impl Lowering {
                 0,
                 LaneType::None.code(),
                 0,
-                [Range::default(); 3],
+                [Range::default(); 2],
                 [&[], &[]],
             );
         }
@@ -339,14 +341,8 @@ impl Lowering {
         ];
         flags |= set.iter().filter(|(on, _)| *on).fold(0, |all, (_, flag)| all | flag);
         let links = [lane.predecessors.as_slice(), lane.successors.as_slice()];
-        self.push_lane(
-            section_row,
-            lane.id,
-            kind.code(),
-            flags,
-            [widths, speeds, Range::default()],
-            links,
-        );
+        self.permissions.lane(self.rows.lanes.len() as u32, kind, lane);
+        self.push_lane(section_row, lane.id, kind.code(), flags, [widths, speeds], links);
     }
 
     fn push_lane(
@@ -355,8 +351,8 @@ impl Lowering {
         number: i32,
         kind: u8,
         flags: u8,
-        [widths, speeds, none]: [Range; 3],
-        links: [&[i32]; 2],
+        [widths, speeds]: [Range; 2],
+        links: [&[xodr::LinkedLane]; 2],
     ) {
         let ranges = links.map(|numbers| {
             let before = self.links.lane_numbers.len();
@@ -371,10 +367,9 @@ impl Lowering {
             section,
             widths,
             speeds,
-            successors: none,
-            predecessors: none,
-            center: none,
-            border: none,
+            nodes: Range::default(),
+            center: Range::default(),
+            border: Range::default(),
             number,
             kind,
             flags,

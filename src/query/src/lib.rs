@@ -17,11 +17,13 @@
 
 mod area;
 mod error;
+mod graph;
 mod ids;
 mod index;
 mod junction;
 mod key;
 mod lane;
+mod lane_length;
 mod map;
 mod near;
 mod nearest;
@@ -35,13 +37,16 @@ mod waypoints;
 
 pub use error::QueryError;
 pub use glam;
-pub use ids::{JunctionId, LaneId, LaneSectionId, RoadId};
+pub use graph::{Conflict, LaneEdge, LaneNode};
+pub use ids::{JunctionId, LaneId, LaneSectionId, NodeId, RoadId};
 pub use index::{SegmentHit, nearest_segment};
 pub use junction::{Connection, Junction};
 pub use key::{LaneKey, ParseLaneKeyError};
 pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
-pub use mapd_archive::{ContactPoint, LaneType, RoadType, SpeedKind};
+pub use mapd_archive::{
+    ConflictKind, ContactPoint, EdgeKind, LaneType, RoadType, SpeedKind, VehicleClass,
+};
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
 pub use polyline::Polyline;
 pub use region::{BoundarySegment, Region};

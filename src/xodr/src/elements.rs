@@ -313,6 +313,8 @@ fn lane<R: BufRead>(cursor: &mut Cursor<R>, a: &Attributes, side: Side) -> Optio
         direction: a.word("direction", direction, context).unwrap_or_default(),
         predecessors: Vec::new(),
         successors: Vec::new(),
+        road_marks: Vec::new(),
+        accesses: Vec::new(),
         widths: Vec::new(),
         borders: Vec::new(),
         speeds: Vec::new(),
@@ -329,7 +331,8 @@ fn lane<R: BufRead>(cursor: &mut Cursor<R>, a: &Attributes, side: Side) -> Optio
                         _ => None,
                     };
                     if let Some(list) = list {
-                        list.extend(a.integer("id", &mut cursor.context()));
+                        let id = a.integer("id", &mut cursor.context());
+                        list.extend(id.map(|id| LinkedLane { id, span: a.span }));
                     }
                     cursor.skip();
                 });
@@ -342,11 +345,53 @@ fn lane<R: BufRead>(cursor: &mut Cursor<R>, a: &Attributes, side: Side) -> Optio
                     lane.speeds.push(LaneSpeed { s, speed, span: a.span });
                 }
             }
+            "roadMark" => {
+                let context = &mut cursor.context();
+                let s = a.optional_number("sOffset", context);
+                let lane_change = a.word("laneChange", lane_change, context).unwrap_or_default();
+                lane.road_marks.extend(s.map(|s| RoadMark { s, lane_change, span: a.span }));
+            }
+            "access" => {
+                let access = lane_access(cursor, &a);
+                lane.accesses.extend(access);
+                return;
+            }
             _ => {}
         }
         cursor.skip();
     });
     id.map(|_| lane)
+}
+
+fn lane_change(word: &str) -> Option<LaneChange> {
+    match word {
+        "increase" => Some(LaneChange::Increase),
+        "decrease" => Some(LaneChange::Decrease),
+        "both" => Some(LaneChange::Both),
+        "none" => Some(LaneChange::None),
+        _ => None,
+    }
+}
+
+fn lane_access<R: BufRead>(cursor: &mut Cursor<R>, a: &Attributes) -> Option<LaneAccess> {
+    let context = &mut cursor.context();
+    let s = a.optional_number("sOffset", context);
+    let rule = |word: &str| match word {
+        "allow" => Some(true),
+        "deny" => Some(false),
+        _ => None,
+    };
+    let allow = a.word("rule", rule, context).unwrap_or(false);
+    let mut restrictions: Vec<String> =
+        a.optional_text("restriction", context).map(|(text, _)| text).into_iter().collect();
+    cursor.children(|cursor, name, a| {
+        if name == "restriction" {
+            let kind = a.optional_text("type", &mut cursor.context());
+            restrictions.extend(kind.map(|(text, _)| text));
+        }
+        cursor.skip();
+    });
+    s.map(|s| LaneAccess { s, allow, restrictions, span: a.span })
 }
 
 pub(crate) fn junction<R: BufRead>(cursor: &mut Cursor<R>, a: &Attributes) -> Option<Junction> {

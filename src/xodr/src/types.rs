@@ -281,10 +281,14 @@ pub struct Lane {
     pub level: bool,
     /// `@direction`.
     pub direction: LaneDirection,
-    /// `link/predecessor/@id`.
-    pub predecessors: Vec<i32>,
-    /// `link/successor/@id`.
-    pub successors: Vec<i32>,
+    /// `link/predecessor`.
+    pub predecessors: Vec<LinkedLane>,
+    /// `link/successor`.
+    pub successors: Vec<LinkedLane>,
+    /// `roadMark`, as far as lane changes go.
+    pub road_marks: Vec<RoadMark>,
+    /// `access`.
+    pub accesses: Vec<LaneAccess>,
     /// `width`.
     pub widths: Vec<CubicRecord>,
     /// `border`.
@@ -293,6 +297,47 @@ pub struct Lane {
     pub speeds: Vec<LaneSpeed>,
     /// Group that the lane stands in.
     pub side: Side,
+    /// The start tag.
+    pub span: Span,
+}
+
+/// `lane/link/predecessor` or `successor` (1.8.1, 11.5).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub struct LinkedLane {
+    pub id: i32,
+    pub span: Span,
+}
+
+/// `roadMark/@laneChange` (1.8.1, 11.9).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum LaneChange {
+    Increase,
+    Decrease,
+    #[default]
+    Both,
+    None,
+}
+
+/// `lane/roadMark` (1.8.1, 11.9).
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(missing_docs)]
+pub struct RoadMark {
+    pub s: f64,
+    pub lane_change: LaneChange,
+    pub span: Span,
+}
+
+/// `lane/access` (1.8.1, 11.8.1).
+#[derive(Clone, Debug, PartialEq)]
+pub struct LaneAccess {
+    /// `@sOffset` `[m]`.
+    pub s: f64,
+    /// `@rule` is `allow`.
+    pub allow: bool,
+    /// `@restriction` and `restriction/@type`, verbatim.
+    pub restrictions: Vec<String>,
     /// The start tag.
     pub span: Span,
 }
