@@ -11,6 +11,7 @@ pub mod damage;
 pub mod literal;
 pub mod maps;
 pub mod place;
+pub mod plain_route;
 pub mod town;
 
 use std::path::{Path, PathBuf};

@@ -6,6 +6,10 @@ use thiserror::Error;
 const INDEX_TOLERANCE: f64 = 0.05;
 /// Default of [`CompileOptions::bound_tolerance`] `[m]`.
 const BOUND_TOLERANCE: f64 = 0.01;
+/// Default of [`CompileOptions::landmarks`].
+const LANDMARKS: u8 = 16;
+/// Landmarks that a search looks at.
+pub(crate) const MOST_LANDMARKS: u8 = 32;
 /// Tolerances that make sense `[m]`: below, single precision has no room; above, an index stops to be one.
 const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-3..=1.0;
 
@@ -18,6 +22,9 @@ pub struct CompileOptions {
     pub bound_tolerance: f64,
     /// Which cycles of the lane graph are errors. Default: those that no road network may have.
     pub cycles: CyclePolicy,
+    /// Number of landmarks; more than 32 count as 32. More make routing over long ways faster and the archive larger.
+    /// Default 16.
+    pub landmarks: u8,
 }
 
 /// Which cycles of the lane graph are errors.
@@ -51,6 +58,7 @@ impl Default for CompileOptions {
             index_tolerance: INDEX_TOLERANCE,
             bound_tolerance: BOUND_TOLERANCE,
             cycles: CyclePolicy::default(),
+            landmarks: LANDMARKS,
         }
     }
 }
@@ -73,7 +81,7 @@ impl CompileOptions {
         let mut hasher = blake3::Hasher::new();
         hasher.update(&self.index_tolerance.to_le_bytes());
         hasher.update(&self.bound_tolerance.to_le_bytes());
-        hasher.update(&[self.cycles as u8]);
+        hasher.update(&[self.cycles as u8, self.landmarks.min(MOST_LANDMARKS)]);
         let mut out = [0; 8];
         out.copy_from_slice(&hasher.finalize().as_bytes()[..8]);
         out

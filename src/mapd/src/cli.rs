@@ -51,6 +51,10 @@ struct Options {
     #[arg(long, value_name = "M", default_value_t = CompileOptions::default().bound_tolerance)]
     bound_tolerance: f64,
 
+    /// Landmarks for routing, 0 to 32: more are faster over long ways and larger
+    #[arg(long, value_name = "N", default_value_t = CompileOptions::default().landmarks, value_parser = clap::value_parser!(u8).range(0..=32))]
+    landmarks: u8,
+
     /// Which cycles of the lane graph are errors
     #[arg(long, value_enum, default_value_t = Cycles::Illegal)]
     cycles: Cycles,
@@ -169,6 +173,7 @@ impl Options {
         CompileOptions {
             index_tolerance: self.index_tolerance,
             bound_tolerance: self.bound_tolerance,
+            landmarks: self.landmarks,
             cycles: match self.cycles {
                 Cycles::Illegal => CyclePolicy::Illegal,
                 Cycles::All => CyclePolicy::All,

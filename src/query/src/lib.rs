@@ -31,6 +31,7 @@ mod polyline;
 mod profile;
 mod region;
 mod road;
+mod route;
 mod section;
 mod types;
 mod waypoints;
@@ -51,6 +52,10 @@ pub use nearest::{LaneTypes, Nearest, NearestOptions};
 pub use polyline::Polyline;
 pub use region::{BoundarySegment, Region};
 pub use road::{Road, RoadLink, RoadTypeRecord};
+pub use route::{
+    CostBound, Enter, LaneChangeAhead, LanePlace, LaneSequences, NextJunction, Reached, Route,
+    RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime, next_lane_change,
+};
 pub use section::LaneSection;
 pub use types::{LaneEdges, LanePosition, Point, Pose, Track, TrackPosition};
 pub use waypoints::Waypoint;

@@ -8,6 +8,7 @@ mod cycles;
 mod findings;
 mod gaps;
 mod incoming;
+mod landmarks;
 mod measure;
 mod nodes;
 mod permissions;
@@ -18,7 +19,7 @@ pub(crate) use permissions::Permissions;
 
 use crate::TooLarge;
 use crate::lower::Lowering;
-use crate::options::CompileOptions;
+use crate::options::{CompileOptions, MOST_LANDMARKS};
 use mapd_archive::Rows;
 use mapd_xodr::{Finding, LineIndex, Span};
 
@@ -41,6 +42,7 @@ pub(crate) fn build(
 pub(crate) fn complete(rows: &mut Rows, spans: &[Span], options: &CompileOptions) -> Vec<Finding> {
     measure::measure(rows);
     components::condense(rows);
+    landmarks::build(rows, options.landmarks.min(MOST_LANDMARKS).into());
     let mut report = report::Report::new(rows, spans);
     gaps::check(rows, &mut report);
     cycles::check(rows, options.cycles, &mut report);
