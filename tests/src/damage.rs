@@ -65,14 +65,14 @@ fn ask_graph(map: Map<'_>) {
     let (Some(first), Some(last)) = (places.next(), places.nth(20).or(places.last())) else {
         return;
     };
-    for (from, to) in [(first, last), (last, first), (first, first)] {
+    for (from, to) in [(first, last), (last, first)] {
         let _ = map.route(from, to, car, &length, &mut scratch, &mut steps);
         let _ = next_lane_change(map, &steps, 0, from);
         let _ = map.route(from, to, car, &ShortestTime::default(), &mut scratch, &mut steps);
-        let _ = map.reachable(from, 300.0, car, &length, &mut scratch, &mut reached);
-        let _ = map.lane_sequences_ahead(from, 300.0, car, &mut sequences);
-        let _ = map.lane_sequences_behind(from, 300.0, car, &mut sequences);
-        let _ = map.next_junction(from, 300.0, car);
+        let _ = map.reachable(from, 60.0, car, &length, &mut scratch, &mut reached);
+        let _ = map.lane_sequences_ahead(from, 60.0, car, &mut sequences);
+        let _ = map.lane_sequences_behind(from, 60.0, car, &mut sequences);
+        let _ = map.next_junction(from, 60.0, car);
     }
 }
 
