@@ -1,24 +1,7 @@
-//! Writes mapd's generated code and documents from the tables of truth in this folder.
-//!
-//! ```text
-//! cargo run -p mapd-schemas            write what has changed
-//! cargo run -p mapd-schemas -- --check change nothing; end with 1 if something would change
-//! ```
-//!
-//! Invariant: the output depends on the tables of truth alone, so that running it twice changes nothing.
-
-mod archive;
-mod archive_code;
-mod archive_doc;
+//! Writes mapd's generated code and documents from the tables of truth in this folder; see the library.
 
 use anyhow::{Context, Result, bail};
 use std::path::{Path, PathBuf};
-
-/// A file to be written: its path below the workspace and its whole text.
-struct Output {
-    path: &'static str,
-    text: String,
-}
 
 fn main() -> Result<()> {
     let check = match std::env::args().skip(1).collect::<Vec<_>>().as_slice() {
@@ -30,29 +13,14 @@ fn main() -> Result<()> {
         .parent()
         .map(PathBuf::from)
         .context("the schemas folder has no parent")?;
-    let layout = archive::Layout::read(&root.join("schemas/archive.toml"))?;
-    let format_page = root.join("docs/format.md");
-    let outputs = [
-        Output { path: "src/archive/src/generated/rows.rs", text: archive_code::rows(&layout) },
-        Output {
-            path: "src/archive/src/generated/accessors.rs",
-            text: archive_code::accessors(&layout),
-        },
-        Output { path: "src/archive/src/generated/tables.rs", text: archive_code::tables(&layout) },
-        Output {
-            path: "docs/format.md",
-            text: archive_doc::splice(
-                &std::fs::read_to_string(&format_page)
-                    .with_context(|| format!("reading {}", format_page.display()))?,
-                &layout,
-            )?,
-        },
-    ];
     let mut stale = Vec::new();
-    for output in outputs {
-        let path = root.join(output.path);
-        let text =
-            if output.path.ends_with(".rs") { format_rust(&output.text)? } else { output.text };
+    for (name, text) in mapd_schemas::outputs(&root)? {
+        let path = root.join(&name);
+        let text = if name.ends_with(".rs") {
+            format_rust(&text).with_context(|| name.clone())?
+        } else {
+            text
+        };
         if std::fs::read_to_string(&path).ok().as_deref() == Some(text.as_str()) {
             continue;
         }
@@ -62,7 +30,7 @@ fn main() -> Result<()> {
             }
             std::fs::write(&path, text).with_context(|| format!("writing {}", path.display()))?;
         }
-        stale.push(output.path);
+        stale.push(name);
     }
     if check && !stale.is_empty() {
         bail!(

@@ -3,7 +3,7 @@
 use crate::exit::Exit;
 use crate::progress::Bar;
 use crate::query::{self, Kind};
-use crate::{archive_file, inspect, load, report, source, status};
+use crate::{archive_file, export, inspect, load, report, source, status};
 use anyhow::{Context, Result, bail};
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions};
@@ -147,6 +147,22 @@ enum Command {
         #[command(flatten)]
         live: Live,
     },
+    /// Draw or convert a map
+    Export {
+        /// .xodr, .mapd or shm:NAME
+        source: String,
+        /// What to write
+        #[arg(long, value_enum)]
+        format: export::Format,
+        /// File to write [default: stdout]
+        #[arg(short, long, value_name = "OUT")]
+        output: Option<PathBuf>,
+        /// svg: also the boxes of the spatial index
+        #[arg(long)]
+        index_boxes: bool,
+        #[command(flatten)]
+        live: Live,
+    },
     /// List the maps that are served
     Status {
         /// As JSON
@@ -160,6 +176,7 @@ enum Command {
 const QUERY_HELP: &str = "\
 Columns:
   inertial    road_id,s,t[,h]      x,y,z,hdg (h = 0 is the plane rolled by superelevation)
+  surface     road_id,s,t          x,y,z,nx,ny,nz,friction,roughness: point and normal of the surface, the lane's material
   lane        road_id,s,lane_id    width,t_inner,t_outer,x,y,z,hdg of the lane's centre on that plane
   nearest     x,y[,z][,hdg]        lane,road_id,lane_id,s,t,offset,distance
   track       road_id,x,y[,z]      s,t,h (h only with z)
@@ -273,6 +290,17 @@ fn execute(cli: Cli) -> Result<Exit> {
                             }
                             other => anyhow::Error::new(other),
                         })?;
+                    Exit::Done
+                }
+                None => Exit::Rejected,
+            }
+        }
+        Command::Export { source, format, output, index_boxes, live } => {
+            let (domain, wait) = live.get()?;
+            match source::open_or_report(&source, &CompileOptions::default(), (&domain, wait))? {
+                Some(snapshot) => {
+                    let options = export::Options { index_boxes };
+                    export::run(snapshot.map(), format, options, output.as_deref(), out)?;
                     Exit::Done
                 }
                 None => Exit::Rejected,

@@ -19,6 +19,7 @@
 pub mod archive_file;
 pub mod cli;
 pub mod exit;
+pub mod export;
 mod graph_facts;
 mod inspect;
 mod load;

@@ -18,6 +18,7 @@
 mod area;
 mod error;
 mod graph;
+mod grid;
 mod ids;
 mod index;
 mod junction;
@@ -33,6 +34,7 @@ mod region;
 mod road;
 mod route;
 mod section;
+mod surface;
 mod types;
 mod waypoints;
 
@@ -57,5 +59,6 @@ pub use route::{
     RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime, next_lane_change,
 };
 pub use section::LaneSection;
+pub use surface::{Material, Surface};
 pub use types::{LaneEdges, LanePosition, Point, Pose, Track, TrackPosition};
 pub use waypoints::Waypoint;

@@ -25,7 +25,7 @@ mod length_sum_geometries;
 mod records_ascend;
 mod reference_line_ascends;
 
-use mapd_xodr::{Finding, Road, Severity, Span};
+use mapd_xodr::{Finding, Road, Severity, Span, Text as _};
 
 /// A check of one road.
 type RoadRule = fn(&Road, &mut Vec<Finding>);
@@ -52,6 +52,6 @@ fn finding(
     part: &str,
     message: String,
 ) -> Finding {
-    let path = format!("OpenDRIVE/road[@id={}]/{part}", road.id);
-    Finding { rule, severity, span, path, message, hint: String::new() }
+    let path = format!("OpenDRIVE/road[@id={}]/{part}", road.id.text());
+    Finding { rule, severity, span, path, subject: "".into(), message, hint: String::new() }
 }

@@ -9,24 +9,29 @@ const TOLERANCE: f64 = 1e-6;
 const RULE: &str = "mapd:xodr:1.4.0:road.records_ascend";
 
 pub(crate) fn check(road: &Road, findings: &mut Vec<Finding>) {
-    let mut lists: Vec<(&[CubicRecord], &str)> = vec![
-        (&road.elevations, "elevationProfile/elevation"),
-        (&road.superelevations, "lateralProfile/superelevation"),
-        (&road.lane_offsets, "lanes/laneOffset"),
-    ];
-    for lane in road.sections.iter().flat_map(|section| &section.lanes) {
-        lists.push((&lane.widths, "lanes/laneSection/lane/width"));
-        lists.push((&lane.borders, "lanes/laneSection/lane/border"));
+    if let Some(profile) = &road.elevation_profile {
+        list(&profile.elevation, "elevationProfile/elevation", road, findings);
     }
-    for (records, part) in lists {
-        for pair in records.windows(2).filter(|pair| pair[1].s < pair[0].s) {
-            let message = format!(
-                "expected s of at least {}, that of the record before, found {}",
-                pair[0].s, pair[1].s
-            );
-            let rounding = pair[0].s - pair[1].s <= TOLERANCE;
+    if let Some(profile) = &road.lateral_profile {
+        list(&profile.superelevation, "lateralProfile/superelevation", road, findings);
+    }
+    let Some(lanes) = road.permanent_lanes() else { return };
+    list(&lanes.lane_offset, "lanes/laneOffset", road, findings);
+    for lane in lanes.lane_section.iter().flat_map(|section| section.side_lanes()) {
+        list(&lane.width, "lanes/laneSection/lane/width", road, findings);
+        list(&lane.border, "lanes/laneSection/lane/border", road, findings);
+    }
+}
+
+fn list<R: CubicRecord>(records: &[R], part: &str, road: &Road, findings: &mut Vec<Finding>) {
+    for pair in records.windows(2) {
+        let (Some(before), Some(s)) = (pair[0].start(), pair[1].start()) else { continue };
+        if s < before {
+            let message =
+                format!("expected s of at least {before}, that of the record before, found {s}");
+            let rounding = before - s <= TOLERANCE;
             let severity = if rounding { Severity::Warning } else { Severity::Error };
-            findings.push(finding(RULE, severity, pair[1].span, road, part, message));
+            findings.push(finding(RULE, severity, pair[1].span(), road, part, message));
         }
     }
 }

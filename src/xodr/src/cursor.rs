@@ -1,304 +1,515 @@
-//! Walking through the document: one event after the other, with place and path.
+//! The walk through a document: where it stands, and one step after the other.
+//!
+//! What a sound file needs on every element stands here; what is asked only where something is wrong, in `checks`.
 
-use crate::attributes::{Attributes, Context};
+use crate::element::{self, Element};
+use crate::extension::Extension;
 use crate::finding::{Finding, Severity, Span};
-use crate::limits::Limits;
-use crate::position::LineIndex;
+use crate::findings::Findings;
+use crate::limits::{ELEMENT_BYTES, Limits};
+use crate::markup::Text;
 use crate::rule_ids;
-use quick_xml::events::{BytesRef, Event};
-use std::io::{self, BufRead, Read};
+use crate::schema::{AttributeSchema, Choice, ElementSchema};
+use crate::source::{Inputs, Source};
+use crate::well_formed::Structure;
+use crate::window::{Stop, Window};
+use std::io;
 
-/// What a limit's I/O error says; it never leaves this module.
-const TOO_LARGE: &str = "one piece of markup or text is larger than the limits allow";
-
-/// The input: counts lines, and bounds what one event may take.
-pub(crate) struct Source<R> {
-    inner: R,
-    pub(crate) lines: LineIndex,
-    /// Bytes consumed since the current event began.
-    taken: usize,
-    limit: usize,
+/// An attribute as it stands in the tag: places of its name and its value, counted from the tag's `<`.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct RawAttribute {
+    pub(crate) name: (u32, u32),
+    pub(crate) value: (u32, u32),
 }
 
-impl<R: BufRead> Read for Source<R> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let available = self.fill_buf()?;
-        let count = available.len().min(buffer.len());
-        buffer[..count].copy_from_slice(&available[..count]);
-        self.consume(count);
-        Ok(count)
-    }
+/// The start tag that was read last.
+#[derive(Default)]
+pub(crate) struct Tag {
+    pub(crate) attributes: Vec<RawAttribute>,
+    /// Bytes of the name.
+    pub(crate) name: usize,
+    /// Whether it ends with `/>`.
+    pub(crate) empty: bool,
+    /// Whether it declares namespaces.
+    pub(crate) declares: bool,
+    pub(crate) span: Span,
 }
 
-impl<R: BufRead> BufRead for Source<R> {
-    fn fill_buf(&mut self) -> io::Result<&[u8]> {
-        if self.taken > self.limit {
-            return Err(io::Error::other(TOO_LARGE));
-        }
-        self.inner.fill_buf()
-    }
-
-    fn consume(&mut self, count: usize) {
-        // What is being consumed lies in the buffer: asking for it again reads nothing.
-        if let Ok(bytes) = self.inner.fill_buf() {
-            self.lines.feed(bytes.get(..count).unwrap_or(bytes));
-        }
-        self.taken += count;
-        self.inner.consume(count);
-    }
+/// An open element's name.
+pub(crate) enum Name {
+    /// One of the schema.
+    Known(&'static str),
+    /// Another, in the cursor's names: from where on, and how long.
+    Other(usize, usize),
 }
 
-/// A step through the document.
+/// An open element.
+pub(crate) struct Frame {
+    pub(crate) name: Name,
+    /// What tells it from others of its kind, in the cursor's names: the attribute, from where on, and how long.
+    pub(crate) key: Option<(&'static str, usize, usize)>,
+    /// Length of the cursor's names before it.
+    names: usize,
+}
+
+/// An element of the schema while it is being read.
+pub(crate) struct Open {
+    pub(crate) schema: &'static ElementSchema,
+    /// The start tag.
+    pub(crate) span: Span,
+    /// Attributes seen, as bits.
+    pub(crate) seen: u64,
+    /// Children seen at all and more than once, as bits.
+    pub(crate) children: u64,
+    pub(crate) repeated: u64,
+    /// Order of the last child.
+    pub(crate) order: u16,
+    pub(crate) variant: u8,
+    /// Place of its counters.
+    pub(crate) counts: usize,
+    /// Files that were open when it began.
+    pub(crate) files: usize,
+    empty: bool,
+    /// The attribute that is next in the tag, and the one of the schema that it should be.
+    next: usize,
+    expected: usize,
+    /// The child that was last.
+    last: usize,
+}
+
+/// A step through the children of an element.
 pub(crate) enum Step {
-    /// An element begins; its attributes are in the cursor's hands.
-    Start(Attributes),
-    /// The innermost element ends.
+    /// A child of the schema; its start tag has been read.
+    Child(usize),
+    /// Something else, read to its end.
+    Extension(Extension),
+    /// The element has ended, or the document has.
     End,
-    /// Text, CDATA or a resolved reference.
-    Text(String),
-    /// The input has ended, or reading it makes no more sense.
+}
+
+/// A piece of markup.
+pub(crate) enum Markup {
+    Start,
+    End,
+    /// The document has ended, or reading it makes no more sense.
     Over,
 }
 
-/// The walk through a document.
-pub(crate) struct Cursor<R> {
-    xml: quick_xml::Reader<Source<R>>,
-    buffer: Vec<u8>,
-    limits: Limits,
-    pub(crate) findings: Vec<Finding>,
-    /// Names of the open elements.
-    path: Vec<String>,
-    /// Prefix of the root with its colon; children of the core have it too.
-    prefix: String,
-    over: bool,
-    failed: Option<io::Error>,
+/// Where the value that is being read comes from.
+#[derive(Clone, Copy)]
+pub(crate) enum Current {
+    Attribute(RawAttribute),
+    Content,
 }
 
-impl<R: BufRead> Cursor<R> {
-    pub(crate) fn new(input: R, limits: Limits) -> Self {
-        let limit = limits.tag_bytes.max(limits.text_bytes);
-        let source = Source { inner: input, lines: LineIndex::default(), taken: 0, limit };
-        let mut xml = quick_xml::Reader::from_reader(source);
-        xml.config_mut().expand_empty_elements = true;
+/// The walk through a document.
+pub(crate) struct Cursor<'a> {
+    pub(crate) window: Window<'a>,
+    /// The files that include the one that is being read.
+    pub(crate) outer: Vec<(Window<'a>, Structure)>,
+    pub(crate) inputs: Inputs,
+    pub(crate) limits: Limits,
+    pub(crate) findings: Findings,
+    pub(crate) tag: Tag,
+    pub(crate) current: Current,
+    /// The schema of the value that is being read, and the span of its element.
+    pub(crate) schema: &'static AttributeSchema,
+    pub(crate) element: Span,
+    /// Type of the element that is being read.
+    pub(crate) kind: &'static str,
+    /// Rank of the version that is checked against.
+    pub(crate) version: usize,
+    /// The version as the file states it.
+    pub(crate) stated: String,
+    pub(crate) frames: Vec<Frame>,
+    /// Names and keys of open elements, one behind the other.
+    pub(crate) names: Vec<u8>,
+    /// The child whose start tag has been read, and the variant of its parent.
+    pub(crate) pending: &'static str,
+    pub(crate) pending_variant: u8,
+    pub(crate) counts: Vec<u16>,
+    /// Prefix of the root with its colon; elements of the standard have it too.
+    pub(crate) prefix: Vec<u8>,
+    /// Namespace of the root.
+    pub(crate) namespace: Vec<u8>,
+    /// Text of the innermost element that has content, and where it begins.
+    pub(crate) content: String,
+    pub(crate) content_start: Option<u64>,
+    /// Order of the parts of the file.
+    pub(crate) structure: Structure,
+    /// Whether an element beyond the standard's own is being read.
+    pub(crate) within_extension: bool,
+    /// Bytes that the top-level element has taken so far, as [`Limits::item_bytes`] counts them.
+    pub(crate) spent: usize,
+    pub(crate) over: bool,
+    pub(crate) failed: Option<io::Error>,
+}
+
+impl<'a> Cursor<'a> {
+    pub(crate) fn new(inputs: Inputs, source: Source<'a>, limits: Limits) -> Self {
         Self {
-            xml,
-            buffer: Vec::new(),
+            window: Window::new(
+                source,
+                limits.tag_bytes.max(limits.text_bytes),
+                limits.extension_bytes,
+            ),
+            outer: Vec::new(),
+            inputs,
             limits,
-            findings: Vec::new(),
-            path: Vec::new(),
-            prefix: String::new(),
+            findings: Findings::new(limits.findings_of_a_kind),
+            tag: Tag::default(),
+            current: Current::Content,
+            schema: &crate::checks::CONTENT,
+            element: Span::default(),
+            kind: "",
+            version: crate::schema::COUNT - 1,
+            stated: String::new(),
+            frames: Vec::new(),
+            names: Vec::new(),
+            pending: "",
+            pending_variant: 0,
+            counts: Vec::new(),
+            prefix: Vec::new(),
+            namespace: Vec::new(),
+            content: String::new(),
+            content_start: None,
+            structure: Structure::default(),
+            within_extension: false,
+            spent: 0,
             over: false,
             failed: None,
         }
     }
 
-    pub(crate) fn lines(&self) -> &LineIndex {
-        &self.xml.get_ref().lines
+    /// Begins the element whose start tag has been read.
+    pub(crate) fn open(&mut self, schema: &'static ElementSchema) -> Open {
+        self.spend(self.tag.span.len as usize + ELEMENT_BYTES);
+        let name = Name::Known(self.pending);
+        self.frames.push(Frame { name, key: None, names: self.names.len() });
+        let counts = self.counts.len();
+        if schema.counted != 0 {
+            self.counts.resize(counts + schema.children.len(), 0);
+        }
+        if schema.content.is_some() {
+            self.content.clear();
+            self.content_start = None;
+        }
+        self.element = self.tag.span;
+        self.kind = schema.name;
+        Open {
+            schema,
+            span: self.tag.span,
+            seen: 0,
+            children: 0,
+            repeated: 0,
+            order: 0,
+            variant: self.pending_variant,
+            counts,
+            files: self.outer.len(),
+            empty: self.tag.empty,
+            next: 0,
+            expected: 0,
+            last: 0,
+        }
     }
 
-    pub(crate) fn offset(&self) -> u64 {
-        self.xml.buffer_position()
+    /// Bytes of the tag.
+    pub(crate) fn bytes(&self, (from, to): (u32, u32)) -> &[u8] {
+        self.window.token().get(from as usize..to as usize).unwrap_or_default()
     }
 
-    /// Whether the document has ended, for whatever reason.
-    pub(crate) fn is_over(&self) -> bool {
-        self.over
+    /// The slot of the tag's next attribute that the schema knows; its value is then the current one.
+    #[inline]
+    pub(crate) fn next_attribute(&mut self, open: &mut Open) -> Option<usize> {
+        loop {
+            let raw = *self.tag.attributes.get(open.next)?;
+            open.next += 1;
+            let name = self.bytes(raw.name);
+            let known = open.schema.attributes;
+            let is = |slot: usize| known.get(slot).is_some_and(|a| a.name.as_bytes() == name);
+            // Most files write attributes in the schema's order, some left out.
+            let slot = if is(open.expected) {
+                open.expected
+            } else {
+                match (open.expected + 1..known.len())
+                    .chain(0..open.expected)
+                    .find(|slot| is(*slot))
+                {
+                    Some(slot) => slot,
+                    None => {
+                        self.other_attribute(raw);
+                        continue;
+                    }
+                }
+            };
+            let bit = 1 << slot;
+            if open.seen & bit != 0 {
+                self.twice(raw);
+                continue;
+            }
+            open.seen |= bit;
+            open.expected = slot + 1;
+            self.current = Current::Attribute(raw);
+            self.schema = &known[slot];
+            if open.schema.key == Some(slot) {
+                self.set_key(raw);
+            }
+            return Some(slot);
+        }
     }
 
-    /// The failure of the environment that ended the walk.
-    pub(crate) fn take_failure(&mut self) -> Option<io::Error> {
-        self.failed.take()
+    /// Lets paths name the element by an attribute.
+    fn set_key(&mut self, raw: RawAttribute) {
+        let (from, to) = raw.value;
+        let value = self.window.token().get(from as usize..to as usize).unwrap_or_default();
+        let at = self.names.len();
+        self.names.extend_from_slice(value);
+        if let Some(frame) = self.frames.last_mut() {
+            frame.key = Some((self.schema.name, at, value.len()));
+        }
     }
 
-    /// Where findings about the current element go.
-    pub(crate) fn context(&mut self) -> Context<'_> {
-        Context { path: self.path.join("/"), findings: &mut self.findings }
+    /// All attributes have been read: are the right ones there?
+    #[inline]
+    pub(crate) fn finish_attributes(&mut self, open: &mut Open) {
+        let schema = open.schema;
+        let odd = open.seen & !schema.plain[self.version];
+        let missing = schema.wanted[self.version] & !open.seen;
+        if odd | missing != 0 || schema.variant.is_some() {
+            self.check_attributes(open, odd, missing);
+        }
     }
 
+    /// The next child of an element.
+    #[inline]
+    pub(crate) fn next_child(&mut self, open: &mut Open) -> Step {
+        if open.empty {
+            self.close(open);
+            return Step::End;
+        }
+        loop {
+            let text = match (open.schema.content, open.schema.any) {
+                (Some(_), _) => Text::Content,
+                (None, true) => Text::Any,
+                (None, false) => Text::None,
+            };
+            match self.markup(text) {
+                Markup::Start => {}
+                Markup::End if self.outer.len() > open.files => {
+                    self.leave_include();
+                    continue;
+                }
+                Markup::End => {
+                    self.close(open);
+                    return Step::End;
+                }
+                Markup::Over => return Step::End,
+            }
+            if let Some(slot) = self.child_slot(open) {
+                self.enter(open, slot);
+                return Step::Child(slot);
+            }
+            if let Some(extension) = self.other_child(open) {
+                return Step::Extension(extension);
+            }
+            if self.over {
+                return Step::End;
+            }
+        }
+    }
+
+    /// The slot of the child whose start tag has been read; none where the schema has no such child here.
+    #[inline]
+    fn child_slot(&self, open: &mut Open) -> Option<usize> {
+        if self.tag.declares && self.is_redeclared() {
+            return None;
+        }
+        let name =
+            self.bytes((1, 1 + self.tag.name as u32)).strip_prefix(self.prefix.as_slice())?;
+        let children = open.schema.children;
+        let is = |slot: usize| children.get(slot).is_some_and(|c| c.name.as_bytes() == name);
+        // Most children stand in rows of one kind.
+        if is(open.last) {
+            return Some(open.last);
+        }
+        (open.last + 1..children.len()).chain(0..open.last).find(|slot| is(*slot))
+    }
+
+    /// Takes note of a child.
+    #[inline]
+    fn enter(&mut self, open: &mut Open, slot: usize) {
+        let child = &open.schema.children[slot];
+        let bit = 1 << slot;
+        open.repeated |= open.children & bit;
+        open.children |= bit;
+        open.last = slot;
+        if open.schema.counted != 0
+            && let Some(count) = self.counts.get_mut(open.counts + slot)
+        {
+            *count = count.saturating_add(1);
+        }
+        let plain = open.schema.plain_children[self.version];
+        let again = open.repeated & bit & open.schema.single_children[self.version] != 0;
+        if bit & !plain != 0 || again || child.order < open.order {
+            self.check_child(open, child, again);
+        }
+        open.order = open.order.max(child.order);
+        self.pending = child.name;
+        self.pending_variant = open.variant;
+    }
+
+    /// An element has ended: are the right children there?
+    #[inline]
+    fn close(&mut self, open: &mut Open) {
+        let schema = open.schema;
+        let missing = schema.wanted_children[self.version] & !open.children;
+        let chosen = (open.children & schema.chosen).count_ones();
+        let badly = match schema.choice {
+            Choice::One => chosen != 1,
+            Choice::AtMostOne => chosen > 1,
+            Choice::Any => false,
+        };
+        if missing | schema.counted != 0 || badly {
+            self.check_children(open, missing);
+        }
+        self.counts.truncate(open.counts);
+        self.pop_frame();
+        self.element = open.span;
+        if schema.content.is_some() {
+            self.current = Current::Content;
+            self.schema = &crate::checks::CONTENT;
+            self.kind = schema.name;
+        }
+    }
+
+    pub(crate) fn push_frame(&mut self, name: Name, names: usize) {
+        self.frames.push(Frame { name, key: None, names });
+    }
+
+    pub(crate) fn pop_frame(&mut self) {
+        if let Some(frame) = self.frames.pop() {
+            self.names.truncate(frame.names);
+        }
+    }
+
+    /// Path of the open elements, such as `OpenDRIVE/road[@id=12]/planView`.
+    pub(crate) fn path(&self) -> String {
+        /// Bytes of a name or a key that are shown.
+        const SHOWN: usize = 64;
+        let text = |from: usize, len: usize| {
+            let to = from + len.min(SHOWN);
+            String::from_utf8_lossy(self.names.get(from..to).unwrap_or_default())
+        };
+        let mut path = String::new();
+        for frame in &self.frames {
+            if !path.is_empty() {
+                path.push('/');
+            }
+            match frame.name {
+                Name::Known(name) => path += name,
+                Name::Other(from, len) => path += &text(from, len),
+            }
+            if let Some((key, from, len)) = frame.key {
+                path += &format!("[@{key}={}]", text(from, len));
+            }
+        }
+        path
+    }
+
+    /// Adds a finding about the innermost element. `detail` tells findings of one rule and element apart.
     pub(crate) fn add(
         &mut self,
         rule: &'static str,
         severity: Severity,
         span: Span,
+        detail: &str,
         message: String,
     ) {
-        self.context().add(rule, severity, span, message);
+        let path = self.path();
+        self.findings.add(rule, severity, span, (self.kind, detail), || (path, message));
     }
 
-    /// Ends the walk with an error finding.
+    /// Counts what the top-level element takes; ends the walk where that is too much.
+    #[inline]
+    pub(crate) fn spend(&mut self, bytes: usize) {
+        self.spent += bytes;
+        if self.spent > self.limits.item_bytes && !self.over {
+            self.overspent();
+        }
+    }
+
+    #[cold]
+    fn overspent(&mut self) {
+        let message = format!(
+            "expected at most {} bytes in one top-level element, {ELEMENT_BYTES} for each element within counted, found more",
+            self.limits.item_bytes
+        );
+        self.refuse(rule_ids::LIMIT, self.window.start(), message);
+    }
+
+    /// Ends the walk with an error.
     pub(crate) fn refuse(&mut self, rule: &'static str, start: u64, message: String) {
-        self.add(rule, Severity::Error, Span { start, len: 0 }, message);
+        let path = self.path();
+        let span = Span { start, len: 0 };
+        self.findings.add(rule, Severity::Error, span, ("", ""), || (path, message));
         self.over = true;
     }
 
-    /// Names the current element more closely in paths.
-    pub(crate) fn name_element(&mut self, name: String) {
-        if let Some(last) = self.path.last_mut() {
-            *last = name;
-        }
-    }
-
-    /// Local name of the innermost element, empty for elements of another namespace.
-    pub(crate) fn set_root_prefix(&mut self, prefix: String) {
-        self.prefix = prefix;
-    }
-
-    /// The next step.
-    pub(crate) fn step(&mut self) -> Step {
-        loop {
-            if self.over {
-                return Step::Over;
+    /// Ends the walk because there is no more text. `expected` says what was still to come; none if nothing was.
+    #[cold]
+    pub(crate) fn stopped(&mut self, expected: Option<&str>) {
+        self.over = true;
+        let start = self.window.start();
+        self.take_notes();
+        match self.window.stop.take() {
+            Some(Stop::Refused(refusal)) => {
+                let start = crate::source::Places::start(self.window.source.file(), refusal.start);
+                let rule = crate::notes::rule_of(&refusal.kind);
+                self.refuse(rule, start, refusal.to_string());
             }
-            let start = self.xml.buffer_position();
-            self.xml.get_mut().taken = 0;
-            self.buffer.clear();
-            let event = match self.xml.read_event_into(&mut self.buffer) {
-                Ok(event) => event,
-                Err(error) => {
-                    let at = self.xml.error_position();
-                    return self.fail(error, at);
+            Some(Stop::TooLarge) => {
+                let message = format!(
+                    "expected at most {} bytes in one piece of markup or text, found more",
+                    self.window.limit
+                );
+                self.refuse(rule_ids::LIMIT, start, message);
+            }
+            Some(Stop::Failed(error)) => self.failed = Some(error),
+            Some(Stop::End) | None => {
+                if let Some(expected) = expected {
+                    let start = self.window.offset();
+                    self.refuse(
+                        rule_ids::XML,
+                        start,
+                        format!("expected {expected}, found the end of the file"),
+                    );
                 }
-            };
-            match event {
-                Event::Start(tag) if tag.len() > self.limits.tag_bytes => {
-                    self.refuse(rule_ids::LIMIT, start, TOO_LARGE.to_owned());
-                    return Step::Over;
-                }
-                Event::Start(tag) => {
-                    let mut attributes = Attributes::default();
-                    let parsed = attributes.parse(tag.as_bytes(), start);
-                    let name = tag.name().as_ref().to_owned();
-                    if let Err((message, at)) = parsed {
-                        self.refuse(rule_ids::XML, start + 1 + at as u64, message);
-                        return Step::Over;
-                    }
-                    self.path.push(name);
-                    if self.path.len() > self.limits.depth {
-                        let message = format!(
-                            "expected at most {} nested elements, found more",
-                            self.limits.depth
-                        );
-                        self.refuse(rule_ids::LIMIT, start, message);
-                        return Step::Over;
-                    }
-                    return Step::Start(attributes);
-                }
-                Event::End(_) => {
-                    self.path.pop();
-                    return Step::End;
-                }
-                Event::Text(text) => return Step::Text(text.to_string()),
-                Event::CData(text) => return Step::Text(text.to_string()),
-                Event::GeneralRef(reference) => return Step::Text(resolve(&reference)),
-                Event::Decl(declaration) => {
-                    let encoding = declaration.encoding().and_then(Result::ok);
-                    let encoding = encoding.map(|e| e.to_ascii_lowercase());
-                    if start > 3 {
-                        let message = "expected the XML declaration at the start of the file, found it after something else".to_owned();
-                        self.add(
-                            rule_ids::BEFORE_DECLARATION,
-                            Severity::Warning,
-                            Span { start, len: 5 },
-                            message,
-                        );
-                    }
-                    if let Some(encoding) = encoding
-                        .filter(|e| !matches!(e.as_str(), "utf-8" | "utf8" | "us-ascii" | "ascii"))
-                    {
-                        let message = format!(
-                            "expected UTF-8, found the encoding {encoding:?}, which is not read yet"
-                        );
-                        self.refuse(rule_ids::ENCODING, start, message);
-                        return Step::Over;
-                    }
-                }
-                Event::Eof => {
-                    if let Some(open) = self.path.last() {
-                        let message = format!(
-                            "expected the end of element {open}, found the end of the file"
-                        );
-                        self.refuse(rule_ids::XML, start, message);
-                    }
-                    self.over = true;
-                    return Step::Over;
-                }
-                Event::Empty(_) | Event::Comment(_) | Event::PI(_) | Event::DocType(_) => {}
             }
         }
     }
 
-    fn fail(&mut self, error: quick_xml::Error, at: u64) -> Step {
-        match error {
-            quick_xml::Error::Io(error) if error.to_string() == TOO_LARGE => {
-                self.refuse(rule_ids::LIMIT, at, TOO_LARGE.to_owned());
-            }
-            quick_xml::Error::Io(error) => {
-                self.failed = Some(io::Error::new(error.kind(), error.to_string()));
-                self.over = true;
-            }
-            error => self.refuse(rule_ids::XML, at, error.to_string()),
-        }
-        Step::Over
-    }
-
-    /// Visits the children of the current element up to its end. `visit` gets the child's local name and attributes
-    /// and must walk to the child's end, by `children`, `text` or `skip`.
-    pub(crate) fn children(&mut self, mut visit: impl FnMut(&mut Self, &str, Attributes)) {
-        loop {
-            match self.step() {
-                Step::Start(attributes) => {
-                    let name = self.path.last().map(String::as_str).unwrap_or("");
-                    match name
-                        .strip_prefix(self.prefix.as_str())
-                        .filter(|local| !local.contains(':'))
-                    {
-                        Some(local) => {
-                            let local = local.to_owned();
-                            visit(self, &local, attributes);
-                        }
-                        None => self.skip(),
-                    }
-                }
-                Step::Text(_) => {}
-                Step::End | Step::Over => return,
-            }
-        }
-    }
-
-    /// Walks to the end of the current element.
-    pub(crate) fn skip(&mut self) {
-        let mut depth = 1;
-        while depth > 0 {
-            match self.step() {
-                Step::Start(_) => depth += 1,
-                Step::End => depth -= 1,
-                Step::Text(_) => {}
-                Step::Over => return,
-            }
-        }
-    }
-
-    /// Text of the current element up to its end, that of children left out.
-    pub(crate) fn text(&mut self) -> String {
-        let mut out = String::new();
-        loop {
-            match self.step() {
-                Step::Start(_) => self.skip(),
-                Step::Text(text) => out.push_str(&text),
-                Step::End | Step::Over => return out,
-            }
-        }
+    /// Takes the findings since the last call.
+    pub(crate) fn take_findings(&mut self) -> Vec<Finding> {
+        self.findings.take()
     }
 }
 
-/// The text of a reference: the five of XML itself and characters by number; others stay as written.
-fn resolve(reference: &BytesRef<'_>) -> String {
-    if let Ok(Some(character)) = reference.resolve_char_ref() {
-        return character.to_string();
+impl Cursor<'_> {
+    /// Reads a child that may stand once; of several the first is kept.
+    pub(crate) fn put<T: Element>(&mut self, place: &mut Option<Box<T>>) {
+        let child = element::read(self);
+        if place.is_none() {
+            *place = Some(Box::new(child));
+        }
     }
-    let name = reference.to_string();
-    match quick_xml::escape::resolve_xml_entity(&name) {
-        Some(text) => text.to_owned(),
-        None => format!("&{name};"),
+
+    /// Reads a child that may stand several times.
+    pub(crate) fn push<T: Element>(&mut self, list: &mut Vec<T>) {
+        list.push(element::read(self));
+    }
+
+    /// Reads an element that stands alone.
+    pub(crate) fn boxed<T: Element>(&mut self) -> Box<T> {
+        Box::new(element::read(self))
     }
 }

@@ -9,7 +9,7 @@ use super::nodes::{first_node, pieces};
 use super::walk::{connection_written, lane_of, written_links};
 use crate::lower::Lowering;
 use mapd_archive::{ContactPoint, LinkKind, node_flags};
-use mapd_xodr::{Direction, RoadLink, Span};
+use mapd_xodr::{ElementDir, LinkedElement, Span, Value as _};
 
 /// Edges over places inside a road, by the node that is left.
 #[derive(Default)]
@@ -51,7 +51,7 @@ impl Attachments {
 }
 
 /// A road's link at one end, if it names a place inside another road.
-fn link_inside(lowering: &Lowering, road: u32, successor: bool) -> Option<(&RoadLink, Place)> {
+fn link_inside(lowering: &Lowering, road: u32, successor: bool) -> Option<(&LinkedElement, Place)> {
     let row = lowering.rows.roads.get(road as usize)?;
     let link = lowering.links.roads.get(road as usize)?[usize::from(successor)].as_ref()?;
     let (kind, target) = if successor {
@@ -59,8 +59,8 @@ fn link_inside(lowering: &Lowering, road: u32, successor: bool) -> Option<(&Road
     } else {
         (row.predecessor_kind, row.predecessor)
     };
-    let s = link.element_s.filter(|_| LinkKind::from_code(kind) == LinkKind::Road)?;
-    let aligned = link.element_dir.unwrap_or(Direction::Plus) == Direction::Plus;
+    let s = link.element_s.value().filter(|_| LinkKind::from_code(kind) == LinkKind::Road)?;
+    let aligned = link.element_dir.value() != Some(ElementDir::Minus);
     Some((link, Place { road: target, s, forward: aligned }))
 }
 
@@ -85,9 +85,9 @@ fn out_of_road(
         let Some(first) = first_node(leaving, successor) else { continue };
         let from = first + pieces(leaving) - 1;
         for link in written_links(lowering, lane, successor) {
-            match node_at(lowering, cuts, place, link.id, true) {
+            match node_at(lowering, cuts, place, link.number, true) {
                 Ok(to) => edges.push((from, to, link.span)),
-                Err(missing) => problems.add(missing.problem(from, link.id, link.span)),
+                Err(missing) => problems.add(missing.problem(from, link.number, link.span)),
             }
         }
     }
@@ -116,19 +116,20 @@ fn into_road(
     let Some(road) = rows.roads.get(row.connecting_road as usize) else { return };
     let section = if start { road.sections.first } else { road.sections.end() as u32 - 1 };
     let Some(written) = connection_written(lowering, junction, connection) else { return };
-    for link in &written.lane_links {
-        let from = match node_at(lowering, cuts, place, link.from, false) {
+    for link in &written.lane_link {
+        let (Some(number), Some(entered)) = (link.from.value(), link.to.value()) else { continue };
+        let from = match node_at(lowering, cuts, place, number, false) {
             Ok(from) => from,
             // Lanes of the main road that travel the other way have nothing to do with this place.
             Err(Missing::Direction(_)) => continue,
             Err(missing) => {
-                problems.add(missing.problem(u32::MAX, link.from, link.span));
+                problems.add(missing.problem(u32::MAX, number, link.span));
                 continue;
             }
         };
-        let lane = lane_of(lowering, section, link.to);
+        let lane = lane_of(lowering, section, entered);
         let Some(lane) = lane else {
-            problems.add(Problem::MissingLane { from, section, number: link.to, span: link.span });
+            problems.add(Problem::MissingLane { from, section, number: entered, span: link.span });
             continue;
         };
         match rows.lanes.get(lane as usize).and_then(|row| first_node(row, start)) {

@@ -4,14 +4,15 @@ use super::walk::Edge;
 use crate::TooLarge;
 use crate::lower::Lowering;
 use mapd_archive::{EdgeRow, NONE, Rows};
-use mapd_xodr::{LineIndex, Span};
+use mapd_xodr::Span;
+use mapd_xodr::source::Places;
 
 /// Stores edges, which come by the node that is left; gives each edge's place in the file. Those of one node are ordered by road id, section and lane of the
 /// node that is entered, so that the order of elements in the file does not show.
 pub(crate) fn store(
     lowering: &mut Lowering,
     mut edges: Vec<Edge>,
-    lines: &LineIndex,
+    places: &Places,
 ) -> Result<Vec<Span>, TooLarge> {
     if edges.len() >= NONE as usize {
         return Err(TooLarge("successors"));
@@ -27,7 +28,7 @@ pub(crate) fn store(
     let nodes = rows.lane_nodes.len();
     rows.successor_offsets = offsets(nodes, edges.iter().map(|edge| edge.from)).into();
     rows.successors = edges.iter().map(|edge| edge.to).collect::<Vec<_>>().into();
-    rows.edges = edges.iter().map(|edge| row(edge, lines)).collect::<Vec<_>>().into();
+    rows.edges = edges.iter().map(|edge| row(edge, places)).collect::<Vec<_>>().into();
     let mut backward: Vec<(u32, u32)> = edges.iter().map(|edge| (edge.to, edge.from)).collect();
     backward.sort_unstable_by_key(|(to, from)| (*to, key(*from)));
     rows.predecessor_offsets = offsets(nodes, backward.iter().map(|(to, _)| *to)).into();
@@ -36,15 +37,16 @@ pub(crate) fn store(
     Ok(edges.iter().map(|edge| edge.span).collect())
 }
 
-fn row(edge: &Edge, lines: &LineIndex) -> EdgeRow {
+fn row(edge: &Edge, places: &Places) -> EdgeRow {
     let nowhere = edge.span == Span::default();
-    let position = if nowhere { Default::default() } else { lines.position(edge.span.start) };
+    let start = edge.span.start;
+    let position = if nowhere { Default::default() } else { places.place(start).position };
     EdgeRow {
         line: position.line,
         column: position.column,
+        file: Places::file_of(start),
         kind: edge.kind.code(),
         flags: 0,
-        reserved: [0; 2],
     }
 }
 

@@ -5,7 +5,7 @@
 
 use crate::lower::{Lowering, between};
 use mapd_archive::{CubicRow, LaneType, Range, VehicleClass, lane_flags};
-use mapd_xodr::LinkElement;
+use mapd_xodr::{ElementType, Value as _};
 
 /// Shortest piece `[m]`: a cut nearer than this to an end or to another cut is left out. What holds in the middle of a
 /// piece holds for all of it, so a permission is off by at most half of this.
@@ -64,9 +64,9 @@ fn attachments(lowering: &Lowering) -> Vec<(u32, f64)> {
     for (row, links) in lowering.rows.roads.iter().zip(&lowering.links.roads) {
         let ends = [row.predecessor, row.successor];
         for (link, target) in links.iter().zip(ends) {
-            let kind = link.as_ref().map(|link| link.element_type);
-            if let Some(s) = link.as_ref().and_then(|link| link.element_s)
-                && kind == Some(LinkElement::Road)
+            if let Some(link) = link
+                && let Some(s) = link.element_s.value()
+                && link.element_type.value() != Some(ElementType::Junction)
             {
                 places.push((target, s));
             }

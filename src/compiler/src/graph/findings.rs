@@ -29,20 +29,25 @@ impl Problems {
     /// Findings in file order; of each kind the first ones by name, the rest as a number.
     pub(crate) fn report(mut self, lowering: &Lowering, findings: &mut Vec<Finding>) {
         self.0.sort_by_key(|problem| problem.span().start);
-        for (rule, what) in [
-            ("mapd:graph.missing_lane", "lane links name lanes that are not there"),
-            ("mapd:graph.direction", "links lead into lanes that travel the other way"),
+        // A link that names nothing breaks what the file promises; one against the traffic is the rule for lanes that end.
+        for (rule, severity, what) in [
+            ("mapd:graph.missing_lane", Severity::Error, "links name lanes that are not there"),
+            (
+                "mapd:graph.direction",
+                Severity::Warning,
+                "links lead into lanes that travel the other way",
+            ),
         ] {
             let of_kind = || self.0.iter().filter(|problem| problem.rule() == rule);
             for problem in of_kind().take(NAMED) {
                 let (path, message) = problem.text(lowering);
                 let span = problem.span();
-                findings.push(finding(rule, Severity::Warning, span, path, message, ""));
+                findings.push(finding(rule, severity, span, path, message, ""));
             }
             if let Some(more) = of_kind().count().checked_sub(NAMED).filter(|more| *more > 0) {
                 let path = "OpenDRIVE".to_owned();
                 let message = format!("{more} more {what}");
-                findings.push(finding(rule, Severity::Warning, Span::default(), path, message, ""));
+                findings.push(finding(rule, severity, Span::default(), path, message, ""));
             }
         }
     }

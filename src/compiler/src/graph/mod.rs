@@ -21,12 +21,13 @@ use crate::TooLarge;
 use crate::lower::Lowering;
 use crate::options::{CompileOptions, MOST_LANDMARKS};
 use mapd_archive::Rows;
-use mapd_xodr::{Finding, LineIndex, Span};
+use mapd_xodr::source::Places;
+use mapd_xodr::{Finding, Span};
 
 /// Fills nodes and edges; says where each edge's link stands. What is wrong with a link is a finding, and the link is left out.
 pub(crate) fn build(
     lowering: &mut Lowering,
-    lines: &LineIndex,
+    places: &Places,
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Span>, TooLarge> {
     let cuts = cuts::Cuts::new(lowering);
@@ -35,7 +36,7 @@ pub(crate) fn build(
     let attachments = attach::Attachments::new(lowering, &cuts, &mut problems);
     let edges = walk::edges(lowering, &attachments, &mut problems);
     problems.report(lowering, findings);
-    csr::store(lowering, edges, lines)
+    csr::store(lowering, edges, places)
 }
 
 /// Completes the graph from sampled lanes: lengths and times, components, and what is wrong with its cycles and joints.

@@ -1,7 +1,9 @@
 //! Who may use a lane, and where lanes may be changed, as the file says it.
 
 use mapd_archive::{LaneType, VehicleClass};
-use mapd_xodr::{Lane, LaneAccess, LaneChange};
+use mapd_xodr::{
+    AccessRestrictionType as Restriction, AccessRule, LaneAccess, LaneChange, RoadMark, Value as _,
+};
 
 /// A road mark on the outer border of a lane, as far as lane changes go.
 #[derive(Clone, Copy)]
@@ -31,21 +33,28 @@ pub(crate) struct Permissions {
 
 impl Permissions {
     /// Adds what a lane says. Lanes come in the order of their rows.
-    pub(crate) fn lane(&mut self, row: u32, kind: LaneType, lane: &Lane) {
+    pub(crate) fn lane(
+        &mut self,
+        row: u32,
+        kind: LaneType,
+        marks: &[RoadMark],
+        accesses: &[LaneAccess],
+    ) {
         let before = self.marks.len();
-        self.marks.extend(lane.road_marks.iter().map(|mark| Mark {
+        self.marks.extend(marks.iter().map(|mark| Mark {
             lane: row,
-            s: mark.s,
-            change: mark.lane_change,
+            s: mark.s_offset.value().unwrap_or(0.0),
+            change: mark.lane_change.value().unwrap_or(LaneChange::Both),
         }));
         let marks = &mut self.marks[before..];
         marks.sort_by(|a, b| a.s.total_cmp(&b.s));
         let base = VehicleClass::of_lane_type(kind);
-        let mut records: Vec<&LaneAccess> = lane.accesses.iter().collect();
-        records.sort_by(|a, b| a.s.total_cmp(&b.s));
-        for set in records.chunk_by(|a, b| a.s == b.s) {
-            let Some(first) = set.first() else { continue };
-            self.accesses.push(Access { lane: row, s: first.s, classes: classes(base, set) });
+        let s_of = |record: &LaneAccess| record.s_offset.value().unwrap_or(0.0);
+        let mut records: Vec<&LaneAccess> = accesses.iter().collect();
+        records.sort_by(|a, b| s_of(a).total_cmp(&s_of(b)));
+        for set in records.chunk_by(|a, b| s_of(a) == s_of(b)) {
+            let Some(s) = set.first().map(|first| s_of(first)) else { continue };
+            self.accesses.push(Access { lane: row, s, classes: classes(base, set) });
         }
     }
 
@@ -73,10 +82,11 @@ impl Permissions {
         let marks = self.marks(lane);
         let at = marks.partition_point(|mark| mark.s <= s);
         match at.checked_sub(1).and_then(|i| marks.get(i)).map(|mark| mark.change) {
-            None | Some(LaneChange::Both) => (true, true),
             Some(LaneChange::Increase) => (true, false),
             Some(LaneChange::Decrease) => (false, true),
             Some(LaneChange::None) => (false, false),
+            // A word that the standard does not list says nothing.
+            _ => (true, true),
         }
     }
 
@@ -102,19 +112,23 @@ fn of_lane<T>(rows: &[T], lane: u32, key: impl Fn(&T) -> u32) -> &[T] {
 /// `none` resets to what the lane's type says. A record without `rule` denies, which is what a restriction does.
 fn classes(base: u16, set: &[&LaneAccess]) -> u16 {
     let bits = |allow: bool| {
-        let named = set.iter().filter(|record| record.allow == allow);
-        named.flat_map(|record| &record.restrictions).fold(0, |all, name| all | class_bits(name))
+        let of_rule =
+            |record: &&&LaneAccess| (record.rule.value() == Some(AccessRule::Allow)) == allow;
+        let named = set.iter().filter(of_rule).flat_map(|record| {
+            let nested = record.restriction_element.iter().filter_map(|r| r.r#type.value());
+            record.restriction.value().into_iter().chain(nested)
+        });
+        named.fold(0, |all, restriction| all | class_bits(restriction))
     };
     let (allowed, denied) = (bits(true), bits(false));
     let granted = if allowed == 0 { base } else { allowed };
     granted & !denied
 }
 
-/// Classes that a restriction names, in the words of 1.4 to 1.9; 0 for `none` and unknown words.
-fn class_bits(name: &str) -> u16 {
-    match name {
-        "autonomous traffic" => VehicleClass::Autonomous.bit(),
-        "trucks" => VehicleClass::Truck.bit(),
-        name => VehicleClass::from_name(name).bit(),
+/// Classes that a restriction names; 0 for `none` and unknown words.
+fn class_bits(restriction: Restriction) -> u16 {
+    match restriction {
+        Restriction::Trucks => VehicleClass::Truck.bit(),
+        named => VehicleClass::from_name(named.name()).bit(),
     }
 }

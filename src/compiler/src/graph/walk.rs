@@ -8,12 +8,12 @@ use super::attach::Attachments;
 use super::findings::{Problem, Problems};
 use super::incoming::Incoming;
 use super::nodes::{first_node, pieces};
-use crate::lower::Lowering;
+use crate::lower::{Lowering, WrittenLink};
 use mapd_archive::{
     ConnectionRow, ContactPoint, EdgeKind, LaneRow, LinkKind, Range, RoadRow, lane_flags,
     node_flags,
 };
-use mapd_xodr::{LinkedLane, Span};
+use mapd_xodr::{Span, Value as _};
 
 /// An edge with the place in the file that says so.
 #[derive(Clone, Copy)]
@@ -114,7 +114,7 @@ impl Walk<'_> {
     /// Follows the lane's links as written: its successors (`forward`) or predecessors.
     fn written(&mut self, node: u32, lane: u32, forward: bool, kind: EdgeKind, entry: Entry) {
         for link in written_links(self.lowering, lane, forward) {
-            self.enter((node, kind, link.span), entry, link.id);
+            self.enter((node, kind, link.span), entry, link.number);
         }
     }
 
@@ -156,14 +156,15 @@ impl Walk<'_> {
             let Some(written) = connection_written(lowering, *of, *connection_row) else {
                 continue;
             };
-            if written.lane_links.is_empty() {
+            if written.lane_link.is_empty() {
                 // OpenDRIVE 1.4: without lane links, lanes keep their numbers, as far as both roads have them.
                 if self.find(entry, row.number).is_some_and(|lane| self.travels(lane, entry)) {
                     self.enter((node, EdgeKind::Implied, written.span), entry, row.number);
                 }
             }
-            for link in written.lane_links.iter().filter(|link| link.from == row.number) {
-                self.enter((node, EdgeKind::Connection, link.span), entry, link.to);
+            for link in written.lane_link.iter().filter(|l| l.from.value() == Some(row.number)) {
+                let Some(to) = link.to.value() else { continue };
+                self.enter((node, EdgeKind::Connection, link.span), entry, to);
             }
         }
     }
@@ -226,9 +227,9 @@ pub(crate) fn lane_of(lowering: &Lowering, section: u32, number: i32) -> Option<
 }
 
 /// Lanes written as successors (`forward`) or predecessors.
-pub(crate) fn written_links(lowering: &Lowering, lane: u32, forward: bool) -> &[LinkedLane] {
+pub(crate) fn written_links(lowering: &Lowering, lane: u32, forward: bool) -> &[WrittenLink] {
     let ranges: [Range; 2] = lowering.links.lanes.get(lane as usize).copied().unwrap_or_default();
-    ranges[usize::from(forward)].of(&lowering.links.lane_numbers)
+    ranges[usize::from(forward)].of(&lowering.links.lane_links)
 }
 
 /// A connection as the file has it.
@@ -239,7 +240,7 @@ pub(crate) fn connection_written(
 ) -> Option<&mapd_xodr::Connection> {
     let first = lowering.rows.junctions.get(junction as usize)?.connections.first;
     let written = lowering.links.junctions.get(junction as usize)?;
-    written.connections.get(connection.checked_sub(first)? as usize)
+    written.connection.get(connection.checked_sub(first)? as usize)
 }
 
 /// Whether both ends of a road lie at this junction.

@@ -1,0 +1,44 @@
+//! The tables of truth, and what follows from them.
+//!
+//! ```text
+//! cargo run -p mapd-schemas            write what has changed
+//! cargo run -p mapd-schemas -- --check change nothing; end with 1 if something would change
+//! ```
+//!
+//! Invariant: the output depends on the tables of truth alone, so that running it twice changes nothing.
+//!
+//! ```
+//! let table = mapd_schemas::opendrive::Table::read("opendrive".as_ref()).unwrap();
+//! assert!(table.element("Geometry").unwrap().attributes.iter().any(|a| a.name == "hdg"));
+//! ```
+
+mod archive;
+mod archive_code;
+mod archive_doc;
+pub mod opendrive;
+
+use anyhow::{Context, Result};
+use std::path::Path;
+
+/// A file to be written: its path below the workspace and its text, not formatted yet.
+pub type Output = (String, String);
+
+/// Everything that follows from the tables of a workspace.
+///
+/// Errors: a table cannot be read, or says something that cannot be.
+pub fn outputs(root: &Path) -> Result<Vec<Output>> {
+    let layout = archive::Layout::read(&root.join("schemas/archive.toml"))?;
+    let format_page = root.join("docs/format.md");
+    let page = std::fs::read_to_string(&format_page)
+        .with_context(|| format!("reading {}", format_page.display()))?;
+    let folder = "src/archive/src/generated";
+    let mut outputs = vec![
+        (format!("{folder}/rows.rs"), archive_code::rows(&layout)),
+        (format!("{folder}/accessors.rs"), archive_code::accessors(&layout)),
+        (format!("{folder}/tables.rs"), archive_code::tables(&layout)),
+        ("docs/format.md".to_owned(), archive_doc::splice(&page, &layout)?),
+    ];
+    let table = opendrive::Table::read(&root.join("schemas/opendrive"))?;
+    outputs.extend(opendrive::outputs(&table)?);
+    Ok(outputs)
+}

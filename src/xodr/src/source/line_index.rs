@@ -1,0 +1,161 @@
+//! From byte offsets to lines and columns.
+
+/// A place in a text file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Position {
+    /// Line, from 1. Lines end with a line feed.
+    pub line: u32,
+    /// Column in bytes of the decoded text (UTF-8), from 1; a tab is one byte, a byte order mark none.
+    pub column: u32,
+}
+
+/// Lines between two checkpoints: a look-up walks over at most so many lengths, a checkpoint costs 16 bytes.
+const STRIDE: usize = 1024;
+/// Value bits in one byte of a stored length.
+const BITS: u32 = 7;
+/// Marks a byte of a stored length that another one follows.
+const MORE: u8 = 1 << BITS;
+/// Bytes of lengths that are kept: about 20 million lines. Bounds what a file of empty lines can ask for.
+const LENGTHS: usize = 24 << 20;
+
+/// Where the lines of a document begin: about one byte a line, two for lines of 128 bytes and more.
+///
+/// Of lines beyond the first 24 MiB of lengths, one in 1,024 is kept. Places there are counted from that one: its line, and
+/// the bytes since.
+#[derive(Debug)]
+pub struct LineIndex {
+    /// Lengths of finished lines, line feed included, base 128, low digits first.
+    lengths: Vec<u8>,
+    /// Every 1024th line: its offset in the input, its place in `lengths`.
+    checkpoints: Vec<(u64, usize)>,
+    /// Finished lines.
+    lines: usize,
+    /// Offset of the line that has not ended yet.
+    line_start: u64,
+    /// Offset of the next byte.
+    next: u64,
+    /// Bytes that `lengths` may have.
+    capacity: usize,
+}
+
+impl Default for LineIndex {
+    fn default() -> Self {
+        Self::with_capacity(LENGTHS)
+    }
+}
+
+impl LineIndex {
+    fn with_capacity(capacity: usize) -> Self {
+        let (lengths, checkpoints) = (Vec::new(), Vec::new());
+        Self { lengths, checkpoints, lines: 0, line_start: 0, next: 0, capacity }
+    }
+
+    /// Takes in the next bytes of the input.
+    pub(crate) fn feed(&mut self, bytes: &[u8]) {
+        for newline in memchr::memchr_iter(b'\n', bytes) {
+            let end = self.next + newline as u64 + 1;
+            self.line(end);
+        }
+        self.next += bytes.len() as u64;
+    }
+
+    fn line(&mut self, end: u64) {
+        if self.lines.is_multiple_of(STRIDE) {
+            self.checkpoints.push((self.line_start, self.lengths.len()));
+        }
+        if self.lengths.len() < self.capacity {
+            let mut length = end - self.line_start;
+            while length >= u64::from(MORE) {
+                self.lengths.push(length as u8 | MORE);
+                length >>= BITS;
+            }
+            self.lengths.push(length as u8);
+        }
+        self.lines += 1;
+        self.line_start = end;
+    }
+
+    /// Line and column of the byte at an offset of the decoded text.
+    ///
+    /// Offsets beyond what was read count as in the last line.
+    pub fn position(&self, offset: u64) -> Position {
+        let at = |line: usize, start: u64| Position {
+            line: u32::try_from(line + 1).unwrap_or(u32::MAX),
+            column: u32::try_from((offset - start).saturating_add(1)).unwrap_or(u32::MAX),
+        };
+        if offset >= self.line_start {
+            return at(self.lines, self.line_start);
+        }
+        let after = self.checkpoints.partition_point(|(start, _)| *start <= offset);
+        let checkpoint = after.saturating_sub(1);
+        let Some(&(mut start, mut place)) = self.checkpoints.get(checkpoint) else {
+            return at(0, 0);
+        };
+        let mut line = checkpoint * STRIDE;
+        while let Some((length, next)) = self.length_at(place) {
+            if offset < start + length {
+                break;
+            }
+            (start, place) = (start + length, next);
+            line += 1;
+        }
+        at(line, start)
+    }
+
+    /// The length that is stored at `place`, and the place of the next one.
+    fn length_at(&self, mut place: usize) -> Option<(u64, usize)> {
+        let (mut length, mut shift) = (0, 0);
+        loop {
+            let byte = *self.lengths.get(place)?;
+            length |= u64::from(byte & !MORE) << shift;
+            place += 1;
+            shift += BITS;
+            if byte < MORE {
+                return Some((length, place));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Lines of many lengths, so that lengths of one, two and three bytes and several checkpoints occur.
+    fn text() -> Vec<u8> {
+        let mut text = Vec::new();
+        for line in 0..3000_usize {
+            let length = if line == 1500 { 40_000 } else { line * 7 % 300 };
+            text.extend(std::iter::repeat_n(b'x', length));
+            text.push(b'\n');
+        }
+        text.extend_from_slice(b"end");
+        text
+    }
+
+    #[test]
+    fn positions_are_those_of_counting() {
+        let text = text();
+        let mut index = LineIndex::default();
+        for piece in text.chunks(997) {
+            index.feed(piece);
+        }
+        let (mut line, mut column) = (1, 1);
+        for (offset, byte) in text.iter().enumerate() {
+            if offset % 13 == 0 || *byte == b'\n' {
+                assert_eq!(index.position(offset as u64), Position { line, column }, "{offset}");
+            }
+            (line, column) = if *byte == b'\n' { (line + 1, 1) } else { (line, column + 1) };
+        }
+    }
+
+    #[test]
+    fn beyond_its_capacity_it_counts_from_the_last_checkpoint() {
+        let mut index = LineIndex::with_capacity(100);
+        index.feed(&[b'\n'; 5000]);
+        assert_eq!(index.position(50), Position { line: 51, column: 1 });
+        assert_eq!(index.position(2049), Position { line: 2049, column: 2 });
+        assert_eq!(index.position(5000), Position { line: 5001, column: 1 });
+        assert!(index.lengths.len() <= 101);
+    }
+}

@@ -1,0 +1,103 @@
+//! Places in a document that consists of several files.
+
+use super::line_index::{LineIndex, Position};
+use std::fmt;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// Bits of a start that hold the offset in a file: 256 TiB. The file's number stands above them.
+const OFFSET_BITS: u32 = 48;
+const OFFSET_MASK: u64 = (1 << OFFSET_BITS) - 1;
+
+/// A place as printed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// Name of the file as it was opened.
+    pub file: Arc<str>,
+    /// Line and column in the file's decoded text.
+    pub position: Position,
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "{}:{}:{}", self.file, self.position.line, self.position.column)
+    }
+}
+
+#[derive(Debug)]
+struct File {
+    name: Arc<str>,
+    /// Where the `include` stands; none for the main file.
+    included_at: Option<u64>,
+    lines: LineIndex,
+}
+
+/// The files of a document and where their lines begin. Clones share what they know.
+///
+/// ```
+/// use mapd_xodr::source::{Inputs, SourceLimits};
+/// use std::io::Read as _;
+///
+/// let mut inputs = Inputs::new(SourceLimits::default());
+/// let mut source = inputs.open(Box::new(&b"<a>\n<b/></a>"[..]), "tiny.xodr");
+/// source.read_to_string(&mut String::new()).unwrap();
+/// assert_eq!(inputs.places().place(4).to_string(), "tiny.xodr:2:1");
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Places(Arc<Mutex<Vec<File>>>);
+
+impl Places {
+    /// The number of the file that a start lies in; 0 is the main file.
+    pub fn file_of(start: u64) -> u16 {
+        (start >> OFFSET_BITS) as u16
+    }
+
+    /// The offset in the decoded text of its file.
+    pub fn offset_of(start: u64) -> u64 {
+        start & OFFSET_MASK
+    }
+
+    /// A start from a file's number and an offset in its decoded text.
+    pub fn start(file: u16, offset: u64) -> u64 {
+        u64::from(file) << OFFSET_BITS | offset & OFFSET_MASK
+    }
+
+    /// File, line and column of a start. Of an unknown file: no name.
+    pub fn place(&self, start: u64) -> Place {
+        let files = self.lock();
+        let Some(file) = files.get(usize::from(Self::file_of(start))) else {
+            return Place { file: "".into(), position: Position::default() };
+        };
+        Place { file: file.name.clone(), position: file.lines.position(Self::offset_of(start)) }
+    }
+
+    /// Where the file of a start was included; none for the main file.
+    pub fn included_at(&self, start: u64) -> Option<u64> {
+        self.lock().get(usize::from(Self::file_of(start)))?.included_at
+    }
+
+    /// Number of files opened so far.
+    pub fn files(&self) -> usize {
+        self.lock().len()
+    }
+
+    /// Adds a file. Those beyond the numbers that there are share the last one.
+    pub(super) fn add(&self, name: &str, included_at: Option<u64>) -> u16 {
+        let mut files = self.lock();
+        if files.len() <= usize::from(u16::MAX) {
+            files.push(File { name: name.into(), included_at, lines: LineIndex::default() });
+        }
+        (files.len() - 1) as u16
+    }
+
+    /// Takes in the next bytes of a file's decoded text.
+    pub(super) fn feed(&self, file: u16, bytes: &[u8]) {
+        if let Some(file) = self.lock().get_mut(usize::from(file)) {
+            file.lines.feed(bytes);
+        }
+    }
+
+    /// Nothing here can be left half done, so a panic elsewhere while it was held is no reason to stop.
+    fn lock(&self) -> MutexGuard<'_, Vec<File>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}

@@ -1,0 +1,183 @@
+//! The attributes of one tag.
+
+use super::fault::{Fault, Faults};
+use super::name::{is_name, name_len};
+use super::text::references;
+use std::collections::HashSet;
+
+/// An attribute as written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Attribute<'t> {
+    /// Its name with prefix.
+    pub name: &'t [u8],
+    /// Its value between the quotes, references not resolved.
+    pub value: &'t [u8],
+    /// Place of the name in the tag's content.
+    pub name_at: usize,
+    /// Place of the value in the tag's content.
+    pub value_at: usize,
+}
+
+/// Splits the content of a tag (from behind `<` up to before `>` or `/>`) into attributes, and finds what is not well-formed
+/// in it. After a fault it goes on with the next attribute.
+///
+/// ```
+/// use mapd_xodr::well_formed::{Attributes, Faults};
+///
+/// let mut faults = Faults::default();
+/// let mut attributes = Attributes::new(b"road id='1'length='2'", 1, &mut faults);
+/// assert_eq!(attributes.next(&mut faults).unwrap().value, b"1");
+/// assert_eq!(attributes.next(&mut faults).unwrap().name, b"length");
+/// assert!(attributes.next(&mut faults).is_none());
+/// assert_eq!(faults.take().len(), 1);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Attributes<'t> {
+    content: &'t [u8],
+    /// Bytes of the element's name.
+    name: usize,
+    /// Where the next attribute is looked for.
+    place: usize,
+    /// Offset of the content in the document.
+    base: u64,
+}
+
+#[inline]
+fn is_space(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\n' | b'\t' | b'\r')
+}
+
+impl<'t> Attributes<'t> {
+    /// Begins with the element's name. `base` is the offset of the content in the document: one more than that of `<`.
+    #[inline]
+    pub fn new(content: &'t [u8], base: u64, faults: &mut Faults) -> Self {
+        let name = content.iter().position(|byte| is_space(*byte)).unwrap_or(content.len());
+        if !is_name(&content[..name]) {
+            faults.add(base, Fault::Name);
+        }
+        Self { content, name, place: name, base }
+    }
+
+    /// The element's name with prefix.
+    #[inline]
+    pub fn element(&self) -> &'t [u8] {
+        &self.content[..self.name]
+    }
+
+    /// The next attribute; none at the end of the tag.
+    #[inline]
+    pub fn next(&mut self, faults: &mut Faults) -> Option<Attribute<'t>> {
+        let content = self.content;
+        loop {
+            let before = self.place;
+            while is_space(*content.get(self.place)?) {
+                self.place += 1;
+            }
+            let name_at = self.place;
+            let name = &content[name_at..name_at + name_len(&content[name_at..])];
+            let mut place = name_at + name.len();
+            if !is_name(name) {
+                faults.add(self.base + name_at as u64, Fault::Name);
+                if name.is_empty() {
+                    self.skip_word();
+                    continue;
+                }
+            }
+            if before == name_at {
+                faults.add(self.base + name_at as u64, Fault::NoSpace);
+            }
+            if content.get(place) != Some(&b'=') {
+                place = self.skip_space(place);
+                if content.get(place) != Some(&b'=') {
+                    faults.add(self.base + name_at as u64, Fault::NoValue);
+                    self.place = name_at + name.len();
+                    if self.place < content.len() && !is_space(content[self.place]) {
+                        self.skip_word();
+                    }
+                    continue;
+                }
+            }
+            place += 1;
+            if !matches!(content.get(place), Some(b'"' | b'\'')) {
+                place = self.skip_space(place);
+            }
+            let Some(quote) = content.get(place).copied() else {
+                faults.add(self.base + name_at as u64, Fault::NoValue);
+                self.place = content.len();
+                return None;
+            };
+            if !matches!(quote, b'"' | b'\'') {
+                faults.add(self.base + place as u64, Fault::NoQuotes);
+                self.place = place;
+                self.skip_word();
+                let value = &content[place..self.place];
+                return Some(Attribute { name, value, name_at, value_at: place });
+            }
+            let value_at = place + 1;
+            let value = self.value(value_at, quote, faults);
+            self.place = (value_at + value.len() + 1).min(content.len());
+            return Some(Attribute { name, value, name_at, value_at });
+        }
+    }
+
+    /// The value that ends with `quote`.
+    #[inline]
+    fn value(&self, value_at: usize, quote: u8, faults: &mut Faults) -> &'t [u8] {
+        let rest = &self.content[value_at..];
+        match memchr::memchr3(quote, b'<', b'&', rest) {
+            Some(end) if rest[end] == quote => &rest[..end],
+            _ => self.unusual_value(value_at, quote, faults),
+        }
+    }
+
+    /// A value with `<` or `&` in it, or without an end.
+    #[cold]
+    fn unusual_value(&self, value_at: usize, quote: u8, faults: &mut Faults) -> &'t [u8] {
+        let rest = &self.content[value_at..];
+        let base = self.base + value_at as u64;
+        let end = memchr::memchr(quote, rest).unwrap_or_else(|| {
+            faults.add(base, Fault::NoClosingQuote);
+            rest.len()
+        });
+        let value = &rest[..end];
+        for at in memchr::memchr_iter(b'<', value) {
+            faults.add(base + at as u64, Fault::LessThan);
+        }
+        references(value, base, faults);
+        value
+    }
+
+    fn skip_space(&self, from: usize) -> usize {
+        let rest = &self.content[from..];
+        from + rest.iter().position(|byte| !is_space(*byte)).unwrap_or(rest.len())
+    }
+
+    /// Goes on at the next white space, at least one byte further.
+    fn skip_word(&mut self) {
+        let rest = &self.content[self.place..];
+        let len = rest.iter().skip(1).position(|byte| is_space(*byte));
+        self.place += len.map_or(rest.len(), |len| len + 1);
+    }
+}
+
+/// Attributes that are compared pair by pair; beyond them a hash set is faster.
+const PAIRS: usize = 16;
+
+/// Finds attributes whose name an earlier one has. `names` are names and their places in the document. Takes time in
+/// proportion to their number, even for a hundred thousand.
+pub fn duplicates(names: &[(&[u8], u64)], faults: &mut Faults) {
+    if names.len() <= PAIRS {
+        for (at, (name, start)) in names.iter().enumerate() {
+            if names[..at].iter().any(|(earlier, _)| earlier == name) {
+                faults.add(*start, Fault::Duplicate);
+            }
+        }
+        return;
+    }
+    let mut seen = HashSet::with_capacity(names.len());
+    for (name, start) in names {
+        if !seen.insert(*name) {
+            faults.add(*start, Fault::Duplicate);
+        }
+    }
+}
