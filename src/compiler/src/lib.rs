@@ -29,7 +29,7 @@ mod options;
 mod origin;
 mod report;
 
-pub use options::{CompileOptions, OptionsError};
+pub use options::{CompileOptions, CyclePolicy, OptionsError};
 pub use report::{Compilation, Diagnostic, Progress, Verdict, Version};
 
 use hashing::HashingReader;
@@ -70,13 +70,17 @@ pub fn compile_with(
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Compilation> {
-    let (lowering, mut compiled) = read(input, reading, progress)?;
-    compiled.provenance.options_hash = options.hash();
-    if compiled.verdict == Verdict::Accepted {
-        progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
-        compiled.rows = Some(build(lowering, options, progress).map_err(io::Error::other)?);
+    let mut document = read(input, reading, progress)?;
+    document.provenance.options_hash = options.hash();
+    let Document { lowering, spans, places, mut collector, provenance, version } = document;
+    if collector.is_rejected() {
+        return Ok(collector.finish(provenance, version));
     }
-    Ok(compiled)
+    progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
+    let (rows, late) = build(lowering, &spans, options, progress).map_err(io::Error::other)?;
+    collector.add(late, &places);
+    let rows = Some(rows).filter(|_| !collector.is_rejected());
+    Ok(Compilation { rows, ..collector.finish(provenance, version) })
 }
 
 /// Finds everything that [`compile_with`] finds, without building the map: there are no rows.
@@ -87,7 +91,19 @@ pub fn check(
     reading: &ReadOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Compilation> {
-    Ok(read(input, reading, progress)?.1)
+    let document = read(input, reading, progress)?;
+    Ok(document.collector.finish(document.provenance, document.version))
+}
+
+/// A document that has been read: its rows as far as they need no geometry, and what was found.
+struct Document {
+    lowering: Lowering,
+    /// Where each lane link was written.
+    spans: Vec<mapd_xodr::Span>,
+    places: Places,
+    collector: Collector,
+    provenance: Provenance,
+    version: Version,
 }
 
 /// Reads and checks a document and resolves its links.
@@ -95,7 +111,7 @@ fn read(
     input: impl Read + Send,
     reading: &ReadOptions,
     progress: &mut dyn FnMut(Progress),
-) -> io::Result<(Lowering, Compilation)> {
+) -> io::Result<Document> {
     let mut hashing = HashingReader::new(input);
     let mut lowering = Lowering::default();
     let mut collector = Collector::default();
@@ -133,9 +149,10 @@ fn read(
     lowering.finish_reading(&mut late);
     links::resolve(&mut lowering, &mut late);
     collector.add(late, &places);
+    let mut spans = Vec::new();
     if !collector.is_rejected() {
         let mut late = Vec::new();
-        graph::build(&mut lowering, &mut late);
+        spans = graph::build(&mut lowering, &places, &mut late).map_err(io::Error::other)?;
         collector.add(late, &places);
     }
     let provenance = Provenance {
@@ -143,7 +160,7 @@ fn read(
         options_hash: [0; 8],
         compiler_version: crate::version(),
     };
-    Ok((lowering, collector.finish(provenance, version)))
+    Ok(Document { lowering, spans, places, collector, provenance, version })
 }
 
 /// The files that the document included, in the order in which it did.
@@ -152,17 +169,19 @@ fn included(places: &Places) -> impl Iterator<Item = PathBuf> {
     (1..places.files()).map(move |file| PathBuf::from(&*places.place(start(file)).file))
 }
 
-/// Samples lanes, builds the index and completes the tables.
+/// Samples lanes, completes the lane graph, builds the index.
 fn build(
     lowering: Lowering,
+    spans: &[mapd_xodr::Span],
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
-) -> Result<Rows, TooLarge> {
+) -> Result<(Rows, Vec<Finding>), TooLarge> {
     let mut rows = lowering.into_rows(options);
     lanes::sample(&mut rows, options)?;
+    let findings = graph::complete(&mut rows, spans, options);
     progress(Progress::Indexing { segments: rows.points.len() });
     index::build(&mut rows, options)?;
-    Ok(rows)
+    Ok((rows, findings))
 }
 
 /// A table outgrew 32-bit row numbers.

@@ -5,9 +5,9 @@ use crate::progress::Bar;
 use crate::query::{self, Kind};
 use crate::{archive_file, check, export, inspect, load, report, source, status};
 use anyhow::{Context, Result, bail};
-use clap::{Args, CommandFactory, Parser, Subcommand};
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions};
-use mapd_compiler::CompileOptions;
+use mapd_compiler::{CompileOptions, CyclePolicy};
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -50,6 +50,25 @@ struct Options {
     /// Largest distance of a lane's border from its polyline [m]
     #[arg(long, value_name = "M", default_value_t = CompileOptions::default().bound_tolerance)]
     bound_tolerance: f64,
+
+    /// Landmarks for routing, 0 to 32: more are faster over long ways and larger
+    #[arg(long, value_name = "N", default_value_t = CompileOptions::default().landmarks, value_parser = clap::value_parser!(u8).range(0..=32))]
+    landmarks: u8,
+
+    /// Which cycles of the lane graph are errors
+    #[arg(long, value_enum, default_value_t = Cycles::Illegal)]
+    cycles: Cycles,
+}
+
+/// As [`CyclePolicy`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Cycles {
+    /// Those that no network may have: within a junction, or without length
+    Illegal,
+    /// All
+    All,
+    /// None: forbidden ones are warnings, the others information
+    Report,
 }
 
 #[derive(Args)]
@@ -186,6 +205,12 @@ impl Options {
         CompileOptions {
             index_tolerance: self.index_tolerance,
             bound_tolerance: self.bound_tolerance,
+            landmarks: self.landmarks,
+            cycles: match self.cycles {
+                Cycles::Illegal => CyclePolicy::Illegal,
+                Cycles::All => CyclePolicy::All,
+                Cycles::Report => CyclePolicy::Report,
+            },
         }
     }
 }
