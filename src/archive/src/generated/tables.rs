@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [246, 29, 40, 31, 78, 16, 131, 10, 81, 152, 197, 225, 137, 17, 52, 52];
+    [167, 152, 236, 242, 98, 190, 96, 110, 199, 23, 162, 215, 60, 94, 176, 130];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
