@@ -14,6 +14,12 @@ const ANY: u16 = u16::MAX;
 /// Places on the search stack: 15 siblings on each of 8 levels (16⁸ leaves) and some more.
 const STACK: usize = 160;
 
+/// The greater of two numbers that are not not-a-number, in one instruction.
+#[inline]
+fn more(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
 /// A segment of a lane's centre line found by [`nearest_segment`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SegmentHit {
@@ -56,8 +62,8 @@ pub(crate) fn visit<'a>(
         let (min_x, min_y, max_x, max_y) = (node.min_x(), node.min_y(), node.max_x(), node.max_y());
         let mut squares = [0f32; WIDTH];
         for k in 0..WIDTH {
-            let dx = (min_x[k] - px).max(px - max_x[k]).max(0.0);
-            let dy = (min_y[k] - py).max(py - max_y[k]).max(0.0);
+            let dx = more(more(min_x[k] - px, px - max_x[k]), 0.0);
+            let dy = more(more(min_y[k] - py, py - max_y[k]), 0.0);
             squares[k] = dx * dx + dy * dy;
         }
         if let Some([low, high]) = heights {
@@ -174,13 +180,13 @@ pub(crate) fn lower_bounds(
     let mut out = [0f32; WIDTH];
     for k in 0..WIDTH {
         let (ex, ey) = (qx - ax[k], qy - ay[k]);
-        let length = (dx[k] * dx[k] + dy[k] * dy[k]).max(f32::MIN_POSITIVE).sqrt();
+        let length = more(dx[k] * dx[k] + dy[k] * dy[k], f32::MIN_POSITIVE).sqrt();
         let forward = (ex * dx[k] + ey * dy[k]) / length;
         let sideways = (ex * dy[k] - ey * dx[k]).abs() / length;
-        let past = (-forward).max(forward - length) - f32::from(overshoot[k]) * REACH_UNIT;
+        let past = more(-forward, forward - length) - f32::from(overshoot[k]) * REACH_UNIT;
         let beside = sideways - f32::from(reach[k]) * REACH_UNIT;
-        let past = if overshoot[k] == ANY { 0.0 } else { past.max(0.0) };
-        let beside = if reach[k] == ANY { 0.0 } else { beside.max(0.0) };
+        let past = if overshoot[k] == ANY { 0.0 } else { more(past, 0.0) };
+        let beside = if reach[k] == ANY { 0.0 } else { more(beside, 0.0) };
         let bound = (past * past + beside * beside).sqrt();
         out[k] = if lanes[k] == NONE { f32::INFINITY } else { bound };
     }

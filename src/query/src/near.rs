@@ -31,7 +31,8 @@ impl Map<'_> {
                 if lower[k] > bound {
                     continue;
                 }
-                let Some(found) = self.candidate(lanes[k], segments[k], point, local, options)
+                let Some(found) =
+                    self.candidate((lanes[k], segments[k]), point, local, options, f64::INFINITY)
                 else {
                     continue;
                 };

@@ -171,18 +171,15 @@ impl<'a> Map<'a> {
             // The most promising comes first: what it yields excludes most of the others before they cost a projection.
             while let Some(k) = index::least(&lower, open) {
                 open &= !(1 << k);
-                if lower[k] > bound {
-                    break;
-                }
-                let Some(candidate) = self.candidate(lanes[k], segments[k], point, local, options)
-                else {
-                    continue;
-                };
+                let limit = best.as_ref().map_or(f64::INFINITY, |b| b.position.distance);
+                let found = self.candidate((lanes[k], segments[k]), point, local, options, limit);
+                let Some(candidate) = found else { continue };
                 if candidate.position.distance > options.radius {
                     continue;
                 }
                 if best.as_ref().is_none_or(|b| candidate.order(b) == Ordering::Less) {
                     bound = bound.min(round_up(candidate.position.distance));
+                    open &= index::places_within(&lower, bound);
                     best = Some(candidate);
                 }
             }
@@ -201,7 +198,8 @@ impl<'a> Map<'a> {
         let hint = options.hint?;
         let lane = self.lane(hint.lane).ok()?;
         let segment = u16::try_from(area::segment_at(&lane, hint.position.s)?).ok()?;
-        let candidate = self.candidate(hint.lane.row(), segment, point, local, options)?;
+        let place = (hint.lane.row(), segment);
+        let candidate = self.candidate(place, point, local, options, f64::INFINITY)?;
         (candidate.position.distance <= options.radius).then_some(candidate)
     }
 
@@ -216,22 +214,23 @@ impl<'a> Map<'a> {
         Some(Candidate::new(lane, found.position, point, options))
     }
 
-    /// A lane's stretch as a candidate; `None` where the options exclude it.
+    /// A lane's stretch as a candidate; `None` where the options exclude it, or it is farther than `limit` where that is
+    /// cheap to tell.
     #[inline]
     pub(crate) fn candidate(
         &self,
-        lane: u32,
-        segment: u16,
+        (lane, segment): (u32, u16),
         point: Point,
         local: glam::DVec2,
         options: &NearestOptions,
+        limit: f64,
     ) -> Option<Candidate<'a>> {
         let lane = Lane::new(*self, lane)?;
         if !options.types.contains(lane.kind()) {
             return None;
         }
         let slab = area::slab(&lane, usize::from(segment))?;
-        let position = area::position_in_slab(&lane, slab, local)?;
+        let position = area::position_in_slab(&lane, &slab, local, limit)?;
         let found = Candidate::new(lane, position, point, options);
         let too_far = |limit: Option<f64>, known: bool, difference: f64| {
             known && limit.is_some_and(|limit| difference > limit)
