@@ -31,6 +31,34 @@ pub struct SegmentHit {
     pub distance: f32,
 }
 
+/// A node or leaf to be visited: its squared distance (whose bits are ordered as it is, for it is not negative) above its
+/// level and number, so that comparing places compares distances first.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+struct Place(u64);
+
+/// Bits of the number of a node or leaf within its level: 2²⁸ leaves hold 2³² segments.
+const NUMBER_BITS: u32 = 28;
+
+impl Place {
+    #[inline]
+    fn new(squared: f32, level: u32, at: u32) -> Self {
+        let node = level << NUMBER_BITS | at & ((1 << NUMBER_BITS) - 1);
+        Self(u64::from(squared.to_bits()) << 32 | u64::from(node))
+    }
+
+    #[inline]
+    fn squared(self) -> f32 {
+        f32::from_bits((self.0 >> 32) as u32)
+    }
+
+    /// Level, and number within it.
+    #[inline]
+    fn node(self) -> (u32, u32) {
+        let node = self.0 as u32;
+        (node >> NUMBER_BITS, node & ((1 << NUMBER_BITS) - 1))
+    }
+}
+
 /// Visits every leaf whose box is not farther from the point than the bound, nearer children first; with
 /// `heights`, only those that reach between them. `visit` gets the leaf and the point relative to the leaf's origin and returns the new bound `[m]`, which must not grow.
 #[inline]
@@ -43,13 +71,13 @@ pub(crate) fn visit<'a>(
 ) {
     let Some(depth) = tables.index_levels.len().checked_sub(1) else { return };
     let (px, py) = (local.x as f32, local.y as f32);
-    // Squared distance, level, node or leaf within the level.
-    let mut stack = [(0f32, 0u32, 0u32); STACK];
+    let mut stack = [Place(0); STACK];
     let mut top = 1;
     while top > 0 {
         top -= 1;
-        let Some(&(squared, level, at)) = stack.get(top) else { return };
-        if squared > bound * bound {
+        let Some(place) = stack.get(top) else { return };
+        let (level, at) = place.node();
+        if place.squared() > bound * bound {
             continue;
         }
         if level as usize == depth {
@@ -82,14 +110,15 @@ pub(crate) fn visit<'a>(
             if top >= STACK {
                 return;
             }
+            let child = at.wrapping_mul(WIDTH as u32).wrapping_add(k as u32);
+            let new = Place::new(squares[k], level + 1, child);
             // Insertion keeps the nearest child on top.
             let mut place = top;
-            while place > base && stack[place - 1].0 < squares[k] {
+            while place > base && stack[place - 1] < new {
                 stack[place] = stack[place - 1];
                 place -= 1;
             }
-            stack[place] =
-                (squares[k], level + 1, at.wrapping_mul(WIDTH as u32).wrapping_add(k as u32));
+            stack[place] = new;
             top += 1;
         }
     }

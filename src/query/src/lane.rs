@@ -56,6 +56,12 @@ impl<'a> Lane<'a> {
         LaneId { row: self.number, content: self.map.content() }
     }
 
+    /// Row in the archive's table.
+    #[inline]
+    pub(crate) fn row_number(&self) -> u32 {
+        self.number
+    }
+
     /// OpenDRIVE's lane number: positive left of lane 0, negative right.
     #[inline]
     pub fn number(&self) -> i32 {
