@@ -1,11 +1,14 @@
 //! Damaged archives: making hashes fit, and asking everything.
 
 use mapd_archive::{AlignedBytes, HEADER_LENGTH};
-use mapd_client::{Map, NearestOptions, Snapshot, Track, glam::DVec2};
+use mapd_client::{LaneTypes, Map, NearestOptions, Region, Snapshot, Track, glam::DVec2};
 use mapd_query::{
     LanePlace, LaneSequences, RouteScratch, ShortestLength, ShortestTime, VehicleClass,
     next_lane_change,
 };
+
+/// Lanes for questions that take long.
+const FEW: usize = 3;
 
 /// Asks everything of a map that may be damaged; only the absence of a panic counts.
 pub fn ask_everything(bytes: AlignedBytes) {
@@ -24,6 +27,7 @@ pub fn ask_everything(bytes: AlignedBytes) {
         );
         let _ = road.to_inertial(Track { s: 10.0, t: 1.0, h: 0.0 });
         let _ = road.to_track(DVec2::new(3.0, 4.0));
+        let _ = (road.surface_at(10.0, 1.0), road.surface_at(100.0, -30.0));
         let _ = (road.section_at(5.0).map(|s| s.lane_at(5.0, 1.0).is_some()), road.types().count());
     }
     for lane in map.lanes() {
@@ -41,10 +45,18 @@ pub fn ask_everything(bytes: AlignedBytes) {
         let _ = lane.pose_at(1.0, 0.0);
         let _ =
             (lane.opposite().is_some(), lane.length_between(0.0, 9.0), lane.speed_limit_at(1.0));
-        let conflicts =
-            lane.conflicts().map(|c| (c.other().is_some(), c.other_range(), c.s_range()));
-        let _ = conflicts.count();
+        for conflict in lane.conflicts() {
+            let _ = (conflict.other().is_some(), conflict.other_range(), conflict.s_range());
+        }
+        let _ =
+            (lane.material_at(1.0).is_some(), lane.height_at(1.0), lane.waypoint_at(1.0).is_ok());
     }
+    for lane in map.lanes().take(FEW) {
+        let _ = lane.position_of(DVec2::new(3.0, 4.0));
+    }
+    let (region, mut lanes, mut segments) =
+        (Region::around(DVec2::new(20.0, 1.0), 30.0), vec![], vec![]);
+    let _ = map.boundary_segments(region, LaneTypes::drivable(), &mut lanes, &mut segments);
     ask_graph(map);
     for junction in map.junctions() {
         let _ = junction.connections().map(|c| c.lane_links().count()).sum::<usize>();
@@ -56,7 +68,9 @@ pub fn ask_everything(bytes: AlignedBytes) {
 fn ask_graph(map: Map<'_>) {
     for node in map.lane_nodes().take(200) {
         let _ = (node.s_range(), node.change_left().is_some(), node.predecessors().count());
-        let _ = node.edges().map(|e| (e.kind(), e.closes_loop(), e.source_position())).count();
+        for edge in node.edges() {
+            let _ = (edge.kind(), edge.closes_loop(), edge.source_position());
+        }
     }
     let (mut scratch, mut steps, mut reached) = (RouteScratch::default(), Vec::new(), Vec::new());
     let mut sequences = LaneSequences::default();

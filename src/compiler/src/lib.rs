@@ -30,7 +30,7 @@ mod origin;
 mod report;
 
 pub use options::{CompileOptions, CyclePolicy, OptionsError};
-pub use report::{Compilation, Diagnostic, Progress, Verdict};
+pub use report::{Compilation, Diagnostic, Progress, Verdict, Version};
 
 use hashing::HashingReader;
 use lower::Lowering;
@@ -70,10 +70,79 @@ pub fn compile_with(
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Compilation> {
+    let mut document = read(input, reading, progress)?;
+    let rows = match document.sample(options, progress)? {
+        None => None,
+        Some(mut rows) => {
+            progress(Progress::Indexing { segments: rows.points.len() });
+            index::build(&mut rows, options).map_err(io::Error::other)?;
+            Some(rows)
+        }
+    };
+    let mut compiled = document.finish();
+    compiled.provenance.options_hash = options.hash();
+    compiled.rows = rows;
+    Ok(compiled)
+}
+
+/// Finds everything that [`compile_with`] finds, without building the map: there are no rows.
+///
+/// Errors: reading failed.
+pub fn check(
+    input: impl Read + Send,
+    reading: &ReadOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Compilation> {
+    let mut document = read(input, reading, progress)?;
+    document.sample(&CompileOptions { landmarks: 0, ..CompileOptions::default() }, progress)?;
+    Ok(document.finish())
+}
+
+/// A document that has been read and checked, and whose links are resolved.
+struct Document {
+    lowering: Lowering,
+    /// Where the link of each edge of the lane graph stands.
+    links: Vec<mapd_xodr::Span>,
+    collector: Collector,
+    places: Places,
+    provenance: Provenance,
+    version: Version,
+}
+
+impl Document {
+    /// Samples lanes and completes the lane graph, which may find more that is wrong; none for a rejected map.
+    fn sample(
+        &mut self,
+        options: &CompileOptions,
+        progress: &mut dyn FnMut(Progress),
+    ) -> io::Result<Option<Rows>> {
+        if self.collector.is_rejected() {
+            return Ok(None);
+        }
+        let lowering = std::mem::take(&mut self.lowering);
+        progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
+        let mut rows = lowering.into_rows(options);
+        lanes::sample(&mut rows, options).map_err(io::Error::other)?;
+        let findings = graph::complete(&mut rows, &self.links, options);
+        self.collector.add(findings, &self.places);
+        Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
+    }
+
+    fn finish(self) -> Compilation {
+        self.collector.finish(self.provenance, self.version)
+    }
+}
+
+/// Reads and checks a document and resolves its links.
+fn read(
+    input: impl Read + Send,
+    reading: &ReadOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Document> {
     let mut hashing = HashingReader::new(input);
     let mut lowering = Lowering::default();
     let mut collector = Collector::default();
-    let places = {
+    let (places, version) = {
         let mut inputs = Inputs::new(reading.limits.source);
         if let Some(folder) = &reading.include_folder {
             inputs = inputs.with_include_folder(folder);
@@ -100,54 +169,31 @@ pub fn compile_with(
             progress(Progress::Reading { bytes: reader.bytes_read(), roads: lowering.roads() });
         }
         collector.add_read(reader.take_findings(), Vec::new(), &places);
-        places
+        let stated = reader.stated_version().to_owned();
+        (places, Version { stated, checked: reader.checked_version() })
     };
     let mut late = Vec::new();
     lowering.finish_reading(&mut late);
     links::resolve(&mut lowering, &mut late);
     collector.add(late, &places);
-    let mut spans = Vec::new();
+    let mut links = Vec::new();
     if !collector.is_rejected() {
         let mut late = Vec::new();
-        spans = graph::build(&mut lowering, &places, &mut late).map_err(io::Error::other)?;
+        links = graph::build(&mut lowering, &places, &mut late).map_err(io::Error::other)?;
         collector.add(late, &places);
     }
     let provenance = Provenance {
         input_hash: hashing.finish(included(&places))?,
-        options_hash: options.hash(),
-        compiler_version: version(),
+        options_hash: [0; 8],
+        compiler_version: crate::version(),
     };
-    let rows = if collector.is_rejected() {
-        None
-    } else {
-        progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
-        let (rows, findings) =
-            build(lowering, &spans, options, progress).map_err(io::Error::other)?;
-        collector.add(findings, &places);
-        Some(rows).filter(|_| !collector.is_rejected())
-    };
-    Ok(collector.finish(rows, provenance))
+    Ok(Document { lowering, links, collector, places, provenance, version })
 }
 
 /// The files that the document included, in the order in which it did.
 fn included(places: &Places) -> impl Iterator<Item = PathBuf> {
     let start = |file: usize| Places::start(u16::try_from(file).unwrap_or(u16::MAX), 0);
     (1..places.files()).map(move |file| PathBuf::from(&*places.place(start(file)).file))
-}
-
-/// Samples lanes, completes the lane graph, builds the index.
-fn build(
-    lowering: Lowering,
-    spans: &[mapd_xodr::Span],
-    options: &CompileOptions,
-    progress: &mut dyn FnMut(Progress),
-) -> Result<(Rows, Vec<Finding>), TooLarge> {
-    let mut rows = lowering.into_rows(options);
-    lanes::sample(&mut rows, options)?;
-    let findings = graph::complete(&mut rows, spans, options);
-    progress(Progress::Indexing { segments: rows.points.len() });
-    index::build(&mut rows, options)?;
-    Ok((rows, findings))
 }
 
 /// A table outgrew 32-bit row numbers.

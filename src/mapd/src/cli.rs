@@ -3,7 +3,7 @@
 use crate::exit::Exit;
 use crate::progress::Bar;
 use crate::query::{self, Kind};
-use crate::{archive_file, export, inspect, load, report, source, status};
+use crate::{archive_file, check, export, inspect, load, report, source, status};
 use anyhow::{Context, Result, bail};
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions};
@@ -20,7 +20,7 @@ use std::time::Duration;
 #[derive(Parser)]
 #[command(version, args_conflicts_with_subcommands = true, after_help = EXIT_CODES)]
 struct Cli {
-    /// Serve a map (.xodr or .mapd) or every map of a folder; may be repeated
+    /// Serve a map (.xodr, .xodrz or .mapd) or every map of a folder; may be repeated
     #[arg(long, value_name = "FILE", num_args = 1..)]
     load: Vec<PathBuf>,
 
@@ -111,6 +111,17 @@ enum Command {
         #[command(flatten)]
         options: Options,
     },
+    /// Say everything that is wrong with an OpenDRIVE file, without building the map
+    #[command(after_help = CHECK_HELP)]
+    Check {
+        /// OpenDRIVE file (.xodr or .xodrz)
+        file: PathBuf,
+        /// How findings are written
+        #[arg(long, value_enum, default_value_t = check::Format::Text)]
+        format: check::Format,
+        #[command(flatten)]
+        reading: check::ReadArgs,
+    },
     /// Show what a map holds
     Inspect {
         /// .xodr, .mapd or shm:NAME
@@ -172,6 +183,10 @@ enum Command {
         domain: DomainArgs,
     },
 }
+
+const CHECK_HELP: &str = "\
+An error says that the file violates the standard; the map is rejected only for errors that say so, because what it is
+built from is missing or unusable. Ends with 0 where the map would be accepted, with 4 where it would be rejected.";
 
 const QUERY_HELP: &str = "\
 Columns:
@@ -260,6 +275,9 @@ fn execute(cli: Cli) -> Result<Exit> {
     let exit = match command {
         Command::Compile { file, output, report, options } => {
             compile(&file, output, report, &validated(&options)?, out)?
+        }
+        Command::Check { file, format, reading } => {
+            check::run(&file, format, &reading, out)?.verdict.into()
         }
         Command::Inspect { source, json, verify, live } => {
             let (domain, wait) = live.get()?;

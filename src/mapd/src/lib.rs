@@ -17,6 +17,7 @@
 //! ```
 
 pub mod archive_file;
+mod check;
 pub mod cli;
 pub mod exit;
 pub mod export;

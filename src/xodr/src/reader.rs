@@ -8,6 +8,7 @@ use crate::limits::{ELEMENT_BYTES, Limits};
 use crate::markup::Text;
 use crate::other;
 use crate::rule_ids;
+use crate::schema::NAMES;
 use crate::source::{Inputs, Places, Position, Source};
 use crate::well_formed::{Fault, Faults};
 use std::io::{self, Read};
@@ -88,6 +89,16 @@ impl<'a> Reader<'a> {
     /// Takes the findings since the last call. Where many are of one kind, the last call has how many more there were.
     pub fn take_findings(&mut self) -> Vec<Finding> {
         self.cursor.take_findings()
+    }
+
+    /// The revision that the header states, such as `1.7`; empty before the header and where it states none.
+    pub fn stated_version(&self) -> &str {
+        &self.cursor.stated
+    }
+
+    /// The version of the standard that the document is checked against.
+    pub fn checked_version(&self) -> &'static str {
+        NAMES[self.cursor.version]
     }
 
     /// Files and lines read so far.
