@@ -101,8 +101,8 @@ pub fn check(
 /// A document that has been read and checked, and whose links are resolved.
 struct Document {
     lowering: Lowering,
-    /// Where the link of each edge of the lane graph stands.
-    links: Vec<mapd_xodr::Span>,
+    /// What the file says about the lane graph.
+    graph: graph::Written,
     collector: Collector,
     places: Places,
     provenance: Provenance,
@@ -123,7 +123,7 @@ impl Document {
         progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
         let mut rows = lowering.into_rows(options);
         lanes::sample(&mut rows, options).map_err(io::Error::other)?;
-        let findings = graph::complete(&mut rows, &self.links, options);
+        let findings = graph::complete(&mut rows, &self.graph, options);
         self.collector.add(findings, &self.places);
         Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
     }
@@ -176,10 +176,10 @@ fn read(
     lowering.finish_reading(&mut late);
     links::resolve(&mut lowering, &mut late);
     collector.add(late, &places);
-    let mut links = Vec::new();
+    let mut graph = graph::Written::default();
     if !collector.is_rejected() {
         let mut late = Vec::new();
-        links = graph::build(&mut lowering, &places, &mut late).map_err(io::Error::other)?;
+        graph = graph::build(&mut lowering, &places, &mut late).map_err(io::Error::other)?;
         collector.add(late, &places);
     }
     let provenance = Provenance {
@@ -187,7 +187,7 @@ fn read(
         options_hash: [0; 8],
         compiler_version: crate::version(),
     };
-    Ok(Document { lowering, links, collector, places, provenance, version })
+    Ok(Document { lowering, graph, collector, places, provenance, version })
 }
 
 /// The files that the document included, in the order in which it did.
