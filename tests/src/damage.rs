@@ -44,12 +44,12 @@ pub fn ask_everything(bytes: AlignedBytes) {
         );
         let _ = lane.pose_at(1.0, 0.0);
         let _ =
-            (lane.material_at(1.0).is_some(), lane.height_at(1.0), lane.waypoint_at(1.0).is_ok());
-        let _ =
             (lane.opposite().is_some(), lane.length_between(0.0, 9.0), lane.speed_limit_at(1.0));
-        let conflicts =
-            lane.conflicts().map(|c| (c.other().is_some(), c.other_range(), c.s_range()));
-        let _ = conflicts.count();
+        for conflict in lane.conflicts() {
+            let _ = (conflict.other().is_some(), conflict.other_range(), conflict.s_range());
+        }
+        let _ =
+            (lane.material_at(1.0).is_some(), lane.height_at(1.0), lane.waypoint_at(1.0).is_ok());
     }
     for lane in map.lanes().take(FEW) {
         let _ = lane.position_of(DVec2::new(3.0, 4.0));
@@ -68,7 +68,9 @@ pub fn ask_everything(bytes: AlignedBytes) {
 fn ask_graph(map: Map<'_>) {
     for node in map.lane_nodes().take(200) {
         let _ = (node.s_range(), node.change_left().is_some(), node.predecessors().count());
-        node.edges().for_each(|e| _ = (e.kind(), e.closes_loop(), e.source_position()));
+        for edge in node.edges() {
+            let _ = (edge.kind(), edge.closes_loop(), edge.source_position());
+        }
     }
     let (mut scratch, mut steps, mut reached) = (RouteScratch::default(), Vec::new(), Vec::new());
     let mut sequences = LaneSequences::default();

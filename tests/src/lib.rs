@@ -9,6 +9,7 @@
 //! ```
 
 pub mod damage;
+pub mod graph_maps;
 pub mod literal;
 pub mod maps;
 pub mod place;

@@ -71,16 +71,18 @@ pub fn compile_with(
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Compilation> {
     let mut document = read(input, reading, progress)?;
-    document.provenance.options_hash = options.hash();
-    let Document { lowering, spans, places, mut collector, provenance, version } = document;
-    if collector.is_rejected() {
-        return Ok(collector.finish(provenance, version));
-    }
-    progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
-    let (rows, late) = build(lowering, &spans, options, progress).map_err(io::Error::other)?;
-    collector.add(late, &places);
-    let rows = Some(rows).filter(|_| !collector.is_rejected());
-    Ok(Compilation { rows, ..collector.finish(provenance, version) })
+    let rows = match document.sample(options, progress)? {
+        None => None,
+        Some(mut rows) => {
+            progress(Progress::Indexing { segments: rows.points.len() });
+            index::build(&mut rows, options).map_err(io::Error::other)?;
+            Some(rows)
+        }
+    };
+    let mut compiled = document.finish();
+    compiled.provenance.options_hash = options.hash();
+    compiled.rows = rows;
+    Ok(compiled)
 }
 
 /// Finds everything that [`compile_with`] finds, without building the map: there are no rows.
@@ -91,19 +93,44 @@ pub fn check(
     reading: &ReadOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Compilation> {
-    let document = read(input, reading, progress)?;
-    Ok(document.collector.finish(document.provenance, document.version))
+    let mut document = read(input, reading, progress)?;
+    document.sample(&CompileOptions { landmarks: 0, ..CompileOptions::default() }, progress)?;
+    Ok(document.finish())
 }
 
-/// A document that has been read: its rows as far as they need no geometry, and what was found.
+/// A document that has been read and checked, and whose links are resolved.
 struct Document {
     lowering: Lowering,
-    /// Where each lane link was written.
-    spans: Vec<mapd_xodr::Span>,
-    places: Places,
+    /// What the file says about the lane graph.
+    graph: graph::Written,
     collector: Collector,
+    places: Places,
     provenance: Provenance,
     version: Version,
+}
+
+impl Document {
+    /// Samples lanes and completes the lane graph, which may find more that is wrong; none for a rejected map.
+    fn sample(
+        &mut self,
+        options: &CompileOptions,
+        progress: &mut dyn FnMut(Progress),
+    ) -> io::Result<Option<Rows>> {
+        if self.collector.is_rejected() {
+            return Ok(None);
+        }
+        let lowering = std::mem::take(&mut self.lowering);
+        progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
+        let mut rows = lowering.into_rows(options);
+        lanes::sample(&mut rows, options).map_err(io::Error::other)?;
+        let findings = graph::complete(&mut rows, &self.graph, options);
+        self.collector.add(findings, &self.places);
+        Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
+    }
+
+    fn finish(self) -> Compilation {
+        self.collector.finish(self.provenance, self.version)
+    }
 }
 
 /// Reads and checks a document and resolves its links.
@@ -149,10 +176,10 @@ fn read(
     lowering.finish_reading(&mut late);
     links::resolve(&mut lowering, &mut late);
     collector.add(late, &places);
-    let mut spans = Vec::new();
+    let mut graph = graph::Written::default();
     if !collector.is_rejected() {
         let mut late = Vec::new();
-        spans = graph::build(&mut lowering, &places, &mut late).map_err(io::Error::other)?;
+        graph = graph::build(&mut lowering, &places, &mut late).map_err(io::Error::other)?;
         collector.add(late, &places);
     }
     let provenance = Provenance {
@@ -160,28 +187,13 @@ fn read(
         options_hash: [0; 8],
         compiler_version: crate::version(),
     };
-    Ok(Document { lowering, spans, places, collector, provenance, version })
+    Ok(Document { lowering, graph, collector, places, provenance, version })
 }
 
 /// The files that the document included, in the order in which it did.
 fn included(places: &Places) -> impl Iterator<Item = PathBuf> {
     let start = |file: usize| Places::start(u16::try_from(file).unwrap_or(u16::MAX), 0);
     (1..places.files()).map(move |file| PathBuf::from(&*places.place(start(file)).file))
-}
-
-/// Samples lanes, completes the lane graph, builds the index.
-fn build(
-    lowering: Lowering,
-    spans: &[mapd_xodr::Span],
-    options: &CompileOptions,
-    progress: &mut dyn FnMut(Progress),
-) -> Result<(Rows, Vec<Finding>), TooLarge> {
-    let mut rows = lowering.into_rows(options);
-    lanes::sample(&mut rows, options)?;
-    let findings = graph::complete(&mut rows, spans, options);
-    progress(Progress::Indexing { segments: rows.points.len() });
-    index::build(&mut rows, options)?;
-    Ok((rows, findings))
 }
 
 /// A table outgrew 32-bit row numbers.

@@ -156,6 +156,8 @@ enum Command {
         #[arg(long, value_name = "RAD")]
         heading_tolerance: Option<f64>,
         #[command(flatten)]
+        route: query::RouteArgs,
+        #[command(flatten)]
         live: Live,
     },
     /// Draw or convert a map
@@ -196,6 +198,8 @@ Columns:
   nearest     x,y[,z][,hdg]        lane,road_id,lane_id,s,t,offset,distance
   track       road_id,x,y[,z]      s,t,h (h only with z)
   successors  road_id,s,lane_id    successors in driving direction, joined by ;
+  route       from_road,from_s,from_lane,to_road,to_s,to_lane
+                                   length,lane_changes,lanes (keys in driving order, joined by ;)
 Metres and radians. A row that has no answer says why in the column `error`; the command still ends with 0.
 
   printf 'x,y\\n12.5,-3\\n' | mapd query map.xodr nearest";
@@ -289,7 +293,16 @@ fn execute(cli: Cli) -> Result<Exit> {
                 None => Exit::Rejected,
             }
         }
-        Command::Query { source, kind, radius, types, z_tolerance, heading_tolerance, live } => {
+        Command::Query {
+            source,
+            kind,
+            radius,
+            types,
+            z_tolerance,
+            heading_tolerance,
+            route,
+            live,
+        } => {
             let (domain, wait) = live.get()?;
             let types = lane_types(&types)?;
             let options = NearestOptions {
@@ -301,13 +314,19 @@ fn execute(cli: Cli) -> Result<Exit> {
             };
             match source::open_or_report(&source, &CompileOptions::default(), (&domain, wait))? {
                 Some(snapshot) => {
-                    query::run(snapshot.map(), kind, &options, io::stdin().lock(), &mut *out)
-                        .map_err(|error| match error {
-                            query::QueryRunError::Columns { .. } => {
-                                UsageError(error.to_string()).into()
-                            }
-                            other => anyhow::Error::new(other),
-                        })?;
+                    query::run(
+                        snapshot.map(),
+                        kind,
+                        (&options, &route),
+                        io::stdin().lock(),
+                        &mut *out,
+                    )
+                    .map_err(|error| match error {
+                        query::QueryRunError::Columns { .. } => {
+                            UsageError(error.to_string()).into()
+                        }
+                        other => anyhow::Error::new(other),
+                    })?;
                     Exit::Done
                 }
                 None => Exit::Rejected,

@@ -82,6 +82,11 @@ impl<'a> LaneNode<'a> {
         self.row.access() & class.bit() != 0
     }
 
+    /// Whether any class of vehicles may use it.
+    pub fn is_open(&self) -> bool {
+        self.row.access() != 0
+    }
+
     /// The node beside it, in driving direction to the left, that travels the same way.
     pub fn left(&self) -> Option<LaneNode<'a>> {
         Self::new(self.map, self.row.left())
