@@ -224,3 +224,5 @@ impl LaneType {
         )
     }
 }
+
+pub(crate) use codes;

@@ -29,7 +29,7 @@ mod options;
 mod origin;
 mod report;
 
-pub use options::{CompileOptions, OptionsError};
+pub use options::{CompileOptions, CyclePolicy, OptionsError};
 pub use report::{Compilation, Diagnostic, Progress, Verdict, Version};
 
 use hashing::HashingReader;
@@ -70,12 +70,18 @@ pub fn compile_with(
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Compilation> {
-    let (lowering, mut compiled) = read(input, reading, progress)?;
+    let mut document = read(input, reading, progress)?;
+    let rows = match document.sample(options, progress)? {
+        None => None,
+        Some(mut rows) => {
+            progress(Progress::Indexing { segments: rows.points.len() });
+            index::build(&mut rows, options).map_err(io::Error::other)?;
+            Some(rows)
+        }
+    };
+    let mut compiled = document.finish();
     compiled.provenance.options_hash = options.hash();
-    if compiled.verdict == Verdict::Accepted {
-        progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
-        compiled.rows = Some(build(lowering, options, progress).map_err(io::Error::other)?);
-    }
+    compiled.rows = rows;
     Ok(compiled)
 }
 
@@ -87,7 +93,44 @@ pub fn check(
     reading: &ReadOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Compilation> {
-    Ok(read(input, reading, progress)?.1)
+    let mut document = read(input, reading, progress)?;
+    document.sample(&CompileOptions { landmarks: 0, ..CompileOptions::default() }, progress)?;
+    Ok(document.finish())
+}
+
+/// A document that has been read and checked, and whose links are resolved.
+struct Document {
+    lowering: Lowering,
+    /// What the file says about the lane graph.
+    graph: graph::Written,
+    collector: Collector,
+    places: Places,
+    provenance: Provenance,
+    version: Version,
+}
+
+impl Document {
+    /// Samples lanes and completes the lane graph, which may find more that is wrong; none for a rejected map.
+    fn sample(
+        &mut self,
+        options: &CompileOptions,
+        progress: &mut dyn FnMut(Progress),
+    ) -> io::Result<Option<Rows>> {
+        if self.collector.is_rejected() {
+            return Ok(None);
+        }
+        let lowering = std::mem::take(&mut self.lowering);
+        progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
+        let mut rows = lowering.into_rows(options);
+        lanes::sample(&mut rows, options).map_err(io::Error::other)?;
+        let findings = graph::complete(&mut rows, &self.graph, options);
+        self.collector.add(findings, &self.places);
+        Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
+    }
+
+    fn finish(self) -> Compilation {
+        self.collector.finish(self.provenance, self.version)
+    }
 }
 
 /// Reads and checks a document and resolves its links.
@@ -95,7 +138,7 @@ fn read(
     input: impl Read + Send,
     reading: &ReadOptions,
     progress: &mut dyn FnMut(Progress),
-) -> io::Result<(Lowering, Compilation)> {
+) -> io::Result<Document> {
     let mut hashing = HashingReader::new(input);
     let mut lowering = Lowering::default();
     let mut collector = Collector::default();
@@ -133,9 +176,10 @@ fn read(
     lowering.finish_reading(&mut late);
     links::resolve(&mut lowering, &mut late);
     collector.add(late, &places);
+    let mut graph = graph::Written::default();
     if !collector.is_rejected() {
         let mut late = Vec::new();
-        graph::build(&mut lowering, &mut late);
+        graph = graph::build(&mut lowering, &places, &mut late).map_err(io::Error::other)?;
         collector.add(late, &places);
     }
     let provenance = Provenance {
@@ -143,26 +187,13 @@ fn read(
         options_hash: [0; 8],
         compiler_version: crate::version(),
     };
-    Ok((lowering, collector.finish(provenance, version)))
+    Ok(Document { lowering, graph, collector, places, provenance, version })
 }
 
 /// The files that the document included, in the order in which it did.
 fn included(places: &Places) -> impl Iterator<Item = PathBuf> {
     let start = |file: usize| Places::start(u16::try_from(file).unwrap_or(u16::MAX), 0);
     (1..places.files()).map(move |file| PathBuf::from(&*places.place(start(file)).file))
-}
-
-/// Samples lanes, builds the index and completes the tables.
-fn build(
-    lowering: Lowering,
-    options: &CompileOptions,
-    progress: &mut dyn FnMut(Progress),
-) -> Result<Rows, TooLarge> {
-    let mut rows = lowering.into_rows(options);
-    lanes::sample(&mut rows, options)?;
-    progress(Progress::Indexing { segments: rows.points.len() });
-    index::build(&mut rows, options)?;
-    Ok(rows)
 }
 
 /// A table outgrew 32-bit row numbers.
