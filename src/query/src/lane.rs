@@ -56,17 +56,29 @@ impl<'a> Lane<'a> {
         LaneId { row: self.number, content: self.map.content() }
     }
 
+    /// Row in the archive's table.
+    #[inline]
+    pub(crate) fn row_number(&self) -> u32 {
+        self.number
+    }
+
     /// OpenDRIVE's lane number: positive left of lane 0, negative right.
     #[inline]
     pub fn number(&self) -> i32 {
         self.row.number()
     }
 
+    /// Whether the lane is the same as its namesake in the section before: it goes on while a section of the other side
+    /// alone (`singleSide`) begins. Such pieces have one key, that of the section they are written in, and are linked.
+    pub fn continues(&self) -> bool {
+        self.row.continues() != 0
+    }
+
     /// The lane's stable name.
     pub fn key(&self) -> LaneKey<'a> {
         LaneKey {
             road: Cow::Borrowed(self.road.id()),
-            section: self.section.number(),
+            section: self.section.number().saturating_sub(u32::from(self.row.continues())),
             lane: self.number(),
         }
     }
@@ -127,8 +139,17 @@ impl<'a> Lane<'a> {
         let mut edges = EdgeSlopes { inner: edge, outer: edge };
         let number = self.number();
         let lanes = self.section.rows();
-        let Ok(center) = lanes.binary_search_by(|lane| 0.cmp(&lane.number())) else { return edges };
         let own = (self.number.wrapping_sub(self.section.row.lanes().first)) as usize;
+        // Numbers fall one by one in nearly every section.
+        let guess = own.wrapping_add_signed(number as isize);
+        let center = if lanes.get(guess).is_some_and(|lane| lane.number() == 0) {
+            guess
+        } else {
+            match lanes.binary_search_by(|lane| 0.cmp(&lane.number())) {
+                Ok(center) => center,
+                Err(_) => return edges,
+            }
+        };
         let steps = own.abs_diff(center);
         for step in 1..=steps {
             let row = if number > 0 { center.wrapping_sub(step) } else { center + step };

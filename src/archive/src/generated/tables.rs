@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [216, 76, 64, 213, 150, 99, 141, 163, 243, 37, 49, 149, 128, 11, 33, 64];
+    [22, 218, 8, 22, 6, 237, 148, 186, 216, 243, 63, 224, 173, 215, 192, 95];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]

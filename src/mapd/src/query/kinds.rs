@@ -113,9 +113,9 @@ impl Kind {
             }
             Self::Successors => {
                 let (lane, _) = lane(map, row)?;
-                let keys: Result<Vec<String>, QueryError> =
-                    lane.successors().map(|id| Ok(map.lane(id)?.key().to_string())).collect();
-                out.push(keys.map_err(text)?.join(";"));
+                let mut keys = Vec::new();
+                successors(map, &lane, &mut keys).map_err(text)?;
+                out.push(keys.join(";"));
             }
             Self::Route => router.answer(map, row, out)?,
         }
@@ -137,6 +137,28 @@ fn nearest(
     out.push(lane.road().id().to_owned());
     out.push(lane.number().to_string());
     numbers(out, &[hit.position.s, hit.position.t, hit.position.offset, hit.position.distance]);
+    Ok(())
+}
+
+/// Keys of a lane's successors; where the lane itself goes on, those of its last piece.
+fn successors(map: Map<'_>, lane: &Lane<'_>, keys: &mut Vec<String>) -> Result<(), QueryError> {
+    let mut last = *lane;
+    // A road has no more pieces of a lane than sections.
+    for _ in 0..map.tables().sections.len() {
+        let next = last.successors().map(|id| map.lane(id)).find(|next| {
+            // A ring's lane may follow itself; that is no piece of it.
+            let section = last.section().section_id();
+            next.as_ref()
+                .is_ok_and(|n| n.key() == lane.key() && n.section().section_id() != section)
+        });
+        match next {
+            Some(next) => last = next?,
+            None => break,
+        }
+    }
+    for id in last.successors() {
+        keys.push(map.lane(id)?.key().to_string());
+    }
     Ok(())
 }
 
