@@ -34,6 +34,8 @@ struct Side<'a> {
     section: &'a xodr::LaneSection,
     /// The section's start `[m]`.
     s: f64,
+    /// The stretch's start `[m]`.
+    start: f64,
     /// Number of sections of the road between that one and the stretch; 0 where the stretch is the section itself.
     continues: u16,
     /// Whether the lanes go on in the next stretch.
@@ -118,14 +120,15 @@ fn sides<'a>(
                 replaces = has;
             }
         }
-        let mut stretch = [Side { section, s: *s, continues: 0, goes_on: false }; 2];
+        let own = Side { section, s: *s, start: *s, continues: 0, goes_on: false };
+        let mut stretch = [own; 2];
         for (k, side) in stretch.iter_mut().enumerate() {
             if replaces[k] {
                 written[k] = i;
             } else if let Some(before) = stretches.last_mut().and_then(|before| before.get_mut(k)) {
                 before.goes_on = true;
                 let continues = u16::try_from(i - written[k]).unwrap_or(u16::MAX);
-                *side = Side { continues, goes_on: false, ..*before };
+                *side = Side { start: *s, continues, goes_on: false, ..*before };
             }
         }
         stretches.push(stretch);
@@ -178,8 +181,7 @@ impl Lowering {
         road: &str,
         findings: &mut Vec<Finding>,
     ) -> Range {
-        let s = if left_side.continues == 0 { left_side.s } else { right_side.s };
-        let tail = format!("lanes/laneSection[@s={s}]");
+        let tail = format!("lanes/laneSection[@s={}]", left_side.start);
         let mut lanes = lanes_of(section, road, findings);
         for (side, sign) in [(left_side, 1), (right_side, -1)] {
             if side.continues > 0 {
@@ -271,7 +273,8 @@ impl Lowering {
             (kind == LaneType::Bidirectional, lane_flags::BOTH),
         ];
         flags |= set.iter().filter(|(on, _)| *on).fold(0, |all, (_, flag)| all | flag);
-        self.permissions.lane(self.rows.lanes.len() as u32, kind, lane.road_mark, lane.access);
+        let written = (lane.road_mark, lane.access, side.s - side.start);
+        self.permissions.lane(self.rows.lanes.len() as u32, kind, written);
         let mut numbers = |linked: &[xodr::LinkedLane]| -> Vec<WrittenLink> {
             let number = |link: &xodr::LinkedLane| {
                 let span = link.span;
