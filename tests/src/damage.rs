@@ -44,12 +44,12 @@ pub fn ask_everything(bytes: AlignedBytes) {
         );
         let _ = lane.pose_at(1.0, 0.0);
         let _ =
-            (lane.material_at(1.0).is_some(), lane.height_at(1.0), lane.waypoint_at(1.0).is_ok());
-        let _ =
             (lane.opposite().is_some(), lane.length_between(0.0, 9.0), lane.speed_limit_at(1.0));
         for conflict in lane.conflicts() {
             let _ = (conflict.other().is_some(), conflict.other_range(), conflict.s_range());
         }
+        let _ =
+            (lane.material_at(1.0).is_some(), lane.height_at(1.0), lane.waypoint_at(1.0).is_ok());
     }
     for lane in map.lanes().take(FEW) {
         let _ = lane.position_of(DVec2::new(3.0, 4.0));
