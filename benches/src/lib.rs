@@ -19,6 +19,17 @@ pub fn print(line: &str) {
     let _ = writeln!(std::io::stdout(), "{line}");
 }
 
+/// A map of a few megabytes: `carla/Town05` of the corpus, else the town that the project carries.
+pub fn small_map() -> (&'static str, PathBuf) {
+    match mapd_tests::shared("maps") {
+        Some(shared) => ("Town05", shared.join("carla/Town05.xodr")),
+        None => {
+            print("no shared corpus beside the workspace; the carried town stands in");
+            ("town", mapd_tests::carried("town.xodr"))
+        }
+    }
+}
+
 /// The benchmark maps that are there: name and path. The tiling is made once, in `folder`.
 pub fn maps(folder: &Path) -> Vec<(&'static str, PathBuf)> {
     let Some(shared) = mapd_tests::shared("maps") else {

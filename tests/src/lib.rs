@@ -7,6 +7,9 @@
 //! assert!(mapd_tests::carried("one_road.xodr").exists());
 //! ```
 
+pub mod damage;
+pub mod maps;
+pub mod place;
 pub mod town;
 
 use std::path::{Path, PathBuf};

@@ -1,53 +1,15 @@
 //! Damaged archives: typed errors or merely wrong answers, never a panic or a read outside.
 
-use mapd_archive::{AlignedBytes, HEADER_LENGTH, OpenError, VerifyError, encode, open, verify};
-use mapd_client::{NearestOptions, Snapshot, Track, glam::DVec2};
+use mapd_archive::{
+    AlignedBytes, HEADER_LENGTH, OpenError, Tables, VerifyError, encode, open, verify,
+};
 use mapd_compiler::{CompileOptions, compile};
+use mapd_tests::damage::{ask_everything, seal, seal_header};
 
 fn archive(name: &str) -> AlignedBytes {
     let file = std::fs::File::open(mapd_tests::carried(name)).expect("the map can be read");
     let compiled = compile(file, &CompileOptions::default(), &mut |_| {}).expect("reading works");
     encode(&compiled.rows.expect("accepted"), &compiled.provenance).expect("encodes")
-}
-
-/// Asks everything of a map that may be damaged; only the absence of a panic counts.
-fn ask_everything(bytes: AlignedBytes) {
-    let Ok(snapshot) = Snapshot::from_bytes(bytes) else { return };
-    let map = snapshot.map();
-    for x in [-5.0, 20.0, 120.0] {
-        let _ = map.nearest_lane(DVec2::new(x, 1.0), &NearestOptions::default());
-    }
-    for road in map.roads() {
-        let _ = (
-            road.id(),
-            road.name(),
-            road.junction().map(|j| j.id()),
-            road.predecessor(),
-            road.successor(),
-        );
-        let _ = road.to_inertial(Track { s: 10.0, t: 1.0, h: 0.0 });
-        let _ = road.to_track(DVec2::new(3.0, 4.0));
-        let _ = (road.section_at(5.0).map(|s| s.lane_at(5.0, 1.0).is_some()), road.types().count());
-    }
-    for lane in map.lanes() {
-        let _ = (
-            lane.key().to_string(),
-            lane.left_bound().positions().count(),
-            lane.right_bound().len(),
-        );
-        let _ = (
-            lane.successors().count(),
-            lane.left().is_some(),
-            lane.right().is_some(),
-            lane.speeds().count(),
-        );
-        let _ = lane.pose_at(1.0, 0.0);
-    }
-    for junction in map.junctions() {
-        let _ = junction.connections().map(|c| c.lane_links().count()).sum::<usize>();
-    }
-    let _ = map.road_by_id("1");
-    let _ = snapshot.verify();
 }
 
 #[test]
@@ -74,10 +36,24 @@ fn every_truncation_is_an_error() {
     }
 }
 
+/// Every so many bytes of the archive one is damaged for the queries; `verify` is asked about every byte.
+const FLIP_STEP: usize = 7;
+
 #[test]
-fn verify_finds_every_flip_and_queries_survive_it() {
+fn verify_finds_a_flip_of_any_byte() {
+    let mut bytes = archive("one_road.xodr");
+    for at in 0..bytes.len() {
+        bytes[at] ^= 0x10;
+        assert!(verify(&bytes).is_err(), "a flip at {at} is not found");
+        bytes[at] ^= 0x10;
+    }
+    verify(&bytes).expect("whole again");
+}
+
+#[test]
+fn queries_survive_flips() {
     let good = archive("one_road.xodr");
-    for at in (HEADER_LENGTH..good.len()).step_by(7) {
+    for at in (HEADER_LENGTH..good.len()).step_by(FLIP_STEP) {
         let mut bad = good.clone();
         bad[at] ^= 0x55;
         let error = verify(&bad).err().unwrap_or_else(|| panic!("a flip at {at} is not found"));
@@ -94,6 +70,157 @@ fn verify_finds_every_flip_and_queries_survive_it() {
             bad[at] = value;
             ask_everything(bad);
         }
+    }
+}
+
+/// Where each table's bytes lie in the archive, by name.
+fn places(tables: &Tables<'_>, base: usize) -> Vec<(&'static str, std::ops::Range<usize>)> {
+    macro_rules! places {
+        ($($table:ident)*) => {
+            vec![$({
+                let start = tables.$table.as_ptr() as usize - base;
+                (stringify!($table), start..start + size_of_val(tables.$table))
+            }),*]
+        };
+    }
+    let places = places!(
+        string_bytes string_offsets map roads geometries coefficients cubics road_types sections lanes lane_speeds
+        lane_links points junctions connections connection_lane_links roads_by_id junctions_by_id index_levels
+        index_nodes index_leaves
+    );
+    let names: Vec<_> = tables.infos().iter().map(|info| info.name).collect();
+    assert_eq!(names, places.iter().map(|(name, _)| *name).collect::<Vec<_>>());
+    places
+}
+
+/// Flips per table of the town.
+const FLIPS: usize = 10;
+
+#[test]
+fn flips_in_every_table_are_found_and_survived_even_with_fitting_hashes() {
+    let good = archive("town.xodr");
+    let places = places(&open(&good).expect("opens").tables, good.as_ptr() as usize);
+    let mut random = Random(7);
+    for (name, place) in places {
+        for _ in 0..if place.is_empty() { 0 } else { FLIPS } {
+            let mut bad = good.clone();
+            let at = place.start + random.below(place.len());
+            bad[at] ^= 1 << random.below(8);
+            let error = verify(&bad).err();
+            assert!(
+                matches!(error, Some(VerifyError::ContentHash { .. })),
+                "{name}, byte {at}: {error:?}"
+            );
+            seal(&mut bad);
+            ask_everything(bad);
+        }
+    }
+}
+
+/// Found by fuzzing: numbers that are none, as bounds of `f64::clamp`, made the nearest lane panic.
+#[test]
+fn numbers_that_are_none_do_not_panic() {
+    let good = archive("one_road.xodr");
+    let places = places(&open(&good).expect("opens").tables, good.as_ptr() as usize);
+    for (_, place) in places
+        .iter()
+        .filter(|(name, _)| ["cubics", "geometries", "sections", "coefficients"].contains(name))
+    {
+        for at in place.clone().step_by(7 * size_of::<f64>()) {
+            for value in [f64::NAN, f64::INFINITY, -f64::MAX] {
+                let mut bad = good.clone();
+                if let Some(bytes) = bad.get_mut(at..at + size_of::<f64>()) {
+                    bytes.copy_from_slice(&value.to_le_bytes());
+                }
+                seal(&mut bad);
+                ask_everything(bad);
+            }
+        }
+    }
+}
+
+/// Found by fuzzing: a section with a damaged count of lanes was walked through to its end, four thousand million rows.
+#[test]
+fn damaged_counts_end_at_the_table() {
+    let mut bad = archive("one_road.xodr");
+    let places = places(&open(&bad).expect("opens").tables, bad.as_ptr() as usize);
+    let section = &places.iter().find(|(name, _)| *name == "sections").expect("a table").1;
+    for at in section.clone() {
+        bad[at] |= 0x7f;
+    }
+    seal(&mut bad);
+    ask_everything(bad);
+}
+
+/// Small and repeatable (Marsaglia's xorshift).
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, bound: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 % bound as u64) as usize
+    }
+}
+
+#[test]
+fn headers_of_others_are_refused_for_their_reason() {
+    /// Place, bytes to write there, and which error is due.
+    type Case = (&'static str, usize, Vec<u8>, fn(&OpenError) -> bool);
+    let good = archive("one_road.xodr");
+    let length = good.len() as u64 - HEADER_LENGTH as u64;
+    let is_length = |error: &OpenError| matches!(error, OpenError::Length { .. });
+    let cases: [Case; 7] = [
+        ("mark", 0, b"PK\x03\x04....".to_vec(), |e| matches!(e, OpenError::NotAnArchive { .. })),
+        ("byte order", 8, good[8..12].iter().rev().copied().collect(), |e| {
+            matches!(e, OpenError::Endianness)
+        }),
+        ("no byte order", 8, vec![0; 4], |e| matches!(e, OpenError::Endianness)),
+        ("format", 12, vec![0xff; 4], |e| matches!(e, OpenError::Format { found: u32::MAX, .. })),
+        ("layout", 16, vec![0x11; 16], |e| matches!(e, OpenError::Layout { .. })),
+        ("longer", 32, (length + 1).to_le_bytes().to_vec(), is_length),
+        ("endless", 32, u64::MAX.to_le_bytes().to_vec(), is_length),
+    ];
+    for (name, at, bytes, is_due) in cases {
+        let mut bad = good.clone();
+        bad[at..at + bytes.len()].copy_from_slice(&bytes);
+        seal_header(&mut bad);
+        let error = open(&bad).err().unwrap_or_else(|| panic!("{name}: opened"));
+        assert!(is_due(&error), "{name}: {error}");
+    }
+}
+
+/// What the command says of a file that is no archive, or a damaged one: an exit code, a sentence, no panic.
+#[test]
+fn the_command_names_what_is_wrong_with_a_file() {
+    let good = archive("one_road.xodr");
+    let folder = tempfile::tempdir().expect("a folder");
+    let flipped = |at: usize| {
+        let mut bytes = good.to_vec();
+        bytes[at] ^= 4;
+        bytes
+    };
+    let cases: [(&str, Vec<u8>, &str); 7] = [
+        ("empty", Vec::new(), "at least 128 bytes"),
+        ("text", b"not a map at all\n".repeat(20), "not a mapd archive"),
+        ("cut", good[..good.len() - 1].to_vec(), "cut off"),
+        ("longer", [&good[..], b"x"].concat(), "something appended"),
+        ("layout", flipped(20), "checksum"),
+        ("string", flipped(HEADER_LENGTH), "content hash"),
+        ("last", flipped(good.len() - 1), ""),
+    ];
+    for (name, bytes, expected) in cases {
+        let path = folder.path().join(format!("{name}.mapd"));
+        std::fs::write(&path, bytes).expect("written");
+        let path = path.display().to_string();
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_mapd_under_test"))
+            .args(["inspect", "--verify", &path])
+            .output()
+            .expect("ends");
+        let text = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{name}: {text}");
+        assert!(text.contains(&path) && text.contains(expected), "{name}: {text}");
     }
 }
 

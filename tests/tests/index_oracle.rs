@@ -1,9 +1,7 @@
 //! The packed index against rstar, and the nearest lane against looking at every lane.
 
-use glam::DVec2;
-use mapd_archive::encode;
-use mapd_client::{Map, NearestOptions, Snapshot, nearest_segment};
-use mapd_compiler::{CompileOptions, compile};
+use mapd_client::{NearestOptions, nearest_segment};
+use mapd_tests::maps::{Random, carried_and, open};
 use rstar::primitives::{GeomWithData, Line};
 use rstar::{PointDistance, RTree};
 use std::path::PathBuf;
@@ -15,44 +13,8 @@ const LANE_POINTS: usize = 300;
 /// Farthest search `[m]`.
 const RADIUS: f64 = 200.0;
 
-/// Small numbers that look random, the same in every run.
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    /// A point in the map's bounds, widened by ten metres.
-    fn point(&mut self, map: Map<'_>) -> DVec2 {
-        let (low, high) = map.bounds();
-        let (low, size) = (low.truncate() - 10.0, (high - low).truncate() + 20.0);
-        low + DVec2::new(self.unit() * size.x, self.unit() * size.y)
-    }
-}
-
 fn maps() -> Vec<PathBuf> {
-    let mut maps = vec![mapd_tests::carried("town.xodr"), mapd_tests::carried("one_road.xodr")];
-    match mapd_tests::shared("maps") {
-        Some(folder) => {
-            maps.extend(
-                ["carla/Town05.xodr", "Scenic/Issue295a.xodr", "esmini/velodrome.xodr"]
-                    .map(|m| folder.join(m)),
-            );
-        }
-        None => mapd_tests::say("SKIPPED in part: no shared corpus beside the workspace"),
-    }
-    maps
-}
-
-fn open(path: &PathBuf) -> Snapshot {
-    let file = std::fs::File::open(path).expect("the map can be read");
-    let compiled = compile(file, &CompileOptions::default(), &mut |_| {}).expect("reading works");
-    let rows = compiled.rows.expect("the map is accepted");
-    Snapshot::from_bytes(encode(&rows, &compiled.provenance).expect("encodes")).expect("opens")
+    carried_and(&["carla/Town05", "Scenic/Issue295a", "esmini/velodrome"])
 }
 
 #[test]

@@ -2,7 +2,7 @@
 #![allow(unsafe_code)]
 
 use mapd_archive::encode;
-use mapd_client::{LaneKey, NearestOptions, Snapshot, Track, glam::DVec2};
+use mapd_client::{LaneKey, LaneTypes, NearestOptions, Region, Snapshot, Track, glam::DVec2};
 use mapd_compiler::{CompileOptions, compile};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -30,6 +30,9 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
+/// Places in each buffer.
+const ROOM: usize = 4096;
+
 #[test]
 fn queries_do_not_allocate() {
     let file = std::fs::File::open(mapd_tests::carried("town.xodr")).expect("the map can be read");
@@ -38,6 +41,13 @@ fn queries_do_not_allocate() {
     let snapshot =
         Snapshot::from_bytes(encode(&rows, &compiled.provenance).expect("encodes")).expect("opens");
     let key: LaneKey<'_> = "1:0:-1".parse().expect("a key");
+    // Lists go into the caller's buffers, which need room.
+    let (mut near, mut lanes, mut work, mut borders) = (
+        Vec::with_capacity(ROOM),
+        Vec::with_capacity(ROOM),
+        Vec::with_capacity(ROOM),
+        Vec::with_capacity(ROOM),
+    );
     let before = COUNT.with(Cell::get);
     let copy = snapshot.clone();
     let map = copy.map();
@@ -57,6 +67,16 @@ fn queries_do_not_allocate() {
     road.to_inertial(Track { s: 3.0, t: 1.0, h: 0.0 }).expect("a pose");
     seen += map.lane_by_key(&key).map_or(0, |lane| lane.speeds().len() + 1);
     seen += map.junction_by_id("1000").map_or(0, |junction| junction.connections().len());
+    for i in 0..20 {
+        let point = DVec2::new(f64::from(i * 10), f64::from(i * 7));
+        let region = Region::around(point, 20.0);
+        map.lanes_near(point, &NearestOptions::default(), &mut near).expect("an answer");
+        map.lanes_in(region, LaneTypes::ALL, &mut lanes).expect("an answer");
+        map.boundary_segments(region, LaneTypes::ALL, &mut work, &mut borders).expect("an answer");
+        seen += near.len() + lanes.len() + borders.len();
+        let first = map.lanes().nth(i as usize).expect("a lane");
+        seen += first.waypoints(0.5).expect("a step").count();
+    }
     let after = COUNT.with(Cell::get);
     assert!(seen > 100, "the queries found nothing to count");
     assert_eq!(after - before, 0, "queries allocated");

@@ -1,127 +1,14 @@
 //! Daemon and clients as processes: any order of starting, crashes, restarts, one name twice.
 
-use mapd_client::{Client, Domain, NearestOptions, glam::DVec2};
-use std::io::{BufRead, BufReader, Write};
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
-use std::sync::atomic::{AtomicU32, Ordering};
+use mapd_client::{Client, NearestOptions, glam::DVec2};
+use mapd_tests::place::{PATIENCE, Place};
+use std::io::Write;
+use std::path::Path;
+use std::process::{Child, Stdio};
 use std::time::{Duration, Instant};
 
-/// Longest wait for anything that should take milliseconds; generous because machines may be busy.
-const PATIENCE: Duration = Duration::from_secs(20);
-const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
-
-/// A domain of its own for each test; everything of it is removed at the end.
-struct Place {
-    prefix: String,
-}
-
-impl Place {
-    fn new() -> Self {
-        static NEXT: AtomicU32 = AtomicU32::new(0);
-        let number = NEXT.fetch_add(1, Ordering::Relaxed);
-        Self { prefix: format!("mt{}x{number}_", std::process::id()) }
-    }
-
-    fn domain(&self) -> Domain {
-        Domain::new(&self.prefix).expect("a prefix")
-    }
-
-    fn command(&self) -> Command {
-        let mut command = Command::new(MAPD);
-        command
-            .env("MAPD_PREFIX", &self.prefix)
-            .stdin(Stdio::null())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped());
-        command
-    }
-
-    /// Starts a daemon and returns once it serves.
-    fn serve(&self, args: &[&str]) -> Daemon {
-        let mut daemon = self.start(args);
-        daemon.wait_until_serving();
-        daemon
-    }
-
-    fn start(&self, args: &[&str]) -> Daemon {
-        let mut command = self.command();
-        Daemon(command.arg("--load").args(args).spawn().expect("the daemon starts"))
-    }
-
-    fn query(&self, source: &str, kind: &str, csv: &str) -> Output {
-        let mut child = self
-            .command()
-            .args(["query", source, kind])
-            .stdin(Stdio::piped())
-            .spawn()
-            .expect("starts");
-        child.stdin.take().expect("stdin").write_all(csv.as_bytes()).expect("a query is written");
-        child.wait_with_output().expect("a query ends")
-    }
-
-    /// Files in shared memory that belong to this domain, the root folder left out.
-    fn segments(&self) -> Vec<PathBuf> {
-        let entries = std::fs::read_dir("/dev/shm").expect("shared memory");
-        let own = |path: &PathBuf| {
-            path.file_name().is_some_and(|n| n.to_string_lossy().starts_with(&self.prefix))
-        };
-        entries
-            .flatten()
-            .map(|entry| entry.path())
-            .filter(own)
-            .filter(|path| path.is_file())
-            .collect()
-    }
-}
-
-impl Drop for Place {
-    fn drop(&mut self) {
-        for path in self.segments() {
-            let _ = std::fs::remove_file(path);
-        }
-        let _ = std::fs::remove_dir_all(self.domain().root());
-    }
-}
-
-struct Daemon(Child);
-
-impl Daemon {
-    fn wait_until_serving(&mut self) {
-        let stderr = self.0.stderr.take().expect("stderr");
-        let mut lines = BufReader::new(stderr);
-        let mut line = String::new();
-        while lines.read_line(&mut line).expect("stderr can be read") > 0 {
-            if line.contains("serving") {
-                // Whatever follows is not needed, but must not block the daemon.
-                std::thread::spawn(move || std::io::copy(&mut lines, &mut std::io::sink()));
-                return;
-            }
-        }
-        panic!("the daemon ended without serving: {line}");
-    }
-
-    fn kill(mut self) {
-        self.0.kill().expect("killed");
-        self.0.wait().expect("waited for");
-    }
-
-    /// SIGTERM, by the process's id.
-    fn stop(mut self) -> i32 {
-        let status = Command::new("kill")
-            .args(["-TERM", &self.0.id().to_string()])
-            .status()
-            .expect("kill runs");
-        assert!(status.success());
-        self.0.wait().expect("waited for").code().expect("an exit code")
-    }
-}
-
-impl Drop for Daemon {
-    fn drop(&mut self) {
-        let _ = self.0.kill();
-        let _ = self.0.wait();
-    }
+fn place() -> Place {
+    Place::new(env!("CARGO_BIN_EXE_mapd_under_test"))
 }
 
 fn town() -> String {
@@ -141,7 +28,7 @@ const ANSWER: &str = "1:0:-1";
 
 #[test]
 fn daemon_before_client_and_clean_end() {
-    let place = Place::new();
+    let place = place();
     let daemon = place.serve(&[&town()]);
     let client = Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
     assert_eq!(ask(&client), ANSWER);
@@ -157,7 +44,7 @@ fn daemon_before_client_and_clean_end() {
 
 #[test]
 fn client_before_daemon() {
-    let place = Place::new();
+    let place = place();
     let domain = place.domain();
     let waiting = std::thread::spawn(move || {
         Client::connect_in(&domain, "town", PATIENCE).map(|client| ask(&client))
@@ -169,7 +56,7 @@ fn client_before_daemon() {
 
 #[test]
 fn without_a_daemon_the_deadline_holds_and_the_error_says_what_to_do() {
-    let place = Place::new();
+    let place = place();
     let start = Instant::now();
     let error = Client::connect_in(&place.domain(), "town", Duration::from_millis(300))
         .err()
@@ -180,7 +67,7 @@ fn without_a_daemon_the_deadline_holds_and_the_error_says_what_to_do() {
 
 #[test]
 fn a_map_that_is_not_served_is_named() {
-    let place = Place::new();
+    let place = place();
     let _daemon = place.serve(&[&town()]);
     let error = Client::connect_in(&place.domain(), "village", Duration::from_millis(300))
         .err()
@@ -190,7 +77,7 @@ fn a_map_that_is_not_served_is_named() {
 
 #[test]
 fn twenty_clients_at_once() {
-    let place = Place::new();
+    let place = place();
     let _daemon = place.serve(&[&town()]);
     let csv = "x,y\n50,-1.75\n";
     let children: Vec<Child> = (0..20)
@@ -218,7 +105,7 @@ fn twenty_clients_at_once() {
 
 #[test]
 fn a_killed_daemon_leaves_readers_right_and_its_successor_reaches_them() {
-    let place = Place::new();
+    let place = place();
     let daemon = place.serve(&[&town()]);
     let client = Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
     let before = client.snapshot();
@@ -235,7 +122,7 @@ fn a_killed_daemon_leaves_readers_right_and_its_successor_reaches_them() {
 
 #[test]
 fn a_killed_client_costs_nothing() {
-    let place = Place::new();
+    let place = place();
     let _daemon = place.serve(&[&town()]);
     for _ in 0..10 {
         let mut child = place
@@ -254,12 +141,12 @@ fn a_killed_client_costs_nothing() {
 
 #[test]
 fn a_second_daemon_for_one_name_is_refused() {
-    let place = Place::new();
+    let place = place();
     let first = place.serve(&[&town()]);
     let output = place.command().args(["--load", &town()]).output().expect("ends");
     assert_eq!(output.status.code(), Some(1));
     let text = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(text.contains(&first.0.id().to_string()) && text.contains("already"), "{text}");
+    assert!(text.contains(&first.id().to_string()) && text.contains("already"), "{text}");
     let client =
         Client::connect_in(&place.domain(), "town", PATIENCE).expect("the first still serves");
     assert_eq!(ask(&client), ANSWER);
@@ -267,7 +154,7 @@ fn a_second_daemon_for_one_name_is_refused() {
 
 #[test]
 fn several_maps_in_one_daemon_and_status() {
-    let place = Place::new();
+    let place = place();
     let one_road = mapd_tests::carried("one_road.xodr").display().to_string();
     let mut daemon = place.start(&[&town(), &one_road]);
     daemon.wait_until_serving();
@@ -284,7 +171,7 @@ fn several_maps_in_one_daemon_and_status() {
 
 #[test]
 fn answers_from_shared_memory_equal_those_from_the_file() {
-    let place = Place::new();
+    let place = place();
     let folder = tempfile::tempdir().expect("a folder");
     let archive = folder.path().join("town.mapd");
     let archive = archive.to_str().expect("text");
@@ -311,7 +198,7 @@ fn answers_from_shared_memory_equal_those_from_the_file() {
 
 #[test]
 fn a_rejected_map_leaves_nothing_behind() {
-    let place = Place::new();
+    let place = place();
     let folder = tempfile::tempdir().expect("a folder");
     let bad = folder.path().join("bad.xodr");
     std::fs::write(&bad, "<OpenDRIVE><header revMajor=\"1\" revMinor=\"7\"/><road id=\"1\"")
@@ -328,7 +215,7 @@ fn a_rejected_map_leaves_nothing_behind() {
 
 #[test]
 fn threads_share_a_snapshot() {
-    let place = Place::new();
+    let place = place();
     let _daemon = place.serve(&[&town()]);
     let client = Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
     let snapshot = client.snapshot();

@@ -1,8 +1,11 @@
-//! One process that attaches, answers once and ends: `attach_probe shm NAME` or `attach_probe file PATH`.
+//! One process that attaches, answers once, says so with a byte on stdout, and ends: `attach_probe shm NAME` or
+//! `attach_probe file PATH`.
 //!
-//! With `file` it is the floor: the same archive by plain open and mmap.
+//! With `file` it is the floor: the same archive by plain open and mmap. Behind the byte, `shm` says how long each phase of
+//! the attach took: microseconds, separated by blanks.
 
 use mapd_client::{Client, NearestOptions, Snapshot, glam::DVec2};
+use std::io::Write;
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -12,14 +15,35 @@ const WAIT: Duration = Duration::from_secs(5);
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let [how, what] = args.as_slice() else { return ExitCode::from(2) };
-    let snapshot = match how.as_str() {
-        "shm" => Client::connect(what, WAIT).map(|client| client.snapshot()),
-        _ => Snapshot::open(what),
+    let client = match how.as_str() {
+        "shm" => Some(Client::connect(what, WAIT)),
+        _ => None,
     };
-    let answered = snapshot.is_ok_and(|snapshot| {
+    let snapshot = match &client {
+        Some(client) => client.as_ref().ok().map(Client::snapshot),
+        None => Snapshot::open(what).ok(),
+    };
+    let answered = snapshot.is_some_and(|snapshot| {
         let middle = snapshot.map().bounds();
         let point = DVec2::new(middle.0.x + middle.1.x, middle.0.y + middle.1.y) * 0.5;
         snapshot.map().nearest_lane(point, &NearestOptions::default()).is_ok()
     });
-    if answered { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    if !answered {
+        return ExitCode::FAILURE;
+    }
+    let mut out = std::io::stdout().lock();
+    let told = out.write_all(b"!").and_then(|()| out.flush());
+    let phases = match client {
+        Some(Ok(client)) => {
+            let t = client.attach_timing();
+            [t.lock, t.node, t.service, t.subscriber, t.receive]
+                .map(|phase| phase.as_micros().to_string())
+                .join(" ")
+        }
+        _ => String::new(),
+    };
+    match told.and_then(|()| out.write_all(phases.as_bytes())) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(_) => ExitCode::FAILURE,
+    }
 }

@@ -251,8 +251,8 @@ impl Attribute {
     pub fn value_type(&self) -> Result<String> {
         let (kind, _) = split_range(self.kind.last());
         match kind.split(' ').next().unwrap_or_default() {
-            "text" | "int" | "uint" | "double" | "boolean" | "yes_no" | "xs_boolean" | "country"
-            | "speed_limit" | "position_or_end" | "words" => Ok(kind.to_owned()),
+            "text" | "int" | "uint" | "double" | "boolean" | "yes_no" | "xs_boolean"
+            | "country" | "speed_limit" | "position_or_end" | "words" => Ok(kind.to_owned()),
             other => bail!("@{}: unknown type {other}", self.name),
         }
     }
@@ -311,8 +311,7 @@ pub fn outputs(table: &Table) -> Result<Vec<crate::Output>> {
     for part in &table.parts {
         let name = part.name;
         outputs.push((format!("{FOLDER}/{name}.rs"), struct_code::structs(table, part)?));
-        outputs
-            .push((format!("{FOLDER}/schema_{name}.rs"), schema_code::statics(table, part)?));
+        outputs.push((format!("{FOLDER}/schema_{name}.rs"), schema_code::statics(table, part)?));
         outputs.push((format!("{FOLDER}/read_{name}.rs"), reader_code::readers(table, part)?));
     }
     Ok(outputs)
@@ -329,7 +328,9 @@ fn module(table: &Table) -> String {
     let mut out = "//! The document's types, the schema and the reader that follow from the table.\n// Written by `cargo run -p mapd-schemas` from schemas/opendrive; change those files instead.\n\n".to_owned();
     for part in &table.parts {
         let name = part.name;
-        out += &format!("mod {name};\nmod read_{name};\npub(crate) mod schema_{name};\n");
+        // Top-level elements are read from outside.
+        let public = if name == "document" { "pub(crate) " } else { "" };
+        out += &format!("mod {name};\n{public}mod read_{name};\npub(crate) mod schema_{name};\n");
     }
     out += "pub(crate) mod schema_words;\nmod words;\n\n";
     for part in &table.parts {

@@ -31,6 +31,7 @@ pub(crate) fn variant(word: &str) -> String {
         "+" => return "Plus".to_owned(),
         "-" => return "Minus".to_owned(),
         "%" => return "Percent".to_owned(),
+        "4way" => return "FourWay".to_owned(),
         "m/s" => return "MetersPerSecond".to_owned(),
         "km/h" => return "KilometersPerHour".to_owned(),
         "mph" => return "MilesPerHour".to_owned(),

@@ -95,7 +95,11 @@ pub(super) fn set_code(set: VersionSet) -> String {
             format!("between({}, {})", name(*first), name(*last))
         }
     };
-    if runs.is_empty() { "0".to_owned() } else { runs.iter().map(run).collect::<Vec<_>>().join(" | ") }
+    if runs.is_empty() {
+        "0".to_owned()
+    } else {
+        runs.iter().map(run).collect::<Vec<_>>().join(" | ")
+    }
 }
 
 /// Rust code of a type of value.
@@ -190,12 +194,7 @@ fn when_code(element: &Element, when: &[String]) -> String {
 
 fn child_code(table: &Table, element: &Element, child: &Child) -> Result<String> {
     let versions = child.versions(table, element);
-    let mut out = format!(
-        "child(\"{}\", &{}, {})",
-        child.name,
-        constant(&child.kind),
-        child.order
-    );
+    let mut out = format!("child(\"{}\", &{}, {})", child.name, constant(&child.kind), child.order);
     if versions != VersionSet::ALL {
         let _ = write!(out, ".only({})", set_code(versions));
     }

@@ -27,7 +27,9 @@ pub(super) fn is_root(element: &Element) -> bool {
 }
 
 fn items(element: &Element) -> String {
-    let mut out = "\n/// A top-level element.\n#[derive(Clone, Debug, PartialEq)]\npub enum Item {\n".to_owned();
+    let mut out =
+        "\n/// A top-level element.\n#[derive(Clone, Debug, PartialEq)]\npub enum Item {\n"
+            .to_owned();
     for child in &element.children {
         let _ = writeln!(out, "/// `{}`.\n{}(Box<{}>),", child.name, child.kind, child.kind);
     }
@@ -69,11 +71,8 @@ fn element_struct(table: &Table, element: &Element) -> Result<String> {
     }
     for child in &element.children {
         let kind = &child.kind;
-        let holder = if child.repeats() {
-            format!("Vec<{kind}>")
-        } else {
-            format!("Option<Box<{kind}>>")
-        };
+        let holder =
+            if child.repeats() { format!("Vec<{kind}>") } else { format!("Option<Box<{kind}>>") };
         let _ = writeln!(
             out,
             "/// {}\npub {}: {holder},",

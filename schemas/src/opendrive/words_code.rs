@@ -18,10 +18,15 @@ pub(super) fn enums(table: &Table) -> String {
             words.name,
             constant(&words.name)
         );
-        for word in &words.words {
-            let _ = writeln!(out, "        {} = {:?},", variant(&word.word), word.word);
+        // Two spellings of one word are one variant, named as the newer one.
+        for (rank, word) in words.words.iter().enumerate() {
+            let name = variant(&word.word);
+            if words.words[rank + 1..].iter().all(|later| variant(&later.word) != name) {
+                let _ = writeln!(out, "        {name} = {:?},", word.word);
+            }
         }
-        out += "    }\n}\n";
+        let ranks: Vec<String> = words.words.iter().map(|word| variant(&word.word)).collect();
+        let _ = write!(out, "    }} words {{ {} }}\n}}\n", ranks.join(" "));
     }
     out
 }
@@ -29,7 +34,8 @@ pub(super) fn enums(table: &Table) -> String {
 /// One list of words for each enumeration.
 pub(super) fn lists(table: &Table) -> String {
     let mut out = format!("//! The words of enumerations.\n{}", note("words"));
-    out += "use crate::schema::{V1_4, V1_5, V1_6, V1_7, V1_8, V1_8_1, V1_9, WordList, between, from, word};\n";
+    out +=
+        "use crate::schema::{V1_4, V1_5, V1_6, V1_7, V1_8, V1_9, WordList, between, from, word};\n";
     for words in &table.words {
         out += &list(words);
     }

@@ -71,6 +71,16 @@ impl Range {
         table.get(first..first.saturating_add(self.count as usize)).unwrap_or(&[])
     }
 
+    /// The row numbers that this range names; none if it reaches outside a table of so many rows (a corrupt archive).
+    #[inline]
+    pub fn rows(self, table: usize) -> std::ops::Range<u32> {
+        if self.end() <= table as u64 {
+            self.first..self.first.saturating_add(self.count)
+        } else {
+            0..0
+        }
+    }
+
     /// One past the last row.
     pub fn end(self) -> u64 {
         u64::from(self.first) + u64::from(self.count)

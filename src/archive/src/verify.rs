@@ -229,7 +229,7 @@ fn index(tables: &Tables<'_>) -> Result<(), VerifyError> {
     for (row, leaf) in tables.index_leaves.iter().enumerate() {
         let check = Check { table: "index_leaves", row };
         for place in 0..WIDTH {
-            let (lane, point) = (leaf.lane()[place], leaf.point()[place]);
+            let (lane, segment) = (leaf.lane()[place], leaf.segment()[place]);
             if lane == NONE {
                 continue;
             }
@@ -237,8 +237,8 @@ fn index(tables: &Tables<'_>) -> Result<(), VerifyError> {
                 return check.fail("lane", "a lane", lane);
             };
             let center = owner.center();
-            if point < center.first || u64::from(point) + 1 >= center.end() {
-                return check.fail("point", format!("a segment of {center:?}"), point);
+            if u32::from(segment) + 1 >= center.count {
+                return check.fail("segment", format!("a segment of {center:?}"), segment);
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::error::ClientError;
 use crate::snapshot::Snapshot;
-use crate::transport::{Domain, Subscription};
+use crate::transport::{AttachTiming, Domain, Subscription};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -35,6 +35,11 @@ impl Client {
     /// Name of the map.
     pub fn map_name(&self) -> &str {
         &self.name
+    }
+
+    /// Where the time of attaching went.
+    pub fn attach_timing(&self) -> AttachTiming {
+        self.subscription.timing()
     }
 
     /// The newest generation seen so far, without looking for another.

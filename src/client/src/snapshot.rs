@@ -32,6 +32,8 @@ struct Inner {
     archive: Archive<'static>,
     memory: Memory,
     generation: u64,
+    /// File or map name, for errors.
+    source_name: Box<str>,
 }
 
 /// One generation of a map, pinned: cheap to clone, shared by threads without locks, readable as long as any clone lives.
@@ -70,7 +72,7 @@ impl Snapshot {
             unsafe { std::slice::from_raw_parts(bytes.as_ptr(), bytes.len()) };
         let archive = open(bytes)
             .map_err(|error| ClientError::Open { source_name: name.to_owned(), error })?;
-        Ok(Self(Arc::new(Inner { archive, memory, generation })))
+        Ok(Self(Arc::new(Inner { archive, memory, generation, source_name: name.into() })))
     }
 
     /// The map.
@@ -97,8 +99,9 @@ impl Snapshot {
     ///
     /// Errors: the first thing that is wrong.
     pub fn verify(&self) -> Result<(), ClientError> {
+        let source_name = || self.0.source_name.to_string();
         verify(self.bytes())
             .map(|_| ())
-            .map_err(|error| ClientError::Verify { source_name: "archive".to_owned(), error })
+            .map_err(|error| ClientError::Verify { source_name: source_name(), error })
     }
 }

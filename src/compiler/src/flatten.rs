@@ -1,6 +1,7 @@
 //! Polylines of bounded error.
 
 use glam::DVec3;
+use mapd_geometry::clamp;
 
 /// Halvings of one stretch. 2²⁰ pieces of a stretch that is not smooth at all are enough to stop at.
 const MAX_DEPTH: u32 = 20;
@@ -74,6 +75,6 @@ fn refine(
 pub(crate) fn distance_to_segment(p: DVec3, a: DVec3, b: DVec3) -> f64 {
     let d = b - a;
     let squared = d.length_squared();
-    let along = if squared > 0.0 { ((p - a).dot(d) / squared).clamp(0.0, 1.0) } else { 0.0 };
+    let along = if squared > 0.0 { clamp((p - a).dot(d) / squared, 0.0, 1.0) } else { 0.0 };
     p.distance(a + d * along)
 }

@@ -3,15 +3,22 @@
 use crate::TooLarge;
 use crate::lanes::view;
 use crate::options::CompileOptions;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use mapd_archive::{IndexLeafRow, IndexNodeRow, NONE, Rows};
+use mapd_geometry::clamp;
 use mapd_query::{Lane, Map};
 use rayon::prelude::*;
 
 /// Children of a node, places of a leaf.
 const WIDTH: usize = 16;
-/// Added to every reach `[m]`, besides the tolerances: single precision within a leaf.
+/// Added to every reach, overshoot and height `[m]`, besides the tolerances: single precision within a leaf.
 const REACH_MARGIN: f64 = 1e-4;
+/// Points of one lane's centre line: segments are numbered with 16 bits.
+const MAX_POINTS: u32 = 1 << 16;
+/// Units of `reach` and `overshoot` in a metre.
+const REACH_UNITS: f64 = 128.0;
+/// Units of `z_low` and `z_high` in a metre.
+const HEIGHT_UNITS: f64 = 16.0;
 /// Relative rounding of single precision, doubled twice: coordinates are rounded once here and once in a query.
 const ROUNDING: f64 = 4.0 * f32::EPSILON as f64;
 
@@ -20,9 +27,20 @@ const ROUNDING: f64 = 4.0 * f32::EPSILON as f64;
 struct Entry {
     a: DVec2,
     b: DVec2,
-    reach: f64,
+    extent: Extent,
     lane: u32,
-    point: u32,
+    segment: u16,
+}
+
+/// How far a lane's area reaches around a segment of its centre line.
+#[derive(Clone, Copy, Debug)]
+struct Extent {
+    /// From the line through the segment `[m]`.
+    reach: f64,
+    /// Beyond the segment's ends, along it `[m]`.
+    overshoot: f64,
+    /// Heights `[m]`.
+    z: [f64; 2],
 }
 
 impl Entry {
@@ -43,6 +61,9 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
         return Ok(());
     }
     u32::try_from(entries.len()).map_err(|_| TooLarge("index_leaves"))?;
+    if rows.lanes.iter().any(|lane| lane.center.count > MAX_POINTS) {
+        return Err(TooLarge("points of one lane"));
+    }
     order(&mut entries);
     let (leaves, boxes): (Vec<_>, Vec<_>) = entries.par_chunks(WIDTH).map(leaf).unzip();
     let mut levels = Vec::new();
@@ -75,7 +96,6 @@ fn lane_entries(map: Map<'_>, number: u32, options: &CompileOptions) -> Vec<Entr
         let p = &lane.center_line().points[i];
         (origin + DVec2::new(f64::from(p.x()), f64::from(p.y())), p.s())
     };
-    let first = row.center().first;
     let mut entries = Vec::new();
     for i in 0..lane.center_line().len().saturating_sub(1) {
         let ((a, s_a), (b, s_b)) = (at(i), at(i + 1));
@@ -83,48 +103,61 @@ fn lane_entries(map: Map<'_>, number: u32, options: &CompileOptions) -> Vec<Entr
             // Both sides of a jump: no area between them.
             continue;
         }
-        let reach = reach(&lane, map.local_origin(), a, b, s_a, s_b)
-            + 2.0 * options.bound_tolerance
-            + REACH_MARGIN;
-        entries.push(Entry { a, b, reach, lane: number, point: first + i as u32 });
+        let margin = 2.0 * options.bound_tolerance + REACH_MARGIN;
+        let extent = extent(&lane, map.local_origin(), [a, b], [s_a, s_b]).widened(margin);
+        entries.push(Entry { a, b, extent, lane: number, segment: i as u16 });
     }
     entries
 }
 
-/// Largest distance from a segment of either border between two s. Distance from a segment is convex, so that each
-/// border's polyline is farthest at one of its points or where the stretch is cut.
-fn reach(lane: &Lane<'_>, map_origin: DVec2, a: DVec2, b: DVec2, s_a: f32, s_b: f32) -> f64 {
-    let mut reach = 0f64;
-    for border in [lane.left_bound(), lane.right_bound()] {
-        let origin = border.origin.truncate() - map_origin;
-        let xy = |i: usize| {
-            border
-                .points
-                .get(i)
-                .map(|p| (origin + DVec2::new(f64::from(p.x()), f64::from(p.y())), p.s()))
-        };
-        let mut visit = |p: DVec2| reach = reach.max(distance_to_segment(p, a, b));
-        let from = border.points.partition_point(|p| p.s() < s_a);
-        let to = border.points.partition_point(|p| p.s() <= s_b);
-        for i in from..to {
-            xy(i).into_iter().for_each(|(p, _)| visit(p));
+impl Extent {
+    const NONE: Self = Self { reach: 0.0, overshoot: 0.0, z: [f64::INFINITY, f64::NEG_INFINITY] };
+
+    fn widened(self, margin: f64) -> Self {
+        Self {
+            reach: self.reach + margin,
+            overshoot: self.overshoot + margin,
+            z: [self.z[0] - margin, self.z[1] + margin],
         }
-        for (cut, i) in [(s_a, from), (s_b, to)] {
-            if let (Some((p, s_p)), Some((q, s_q))) = (i.checked_sub(1).and_then(xy), xy(i))
+    }
+}
+
+/// The extent of a lane's area between two s. The area lies in the hull of both borders' stretches, and what is asked of
+/// it (how far to the sides, beyond the ends, up and down) is greatest at a point of theirs, or where they are cut.
+fn extent(lane: &Lane<'_>, map_origin: DVec2, ends: [DVec2; 2], cuts: [f32; 2]) -> Extent {
+    let along = ends[1] - ends[0];
+    let length = along.length();
+    let mut extent = Extent::NONE;
+    for border in [lane.left_bound(), lane.right_bound()] {
+        let origin = border.origin - map_origin.extend(0.0);
+        let point = |i: usize| {
+            let p = border.points.get(i)?;
+            let offset = DVec3::new(f64::from(p.x()), f64::from(p.y()), f64::from(p.z()));
+            Some((origin + offset, p.s()))
+        };
+        let mut visit = |p: DVec3| {
+            let away = p.truncate() - ends[0];
+            let (forward, sideways) = if length > 0.0 {
+                (away.dot(along) / length, away.perp_dot(along) / length)
+            } else {
+                (away.length(), away.length())
+            };
+            extent.reach = extent.reach.max(sideways.abs());
+            extent.overshoot = extent.overshoot.max(-forward).max(forward - length);
+            extent.z = [extent.z[0].min(p.z), extent.z[1].max(p.z)];
+        };
+        let from = border.points.partition_point(|p| p.s() < cuts[0]);
+        let to = border.points.partition_point(|p| p.s() <= cuts[1]);
+        (from..to).filter_map(point).for_each(|(p, _)| visit(p));
+        for (cut, i) in [(cuts[0], from), (cuts[1], to)] {
+            if let (Some((p, s_p)), Some((q, s_q))) = (i.checked_sub(1).and_then(point), point(i))
                 && s_q > s_p
             {
-                visit(p.lerp(q, f64::from(((cut - s_p) / (s_q - s_p)).clamp(0.0, 1.0))));
+                visit(p.lerp(q, clamp(f64::from((cut - s_p) / (s_q - s_p)), 0.0, 1.0)));
             }
         }
     }
-    reach
-}
-
-fn distance_to_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
-    let d = b - a;
-    let squared = d.length_squared();
-    let along = if squared > 0.0 { ((p - a).dot(d) / squared).clamp(0.0, 1.0) } else { 0.0 };
-    p.distance(a + d * along)
+    extent
 }
 
 /// Orders entries so that consecutive sixteens lie close together, and sixteens of sixteens as well: halves along the
@@ -136,7 +169,7 @@ fn order(entries: &mut [Entry]) {
         unit *= WIDTH;
     }
     if entries.len() <= WIDTH {
-        entries.sort_by_key(|e| (e.lane, e.point));
+        entries.sort_by_key(|e| (e.lane, e.segment));
         return;
     }
     let subtrees = entries.len().div_ceil(unit);
@@ -148,54 +181,80 @@ fn order(entries: &mut [Entry]) {
     };
     let axis = usize::from(spread(1) > spread(0));
     entries.select_nth_unstable_by(middle, |p, q| {
-        p.middle(axis).total_cmp(&q.middle(axis)).then((p.lane, p.point).cmp(&(q.lane, q.point)))
+        p.middle(axis)
+            .total_cmp(&q.middle(axis))
+            .then((p.lane, p.segment).cmp(&(q.lane, q.segment)))
     });
     let (left, right) = entries.split_at_mut(middle);
     rayon::join(|| order(left), || order(right));
 }
 
-/// A box in double precision: smallest x, y, largest x, y.
-type Bounds = [f64; 4];
+/// A box in double precision: smallest x, y, z, largest x, y, z.
+type Bounds = [DVec3; 2];
 
-const EMPTY: Bounds = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
+const EMPTY: Bounds = [DVec3::INFINITY, DVec3::NEG_INFINITY];
 
 fn join(a: Bounds, b: Bounds) -> Bounds {
-    [a[0].min(b[0]), a[1].min(b[1]), a[2].max(b[2]), a[3].max(b[3])]
+    [a[0].min(b[0]), a[1].max(b[1])]
+}
+
+/// The box of an entry's area.
+fn bounds(e: &Entry) -> Bounds {
+    let along = (e.b - e.a).normalize_or_zero();
+    // Without a direction, both count in all directions.
+    let (forward, sideways) = if along == DVec2::ZERO {
+        (DVec2::splat(e.extent.overshoot), DVec2::splat(e.extent.reach))
+    } else {
+        (along.abs() * e.extent.overshoot, along.perp().abs() * e.extent.reach)
+    };
+    let around = forward + sideways;
+    let (low, high) = (e.a.min(e.b) - around, e.a.max(e.b) + around);
+    [low.extend(e.extent.z[0]), high.extend(e.extent.z[1])]
 }
 
 /// A leaf and the box of all areas in it.
 fn leaf(entries: &[Entry]) -> (IndexLeafRow, Bounds) {
-    let ends = entries.iter().fold(EMPTY, |bounds, e| {
-        let (low, high) = (e.a.min(e.b), e.a.max(e.b));
-        join(bounds, [low.x, low.y, high.x, high.y])
+    let ends = entries.iter().fold([DVec2::INFINITY, DVec2::NEG_INFINITY], |[low, high], e| {
+        [low.min(e.a).min(e.b), high.max(e.a).max(e.b)]
     });
-    let (x, y) = (0.5 * (ends[0] + ends[2]), 0.5 * (ends[1] + ends[3]));
-    let size = (ends[2] - ends[0]).max(ends[3] - ends[1]);
+    let DVec2 { x, y } = 0.5 * (ends[0] + ends[1]);
+    let rounding = (ends[1] - ends[0]).max_element() * ROUNDING;
+    let z = entries.iter().map(|e| e.extent.z[0]).fold(f64::INFINITY, f64::min);
     let mut row = IndexLeafRow {
         x,
         y,
+        z,
         start_x: [0.0; WIDTH],
         start_y: [0.0; WIDTH],
         delta_x: [0.0; WIDTH],
         delta_y: [0.0; WIDTH],
-        reach: [0.0; WIDTH],
         lane: [NONE; WIDTH],
-        point: [NONE; WIDTH],
+        segment: [0; WIDTH],
+        reach: [0; WIDTH],
+        overshoot: [0; WIDTH],
+        z_low: [0; WIDTH],
+        z_high: [0; WIDTH],
     };
-    let mut bounds = EMPTY;
+    let mut all = EMPTY;
     for (k, e) in entries.iter().enumerate().take(WIDTH) {
         row.start_x[k] = (e.a.x - x) as f32;
         row.start_y[k] = (e.a.y - y) as f32;
         row.delta_x[k] = (e.b.x - e.a.x) as f32;
         row.delta_y[k] = (e.b.y - e.a.y) as f32;
-        row.reach[k] = round_up(e.reach + size * ROUNDING);
         row.lane[k] = e.lane;
-        row.point[k] = e.point;
-        let reach = DVec2::splat(f64::from(row.reach[k]));
-        let (low, high) = (e.a.min(e.b) - reach, e.a.max(e.b) + reach);
-        bounds = join(bounds, [low.x, low.y, high.x, high.y]);
+        row.segment[k] = e.segment;
+        row.reach[k] = units((e.extent.reach + rounding) * REACH_UNITS);
+        row.overshoot[k] = units((e.extent.overshoot + rounding) * REACH_UNITS);
+        row.z_low[k] = ((e.extent.z[0] - z) * HEIGHT_UNITS).floor() as u16;
+        row.z_high[k] = units((e.extent.z[1] - z) * HEIGHT_UNITS);
+        all = join(all, bounds(e));
     }
-    (row, bounds)
+    (row, all)
+}
+
+/// Rounded up; the largest value, which stands for any distance, where it does not fit. (Casts saturate.)
+fn units(value: f64) -> u16 {
+    value.ceil() as u16
 }
 
 /// A node over the boxes of its children.
@@ -206,17 +265,21 @@ fn node(children: &[Bounds]) -> (IndexNodeRow, Bounds) {
         min_y: [f32::MAX; WIDTH],
         max_x: [f32::MIN; WIDTH],
         max_y: [f32::MIN; WIDTH],
+        min_z: [f32::MAX; WIDTH],
+        max_z: [f32::MIN; WIDTH],
     };
-    let mut bounds = EMPTY;
+    let mut all = EMPTY;
     for (k, child) in children.iter().enumerate().take(WIDTH) {
-        let margin = child.iter().fold(0f64, |m, v| m.max(v.abs())) * ROUNDING;
-        row.min_x[k] = -round_up(-(child[0] - margin));
-        row.min_y[k] = -round_up(-(child[1] - margin));
-        row.max_x[k] = round_up(child[2] + margin);
-        row.max_y[k] = round_up(child[3] + margin);
-        bounds = join(bounds, *child);
+        let margin = child[0].abs().max(child[1].abs()).max_element() * ROUNDING;
+        row.min_x[k] = -round_up(-(child[0].x - margin));
+        row.min_y[k] = -round_up(-(child[0].y - margin));
+        row.max_x[k] = round_up(child[1].x + margin);
+        row.max_y[k] = round_up(child[1].y + margin);
+        row.min_z[k] = -round_up(-(child[0].z - margin));
+        row.max_z[k] = round_up(child[1].z + margin);
+        all = join(all, *child);
     }
-    (row, bounds)
+    (row, all)
 }
 
 /// To single precision, never smaller.

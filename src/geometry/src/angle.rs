@@ -22,6 +22,13 @@ pub fn normalize_angle(angle: f64) -> f64 {
     }
 }
 
+/// Angle of the direction (x, y) `[rad]`, in [−π, π], by `libm`: equal bit for bit on every machine.
+#[inline]
+#[must_use]
+pub fn atan2(y: f64, x: f64) -> f64 {
+    libm::atan2(y, x)
+}
+
 /// Cosine and sine of an angle `[rad]`, by `libm`: equal bit for bit on every machine.
 #[inline]
 #[must_use]

@@ -40,7 +40,7 @@ mod point;
 mod primitive;
 mod spiral;
 
-pub use angle::{cos_sin, normalize_angle};
+pub use angle::{atan2, cos_sin, normalize_angle};
 pub use compile::{CompileError, Compiled, MAX_LENGTH, MAX_PIECES, MAX_TURNING, compile};
 pub use cubic::Cubic;
 pub use curve::Curve;
@@ -50,6 +50,7 @@ pub use primitive::{CurveKind, PARAMETER_PIECE, ParameterRange, Primitive, SPIRA
 /// `value` within [lo, hi]; not-a-number becomes `lo`. Unlike `f64::clamp` it cannot panic, and unlike `f64::max` it
 /// never returns a zero of unspecified sign.
 #[inline]
-fn clamp(value: f64, lo: f64, hi: f64) -> f64 {
+#[must_use]
+pub fn clamp(value: f64, lo: f64, hi: f64) -> f64 {
     if value > lo { if value < hi { value } else { hi } } else { lo }
 }

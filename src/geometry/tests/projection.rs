@@ -2,7 +2,7 @@
 
 mod oracle;
 
-use mapd_geometry::{Curve, ParameterRange, Primitive, Projection, Start};
+use mapd_geometry::{Curve, ParameterRange, Primitive, Projection, Start, clamp};
 use oracle::{Random, Sample};
 
 /// Agreement of a foot with the point it came from, along the curve and across it `[m]`.
@@ -82,7 +82,7 @@ fn projection_from_a_seed_inverts_evaluation() {
         // A seed as the index gives it: within 2.5 m, and within a quarter of a radian.
         let reach = 2.5f64.min(0.25 / at.curvature.abs().max(1e-9));
         let seed = u + random.range(-reach, reach);
-        if !one_foot_between(&curve, x, y, seed.clamp(0.0, sample.length), u) {
+        if !one_foot_between(&curve, x, y, clamp(seed, 0.0, sample.length), u) {
             continue;
         }
         checked += 1;
@@ -150,7 +150,7 @@ fn projection_finds_the_right_turn_of_a_winding_spiral() {
         for _ in 0..6 {
             // Centres of curvature: the worst place to be.
             let at = curve.evaluate(random.range(0.0, length));
-            let radius = (1.0 / at.curvature).clamp(-1e3, 1e3);
+            let radius = clamp(1.0 / at.curvature, -1e3, 1e3);
             check(at.x - radius * at.sin, at.y + radius * at.cos);
         }
     }

@@ -232,8 +232,13 @@ fn execute(cli: Cli) -> Result<Exit> {
         Command::Query { source, kind, radius, types, z_tolerance, heading_tolerance, live } => {
             let (domain, wait) = live.get()?;
             let types = lane_types(&types)?;
-            let options =
-                NearestOptions { radius, types, z_tolerance, heading: None, heading_tolerance };
+            let options = NearestOptions {
+                radius,
+                types,
+                z_tolerance,
+                heading_tolerance,
+                ..NearestOptions::default()
+            };
             match source::open_or_report(&source, &CompileOptions::default(), (&domain, wait))? {
                 Some(snapshot) => {
                     query::run(snapshot.map(), kind, &options, io::stdin().lock(), &mut *out)

@@ -4,9 +4,11 @@
 //! decides: foot on the reference line, edges from the file's polynomials.
 
 use crate::lane::Lane;
-use crate::types::LanePosition;
+use crate::profile::At;
+use crate::road::Piece;
+use crate::types::{LaneEdges, LanePosition};
 use glam::DVec2;
-use mapd_geometry::normalize_angle;
+use mapd_geometry::{clamp, normalize_angle};
 
 /// Iterations for the foot on a border; each gains several digits, the last ones are for points far outside.
 const BORDER_ITERATIONS: usize = 12;
@@ -22,6 +24,18 @@ pub(crate) struct Slab {
     pub(crate) s_lo: f64,
     /// Last s `[m]`.
     pub(crate) s_hi: f64,
+}
+
+impl Slab {
+    fn middle(self) -> f64 {
+        0.5 * (self.s_lo + self.s_hi)
+    }
+
+    /// A place in the slab, with what holds within: records and geometries begin where slabs do, but stored s are rounded.
+    #[inline]
+    fn at(self, s: f64) -> At {
+        At { s, hold: self.middle() }
+    }
 }
 
 /// The slab of a segment of the lane's centre line, by its number within the line.
@@ -43,10 +57,19 @@ pub(crate) fn slab(lane: &Lane<'_>, segment: usize) -> Option<Slab> {
     (s_lo <= s_hi).then_some(Slab { s_lo, s_hi })
 }
 
+/// The segment of the lane's centre line that s lies in; the first or last beyond the ends. `None` for lane 0.
+pub(crate) fn segment_at(lane: &Lane<'_>, s: f64) -> Option<usize> {
+    let points = lane.row.center().of(lane.map.tables().points);
+    let ds = (s - lane.section.s_start()) as f32;
+    let after = points.partition_point(|point| point.s() <= ds);
+    let last = points.len().checked_sub(2)?;
+    Some(after.saturating_sub(1).min(last))
+}
+
 /// Position and distance with respect to one slab; `local` is relative to the map's origin.
 pub(crate) fn position_in_slab(lane: &Lane<'_>, slab: Slab, local: DVec2) -> Option<LanePosition> {
-    let seed = 0.5 * (slab.s_lo + slab.s_hi);
-    let piece = lane.road.piece_at(seed)?;
+    let seed = slab.middle();
+    let piece = lane.road.piece_at(At::new(seed))?;
     let foot = piece.curve.project_from(
         local.x,
         local.y,
@@ -54,10 +77,12 @@ pub(crate) fn position_in_slab(lane: &Lane<'_>, slab: Slab, local: DVec2) -> Opt
         slab.s_lo - piece.s,
         slab.s_hi - piece.s,
     );
-    let s = (piece.s + foot.u).clamp(slab.s_lo, slab.s_hi);
-    let (roll_cos, roll_sin) = lane.road.roll(s);
+    let s = clamp(piece.s + foot.u, slab.s_lo, slab.s_hi);
+    let at = slab.at(s);
+    let (roll_cos, roll_sin) = lane.road.roll(at);
     let t = foot.lateral / roll_cos;
-    let edges = lane.edges_at(s);
+    let slopes = lane.edge_slopes(at);
+    let edges = LaneEdges { inner: slopes.inner.value, outer: slopes.outer.value };
     let (low, high) = (edges.inner.min(edges.outer), edges.inner.max(edges.outer));
     let beside = t < low || t > high;
     let distance = if !beside && !foot.clamped {
@@ -68,13 +93,15 @@ pub(crate) fn position_in_slab(lane: &Lane<'_>, slab: Slab, local: DVec2) -> Opt
             let (tangent, normal) =
                 (DVec2::new(foot.cos, foot.sin), DVec2::new(-foot.sin, foot.cos));
             let away = local - DVec2::new(foot.x, foot.y);
-            let past = away.dot(normal) - (away.dot(normal)).clamp(low * roll_cos, high * roll_cos);
+            let sideways = away.dot(normal);
+            let past = sideways - clamp(sideways, low * roll_cos, high * roll_cos);
             best = away.dot(tangent).hypot(past);
         }
         if beside {
             best = best.min(border_distance(
                 lane,
                 slab,
+                &piece,
                 local,
                 s,
                 (t > high) == (edges.outer >= edges.inner),
@@ -87,7 +114,7 @@ pub(crate) fn position_in_slab(lane: &Lane<'_>, slab: Slab, local: DVec2) -> Opt
         t,
         offset: t - edges.center(),
         distance,
-        z: lane.road.elevation_at(s) + t * roll_sin,
+        z: lane.road.elevation(at) + t * roll_sin,
         heading: normalize_angle(piece.curve.heading(s - piece.s)),
     })
 }
@@ -97,6 +124,7 @@ pub(crate) fn position_in_slab(lane: &Lane<'_>, slab: Slab, local: DVec2) -> Opt
 fn border_distance(
     lane: &Lane<'_>,
     slab: Slab,
+    piece: &Piece<'_>,
     local: DVec2,
     seed: f64,
     outer: bool,
@@ -104,10 +132,11 @@ fn border_distance(
     let mut s = seed;
     let mut best = f64::INFINITY;
     for _ in 0..BORDER_ITERATIONS {
-        let point = lane.road.reference_at(s)?;
-        let slopes = lane.edge_slopes(s);
+        let at = slab.at(s);
+        let point = piece.curve.evaluate(s - piece.s);
+        let slopes = lane.edge_slopes(at);
         let edge = if outer { slopes.outer } else { slopes.inner };
-        let (roll_cos, _) = lane.road.roll(s);
+        let (roll_cos, _) = lane.road.roll(at);
         let lateral = edge.value * roll_cos;
         let (tangent, normal) =
             (DVec2::new(point.cos, point.sin), DVec2::new(-point.sin, point.cos));
@@ -122,7 +151,8 @@ fn border_distance(
         // Curvature of the border, its own change of t left out: it only shapes the step.
         let curvature = if stretch.abs() > f64::EPSILON { point.curvature / stretch } else { 0.0 };
         let contraction = (1.0 - curvature * away.dot(normal)).max(MIN_CONTRACTION);
-        let next = (s + away.dot(derivative) / (squared * contraction)).clamp(slab.s_lo, slab.s_hi);
+        let next = s + away.dot(derivative) / (squared * contraction);
+        let next = clamp(next, slab.s_lo, slab.s_hi);
         let step = (next - s).abs();
         if step <= BORDER_STEP || !step.is_finite() {
             break;

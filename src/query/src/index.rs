@@ -5,6 +5,12 @@ use mapd_archive::{ArchivedIndexLeafRow, NONE, Tables};
 
 /// Children of a node, places of a leaf.
 const WIDTH: usize = 16;
+/// Metres in a unit of `reach` and `overshoot`.
+const REACH_UNIT: f32 = 1.0 / 128.0;
+/// Metres in a unit of `z_low` and `z_high`.
+const HEIGHT_UNIT: f32 = 1.0 / 16.0;
+/// In `reach`, `overshoot` and `z_high`: any distance.
+const ANY: u16 = u16::MAX;
 /// Places on the search stack: 15 siblings on each of 8 levels (16⁸ leaves) and some more.
 const STACK: usize = 160;
 
@@ -13,18 +19,19 @@ const STACK: usize = 160;
 pub struct SegmentHit {
     /// Row of the lane.
     pub lane: u32,
-    /// Row of the segment's first point.
-    pub point: u32,
+    /// Number of the segment within the lane's centre line.
+    pub segment: u16,
     /// Plan-view distance `[m]`, in single precision.
     pub distance: f32,
 }
 
-/// Visits every leaf whose box is not farther from the point than the bound, nearer children first. `visit` gets the
-/// leaf and the point relative to the leaf's origin and returns the new bound `[m]`, which must not grow.
+/// Visits every leaf whose box is not farther from the point than the bound, nearer children first; with
+/// `heights`, only those that reach between them. `visit` gets the leaf and the point relative to the leaf's origin and returns the new bound `[m]`, which must not grow.
 #[inline]
 pub(crate) fn visit<'a>(
     tables: &Tables<'a>,
     local: DVec2,
+    heights: Option<[f64; 2]>,
     mut bound: f32,
     mut visit: impl FnMut(&'a ArchivedIndexLeafRow, f32, f32, f32) -> f32,
 ) {
@@ -53,11 +60,15 @@ pub(crate) fn visit<'a>(
             let dy = (min_y[k] - py).max(py - max_y[k]).max(0.0);
             squares[k] = dx * dx + dy * dy;
         }
-        let limit = bound * bound;
-        let mut hits = 0u32;
-        for (k, square) in squares.iter().enumerate() {
-            hits |= u32::from(*square <= limit) << k;
+        if let Some([low, high]) = heights {
+            let (min_z, max_z) = (node.min_z(), node.max_z());
+            for k in 0..WIDTH {
+                if f64::from(max_z[k]) < low || f64::from(min_z[k]) > high {
+                    squares[k] = f32::INFINITY;
+                }
+            }
         }
+        let mut hits = places_within(&squares, bound * bound);
         let base = top;
         while hits != 0 {
             let k = hits.trailing_zeros() as usize;
@@ -78,6 +89,40 @@ pub(crate) fn visit<'a>(
     }
 }
 
+/// Visits every leaf that may hold something of a box (relative to the local origin, smallest and largest coordinates).
+pub(crate) fn visit_box<'a>(
+    tables: &Tables<'a>,
+    low: DVec2,
+    high: DVec2,
+    mut visit: impl FnMut(&'a ArchivedIndexLeafRow),
+) {
+    let Some(depth) = tables.index_levels.len().checked_sub(1) else { return };
+    let mut stack = [(0u32, 0u32); STACK];
+    let mut top = 1;
+    while top > 0 {
+        top -= 1;
+        let Some(&(level, at)) = stack.get(top) else { return };
+        if level as usize == depth {
+            tables.index_leaves.get(at as usize).into_iter().for_each(&mut visit);
+            continue;
+        }
+        let first = tables.index_levels.get(level as usize).copied().unwrap_or(0);
+        let Some(node) = tables.index_nodes.get(first.wrapping_add(at) as usize) else { continue };
+        let (min_x, min_y, max_x, max_y) = (node.min_x(), node.min_y(), node.max_x(), node.max_y());
+        for k in 0..WIDTH {
+            let apart = f64::from(min_x[k]) > high.x
+                || f64::from(max_x[k]) < low.x
+                || f64::from(min_y[k]) > high.y
+                || f64::from(max_y[k]) < low.y;
+            if apart || top >= STACK {
+                continue;
+            }
+            stack[top] = (level + 1, at.wrapping_mul(WIDTH as u32).wrapping_add(k as u32));
+            top += 1;
+        }
+    }
+}
+
 /// Squared distances of a point (relative to the leaf's origin) from the leaf's segments `[m²]`.
 #[inline]
 pub(crate) fn squared_distances(leaf: &ArchivedIndexLeafRow, qx: f32, qy: f32) -> [f32; WIDTH] {
@@ -86,9 +131,68 @@ pub(crate) fn squared_distances(leaf: &ArchivedIndexLeafRow, qx: f32, qy: f32) -
     for k in 0..WIDTH {
         let (ex, ey) = (qx - ax[k], qy - ay[k]);
         let length = (dx[k] * dx[k] + dy[k] * dy[k]).max(f32::MIN_POSITIVE);
-        let along = ((ex * dx[k] + ey * dy[k]) / length).clamp(0.0, 1.0);
+        let along = (ex * dx[k] + ey * dy[k]) / length;
+        let along = if along > 0.0 { along.min(1.0) } else { 0.0 };
         let (fx, fy) = (ex - along * dx[k], ey - along * dy[k]);
         out[k] = fx * fx + fy * fy;
+    }
+    out
+}
+
+/// The places whose value is not above a limit, as bits.
+#[inline]
+pub(crate) fn places_within(values: &[f32; WIDTH], limit: f32) -> u32 {
+    values.iter().enumerate().fold(0, |bits, (k, value)| bits | u32::from(*value <= limit) << k)
+}
+
+/// The place with the least value among those whose bit is set.
+#[inline]
+pub(crate) fn least(values: &[f32; WIDTH], mut places: u32) -> Option<usize> {
+    let mut best = None;
+    let mut least = f32::INFINITY;
+    while places != 0 {
+        let k = places.trailing_zeros() as usize;
+        places &= places - 1;
+        if best.is_none() || values[k] < least {
+            (best, least) = (Some(k), values[k]);
+        }
+    }
+    best
+}
+
+/// For each of a leaf's segments a distance than which no point of the lane's stretch is nearer `[m]`: that to the
+/// rectangle around the segment. Infinite for unused places and for stretches outside `heights`.
+#[inline]
+pub(crate) fn lower_bounds(
+    leaf: &ArchivedIndexLeafRow,
+    qx: f32,
+    qy: f32,
+    heights: Option<[f64; 2]>,
+) -> [f32; WIDTH] {
+    let (ax, ay, dx, dy) = (leaf.start_x(), leaf.start_y(), leaf.delta_x(), leaf.delta_y());
+    let (reach, overshoot, lanes) = (leaf.reach(), leaf.overshoot(), leaf.lane());
+    let mut out = [0f32; WIDTH];
+    for k in 0..WIDTH {
+        let (ex, ey) = (qx - ax[k], qy - ay[k]);
+        let length = (dx[k] * dx[k] + dy[k] * dy[k]).max(f32::MIN_POSITIVE).sqrt();
+        let forward = (ex * dx[k] + ey * dy[k]) / length;
+        let sideways = (ex * dy[k] - ey * dx[k]).abs() / length;
+        let past = (-forward).max(forward - length) - f32::from(overshoot[k]) * REACH_UNIT;
+        let beside = sideways - f32::from(reach[k]) * REACH_UNIT;
+        let past = if overshoot[k] == ANY { 0.0 } else { past.max(0.0) };
+        let beside = if reach[k] == ANY { 0.0 } else { beside.max(0.0) };
+        let bound = (past * past + beside * beside).sqrt();
+        out[k] = if lanes[k] == NONE { f32::INFINITY } else { bound };
+    }
+    if let Some([low, high]) = heights {
+        let (z_low, z_high) = (leaf.z_low(), leaf.z_high());
+        let (low, high) = ((low - leaf.z()) as f32, (high - leaf.z()) as f32);
+        for k in 0..WIDTH {
+            let below = z_high[k] != ANY && f32::from(z_high[k]) * HEIGHT_UNIT < low;
+            if below || f32::from(z_low[k]) * HEIGHT_UNIT > high {
+                out[k] = f32::INFINITY;
+            }
+        }
     }
     out
 }
@@ -97,14 +201,14 @@ pub(crate) fn squared_distances(leaf: &ArchivedIndexLeafRow, qx: f32, qy: f32) -
 /// index; lanes are found by [`crate::Map::nearest_lane`], which knows their areas.
 pub fn nearest_segment(map: crate::Map<'_>, point: DVec2, radius: f64) -> Option<SegmentHit> {
     let mut best: Option<SegmentHit> = None;
-    visit(map.tables(), point - map.origin(), radius as f32, |leaf, qx, qy, mut bound| {
+    visit(map.tables(), point - map.origin(), None, radius as f32, |leaf, qx, qy, mut bound| {
         let squares = squared_distances(leaf, qx, qy);
-        let (lanes, points) = (leaf.lane(), leaf.point());
+        let (lanes, segments) = (leaf.lane(), leaf.segment());
         for k in 0..WIDTH {
             if lanes[k] != NONE && squares[k] <= bound * bound {
                 let distance = squares[k].sqrt();
                 if best.is_none_or(|b| distance < b.distance) {
-                    best = Some(SegmentHit { lane: lanes[k], point: points[k], distance });
+                    best = Some(SegmentHit { lane: lanes[k], segment: segments[k], distance });
                 }
                 bound = distance;
             }

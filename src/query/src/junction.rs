@@ -34,7 +34,7 @@ impl<'a> Junction<'a> {
     }
 
     /// Connections in file order.
-    pub fn connections(&self) -> impl ExactSizeIterator<Item = Connection<'a>> + 'a {
+    pub fn connections(&self) -> impl ExactSizeIterator<Item = Connection<'a>> + use<'a> {
         let map = self.map;
         self.row
             .connections()
@@ -73,7 +73,7 @@ impl<'a> Connection<'a> {
     }
 
     /// Lane links as written: (lane of the incoming road, lane of the connecting road).
-    pub fn lane_links(&self) -> impl ExactSizeIterator<Item = (i32, i32)> + 'a {
+    pub fn lane_links(&self) -> impl ExactSizeIterator<Item = (i32, i32)> + use<'a> {
         let links = self.row.lane_links().of(self.map.tables().connection_lane_links);
         links.iter().map(|link| (link.from(), link.to()))
     }

@@ -6,10 +6,10 @@ use crate::ids::LaneId;
 use crate::key::LaneKey;
 use crate::map::Map;
 use crate::polyline::Polyline;
-use crate::profile::{self, Slope};
+use crate::profile::{self, At, Slope};
 use crate::road::Road;
 use crate::section::LaneSection;
-use crate::types::{LaneEdges, LanePosition, Point, Pose, Track};
+use crate::types::{LaneEdges, LanePosition, Point, Pose};
 use glam::DVec3;
 use mapd_archive::{ArchivedLaneRow, LaneType, Range, SpeedKind, lane_flags};
 use std::borrow::Cow;
@@ -98,7 +98,7 @@ impl<'a> Lane<'a> {
     }
 
     /// `speed` records in ascending s.
-    pub fn speeds(&self) -> impl ExactSizeIterator<Item = LaneSpeed> + 'a {
+    pub fn speeds(&self) -> impl ExactSizeIterator<Item = LaneSpeed> + use<'a> {
         self.row.speeds().of(self.map.tables().lane_speeds).iter().map(|r| LaneSpeed {
             s: r.s(),
             kind: SpeedKind::from_code(u8::try_from(r.kind()).unwrap_or(u8::MAX)),
@@ -106,17 +106,24 @@ impl<'a> Lane<'a> {
         })
     }
 
-    /// Both edges at s, from the file's own polynomials (OpenDRIVE 1.8.1, 11.6). Negative widths count as 0.
+    /// Both edges at s, from the file's own polynomials (OpenDRIVE 1.8.1, 11.6). Negative widths count as 0. At the end of
+    /// the lane's section what holds in the section counts, not what begins with the next.
     #[inline]
     pub fn edges_at(&self, s: f64) -> LaneEdges {
-        let edges = self.edge_slopes(s);
+        let edges = self.edge_slopes(self.at(s));
         LaneEdges { inner: edges.inner.value, outer: edges.outer.value }
+    }
+
+    /// A place on the lane: at its end with what holds in its section, whatever begins with the next one.
+    #[inline]
+    pub(crate) fn at(&self, s: f64) -> At {
+        At::within(s, self.section.s_start(), self.section.s_end())
     }
 
     /// Walks from lane 0 outwards: widths add up from the lane offset; a border stands for itself.
     #[inline]
-    pub(crate) fn edge_slopes(&self, s: f64) -> EdgeSlopes {
-        let mut edge = self.road.lane_offset_slope(s);
+    pub(crate) fn edge_slopes(&self, at: At) -> EdgeSlopes {
+        let mut edge = self.road.lane_offset_slope(at);
         let mut edges = EdgeSlopes { inner: edge, outer: edge };
         let number = self.number();
         let lanes = self.section.rows();
@@ -124,9 +131,9 @@ impl<'a> Lane<'a> {
         let own = (self.number.wrapping_sub(self.section.row.lanes().first)) as usize;
         let steps = own.abs_diff(center);
         for step in 1..=steps {
-            let at = if number > 0 { center.wrapping_sub(step) } else { center + step };
-            let Some(lane) = lanes.get(at) else { return edges };
-            let record = profile::slope(lane.widths().of(self.map.tables().cubics), s);
+            let row = if number > 0 { center.wrapping_sub(step) } else { center + step };
+            let Some(lane) = lanes.get(row) else { return edges };
+            let record = profile::slope(lane.widths().of(self.map.tables().cubics), at);
             edges.inner = edge;
             edge = if lane.flags() & lane_flags::BORDER != 0 {
                 record
@@ -146,7 +153,7 @@ impl<'a> Lane<'a> {
 
     /// Every s on the road at which a record begins that shapes this lane in space, in no order, repeated ones included:
     /// between two of them the lane is smooth.
-    pub fn shape_breaks(&self) -> impl Iterator<Item = f64> + 'a {
+    pub fn shape_breaks(&self) -> impl Iterator<Item = f64> + use<'a> {
         let cubics = self.map.tables().cubics;
         let section = self.section.row.lanes();
         let lanes = section.of(self.map.tables().lanes);
@@ -168,7 +175,12 @@ impl<'a> Lane<'a> {
     ///
     /// Errors: coordinates that are not finite; a damaged archive.
     pub fn pose_at(&self, s: f64, offset: f64) -> Result<Pose, QueryError> {
-        self.road.to_inertial(Track { s, t: self.edges_at(s).center() + offset, h: 0.0 })
+        let clamped = mapd_geometry::clamp(s, 0.0, self.road.reference_end().max(0.0));
+        let at = self.at(clamped);
+        let edges = self.edge_slopes(at);
+        let center = 0.5 * (edges.inner.value + edges.outer.value);
+        let pose = self.road.pose(at, center + offset, 0.0)?;
+        Ok(Pose { clamped: clamped != s, ..pose })
     }
 
     /// A point in the lane's coordinates: exact foot on the reference line within the lane's section, distance from
@@ -202,6 +214,22 @@ impl<'a> Lane<'a> {
     /// Centre line in ascending s. Empty for lane 0.
     pub fn center_line(&self) -> Polyline<'a> {
         self.polyline(self.row, self.row.center())
+    }
+
+    /// The border away from lane 0, in ascending s; for lane 0 the shifted reference line.
+    pub fn border(&self) -> Polyline<'a> {
+        self.polyline(self.row, self.row.border())
+    }
+
+    /// The next lane towards lane 0, lane 0 included; none for lane 0 itself.
+    pub fn inner(&self) -> Option<Lane<'a>> {
+        let step = i64::from(self.number().signum());
+        if step == 0 {
+            return None;
+        }
+        // Rows run from left to right, from high numbers to low ones.
+        let lane = Lane::new(self.map, u32::try_from(i64::from(self.number) + step).ok()?)?;
+        (lane.row.section() == self.row.section()).then_some(lane)
     }
 
     /// Border on the left of the reference line's direction, in ascending s.
@@ -254,16 +282,16 @@ impl<'a> Lane<'a> {
     }
 
     /// Lanes entered from this one in driving direction.
-    pub fn successors(&self) -> impl ExactSizeIterator<Item = LaneId> + 'a {
+    pub fn successors(&self) -> impl ExactSizeIterator<Item = LaneId> + use<'a> {
         self.links(self.row.successors())
     }
 
     /// Lanes from which this one is entered in driving direction.
-    pub fn predecessors(&self) -> impl ExactSizeIterator<Item = LaneId> + 'a {
+    pub fn predecessors(&self) -> impl ExactSizeIterator<Item = LaneId> + use<'a> {
         self.links(self.row.predecessors())
     }
 
-    fn links(&self, range: Range) -> impl ExactSizeIterator<Item = LaneId> + 'a {
+    fn links(&self, range: Range) -> impl ExactSizeIterator<Item = LaneId> + use<'a> {
         let content = self.map.content();
         range.of(self.map.tables().lane_links).iter().map(move |row| LaneId { row: *row, content })
     }

@@ -129,19 +129,19 @@ impl<'a> Map<'a> {
     }
 
     /// All roads in file order.
-    pub fn roads(&self) -> impl Iterator<Item = Road<'a>> + 'a {
+    pub fn roads(&self) -> impl Iterator<Item = Road<'a>> + use<'a> {
         let map = *self;
         (0..map.tables().roads.len() as u32).filter_map(move |row| Road::new(map, row))
     }
 
     /// All junctions in file order.
-    pub fn junctions(&self) -> impl Iterator<Item = Junction<'a>> + 'a {
+    pub fn junctions(&self) -> impl Iterator<Item = Junction<'a>> + use<'a> {
         let map = *self;
         (0..map.tables().junctions.len() as u32).filter_map(move |row| Junction::new(map, row))
     }
 
     /// All lanes, lane 0 of each section left out.
-    pub fn lanes(&self) -> impl Iterator<Item = Lane<'a>> + 'a {
+    pub fn lanes(&self) -> impl Iterator<Item = Lane<'a>> + use<'a> {
         let map = *self;
         (0..map.tables().lanes.len() as u32)
             .filter_map(move |row| Lane::new(map, row))

@@ -7,7 +7,7 @@ use crate::index;
 use crate::lane::Lane;
 use crate::map::Map;
 use crate::types::{LanePosition, Point};
-use mapd_archive::{LaneType, NONE};
+use mapd_archive::LaneType;
 use mapd_geometry::normalize_angle;
 use std::cmp::Ordering;
 
@@ -62,6 +62,9 @@ pub struct NearestOptions {
     pub heading: Option<f64>,
     /// Largest difference between `heading` and the lane's driving direction `[rad]`. Default none.
     pub heading_tolerance: Option<f64>,
+    /// The answer for a point nearby, such as the one before on a trajectory: tried first, so that the search can leave
+    /// out what is farther. It changes the cost, never the answer; one of another map is ignored. Default none.
+    pub hint: Option<Nearest>,
 }
 
 impl Default for NearestOptions {
@@ -72,6 +75,26 @@ impl Default for NearestOptions {
             z_tolerance: None,
             heading: None,
             heading_tolerance: None,
+            hint: None,
+        }
+    }
+}
+
+impl NearestOptions {
+    /// Errors: numbers that are not finite.
+    pub(crate) fn check(&self, point: Point) -> Result<(), QueryError> {
+        let numbers = [self.z_tolerance, self.heading, self.heading_tolerance, point.z];
+        let finite = point.xy.is_finite()
+            && self.radius.is_finite()
+            && numbers.iter().flatten().all(|n| n.is_finite());
+        if finite { Ok(()) } else { Err(QueryError::NotFinite) }
+    }
+
+    /// Between which heights lanes count, if only some do.
+    pub(crate) fn heights(&self, point: Point) -> Option<[f64; 2]> {
+        match (point.z, self.z_tolerance) {
+            (Some(z), Some(tolerance)) => Some([z - tolerance, z + tolerance]),
+            _ => None,
         }
     }
 }
@@ -85,16 +108,29 @@ pub struct Nearest {
     pub position: LanePosition,
 }
 
-struct Candidate<'a> {
-    lane: Lane<'a>,
-    position: LanePosition,
+/// A lane's stretch, as near as it comes.
+pub(crate) struct Candidate<'a> {
+    pub(crate) lane: Lane<'a>,
+    pub(crate) position: LanePosition,
     heading_difference: f64,
     z_difference: f64,
 }
 
-impl Candidate<'_> {
-    /// Distance; then heading difference, z difference, |offset|, key.
-    fn order(&self, other: &Self) -> Ordering {
+impl<'a> Candidate<'a> {
+    #[inline]
+    fn new(lane: Lane<'a>, position: LanePosition, point: Point, options: &NearestOptions) -> Self {
+        let z_difference = point.z.map_or(0.0, |z| (z - position.z).abs());
+        let heading_difference =
+            options.heading.map_or(0.0, |heading| heading_difference(&lane, &position, heading));
+        Self { lane, position, heading_difference, z_difference }
+    }
+
+    pub(crate) fn nearest(&self) -> Nearest {
+        Nearest { lane: self.lane.lane_id(), position: self.position }
+    }
+
+    /// Distance; then heading difference, z difference, |offset|, key, s.
+    pub(crate) fn order(&self, other: &Self) -> Ordering {
         self.position
             .distance
             .total_cmp(&other.position.distance)
@@ -104,6 +140,8 @@ impl Candidate<'_> {
             .then_with(|| self.lane.road.id().cmp(other.lane.road.id()))
             .then_with(|| self.lane.section.number().cmp(&other.lane.section.number()))
             .then_with(|| self.lane.number().cmp(&other.lane.number()))
+            // Where two stretches of one lane meet, so that the answer does not depend on which is visited first.
+            .then(self.position.s.total_cmp(&other.position.s))
     }
 }
 
@@ -120,38 +158,23 @@ impl<'a> Map<'a> {
         options: &NearestOptions,
     ) -> Result<Option<Nearest>, QueryError> {
         let point = point.into();
-        let numbers = [options.z_tolerance, options.heading, options.heading_tolerance, point.z];
-        if !point.xy.is_finite()
-            || !options.radius.is_finite()
-            || numbers.iter().flatten().any(|n| !n.is_finite())
-        {
-            return Err(QueryError::NotFinite);
-        }
+        options.check(point)?;
         let local = point.xy - self.origin();
-        let mut best: Option<Candidate<'a>> = None;
+        let mut best = self.hinted(point, local, options);
         // Single precision rounds the bound; a little more than the radius loses nothing, the exact test follows.
-        let start = round_up(options.radius);
-        index::visit(self.tables(), local, start, |leaf, qx, qy, mut bound| {
-            let (lanes, points, reach) = (leaf.lane(), leaf.point(), leaf.reach());
-            // No point of a lane's stretch is nearer than this. The most promising comes first: what it yields excludes
-            // most of the others before they cost a projection.
-            let mut lower = index::squared_distances(leaf, qx, qy);
-            for k in 0..lower.len() {
-                lower[k] =
-                    if lanes[k] == NONE { f32::INFINITY } else { lower[k].sqrt() - reach[k] };
-            }
-            loop {
-                let (mut k, mut least) = (0, f32::INFINITY);
-                for (place, value) in lower.iter().enumerate() {
-                    if *value < least {
-                        (k, least) = (place, *value);
-                    }
-                }
-                if least > bound || least == f32::INFINITY {
+        let start = round_up(best.as_ref().map_or(options.radius, |b| b.position.distance));
+        let heights = options.heights(point);
+        index::visit(self.tables(), local, heights, start, |leaf, qx, qy, mut bound| {
+            let (lanes, segments) = (leaf.lane(), leaf.segment());
+            let lower = index::lower_bounds(leaf, qx, qy, heights);
+            let mut open = index::places_within(&lower, bound);
+            // The most promising comes first: what it yields excludes most of the others before they cost a projection.
+            while let Some(k) = index::least(&lower, open) {
+                open &= !(1 << k);
+                if lower[k] > bound {
                     break;
                 }
-                lower[k] = f32::INFINITY;
-                let Some(candidate) = self.candidate(lanes[k], points[k], point, local, options)
+                let Some(candidate) = self.candidate(lanes[k], segments[k], point, local, options)
                 else {
                     continue;
                 };
@@ -165,15 +188,40 @@ impl<'a> Map<'a> {
             }
             bound
         });
-        Ok(best.map(|b| Nearest { lane: b.lane.lane_id(), position: b.position }))
+        Ok(best.map(|b| b.nearest()))
+    }
+
+    /// The hint's lane at the hint's place, or past its end if the point has gone on.
+    fn hinted(
+        &self,
+        point: Point,
+        local: glam::DVec2,
+        options: &NearestOptions,
+    ) -> Option<Candidate<'a>> {
+        let hint = options.hint?;
+        let lane = self.lane(hint.lane).ok()?;
+        let segment = u16::try_from(area::segment_at(&lane, hint.position.s)?).ok()?;
+        let candidate = self.candidate(hint.lane.row(), segment, point, local, options)?;
+        (candidate.position.distance <= options.radius).then_some(candidate)
+    }
+
+    /// What a place on a lane has for ties.
+    pub(crate) fn candidate_of(
+        &self,
+        found: &Nearest,
+        point: Point,
+        options: &NearestOptions,
+    ) -> Option<Candidate<'a>> {
+        let lane = Lane::new(*self, found.lane.row())?;
+        Some(Candidate::new(lane, found.position, point, options))
     }
 
     /// A lane's stretch as a candidate; `None` where the options exclude it.
     #[inline]
-    fn candidate(
+    pub(crate) fn candidate(
         &self,
         lane: u32,
-        segment: u32,
+        segment: u16,
         point: Point,
         local: glam::DVec2,
         options: &NearestOptions,
@@ -182,17 +230,19 @@ impl<'a> Map<'a> {
         if !options.types.contains(lane.kind()) {
             return None;
         }
-        let slab = area::slab(&lane, segment.checked_sub(lane.row.center().first)? as usize)?;
+        let slab = area::slab(&lane, usize::from(segment))?;
         let position = area::position_in_slab(&lane, slab, local)?;
-        let z_difference = point.z.map_or(0.0, |z| (z - position.z).abs());
-        let heading_difference =
-            options.heading.map_or(0.0, |heading| heading_difference(&lane, &position, heading));
-        let excluded =
-            options.z_tolerance.is_some_and(|limit| point.z.is_some() && z_difference > limit)
-                || options
-                    .heading_tolerance
-                    .is_some_and(|limit| options.heading.is_some() && heading_difference > limit);
-        (!excluded).then_some(Candidate { lane, position, heading_difference, z_difference })
+        let found = Candidate::new(lane, position, point, options);
+        let too_far = |limit: Option<f64>, known: bool, difference: f64| {
+            known && limit.is_some_and(|limit| difference > limit)
+        };
+        let excluded = too_far(options.z_tolerance, point.z.is_some(), found.z_difference)
+            || too_far(
+                options.heading_tolerance,
+                options.heading.is_some(),
+                found.heading_difference,
+            );
+        (!excluded).then_some(found)
     }
 }
 
@@ -210,7 +260,7 @@ fn heading_difference(lane: &Lane<'_>, position: &LanePosition, heading: f64) ->
 }
 
 /// To single precision, never smaller.
-fn round_up(value: f64) -> f32 {
+pub(crate) fn round_up(value: f64) -> f32 {
     let rounded = value as f32;
     if f64::from(rounded) < value { rounded.next_up() } else { rounded }
 }

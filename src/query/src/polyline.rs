@@ -31,7 +31,7 @@ impl<'a> Polyline<'a> {
     }
 
     /// Inertial positions in ascending s `[m]`.
-    pub fn positions(&self) -> impl ExactSizeIterator<Item = DVec3> + 'a {
+    pub fn positions(&self) -> impl ExactSizeIterator<Item = DVec3> + use<'a> {
         let origin = self.origin;
         self.points.iter().map(move |p| at(origin, p))
     }

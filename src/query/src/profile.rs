@@ -10,26 +10,51 @@ pub(crate) struct Slope {
     pub(crate) derivative: f64,
 }
 
-/// The record that holds at s: the last one that starts at or before it (of equal ones the later). None before the
+/// A place on a road, and which records hold there: those that hold at `hold`. The two differ at the end of a stretch,
+/// where the next one's records begin: a lane ends with what holds within it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct At {
+    pub(crate) s: f64,
+    pub(crate) hold: f64,
+}
+
+impl At {
+    /// The place with what begins there.
+    #[inline]
+    pub(crate) fn new(s: f64) -> Self {
+        Self { s, hold: s }
+    }
+
+    /// A place in a stretch: at its end, with what holds just below.
+    #[inline]
+    pub(crate) fn within(s: f64, start: f64, end: f64) -> Self {
+        Self { s, hold: if s >= end && start < end { end.next_down() } else { s } }
+    }
+}
+
+/// The record that holds at a place: the last one that starts at or before it (of equal ones the later). None before the
 /// first record, where every profile is 0 (OpenDRIVE 1.8.1, 7.2).
 #[inline]
-fn record(records: &[ArchivedCubicRow], s: f64) -> Option<&ArchivedCubicRow> {
+fn record(records: &[ArchivedCubicRow], at: At) -> Option<&ArchivedCubicRow> {
     match records {
         [] => None,
-        [only] => (only.s() <= s).then_some(only),
-        _ => records.partition_point(|r| r.s() <= s).checked_sub(1).and_then(|i| records.get(i)),
+        [only] => (only.s() <= at.hold).then_some(only),
+        _ => records
+            .partition_point(|r| r.s() <= at.hold)
+            .checked_sub(1)
+            .and_then(|i| records.get(i)),
     }
 }
 
 #[inline]
-pub(crate) fn value(records: &[ArchivedCubicRow], s: f64) -> f64 {
-    record(records, s).map_or(0.0, |r| cubic(r).value(s - r.s()))
+pub(crate) fn value(records: &[ArchivedCubicRow], at: At) -> f64 {
+    record(records, at).map_or(0.0, |r| cubic(r).value(at.s - r.s()))
 }
 
 #[inline]
-pub(crate) fn slope(records: &[ArchivedCubicRow], s: f64) -> Slope {
-    record(records, s).map_or(Slope::default(), |r| {
-        let (cubic, ds) = (cubic(r), s - r.s());
+pub(crate) fn slope(records: &[ArchivedCubicRow], at: At) -> Slope {
+    record(records, at).map_or(Slope::default(), |r| {
+        let (cubic, ds) = (cubic(r), at.s - r.s());
         Slope { value: cubic.value(ds), derivative: cubic.derivative(ds) }
     })
 }

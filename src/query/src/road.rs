@@ -4,7 +4,7 @@ use crate::error::QueryError;
 use crate::ids::RoadId;
 use crate::junction::Junction;
 use crate::map::Map;
-use crate::profile;
+use crate::profile::{self, At};
 use crate::section::LaneSection;
 use crate::types::{Point, Pose, Track, TrackPosition};
 use glam::{DVec2, DVec3};
@@ -12,7 +12,7 @@ use mapd_archive::{
     ArchivedCubicRow, ArchivedGeometryRow, ArchivedRoadRow, ContactPoint, LinkKind, NONE, Range,
     RoadType, SpeedKind, string,
 };
-use mapd_geometry::{Curve, CurveKind, CurvePoint, Start, normalize_angle};
+use mapd_geometry::{Curve, CurveKind, CurvePoint, Start, clamp, normalize_angle};
 
 /// A road.
 #[derive(Clone, Copy)]
@@ -125,7 +125,7 @@ impl<'a> Road<'a> {
     }
 
     /// `road/type` records in ascending s.
-    pub fn types(&self) -> impl ExactSizeIterator<Item = RoadTypeRecord> + 'a {
+    pub fn types(&self) -> impl ExactSizeIterator<Item = RoadTypeRecord> + use<'a> {
         self.row.types().of(self.map.tables().road_types).iter().map(|r| RoadTypeRecord {
             s: r.s(),
             kind: RoadType::from_code(r.kind()),
@@ -135,10 +135,10 @@ impl<'a> Road<'a> {
     }
 
     /// Sections in ascending s.
-    pub fn sections(&self) -> impl Iterator<Item = LaneSection<'a>> + 'a {
+    pub fn sections(&self) -> impl Iterator<Item = LaneSection<'a>> + use<'a> {
         let map = self.map;
-        let range = self.row.sections();
-        (0..range.count).filter_map(move |i| LaneSection::new(map, range.first.checked_add(i)?))
+        let rows = self.row.sections().rows(map.tables().sections.len());
+        rows.filter_map(move |row| LaneSection::new(map, row))
     }
 
     /// Section by its number, from 0.
@@ -165,32 +165,42 @@ impl<'a> Road<'a> {
 
     /// Elevation of the reference line at s `[m]`.
     pub fn elevation_at(&self, s: f64) -> f64 {
-        profile::value(self.cubics(self.row.elevations()), s)
+        self.elevation(At::new(s))
     }
 
     /// Superelevation at s `[rad]`; positive lifts the left side.
     pub fn superelevation_at(&self, s: f64) -> f64 {
-        profile::value(self.cubics(self.row.superelevations()), s)
+        profile::value(self.cubics(self.row.superelevations()), At::new(s))
+    }
+
+    /// Change of the superelevation by s `[rad/m]`.
+    pub(crate) fn superelevation_slope(&self, at: At) -> f64 {
+        profile::slope(self.cubics(self.row.superelevations()), at).derivative
+    }
+
+    #[inline]
+    pub(crate) fn elevation(&self, at: At) -> f64 {
+        profile::value(self.cubics(self.row.elevations()), at)
     }
 
     /// Lane offset at s `[m]`; positive to the left.
     pub fn lane_offset_at(&self, s: f64) -> f64 {
-        self.lane_offset_slope(s).value
+        self.lane_offset_slope(At::new(s)).value
     }
 
     #[inline]
-    pub(crate) fn lane_offset_slope(&self, s: f64) -> profile::Slope {
-        profile::slope(self.cubics(self.row.lane_offsets()), s)
+    pub(crate) fn lane_offset_slope(&self, at: At) -> profile::Slope {
+        profile::slope(self.cubics(self.row.lane_offsets()), at)
     }
 
-    /// Cosine and sine of the superelevation at s; (1, 0) without any trigonometry where the road has none.
+    /// Cosine and sine of the superelevation; (1, 0) without any trigonometry where the road has none.
     #[inline]
-    pub(crate) fn roll(&self, s: f64) -> (f64, f64) {
+    pub(crate) fn roll(&self, at: At) -> (f64, f64) {
         let records = self.cubics(self.row.superelevations());
         if records.is_empty() {
             return (1.0, 0.0);
         }
-        let angle = profile::value(records, s);
+        let angle = profile::value(records, at);
         if angle == 0.0 { (1.0, 0.0) } else { mapd_geometry::cos_sin(angle) }
     }
 
@@ -201,9 +211,9 @@ impl<'a> Road<'a> {
 
     /// The geometry that holds at s: the last that starts at or before it.
     #[inline]
-    pub(crate) fn piece_at(&self, s: f64) -> Option<Piece<'a>> {
+    pub(crate) fn piece_at(&self, at: At) -> Option<Piece<'a>> {
         let rows = self.geometries();
-        let after = rows.partition_point(|g| g.s() <= s);
+        let after = rows.partition_point(|g| g.s() <= at.hold);
         self.piece(rows.get(after.saturating_sub(1))?)
     }
 
@@ -216,7 +226,7 @@ impl<'a> Road<'a> {
     }
 
     /// Every s at which a geometry, elevation, superelevation or lane offset record begins, and the reference line's end.
-    pub(crate) fn shape_breaks(&self) -> impl Iterator<Item = f64> + 'a {
+    pub(crate) fn shape_breaks(&self) -> impl Iterator<Item = f64> + use<'a> {
         let profiles = [self.row.elevations(), self.row.superelevations(), self.row.lane_offsets()];
         let cubics = self.map.tables().cubics;
         self.geometries()
@@ -234,9 +244,9 @@ impl<'a> Road<'a> {
     }
 
     /// The reference line at s, relative to the local origin.
-    pub(crate) fn reference_at(&self, s: f64) -> Option<CurvePoint> {
-        let piece = self.piece_at(s)?;
-        Some(piece.curve.evaluate(s - piece.s))
+    pub(crate) fn reference_at(&self, at: At) -> Option<CurvePoint> {
+        let piece = self.piece_at(at)?;
+        Some(piece.curve.evaluate(at.s - piece.s))
     }
 
     /// Inertial pose of a track position: (x, y, e) + t along the rolled lateral axis + h along its normal
@@ -244,26 +254,33 @@ impl<'a> Road<'a> {
     ///
     /// Errors: coordinates that are not finite; a damaged archive.
     pub fn to_inertial(&self, track: Track) -> Result<Pose, QueryError> {
-        if !(track.s.is_finite() && track.t.is_finite() && track.h.is_finite()) {
+        let s = clamp(track.s, 0.0, self.reference_end().max(0.0));
+        let pose = self.pose(At::new(s), track.t, track.h)?;
+        Ok(Pose { clamped: s != track.s, ..pose })
+    }
+
+    /// As [`Road::to_inertial`], at a place of the reference line.
+    #[inline]
+    pub(crate) fn pose(&self, at: At, t: f64, h: f64) -> Result<Pose, QueryError> {
+        if !(at.s.is_finite() && t.is_finite() && h.is_finite()) {
             return Err(QueryError::NotFinite);
         }
-        let s = track.s.clamp(0.0, self.reference_end().max(0.0));
-        let point = self.reference_at(s).ok_or(QueryError::Corrupt)?;
-        let elevation = profile::slope(self.cubics(self.row.elevations()), s);
-        let (roll_cos, roll_sin) = self.roll(s);
-        let lateral = track.t * roll_cos - track.h * roll_sin;
+        let point = self.reference_at(at).ok_or(QueryError::Corrupt)?;
+        let elevation = profile::slope(self.cubics(self.row.elevations()), at);
+        let (roll_cos, roll_sin) = self.roll(at);
+        let lateral = t * roll_cos - h * roll_sin;
         let origin = self.map.origin();
         Ok(Pose {
             position: DVec3::new(
                 origin.x + (point.x - point.sin * lateral),
                 origin.y + (point.y + point.cos * lateral),
-                elevation.value + track.t * roll_sin + track.h * roll_cos,
+                elevation.value + t * roll_sin + h * roll_cos,
             ),
             heading: normalize_angle(point.heading),
             curvature: point.curvature,
             slope: elevation.derivative,
-            superelevation: self.superelevation_at(s),
-            clamped: s != track.s,
+            superelevation: profile::value(self.cubics(self.row.superelevations()), at),
+            clamped: false,
         })
     }
 
@@ -299,8 +316,8 @@ impl<'a> Road<'a> {
             }
         }
         let (distance, piece, foot) = best.ok_or(QueryError::Corrupt)?;
-        let s = (piece.s + foot.u).clamp(0.0, end.max(0.0));
-        let (roll_cos, roll_sin) = self.roll(s);
+        let s = clamp(piece.s + foot.u, 0.0, end.max(0.0));
+        let (roll_cos, roll_sin) = self.roll(At::new(s));
         let at_end = foot.clamped && (s <= 0.0 || s >= end);
         let (t, h) = match point.z {
             None => (foot.lateral / roll_cos, None),

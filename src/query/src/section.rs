@@ -53,10 +53,10 @@ impl<'a> LaneSection<'a> {
     }
 
     /// Lanes from left to right, lane 0 among them.
-    pub fn lanes(&self) -> impl Iterator<Item = Lane<'a>> + 'a {
+    pub fn lanes(&self) -> impl Iterator<Item = Lane<'a>> + use<'a> {
         let map = self.map;
-        let range = self.row.lanes();
-        (0..range.count).filter_map(move |i| Lane::new(map, range.first.checked_add(i)?))
+        let rows = self.row.lanes().rows(map.tables().lanes.len());
+        rows.filter_map(move |row| Lane::new(map, row))
     }
 
     /// The lane that covers lateral position t at s; `None` beside all lanes. On a shared edge the lane nearer to

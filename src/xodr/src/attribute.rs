@@ -44,36 +44,41 @@ pub(crate) trait Enumeration: Sized {
     /// The words as the schema has them.
     fn list() -> &'static WordList;
     /// The value of the word of a rank.
-    fn of_rank(rank: usize) -> Option<Self>;
-    /// A word that the standard does not know.
-    const OTHER: Self;
+    fn of_rank(rank: usize) -> Self;
+    /// A word that the standard does not list.
+    const UNLISTED: Self;
 }
 
 macro_rules! enumeration {
-    ($(#[$doc:meta])* $name:ident: $list:ident { $($variant:ident = $text:literal,)* }) => {
+    ($(#[$doc:meta])* $name:ident: $list:ident {
+        $($variant:ident = $text:literal,)*
+    } words { $($word:ident)* }) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[non_exhaustive]
         pub enum $name {
             $(#[doc = concat!("`", $text, "`")] $variant,)*
-            /// A word that the standard does not know; the finding about it has the word.
-            Other,
+            /// A word that the standard does not list; the finding about it has the word.
+            Unlisted,
         }
 
         impl $name {
-            /// All known words, in the order of the standard's schema.
+            /// All words that the standard lists, in the order of its schema.
             pub const ALL: &[Self] = &[$(Self::$variant),*];
 
-            /// The word; empty for `Other`.
+            /// The word; empty for `Unlisted`.
             pub fn name(self) -> &'static str {
-                match self { $(Self::$variant => $text,)* Self::Other => "" }
+                match self { $(Self::$variant => $text,)* Self::Unlisted => "" }
             }
         }
 
         impl $crate::attribute::Enumeration for $name {
             fn list() -> &'static $crate::schema::WordList { &$list }
-            fn of_rank(rank: usize) -> Option<Self> { Self::ALL.get(rank).copied() }
-            const OTHER: Self = Self::Other;
+            fn of_rank(rank: usize) -> Self {
+                const BY_RANK: &[$name] = &[$($name::$word),*];
+                BY_RANK.get(rank).copied().unwrap_or(Self::Unlisted)
+            }
+            const UNLISTED: Self = Self::Unlisted;
         }
     };
 }

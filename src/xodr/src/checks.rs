@@ -4,7 +4,7 @@ use crate::cursor::{Cursor, Open, RawAttribute};
 use crate::finding::{Severity, Span};
 use crate::rule_ids;
 use crate::schema::{
-    AttributeSchema, Choice, ChildSchema, Kind, NAMES, V1_8, Versions, alike, attribute,
+    AttributeSchema, ChildSchema, Choice, Kind, NAMES, V1_8, Versions, alike, attribute,
 };
 use crate::well_formed::Fault;
 
@@ -72,7 +72,8 @@ impl Cursor<'_> {
             return;
         }
         let name = String::from_utf8_lossy(name).into_owned();
-        let message = format!("expected no @{name}, which the standard does not have here, found it");
+        let message =
+            format!("expected no @{name}, which the standard does not have here, found it");
         let span = self.span_of(raw);
         self.add(rule_ids::UNKNOWN_ATTRIBUTE, Severity::Warning, span, &name, message);
     }
@@ -100,7 +101,10 @@ impl Cursor<'_> {
             let (name, standard) = (a.name, self.standard());
             let (severity, message) = if a.required & bit != 0 {
                 let but = if a.not_by_text { " by its schema, though not by its text" } else { "" };
-                (Severity::Error, format!("expected @{name}, required in {standard}{but}, found none"))
+                (
+                    Severity::Error,
+                    format!("expected @{name}, required in {standard}{but}, found none"),
+                )
             } else {
                 let message = format!(
                     "expected @{name}, required by the text of {standard}, though not by its schema, found none"
@@ -161,9 +165,12 @@ impl Cursor<'_> {
             self.add(rule_ids::OCCURRENCE, Severity::Error, span, child.name, message);
         }
         if child.order < open.order {
-            let last = open.schema.children.iter().rev().find(|c| {
-                c.order == open.order && c.versions & alike(self.version as u8) != 0
-            });
+            let last = open
+                .schema
+                .children
+                .iter()
+                .rev()
+                .find(|c| c.order == open.order && c.versions & alike(self.version as u8) != 0);
             let last = last.map_or("what stands before it", |last| last.name);
             let message = format!("expected {} before {last}, found it behind", child.name);
             self.add(rule_ids::ORDER, Severity::Warning, span, child.name, message);
@@ -181,7 +188,8 @@ impl Cursor<'_> {
             let Some(child) = children.get(slot).filter(|c| self.is_for(open, c.when)) else {
                 continue;
             };
-            let message = format!("expected the element {}, required in {standard}, found none", child.name);
+            let message =
+                format!("expected the element {}, required in {standard}, found none", child.name);
             self.add(rule_ids::ELEMENT, Severity::Error, open.span, child.name, message);
         }
         for slot in bits(open.schema.counted) {
@@ -191,10 +199,8 @@ impl Cursor<'_> {
             if count > max || (count > 0 && count < min) {
                 let bound = if count > max { "at most" } else { "at least" };
                 let due = if count > max { max } else { min };
-                let message = format!(
-                    "expected {bound} {due} {} in {standard}, found {count}",
-                    child.name
-                );
+                let message =
+                    format!("expected {bound} {due} {} in {standard}, found {count}", child.name);
                 self.add(rule_ids::OCCURRENCE, Severity::Error, open.span, child.name, message);
             }
         }

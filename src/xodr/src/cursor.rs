@@ -2,6 +2,7 @@
 //!
 //! What a sound file needs on every element stands here; what is asked only where something is wrong, in `checks`.
 
+use crate::element::{self, Element};
 use crate::extension::Extension;
 use crate::finding::{Finding, Severity, Span};
 use crate::findings::Findings;
@@ -104,8 +105,8 @@ pub(crate) enum Current {
 /// The walk through a document.
 pub(crate) struct Cursor<'a> {
     pub(crate) window: Window<'a>,
-    /// Windows on the files that include the one that is being read, and the frames that were open in them.
-    pub(crate) outer: Vec<(Window<'a>, usize)>,
+    /// The files that include the one that is being read.
+    pub(crate) outer: Vec<(Window<'a>, Structure)>,
     pub(crate) inputs: Inputs,
     pub(crate) limits: Limits,
     pub(crate) findings: Findings,
@@ -143,7 +144,11 @@ pub(crate) struct Cursor<'a> {
 impl<'a> Cursor<'a> {
     pub(crate) fn new(inputs: Inputs, source: Source<'a>, limits: Limits) -> Self {
         Self {
-            window: Window::new(source, limits.tag_bytes.max(limits.text_bytes), limits.extension_bytes),
+            window: Window::new(
+                source,
+                limits.tag_bytes.max(limits.text_bytes),
+                limits.extension_bytes,
+            ),
             outer: Vec::new(),
             inputs,
             limits,
@@ -219,7 +224,10 @@ impl<'a> Cursor<'a> {
             let slot = if is(open.expected) {
                 open.expected
             } else {
-                match (open.expected + 1..known.len()).chain(0..open.expected).find(|slot| is(*slot)) {
+                match (open.expected + 1..known.len())
+                    .chain(0..open.expected)
+                    .find(|slot| is(*slot))
+                {
                     Some(slot) => slot,
                     None => {
                         self.other_attribute(raw);
@@ -309,7 +317,8 @@ impl<'a> Cursor<'a> {
         if self.tag.declares && self.is_redeclared() {
             return None;
         }
-        let name = self.bytes((1, 1 + self.tag.name as u32)).strip_prefix(self.prefix.as_slice())?;
+        let name =
+            self.bytes((1, 1 + self.tag.name as u32)).strip_prefix(self.prefix.as_slice())?;
         let children = open.schema.children;
         let is = |slot: usize| children.get(slot).is_some_and(|c| c.name.as_bytes() == name);
         // Most children stand in rows of one kind.
@@ -454,5 +463,25 @@ impl<'a> Cursor<'a> {
     /// Takes the findings since the last call.
     pub(crate) fn take_findings(&mut self) -> Vec<Finding> {
         self.findings.take()
+    }
+}
+
+impl Cursor<'_> {
+    /// Reads a child that may stand once; of several the first is kept.
+    pub(crate) fn put<T: Element>(&mut self, place: &mut Option<Box<T>>) {
+        let child = element::read(self);
+        if place.is_none() {
+            *place = Some(Box::new(child));
+        }
+    }
+
+    /// Reads a child that may stand several times.
+    pub(crate) fn push<T: Element>(&mut self, list: &mut Vec<T>) {
+        list.push(element::read(self));
+    }
+
+    /// Reads an element that stands alone.
+    pub(crate) fn boxed<T: Element>(&mut self) -> Box<T> {
+        Box::new(element::read(self))
     }
 }

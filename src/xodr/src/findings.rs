@@ -64,11 +64,10 @@ impl Findings {
     /// The document has ended: one finding for each kind that had more than are kept.
     pub(crate) fn finish(&mut self) {
         for ((rule, element, detail), more) in self.more.drain(..) {
-            let what = if detail.is_empty() { element.to_owned() } else { format!("{element}, {detail}") };
-            let message = format!(
-                "{} more findings like this ({what}), the first of them here",
-                more.count
-            );
+            let what =
+                if detail.is_empty() { element.to_owned() } else { format!("{element}, {detail}") };
+            let message =
+                format!("{} more findings like this ({what}), the first of them here", more.count);
             let (severity, span, path) = (more.severity, more.span, more.path);
             self.kept.push(Finding { rule, severity, span, path, message, hint: String::new() });
         }

@@ -18,22 +18,32 @@
 //! assert!(reader.next().unwrap().is_none());
 //! ```
 
-mod attributes;
+mod attribute;
+mod checks;
 mod cursor;
-mod elements;
+mod element;
+mod extension;
 mod finding;
+mod findings;
+mod generated;
 mod limits;
-mod names;
+mod markup;
+mod notes;
+mod other;
 mod reader;
+mod reading;
 pub mod rule_ids;
+mod schema;
 pub mod source;
-mod types;
 pub mod values;
+mod variants;
 pub mod well_formed;
+mod window;
 
+pub use attribute::{Attribute, PositionOrEnd, SpeedLimit};
+pub use extension::{Extension, ExtensionKind, Extensions};
 pub use finding::{Finding, Severity, Span};
+pub use generated::*;
 pub use limits::Limits;
-pub use names::{LaneKind, RoadTypeKind};
-pub use reader::{Item, Reader};
+pub use reader::Reader;
 pub use source::{LineIndex, Position};
-pub use types::*;

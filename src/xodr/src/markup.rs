@@ -4,8 +4,8 @@ use crate::cursor::{Cursor, Markup, Name, RawAttribute, Tag};
 use crate::finding::{Severity, Span};
 use crate::rule_ids;
 use crate::source::Places;
-use crate::well_formed::{self, Attributes, Fault, Faults};
 use crate::values;
+use crate::well_formed::{self, Attributes, Fault, Faults};
 
 /// What to do with text between tags.
 #[derive(Clone, Copy, PartialEq)]
@@ -93,7 +93,12 @@ impl Cursor<'_> {
         };
         let start = self.window.start();
         let mut faults = Faults::default();
-        split(self.window.ahead().get(1..end).unwrap_or_default(), start, &mut self.tag, &mut faults);
+        split(
+            self.window.ahead().get(1..end).unwrap_or_default(),
+            start,
+            &mut self.tag,
+            &mut faults,
+        );
         if !faults.is_empty() {
             match self.faulty_tag(end, &mut faults) {
                 Some(real) => end = real,
@@ -103,8 +108,9 @@ impl Cursor<'_> {
         let length = end + 1;
         if length > self.limits.tag_bytes || self.tag.attributes.len() > self.limits.attributes {
             let (bytes, attributes) = (self.limits.tag_bytes, self.limits.attributes);
-            let message =
-                format!("expected a tag of at most {bytes} bytes and {attributes} attributes, found more");
+            let message = format!(
+                "expected a tag of at most {bytes} bytes and {attributes} attributes, found more"
+            );
             self.refuse(rule_ids::LIMIT, start, message);
             return Markup::Over;
         }
@@ -247,8 +253,9 @@ impl Cursor<'_> {
         } else if ahead.starts_with(b"<?") {
             let end = self.window.find_end(b"?>", 2);
             if let Some(content) = end.and_then(|end| self.window.ahead().get(2..end - 2)) {
-                let is_declaration =
-                    content.strip_prefix(b"xml").is_some_and(|rest| rest.first().is_none_or(u8::is_ascii_whitespace));
+                let is_declaration = content
+                    .strip_prefix(b"xml")
+                    .is_some_and(|rest| rest.first().is_none_or(u8::is_ascii_whitespace));
                 if is_declaration {
                     let is_first = Places::offset_of(start) == 0;
                     self.structure.declaration(start, is_first, &mut faults);

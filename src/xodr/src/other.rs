@@ -3,7 +3,7 @@
 use crate::cursor::{Cursor, Markup, Name, Open, Step};
 use crate::extension::{Extension, ExtensionKind};
 use crate::finding::Severity;
-use crate::generated::{schema_additional_data as additional};
+use crate::generated::schema_additional_data as additional;
 use crate::markup::Text;
 use crate::rule_ids;
 use crate::schema::{DATA_QUALITY, ElementSchema, INCLUDE, Kind, USER_DATA, alike};

@@ -1,52 +1,65 @@
 //! The stream of top-level elements.
 
-use crate::attributes::Context;
-use crate::cursor::{Cursor, Step};
-use crate::elements;
+use crate::cursor::{Cursor, Markup, Open, Step};
+use crate::extension::Extensions;
 use crate::finding::{Finding, Severity, Span};
+use crate::generated::{Item, read_document, schema_document};
 use crate::limits::Limits;
+use crate::markup::Text;
+use crate::other;
 use crate::rule_ids;
-use crate::source::LineIndex;
-use crate::types::{Header, Junction, Road};
-use std::io::{self, BufRead};
+use crate::source::{Inputs, Places, Position, Source};
+use crate::well_formed::{Fault, Faults};
+use std::io::{self, Read};
+use std::path::Path;
 
 /// Name of the root element.
 const ROOT: &str = "OpenDRIVE";
 
-/// A top-level element.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Item {
-    /// `header`.
-    Header(Box<Header>),
-    /// `road`.
-    Road(Box<Road>),
-    /// `junction`.
-    Junction(Box<Junction>),
-}
-
 /// Where the walk stands.
-#[derive(PartialEq)]
 enum State {
     BeforeRoot,
-    Inside,
+    Inside(Box<Open>),
     Done,
 }
 
 /// Reads a document as a stream of top-level elements.
-pub struct Reader<R> {
-    cursor: Cursor<R>,
+pub struct Reader<'a> {
+    cursor: Cursor<'a>,
     state: State,
-    has_header: bool,
+    extensions: Extensions,
 }
 
-impl<R: BufRead> Reader<R> {
-    /// A reader of a document.
-    pub fn new(input: R, limits: Limits) -> Self {
-        Self { cursor: Cursor::new(input, limits), state: State::BeforeRoot, has_header: false }
+impl Reader<'static> {
+    /// A reader of a file, compressed or not; what it includes must lie in its folder.
+    ///
+    /// Errors: the file cannot be opened.
+    pub fn open(path: &Path, limits: Limits) -> io::Result<Self> {
+        let mut inputs = Inputs::new(limits.source);
+        let source = inputs.open_file(path)?;
+        Ok(Self::with_source(inputs, source, limits))
+    }
+}
+
+impl<'a> Reader<'a> {
+    /// A reader of a document that is no file, such as bytes in memory. It cannot include files.
+    pub fn new(input: impl Read + Send + 'a, limits: Limits) -> Self {
+        let mut inputs = Inputs::new(limits.source);
+        let source = inputs.open(Box::new(input), "");
+        Self::with_source(inputs, source, limits)
     }
 
-    /// The next top-level element that mapd reads; none at the end of the document, or where an error makes reading on
-    /// pointless.
+    /// A reader of the main input, opened with `inputs`, which says where files may be included from.
+    pub fn with_source(inputs: Inputs, source: Source<'a>, limits: Limits) -> Self {
+        Self {
+            cursor: Cursor::new(inputs, source, limits),
+            state: State::BeforeRoot,
+            extensions: Extensions::default(),
+        }
+    }
+
+    /// The next top-level element; none at the end of the document, or where an error makes reading on pointless. An
+    /// element that the end of the input cuts off is not handed out.
     ///
     /// Errors: reading the input failed. What is wrong with the document is a finding.
     #[expect(
@@ -54,134 +67,142 @@ impl<R: BufRead> Reader<R> {
         reason = "an iterator could not be asked for findings in between"
     )]
     pub fn next(&mut self) -> io::Result<Option<Item>> {
-        if self.state == State::BeforeRoot {
+        if matches!(self.state, State::BeforeRoot) {
             self.root();
         }
-        let item = if self.state == State::Inside { self.item() } else { None };
-        match self.cursor.take_failure() {
+        let item = self.item();
+        self.cursor.take_notes();
+        if item.is_none() {
+            self.state = State::Done;
+            self.cursor.findings.finish();
+        }
+        match self.cursor.failed.take() {
             Some(error) => Err(error),
             None => Ok(item),
         }
     }
 
-    /// Takes the findings since the last call.
+    /// Takes the findings since the last call. Where many are of one kind, the last call has how many more there were.
     pub fn take_findings(&mut self) -> Vec<Finding> {
-        std::mem::take(&mut self.cursor.findings)
+        self.cursor.take_findings()
     }
 
-    /// Lines read so far.
-    pub fn line_index(&self) -> &LineIndex {
-        self.cursor.lines()
+    /// Files and lines read so far.
+    pub fn places(&self) -> &Places {
+        self.cursor.inputs.places()
     }
 
-    /// Bytes read so far.
+    /// Line and column of a span's start in its file.
+    pub fn position(&self, start: u64) -> Position {
+        self.places().place(start).position
+    }
+
+    /// Bytes of decoded text read so far of the file that is being read.
     pub fn bytes_read(&self) -> u64 {
-        self.cursor.offset()
+        Places::offset_of(self.cursor.window.offset())
+    }
+
+    /// What stands in the root beyond the standard's own elements, as far as it was read.
+    pub fn extensions(&self) -> &Extensions {
+        &self.extensions
     }
 
     /// Walks to the root and looks at it.
     fn root(&mut self) {
-        loop {
-            match self.cursor.step() {
-                Step::Start(attributes) => {
-                    let name = self.cursor.context().path;
-                    let (prefix, local) = match name.rsplit_once(':') {
-                        Some((prefix, local)) => (format!("{prefix}:"), local),
-                        None => (String::new(), name.as_str()),
-                    };
-                    if local == ROOT {
-                        self.cursor.set_root_prefix(prefix);
-                        self.state = State::Inside;
-                    } else {
-                        let message = format!("expected the root element {ROOT}, found {name}");
-                        self.cursor.refuse(rule_ids::ROOT, attributes.span.start, message);
-                        self.state = State::Done;
+        let cursor = &mut self.cursor;
+        let markup = loop {
+            match cursor.window.skip_space() {
+                Some(b'<') => {
+                    cursor.window.want(2);
+                    match cursor.window.ahead().get(1) {
+                        Some(b'!' | b'?') => cursor.other_markup(Text::None),
+                        Some(b'/') => {
+                            let start = cursor.window.start();
+                            cursor.refuse(rule_ids::XML, start, Fault::Mismatch.to_string());
+                        }
+                        _ => break cursor.markup(Text::None),
                     }
-                    return;
                 }
-                Step::Text(text) if text.trim().is_empty() => {}
-                Step::Text(_) | Step::End => {
-                    let start = self.cursor.offset();
-                    self.cursor.refuse(
-                        rule_ids::XML,
-                        start,
-                        format!("expected the element {ROOT}, found text"),
-                    );
-                    self.state = State::Done;
-                    return;
+                Some(_) => {
+                    let start = cursor.window.start();
+                    cursor.refuse(rule_ids::XML, start, Fault::TextOutside.to_string());
                 }
-                Step::Over => {
-                    if self.cursor.findings.iter().all(|f| f.severity != Severity::Error) {
+                None => {
+                    cursor.stopped(None);
+                    let start = cursor.window.start();
+                    if cursor.findings.errors == 0 && cursor.failed.is_none() {
                         let message =
                             format!("expected the root element {ROOT}, found the end of the file");
-                        self.cursor.refuse(rule_ids::ROOT, 0, message);
+                        cursor.refuse(rule_ids::ROOT, start, message);
                     }
-                    self.state = State::Done;
-                    return;
                 }
             }
+            if cursor.over {
+                return;
+            }
+        };
+        if matches!(markup, Markup::Start) {
+            self.enter_root();
         }
+    }
+
+    /// Looks at the root's name and namespace.
+    fn enter_root(&mut self) {
+        let cursor = &mut self.cursor;
+        let full = cursor.bytes((1, 1 + cursor.tag.name as u32)).to_vec();
+        let prefix = memchr::memrchr(b':', &full).map_or(0, |at| at + 1);
+        let (prefix, local) = full.split_at(prefix);
+        let span = cursor.tag.span;
+        cursor.structure.start(span.start, &mut Faults::default());
+        if local != ROOT.as_bytes() {
+            let found = String::from_utf8_lossy(&full).into_owned();
+            let message = format!("expected the root element {ROOT}, found {found}");
+            cursor.refuse(rule_ids::ROOT, span.start, message);
+            return;
+        }
+        cursor.prefix = prefix.to_vec();
+        let key = match prefix.strip_suffix(b":") {
+            Some(prefix) => format!("xmlns:{}", String::from_utf8_lossy(prefix)),
+            None => "xmlns".to_owned(),
+        };
+        cursor.namespace = cursor.attribute_text(&key).into_bytes();
+        cursor.pending = ROOT;
+        let mut open = cursor.open(&schema_document::OPEN_DRIVE);
+        if !other::is_opendrive(&cursor.namespace) {
+            let found = String::from_utf8_lossy(&cursor.namespace).into_owned();
+            let message = format!(
+                "expected no namespace or one of OpenDRIVE's, found {found}; read as OpenDRIVE"
+            );
+            let span = Span { len: 0, ..span };
+            cursor.add(rule_ids::NAMESPACE, Severity::Warning, span, "", message);
+        }
+        while cursor.next_attribute(&mut open).is_some() {}
+        cursor.finish_attributes(&mut open);
+        self.state = State::Inside(Box::new(open));
     }
 
     fn item(&mut self) -> Option<Item> {
+        let State::Inside(open) = &mut self.state else { return None };
+        let cursor = &mut self.cursor;
         loop {
-            let attributes = match self.cursor.step() {
-                Step::Start(attributes) => attributes,
-                Step::Text(_) => continue,
-                Step::End => {
-                    self.finish();
-                    return None;
-                }
-                Step::Over => {
-                    self.state = State::Done;
-                    return None;
-                }
-            };
-            let path = self.cursor.context().path;
-            let name = path.rsplit(['/', ':']).next().unwrap_or("").to_owned();
-            let item = match name.as_str() {
-                "header" => {
-                    self.has_header = true;
-                    Some(Item::Header(Box::new(elements::header(&mut self.cursor, &attributes))))
-                }
-                "road" => elements::road(&mut self.cursor, &attributes)
-                    .map(|road| Item::Road(Box::new(road))),
-                "junction" => elements::junction(&mut self.cursor, &attributes)
-                    .map(|junction| Item::Junction(Box::new(junction))),
-                _ => {
-                    self.cursor.skip();
-                    None
-                }
-            };
-            // An element that the end of input cut off is not handed out.
-            if self.cursor.is_over() {
-                self.state = State::Done;
+            if cursor.over {
                 return None;
             }
-            if item.is_some() {
-                return item;
-            }
-        }
-    }
-
-    /// The root has ended: nothing but white space and comments may follow.
-    fn finish(&mut self) {
-        self.state = State::Done;
-        if !self.has_header {
-            let message = "expected the element header, found none".to_owned();
-            let mut context =
-                Context { findings: &mut self.cursor.findings, path: ROOT.to_owned() };
-            context.add(rule_ids::ELEMENT, Severity::Warning, Span::default(), message);
-        }
-        loop {
-            let start = self.cursor.offset();
-            match self.cursor.step() {
-                Step::Text(text) if text.trim().is_empty() => {}
-                Step::Over => return,
-                _ => {
-                    let message = format!("expected the end of the file after {ROOT}, found more");
-                    self.cursor.refuse(rule_ids::XML, start, message);
-                    return;
+            match cursor.next_child(open) {
+                Step::Child(slot) => {
+                    if cursor.pending == "header" {
+                        cursor.set_version();
+                    }
+                    let item = read_document::item(slot, cursor);
+                    return item.filter(|_| !cursor.over);
+                }
+                Step::Extension(extension) => self.extensions.push(extension),
+                Step::End => {
+                    if !cursor.over {
+                        cursor.structure.end();
+                        cursor.finish_file();
+                    }
+                    return None;
                 }
             }
         }

@@ -93,6 +93,11 @@ impl<'a> Window<'a> {
         self.hold = Some(self.start);
     }
 
+    /// Whether something is held.
+    pub(crate) fn is_holding(&self) -> bool {
+        self.hold.is_some()
+    }
+
     /// What was held, up to the token's end; none if it was more than the window holds.
     pub(crate) fn release(&mut self) -> Option<&[u8]> {
         let from = self.hold.take()?;

@@ -562,6 +562,16 @@ impl ArchivedIndexNodeRow {
     pub fn max_y(&self) -> &[f32; 16] {
         bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.max_y)
     }
+    /// `[m]` Smallest z of each child.
+    #[inline]
+    pub fn min_z(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.min_z)
+    }
+    /// `[m]` Largest z of each child.
+    #[inline]
+    pub fn max_z(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.max_z)
+    }
 }
 
 impl ArchivedIndexLeafRow {
@@ -574,6 +584,11 @@ impl ArchivedIndexLeafRow {
     #[inline]
     pub fn y(&self) -> f64 {
         self.y.to_native()
+    }
+    /// `[m]` Height from which `z_low` and `z_high` count.
+    #[inline]
+    pub fn z(&self) -> f64 {
+        self.z.to_native()
     }
     /// `[m]` Start of each segment.
     #[inline]
@@ -595,19 +610,34 @@ impl ArchivedIndexLeafRow {
     pub fn delta_y(&self) -> &[f32; 16] {
         bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.delta_y)
     }
-    /// `[m]` Largest distance of the lane's area from the segment, rounded up.
-    #[inline]
-    pub fn reach(&self) -> &[f32; 16] {
-        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.reach)
-    }
     /// The lane; u32::MAX if unused.
     #[inline]
     pub fn lane(&self) -> &[u32; 16] {
         bytemuck::cast_ref::<[rend::u32_le; 16], _>(&self.lane)
     }
-    /// The segment's first point in `points`.
+    /// Number of the segment within the lane's centre line.
     #[inline]
-    pub fn point(&self) -> &[u32; 16] {
-        bytemuck::cast_ref::<[rend::u32_le; 16], _>(&self.point)
+    pub fn segment(&self) -> &[u16; 16] {
+        bytemuck::cast_ref::<[rend::u16_le; 16], _>(&self.segment)
+    }
+    /// `[m/128]` Largest distance of the lane's area from the line through the segment.
+    #[inline]
+    pub fn reach(&self) -> &[u16; 16] {
+        bytemuck::cast_ref::<[rend::u16_le; 16], _>(&self.reach)
+    }
+    /// `[m/128]` Largest distance by which the lane's area exceeds the segment's ends, along it.
+    #[inline]
+    pub fn overshoot(&self) -> &[u16; 16] {
+        bytemuck::cast_ref::<[rend::u16_le; 16], _>(&self.overshoot)
+    }
+    /// `[m/16]` Smallest height of the lane's area above `z`.
+    #[inline]
+    pub fn z_low(&self) -> &[u16; 16] {
+        bytemuck::cast_ref::<[rend::u16_le; 16], _>(&self.z_low)
+    }
+    /// `[m/16]` Largest height of the lane's area above `z`.
+    #[inline]
+    pub fn z_high(&self) -> &[u16; 16] {
+        bytemuck::cast_ref::<[rend::u16_le; 16], _>(&self.z_high)
     }
 }

@@ -330,10 +330,14 @@ pub struct IndexNodeRow {
     pub max_x: [f32; 16],
     /// `[m]` Largest y of each child.
     pub max_y: [f32; 16],
+    /// `[m]` Smallest z of each child.
+    pub min_z: [f32; 16],
+    /// `[m]` Largest z of each child.
+    pub max_z: [f32; 16],
 }
-const _: () = assert!(size_of::<IndexNodeRow>() == 256 && size_of::<ArchivedIndexNodeRow>() == 256);
+const _: () = assert!(size_of::<IndexNodeRow>() == 384 && size_of::<ArchivedIndexNodeRow>() == 384);
 
-/// Sixteen segments of lanes' centre lines each. A lane's area between a segment's ends lies within `reach` of the segment. Unused places have reach 0 and lane u32::MAX.
+/// Sixteen segments of lanes' centre lines each. A lane's area between a segment's ends lies in a rectangle around the segment: `reach` to both sides, `overshoot` beyond both ends; in height between `z_low` and `z_high`. All four are rounded outwards; 65535 in `reach`, `overshoot` or `z_high` stands for any distance. Unused places have lane u32::MAX.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -342,6 +346,8 @@ pub struct IndexLeafRow {
     pub x: f64,
     /// `[m]` Origin of the leaf relative to the local origin.
     pub y: f64,
+    /// `[m]` Height from which `z_low` and `z_high` count.
+    pub z: f64,
     /// `[m]` Start of each segment.
     pub start_x: [f32; 16],
     /// `[m]` Start of each segment.
@@ -350,11 +356,17 @@ pub struct IndexLeafRow {
     pub delta_x: [f32; 16],
     /// `[m]` End minus start.
     pub delta_y: [f32; 16],
-    /// `[m]` Largest distance of the lane's area from the segment, rounded up.
-    pub reach: [f32; 16],
     /// The lane; u32::MAX if unused.
     pub lane: [u32; 16],
-    /// The segment's first point in `points`.
-    pub point: [u32; 16],
+    /// Number of the segment within the lane's centre line.
+    pub segment: [u16; 16],
+    /// `[m/128]` Largest distance of the lane's area from the line through the segment.
+    pub reach: [u16; 16],
+    /// `[m/128]` Largest distance by which the lane's area exceeds the segment's ends, along it.
+    pub overshoot: [u16; 16],
+    /// `[m/16]` Smallest height of the lane's area above `z`.
+    pub z_low: [u16; 16],
+    /// `[m/16]` Largest height of the lane's area above `z`.
+    pub z_high: [u16; 16],
 }
-const _: () = assert!(size_of::<IndexLeafRow>() == 464 && size_of::<ArchivedIndexLeafRow>() == 464);
+const _: () = assert!(size_of::<IndexLeafRow>() == 504 && size_of::<ArchivedIndexLeafRow>() == 504);

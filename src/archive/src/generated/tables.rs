@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [147, 245, 37, 118, 76, 153, 156, 202, 180, 6, 118, 101, 73, 89, 177, 133];
+    [80, 197, 222, 229, 166, 89, 192, 112, 71, 152, 17, 41, 138, 168, 75, 135];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -56,7 +56,7 @@ pub struct Rows {
     pub index_levels: Table<u32>,
     /// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie the leaves. Boxes are relative to the local origin and rounded outwards; unused places are empty boxes.
     pub index_nodes: Table<IndexNodeRow>,
-    /// Sixteen segments of lanes' centre lines each. A lane's area between a segment's ends lies within `reach` of the segment. Unused places have reach 0 and lane u32::MAX.
+    /// Sixteen segments of lanes' centre lines each. A lane's area between a segment's ends lies in a rectangle around the segment: `reach` to both sides, `overshoot` beyond both ends; in height between `z_low` and `z_high`. All four are rounded outwards; 65535 in `reach`, `overshoot` or `z_high` stands for any distance. Unused places have lane u32::MAX.
     pub index_leaves: Table<IndexLeafRow>,
 }
 
@@ -133,7 +133,7 @@ pub struct Tables<'a> {
     pub index_levels: &'a [u32],
     /// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie the leaves. Boxes are relative to the local origin and rounded outwards; unused places are empty boxes.
     pub index_nodes: &'a [ArchivedIndexNodeRow],
-    /// Sixteen segments of lanes' centre lines each. A lane's area between a segment's ends lies within `reach` of the segment. Unused places have reach 0 and lane u32::MAX.
+    /// Sixteen segments of lanes' centre lines each. A lane's area between a segment's ends lies in a rectangle around the segment: `reach` to both sides, `overshoot` beyond both ends; in height between `z_low` and `z_high`. All four are rounded outwards; 65535 in `reach`, `overshoot` or `z_high` stands for any distance. Unused places have lane u32::MAX.
     pub index_leaves: &'a [ArchivedIndexLeafRow],
 }
 
@@ -344,11 +344,18 @@ impl<'a> Tables<'a> {
             for value in row.max_y() {
                 check.finite("max_y", f64::from(*value))?;
             }
+            for value in row.min_z() {
+                check.finite("min_z", f64::from(*value))?;
+            }
+            for value in row.max_z() {
+                check.finite("max_z", f64::from(*value))?;
+            }
         }
         for (i, row) in self.index_leaves.iter().enumerate() {
             let check = Check { table: "index_leaves", row: i };
             check.finite("x", row.x())?;
             check.finite("y", row.y())?;
+            check.finite("z", row.z())?;
             for value in row.start_x() {
                 check.finite("start_x", f64::from(*value))?;
             }
@@ -360,9 +367,6 @@ impl<'a> Tables<'a> {
             }
             for value in row.delta_y() {
                 check.finite("delta_y", f64::from(*value))?;
-            }
-            for value in row.reach() {
-                check.finite("reach", f64::from(*value))?;
             }
         }
         Ok(())

@@ -30,7 +30,7 @@ pub const SUBSCRIBER_BORROWED: usize = 1;
 
 /// Generations that one subscription can keep pinned at a time. iceoryx2 must know it beforehand and aborts when it is
 /// exceeded, so [`super::Subscription`] refuses to receive more.
-pub const MAX_PINNED: usize = 128;
+pub const MAX_PINNED: usize = 16;
 
 /// Ports on the seldom-used side of each event service (daemons), with room for killed ones.
 pub const MAX_EVENT_DAEMONS: usize = 4;

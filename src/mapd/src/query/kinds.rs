@@ -146,7 +146,7 @@ fn s_on(road: &Road<'_>, row: &Row<'_>) -> Result<f64, String> {
     if s < -S_TOLERANCE || s > length + S_TOLERANCE {
         return Err(format!("s must lie between 0 and the road's length {length:?}, found {s:?}"));
     }
-    Ok(s.clamp(0.0, length))
+    Ok(if s > length { length } else { s.max(0.0) })
 }
 
 /// The lane with a number at s.

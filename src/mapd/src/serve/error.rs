@@ -61,6 +61,28 @@ pub enum ServeError {
         /// What the system says.
         error: std::io::Error,
     },
+    /// A process of another release has the map's service open, with limits that are too small for this one.
+    #[error(
+        "service {service:?} is open in a process that made it with other limits ({error}); end the clients of the other release, or serve \
+         under another --prefix"
+    )]
+    OtherLimits {
+        /// The service.
+        service: String,
+        /// Which limit, as iceoryx2 names it.
+        error: String,
+    },
+    /// A process that uses another version of iceoryx2, or of the payload, has the map's service open.
+    #[error(
+        "service {service:?} is open in a process of another release ({error}); end the clients of the other release, or serve under \
+         another --prefix"
+    )]
+    OtherRelease {
+        /// The service.
+        service: String,
+        /// What differs, as iceoryx2 names it.
+        error: String,
+    },
     /// iceoryx2 refused something that should work.
     #[error(
         "shared memory: {what}: {error}; if it stays, stop every process of the domain and start the daemon again"

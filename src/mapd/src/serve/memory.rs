@@ -1,16 +1,13 @@
 //! Whether a map fits, asked before anything is created: shared memory that is written without being there kills the
 //! writer with a signal, or makes the kernel kill somebody.
 
+use super::control_group;
 use super::error::ServeError;
 use mapd_client::transport::SHARED_MEMORY_FOLDER;
 use std::fs;
-use std::path::{Path, PathBuf};
 
 /// What a publisher needs besides the payload: header, allocator state, queues to all subscribers, rounding to pages.
 const OVERHEAD: u64 = 1 << 20;
-
-/// Mount point of control groups, version 2.
-const CGROUP_ROOT: &str = "/sys/fs/cgroup";
 
 /// Bytes that something leaves us.
 struct Room {
@@ -75,34 +72,17 @@ fn machine() -> Option<Room> {
     })
 }
 
-/// The tightest of this process's control group and those around it.
+/// What the control groups leave.
 fn control_group() -> Option<Room> {
-    let text = fs::read_to_string("/proc/self/cgroup").ok()?;
-    let own = text.lines().find_map(|line| line.strip_prefix("0::/"))?;
-    let own: PathBuf = Path::new(CGROUP_ROOT).join(own);
-    let around = own.ancestors().take_while(|folder| folder.starts_with(CGROUP_ROOT));
-    let available = around.filter_map(left_in_group).min()?;
     Some(Room {
-        available,
-        limit: "the control group's memory.max",
+        available: control_group::available()?,
+        limit: "the control group's memory limit",
         hint: "raise the limit of the container or service",
     })
 }
 
-/// `memory.max − memory.current`, and what the kernel takes back by itself when memory is short: cached files. Shared
-/// memory is not among them.
-fn left_in_group(folder: &Path) -> Option<u64> {
-    let read = |name: &str| fs::read_to_string(folder.join(name)).ok();
-    let max: u64 = read("memory.max")?.trim().parse().ok()?;
-    let current: u64 = read("memory.current")?.trim().parse().ok()?;
-    let stat = read("memory.stat").unwrap_or_default();
-    let cached = [field(&stat, "inactive_file"), field(&stat, "active_file")];
-    let cached: u64 = cached.iter().flatten().sum();
-    Some(max.saturating_sub(current.saturating_sub(cached)))
-}
-
 /// The number after a name at the beginning of a line.
-fn field(text: &str, name: &str) -> Option<u64> {
+pub(crate) fn field(text: &str, name: &str) -> Option<u64> {
     text.lines().find_map(|line| line.strip_prefix(name)?.split_whitespace().next()?.parse().ok())
 }
 
@@ -114,21 +94,5 @@ mod tests {
     fn a_byte_fits_and_the_largest_number_does_not() {
         assert!(check("m", 1).is_ok());
         assert!(matches!(check("m", u64::MAX), Err(ServeError::NotEnoughMemory { .. })));
-    }
-
-    #[test]
-    fn a_group_is_read() {
-        let folder = std::env::temp_dir().join(format!("mapd-group-{}", std::process::id()));
-        fs::create_dir_all(&folder).expect("a folder");
-        let write = |name: &str, text: &str| fs::write(folder.join(name), text).expect("a file");
-        assert_eq!(left_in_group(&folder), None, "no controller, no limit");
-        write("memory.max", "1000\n");
-        write("memory.current", "700\n");
-        assert_eq!(left_in_group(&folder), Some(300));
-        write("memory.stat", "anon 1\ninactive_file 50\nactive_file 40\n");
-        assert_eq!(left_in_group(&folder), Some(390));
-        write("memory.max", "max\n");
-        assert_eq!(left_in_group(&folder), None, "no limit set");
-        fs::remove_dir_all(&folder).expect("the folder");
     }
 }

@@ -29,6 +29,7 @@
 //! ```
 
 mod cleanup;
+mod control_group;
 mod error;
 mod greeter;
 mod loan;

@@ -48,13 +48,8 @@ impl MapServices {
                 .enable_safe_overflow(true)
                 .open_or_create()
         };
-        let map_service = repairing(
-            repair,
-            &name,
-            MessagingPattern::PublishSubscribe,
-            map_is_half_made,
-            create_map,
-        )?;
+        let map_service =
+            repairing(repair, &name, MessagingPattern::PublishSubscribe, why_not_map, create_map)?;
         let event = |name: &str, notifiers, listeners| {
             let name = parse(name)?;
             let create = || {
@@ -65,7 +60,7 @@ impl MapServices {
                     .max_nodes(shared::MAX_NODES)
                     .open_or_create()
             };
-            repairing(repair, &name, MessagingPattern::Event, event_is_half_made, create)
+            repairing(repair, &name, MessagingPattern::Event, why_not_event, create)
         };
         let wake = event(&shared::wake_name(map), shared::MAX_NODES, shared::MAX_EVENT_DAEMONS)?;
         let changed =
@@ -78,6 +73,17 @@ fn parse(name: &str) -> Result<ServiceName, ServeError> {
     ServiceName::new(name).map_err(ServeError::iceoryx("naming a service"))
 }
 
+/// Why iceoryx2 neither opens nor creates a service.
+enum Refusal {
+    /// Somebody was killed while making or removing it.
+    HalfMade,
+    /// Somebody still has it open who made it with other limits.
+    OtherLimits,
+    /// Somebody still has it open who uses another version of iceoryx2, or of the payload.
+    OtherRelease,
+    Else,
+}
+
 /// Opens or creates a service. If what is there is half made (iceoryx2 has waited for it), a daemon was killed while it
 /// made or removed it. Nobody uses such a service and, under the exclusive attach lock, nobody is making one: its
 /// description is removed, and it is made anew.
@@ -85,11 +91,11 @@ fn repairing<T, E: Debug>(
     repair: Option<&Domain>,
     name: &ServiceName,
     pattern: MessagingPattern,
-    is_half_made: fn(&E) -> bool,
+    why: fn(&E) -> Refusal,
     create: impl Fn() -> Result<T, E>,
 ) -> Result<T, ServeError> {
     let result = match (create(), repair) {
-        (Err(error), Some(domain)) if is_half_made(&error) => {
+        (Err(error), Some(domain)) if matches!(why(&error), Refusal::HalfMade) => {
             let hash =
                 ServiceHash::new::<<TransportService as Service>::ServiceNameHasher>(name, pattern);
             let file = format!("{}{hash}.service", domain.prefix());
@@ -99,39 +105,65 @@ fn repairing<T, E: Debug>(
         }
         (other, _) => other,
     };
-    result.map_err(|error| ServeError::Iceoryx {
-        what: "creating a service",
-        error: format!("{name}: {error:?}"),
+    result.map_err(|error| {
+        let (service, text) = (name.to_string(), format!("{error:?}"));
+        match why(&error) {
+            Refusal::OtherLimits => ServeError::OtherLimits { service, error: text },
+            Refusal::OtherRelease => ServeError::OtherRelease { service, error: text },
+            Refusal::HalfMade | Refusal::Else => ServeError::Iceoryx {
+                what: "creating a service",
+                error: format!("{service}: {text}"),
+            },
+        }
     })
 }
 
-fn map_is_half_made(error: &PublishSubscribeOpenOrCreateError) -> bool {
+fn why_not_map(error: &PublishSubscribeOpenOrCreateError) -> Refusal {
+    use PublishSubscribeOpenError as Open;
     use PublishSubscribeOpenOrCreateError as E;
-    matches!(
-        error,
+    match error {
         E::SystemInFlux
-            | E::PublishSubscribeOpenError(
-                PublishSubscribeOpenError::HangsInCreation
-                    | PublishSubscribeOpenError::IsMarkedForDestruction
-                    | PublishSubscribeOpenError::ServiceInCorruptedState
-            )
-            | E::PublishSubscribeCreateError(
-                PublishSubscribeCreateError::HangsInCreation
-                    | PublishSubscribeCreateError::ServiceInCorruptedState
-            )
-    )
+        | E::PublishSubscribeOpenError(
+            Open::HangsInCreation | Open::IsMarkedForDestruction | Open::ServiceInCorruptedState,
+        )
+        | E::PublishSubscribeCreateError(
+            PublishSubscribeCreateError::HangsInCreation
+            | PublishSubscribeCreateError::ServiceInCorruptedState,
+        ) => Refusal::HalfMade,
+        E::PublishSubscribeOpenError(
+            Open::DoesNotSupportRequestedMinBufferSize
+            | Open::DoesNotSupportRequestedMinHistorySize
+            | Open::DoesNotSupportRequestedMinSubscriberBorrowedSamples
+            | Open::DoesNotSupportRequestedAmountOfPublishers
+            | Open::DoesNotSupportRequestedAmountOfSubscribers
+            | Open::DoesNotSupportRequestedAmountOfNodes
+            | Open::IncompatibleOverflowBehavior,
+        ) => Refusal::OtherLimits,
+        E::PublishSubscribeOpenError(
+            Open::VersionMismatch | Open::IncompatibleTypes | Open::IncompatibleMessagingPattern,
+        ) => Refusal::OtherRelease,
+        _ => Refusal::Else,
+    }
 }
 
-fn event_is_half_made(error: &EventOpenOrCreateError) -> bool {
+fn why_not_event(error: &EventOpenOrCreateError) -> Refusal {
+    use EventOpenError as Open;
     use EventOpenOrCreateError as E;
-    matches!(
-        error,
+    match error {
         E::SystemInFlux
-            | E::EventOpenError(
-                EventOpenError::HangsInCreation
-                    | EventOpenError::IsMarkedForDestruction
-                    | EventOpenError::ServiceInCorruptedState
-            )
-            | E::EventCreateError(EventCreateError::ServiceInCorruptedState)
-    )
+        | E::EventOpenError(
+            Open::HangsInCreation | Open::IsMarkedForDestruction | Open::ServiceInCorruptedState,
+        )
+        | E::EventCreateError(EventCreateError::ServiceInCorruptedState) => Refusal::HalfMade,
+        E::EventOpenError(
+            Open::DoesNotSupportRequestedAmountOfNotifiers
+            | Open::DoesNotSupportRequestedAmountOfListeners
+            | Open::DoesNotSupportRequestedMaxEventId
+            | Open::DoesNotSupportRequestedAmountOfNodes,
+        ) => Refusal::OtherLimits,
+        E::EventOpenError(Open::VersionMismatch | Open::IncompatibleMessagingPattern) => {
+            Refusal::OtherRelease
+        }
+        _ => Refusal::Else,
+    }
 }

@@ -2,7 +2,7 @@
 // Written by `cargo run -p mapd-schemas` from schemas/opendrive/plan_view.toml; change that file instead.
 
 #[allow(unused_imports, reason = "each part needs some")]
-use crate::generated::words::*;
+use crate::generated::schema_words::*;
 #[allow(unused_imports, reason = "each part needs some")]
 use crate::schema::{
     Choice, ElementSchema, Kind, MANY, Range, V1_4, V1_5, V1_6, V1_7, V1_8, V1_8_1, V1_9,

@@ -1,1235 +1,722 @@
 //! Enumerations.
 // Written by `cargo run -p mapd-schemas` from schemas/opendrive/words.toml; change that file instead.
 
+use super::schema_words::*;
 use crate::attribute::enumeration;
-use crate::schema::{V1_4, V1_5, V1_6, V1_7, V1_8, V1_8_1, V1_9, WordList, between, from, word};
-
-enumeration! {
-/// Who may or may not use a lane (`e_accessRestrictionType`).
-AccessRestrictionType {
-    Simulator = "simulator",
-    AutonomousTraffic = "autonomous traffic",
-    AutonomousTraffic = "autonomousTraffic",
-    Pedestrian = "pedestrian",
-    PassengerCar = "passengerCar",
-    Bus = "bus",
-    Delivery = "delivery",
-    Emergency = "emergency",
-    Taxi = "taxi",
-    ThroughTraffic = "throughTraffic",
-    Truck = "truck",
-    Bicycle = "bicycle",
-    Motorcycle = "motorcycle",
-    None = "none",
-    Trucks = "trucks",
-    Hov = "HOV",
-}
-}
-pub(crate) static ACCESS_RESTRICTION_TYPE: WordList = WordList {
-    name: "e_accessRestrictionType",
-    words: &[
-        word("simulator"),
-        word("autonomous traffic").only(between(V1_4, V1_4)),
-        word("autonomousTraffic").only(from(V1_5)),
-        word("pedestrian"),
-        word("passengerCar").only(from(V1_5)),
-        word("bus").only(from(V1_5)),
-        word("delivery").only(from(V1_5)),
-        word("emergency").only(from(V1_5)),
-        word("taxi").only(from(V1_5)),
-        word("throughTraffic").only(from(V1_5)),
-        word("truck").only(from(V1_5)),
-        word("bicycle").only(from(V1_5)),
-        word("motorcycle").only(from(V1_5)),
-        word("none"),
-        word("trucks").only(from(V1_5)),
-        word("HOV").only(from(V1_8)),
-    ],
-};
-
-enumeration! {
-/// Kind of border (`e_borderType`).
-BorderType {
-    Concrete = "concrete",
-    Curb = "curb",
-    Paint = "paint",
-}
-}
-pub(crate) static BORDER_TYPE: WordList = WordList {
-    name: "e_borderType",
-    words: &[
-        word("concrete").only(from(V1_5)),
-        word("curb").only(from(V1_5)),
-        word("paint").only(from(V1_8)),
-    ],
-};
-
-enumeration! {
-/// Material of a bridge (`e_bridgeType`).
-BridgeType {
-    Concrete = "concrete",
-    Steel = "steel",
-    Brick = "brick",
-    Wood = "wood",
-}
-}
-pub(crate) static BRIDGE_TYPE: WordList = WordList {
-    name: "e_bridgeType",
-    words: &[word("concrete"), word("steel"), word("brick"), word("wood")],
-};
-
-enumeration! {
-/// Kind of connection (`e_connection_type`).
-ConnectionType {
-    Default = "default",
-    Virtual = "virtual",
-}
-}
-pub(crate) static CONNECTION_TYPE: WordList = WordList {
-    name: "e_connection_type",
-    words: &[word("default").only(from(V1_7)), word("virtual").only(from(V1_7))],
-};
-
-enumeration! {
-/// End of a road (`e_contactPoint`).
-ContactPoint {
-    Start = "start",
-    End = "end",
-}
-}
-pub(crate) static CONTACT_POINT: WordList =
-    WordList { name: "e_contactPoint", words: &[word("start"), word("end")] };
-
-enumeration! {
-/// Names of countries of older versions (`e_countryCode`).
-CountryCode {
-    OpenDRIVE = "OpenDRIVE",
-    Austria = "Austria",
-    Brazil = "Brazil",
-    China = "China",
-    France = "France",
-    Germany = "Germany",
-    Italy = "Italy",
-    Switzerland = "Switzerland",
-    Usa = "USA",
-}
-}
-pub(crate) static COUNTRY_CODE: WordList = WordList {
-    name: "e_countryCode",
-    words: &[
-        word("OpenDRIVE").only(from(V1_5)),
-        word("Austria").only(from(V1_5)),
-        word("Brazil").only(from(V1_5)),
-        word("China").only(from(V1_5)),
-        word("France").only(from(V1_5)),
-        word("Germany").only(from(V1_5)),
-        word("Italy").only(from(V1_5)),
-        word("Switzerland").only(from(V1_5)),
-        word("USA").only(from(V1_5)),
-    ],
-};
-
-enumeration! {
-/// Names of countries, the list of deprecated ones (`e_countryCode_deprecated`).
-CountryCodeDeprecated {
-    OpenDRIVE = "OpenDRIVE",
-    Austria = "Austria",
-    Brazil = "Brazil",
-    China = "China",
-    France = "France",
-    Germany = "Germany",
-    Italy = "Italy",
-    Switzerland = "Switzerland",
-    Usa = "USA",
-}
-}
-pub(crate) static COUNTRY_CODE_DEPRECATED: WordList = WordList {
-    name: "e_countryCode_deprecated",
-    words: &[
-        word("OpenDRIVE").only(from(V1_5)),
-        word("Austria").only(from(V1_5)),
-        word("Brazil").only(from(V1_5)),
-        word("China").only(from(V1_5)),
-        word("France").only(from(V1_5)),
-        word("Germany").only(from(V1_5)),
-        word("Italy").only(from(V1_5)),
-        word("Switzerland").only(from(V1_5)),
-        word("USA").only(from(V1_5)),
-    ],
-};
-
-enumeration! {
-/// What was done to raw data (`e_dataQuality_RawData_PostProcessing`).
-PostProcessing {
-    Raw = "raw",
-    Cleaned = "cleaned",
-    Processed = "processed",
-    Fused = "fused",
-}
-}
-pub(crate) static POST_PROCESSING: WordList = WordList {
-    name: "e_dataQuality_RawData_PostProcessing",
-    words: &[
-        word("raw").only(from(V1_5)),
-        word("cleaned").only(from(V1_5)),
-        word("processed").only(from(V1_5)),
-        word("fused").only(from(V1_5)),
-    ],
-};
-
-enumeration! {
-/// Source of raw data (`e_dataQuality_RawData_Source`).
-RawDataSource {
-    Sensor = "sensor",
-    Cadaster = "cadaster",
-    Custom = "custom",
-}
-}
-pub(crate) static RAW_DATA_SOURCE: WordList = WordList {
-    name: "e_dataQuality_RawData_Source",
-    words: &[
-        word("sensor").only(from(V1_5)),
-        word("cadaster").only(from(V1_5)),
-        word("custom").only(from(V1_5)),
-    ],
-};
-
-enumeration! {
-/// Direction relative to another (`e_direction`).
-Direction {
-    Same = "same",
-    Opposite = "opposite",
-}
-}
-pub(crate) static DIRECTION: WordList =
-    WordList { name: "e_direction", words: &[word("same"), word("opposite")] };
-
-enumeration! {
-/// Direction along a road (`e_elementDir`).
-ElementDir {
-    Plus = "+",
-    Minus = "-",
-}
-}
-pub(crate) static ELEMENT_DIR: WordList =
-    WordList { name: "e_elementDir", words: &[word("+"), word("-")] };
-
-enumeration! {
-/// Kind of junction group (`e_junctionGroup_type`).
-JunctionGroupType {
-    Roundabout = "roundabout",
-    Unknown = "unknown",
-    ComplexJunction = "complexJunction",
-    HighwayInterchange = "highwayInterchange",
-}
-}
-pub(crate) static JUNCTION_GROUP_TYPE: WordList = WordList {
-    name: "e_junctionGroup_type",
-    words: &[
-        word("roundabout"),
-        word("unknown"),
-        word("complexJunction").only(from(V1_8)),
-        word("highwayInterchange").only(from(V1_8)),
-    ],
-};
-
-enumeration! {
-/// Kind of boundary segment (`e_junction_segment_type`).
-SegmentType {
-    Joint = "joint",
-    Lane = "lane",
-}
-}
-pub(crate) static SEGMENT_TYPE: WordList = WordList {
-    name: "e_junction_segment_type",
-    words: &[word("joint").only(from(V1_8)), word("lane").only(from(V1_8))],
-};
-
-enumeration! {
-/// How surface data of a junction are applied, in 1.7 (`e_junction_surface_CRG_mode`).
-JunctionCrgMode {
-    Global = "global",
-}
-}
-pub(crate) static JUNCTION_CRG_MODE: WordList = WordList {
-    name: "e_junction_surface_CRG_mode",
-    words: &[word("global").only(between(V1_7, V1_7))],
-};
-
-enumeration! {
-/// Kind of junction (`e_junction_type`).
-JunctionType {
-    Default = "default",
-    Virtual = "virtual",
-    Direct = "direct",
-    Crossing = "crossing",
-}
-}
-pub(crate) static JUNCTION_TYPE: WordList = WordList {
-    name: "e_junction_type",
-    words: &[
-        word("default").only(from(V1_5)),
-        word("virtual").only(from(V1_5)),
-        word("direct").only(from(V1_7)),
-        word("crossing").only(from(V1_8)),
-    ],
-};
-
-enumeration! {
-/// Side on which a lane is advisory (`e_laneAdvisory`).
-LaneAdvisory {
-    Both = "both",
-    Inner = "inner",
-    None = "none",
-    Outer = "outer",
-}
-}
-pub(crate) static LANE_ADVISORY: WordList = WordList {
-    name: "e_laneAdvisory",
-    words: &[
-        word("both").only(from(V1_8)),
-        word("inner").only(from(V1_8)),
-        word("none").only(from(V1_8)),
-        word("outer").only(from(V1_8)),
-    ],
-};
-
-enumeration! {
-/// Type of lane (`e_laneType`).
-LaneType {
-    Shoulder = "shoulder",
-    Border = "border",
-    Driving = "driving",
-    Stop = "stop",
-    None = "none",
-    Restricted = "restricted",
-    Parking = "parking",
-    Median = "median",
-    Biking = "biking",
-    Shared = "shared",
-    Sidewalk = "sidewalk",
-    Curb = "curb",
-    Exit = "exit",
-    Entry = "entry",
-    OnRamp = "onRamp",
-    OffRamp = "offRamp",
-    ConnectingRamp = "connectingRamp",
-    Bidirectional = "bidirectional",
-    Special1 = "special1",
-    Special2 = "special2",
-    Special3 = "special3",
-    RoadWorks = "roadWorks",
-    Tram = "tram",
-    Rail = "rail",
-    Bus = "bus",
-    Taxi = "taxi",
-    Hov = "HOV",
-    MwyEntry = "mwyEntry",
-    MwyExit = "mwyExit",
-    Walking = "walking",
-    SlipLane = "slipLane",
-}
-}
-pub(crate) static LANE_TYPE: WordList = WordList {
-    name: "e_laneType",
-    words: &[
-        word("shoulder"),
-        word("border"),
-        word("driving"),
-        word("stop"),
-        word("none"),
-        word("restricted"),
-        word("parking"),
-        word("median"),
-        word("biking"),
-        word("shared").only(from(V1_8)),
-        word("sidewalk"),
-        word("curb").only(from(V1_6)),
-        word("exit"),
-        word("entry"),
-        word("onRamp"),
-        word("offRamp"),
-        word("connectingRamp").only(from(V1_5)),
-        word("bidirectional"),
-        word("special1").deprecated(from(V1_8)),
-        word("special2").deprecated(from(V1_8)),
-        word("special3").deprecated(from(V1_8)),
-        word("roadWorks"),
-        word("tram"),
-        word("rail"),
-        word("bus").only(from(V1_5)),
-        word("taxi").only(from(V1_5)),
-        word("HOV").only(from(V1_5)),
-        word("mwyEntry").only(from(V1_5)).deprecated(from(V1_6)),
-        word("mwyExit").only(from(V1_5)).deprecated(from(V1_6)),
-        word("walking").only(from(V1_8)),
-        word("slipLane").only(from(V1_8)),
-    ],
-};
-
-enumeration! {
-/// Direction of travel relative to the rule of the road (`e_lane_direction`).
-LaneDirection {
-    Both = "both",
-    Reversed = "reversed",
-    Standard = "standard",
-}
-}
-pub(crate) static LANE_DIRECTION: WordList = WordList {
-    name: "e_lane_direction",
-    words: &[
-        word("both").only(from(V1_8)),
-        word("reversed").only(from(V1_8)),
-        word("standard").only(from(V1_8)),
-    ],
-};
-
-enumeration! {
-/// Layer of lanes (`e_layerType`).
-LayerType {
-    Temporary = "temporary",
-    Permanent = "permanent",
-}
-}
-pub(crate) static LAYER_TYPE: WordList = WordList {
-    name: "e_layerType",
-    words: &[word("temporary").only(from(V1_9)), word("permanent").only(from(V1_9))],
-};
-
-enumeration! {
-/// Words for speed limits (`e_maxSpeedString`).
-MaxSpeedString {
-    NoLimit = "no limit",
-    Undefined = "undefined",
-}
-}
-pub(crate) static MAX_SPEED_STRING: WordList = WordList {
-    name: "e_maxSpeedString",
-    words: &[word("no limit").only(from(V1_5)), word("undefined").only(from(V1_5))],
-};
-
-enumeration! {
-/// Type of object (`e_objectType`).
-ObjectType {
-    None = "none",
-    Obstacle = "obstacle",
-    Car = "car",
-    Pole = "pole",
-    Tree = "tree",
-    Vegetation = "vegetation",
-    Barrier = "barrier",
-    Building = "building",
-    ParkingSpace = "parkingSpace",
-    Patch = "patch",
-    Railing = "railing",
-    TrafficIsland = "trafficIsland",
-    Crosswalk = "crosswalk",
-    StreetLamp = "streetLamp",
-    Gantry = "gantry",
-    SoundBarrier = "soundBarrier",
-    Truck = "truck",
-    Van = "van",
-    Bus = "bus",
-    Trailer = "trailer",
-    Bike = "bike",
-    Motorbike = "motorbike",
-    Tram = "tram",
-    Train = "train",
-    Pedestrian = "pedestrian",
-    Wind = "wind",
-    RoadMark = "roadMark",
-    RoadSurface = "roadSurface",
-}
-}
-pub(crate) static OBJECT_TYPE: WordList = WordList {
-    name: "e_objectType",
-    words: &[
-        word("none").only(from(V1_5)),
-        word("obstacle").only(from(V1_5)),
-        word("car").only(from(V1_5)).deprecated(from(V1_6)),
-        word("pole").only(from(V1_5)),
-        word("tree").only(from(V1_5)),
-        word("vegetation").only(from(V1_5)),
-        word("barrier").only(from(V1_5)),
-        word("building").only(from(V1_5)),
-        word("parkingSpace").only(from(V1_5)),
-        word("patch").only(from(V1_5)),
-        word("railing").only(from(V1_5)),
-        word("trafficIsland").only(from(V1_5)),
-        word("crosswalk").only(from(V1_5)),
-        word("streetLamp").only(from(V1_5)),
-        word("gantry").only(from(V1_5)),
-        word("soundBarrier").only(from(V1_5)),
-        word("truck").only(between(V1_5, V1_5)),
-        word("van").only(from(V1_5)).deprecated(from(V1_6)),
-        word("bus").only(from(V1_5)).deprecated(from(V1_6)),
-        word("trailer").only(from(V1_5)).deprecated(from(V1_6)),
-        word("bike").only(from(V1_5)).deprecated(from(V1_6)),
-        word("motorbike").only(from(V1_5)).deprecated(from(V1_6)),
-        word("tram").only(from(V1_5)).deprecated(from(V1_6)),
-        word("train").only(from(V1_5)).deprecated(from(V1_6)),
-        word("pedestrian").only(from(V1_5)).deprecated(from(V1_6)),
-        word("wind").only(from(V1_5)).deprecated(from(V1_6)),
-        word("roadMark").only(from(V1_6)),
-        word("roadSurface").only(from(V1_8)),
-    ],
-};
-
-enumeration! {
-/// Direction of travel that something is for (`e_orientation`).
-Orientation {
-    Plus = "+",
-    Minus = "-",
-    None = "none",
-}
-}
-pub(crate) static ORIENTATION: WordList =
-    WordList { name: "e_orientation", words: &[word("+"), word("-"), word("none")] };
-
-enumeration! {
-/// What fills an outline (`e_outlineFillType`).
-OutlineFillType {
-    Grass = "grass",
-    Concrete = "concrete",
-    Cobble = "cobble",
-    Asphalt = "asphalt",
-    Pavement = "pavement",
-    Gravel = "gravel",
-    Soil = "soil",
-    Paint = "paint",
-}
-}
-pub(crate) static OUTLINE_FILL_TYPE: WordList = WordList {
-    name: "e_outlineFillType",
-    words: &[
-        word("grass").only(from(V1_5)),
-        word("concrete").only(from(V1_5)),
-        word("cobble").only(from(V1_5)),
-        word("asphalt").only(from(V1_5)),
-        word("pavement").only(from(V1_5)),
-        word("gravel").only(from(V1_5)),
-        word("soil").only(from(V1_5)),
-        word("paint").only(from(V1_8)),
-    ],
-};
-
-enumeration! {
-/// Range of a curve parameter (`e_paramPoly3_pRange`).
-ParamPoly3Range {
-    ArcLength = "arcLength",
-    Normalized = "normalized",
-}
-}
-pub(crate) static PARAM_POLY3_RANGE: WordList =
-    WordList { name: "e_paramPoly3_pRange", words: &[word("arcLength"), word("normalized")] };
-
-enumeration! {
-/// Category of persons (`e_personCategory`).
-PersonCategory {
-    Pedestrian = "pedestrian",
-}
-}
-pub(crate) static PERSON_CATEGORY: WordList =
-    WordList { name: "e_personCategory", words: &[word("pedestrian").only(from(V1_9))] };
-
-enumeration! {
-/// Color of a mark (`e_roadMarkColor`).
-RoadMarkColor {
-    Standard = "standard",
-    Blue = "blue",
-    Green = "green",
-    Red = "red",
-    White = "white",
-    Yellow = "yellow",
-    Black = "black",
-    Orange = "orange",
-    Violet = "violet",
-}
-}
-pub(crate) static ROAD_MARK_COLOR: WordList = WordList {
-    name: "e_roadMarkColor",
-    words: &[
-        word("standard"),
-        word("blue"),
-        word("green"),
-        word("red"),
-        word("white"),
-        word("yellow"),
-        word("black").only(from(V1_8)),
-        word("orange").only(from(V1_5)),
-        word("violet").only(from(V1_7)),
-    ],
-};
-
-enumeration! {
-/// Passing rule (`e_roadMarkRule`).
-RoadMarkRule {
-    NoPassing = "no passing",
-    Caution = "caution",
-    None = "none",
-}
-}
-pub(crate) static ROAD_MARK_RULE: WordList = WordList {
-    name: "e_roadMarkRule",
-    words: &[word("no passing"), word("caution"), word("none")],
-};
-
-enumeration! {
-/// Kind of mark (`e_roadMarkType`).
-RoadMarkType {
-    None = "none",
-    Solid = "solid",
-    Broken = "broken",
-    SolidSolid = "solid solid",
-    SolidBroken = "solid broken",
-    BrokenSolid = "broken solid",
-    BrokenBroken = "broken broken",
-    BottsDots = "botts dots",
-    Grass = "grass",
-    Curb = "curb",
-    Custom = "custom",
-    Edge = "edge",
-}
-}
-pub(crate) static ROAD_MARK_TYPE: WordList = WordList {
-    name: "e_roadMarkType",
-    words: &[
-        word("none"),
-        word("solid"),
-        word("broken"),
-        word("solid solid"),
-        word("solid broken"),
-        word("broken solid"),
-        word("broken broken"),
-        word("botts dots"),
-        word("grass"),
-        word("curb"),
-        word("custom").only(from(V1_5)),
-        word("edge").only(from(V1_5)),
-    ],
-};
-
-enumeration! {
-/// Visual weight of a mark (`e_roadMarkWeight`).
-RoadMarkWeight {
-    Standard = "standard",
-    Bold = "bold",
-}
-}
-pub(crate) static ROAD_MARK_WEIGHT: WordList =
-    WordList { name: "e_roadMarkWeight", words: &[word("standard"), word("bold")] };
-
-enumeration! {
-/// Type of road (`e_roadType`).
-RoadType {
-    Unknown = "unknown",
-    Rural = "rural",
-    Motorway = "motorway",
-    Town = "town",
-    LowSpeed = "lowSpeed",
-    Pedestrian = "pedestrian",
-    Bicycle = "bicycle",
-    TownExpressway = "townExpressway",
-    TownCollector = "townCollector",
-    TownArterial = "townArterial",
-    TownPrivate = "townPrivate",
-    TownLocal = "townLocal",
-    TownPlayStreet = "townPlayStreet",
-}
-}
-pub(crate) static ROAD_TYPE: WordList = WordList {
-    name: "e_roadType",
-    words: &[
-        word("unknown"),
-        word("rural"),
-        word("motorway"),
-        word("town"),
-        word("lowSpeed"),
-        word("pedestrian"),
-        word("bicycle"),
-        word("townExpressway").only(from(V1_5)),
-        word("townCollector").only(from(V1_5)),
-        word("townArterial").only(from(V1_5)),
-        word("townPrivate").only(from(V1_5)),
-        word("townLocal").only(from(V1_5)),
-        word("townPlayStreet").only(from(V1_5)),
-    ],
-};
-
-enumeration! {
-/// Lane changes that are allowed (`e_road_lanes_laneSection_lcr_lane_roadMark_laneChange`).
-LaneChange {
-    Increase = "increase",
-    Decrease = "decrease",
-    Both = "both",
-    None = "none",
-}
-}
-pub(crate) static LANE_CHANGE: WordList = WordList {
-    name: "e_road_lanes_laneSection_lcr_lane_roadMark_laneChange",
-    words: &[word("increase"), word("decrease"), word("both"), word("none")],
-};
-
-enumeration! {
-/// Whether access is allowed or denied (`e_road_lanes_laneSection_lr_lane_access_rule`).
-AccessRule {
-    Allow = "allow",
-    Deny = "deny",
-}
-}
-pub(crate) static ACCESS_RULE: WordList = WordList {
-    name: "e_road_lanes_laneSection_lr_lane_access_rule",
-    words: &[word("allow").only(from(V1_5)), word("deny").only(from(V1_5))],
-};
-
-enumeration! {
-/// Side of a crossfall (`e_road_lateralProfile_crossfall_side`).
-CrossfallSide {
-    Left = "left",
-    Right = "right",
-    Both = "both",
-}
-}
-pub(crate) static CROSSFALL_SIDE: WordList = WordList {
-    name: "e_road_lateralProfile_crossfall_side",
-    words: &[
-        word("left").only(between(V1_4, V1_5)),
-        word("right").only(between(V1_4, V1_5)),
-        word("both").only(between(V1_4, V1_5)),
-    ],
-};
-
-enumeration! {
-/// What a road is linked to (`e_road_link_elementType`).
-ElementType {
-    Road = "road",
-    Junction = "junction",
-}
-}
-pub(crate) static ELEMENT_TYPE: WordList =
-    WordList { name: "e_road_link_elementType", words: &[word("road"), word("junction")] };
-
-enumeration! {
-/// Side of a neighbor (`e_road_link_neighbor_side`).
-NeighborSide {
-    Left = "left",
-    Right = "right",
-}
-}
-pub(crate) static NEIGHBOR_SIDE: WordList = WordList {
-    name: "e_road_link_neighbor_side",
-    words: &[word("left").only(between(V1_4, V1_5)), word("right").only(between(V1_4, V1_5))],
-};
-
-enumeration! {
-/// Who may park (`e_road_objects_object_parkingSpace_access`).
-ParkingSpaceAccess {
-    All = "all",
-    Car = "car",
-    Women = "women",
-    Handicapped = "handicapped",
-    Bus = "bus",
-    Truck = "truck",
-    Electric = "electric",
-    Residents = "residents",
-}
-}
-pub(crate) static PARKING_SPACE_ACCESS: WordList = WordList {
-    name: "e_road_objects_object_parkingSpace_access",
-    words: &[
-        word("all"),
-        word("car"),
-        word("women"),
-        word("handicapped"),
-        word("bus"),
-        word("truck"),
-        word("electric"),
-        word("residents"),
-    ],
-};
-
-enumeration! {
-/// State of a switch (`e_road_railroad_switch_position`).
-SwitchPosition {
-    Dynamic = "dynamic",
-    Straight = "straight",
-    Turn = "turn",
-}
-}
-pub(crate) static SWITCH_POSITION: WordList = WordList {
-    name: "e_road_railroad_switch_position",
-    words: &[word("dynamic"), word("straight"), word("turn")],
-};
-
-enumeration! {
-/// Technology of a display (`e_road_signals_displayType`).
-DisplayType {
-    Led = "LED",
-    MonochromGraphic = "monochromGraphic",
-    RotatingPrismHorizontal = "rotatingPrismHorizontal",
-    RotatingPrismVertical = "rotatingPrismVertical",
-    SimpleMatrix = "simpleMatrix",
-    Other = "other",
-}
-}
-pub(crate) static DISPLAY_TYPE: WordList = WordList {
-    name: "e_road_signals_displayType",
-    words: &[
-        word("LED").only(from(V1_8)),
-        word("monochromGraphic").only(from(V1_8)),
-        word("rotatingPrismHorizontal").only(from(V1_8)),
-        word("rotatingPrismVertical").only(from(V1_8)),
-        word("simpleMatrix").only(from(V1_8)),
-        word("other").only(from(V1_8)),
-    ],
-};
-
-enumeration! {
-/// What a signal refers to (`e_road_signals_signal_reference_elementType`).
-ReferenceElementType {
-    Object = "object",
-    Signal = "signal",
-}
-}
-pub(crate) static REFERENCE_ELEMENT_TYPE: WordList = WordList {
-    name: "e_road_signals_signal_reference_elementType",
-    words: &[word("object").only(from(V1_5)), word("signal").only(from(V1_5))],
-};
-
-enumeration! {
-/// How surface data are applied (`e_road_surface_CRG_mode`).
-CrgMode {
-    Attached = "attached",
-    Attached0 = "attached0",
-    Genuine = "genuine",
-    Global = "global",
-}
-}
-pub(crate) static CRG_MODE: WordList = WordList {
-    name: "e_road_surface_CRG_mode",
-    words: &[word("attached"), word("attached0"), word("genuine"), word("global").only(from(V1_5))],
-};
-
-enumeration! {
-/// What surface data describe (`e_road_surface_CRG_purpose`).
-CrgPurpose {
-    Elevation = "elevation",
-    Friction = "friction",
-}
-}
-pub(crate) static CRG_PURPOSE: WordList =
-    WordList { name: "e_road_surface_CRG_purpose", words: &[word("elevation"), word("friction")] };
-
-enumeration! {
-/// Side of an object (`e_sideType`).
-SideType {
-    Left = "left",
-    Right = "right",
-    Front = "front",
-    Rear = "rear",
-}
-}
-pub(crate) static SIDE_TYPE: WordList = WordList {
-    name: "e_sideType",
-    words: &[
-        word("left").only(from(V1_5)),
-        word("right").only(from(V1_5)),
-        word("front").only(from(V1_5)),
-        word("rear").only(from(V1_5)),
-    ],
-};
-
-enumeration! {
-/// Meaning for lanes (`e_signals_semantics_lane`).
-LaneSemanticsType {
-    NoOvertakeCars = "noOvertakeCars",
-    NoOvertakeCarsEnd = "noOvertakeCarsEnd",
-    NoOvertakeTrucks = "noOvertakeTrucks",
-    NoOvertakeTrucksEnd = "noOvertakeTrucksEnd",
-    PriorityOverOncoming = "priorityOverOncoming",
-    Roundabout = "roundabout",
-    YieldForOncoming = "yieldForOncoming",
-    Other = "other",
-}
-}
-pub(crate) static LANE_SEMANTICS_TYPE: WordList = WordList {
-    name: "e_signals_semantics_lane",
-    words: &[
-        word("noOvertakeCars").only(from(V1_8)),
-        word("noOvertakeCarsEnd").only(from(V1_8)),
-        word("noOvertakeTrucks").only(from(V1_8)),
-        word("noOvertakeTrucksEnd").only(from(V1_8)),
-        word("priorityOverOncoming").only(from(V1_8)),
-        word("roundabout").only(from(V1_8)),
-        word("yieldForOncoming").only(from(V1_8)),
-        word("other").only(from(V1_9)),
-    ],
-};
-
-enumeration! {
-/// Meaning for priority (`e_signals_semantics_priority`).
-PrioritySemanticsType {
-    4way = "4way",
-    KeepClearLine = "keepClearLine",
-    NoParkingLine = "noParkingLine",
-    NoTurnOnRed = "noTurnOnRed",
-    PriorityRoad = "priorityRoad",
-    PriorityRoadEnd = "priorityRoadEnd",
-    PriorityToTheRightRule = "priorityToTheRightRule",
-    Stop = "stop",
-    StopLine = "stopLine",
-    TurnOnRedAllowed = "turnOnRedAllowed",
-    TrafficLight = "trafficLight",
-    WaitingLine = "waitingLine",
-    Yield = "yield",
-}
-}
-pub(crate) static PRIORITY_SEMANTICS_TYPE: WordList = WordList {
-    name: "e_signals_semantics_priority",
-    words: &[
-        word("4way").only(from(V1_8)),
-        word("keepClearLine").only(from(V1_8)),
-        word("noParkingLine").only(from(V1_8)),
-        word("noTurnOnRed").only(from(V1_8)),
-        word("priorityRoad").only(from(V1_8)),
-        word("priorityRoadEnd").only(from(V1_8)),
-        word("priorityToTheRightRule").only(from(V1_8)),
-        word("stop").only(from(V1_8)),
-        word("stopLine").only(from(V1_8)),
-        word("turnOnRedAllowed").only(from(V1_8)),
-        word("trafficLight").only(from(V1_8)),
-        word("waitingLine").only(from(V1_8)),
-        word("yield").only(from(V1_8)),
-    ],
-};
-
-enumeration! {
-/// Kind of speed (`e_signals_semantics_speed`).
-SpeedSemanticsKind {
-    Maximum = "maximum",
-    MaximumEnd = "maximumEnd",
-    Minimum = "minimum",
-    MinimumEnd = "minimumEnd",
-    Recommended = "recommended",
-    RecommendedEnd = "recommendedEnd",
-    Zone = "zone",
-    ZoneEnd = "zoneEnd",
-}
-}
-pub(crate) static SPEED_SEMANTICS_KIND: WordList = WordList {
-    name: "e_signals_semantics_speed",
-    words: &[
-        word("maximum").only(from(V1_8)),
-        word("maximumEnd").only(from(V1_8)),
-        word("minimum").only(from(V1_8)),
-        word("minimumEnd").only(from(V1_8)),
-        word("recommended").only(from(V1_8)),
-        word("recommendedEnd").only(from(V1_8)),
-        word("zone").only(from(V1_8)),
-        word("zoneEnd").only(from(V1_8)),
-    ],
-};
-
-enumeration! {
-/// Kind of distance (`e_signals_semantics_supplementaryDistance`).
-DistanceSemanticsType {
-    For = "for",
-    In = "in",
-}
-}
-pub(crate) static DISTANCE_SEMANTICS_TYPE: WordList = WordList {
-    name: "e_signals_semantics_supplementaryDistance",
-    words: &[word("for").only(from(V1_8)), word("in").only(from(V1_8))],
-};
-
-enumeration! {
-/// Kind of weather (`e_signals_semantics_supplementaryEnvironment`).
-EnvironmentSemanticsType {
-    Fog = "fog",
-    Rain = "rain",
-    Snow = "snow",
-}
-}
-pub(crate) static ENVIRONMENT_SEMANTICS_TYPE: WordList = WordList {
-    name: "e_signals_semantics_supplementaryEnvironment",
-    words: &[
-        word("fog").only(from(V1_8)),
-        word("rain").only(from(V1_8)),
-        word("snow").only(from(V1_8)),
-    ],
-};
-
-enumeration! {
-/// Kind of time (`e_signals_semantics_supplementaryTime`).
-TimeSemanticsType {
-    Day = "day",
-    Time = "time",
-}
-}
-pub(crate) static TIME_SEMANTICS_TYPE: WordList = WordList {
-    name: "e_signals_semantics_supplementaryTime",
-    words: &[word("day").only(from(V1_8)), word("time").only(from(V1_8))],
-};
-
-enumeration! {
-/// Side of a platform (`e_station_platform_segment_side`).
-PlatformSide {
-    Left = "left",
-    Right = "right",
-}
-}
-pub(crate) static PLATFORM_SIDE: WordList = WordList {
-    name: "e_station_platform_segment_side",
-    words: &[word("left").only(from(V1_5)), word("right").only(from(V1_5))],
-};
-
-enumeration! {
-/// Size of a station (`e_station_type`).
-StationType {
-    Small = "small",
-    Medium = "medium",
-    Large = "large",
-}
-}
-pub(crate) static STATION_TYPE: WordList =
-    WordList { name: "e_station_type", words: &[word("small"), word("medium"), word("large")] };
-
-enumeration! {
-/// How heights of a strip are meant (`e_strip_mode`).
-StripMode {
-    Independent = "independent",
-    Relative = "relative",
-}
-}
-pub(crate) static STRIP_MODE: WordList = WordList {
-    name: "e_strip_mode",
-    words: &[word("independent").only(from(V1_8)), word("relative").only(from(V1_8))],
-};
-
-enumeration! {
-/// Side on which traffic drives (`e_trafficRule`).
-TrafficRule {
-    Rht = "RHT",
-    Lht = "LHT",
-}
-}
-pub(crate) static TRAFFIC_RULE: WordList = WordList {
-    name: "e_trafficRule",
-    words: &[word("RHT").only(from(V1_5)), word("LHT").only(from(V1_5))],
-};
-
-enumeration! {
-/// Kind of tunnel (`e_tunnelType`).
-TunnelType {
-    Standard = "standard",
-    Underpass = "underpass",
-}
-}
-pub(crate) static TUNNEL_TYPE: WordList =
-    WordList { name: "e_tunnelType", words: &[word("standard"), word("underpass")] };
-
-enumeration! {
-/// Unit of a value (`e_unit`).
-Unit {
-    M = "m",
-    Km = "km",
-    Ft = "ft",
-    Mile = "mile",
-    MetersPerSecond = "m/s",
-    MilesPerHour = "mph",
-    KilometersPerHour = "km/h",
-    Kg = "kg",
-    T = "t",
-    Percent = "%",
-}
-}
-pub(crate) static UNIT: WordList = WordList {
-    name: "e_unit",
-    words: &[
-        word("m").only(from(V1_5)),
-        word("km").only(from(V1_5)),
-        word("ft").only(from(V1_5)),
-        word("mile").only(from(V1_5)),
-        word("m/s").only(from(V1_5)),
-        word("mph").only(from(V1_5)),
-        word("km/h").only(from(V1_5)),
-        word("kg").only(from(V1_5)),
-        word("t").only(from(V1_5)),
-        word("%").only(from(V1_5)),
-    ],
-};
-
-enumeration! {
-/// Unit of a distance (`e_unitDistance`).
-UnitDistance {
-    M = "m",
-    Km = "km",
-    Ft = "ft",
-    Mile = "mile",
-}
-}
-pub(crate) static UNIT_DISTANCE: WordList = WordList {
-    name: "e_unitDistance",
-    words: &[
-        word("m").only(from(V1_5)),
-        word("km").only(from(V1_5)),
-        word("ft").only(from(V1_5)),
-        word("mile").only(from(V1_5)),
-    ],
-};
-
-enumeration! {
-/// Unit of a mass (`e_unitMass`).
-UnitMass {
-    Kg = "kg",
-    T = "t",
-}
-}
-pub(crate) static UNIT_MASS: WordList = WordList {
-    name: "e_unitMass",
-    words: &[word("kg").only(from(V1_5)), word("t").only(from(V1_5))],
-};
-
-enumeration! {
-/// Unit of a slope (`e_unitSlope`).
-UnitSlope {
-    Percent = "%",
-}
-}
-pub(crate) static UNIT_SLOPE: WordList =
-    WordList { name: "e_unitSlope", words: &[word("%").only(from(V1_5))] };
-
-enumeration! {
-/// Unit of a speed (`e_unitSpeed`).
-UnitSpeed {
-    M = "m",
-    MetersPerSecond = "m/s",
-    Km = "km",
-    MilesPerHour = "mph",
-    Ft = "ft",
-    KilometersPerHour = "km/h",
-    Mile = "mile",
-    Kg = "kg",
-    T = "t",
-    Percent = "%",
-}
-}
-pub(crate) static UNIT_SPEED: WordList = WordList {
-    name: "e_unitSpeed",
-    words: &[
-        word("m").only(between(V1_4, V1_4)),
-        word("m/s"),
-        word("km").only(between(V1_4, V1_4)),
-        word("mph"),
-        word("ft").only(between(V1_4, V1_4)),
-        word("km/h"),
-        word("mile").only(between(V1_4, V1_4)),
-        word("kg").only(between(V1_4, V1_4)),
-        word("t").only(between(V1_4, V1_4)),
-        word("%").only(between(V1_4, V1_4)),
-    ],
-};
-
-enumeration! {
-/// Category of vehicles (`e_vehicleCategory`).
-VehicleCategory {
-    Bicycle = "bicycle",
-    Car = "car",
-    SemiTrailer = "semiTrailer",
-    Trailer = "trailer",
-    Train = "train",
-    Tram = "tram",
-    Van = "van",
-    Bus = "bus",
-    HeavyTruck = "heavyTruck",
-    MicroMobilityDevice = "microMobilityDevice",
-    Motorcycle = "motorcycle",
-    Other = "other",
-    LandVehicle = "landVehicle",
-    SemiTractor = "semiTractor",
-    StandupScooter = "standupScooter",
-    WorkMachine = "workMachine",
-}
-}
-pub(crate) static VEHICLE_CATEGORY: WordList = WordList {
-    name: "e_vehicleCategory",
-    words: &[
-        word("bicycle").only(from(V1_9)),
-        word("car").only(from(V1_9)),
-        word("semiTrailer").only(from(V1_9)),
-        word("trailer").only(from(V1_9)),
-        word("train").only(from(V1_9)),
-        word("tram").only(from(V1_9)),
-        word("van").only(from(V1_9)),
-        word("bus").only(from(V1_9)),
-        word("heavyTruck").only(from(V1_9)),
-        word("microMobilityDevice").only(from(V1_9)),
-        word("motorcycle").only(from(V1_9)),
-        word("other").only(from(V1_9)),
-        word("landVehicle").only(from(V1_9)),
-        word("semiTractor").only(from(V1_9)),
-        word("standupScooter").only(from(V1_9)),
-        word("workMachine").only(from(V1_9)),
-    ],
-};
-
-enumeration! {
-/// Side of a parking space (`parkingSpacemarkingSide`).
-ParkingSpaceMarkingSide {
-    Front = "front",
-    Rear = "rear",
-    Left = "left",
-    Right = "right",
-}
-}
-pub(crate) static PARKING_SPACE_MARKING_SIDE: WordList = WordList {
-    name: "parkingSpacemarkingSide",
-    words: &[
-        word("front").only(between(V1_4, V1_4)),
-        word("rear").only(between(V1_4, V1_4)),
-        word("left").only(between(V1_4, V1_4)),
-        word("right").only(between(V1_4, V1_4)),
-    ],
-};
-
-enumeration! {
-/// Yes or no (`t_bool`).
-Bool {
-    True = "true",
-    False = "false",
-}
-}
-pub(crate) static BOOL: WordList =
-    WordList { name: "t_bool", words: &[word("true"), word("false")] };
-
-enumeration! {
-/// End of a road instead of a distance (`t_grEqZeroOrContactPoint`).
-RoadEnd {
-    Start = "start",
-    End = "end",
-}
-}
-pub(crate) static ROAD_END: WordList = WordList {
-    name: "t_grEqZeroOrContactPoint",
-    words: &[word("start").only(from(V1_8)), word("end").only(from(V1_8))],
-};
-
-enumeration! {
-/// Words instead of a speed limit (`t_maxSpeed`).
-MaxSpeedWord {
-    NoLimit = "no limit",
-    Undefined = "undefined",
-}
-}
-pub(crate) static MAX_SPEED_WORD: WordList =
-    WordList { name: "t_maxSpeed", words: &[word("no limit"), word("undefined")] };
-
-enumeration! {
-/// Yes or no, in other words (`t_yesNo`).
-YesNo {
-    Yes = "yes",
-    No = "no",
-}
-}
-pub(crate) static YES_NO: WordList =
-    WordList { name: "t_yesNo", words: &[word("yes"), word("no")] };
+
+enumeration! {
+    /// Who may or may not use a lane (`e_accessRestrictionType`).
+    AccessRestrictionType: ACCESS_RESTRICTION_TYPE {
+        Simulator = "simulator",
+        AutonomousTraffic = "autonomousTraffic",
+        Pedestrian = "pedestrian",
+        PassengerCar = "passengerCar",
+        Bus = "bus",
+        Delivery = "delivery",
+        Emergency = "emergency",
+        Taxi = "taxi",
+        ThroughTraffic = "throughTraffic",
+        Truck = "truck",
+        Bicycle = "bicycle",
+        Motorcycle = "motorcycle",
+        None = "none",
+        Trucks = "trucks",
+        Hov = "HOV",
+    } words { Simulator AutonomousTraffic AutonomousTraffic Pedestrian PassengerCar Bus Delivery Emergency Taxi ThroughTraffic Truck Bicycle Motorcycle None Trucks Hov }
+}
+
+enumeration! {
+    /// Kind of border (`e_borderType`).
+    BorderType: BORDER_TYPE {
+        Concrete = "concrete",
+        Curb = "curb",
+        Paint = "paint",
+    } words { Concrete Curb Paint }
+}
+
+enumeration! {
+    /// Material of a bridge (`e_bridgeType`).
+    BridgeType: BRIDGE_TYPE {
+        Concrete = "concrete",
+        Steel = "steel",
+        Brick = "brick",
+        Wood = "wood",
+    } words { Concrete Steel Brick Wood }
+}
+
+enumeration! {
+    /// Kind of connection (`e_connection_type`).
+    ConnectionType: CONNECTION_TYPE {
+        Default = "default",
+        Virtual = "virtual",
+    } words { Default Virtual }
+}
+
+enumeration! {
+    /// End of a road (`e_contactPoint`).
+    ContactPoint: CONTACT_POINT {
+        Start = "start",
+        End = "end",
+    } words { Start End }
+}
+
+enumeration! {
+    /// Names of countries of older versions (`e_countryCode`).
+    CountryCode: COUNTRY_CODE {
+        OpenDRIVE = "OpenDRIVE",
+        Austria = "Austria",
+        Brazil = "Brazil",
+        China = "China",
+        France = "France",
+        Germany = "Germany",
+        Italy = "Italy",
+        Switzerland = "Switzerland",
+        Usa = "USA",
+    } words { OpenDRIVE Austria Brazil China France Germany Italy Switzerland Usa }
+}
+
+enumeration! {
+    /// Names of countries, the list of deprecated ones (`e_countryCode_deprecated`).
+    CountryCodeDeprecated: COUNTRY_CODE_DEPRECATED {
+        OpenDRIVE = "OpenDRIVE",
+        Austria = "Austria",
+        Brazil = "Brazil",
+        China = "China",
+        France = "France",
+        Germany = "Germany",
+        Italy = "Italy",
+        Switzerland = "Switzerland",
+        Usa = "USA",
+    } words { OpenDRIVE Austria Brazil China France Germany Italy Switzerland Usa }
+}
+
+enumeration! {
+    /// What was done to raw data (`e_dataQuality_RawData_PostProcessing`).
+    PostProcessing: POST_PROCESSING {
+        Raw = "raw",
+        Cleaned = "cleaned",
+        Processed = "processed",
+        Fused = "fused",
+    } words { Raw Cleaned Processed Fused }
+}
+
+enumeration! {
+    /// Source of raw data (`e_dataQuality_RawData_Source`).
+    RawDataSource: RAW_DATA_SOURCE {
+        Sensor = "sensor",
+        Cadaster = "cadaster",
+        Custom = "custom",
+    } words { Sensor Cadaster Custom }
+}
+
+enumeration! {
+    /// Direction relative to another (`e_direction`).
+    Direction: DIRECTION {
+        Same = "same",
+        Opposite = "opposite",
+    } words { Same Opposite }
+}
+
+enumeration! {
+    /// Direction along a road (`e_elementDir`).
+    ElementDir: ELEMENT_DIR {
+        Plus = "+",
+        Minus = "-",
+    } words { Plus Minus }
+}
+
+enumeration! {
+    /// Kind of junction group (`e_junctionGroup_type`).
+    JunctionGroupType: JUNCTION_GROUP_TYPE {
+        Roundabout = "roundabout",
+        Unknown = "unknown",
+        ComplexJunction = "complexJunction",
+        HighwayInterchange = "highwayInterchange",
+    } words { Roundabout Unknown ComplexJunction HighwayInterchange }
+}
+
+enumeration! {
+    /// Kind of boundary segment (`e_junction_segment_type`).
+    SegmentType: SEGMENT_TYPE {
+        Joint = "joint",
+        Lane = "lane",
+    } words { Joint Lane }
+}
+
+enumeration! {
+    /// How surface data of a junction are applied, in 1.7 (`e_junction_surface_CRG_mode`).
+    JunctionCrgMode: JUNCTION_CRG_MODE {
+        Global = "global",
+    } words { Global }
+}
+
+enumeration! {
+    /// Kind of junction (`e_junction_type`).
+    JunctionType: JUNCTION_TYPE {
+        Default = "default",
+        Virtual = "virtual",
+        Direct = "direct",
+        Crossing = "crossing",
+    } words { Default Virtual Direct Crossing }
+}
+
+enumeration! {
+    /// Side on which a lane is advisory (`e_laneAdvisory`).
+    LaneAdvisory: LANE_ADVISORY {
+        Both = "both",
+        Inner = "inner",
+        None = "none",
+        Outer = "outer",
+    } words { Both Inner None Outer }
+}
+
+enumeration! {
+    /// Type of lane (`e_laneType`).
+    LaneType: LANE_TYPE {
+        Shoulder = "shoulder",
+        Border = "border",
+        Driving = "driving",
+        Stop = "stop",
+        None = "none",
+        Restricted = "restricted",
+        Parking = "parking",
+        Median = "median",
+        Biking = "biking",
+        Shared = "shared",
+        Sidewalk = "sidewalk",
+        Curb = "curb",
+        Exit = "exit",
+        Entry = "entry",
+        OnRamp = "onRamp",
+        OffRamp = "offRamp",
+        ConnectingRamp = "connectingRamp",
+        Bidirectional = "bidirectional",
+        Special1 = "special1",
+        Special2 = "special2",
+        Special3 = "special3",
+        RoadWorks = "roadWorks",
+        Tram = "tram",
+        Rail = "rail",
+        Bus = "bus",
+        Taxi = "taxi",
+        Hov = "HOV",
+        MwyEntry = "mwyEntry",
+        MwyExit = "mwyExit",
+        Walking = "walking",
+        SlipLane = "slipLane",
+    } words { Shoulder Border Driving Stop None Restricted Parking Median Biking Shared Sidewalk Curb Exit Entry OnRamp OffRamp ConnectingRamp Bidirectional Special1 Special2 Special3 RoadWorks Tram Rail Bus Taxi Hov MwyEntry MwyExit Walking SlipLane }
+}
+
+enumeration! {
+    /// Direction of travel relative to the rule of the road (`e_lane_direction`).
+    LaneDirection: LANE_DIRECTION {
+        Both = "both",
+        Reversed = "reversed",
+        Standard = "standard",
+    } words { Both Reversed Standard }
+}
+
+enumeration! {
+    /// Layer of lanes (`e_layerType`).
+    LayerType: LAYER_TYPE {
+        Temporary = "temporary",
+        Permanent = "permanent",
+    } words { Temporary Permanent }
+}
+
+enumeration! {
+    /// Words for speed limits (`e_maxSpeedString`).
+    MaxSpeedString: MAX_SPEED_STRING {
+        NoLimit = "no limit",
+        Undefined = "undefined",
+    } words { NoLimit Undefined }
+}
+
+enumeration! {
+    /// Type of object (`e_objectType`).
+    ObjectType: OBJECT_TYPE {
+        None = "none",
+        Obstacle = "obstacle",
+        Car = "car",
+        Pole = "pole",
+        Tree = "tree",
+        Vegetation = "vegetation",
+        Barrier = "barrier",
+        Building = "building",
+        ParkingSpace = "parkingSpace",
+        Patch = "patch",
+        Railing = "railing",
+        TrafficIsland = "trafficIsland",
+        Crosswalk = "crosswalk",
+        StreetLamp = "streetLamp",
+        Gantry = "gantry",
+        SoundBarrier = "soundBarrier",
+        Truck = "truck",
+        Van = "van",
+        Bus = "bus",
+        Trailer = "trailer",
+        Bike = "bike",
+        Motorbike = "motorbike",
+        Tram = "tram",
+        Train = "train",
+        Pedestrian = "pedestrian",
+        Wind = "wind",
+        RoadMark = "roadMark",
+        RoadSurface = "roadSurface",
+    } words { None Obstacle Car Pole Tree Vegetation Barrier Building ParkingSpace Patch Railing TrafficIsland Crosswalk StreetLamp Gantry SoundBarrier Truck Van Bus Trailer Bike Motorbike Tram Train Pedestrian Wind RoadMark RoadSurface }
+}
+
+enumeration! {
+    /// Direction of travel that something is for (`e_orientation`).
+    Orientation: ORIENTATION {
+        Plus = "+",
+        Minus = "-",
+        None = "none",
+    } words { Plus Minus None }
+}
+
+enumeration! {
+    /// What fills an outline (`e_outlineFillType`).
+    OutlineFillType: OUTLINE_FILL_TYPE {
+        Grass = "grass",
+        Concrete = "concrete",
+        Cobble = "cobble",
+        Asphalt = "asphalt",
+        Pavement = "pavement",
+        Gravel = "gravel",
+        Soil = "soil",
+        Paint = "paint",
+    } words { Grass Concrete Cobble Asphalt Pavement Gravel Soil Paint }
+}
+
+enumeration! {
+    /// Range of a curve parameter (`e_paramPoly3_pRange`).
+    ParamPoly3Range: PARAM_POLY3_RANGE {
+        ArcLength = "arcLength",
+        Normalized = "normalized",
+    } words { ArcLength Normalized }
+}
+
+enumeration! {
+    /// Category of persons (`e_personCategory`).
+    PersonCategory: PERSON_CATEGORY {
+        Pedestrian = "pedestrian",
+    } words { Pedestrian }
+}
+
+enumeration! {
+    /// Color of a mark (`e_roadMarkColor`).
+    RoadMarkColor: ROAD_MARK_COLOR {
+        Standard = "standard",
+        Blue = "blue",
+        Green = "green",
+        Red = "red",
+        White = "white",
+        Yellow = "yellow",
+        Black = "black",
+        Orange = "orange",
+        Violet = "violet",
+    } words { Standard Blue Green Red White Yellow Black Orange Violet }
+}
+
+enumeration! {
+    /// Passing rule (`e_roadMarkRule`).
+    RoadMarkRule: ROAD_MARK_RULE {
+        NoPassing = "no passing",
+        Caution = "caution",
+        None = "none",
+    } words { NoPassing Caution None }
+}
+
+enumeration! {
+    /// Kind of mark (`e_roadMarkType`).
+    RoadMarkType: ROAD_MARK_TYPE {
+        None = "none",
+        Solid = "solid",
+        Broken = "broken",
+        SolidSolid = "solid solid",
+        SolidBroken = "solid broken",
+        BrokenSolid = "broken solid",
+        BrokenBroken = "broken broken",
+        BottsDots = "botts dots",
+        Grass = "grass",
+        Curb = "curb",
+        Custom = "custom",
+        Edge = "edge",
+    } words { None Solid Broken SolidSolid SolidBroken BrokenSolid BrokenBroken BottsDots Grass Curb Custom Edge }
+}
+
+enumeration! {
+    /// Visual weight of a mark (`e_roadMarkWeight`).
+    RoadMarkWeight: ROAD_MARK_WEIGHT {
+        Standard = "standard",
+        Bold = "bold",
+    } words { Standard Bold }
+}
+
+enumeration! {
+    /// Type of road (`e_roadType`).
+    RoadType: ROAD_TYPE {
+        Unknown = "unknown",
+        Rural = "rural",
+        Motorway = "motorway",
+        Town = "town",
+        LowSpeed = "lowSpeed",
+        Pedestrian = "pedestrian",
+        Bicycle = "bicycle",
+        TownExpressway = "townExpressway",
+        TownCollector = "townCollector",
+        TownArterial = "townArterial",
+        TownPrivate = "townPrivate",
+        TownLocal = "townLocal",
+        TownPlayStreet = "townPlayStreet",
+    } words { Unknown Rural Motorway Town LowSpeed Pedestrian Bicycle TownExpressway TownCollector TownArterial TownPrivate TownLocal TownPlayStreet }
+}
+
+enumeration! {
+    /// Lane changes that are allowed (`e_road_lanes_laneSection_lcr_lane_roadMark_laneChange`).
+    LaneChange: LANE_CHANGE {
+        Increase = "increase",
+        Decrease = "decrease",
+        Both = "both",
+        None = "none",
+    } words { Increase Decrease Both None }
+}
+
+enumeration! {
+    /// Whether access is allowed or denied (`e_road_lanes_laneSection_lr_lane_access_rule`).
+    AccessRule: ACCESS_RULE {
+        Allow = "allow",
+        Deny = "deny",
+    } words { Allow Deny }
+}
+
+enumeration! {
+    /// Side of a crossfall (`e_road_lateralProfile_crossfall_side`).
+    CrossfallSide: CROSSFALL_SIDE {
+        Left = "left",
+        Right = "right",
+        Both = "both",
+    } words { Left Right Both }
+}
+
+enumeration! {
+    /// What a road is linked to (`e_road_link_elementType`).
+    ElementType: ELEMENT_TYPE {
+        Road = "road",
+        Junction = "junction",
+    } words { Road Junction }
+}
+
+enumeration! {
+    /// Side of a neighbor (`e_road_link_neighbor_side`).
+    NeighborSide: NEIGHBOR_SIDE {
+        Left = "left",
+        Right = "right",
+    } words { Left Right }
+}
+
+enumeration! {
+    /// Who may park (`e_road_objects_object_parkingSpace_access`).
+    ParkingSpaceAccess: PARKING_SPACE_ACCESS {
+        All = "all",
+        Car = "car",
+        Women = "women",
+        Handicapped = "handicapped",
+        Bus = "bus",
+        Truck = "truck",
+        Electric = "electric",
+        Residents = "residents",
+    } words { All Car Women Handicapped Bus Truck Electric Residents }
+}
+
+enumeration! {
+    /// State of a switch (`e_road_railroad_switch_position`).
+    SwitchPosition: SWITCH_POSITION {
+        Dynamic = "dynamic",
+        Straight = "straight",
+        Turn = "turn",
+    } words { Dynamic Straight Turn }
+}
+
+enumeration! {
+    /// Technology of a display (`e_road_signals_displayType`).
+    DisplayType: DISPLAY_TYPE {
+        Led = "LED",
+        MonochromGraphic = "monochromGraphic",
+        RotatingPrismHorizontal = "rotatingPrismHorizontal",
+        RotatingPrismVertical = "rotatingPrismVertical",
+        SimpleMatrix = "simpleMatrix",
+        Other = "other",
+    } words { Led MonochromGraphic RotatingPrismHorizontal RotatingPrismVertical SimpleMatrix Other }
+}
+
+enumeration! {
+    /// What a signal refers to (`e_road_signals_signal_reference_elementType`).
+    ReferenceElementType: REFERENCE_ELEMENT_TYPE {
+        Object = "object",
+        Signal = "signal",
+    } words { Object Signal }
+}
+
+enumeration! {
+    /// How surface data are applied (`e_road_surface_CRG_mode`).
+    CrgMode: CRG_MODE {
+        Attached = "attached",
+        Attached0 = "attached0",
+        Genuine = "genuine",
+        Global = "global",
+    } words { Attached Attached0 Genuine Global }
+}
+
+enumeration! {
+    /// What surface data describe (`e_road_surface_CRG_purpose`).
+    CrgPurpose: CRG_PURPOSE {
+        Elevation = "elevation",
+        Friction = "friction",
+    } words { Elevation Friction }
+}
+
+enumeration! {
+    /// Side of an object (`e_sideType`).
+    SideType: SIDE_TYPE {
+        Left = "left",
+        Right = "right",
+        Front = "front",
+        Rear = "rear",
+    } words { Left Right Front Rear }
+}
+
+enumeration! {
+    /// Meaning for lanes (`e_signals_semantics_lane`).
+    LaneSemanticsType: LANE_SEMANTICS_TYPE {
+        NoOvertakeCars = "noOvertakeCars",
+        NoOvertakeCarsEnd = "noOvertakeCarsEnd",
+        NoOvertakeTrucks = "noOvertakeTrucks",
+        NoOvertakeTrucksEnd = "noOvertakeTrucksEnd",
+        PriorityOverOncoming = "priorityOverOncoming",
+        Roundabout = "roundabout",
+        YieldForOncoming = "yieldForOncoming",
+        Other = "other",
+    } words { NoOvertakeCars NoOvertakeCarsEnd NoOvertakeTrucks NoOvertakeTrucksEnd PriorityOverOncoming Roundabout YieldForOncoming Other }
+}
+
+enumeration! {
+    /// Meaning for priority (`e_signals_semantics_priority`).
+    PrioritySemanticsType: PRIORITY_SEMANTICS_TYPE {
+        FourWay = "4way",
+        KeepClearLine = "keepClearLine",
+        NoParkingLine = "noParkingLine",
+        NoTurnOnRed = "noTurnOnRed",
+        PriorityRoad = "priorityRoad",
+        PriorityRoadEnd = "priorityRoadEnd",
+        PriorityToTheRightRule = "priorityToTheRightRule",
+        Stop = "stop",
+        StopLine = "stopLine",
+        TurnOnRedAllowed = "turnOnRedAllowed",
+        TrafficLight = "trafficLight",
+        WaitingLine = "waitingLine",
+        Yield = "yield",
+    } words { FourWay KeepClearLine NoParkingLine NoTurnOnRed PriorityRoad PriorityRoadEnd PriorityToTheRightRule Stop StopLine TurnOnRedAllowed TrafficLight WaitingLine Yield }
+}
+
+enumeration! {
+    /// Kind of speed (`e_signals_semantics_speed`).
+    SpeedSemanticsKind: SPEED_SEMANTICS_KIND {
+        Maximum = "maximum",
+        MaximumEnd = "maximumEnd",
+        Minimum = "minimum",
+        MinimumEnd = "minimumEnd",
+        Recommended = "recommended",
+        RecommendedEnd = "recommendedEnd",
+        Zone = "zone",
+        ZoneEnd = "zoneEnd",
+    } words { Maximum MaximumEnd Minimum MinimumEnd Recommended RecommendedEnd Zone ZoneEnd }
+}
+
+enumeration! {
+    /// Kind of distance (`e_signals_semantics_supplementaryDistance`).
+    DistanceSemanticsType: DISTANCE_SEMANTICS_TYPE {
+        For = "for",
+        In = "in",
+    } words { For In }
+}
+
+enumeration! {
+    /// Kind of weather (`e_signals_semantics_supplementaryEnvironment`).
+    EnvironmentSemanticsType: ENVIRONMENT_SEMANTICS_TYPE {
+        Fog = "fog",
+        Rain = "rain",
+        Snow = "snow",
+    } words { Fog Rain Snow }
+}
+
+enumeration! {
+    /// Kind of time (`e_signals_semantics_supplementaryTime`).
+    TimeSemanticsType: TIME_SEMANTICS_TYPE {
+        Day = "day",
+        Time = "time",
+    } words { Day Time }
+}
+
+enumeration! {
+    /// Side of a platform (`e_station_platform_segment_side`).
+    PlatformSide: PLATFORM_SIDE {
+        Left = "left",
+        Right = "right",
+    } words { Left Right }
+}
+
+enumeration! {
+    /// Size of a station (`e_station_type`).
+    StationType: STATION_TYPE {
+        Small = "small",
+        Medium = "medium",
+        Large = "large",
+    } words { Small Medium Large }
+}
+
+enumeration! {
+    /// How heights of a strip are meant (`e_strip_mode`).
+    StripMode: STRIP_MODE {
+        Independent = "independent",
+        Relative = "relative",
+    } words { Independent Relative }
+}
+
+enumeration! {
+    /// Side on which traffic drives (`e_trafficRule`).
+    TrafficRule: TRAFFIC_RULE {
+        Rht = "RHT",
+        Lht = "LHT",
+    } words { Rht Lht }
+}
+
+enumeration! {
+    /// Kind of tunnel (`e_tunnelType`).
+    TunnelType: TUNNEL_TYPE {
+        Standard = "standard",
+        Underpass = "underpass",
+    } words { Standard Underpass }
+}
+
+enumeration! {
+    /// Unit of a value (`e_unit`).
+    Unit: UNIT {
+        M = "m",
+        Km = "km",
+        Ft = "ft",
+        Mile = "mile",
+        MetersPerSecond = "m/s",
+        MilesPerHour = "mph",
+        KilometersPerHour = "km/h",
+        Kg = "kg",
+        T = "t",
+        Percent = "%",
+    } words { M Km Ft Mile MetersPerSecond MilesPerHour KilometersPerHour Kg T Percent }
+}
+
+enumeration! {
+    /// Unit of a distance (`e_unitDistance`).
+    UnitDistance: UNIT_DISTANCE {
+        M = "m",
+        Km = "km",
+        Ft = "ft",
+        Mile = "mile",
+    } words { M Km Ft Mile }
+}
+
+enumeration! {
+    /// Unit of a mass (`e_unitMass`).
+    UnitMass: UNIT_MASS {
+        Kg = "kg",
+        T = "t",
+    } words { Kg T }
+}
+
+enumeration! {
+    /// Unit of a slope (`e_unitSlope`).
+    UnitSlope: UNIT_SLOPE {
+        Percent = "%",
+    } words { Percent }
+}
+
+enumeration! {
+    /// Unit of a speed (`e_unitSpeed`).
+    UnitSpeed: UNIT_SPEED {
+        M = "m",
+        MetersPerSecond = "m/s",
+        Km = "km",
+        MilesPerHour = "mph",
+        Ft = "ft",
+        KilometersPerHour = "km/h",
+        Mile = "mile",
+        Kg = "kg",
+        T = "t",
+        Percent = "%",
+    } words { M MetersPerSecond Km MilesPerHour Ft KilometersPerHour Mile Kg T Percent }
+}
+
+enumeration! {
+    /// Category of vehicles (`e_vehicleCategory`).
+    VehicleCategory: VEHICLE_CATEGORY {
+        Bicycle = "bicycle",
+        Car = "car",
+        SemiTrailer = "semiTrailer",
+        Trailer = "trailer",
+        Train = "train",
+        Tram = "tram",
+        Van = "van",
+        Bus = "bus",
+        HeavyTruck = "heavyTruck",
+        MicroMobilityDevice = "microMobilityDevice",
+        Motorcycle = "motorcycle",
+        Other = "other",
+        LandVehicle = "landVehicle",
+        SemiTractor = "semiTractor",
+        StandupScooter = "standupScooter",
+        WorkMachine = "workMachine",
+    } words { Bicycle Car SemiTrailer Trailer Train Tram Van Bus HeavyTruck MicroMobilityDevice Motorcycle Other LandVehicle SemiTractor StandupScooter WorkMachine }
+}
+
+enumeration! {
+    /// Side of a parking space (`parkingSpacemarkingSide`).
+    ParkingSpaceMarkingSide: PARKING_SPACE_MARKING_SIDE {
+        Front = "front",
+        Rear = "rear",
+        Left = "left",
+        Right = "right",
+    } words { Front Rear Left Right }
+}
+
+enumeration! {
+    /// Yes or no (`t_bool`).
+    Bool: BOOL {
+        True = "true",
+        False = "false",
+    } words { True False }
+}
+
+enumeration! {
+    /// End of a road instead of a distance (`t_grEqZeroOrContactPoint`).
+    RoadEnd: ROAD_END {
+        Start = "start",
+        End = "end",
+    } words { Start End }
+}
+
+enumeration! {
+    /// Words instead of a speed limit (`t_maxSpeed`).
+    MaxSpeedWord: MAX_SPEED_WORD {
+        NoLimit = "no limit",
+        Undefined = "undefined",
+    } words { NoLimit Undefined }
+}
+
+enumeration! {
+    /// Yes or no, in other words (`t_yesNo`).
+    YesNo: YES_NO {
+        Yes = "yes",
+        No = "no",
+    } words { Yes No }
+}

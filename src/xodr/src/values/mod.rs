@@ -31,7 +31,7 @@ mod word;
 pub use country::{Country, CountryForm, country};
 pub use number::{double, integer};
 pub use text::text;
-pub(crate) use text::{reference, reference_end};
+pub(crate) use text::{push_resolved, reference, reference_end};
 pub use word::{Speed, boolean, speed};
 
 use crate::finding::Severity;

@@ -12,9 +12,20 @@ pub fn text(raw: &str) -> Cow<'_, str> {
         return Cow::Borrowed(raw);
     }
     let mut out = String::with_capacity(raw.len());
+    resolve_into(&mut out, raw, push_spaced);
+    Cow::Owned(out)
+}
+
+/// Adds the text of an element's content: references resolved, each line break a line feed. (XML 1.0, 2.11)
+pub(crate) fn push_resolved(out: &mut String, raw: &str) {
+    resolve_into(out, raw, push_lines);
+}
+
+/// Adds text with its references resolved. What lies between them is added by `push`.
+fn resolve_into(out: &mut String, raw: &str, push: fn(&mut String, &str)) {
     let mut rest = raw;
     while let Some(at) = memchr::memchr(b'&', rest.as_bytes()) {
-        push_spaced(&mut out, &rest[..at]);
+        push(out, &rest[..at]);
         let end = reference_end(&rest.as_bytes()[at..]).map(|end| at + end);
         match end.and_then(|end| Some((end, reference(&rest.as_bytes()[at + 1..end - 1])?))) {
             Some((end, character)) => {
@@ -27,8 +38,7 @@ pub fn text(raw: &str) -> Cow<'_, str> {
             }
         }
     }
-    push_spaced(&mut out, rest);
-    Cow::Owned(out)
+    push(out, rest);
 }
 
 /// Longest reference that is looked at: `&#x` and 8 digits and `;`, or a name.
@@ -80,4 +90,14 @@ fn push_spaced(out: &mut String, text: &str) {
             other => out.push(other),
         }
     }
+}
+
+fn push_lines(out: &mut String, text: &str) {
+    let mut rest = text;
+    while let Some((line, after)) = rest.split_once('\r') {
+        out.push_str(line);
+        out.push('\n');
+        rest = after.strip_prefix('\n').unwrap_or(after);
+    }
+    out.push_str(rest);
 }

@@ -1,0 +1,77 @@
+//! All lanes near a point.
+
+use crate::error::QueryError;
+use crate::index;
+use crate::map::Map;
+use crate::nearest::{Nearest, NearestOptions, round_up};
+use crate::types::Point;
+use std::cmp::Ordering;
+
+impl Map<'_> {
+    /// Every lane whose area lies within the options' radius of a point, nearest first, each once and in the order that
+    /// [`Map::nearest_lane`] prefers. `out` is emptied first; it grows only if its capacity is too small.
+    ///
+    /// Errors: as [`Map::nearest_lane`].
+    pub fn lanes_near(
+        &self,
+        point: impl Into<Point>,
+        options: &NearestOptions,
+        out: &mut Vec<Nearest>,
+    ) -> Result<(), QueryError> {
+        out.clear();
+        let point = point.into();
+        options.check(point)?;
+        let local = point.xy - self.origin();
+        let radius = round_up(options.radius);
+        let heights = options.heights(point);
+        index::visit(self.tables(), local, heights, radius, |leaf, qx, qy, bound| {
+            let (lanes, segments) = (leaf.lane(), leaf.segment());
+            let lower = index::lower_bounds(leaf, qx, qy, heights);
+            for k in 0..lower.len() {
+                if lower[k] > bound {
+                    continue;
+                }
+                let Some(found) = self.candidate(lanes[k], segments[k], point, local, options)
+                else {
+                    continue;
+                };
+                if found.position.distance > options.radius {
+                    continue;
+                }
+                match out.iter_mut().find(|known| known.lane == found.lane.lane_id()) {
+                    None => out.push(found.nearest()),
+                    Some(known) if nearer(&found.nearest(), known) => *known = found.nearest(),
+                    Some(_) => {}
+                }
+            }
+            bound
+        });
+        // Sorting in place allocates nothing. Candidates are made again to compare what ties go by.
+        out.sort_unstable_by(|a, b| {
+            let candidate = |nearest: &Nearest| self.candidate_of(nearest, point, options);
+            match (candidate(a), candidate(b)) {
+                (Some(a), Some(b)) => a.order(&b),
+                _ => Ordering::Equal,
+            }
+        });
+        Ok(())
+    }
+
+    /// Whether a point lies on a lane, edges included, in plan view; a point with z only on one within `z_tolerance`.
+    ///
+    /// Errors: coordinates that are not finite.
+    pub fn covers(
+        &self,
+        point: impl Into<Point>,
+        z_tolerance: Option<f64>,
+    ) -> Result<bool, QueryError> {
+        let options = NearestOptions { radius: 0.0, z_tolerance, ..NearestOptions::default() };
+        Ok(self.nearest_lane(point, &options)?.is_some())
+    }
+}
+
+/// Of two places on one lane: by distance, then |offset|.
+fn nearer(a: &Nearest, b: &Nearest) -> bool {
+    let key = |n: &Nearest| (n.position.distance, n.position.offset.abs());
+    key(a).partial_cmp(&key(b)) == Some(Ordering::Less)
+}

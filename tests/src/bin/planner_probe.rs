@@ -1,0 +1,162 @@
+//! A planner as a process, which reports on itself: `planner_probe KIND NAME …`.
+//!
+//! - `manners NAME WAIT_MS`: what the process looks like before and after attaching, waiting and detaching.
+//! - `faults NAME`: minor page faults of the checked access, and how the data segment is mapped.
+//! - `write NAME`: writes to the map, which must end the process.
+//! - `connect NAME WAIT_MS`: attaches with a deadline and says what came of it.
+//! - `ask NAME WAIT_MS`: attaches, asks for a lane, detaches.
+//! - `wait NAME WAIT_MS`: attaches, says so, reads a line from stdin, and waits for the next generation.
+//!
+//! One `key value` per line on stdout.
+#![allow(unsafe_code, clippy::print_stdout)]
+
+use mapd_client::transport::Subscription;
+use mapd_client::{Client, Domain, NearestOptions, archive, glam::DVec2};
+use std::io::{Read, Seek};
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+/// Longest wait where none is given.
+const WAIT: Duration = Duration::from_secs(10);
+
+fn main() -> ExitCode {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let args: Vec<&str> = args.iter().map(String::as_str).collect();
+    let outcome = match args.as_slice() {
+        ["manners", map, wait] => milliseconds(wait).and_then(|wait| manners(map, wait)),
+        ["faults", map] => faults(map),
+        ["write", map] => write(map),
+        ["connect", map, wait] => milliseconds(wait).and_then(|wait| connect(map, wait)),
+        ["ask", map, wait] => milliseconds(wait).and_then(|wait| ask(map, wait)),
+        ["wait", map, wait] => milliseconds(wait).and_then(|wait| wait_next(map, wait)),
+        _ => Err("unknown arguments".into()),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            println!("error {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn milliseconds(text: &str) -> Result<Duration, Box<dyn std::error::Error>> {
+    Ok(Duration::from_millis(text.parse()?))
+}
+
+/// Caught signals, threads and open files, as the kernel sees them.
+fn report(when: &str) -> Outcome {
+    let status = std::fs::read_to_string("/proc/self/status")?;
+    for key in ["SigCgt", "SigIgn", "SigBlk", "Threads"] {
+        let value = status.lines().find_map(|line| line.strip_prefix(key)?.strip_prefix(':'));
+        println!("{when}.{key} {}", value.unwrap_or("?").trim());
+    }
+    Ok(())
+}
+
+fn manners(map: &str, wait: Duration) -> Outcome {
+    report("start")?;
+    let client = Client::connect(map, WAIT)?;
+    report("attached")?;
+    // Nothing new comes: this is the deadline.
+    let error = client.wait_next(wait).err().ok_or("a generation came")?;
+    println!("wait {error}");
+    report("waited")?;
+    drop(client);
+    report("detached")?;
+    Ok(())
+}
+
+fn connect(map: &str, wait: Duration) -> Outcome {
+    let start = Instant::now();
+    let outcome = Client::connect(map, wait);
+    println!("milliseconds {}", start.elapsed().as_millis());
+    println!("generation {}", outcome?.snapshot().generation());
+    Ok(())
+}
+
+fn ask(map: &str, wait: Duration) -> Outcome {
+    let snapshot = Client::connect(map, wait)?.snapshot();
+    let hit = snapshot.map().nearest_lane(DVec2::new(50.0, -1.75), &NearestOptions::default())?;
+    println!("lane {}", snapshot.map().lane(hit.ok_or("no lane")?.lane)?.key());
+    Ok(())
+}
+
+fn wait_next(map: &str, wait: Duration) -> Outcome {
+    let client = Client::connect(map, WAIT)?;
+    println!("attached {}", client.snapshot().generation());
+    std::io::stdin().read_line(&mut String::new())?;
+    let start = Instant::now();
+    let outcome = client.wait_next(wait);
+    println!("milliseconds {}", start.elapsed().as_millis());
+    client.snapshot().verify()?;
+    println!("held {}", client.snapshot().generation());
+    println!("generation {}", outcome?.generation());
+    Ok(())
+}
+
+/// Counts this thread's minor page faults with a file that is already open and a buffer that is already touched.
+struct Faults {
+    file: std::fs::File,
+    buffer: [u8; 1024],
+}
+
+impl Faults {
+    fn new() -> std::io::Result<Self> {
+        Ok(Self { file: std::fs::File::open("/proc/thread-self/stat")?, buffer: [1; 1024] })
+    }
+
+    fn count(&mut self) -> Result<u64, Box<dyn std::error::Error>> {
+        self.file.rewind()?;
+        let length = self.file.read(&mut self.buffer)?;
+        let text = std::str::from_utf8(&self.buffer[..length])?;
+        // Behind the name in brackets: state, parent, group, session, terminal, its group, flags, minor faults.
+        let rest = text.rsplit(") ").next().ok_or("no name")?;
+        Ok(rest.split(' ').nth(7).ok_or("too short")?.parse()?)
+    }
+}
+
+fn faults(map: &str) -> Outcome {
+    let domain = Domain::from_env()?;
+    let subscription = Subscription::connect(&domain, map, Instant::now() + WAIT)?;
+    let pinned = subscription.current();
+    // The program's own pages are not meant: open something else first.
+    let small = archive::encode(&archive::Rows::default(), &archive::Provenance::default())?;
+    let mut faults = Faults::new()?;
+    for _ in 0..3 {
+        std::hint::black_box(archive::open(std::hint::black_box(&small))?);
+        faults.count()?;
+    }
+    let before = faults.count()?;
+    let opened = archive::open(std::hint::black_box(pinned.bytes()))?;
+    let after = faults.count()?;
+    println!("faults {}", after - before);
+    println!("bytes {}", pinned.bytes().len());
+    println!("body {}", opened.header.body_length);
+    let address = pinned.bytes().as_ptr() as usize;
+    for line in std::fs::read_to_string("/proc/self/maps")?.lines() {
+        let mut words = line.split_ascii_whitespace();
+        let (range, mode, file) = (words.next(), words.next(), words.nth(3));
+        let (from, to) = range.and_then(|range| range.split_once('-')).ok_or("no range")?;
+        let (from, to) = (usize::from_str_radix(from, 16)?, usize::from_str_radix(to, 16)?);
+        if (from..to).contains(&address) {
+            println!("mapping {}", mode.ok_or("no mode")?);
+            println!("segment {}", file.ok_or("no file")?);
+        }
+    }
+    Ok(())
+}
+
+fn write(map: &str) -> Outcome {
+    let client = Client::connect(map, WAIT)?;
+    let snapshot = client.snapshot();
+    let address = snapshot.bytes().as_ptr().cast_mut();
+    println!("writing");
+    // SAFETY: none: this is the crime whose punishment is tested. The page is mapped without the right to write, so that
+    // the kernel ends the process before anything else can observe it.
+    unsafe { address.write_volatile(0) };
+    println!("written");
+    Ok(())
+}

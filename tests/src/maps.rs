@@ -1,0 +1,50 @@
+//! Maps for tests of queries, compiled in memory.
+
+use crate::{carried, say, shared};
+use mapd_client::{Map, Snapshot, glam::DVec2};
+use mapd_compiler::{CompileOptions, compile};
+use std::path::{Path, PathBuf};
+
+/// Compiles a map that must be accepted.
+pub fn open(path: &Path) -> Snapshot {
+    let file = std::fs::File::open(path).expect("the map can be read");
+    let compiled = compile(file, &CompileOptions::default(), &mut |_| {}).expect("reading works");
+    let rows = compiled.rows.expect("the map is accepted");
+    let archive = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes");
+    Snapshot::from_bytes(archive).expect("opens")
+}
+
+/// The carried maps, and these of the shared corpus, such as `carla/Town05`, where it is there.
+pub fn carried_and(corpus: &[&str]) -> Vec<PathBuf> {
+    let mut maps = vec![carried("town.xodr"), carried("one_road.xodr")];
+    match shared("maps") {
+        Some(folder) => maps.extend(corpus.iter().map(|name| folder.join(format!("{name}.xodr")))),
+        None => say("SKIPPED in part: no shared corpus beside the workspace"),
+    }
+    maps
+}
+
+/// Small numbers that look random, the same in every run (Marsaglia's xorshift).
+pub struct Random(pub u64);
+
+impl Random {
+    /// In [0, 1).
+    pub fn unit(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// In [low, high).
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    /// A point in the map's bounds, widened by ten metres.
+    pub fn point(&mut self, map: Map<'_>) -> DVec2 {
+        let (low, high) = map.bounds();
+        let (low, size) = (low.truncate() - 10.0, (high - low).truncate() + 20.0);
+        low + DVec2::new(self.unit() * size.x, self.unit() * size.y)
+    }
+}

@@ -1,0 +1,160 @@
+//! Daemons and clients as processes, each test in a domain of its own.
+
+use mapd_client::Domain;
+use std::io::{BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output, Stdio};
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::time::Duration;
+
+/// Longest wait for anything that should take milliseconds; generous because machines may be busy.
+pub const PATIENCE: Duration = Duration::from_secs(20);
+
+/// A domain of its own for each test; everything of it is removed at the end.
+pub struct Place {
+    prefix: String,
+    program: PathBuf,
+}
+
+impl Place {
+    /// `program` is the `mapd` to run: `env!("CARGO_BIN_EXE_mapd_under_test")` in a test.
+    pub fn new(program: impl AsRef<Path>) -> Self {
+        static NEXT: AtomicU32 = AtomicU32::new(0);
+        let number = NEXT.fetch_add(1, Ordering::Relaxed);
+        Self {
+            prefix: format!("mt{}x{number}_", std::process::id()),
+            program: program.as_ref().to_owned(),
+        }
+    }
+
+    /// Where its daemons and clients meet.
+    pub fn domain(&self) -> Domain {
+        Domain::new(&self.prefix).expect("a prefix")
+    }
+
+    /// The program, in this domain, all streams piped but stdin.
+    pub fn command(&self) -> Command {
+        self.command_of(&self.program)
+    }
+
+    /// Another program, likewise.
+    pub fn command_of(&self, program: impl AsRef<Path>) -> Command {
+        let mut command = Command::new(program.as_ref());
+        command
+            .env("MAPD_PREFIX", &self.prefix)
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
+        command
+    }
+
+    /// Starts a daemon and returns once it serves.
+    pub fn serve(&self, args: &[&str]) -> Daemon {
+        let mut daemon = self.start(args);
+        daemon.wait_until_serving();
+        daemon
+    }
+
+    /// Starts a daemon and does not wait.
+    pub fn start(&self, args: &[&str]) -> Daemon {
+        let mut command = self.command();
+        Daemon(command.arg("--load").args(args).spawn().expect("the daemon starts"))
+    }
+
+    /// `mapd query` with these rows on stdin.
+    pub fn query(&self, source: &str, kind: &str, csv: &str) -> Output {
+        let mut child = self
+            .command()
+            .args(["query", source, kind])
+            .stdin(Stdio::piped())
+            .spawn()
+            .expect("starts");
+        child.stdin.take().expect("stdin").write_all(csv.as_bytes()).expect("a query is written");
+        child.wait_with_output().expect("a query ends")
+    }
+
+    /// Files in shared memory that belong to this domain, the root folder left out.
+    pub fn segments(&self) -> Vec<PathBuf> {
+        let entries = std::fs::read_dir("/dev/shm").expect("shared memory");
+        let own = |path: &PathBuf| {
+            path.file_name().is_some_and(|n| n.to_string_lossy().starts_with(&self.prefix))
+        };
+        entries
+            .flatten()
+            .map(|entry| entry.path())
+            .filter(own)
+            .filter(|path| path.is_file())
+            .collect()
+    }
+}
+
+impl Drop for Place {
+    fn drop(&mut self) {
+        for path in self.segments() {
+            let _ = std::fs::remove_file(path);
+        }
+        let _ = std::fs::remove_dir_all(self.domain().root());
+    }
+}
+
+/// A daemon; killed when dropped.
+pub struct Daemon(Child);
+
+impl Daemon {
+    /// Process id.
+    pub fn id(&self) -> u32 {
+        self.0.id()
+    }
+
+    /// Sends it a signal by the name that `kill` knows.
+    pub fn signal(&self, name: &str) {
+        let status = Command::new("kill")
+            .args([&format!("-{name}"), &self.0.id().to_string()])
+            .status()
+            .expect("kill runs");
+        assert!(status.success());
+    }
+
+    /// Reads its messages until it says that it serves.
+    pub fn wait_until_serving(&mut self) {
+        if let Err(text) = self.wait_for_serving() {
+            panic!("the daemon ended without serving: {text}");
+        }
+    }
+
+    /// Reads its messages until it says that it serves.
+    ///
+    /// Errors: it ended before; what it said.
+    pub fn wait_for_serving(&mut self) -> Result<(), String> {
+        let stderr = self.0.stderr.take().expect("stderr");
+        let mut lines = BufReader::new(stderr);
+        let mut text = String::new();
+        while lines.read_line(&mut text).expect("stderr can be read") > 0 {
+            if text.lines().last().is_some_and(|line| line.contains("serving")) {
+                // Whatever follows is not needed, but must not block the daemon.
+                std::thread::spawn(move || std::io::copy(&mut lines, &mut std::io::sink()));
+                return Ok(());
+            }
+        }
+        Err(text)
+    }
+
+    /// SIGKILL.
+    pub fn kill(mut self) {
+        self.0.kill().expect("killed");
+        self.0.wait().expect("waited for");
+    }
+
+    /// SIGTERM; the exit code.
+    pub fn stop(mut self) -> i32 {
+        self.signal("TERM");
+        self.0.wait().expect("waited for").code().expect("an exit code")
+    }
+}
+
+impl Drop for Daemon {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}

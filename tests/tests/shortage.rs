@@ -1,0 +1,280 @@
+//! Too little of something: memory, places, rights; and other releases in the way. Each has its own clear error, and
+//! leaves nothing behind.
+//!
+//! Some need a mount namespace or a control group of their own, which only root can make; they say aloud that they skip
+//! where that is not allowed.
+
+use iceoryx2::prelude::{NodeBuilder, ServiceName, SignalHandlingMode};
+use mapd_client::transport::{
+    AttachError, Chunk64, GenerationInfo, MAX_SUBSCRIBERS, Subscription, TransportService,
+    iceoryx2_config, service_name, wake_name,
+};
+use mapd_client::{Client, ClientError};
+use mapd_tests::place::{PATIENCE, Place};
+use mapd_tests::say;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+const PROBE: &str = env!("CARGO_BIN_EXE_planner_probe");
+const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
+
+/// A user without rights.
+const NOBODY: &str = "65534";
+
+fn place() -> Place {
+    Place::new(MAPD)
+}
+
+fn town() -> String {
+    mapd_tests::carried("town.xodr").display().to_string()
+}
+
+/// Runs a shell script with `/dev/shm` replaced by an empty file system of so many KiB; `None` where that is not allowed.
+fn with_small_shared_memory(place: &Place, kilobytes: u32, script: &str) -> Option<Output> {
+    let mount = format!("mount -t tmpfs -o size={kilobytes}k none /dev/shm");
+    let unshare = || {
+        let mut command = place.command_of("unshare");
+        command.args(["--mount", "sh", "-c"]);
+        command
+    };
+    if !unshare().arg(&mount).output().is_ok_and(|output| output.status.success()) {
+        say("SKIPPED: this user may not mount a small /dev/shm of its own");
+        return None;
+    }
+    Some(unshare().arg(format!("{mount} && {script}")).output().expect("the script runs"))
+}
+
+/// What a script said, and how it ended.
+fn told(output: &Output) -> String {
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    format!("{:?}: {}{}", output.status.code(), text(&output.stdout), text(&output.stderr))
+}
+
+#[test]
+fn too_small_at_the_start() {
+    let place = place();
+    let script = format!("{MAPD} --load {}; echo ended $?; ls -A /dev/shm", town());
+    let Some(output) = with_small_shared_memory(&place, 512, &script) else { return };
+    let text = told(&output);
+    assert!(text.contains("bytes of shared memory") && text.contains("/dev/shm"), "{text}");
+    assert!(text.contains("ended 1\n"), "{text}");
+    let left = String::from_utf8_lossy(&output.stdout).lines().count();
+    assert_eq!(left, 1, "something is left behind: {text}");
+}
+
+/// The check sees room; then, while the call that reserves the pages is held up, somebody else takes it.
+#[test]
+fn filled_up_between_check_and_write() {
+    if !Command::new("strace").arg("-V").output().is_ok_and(|output| output.status.success()) {
+        return say("SKIPPED: there is no strace");
+    }
+    let place = place();
+    let script = format!(
+        "strace -f -o /dev/null -e trace=fallocate -e inject=fallocate:delay_enter=2000000 {MAPD} --load {} & \
+         while ! ls /dev/shm/*.data >/dev/null 2>&1; do sleep 0.02; done; \
+         head -c 100M /dev/zero > /dev/shm/filler 2>/dev/null; \
+         wait $!; echo ended $?; rm /dev/shm/filler; ls -A /dev/shm",
+        town()
+    );
+    let Some(output) = with_small_shared_memory(&place, 2048, &script) else { return };
+    let text = told(&output);
+    assert!(text.contains("bytes of shared memory") && text.contains("ended 1\n"), "{text}");
+    let left = String::from_utf8_lossy(&output.stdout).lines().count();
+    assert_eq!(left, 1, "something is left behind: {text}");
+}
+
+/// A control group of version 1 or 2 with this memory limit; removed at the end.
+struct Group(PathBuf);
+
+impl Group {
+    fn new(limit: u64) -> Option<Self> {
+        let name = format!("mapd-test-{}", std::process::id());
+        let versions =
+            [("/sys/fs/cgroup/memory", "memory.limit_in_bytes"), ("/sys/fs/cgroup", "memory.max")];
+        for (root, file) in versions {
+            let folder = Path::new(root).join(&name);
+            if std::fs::create_dir(&folder).is_err() {
+                continue;
+            }
+            let group = Self(folder);
+            if std::fs::write(group.0.join(file), limit.to_string()).is_ok() {
+                return Some(group);
+            }
+        }
+        None
+    }
+}
+
+impl Drop for Group {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir(&self.0);
+    }
+}
+
+#[test]
+fn a_control_group_below_the_archive() {
+    // Enough for the program, which needs about a tenth of it, not for the archive.
+    const LIMIT: u64 = 200 << 20;
+    let Some(group) = Group::new(LIMIT) else {
+        return say("SKIPPED: this user may not make a control group that limits memory");
+    };
+    let place = place();
+    let folder = tempfile::tempdir().expect("a folder");
+    let big = folder.path().join("big.mapd");
+    let mut rows = mapd_archive::Rows::default();
+    rows.coefficients.resize((LIMIT as usize) / size_of::<f64>(), 1.0);
+    let archive =
+        mapd_archive::encode(&rows, &mapd_archive::Provenance::default()).expect("encodes");
+    std::fs::write(&big, &archive).expect("written");
+    let script = format!(
+        "echo $$ > {}/cgroup.procs && exec {MAPD} --load {}",
+        group.0.display(),
+        big.display()
+    );
+    let output = place.command_of("sh").args(["-c", &script]).output().expect("ends");
+    let text = told(&output);
+    assert_eq!(output.status.code(), Some(1), "{text}");
+    assert!(text.contains("control group"), "{text}");
+    assert!(place.segments().is_empty() && !place.domain().root().exists(), "left behind");
+}
+
+#[test]
+fn more_clients_than_places() {
+    let place = place();
+    let _daemon = place.serve(&[&town()]);
+    let domain = place.domain();
+    let attach = || Subscription::connect(&domain, "town", Instant::now() + PATIENCE);
+    let all: Vec<_> = (0..MAX_SUBSCRIBERS).map(|_| attach().expect("a place")).collect();
+    let deadline = Instant::now() + Duration::from_millis(200);
+    let error = Subscription::connect(&domain, "town", deadline).expect_err("no place is left");
+    assert!(matches!(error, AttachError::TooManySubscribers { .. }), "{error}");
+    assert!(error.to_string().contains(&MAX_SUBSCRIBERS.to_string()), "{error}");
+    drop(all);
+    attach().expect("places are free again");
+}
+
+/// As another user, if this one may become another.
+fn as_nobody(place: &Place, program: &str, args: &[&str]) -> Option<Output> {
+    let become_nobody = |program: &str| {
+        let mut command = place.command_of("setpriv");
+        command.args(["--reuid", NOBODY, "--regid", NOBODY, "--clear-groups", program]);
+        command
+    };
+    if !become_nobody(program)
+        .arg("--version")
+        .output()
+        .is_ok_and(|o| o.status.code() != Some(127) && o.status.code() != Some(126))
+    {
+        return None;
+    }
+    let possible = become_nobody("true").output().is_ok_and(|output| output.status.success());
+    possible.then(|| become_nobody(program).args(args).output().expect("ends"))
+}
+
+#[test]
+fn another_user_is_told_so() {
+    let place = place();
+    let _daemon = place.serve(&[&town()]);
+    // Programs must lie where everybody may run them.
+    let folder = tempfile::tempdir_in("/tmp").expect("a folder");
+    let everybody = std::os::unix::fs::PermissionsExt::from_mode(0o755);
+    std::fs::set_permissions(folder.path(), everybody).expect("open to all");
+    let copy = |program: &str, name: &str| {
+        let path = folder.path().join(name);
+        std::fs::copy(program, &path).expect("copied");
+        path.display().to_string()
+    };
+    let (probe, mapd) = (copy(PROBE, "probe"), copy(MAPD, "mapd"));
+    let map = copy(&town(), "town.xodr");
+    let Some(client) = as_nobody(&place, &probe, &["connect", "town", "2000"]) else {
+        return say("SKIPPED: this user may not become another one");
+    };
+    let text = told(&client);
+    assert!(!client.status.success() && text.contains("as one user"), "{text}");
+    let daemon = as_nobody(&place, &mapd, &["--load", &map]).expect("possible as before");
+    let text = told(&daemon);
+    assert_eq!(daemon.status.code(), Some(1), "{text}");
+    assert!(text.contains("as one user"), "{text}");
+    Client::connect_in(&place.domain(), "town", PATIENCE).expect("the first still serves");
+}
+
+/// Another version of iceoryx2 writes another version into what it shares. Here that number is changed by hand.
+#[test]
+fn another_version_of_iceoryx2_is_told_so() {
+    let place = place();
+    let _daemon = place.serve(&[&town()]);
+    let mut changed = 0;
+    for path in place.segments() {
+        if path.extension().is_some_and(|extension| extension == "dynamic") {
+            let mut bytes = std::fs::read(&path).expect("readable");
+            bytes[0] ^= 0x40;
+            std::fs::write(&path, bytes).expect("writable");
+            changed += 1;
+        }
+    }
+    assert!(changed > 0, "the daemon shares nothing");
+    let error = Client::connect_in(&place.domain(), "town", PATIENCE).err().expect("refused");
+    assert!(matches!(error, ClientError::Attach(AttachError::WrongTransport { .. })), "{error}");
+}
+
+/// A daemon of another transport revision has published, and its services have other names.
+#[test]
+fn another_transport_revision_is_told_so() {
+    let place = place();
+    let _daemon = place.serve(&[&town()]);
+    let root = place.domain().root().to_owned();
+    let record = root.join("town.published");
+    let text = std::fs::read_to_string(&record).expect("the record");
+    std::fs::write(&record, text.replacen("revision 1\n", "revision 99\n", 1)).expect("written");
+    for entry in std::fs::read_dir(root.join("services")).expect("services").flatten() {
+        std::fs::remove_file(entry.path()).expect("removed");
+    }
+    let error = Client::connect_in(&place.domain(), "town", PATIENCE).err().expect("refused");
+    assert!(matches!(error, ClientError::Attach(AttachError::WrongTransport { .. })), "{error}");
+    assert!(error.to_string().contains("99"), "{error}");
+}
+
+/// A client of another release lives on, with the service it has open. Here one makes it with fewer places.
+#[test]
+fn other_limits_of_a_living_client_are_told() {
+    let place = place();
+    // Makes the root folder, and ends.
+    place.serve(&[&town()]).kill();
+    for map_service in [true, false] {
+        let domain = place.domain();
+        let config = iceoryx2_config(&domain).expect("a configuration");
+        let presence = mapd_client::transport::Presence::enter(&domain).expect("present");
+        let node = NodeBuilder::new()
+            .config(&config)
+            .signal_handling_mode(SignalHandlingMode::Disabled)
+            .create::<TransportService>()
+            .expect("a node");
+        let name = |text: String| ServiceName::new(&text).expect("a name");
+        let mut services: (Option<_>, Option<_>) = (None, None);
+        if map_service {
+            let service = node
+                .service_builder(&name(service_name("other")))
+                .publish_subscribe::<[Chunk64]>()
+                .user_header::<GenerationInfo>()
+                .max_subscribers(2)
+                .create();
+            services.0 = Some(service.expect("a service"));
+        } else {
+            let service = node.service_builder(&name(wake_name("other"))).event().max_notifiers(2);
+            services.1 = Some(service.create().expect("a service"));
+        }
+        let output = place
+            .command()
+            .args(["--load", &town(), "--name", "other"])
+            .stdout(Stdio::null())
+            .output()
+            .expect("ends");
+        let text = told(&output);
+        assert_eq!(output.status.code(), Some(1), "{text}");
+        assert!(text.contains("other limits"), "{text}");
+        drop((services, node, presence));
+    }
+    // With the client gone the map can be served.
+    place.serve(&[&town(), "--name", "other"]);
+}
