@@ -1,6 +1,7 @@
 //! Shows a document to the rules, element by element.
 
 use crate::catalog;
+use crate::line::ReferenceLine;
 use crate::network::Network;
 use crate::rule::{Check, Minor, NEWEST, Rule};
 use crate::settings::Settings;
@@ -106,10 +107,14 @@ impl Checker {
             self.select();
         }
         let before = self.findings.len();
-        self.walk(item);
+        let line = match item {
+            Item::Road(road) => ReferenceLine::new(road.plan_view.as_deref()),
+            _ => ReferenceLine::default(),
+        };
+        self.walk(item, &line);
         // Each element is walked once per kind of check; findings come in file order all the same.
         self.findings[before..].sort_by_key(|finding| finding.span.start);
-        self.network.add(item);
+        self.network.add(item, &line);
     }
 
     /// Looks at the document as a whole, which has ended.

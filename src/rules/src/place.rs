@@ -1,5 +1,6 @@
 //! Elements with what surrounds them.
 
+use crate::line::ReferenceLine;
 use mapd_xodr::{Lane, LaneSection, Lanes, Object, Road, Signal, TrafficRule};
 
 /// Side of a section.
@@ -9,6 +10,26 @@ pub enum Side {
     Left,
     /// Negative lane ids.
     Right,
+}
+
+/// A road and its reference line.
+#[derive(Clone, Copy)]
+pub struct RoadIn<'a> {
+    /// The road.
+    pub road: &'a Road,
+    /// Its reference line.
+    pub line: &'a ReferenceLine,
+}
+
+impl<'a> RoadIn<'a> {
+    /// The sections of all layers.
+    pub fn sections(&self) -> impl Iterator<Item = SectionIn<'a>> {
+        let road = self.road;
+        road.lanes.iter().flat_map(move |lanes| {
+            let sections = lanes.lane_section.iter().enumerate();
+            sections.map(move |(index, section)| SectionIn { road, lanes, section, index })
+        })
+    }
 }
 
 /// A lane section in its road.

@@ -2,10 +2,10 @@
 
 use crate::example::Example;
 use crate::network::Network;
-use crate::place::{LaneIn, ObjectIn, SectionIn, SignalIn};
+use crate::place::{LaneIn, ObjectIn, RoadIn, SectionIn, SignalIn};
 use crate::sink::Sink;
 use mapd_xodr::{
-    CenterLane, Controller, Header, Junction, JunctionGroup, Road, Severity, Station, VmsGroup,
+    CenterLane, Controller, Header, Junction, JunctionGroup, Severity, Station, VmsGroup,
 };
 
 /// A version of OpenDRIVE 1: its minor number, such as 7 for 1.7.
@@ -31,7 +31,7 @@ pub enum Check {
     /// The header.
     Header(fn(&Header, &mut Sink<'_>)),
     /// A road.
-    Road(fn(&Road, &mut Sink<'_>)),
+    Road(fn(&RoadIn<'_>, &mut Sink<'_>)),
     /// A lane section.
     Section(fn(&SectionIn<'_>, &mut Sink<'_>)),
     /// A lane to the left or right.

@@ -1,7 +1,8 @@
 //! The walk through an element, to each part that some rule looks at.
 
 use crate::checker::Checker;
-use crate::place::{LaneIn, ObjectIn, SectionIn, Side, SignalIn, number, text};
+use crate::line::ReferenceLine;
+use crate::place::{LaneIn, ObjectIn, RoadIn, SectionIn, Side, SignalIn, number, text};
 use crate::rule::Check;
 use crate::sink::{Key, Step};
 use mapd_xodr::{Item, Junction, Objects, Road};
@@ -20,12 +21,12 @@ macro_rules! apply {
 
 impl Checker {
     /// Applies the rules on single elements.
-    pub(crate) fn walk(&mut self, item: &Item) {
+    pub(crate) fn walk(&mut self, item: &Item, line: &ReferenceLine) {
         match item {
             Item::Header(header) => {
                 apply!(self, header, Header, &[Step("header", Key::None)], header);
             }
-            Item::Road(road) => self.road(road),
+            Item::Road(road) => self.road(road, line),
             Item::Controller(controller) => {
                 let step = Step("controller", Key::Id(text(&controller.id)));
                 apply!(self, controller, Controller, &[step], controller);
@@ -46,9 +47,9 @@ impl Checker {
         }
     }
 
-    fn road(&mut self, road: &Road) {
+    fn road(&mut self, road: &Road, line: &ReferenceLine) {
         let step = Step("road", Key::Id(text(&road.id)));
-        apply!(self, road, Road, &[step], road);
+        apply!(self, road, Road, &[step], &RoadIn { road, line });
         for lanes in &road.lanes {
             for (index, section) in lanes.lane_section.iter().enumerate() {
                 self.section(&SectionIn { road, lanes, section, index }, step);

@@ -1,0 +1,1 @@
+//! Rules of ASAM's that the schema says already: which structural finding stands for them.
