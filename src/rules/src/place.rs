@@ -23,7 +23,7 @@ pub struct RoadIn<'a> {
 
 impl<'a> RoadIn<'a> {
     /// The sections of all layers.
-    pub fn sections(&self) -> impl Iterator<Item = SectionIn<'a>> {
+    pub fn sections(&self) -> impl Iterator<Item = SectionIn<'a>> + use<'a> {
         let road = self.road;
         road.lanes.iter().flat_map(move |lanes| {
             let sections = lanes.lane_section.iter().enumerate();
@@ -75,7 +75,7 @@ impl<'a> SectionIn<'a> {
     }
 
     /// Lanes to the left and right in file order.
-    pub fn lanes(&self) -> impl Iterator<Item = &'a Lane> {
+    pub fn lanes(&self) -> impl Iterator<Item = &'a Lane> + use<'a> {
         self.side(Side::Left).iter().chain(self.side(Side::Right))
     }
 

@@ -63,6 +63,8 @@ pub enum Check {
 pub struct Rule {
     /// Id; findings bear it.
     pub id: &'static str,
+    /// Further ids of ASAM's for the same.
+    pub aliases: &'static [&'static str],
     /// How bad a finding is in the default profile. An error takes the part that it concerns out of use.
     pub severity: Severity,
     /// How bad it is in the strict profile.
@@ -96,6 +98,7 @@ impl Rule {
     ) -> Self {
         Self {
             id,
+            aliases: &[],
             severity,
             strict,
             meaning,
@@ -148,6 +151,12 @@ impl Rule {
     /// The rule, of versions up to this one.
     pub(crate) const fn until(mut self, minor: Minor) -> Self {
         self.until = minor;
+        self
+    }
+
+    /// The rule, under further ids of ASAM's.
+    pub(crate) const fn also(mut self, aliases: &'static [&'static str]) -> Self {
+        self.aliases = aliases;
         self
     }
 

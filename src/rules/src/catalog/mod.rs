@@ -1,4 +1,7 @@
-//! The catalog: every rule, in groups.
+//! The catalog: every rule, in groups. A file has rules that belong together, each entry beside its function.
+
+mod lanes;
+mod road;
 
 use crate::rule::Rule;
 
@@ -8,4 +11,7 @@ pub fn all() -> impl Iterator<Item = &'static Rule> {
 }
 
 /// Groups of rules with their titles.
-pub static GROUPS: &[(&str, &[&[Rule]])] = &[];
+pub static GROUPS: &[(&str, &[&[Rule]])] = &[
+    ("Road", road::RULES),
+    ("Lanes", lanes::RULES),
+];
