@@ -123,13 +123,13 @@ fn road(text: &str) -> String {
     let line = if text.contains("<planView") { "" } else { LINE };
     let lanes = if text.contains("<lanes") { "" } else { LANES };
     // Links and types stand before the reference line, all else that examples have behind it.
-    let split = ["<planView", "<elevationProfile", "<lateralProfile", "<lanes", "<objects", "<signals", "<surface", "<railroad"]
+    let split = ["<planView", "<elevationProfile", "<lateralProfile", "<lanes", "<objects", "<signals", "<surface>", "<railroad"]
         .iter()
         .filter_map(|tag| text.find(tag))
         .min()
         .unwrap_or(text.len());
     let (before, rest) = text.split_at(split);
-    let split = ["<objects", "<signals", "<surface", "<railroad"]
+    let split = ["<objects", "<signals", "<surface>", "<railroad"]
         .iter()
         .filter_map(|tag| rest.find(tag))
         .min()
