@@ -1,6 +1,7 @@
 //! The catalog: every rule, in groups. A file has rules that belong together, each entry beside its function.
 
 mod lanes;
+mod objects;
 mod road;
 
 use crate::rule::Rule;
@@ -14,4 +15,5 @@ pub fn all() -> impl Iterator<Item = &'static Rule> {
 pub static GROUPS: &[(&str, &[&[Rule]])] = &[
     ("Road", road::RULES),
     ("Lanes", lanes::RULES),
+    ("Objects", objects::RULES),
 ];
