@@ -1,8 +1,10 @@
 //! The catalog: every rule, in groups. A file has rules that belong together, each entry beside its function.
 
+mod junctions;
 mod lanes;
 mod objects;
 mod road;
+mod signals;
 
 use crate::rule::Rule;
 
@@ -16,4 +18,6 @@ pub static GROUPS: &[(&str, &[&[Rule]])] = &[
     ("Road", road::RULES),
     ("Lanes", lanes::RULES),
     ("Objects", objects::RULES),
+    ("Header, signals and controllers", signals::RULES),
+    ("Junctions", junctions::RULES),
 ];
