@@ -252,7 +252,9 @@ impl Attribute {
         let (kind, _) = split_range(self.kind.last());
         match kind.split(' ').next().unwrap_or_default() {
             "text" | "int" | "uint" | "double" | "boolean" | "yes_no" | "xs_boolean"
-            | "country" | "speed_limit" | "position_or_end" | "words" => Ok(kind.to_owned()),
+            | "country" | "speed_limit" | "lane_speed_limit" | "position_or_end" | "words" => {
+                Ok(kind.to_owned())
+            }
             other => bail!("@{}: unknown type {other}", self.name),
         }
     }

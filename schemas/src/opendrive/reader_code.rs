@@ -72,7 +72,7 @@ fn read(kind: &str) -> Result<String> {
         "int" => "cursor.int()".to_owned(),
         "uint" => "cursor.uint()".to_owned(),
         "boolean" | "yes_no" | "xs_boolean" => "cursor.boolean()".to_owned(),
-        "speed_limit" => "cursor.speed_limit()".to_owned(),
+        "speed_limit" | "lane_speed_limit" => "cursor.speed_limit()".to_owned(),
         "position_or_end" => "cursor.position_or_end()".to_owned(),
         "text" => "cursor.text()".to_owned(),
         "country" => "cursor.country()".to_owned(),

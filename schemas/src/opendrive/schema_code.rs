@@ -114,6 +114,7 @@ pub(super) fn kind_code(kind: &str) -> Result<String> {
         "xs_boolean" => "Kind::XsBoolean".to_owned(),
         "country" => "Kind::Country".to_owned(),
         "speed_limit" => "Kind::SpeedLimit".to_owned(),
+        "lane_speed_limit" => "Kind::LaneSpeedLimit".to_owned(),
         "position_or_end" => "Kind::PositionOrEnd".to_owned(),
         other => match other.strip_prefix("words ") {
             Some(words) => format!("Kind::Words(&{})", constant(words)),

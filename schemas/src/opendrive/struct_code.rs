@@ -100,7 +100,7 @@ pub(super) fn rust_type(kind: &str) -> &str {
         "int" => "i32",
         "uint" => "u32",
         "boolean" | "yes_no" | "xs_boolean" => "bool",
-        "speed_limit" => "SpeedLimit",
+        "speed_limit" | "lane_speed_limit" => "SpeedLimit",
         "position_or_end" => "PositionOrEnd",
         "text" | "country" => "Box<str>",
         other => other.strip_prefix("words ").unwrap_or(other),

@@ -35,69 +35,106 @@ pub use report::{Compilation, Diagnostic, Progress, Verdict};
 use hashing::HashingReader;
 use lower::Lowering;
 use mapd_archive::{NONE, Provenance, Rows};
+use mapd_rules::Checker;
+use mapd_xodr::source::{Inputs, Places};
 use mapd_xodr::{Finding, Item, Limits, Reader, Severity};
 use report::Collector;
-use std::io::{self, BufReader, Read};
+use std::io::{self, Read};
+use std::path::PathBuf;
 
-/// Bytes read at a time.
-const READ_BUFFER: usize = 1 << 20;
+/// How a document is read. It shapes findings and refusals, never the tables of a map that is accepted.
+#[derive(Clone, Debug, Default)]
+pub struct ReadOptions {
+    /// Bounds on what the document may ask for.
+    pub limits: Limits,
+    /// The folder that files may be included from; none: nothing is included, and a map that wants to is rejected.
+    pub include_folder: Option<PathBuf>,
+    /// Which rules apply, and how bad their findings are.
+    pub rules: mapd_rules::Settings,
+}
 
-/// Compiles a document. `progress` is told after each top-level element and at each stage.
+/// Compiles a document that includes no files. `progress` is told after each top-level element and at each stage.
 ///
 /// Errors: reading failed. A map that is rejected is no error: see [`Compilation::verdict`].
 pub fn compile(
-    input: impl Read,
+    input: impl Read + Send,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Compilation> {
+    compile_with(input, &ReadOptions::default(), options, progress)
+}
+
+/// Compiles a document.
+///
+/// Errors: reading failed. A map that is rejected is no error: see [`Compilation::verdict`].
+pub fn compile_with(
+    input: impl Read + Send,
+    reading: &ReadOptions,
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Compilation> {
     let mut hashing = HashingReader::new(input);
     let mut lowering = Lowering::default();
     let mut collector = Collector::default();
-    {
-        let mut reader =
-            Reader::new(BufReader::with_capacity(READ_BUFFER, &mut hashing), Limits::default());
+    let places = {
+        let mut inputs = Inputs::new(reading.limits.source);
+        if let Some(folder) = &reading.include_folder {
+            inputs = inputs.with_include_folder(folder);
+        }
+        let source = inputs.open(Box::new(&mut hashing), "");
+        let mut reader = Reader::with_source(inputs, source, reading.limits);
+        let places = reader.places().clone();
         let mut checked = Vec::new();
+        let mut checker = Checker::new(&reading.rules);
         while let Some(item) = reader.next()? {
-            collector.add(reader.take_findings(), reader.line_index());
-            match &item {
-                Item::Header(header) => lowering.header(header),
+            let read = reader.take_findings();
+            checker.item(&item);
+            checked.append(&mut checker.take_findings());
+            match item {
+                Item::Header(header) => lowering.header(&header),
                 Item::Road(road) => {
-                    mapd_rules::check_road(road, &mut checked);
-                    lowering.road(
-                        road,
-                        reader.line_index().position(road.span.start),
-                        &mut checked,
-                    );
+                    lowering.road(&road, reader.position(road.span.start), &mut checked);
                 }
                 Item::Junction(junction) => {
-                    lowering.junction(junction, reader.line_index().position(junction.span.start));
+                    let position = reader.position(junction.span.start);
+                    lowering.junction(*junction, position, &mut checked);
                 }
+                _ => {}
             }
-            collector.add(std::mem::take(&mut checked), reader.line_index());
+            collector.add_read(read, std::mem::take(&mut checked), &places);
             progress(Progress::Reading { bytes: reader.bytes_read(), roads: lowering.roads() });
         }
-        collector.add(reader.take_findings(), reader.line_index());
+        checker.finish();
+        collector.add_read(reader.take_findings(), checker.take_findings(), &places);
+        places
+    };
+    let mut late = Vec::new();
+    lowering.finish_reading(&mut late);
+    links::resolve(&mut lowering, &mut late);
+    collector.add(late, &places);
+    if !collector.is_rejected() {
         let mut late = Vec::new();
-        lowering.finish_reading(&mut late);
-        links::resolve(&mut lowering, &mut late);
-        collector.add(late, reader.line_index());
-        if !collector.has_errors() {
-            graph::build(&mut lowering, &mut checked);
-            collector.add(checked, reader.line_index());
-        }
+        graph::build(&mut lowering, &mut late);
+        collector.add(late, &places);
     }
     let provenance = Provenance {
-        input_hash: hashing.finish()?,
+        input_hash: hashing.finish(included(&places))?,
         options_hash: options.hash(),
         compiler_version: version(),
     };
-    let rows = if collector.has_errors() {
+    let rows = if collector.is_rejected() {
         None
     } else {
         progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
         Some(build(lowering, options, progress).map_err(io::Error::other)?)
     };
     Ok(collector.finish(rows, provenance))
+}
+
+/// The files that the document included, in the order in which it did.
+fn included(places: &Places) -> impl Iterator<Item = PathBuf> {
+    let start = |file: usize| Places::start(u16::try_from(file).unwrap_or(u16::MAX), 0);
+    (1..places.files()).map(move |file| PathBuf::from(&*places.place(start(file)).file))
 }
 
 /// Samples lanes, builds the index and completes the tables.
@@ -133,5 +170,5 @@ fn finding(
     message: String,
     hint: &str,
 ) -> Finding {
-    Finding { rule, severity, span, path, message, hint: hint.to_owned() }
+    Finding { rule, severity, span, path, subject: "".into(), message, hint: hint.to_owned() }
 }

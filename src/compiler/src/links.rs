@@ -5,7 +5,7 @@ use crate::lower::{Lowering, between};
 use mapd_archive::{
     ConnectionLaneLinkRow, ConnectionRow, ContactPoint, LinkKind, NONE, RoadRow, StringTable,
 };
-use mapd_xodr::{self as xodr, Finding, LinkElement, Severity, Span};
+use mapd_xodr::{self as xodr, ElementType, Finding, Severity, Span, Text as _, Value as _};
 use std::collections::HashMap;
 
 /// Rows by the number of their id's string.
@@ -92,24 +92,21 @@ fn resolve_road(
     let links = lowering.links.roads.get(number).cloned().unwrap_or_default();
     for (i, link) in links.iter().enumerate() {
         let Some(link) = link else { continue };
-        let (known, found, missing) = match link.element_type {
-            LinkElement::Road => (
-                LinkKind::Road,
-                find(roads, &lowering.strings, &link.element_id),
-                LinkKind::UnresolvedRoad,
-            ),
-            LinkElement::Junction => (
-                LinkKind::Junction,
-                find(junctions, &lowering.strings, &link.element_id),
-                LinkKind::UnresolvedJunction,
-            ),
+        let id = link.element_id.text();
+        // Files without the type link roads.
+        let to_junction = link.element_type.value() == Some(ElementType::Junction);
+        let (known, found, missing) = if to_junction {
+            let found = find(junctions, &lowering.strings, id);
+            (LinkKind::Junction, found, LinkKind::UnresolvedJunction)
+        } else {
+            (LinkKind::Road, find(roads, &lowering.strings, id), LinkKind::UnresolvedRoad)
         };
         let end = if i == 0 { "predecessor" } else { "successor" };
         if found.is_none() {
             let message = format!(
                 "expected a {} of the map, found {:?}, which it does not have",
                 known.name(),
-                link.element_id
+                id
             );
             let path = format!("OpenDRIVE/road/link/{end}");
             findings.push(finding(
@@ -121,9 +118,10 @@ fn resolve_road(
                 "",
             ));
         }
-        let mut contact = contact_code(link.contact_point);
-        if let (Some(target), LinkElement::Road, None) =
-            (found, link.element_type, link.contact_point)
+        let mut contact = contact_code(link.contact_point.value());
+        if let Some(target) = found
+            && !to_junction
+            && contact == ContactPoint::None.code()
         {
             contact = nearer_end(lowering, number, i == 1, target as usize);
             let message = format!(
@@ -154,9 +152,9 @@ fn resolve_road(
 
 fn contact_code(contact: Option<xodr::ContactPoint>) -> u8 {
     match contact {
-        None => ContactPoint::None,
         Some(xodr::ContactPoint::Start) => ContactPoint::Start,
         Some(xodr::ContactPoint::End) => ContactPoint::End,
+        _ => ContactPoint::None,
     }
     .code()
 }
@@ -186,15 +184,17 @@ fn resolve_connections(lowering: &mut Lowering, roads: &ById, findings: &mut Vec
     let junctions = std::mem::take(&mut lowering.links.junctions);
     for (number, junction) in junctions.iter().enumerate() {
         let before = lowering.rows.connections.len();
-        for connection in &junction.connections {
+        for connection in &junction.connection {
             let mut resolve = |id: Option<&str>, what: &str| {
                 let id = id?;
                 let row = find(roads, &lowering.strings, id);
                 if row.is_none() && id != "-1" {
                     let message =
                         format!("expected a road of the map, found {id:?}, which it does not have");
-                    let path =
-                        format!("OpenDRIVE/junction[@id={}]/connection/@{what}", junction.id);
+                    let path = format!(
+                        "OpenDRIVE/junction[@id={}]/connection/@{what}",
+                        junction.id.text()
+                    );
                     let rule = "mapd:compile.orphan_connection";
                     findings.push(finding(
                         rule,
@@ -207,27 +207,26 @@ fn resolve_connections(lowering: &mut Lowering, roads: &ById, findings: &mut Vec
                 }
                 row
             };
-            let incoming = resolve(
-                Some(connection.incoming_road.as_str()).filter(|id| !id.is_empty()),
-                "incomingRoad",
-            );
-            let connecting = match &connection.linked_road {
+            let [incoming, linked, connecting] =
+                [&connection.incoming_road, &connection.linked_road, &connection.connecting_road]
+                    .map(|id| Some(id.text()).filter(|id| !id.is_empty()));
+            let incoming = resolve(incoming, "incomingRoad");
+            let connecting = match linked {
                 Some(linked) => resolve(Some(linked), "linkedRoad"),
-                None => resolve(connection.connecting_road.as_deref(), "connectingRoad"),
+                None => resolve(connecting, "connectingRoad"),
             };
             let links = lowering.rows.connection_lane_links.len();
-            let written = connection
-                .lane_links
-                .iter()
-                .map(|l| ConnectionLaneLinkRow { from: l.from, to: l.to });
+            let written = connection.lane_link.iter().filter_map(|link| {
+                Some(ConnectionLaneLinkRow { from: link.from.value()?, to: link.to.value()? })
+            });
             lowering.rows.connection_lane_links.extend(written);
-            let id = lowering.strings.add(&connection.id);
+            let id = lowering.strings.add(connection.id.text());
             let row = ConnectionRow {
                 id,
                 incoming_road: incoming.unwrap_or(NONE),
                 connecting_road: connecting.unwrap_or(NONE),
                 lane_links: between(links, lowering.rows.connection_lane_links.len()),
-                contact: contact_code(connection.contact_point),
+                contact: contact_code(connection.contact_point.value()),
                 reserved: [0; 3],
             };
             lowering.rows.connections.push(row);

@@ -1,14 +1,17 @@
 //! What a compilation yields besides rows.
 
+use crate::lower::UNUSABLE;
 use mapd_archive::{Provenance, Rows};
-use mapd_xodr::{Finding, LineIndex, Severity};
+use mapd_xodr::source::Places;
+use mapd_xodr::{Finding, Severity, rule_ids};
+use std::sync::Arc;
 
 /// What becomes of a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// Every part of the map can be used.
+    /// There is an archive. The file may still violate the standard, as its findings say.
     Accepted,
-    /// The map has errors; there is no archive.
+    /// Something that the map is built from is missing or unusable; there is no archive.
     Rejected,
 }
 
@@ -39,6 +42,10 @@ pub enum Progress {
 pub struct Diagnostic {
     /// The finding.
     pub finding: Finding,
+    /// Whether the map is rejected because of it.
+    pub rejects: bool,
+    /// Name of the included file that it stands in; empty for the document itself.
+    pub file: Arc<str>,
     /// Line, from 1.
     pub line: u32,
     /// Column in bytes, from 1.
@@ -67,6 +74,7 @@ const KEPT: usize = 10_000;
 pub(crate) struct Collector {
     diagnostics: Vec<Diagnostic>,
     counts: [usize; 3],
+    rejecting: usize,
 }
 
 fn rank(severity: Severity) -> usize {
@@ -78,29 +86,76 @@ fn rank(severity: Severity) -> usize {
 }
 
 impl Collector {
-    pub(crate) fn add(&mut self, findings: Vec<Finding>, lines: &LineIndex) {
-        for finding in findings {
-            let count = &mut self.counts[rank(finding.severity)];
-            *count += 1;
-            if *count <= KEPT {
-                let position = lines.position(finding.span.start);
-                self.diagnostics.push(Diagnostic {
-                    finding,
-                    line: position.line,
-                    column: position.column,
-                });
+    /// Adds the reader's findings about an element, and those of checking and building it.
+    ///
+    /// An error of the reader's says that the file violates the standard. It rejects the map only if the document cannot be
+    /// read on, or if the compiler finds the very thing unusable; then it stands for the compiler's finding.
+    pub(crate) fn add_read(&mut self, read: Vec<Finding>, built: Vec<Finding>, places: &Places) {
+        let (mut unusable, built): (Vec<Finding>, Vec<Finding>) =
+            built.into_iter().partition(|finding| finding.rule == UNUSABLE);
+        unusable.sort_by_key(|finding| finding.span.start);
+        let mut explained = vec![false; unusable.len()];
+        for finding in read {
+            let is_error = finding.severity == Severity::Error;
+            let mut rejects = is_error && !rule_ids::is_structural(finding.rule);
+            // Start tags do not overlap: it can only be about the one that begins last before it.
+            let after = unusable.partition_point(|one| one.span.start <= finding.span.start);
+            let tag = after.checked_sub(1).and_then(|last| unusable.get(last)).map(|one| one.span);
+            let first = unusable.partition_point(|one| Some(one.span.start) < tag.map(|t| t.start));
+            for at in first..after {
+                if is_error && is_about(&finding, &unusable[at]) {
+                    explained[at] = true;
+                    rejects = true;
+                }
             }
+            self.push(finding, rejects, places);
+        }
+        for (finding, explained) in unusable.into_iter().zip(explained) {
+            if !explained {
+                self.push(finding, true, places);
+            }
+        }
+        self.add(built, places);
+    }
+
+    /// Adds findings of which each error rejects the map.
+    pub(crate) fn add(&mut self, findings: Vec<Finding>, places: &Places) {
+        for finding in findings {
+            let rejects = finding.severity == Severity::Error;
+            self.push(finding, rejects, places);
         }
     }
 
-    pub(crate) fn has_errors(&self) -> bool {
-        self.counts[rank(Severity::Error)] > 0
+    fn push(&mut self, finding: Finding, rejects: bool, places: &Places) {
+        let count = &mut self.counts[rank(finding.severity)];
+        // Those that say why there is no archive are kept beyond the others.
+        let kept = *count < KEPT || (rejects && self.rejecting < KEPT);
+        *count += 1;
+        self.rejecting += usize::from(rejects);
+        if kept {
+            let place = places.place(finding.span.start);
+            let (line, column) = (place.position.line, place.position.column);
+            self.diagnostics.push(Diagnostic { finding, rejects, file: place.file, line, column });
+        }
+    }
+
+    pub(crate) fn is_rejected(&self) -> bool {
+        self.rejecting > 0
     }
 
     pub(crate) fn finish(mut self, rows: Option<Rows>, provenance: Provenance) -> Compilation {
         self.diagnostics.sort_by_key(|d| d.finding.span.start);
-        let verdict = if self.has_errors() { Verdict::Rejected } else { Verdict::Accepted };
-        let dropped = self.counts.map(|count| count.saturating_sub(KEPT));
+        let verdict = if self.is_rejected() { Verdict::Rejected } else { Verdict::Accepted };
+        let mut dropped = self.counts;
+        for d in &self.diagnostics {
+            dropped[rank(d.finding.severity)] -= 1;
+        }
         Compilation { rows, provenance, diagnostics: self.diagnostics, dropped, verdict }
     }
+}
+
+/// Whether a finding of the reader's is about what the compiler finds unusable.
+fn is_about(read: &Finding, unusable: &Finding) -> bool {
+    let tag = unusable.span.start..unusable.span.start + u64::from(unusable.span.len);
+    tag.contains(&read.span.start) && read.subject == unusable.subject
 }

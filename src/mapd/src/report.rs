@@ -28,6 +28,7 @@ struct ReportedFinding<'a> {
     file: &'a str,
     line: u32,
     column: u32,
+    rejects: bool,
     path: &'a str,
     message: &'a str,
     hint: &'a str,
@@ -60,12 +61,18 @@ fn of(compiled: &Compilation, severity: Severity) -> impl Iterator<Item = &Diagn
     compiled.diagnostics.iter().filter(move |d| d.finding.severity == severity)
 }
 
+/// The file that a finding stands in.
+fn place<'a>(file: &'a str, diagnostic: &'a Diagnostic) -> &'a str {
+    if diagnostic.file.is_empty() { file } else { &diagnostic.file }
+}
+
 /// The report of a compilation.
 pub fn report<'a>(file: &'a str, compiled: &'a Compilation) -> Report<'a> {
     let finding = |d: &'a Diagnostic| ReportedFinding {
         rule: d.finding.rule,
         severity: severity_name(d.finding.severity),
-        file,
+        file: place(file, d),
+        rejects: d.rejects,
         line: d.line,
         column: d.column,
         path: &d.finding.path,
@@ -91,18 +98,22 @@ pub fn report<'a>(file: &'a str, compiled: &'a Compilation) -> Report<'a> {
     }
 }
 
-/// Prints findings to stderr: errors, then warnings, the first of each; information only as a count.
+/// Prints findings to stderr: what the map is rejected for, other errors, warnings, the first of each; information only as a
+/// count.
 pub fn print(file: &str, compiled: &Compilation) {
     let mut err = std::io::stderr().lock();
     let counts = report(file, compiled).counts;
-    for (severity, count) in
-        [(Severity::Error, counts.errors), (Severity::Warning, counts.warnings)]
-    {
-        for d in of(compiled, severity).take(PRINTED) {
+    let errors =
+        |rejects: bool| of(compiled, Severity::Error).filter(move |d| d.rejects == rejects);
+    for (severity, count, printed) in [
+        (Severity::Error, counts.errors, errors(true).chain(errors(false)).collect::<Vec<_>>()),
+        (Severity::Warning, counts.warnings, of(compiled, Severity::Warning).collect()),
+    ] {
+        for d in printed.into_iter().take(PRINTED) {
             let f = &d.finding;
             let name = severity_name(severity);
-            let _ =
-                writeln!(err, "{file}:{}:{}: {name}[{}]: {}", d.line, d.column, f.rule, f.message);
+            let (file, line, column) = (place(file, d), d.line, d.column);
+            let _ = writeln!(err, "{file}:{line}:{column}: {name}[{}]: {}", f.rule, f.message);
             let _ = writeln!(err, "    at {}", f.path);
             if !f.hint.is_empty() {
                 let _ = writeln!(err, "    hint: {}", f.hint);
@@ -117,7 +128,17 @@ pub fn print(file: &str, compiled: &Compilation) {
             );
         }
     }
-    if compiled.verdict == Verdict::Rejected {
-        let _ = writeln!(err, "{file}: rejected, {} errors", counts.errors);
+    match compiled.verdict {
+        Verdict::Rejected => {
+            let _ = writeln!(err, "{file}: rejected, {} errors", counts.errors);
+        }
+        Verdict::Accepted if counts.errors > 0 => {
+            let _ = writeln!(
+                err,
+                "{file}: accepted; errors against the standard: {}",
+                counts.errors
+            );
+        }
+        Verdict::Accepted => {}
     }
 }

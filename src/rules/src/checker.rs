@@ -142,6 +142,7 @@ impl Checker {
                     severity: applied.severity,
                     span,
                     path: String::new(),
+                    subject: "".into(),
                     message,
                     hint: String::new(),
                 });

@@ -108,6 +108,6 @@ impl Sink<'_> {
         }
         let message = format!("expected {expected}, found {found}");
         let rule = self.rule.id;
-        self.out.push(Finding { rule, severity, span, path, message, hint: String::new() });
+        self.out.push(Finding { rule, severity, span, path, subject: "".into(), message, hint: String::new() });
     }
 }

@@ -28,6 +28,42 @@ impl<T> Attribute<T> {
     }
 }
 
+/// Short way to what an optional attribute says.
+///
+/// ```
+/// use mapd_xodr::{Road, Text, Value};
+/// assert_eq!(Road::default().length.value(), None);
+/// assert_eq!(Road::default().id.text(), "");
+/// ```
+pub trait Value {
+    /// The attribute's type.
+    type Value;
+
+    /// What is written; none where the attribute is absent or cannot be read.
+    fn value(&self) -> Option<Self::Value>;
+}
+
+impl<T: Copy> Value for Option<Attribute<T>> {
+    type Value = T;
+
+    #[inline]
+    fn value(&self) -> Option<T> {
+        self.as_ref().map(|attribute| attribute.value)
+    }
+}
+
+/// Short way to the text of an optional attribute.
+pub trait Text {
+    /// What is written; empty where the attribute is absent or empty.
+    fn text(&self) -> &str;
+}
+
+impl Text for Option<Attribute<Box<str>>> {
+    fn text(&self) -> &str {
+        self.as_ref().map_or("", |attribute| &attribute.value)
+    }
+}
+
 /// A place along a road.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PositionOrEnd {

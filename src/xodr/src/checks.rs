@@ -88,9 +88,8 @@ impl Cursor<'_> {
         for slot in bits(odd) {
             let Some(a) = attributes.get(slot) else { continue };
             let span = self.find_attribute(a.name).map(|raw| self.span_of(raw));
-            let what = format!("@{}", a.name);
             let facts = Facts { versions: a.versions, deprecated: a.deprecated, when: a.when };
-            self.check_age(open, &what, facts, span.unwrap_or(open.span));
+            self.check_age(open, ("@", a.name), facts, span.unwrap_or(open.span));
         }
         let bit = 1 << self.version;
         for slot in bits(missing) {
@@ -121,7 +120,8 @@ impl Cursor<'_> {
     }
 
     /// Says what there is to say about something of another version or variant.
-    fn check_age(&mut self, open: &Open, what: &str, facts: Facts, span: Span) {
+    fn check_age(&mut self, open: &Open, (mark, name): (&str, &str), facts: Facts, span: Span) {
+        let what = format!("{mark}{name}");
         let standard = self.standard();
         let bit: Versions = 1 << self.version;
         if facts.versions & alike(self.version as u8) == 0 {
@@ -129,23 +129,23 @@ impl Cursor<'_> {
                 "expected no {what} in {standard}, found it; the standard has it in {}",
                 words(facts.versions)
             );
-            self.add(rule_ids::OTHER_VERSION, Severity::Warning, span, what, message);
+            self.add(rule_ids::OTHER_VERSION, Severity::Warning, span, name, message);
         } else if facts.versions & bit == 0 {
             let message = format!(
                 "expected no {what}, which {} has but later versions do not, found it",
                 words(facts.versions)
             );
-            self.add(rule_ids::OTHER_VERSION, Severity::Info, span, what, message);
+            self.add(rule_ids::OTHER_VERSION, Severity::Info, span, name, message);
         } else if facts.deprecated & bit != 0 {
             let message = format!("expected no {what}, deprecated in {standard}, found it");
-            self.add(rule_ids::DEPRECATED, Severity::Info, span, what, message);
+            self.add(rule_ids::DEPRECATED, Severity::Info, span, name, message);
         }
         if !self.is_for(open, facts.when) {
             let variant = open.schema.variants.get(usize::from(open.variant)).unwrap_or(&"this");
             let message = format!(
                 "expected no {what} in an element of kind {variant} in {standard}, found it"
             );
-            self.add(rule_ids::VARIANT, Severity::Warning, span, what, message);
+            self.add(rule_ids::VARIANT, Severity::Warning, span, name, message);
         }
     }
 
@@ -155,7 +155,7 @@ impl Cursor<'_> {
         let span = self.tag.span;
         let facts =
             Facts { versions: child.versions, deprecated: child.deprecated, when: child.when };
-        self.check_age(open, child.name, facts, span);
+        self.check_age(open, ("", child.name), facts, span);
         if again {
             let message = format!(
                 "expected {} at most once in {}, found it again; the first is used",
@@ -171,7 +171,8 @@ impl Cursor<'_> {
                 .iter()
                 .rev()
                 .find(|c| c.order == open.order && c.versions & alike(self.version as u8) != 0);
-            let last = last.map_or("what stands before it", |last| last.name);
+            let last = last.or_else(|| open.schema.children.iter().find(|c| c.order == open.order));
+            let last = last.map_or("", |last| last.name);
             let message = format!("expected {} before {last}, found it behind", child.name);
             self.add(rule_ids::ORDER, Severity::Warning, span, child.name, message);
         }

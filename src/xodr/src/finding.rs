@@ -31,6 +31,8 @@ pub struct Finding {
     pub span: Span,
     /// Path of elements, such as `OpenDRIVE/road[@id=12]/planView/geometry`.
     pub path: String,
+    /// Name of the attribute or child that it is about; empty where it is about the element.
+    pub subject: Box<str>,
     /// What was expected and what was found.
     pub message: String,
     /// The way out; may be empty.

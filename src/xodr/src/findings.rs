@@ -45,7 +45,16 @@ impl Findings {
         *count = count.saturating_add(1);
         if *count <= self.limit {
             let (path, message) = make();
-            self.kept.push(Finding { rule, severity, span, path, message, hint: String::new() });
+            let subject = kind.2;
+            self.kept.push(Finding {
+                rule,
+                severity,
+                span,
+                path,
+                subject,
+                message,
+                hint: String::new(),
+            });
             return;
         }
         match more.and_then(|at| self.more.get_mut(at)) {
@@ -69,7 +78,16 @@ impl Findings {
             let message =
                 format!("{} more findings like this ({what}), the first of them here", more.count);
             let (severity, span, path) = (more.severity, more.span, more.path);
-            self.kept.push(Finding { rule, severity, span, path, message, hint: String::new() });
+            let subject = detail;
+            self.kept.push(Finding {
+                rule,
+                severity,
+                span,
+                path,
+                subject,
+                message,
+                hint: String::new(),
+            });
         }
     }
 

@@ -149,7 +149,7 @@ impl Cursor<'_> {
             Kind::Uint => drop(self.uint()),
             Kind::Text => drop(self.text()),
             Kind::Country => drop(self.country()),
-            Kind::SpeedLimit => drop(self.speed_limit()),
+            Kind::SpeedLimit | Kind::LaneSpeedLimit => drop(self.speed_limit()),
             Kind::PositionOrEnd => drop(self.position_or_end()),
             Kind::Boolean | Kind::YesNo | Kind::XsBoolean => drop(self.boolean()),
             Kind::Words(list) => drop(self.word_of(list)),

@@ -182,8 +182,18 @@ impl Cursor<'_> {
     pub(crate) fn speed_limit(&mut self) -> Option<Attribute<Speed>> {
         let lexical = values::speed(self.raw());
         let value = self.lexical(lexical)?;
-        if let Speed::Limit(value) = value {
-            self.in_range(value);
+        match value {
+            Speed::Limit(value) => self.in_range(value),
+            _ if matches!(self.schema.kind, Kind::LaneSpeedLimit) => {
+                let expected = format!("a number ({})", self.standard());
+                self.about(
+                    rule_ids::VALUE,
+                    Severity::Warning,
+                    &expected,
+                    "; read as a road's speed limit would be",
+                );
+            }
+            _ => {}
         }
         Some(self.placed(value))
     }

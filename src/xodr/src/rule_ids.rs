@@ -64,7 +64,7 @@ pub const ENUMERATION: &str = "mapd:value.enumeration";
 pub fn is_structural(rule: &str) -> bool {
     rule.starts_with("mapd:structure.")
         || rule.starts_with("mapd:value.")
-        || matches!(rule, VERSION | NAMESPACE | INCLUDE | BEFORE_DECLARATION)
+        || matches!(rule, VERSION | NAMESPACE | BEFORE_DECLARATION)
 }
 
 /// The id under which ASAM's checker reports what a rule finds; none where it has no such rule.

@@ -51,6 +51,8 @@ pub(crate) enum Kind {
     Country,
     /// A number, `no limit` or `undefined`.
     SpeedLimit,
+    /// A number; the words of a speed limit are read with a warning.
+    LaneSpeedLimit,
     /// A number, `start` or `end`.
     PositionOrEnd,
     Words(&'static WordList),
@@ -268,6 +270,7 @@ impl ChildSchema {
         self
     }
 
+    #[allow(dead_code, reason = "no version so far deprecates an element")]
     pub(crate) const fn deprecated(mut self, versions: Versions) -> Self {
         self.deprecated = versions;
         self

@@ -208,7 +208,7 @@ pub struct LaneSpeed {
     /// `@sOffset` `[m]`: Distance from the start of the lane section. At least 0 since 1.5. Required since 1.5.
     pub s_offset: Option<Attribute<f64>>,
     /// `@max`: Greatest speed allowed. At least 0 since 1.5. Required since 1.5.
-    pub max: Option<Attribute<f64>>,
+    pub max: Option<Attribute<SpeedLimit>>,
     /// `@unit`: Unit of the value.
     pub unit: Option<Attribute<UnitSpeed>>,
     /// What stands inside beyond the standard's own elements.

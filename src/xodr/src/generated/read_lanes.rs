@@ -258,7 +258,7 @@ impl Element for LaneSpeed {
     fn attribute(&mut self, slot: usize, cursor: &mut Cursor<'_>) {
         match slot {
             0 => self.s_offset = cursor.double(),
-            1 => self.max = cursor.double(),
+            1 => self.max = cursor.speed_limit(),
             2 => self.unit = cursor.word::<super::words::UnitSpeed>(),
             _ => {}
         }

@@ -169,7 +169,9 @@ pub(crate) static LANE_SPEED: ElementSchema = ElementSchema::new(
     "LaneSpeed",
     &[
         attribute("sOffset", Kind::Double).required(from(V1_5)).range(Range::AtLeast0, from(V1_5)),
-        attribute("max", Kind::Double).required(from(V1_5)).range(Range::AtLeast0, from(V1_5)),
+        attribute("max", Kind::LaneSpeedLimit)
+            .required(from(V1_5))
+            .range(Range::AtLeast0, from(V1_5)),
         attribute("unit", Kind::Words(&UNIT_SPEED)),
     ],
     &[],

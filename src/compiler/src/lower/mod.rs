@@ -1,0 +1,311 @@
+//! One element after the other, from what the file says to flat rows.
+
+mod need;
+mod reference_line;
+mod sections;
+
+use crate::options::CompileOptions;
+use crate::{finding, origin};
+use mapd_archive::{
+    ContactPoint, JunctionRow, LinkKind, MapRow, NONE, Range, RoadRow, RoadType, RoadTypeRow, Rows,
+    SpeedKind, StringTable,
+};
+use mapd_xodr::{
+    self as xodr, Finding, Header, Junction, JunctionType, Position, Road, Severity, Span,
+    SpeedLimit, Text as _, TrafficRule, UnitSpeed, Value as _,
+};
+pub(crate) use need::{Part, UNUSABLE};
+
+/// Value of `road/@junction` that means none.
+const NO_JUNCTION: &str = "-1";
+
+/// Links as written, kept until every id is known.
+#[derive(Default)]
+pub(crate) struct Links {
+    /// Per road: predecessor and successor as written.
+    pub(crate) roads: Vec<[Option<xodr::LinkedElement>; 2]>,
+    /// Per road: the junction that it names.
+    pub(crate) road_junctions: Vec<Option<String>>,
+    /// Per road: place of its start tag.
+    pub(crate) road_spans: Vec<Span>,
+    /// Per lane row: predecessors and successors as written, ranges of `lane_numbers`.
+    pub(crate) lanes: Vec<[Range; 2]>,
+    pub(crate) lane_numbers: Vec<i32>,
+    /// Junctions as written.
+    pub(crate) junctions: Vec<Junction>,
+}
+
+/// The rows of what has been read so far.
+#[derive(Default)]
+pub(crate) struct Lowering {
+    pub(crate) rows: Rows,
+    pub(crate) strings: StringTable,
+    pub(crate) links: Links,
+    map: Option<MapRow>,
+}
+
+impl Lowering {
+    pub(crate) fn roads(&self) -> usize {
+        self.rows.roads.len()
+    }
+
+    pub(crate) fn header(&mut self, header: &Header) {
+        let mut row: MapRow = bytemuck::Zeroable::zeroed();
+        row.stated_north = header.north.value().unwrap_or(0.0);
+        row.stated_south = header.south.value().unwrap_or(0.0);
+        row.stated_east = header.east.value().unwrap_or(0.0);
+        row.stated_west = header.west.value().unwrap_or(0.0);
+        row.name = self.strings.add(header.name.text());
+        row.version = self.strings.add(header.version.text());
+        row.date = self.strings.add(header.date.text());
+        row.vendor = self.strings.add(header.vendor.text());
+        let reference = header.geo_reference.as_ref().map_or("", |g| g.content.text());
+        row.geo_reference = self.strings.add(reference);
+        let revision = |n: Option<i32>| n.and_then(|n| u16::try_from(n).ok()).unwrap_or(0);
+        row.rev_major = revision(header.rev_major.value());
+        row.rev_minor = revision(header.rev_minor.value());
+        self.map = Some(row);
+    }
+
+    /// Appends a road. Its links are resolved later; whatever makes it unusable is an error finding.
+    pub(crate) fn road(&mut self, road: &Road, position: Position, findings: &mut Vec<Finding>) {
+        let path = format!("OpenDRIVE/road[@id={}]", road.id.text());
+        let mut part = Part { span: road.span, path: (&path, ""), findings };
+        let id = part.need(road.id.as_ref(), "id");
+        let length = part.need(road.length.value(), "length");
+        if length.is_some_and(|length| length < 0.0) {
+            let message = "expected a length that is not negative".to_owned();
+            part.unusable("length", message);
+        }
+        let plan_view = road.plan_view.as_deref();
+        match plan_view {
+            None => part.unusable("planView", "expected the element planView, found none".into()),
+            Some(plan_view) if plan_view.geometry.is_empty() => {
+                part.span = plan_view.span;
+                part.unusable("geometry", "expected the element geometry, found none".into());
+            }
+            Some(_) => {}
+        }
+        let lanes = self.layer(road, &path, findings);
+        // Without id and length there is nothing to hang the road on; the errors say so.
+        let (Some(_), Some(length)) = (id, length.filter(|length| *length >= 0.0)) else { return };
+        let number = self.rows.roads.len() as u32;
+        let geometries = plan_view
+            .map_or_else(Range::default, |plan_view| self.geometries(plan_view, &path, findings));
+        let records = road.elevation_profile.as_ref().map_or(&[][..], |p| &p.elevation);
+        let elevations = self.cubics(records, 0.0, (&path, "elevationProfile/elevation"), findings);
+        let records = road.lateral_profile.as_ref().map_or(&[][..], |p| &p.superelevation);
+        let superelevations =
+            self.cubics(records, 0.0, (&path, "lateralProfile/superelevation"), findings);
+        let records = lanes.map_or(&[][..], |lanes| &lanes.lane_offset);
+        let lane_offsets = self.cubics(records, 0.0, (&path, "lanes/laneOffset"), findings);
+        let types = self.types(road, &path, findings);
+        let sections = lanes.map_or(&[][..], |lanes| &lanes.lane_section);
+        let sections = self.sections(road, sections, (number, length), &path, findings);
+        let link = |of: fn(&xodr::RoadLink) -> &Option<Box<xodr::LinkedElement>>| {
+            let link = of(road.link.as_deref()?).as_deref()?;
+            link.element_id.is_some().then(|| link.clone())
+        };
+        self.links.roads.push([link(|l| &l.predecessor), link(|l| &l.successor)]);
+        let junction = Some(road.junction.text()).filter(|id| !id.is_empty() && *id != NO_JUNCTION);
+        self.links.road_junctions.push(junction.map(str::to_owned));
+        self.links.road_spans.push(road.span);
+        not_built(road, &mut Part { span: road.span, path: (&path, ""), findings });
+        let row = RoadRow {
+            length,
+            id: self.strings.add(road.id.text()),
+            name: self.strings.add(road.name.text()),
+            junction: NONE,
+            predecessor: NONE,
+            successor: NONE,
+            geometries,
+            elevations,
+            superelevations,
+            lane_offsets,
+            sections,
+            types,
+            line: position.line,
+            column: position.column,
+            predecessor_kind: LinkKind::None.code(),
+            successor_kind: LinkKind::None.code(),
+            predecessor_contact: ContactPoint::None.code(),
+            successor_contact: ContactPoint::None.code(),
+            rule: u8::from(road.rule.value() == Some(TrafficRule::Lht)),
+            reserved: [0; 7],
+        };
+        self.rows.roads.push(row);
+    }
+
+    /// The lanes that are built: the first permanent ones.
+    fn layer<'a>(
+        &mut self,
+        road: &'a Road,
+        path: &str,
+        findings: &mut Vec<Finding>,
+    ) -> Option<&'a xodr::Lanes> {
+        let chosen = road.permanent_lanes();
+        let mut part = Part { span: road.span, path: (path, "lanes"), findings };
+        for lanes in road.lanes.iter().filter(|lanes| Some(lanes.span) != chosen.map(|c| c.span)) {
+            let message =
+                "lanes of another layer are not built yet; the first permanent ones are".into();
+            part.span = lanes.span;
+            part.add("mapd:compile.lane_layer", Severity::Info, message);
+        }
+        match chosen {
+            None => {
+                part = Part { span: road.span, path: (path, ""), ..part };
+                part.unusable("lanes", "expected the element lanes, found none".into());
+            }
+            Some(lanes) if lanes.lane_section.is_empty() => {
+                part.span = lanes.span;
+                part.unusable("laneSection", "expected the element laneSection, found none".into());
+            }
+            Some(_) => {}
+        }
+        chosen
+    }
+
+    fn types(&mut self, road: &Road, path: &str, findings: &mut Vec<Finding>) -> Range {
+        let before = self.rows.road_types.len();
+        for record in &road.r#type {
+            let mut part = Part { span: record.span, path: (path, "type"), findings };
+            let Some(s) = part.need(record.s.value(), "s") else { continue };
+            let stated = record.speed.as_deref();
+            let max = stated.and_then(|speed| speed.max.value());
+            let (kind, speed) = speed(max, stated.and_then(|speed| speed.unit.value()));
+            let word = record.r#type.value().map_or("", xodr::RoadType::name);
+            self.rows.road_types.push(RoadTypeRow {
+                s,
+                speed,
+                country: self.strings.add(record.country.text()),
+                kind: RoadType::from_name(word).code(),
+                speed_kind: kind.code(),
+                reserved: [0; 2],
+            });
+        }
+        between(before, self.rows.road_types.len())
+    }
+
+    /// Appends a junction. Its connections are resolved later.
+    pub(crate) fn junction(
+        &mut self,
+        junction: Junction,
+        position: Position,
+        findings: &mut Vec<Finding>,
+    ) {
+        let path = "OpenDRIVE/junction";
+        let mut part = Part { span: junction.span, path: (path, ""), findings };
+        if part.need(junction.id.as_ref(), "id").is_none() {
+            return;
+        }
+        self.rows.junctions.push(JunctionRow {
+            id: self.strings.add(junction.id.text()),
+            name: self.strings.add(junction.name.text()),
+            connections: Range::default(),
+            line: position.line,
+            column: position.column,
+            kind: match junction.r#type.value() {
+                Some(JunctionType::Direct) => 1,
+                Some(JunctionType::Virtual) => 2,
+                Some(JunctionType::Crossing) => 3,
+                _ => 0,
+            },
+            reserved: [0; 3],
+        });
+        let path = format!("OpenDRIVE/junction[@id={}]", junction.id.text());
+        for link in junction.connection.iter().flat_map(|connection| &connection.lane_link) {
+            let path = (path.as_str(), "connection/laneLink");
+            let mut part = Part { span: link.span, path, findings };
+            part.need(link.from.value(), "from");
+            part.need(link.to.value(), "to");
+        }
+        self.links.junctions.push(junction);
+    }
+
+    /// What can be said of the document as a whole.
+    pub(crate) fn finish_reading(&mut self, findings: &mut Vec<Finding>) {
+        if self.rows.roads.is_empty() {
+            let message = "the map has no roads".to_owned();
+            let path = "OpenDRIVE".to_owned();
+            findings.push(finding(
+                "mapd:compile.no_roads",
+                Severity::Warning,
+                Span::default(),
+                path,
+                message,
+                "",
+            ));
+        }
+        if self.strings.is_full() {
+            let message = "names and ids need more than 4 GiB".to_owned();
+            let path = "OpenDRIVE".to_owned();
+            findings.push(finding(
+                "mapd:compile.strings",
+                Severity::Error,
+                Span::default(),
+                path,
+                message,
+                "",
+            ));
+        }
+    }
+
+    /// The tables so far, geometry moved to the local origin.
+    pub(crate) fn into_rows(self, options: &CompileOptions) -> Rows {
+        let mut rows = self.rows;
+        let (x, y) = origin::choose(&rows.geometries);
+        for g in rows.geometries.iter_mut() {
+            g.x -= x;
+            g.y -= y;
+        }
+        let mut map = self.map.unwrap_or_else(bytemuck::Zeroable::zeroed);
+        (map.origin_x, map.origin_y) = (x, y);
+        map.index_tolerance = options.index_tolerance;
+        map.bound_tolerance = options.bound_tolerance;
+        map.road_length = rows.roads.iter().map(|road| road.length).sum();
+        rows.map.push(map);
+        let (bytes, offsets) = self.strings.into_tables();
+        rows.string_bytes = bytes.into();
+        rows.string_offsets = offsets.into();
+        rows
+    }
+}
+
+/// Rows between two lengths. Tables that outgrow 32 bits are refused at the end, before anything is written.
+pub(crate) fn between(before: usize, after: usize) -> Range {
+    Range::between(before, after).unwrap_or_default()
+}
+
+/// Names what shapes the surface and is not built yet.
+fn not_built(road: &Road, part: &mut Part<'_>) {
+    let Some(profile) = &road.lateral_profile else { return };
+    for (there, name) in [
+        (!profile.shape.is_empty(), "lateralProfile/shape"),
+        (!profile.crossfall.is_empty(), "lateralProfile/crossfall"),
+        (profile.cross_section_surface.is_some(), "lateralProfile/crossSectionSurface"),
+    ] {
+        if there {
+            let message = format!(
+                "{name} is not built into the map yet: surface heights of this road lack it"
+            );
+            part.add("mapd:compile.unsupported", Severity::Info, message);
+        }
+    }
+}
+
+/// What a speed record says, in m/s. Without a unit, or with one that is none of speed, m/s is meant.
+fn speed(max: Option<SpeedLimit>, unit: Option<UnitSpeed>) -> (SpeedKind, f64) {
+    match max {
+        None => (SpeedKind::None, 0.0),
+        Some(SpeedLimit::NoLimit) => (SpeedKind::NoLimit, 0.0),
+        Some(SpeedLimit::Undefined) => (SpeedKind::Undefined, 0.0),
+        Some(SpeedLimit::Limit(value)) => {
+            let value = match unit {
+                Some(UnitSpeed::KilometersPerHour) => value / 3.6,
+                Some(UnitSpeed::MilesPerHour) => value * 0.44704,
+                _ => value,
+            };
+            (SpeedKind::Value, value)
+        }
+    }
+}

@@ -1,0 +1,242 @@
+//! Lane sections and lanes.
+
+use super::need::Part;
+use super::{Lowering, between, speed};
+use mapd_archive::{LaneRow, LaneSpeedRow, LaneType, Range, SectionRow, lane_flags};
+use mapd_xodr::{
+    self as xodr, Finding, LaneDirection, Road, Severity, Span, TrafficRule, Value as _,
+};
+
+/// Path of lanes below their road.
+const LANE: &str = "lanes/laneSection/lane";
+
+/// A lane of any of the three groups.
+#[derive(Clone, Copy)]
+struct AnyLane<'a> {
+    id: i32,
+    kind: Option<xodr::LaneType>,
+    level: bool,
+    direction: Option<LaneDirection>,
+    link: Option<&'a xodr::LaneLink>,
+    width: &'a [xodr::LaneWidth],
+    border: &'a [xodr::LaneBorder],
+    speed: &'a [xodr::LaneSpeed],
+    span: Span,
+}
+
+/// The usable lanes of a section, from the leftmost on.
+fn lanes_of<'a>(
+    section: &'a xodr::LaneSection,
+    road: &str,
+    findings: &mut Vec<Finding>,
+) -> Vec<AnyLane<'a>> {
+    let mut id = |span, id: &Option<xodr::Attribute<i32>>| {
+        Part { span, path: (road, LANE), findings }.need(id.value(), "id")
+    };
+    let mut lanes = Vec::new();
+    let sides = [section.left.as_deref(), section.right.as_deref()];
+    for lane in sides.into_iter().flatten().flat_map(|side| &side.lane) {
+        lanes.extend(id(lane.span, &lane.id).map(|id| AnyLane {
+            id,
+            kind: lane.r#type.value(),
+            level: lane.level.value().unwrap_or(false),
+            direction: lane.direction.value(),
+            link: lane.link.as_deref(),
+            width: &lane.width,
+            border: &lane.border,
+            speed: &lane.speed,
+            span: lane.span,
+        }));
+    }
+    for lane in section.center.iter().flat_map(|center| &center.lane) {
+        lanes.extend(id(lane.span, &lane.id).map(|id| AnyLane {
+            id,
+            kind: lane.r#type.value(),
+            level: lane.level.value().unwrap_or(false),
+            direction: None,
+            link: lane.link.as_deref(),
+            width: &lane.width,
+            border: &lane.border,
+            speed: &lane.speed,
+            span: lane.span,
+        }));
+    }
+    lanes.sort_by_key(|lane| (std::cmp::Reverse(lane.id), lane.span.start));
+    lanes
+}
+
+impl Lowering {
+    /// Appends a road's sections.
+    pub(super) fn sections(
+        &mut self,
+        road: &Road,
+        sections: &[xodr::LaneSection],
+        (number, length): (u32, f64),
+        path: &str,
+        findings: &mut Vec<Finding>,
+    ) -> Range {
+        let before = self.rows.sections.len();
+        // A section without s has no place: it is passed over, and the map with it.
+        let placed: Vec<(f64, &xodr::LaneSection)> = sections
+            .iter()
+            .filter_map(|section| {
+                let path = (path, "lanes/laneSection");
+                let mut part = Part { span: section.span, path, findings };
+                Some((part.need(section.s.value(), "s")?, section))
+            })
+            .collect();
+        let right_hand = road.rule.value() != Some(TrafficRule::Lht);
+        for (i, (s, section)) in placed.iter().enumerate() {
+            let s_end = placed.get(i + 1).map_or(length, |(next, _)| *next).max(*s);
+            let lanes = self.section(section, *s, right_hand, path, findings);
+            self.rows.sections.push(SectionRow {
+                s_start: *s,
+                s_end,
+                road: number,
+                lanes,
+                number: i as u32,
+            });
+        }
+        between(before, self.rows.sections.len())
+    }
+
+    /// Appends a section's lanes.
+    fn section(
+        &mut self,
+        section: &xodr::LaneSection,
+        s: f64,
+        right_hand: bool,
+        road: &str,
+        findings: &mut Vec<Finding>,
+    ) -> Range {
+        let tail = format!("lanes/laneSection[@s={s}]");
+        let lanes = lanes_of(section, road, findings);
+        let mut part = Part { span: section.span, path: (road, &tail), findings };
+        if section.single_side.value() == Some(true) {
+            let message =
+                "a section that replaces one side only (singleSide) is not built yet".to_owned();
+            part.add("mapd:compile.single_side", Severity::Error, message);
+        }
+        for pair in lanes.windows(2).filter(|pair| pair[0].id == pair[1].id) {
+            let message = format!("lane {} occurs twice in this section", pair[1].id);
+            part.span = pair[1].span;
+            part.add("asam.net:xodr:1.4.0:ids.id_unique_in_lane_section", Severity::Error, message);
+        }
+        let center = lanes.partition_point(|lane| lane.id > 0);
+        let has_center = lanes.get(center).is_some_and(|lane| lane.id == 0);
+        if !has_center {
+            let message =
+                "expected a center lane with id 0, found none; the reference line stands in"
+                    .to_owned();
+            part.span = section.span;
+            part.add("mapd:compile.center_lane", Severity::Warning, message);
+        }
+        let section_row = self.rows.sections.len() as u32;
+        let before = self.rows.lanes.len();
+        let (left, right) = lanes.split_at(center);
+        for lane in left {
+            self.lane(section_row, s, right_hand, lane, road, findings);
+        }
+        if !has_center {
+            let kind = LaneType::None.code();
+            self.push_lane(section_row, (0, kind, 0), [Range::default(); 2], [&[], &[]]);
+        }
+        for lane in right {
+            self.lane(section_row, s, right_hand, lane, road, findings);
+        }
+        between(before, self.rows.lanes.len())
+    }
+
+    fn lane(
+        &mut self,
+        section: u32,
+        section_s: f64,
+        right_hand: bool,
+        lane: &AnyLane<'_>,
+        road: &str,
+        findings: &mut Vec<Finding>,
+    ) {
+        // Width and border both present: width wins (OpenDRIVE 1.8.1, 11.6.2).
+        let by_border = lane.width.is_empty() && !lane.border.is_empty();
+        let widths = if lane.id == 0 {
+            Range::default()
+        } else if by_border {
+            let path = (road, "lanes/laneSection/lane/border");
+            self.cubics(lane.border, section_s, path, findings)
+        } else {
+            self.cubics(lane.width, section_s, (road, "lanes/laneSection/lane/width"), findings)
+        };
+        let before = self.rows.lane_speeds.len();
+        for record in lane.speed {
+            let path = (road, "lanes/laneSection/lane/speed");
+            let mut part = Part { span: record.span, path, findings };
+            let Some(s) = part.need(record.s_offset.value(), "sOffset") else { continue };
+            let (kind, max) = speed(record.max.value(), record.unit.value());
+            self.rows.lane_speeds.push(LaneSpeedRow {
+                s: section_s + s,
+                max,
+                kind: kind.code().into(),
+                reserved: 0,
+            });
+        }
+        let speeds = between(before, self.rows.lane_speeds.len());
+        let mut forward = (lane.id < 0) == right_hand && lane.id != 0;
+        let kind = LaneType::from_name(lane.kind.map_or("", xodr::LaneType::name));
+        let mut flags = 0;
+        match lane.direction {
+            Some(LaneDirection::Reversed) => forward = !forward && lane.id != 0,
+            Some(LaneDirection::Both) => flags |= lane_flags::BOTH,
+            _ => {}
+        }
+        let set = [
+            (forward, lane_flags::FORWARD),
+            (lane.level, lane_flags::LEVEL),
+            (by_border, lane_flags::BORDER),
+            (kind == LaneType::Bidirectional, lane_flags::BOTH),
+        ];
+        flags |= set.iter().filter(|(on, _)| *on).fold(0, |all, (_, flag)| all | flag);
+        let mut numbers = |linked: &[xodr::LinkedLane]| -> Vec<i32> {
+            let number = |link: &xodr::LinkedLane| {
+                let path = (road, "lanes/laneSection/lane/link");
+                Part { span: link.span, path, findings }.need(link.id.value(), "id")
+            };
+            linked.iter().filter_map(number).collect()
+        };
+        let links = lane.link.map_or_else(Default::default, |link| {
+            [numbers(&link.predecessor), numbers(&link.successor)]
+        });
+        let links = [links[0].as_slice(), links[1].as_slice()];
+        self.push_lane(section, (lane.id, kind.code(), flags), [widths, speeds], links);
+    }
+
+    fn push_lane(
+        &mut self,
+        section: u32,
+        (number, kind, flags): (i32, u8, u8),
+        [widths, speeds]: [Range; 2],
+        links: [&[i32]; 2],
+    ) {
+        let ranges = links.map(|numbers| {
+            let before = self.links.lane_numbers.len();
+            self.links.lane_numbers.extend_from_slice(numbers);
+            between(before, self.links.lane_numbers.len())
+        });
+        self.links.lanes.push(ranges);
+        self.rows.lanes.push(LaneRow {
+            x: 0.0,
+            y: 0.0,
+            z: 0.0,
+            section,
+            widths,
+            speeds,
+            successors: Range::default(),
+            predecessors: Range::default(),
+            center: Range::default(),
+            border: Range::default(),
+            number,
+            kind,
+            flags,
+            reserved: [0; 6],
+        });
+    }
+}
