@@ -16,8 +16,9 @@ pub(crate) struct Applied {
     pub(crate) rule: &'static Rule,
     pub(crate) severity: Severity,
     pub(crate) count: u32,
-    /// The first finding that was not kept.
-    first_left_out: Option<Span>,
+    /// The first finding that was not kept, and the severity of the worst.
+    left_out: Option<(Span, Severity)>,
+    left_out_count: u32,
 }
 
 /// Rules by what they look at.
@@ -94,7 +95,7 @@ impl Checker {
             .filter(|rule| self.settings.applies(rule, self.version))
             .filter_map(|rule| Some((rule, self.settings.severity(rule)?)));
         self.applied = applied
-            .map(|(rule, severity)| Applied { rule, severity, count: 0, first_left_out: None })
+            .map(|(rule, severity)| Applied { rule, severity, count: 0, left_out: None, left_out_count: 0 })
             .collect();
         self.lists = Lists::new(&self.applied);
     }
@@ -131,15 +132,12 @@ impl Checker {
         self.findings[before..].sort_by_key(|finding| finding.span.start);
         self.network = network;
         for applied in &self.applied {
-            let limit = self.settings.findings_of_a_rule;
-            if let Some(span) = applied.first_left_out {
-                let message = format!(
-                    "{} more findings of this rule, the first of them here",
-                    applied.count.saturating_sub(limit)
-                );
+            if let Some((span, severity)) = applied.left_out {
+                let count = applied.left_out_count;
+                let message = format!("{count} more findings of this rule, the first of them here");
                 self.findings.push(Finding {
                     rule: applied.rule.id,
-                    severity: applied.severity,
+                    severity,
                     span,
                     path: String::new(),
                     subject: "".into(),
@@ -168,7 +166,6 @@ impl Checker {
         look: impl FnOnce(&mut Sink<'_>),
     ) {
         let Some(applied) = self.applied.get_mut(rank) else { return };
-        let mut left_out = None;
         let mut sink = Sink {
             rule: applied.rule,
             severity: applied.severity,
@@ -176,10 +173,10 @@ impl Checker {
             path,
             out: &mut self.findings,
             count: &mut applied.count,
-            left_out: &mut left_out,
+            left_out: &mut applied.left_out,
+            left_out_count: &mut applied.left_out_count,
             limit: self.settings.findings_of_a_rule,
         };
         look(&mut sink);
-        applied.first_left_out = applied.first_left_out.or(left_out);
     }
 }

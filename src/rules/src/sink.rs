@@ -43,9 +43,10 @@ pub struct Sink<'a> {
     pub(crate) version: Minor,
     pub(crate) path: &'a [Step<'a>],
     pub(crate) out: &'a mut Vec<Finding>,
-    /// Findings of the rule so far, and how many of them are kept.
+    /// Findings of the rule so far.
     pub(crate) count: &'a mut u32,
-    pub(crate) left_out: &'a mut Option<Span>,
+    pub(crate) left_out: &'a mut Option<(Span, Severity)>,
+    pub(crate) left_out_count: &'a mut u32,
     pub(crate) limit: u32,
 }
 
@@ -91,6 +92,22 @@ impl Sink<'_> {
         self.severity = before;
     }
 
+    /// A finding about a part of a top-level element, for rules on the network.
+    pub fn add_in(
+        &mut self,
+        (element, id, part): (&'static str, &str, &str),
+        span: Span,
+        expected: impl fmt::Display,
+        found: impl fmt::Display,
+    ) {
+        let mut path = write_path(&[Step(element, Key::Id(id))]);
+        if !part.is_empty() {
+            path.push('/');
+            path.push_str(part);
+        }
+        self.add_at(path, self.severity, span, expected, found);
+    }
+
     /// A finding with its own path.
     pub(crate) fn add_at(
         &mut self,
@@ -101,9 +118,11 @@ impl Sink<'_> {
         found: impl fmt::Display,
     ) {
         *self.count = self.count.saturating_add(1);
-        // Errors are all kept: each takes a part out of use.
+        // Errors are all kept: each takes a part out of use. They use up the others' places all the same.
         if *self.count > self.limit && severity < Severity::Error {
-            self.left_out.get_or_insert(span);
+            let left_out = self.left_out.get_or_insert((span, severity));
+            left_out.1 = left_out.1.max(severity);
+            *self.left_out_count = self.left_out_count.saturating_add(1);
             return;
         }
         let message = format!("expected {expected}, found {found}");

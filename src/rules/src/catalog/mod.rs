@@ -2,6 +2,7 @@
 
 mod junctions;
 mod lanes;
+mod network;
 mod objects;
 mod road;
 mod signals;
@@ -20,4 +21,5 @@ pub static GROUPS: &[(&str, &[&[Rule]])] = &[
     ("Objects", objects::RULES),
     ("Header, signals and controllers", signals::RULES),
     ("Junctions", junctions::RULES),
+    ("The whole network", network::RULES),
 ];

@@ -3,7 +3,12 @@
 
 mod collect;
 mod facts;
+mod joints;
+mod overlap;
 
+pub(crate) use collect::contact;
+pub use overlap::{CLEARANCE, Overlap, TOUCH};
+pub use joints::{LaneJoint, Neighbor};
 pub use facts::{
     Contact, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, Part, PartKind, Reference, RoadFacts,
     SectionFacts, Station,
@@ -35,6 +40,7 @@ pub struct Network {
     pub parts: Vec<Part>,
     /// References to ids.
     pub references: Vec<Reference>,
+    overlaps: std::sync::OnceLock<Vec<Overlap>>,
     road_of: HashMap<Box<str>, usize>,
     junction_of: HashMap<Box<str>, usize>,
     connecting: HashMap<Box<str>, Vec<usize>>,

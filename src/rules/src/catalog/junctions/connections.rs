@@ -39,7 +39,7 @@ pub(super) static RULES: &[Rule] = &[
     )
     .since(7)
     .until(7),
-    Rule::error(
+    Rule::warning(
         "mapd:xodr:1.4.0:junction.connection_ids",
         "The connections of a junction have different ids.",
         Junction(ids),

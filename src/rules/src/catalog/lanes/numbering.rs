@@ -25,7 +25,7 @@ pub(super) static RULES: &[Rule] = &[
         ],
     )
     .also(&["asam.net:xodr:1.9.0:road.lane.lane_id_unique"]),
-    Rule::error(
+    Rule::warning(
         "asam.net:xodr:1.4.0:road.lane.lanes_numbered_correctly",
         "Lanes to the left have ids above 0, lanes to the right below 0.",
         Lane(signs),
@@ -115,7 +115,7 @@ fn signs(of: &LaneIn<'_>, sink: &mut Sink<'_>) {
         Side::Right => (id < 0, "a lane id below 0 to the right"),
     };
     if !fits {
-        sink.add(of.lane.span, expected, id);
+        sink.add(of.lane.span, expected, format_args!("{id}; the sign decides"));
     }
 }
 

@@ -22,8 +22,10 @@ const GAP: Tolerance = Tolerance { name: "gap", value: 0.01, unit: "m" };
 const GAP_BROKEN: Tolerance = Tolerance { name: "gap that is an error", value: 1.0, unit: "m" };
 /// Kinks that come from rounding in the file.
 const KINK: Tolerance = Tolerance { name: "kink", value: 1e-3, unit: "rad" };
-/// Kinks beyond which the reference line is broken.
-const KINK_BROKEN: Tolerance = Tolerance { name: "kink that is an error", value: 0.1, unit: "rad" };
+/// Kinks beyond which borders cross one another: an eighth of a full turn. Road data of polygons have smaller ones at every
+/// corner and can be driven.
+const KINK_BROKEN: Tolerance =
+    Tolerance { name: "kink that is an error", value: std::f64::consts::FRAC_PI_4, unit: "rad" };
 /// Steps of curvature that come from rounding in the file.
 const CURVATURE: Tolerance = Tolerance { name: "step of curvature", value: 1e-3, unit: "1/m" };
 

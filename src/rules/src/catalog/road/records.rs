@@ -95,7 +95,7 @@ pub(super) static RULES: &[Rule] = &[
             ),
         ],
     ),
-    rule(
+    Rule::warning(
         "asam.net:xodr:1.4.0:road.shape.elem_asc_order",
         "Shapes stand in the order of s, and where s is the same in the order of t.",
         Road(shapes),
