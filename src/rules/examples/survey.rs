@@ -30,7 +30,10 @@ fn main() -> io::Result<()> {
         checker.finish();
         let network = before.elapsed().as_secs_f64();
         let total = start.elapsed().as_secs_f64();
-        writeln!(out, "== {file} total {total:.2} s, elements {checking:.2} s, network {network:.2} s")?;
+        writeln!(
+            out,
+            "== {file} total {total:.2} s, elements {checking:.2} s, network {network:.2} s"
+        )?;
         let mut counts: BTreeMap<(Severity, &str), (usize, String)> = BTreeMap::new();
         for finding in checker.take_findings() {
             let entry = counts.entry((finding.severity, finding.rule)).or_insert_with(|| {

@@ -95,7 +95,13 @@ impl Checker {
             .filter(|rule| self.settings.applies(rule, self.version))
             .filter_map(|rule| Some((rule, self.settings.severity(rule)?)));
         self.applied = applied
-            .map(|(rule, severity)| Applied { rule, severity, count: 0, left_out: None, left_out_count: 0 })
+            .map(|(rule, severity)| Applied {
+                rule,
+                severity,
+                count: 0,
+                left_out: None,
+                left_out_count: 0,
+            })
             .collect();
         self.lists = Lists::new(&self.applied);
     }
@@ -104,7 +110,8 @@ impl Checker {
     pub fn item(&mut self, item: &Item) {
         if let Item::Header(header) = item {
             let minor = header.rev_minor.map_or(i32::from(NEWEST), |minor| minor.value);
-            self.version = Minor::try_from(minor.clamp(i32::from(OLDEST), i32::from(NEWEST))).unwrap_or(NEWEST);
+            self.version = Minor::try_from(minor.clamp(i32::from(OLDEST), i32::from(NEWEST)))
+                .unwrap_or(NEWEST);
             self.select();
         }
         let before = self.findings.len();

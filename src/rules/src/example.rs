@@ -5,6 +5,8 @@ use crate::rule::Minor;
 /// A snippet of a document, by the place where it belongs. What it does not say is filled in by a sound template.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Example {
+    /// All of a file.
+    File(&'static str),
     /// Top-level elements behind the header.
     Document(&'static str),
     /// Children of the header, in a document with one road.
@@ -56,7 +58,8 @@ impl Example {
     /// The snippet as it is written in the catalog.
     pub fn snippet(&self) -> &'static str {
         match self {
-            Self::Document(text)
+            Self::File(text)
+            | Self::Document(text)
             | Self::Header(text)
             | Self::Road(text)
             | Self::PlanView(text)
@@ -72,6 +75,7 @@ impl Example {
     /// Where the snippet belongs, in words.
     pub fn place(&self) -> &'static str {
         match self {
+            Self::File(_) => "file",
             Self::Document(_) => "document",
             Self::Header(_) => "header",
             Self::Road(_) => "road",
@@ -90,6 +94,7 @@ impl Example {
         let text = self.snippet();
         let mut header = "";
         let body = match self {
+            Self::File(_) => return text.to_owned(),
             Self::Document(_) => text.to_owned(),
             Self::Header(_) => {
                 header = text;
@@ -123,11 +128,20 @@ fn road(text: &str) -> String {
     let line = if text.contains("<planView") { "" } else { LINE };
     let lanes = if text.contains("<lanes") { "" } else { LANES };
     // Links and types stand before the reference line, all else that examples have behind it.
-    let split = ["<planView", "<elevationProfile", "<lateralProfile", "<lanes", "<objects", "<signals", "<surface>", "<railroad"]
-        .iter()
-        .filter_map(|tag| text.find(tag))
-        .min()
-        .unwrap_or(text.len());
+    let split = [
+        "<planView",
+        "<elevationProfile",
+        "<lateralProfile",
+        "<lanes",
+        "<objects",
+        "<signals",
+        "<surface>",
+        "<railroad",
+    ]
+    .iter()
+    .filter_map(|tag| text.find(tag))
+    .min()
+    .unwrap_or(text.len());
     let (before, rest) = text.split_at(split);
     let split = ["<objects", "<signals", "<surface>", "<railroad"]
         .iter()

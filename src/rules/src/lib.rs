@@ -24,6 +24,7 @@
 
 pub mod catalog;
 mod checker;
+mod documentation;
 mod example;
 pub mod line;
 pub mod network;
@@ -36,6 +37,7 @@ pub mod structural;
 mod walk;
 
 pub use checker::Checker;
+pub use documentation::documentation;
 pub use example::Example;
 pub use network::Network;
 pub use place::{LaneIn, ObjectIn, RoadIn, SectionIn, Side, SignalIn};

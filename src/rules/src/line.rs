@@ -45,7 +45,8 @@ pub fn primitive(geometry: &Geometry) -> Option<Primitive> {
     } else if let Some(arc) = &geometry.arc {
         Some(Primitive::Arc { curvature: number(&arc.curvature) })
     } else if let Some(spiral) = &geometry.spiral {
-        let (curvature_start, curvature_end) = (number(&spiral.curv_start), number(&spiral.curv_end));
+        let (curvature_start, curvature_end) =
+            (number(&spiral.curv_start), number(&spiral.curv_end));
         Some(Primitive::Spiral { curvature_start, curvature_end })
     } else if let Some(p) = &geometry.poly3 {
         Some(Primitive::Poly3 { v: [number(&p.a), number(&p.b), number(&p.c), number(&p.d)] })
@@ -76,7 +77,9 @@ impl ReferenceLine {
     pub fn new(plan_view: Option<&PlanView>) -> Self {
         let geometries = plan_view.map_or(&[][..], |plan_view| &plan_view.geometry);
         let pieces = geometries.iter().enumerate();
-        Self { pieces: pieces.filter_map(|(index, geometry)| Piece::new(geometry, index)).collect() }
+        Self {
+            pieces: pieces.filter_map(|(index, geometry)| Piece::new(geometry, index)).collect(),
+        }
     }
 
     /// The point at `s` `[m]`, kept within the piece that begins last before it. None where there is no piece.

@@ -127,6 +127,14 @@ impl Sink<'_> {
         }
         let message = format!("expected {expected}, found {found}");
         let rule = self.rule.id;
-        self.out.push(Finding { rule, severity, span, path, subject: "".into(), message, hint: String::new() });
+        self.out.push(Finding {
+            rule,
+            severity,
+            span,
+            path,
+            subject: "".into(),
+            message,
+            hint: String::new(),
+        });
     }
 }

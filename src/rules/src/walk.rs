@@ -59,7 +59,8 @@ impl Checker {
             self.objects(objects, Some(road), step);
         }
         for signal in road.signals.iter().flat_map(|signals| &signals.signal) {
-            let path = [step, Step("signals", Key::None), Step("signal", Key::Id(text(&signal.id)))];
+            let path =
+                [step, Step("signals", Key::None), Step("signal", Key::Id(text(&signal.id)))];
             apply!(self, signal, Signal, &path, &SignalIn { road, signal });
         }
     }
@@ -85,7 +86,8 @@ impl Checker {
 
     fn objects(&mut self, objects: &Objects, road: Option<&Road>, step: Step<'_>) {
         for object in &objects.object {
-            let path = [step, Step("objects", Key::None), Step("object", Key::Id(text(&object.id)))];
+            let path =
+                [step, Step("objects", Key::None), Step("object", Key::Id(text(&object.id)))];
             apply!(self, object, Object, &path, &ObjectIn { road, object });
         }
     }

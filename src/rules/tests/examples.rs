@@ -27,7 +27,8 @@ fn faults(rule: &Rule) -> Vec<String> {
     let mut faults = Vec::new();
     let text = document(rule, rule.valid);
     let (read, found) = findings(&text);
-    let mut fault = |what: String, text: &str| faults.push(format!("{}: {what}\n{text}\n", rule.id));
+    let mut fault =
+        |what: String, text: &str| faults.push(format!("{}: {what}\n{text}\n", rule.id));
     for finding in read.iter().filter(|finding| finding.severity > Severity::Info) {
         fault(format!("the valid example is not as the schema has it: {finding:?}"), &text);
     }

@@ -1,10 +1,10 @@
 //! Takes from each element what is kept of it.
 
+use super::Network;
 use super::facts::{
     Contact, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, Part, PartKind, Reference, RoadFacts,
     SectionFacts, Station,
 };
-use super::Network;
 use crate::line::ReferenceLine;
 use crate::place::{SectionIn, Side, is_left_hand, junction_of, number, text, value};
 use crate::profile::{borders_at, elevation_at, superelevation_at};
@@ -40,25 +40,49 @@ impl Network {
             Item::Controller(controller) => {
                 self.part(PartKind::Controller, &controller.id, controller.span, None);
                 for control in &controller.control {
-                    self.refer(&[PartKind::Signal], &control.signal_id, "control/@signalId", &controller.id, control.span);
+                    self.refer(
+                        &[PartKind::Signal],
+                        &control.signal_id,
+                        "control/@signalId",
+                        &controller.id,
+                        control.span,
+                    );
                 }
             }
             Item::JunctionGroup(group) => {
                 self.part(PartKind::JunctionGroup, &group.id, group.span, None);
                 for of in &group.junction_reference {
-                    self.refer(&[PartKind::Junction], &of.junction, "junctionReference/@junction", &group.id, of.span);
+                    self.refer(
+                        &[PartKind::Junction],
+                        &of.junction,
+                        "junctionReference/@junction",
+                        &group.id,
+                        of.span,
+                    );
                 }
             }
             Item::Station(station) => {
                 self.part(PartKind::Station, &station.id, station.span, None);
                 for segment in station.platform.iter().flat_map(|platform| &platform.segment) {
-                    self.refer(&[PartKind::Road], &segment.road_id, "segment/@roadId", &station.id, segment.span);
+                    self.refer(
+                        &[PartKind::Road],
+                        &segment.road_id,
+                        "segment/@roadId",
+                        &station.id,
+                        segment.span,
+                    );
                 }
             }
             Item::VmsGroup(group) => {
                 self.part(PartKind::VmsGroup, &group.id, group.span, None);
                 for board in &group.vms_board_reference {
-                    self.refer(&[PartKind::Signal], &board.signal_id, "vmsBoardReference/@signalId", &group.id, board.span);
+                    self.refer(
+                        &[PartKind::Signal],
+                        &board.signal_id,
+                        "vmsBoardReference/@signalId",
+                        &group.id,
+                        board.span,
+                    );
                 }
             }
         }
@@ -104,7 +128,13 @@ impl Network {
             self.refer(road, &priority.low, "priority/@low", from, priority.span);
         }
         for controller in &junction.controller {
-            self.refer(&[PartKind::Controller], &controller.id, "controller/@id", from, controller.span);
+            self.refer(
+                &[PartKind::Controller],
+                &controller.id,
+                "controller/@id",
+                from,
+                controller.span,
+            );
         }
         for section in &junction.road_section {
             self.refer(road, &section.road_id, "roadSection/@roadId", from, section.span);
@@ -134,7 +164,13 @@ impl Network {
             self.part(PartKind::Bridge, &bridge.id, bridge.span, road);
         }
         for object in &objects.object_reference {
-            self.refer(&[PartKind::Object], &object.id, "objects/objectReference/@id", from, object.span);
+            self.refer(
+                &[PartKind::Object],
+                &object.id,
+                "objects/objectReference/@id",
+                from,
+                object.span,
+            );
         }
     }
 
@@ -142,7 +178,13 @@ impl Network {
         for signal in &signals.signal {
             self.part(PartKind::Signal, &signal.id, signal.span, Some(road));
             for dependency in &signal.dependency {
-                self.refer(&[PartKind::Signal], &dependency.id, "signal/dependency/@id", &signal.id, dependency.span);
+                self.refer(
+                    &[PartKind::Signal],
+                    &dependency.id,
+                    "signal/dependency/@id",
+                    &signal.id,
+                    dependency.span,
+                );
             }
             for reference in &signal.reference {
                 let kinds: &[PartKind] = match value(&reference.element_type) {
@@ -150,14 +192,32 @@ impl Network {
                     Some(ReferenceElementType::Object) => &[PartKind::Object],
                     _ => &[PartKind::Signal, PartKind::Object],
                 };
-                self.refer(kinds, &reference.element_id, "signal/reference/@elementId", &signal.id, reference.span);
+                self.refer(
+                    kinds,
+                    &reference.element_id,
+                    "signal/reference/@elementId",
+                    &signal.id,
+                    reference.span,
+                );
             }
             if let Some(position) = &signal.position_road {
-                self.refer(&[PartKind::Road], &position.road_id, "signal/positionRoad/@roadId", &signal.id, position.span);
+                self.refer(
+                    &[PartKind::Road],
+                    &position.road_id,
+                    "signal/positionRoad/@roadId",
+                    &signal.id,
+                    position.span,
+                );
             }
         }
         for reference in &signals.signal_reference {
-            self.refer(&[PartKind::Signal], &reference.id, "signals/signalReference/@id", from, reference.span);
+            self.refer(
+                &[PartKind::Signal],
+                &reference.id,
+                "signals/signalReference/@id",
+                from,
+                reference.span,
+            );
         }
     }
 
@@ -166,15 +226,32 @@ impl Network {
         self.part(PartKind::Road, &road.id, road.span, None);
         let link = road.link.as_deref();
         for neighbor in link.iter().flat_map(|link| &link.neighbor) {
-            self.refer(&[PartKind::Road], &neighbor.element_id, "link/neighbor/@elementId", &road.id, neighbor.span);
+            self.refer(
+                &[PartKind::Road],
+                &neighbor.element_id,
+                "link/neighbor/@elementId",
+                &road.id,
+                neighbor.span,
+            );
         }
         if let Some(id) = junction_of(road) {
             let what = "@junction";
             let (id, from) = (id.into(), text(&road.id).into());
-            self.references.push(Reference { kinds: &[PartKind::Junction], id, what, from, span: road.span });
+            self.references.push(Reference {
+                kinds: &[PartKind::Junction],
+                id,
+                what,
+                from,
+                span: road.span,
+            });
         }
-        let ends = [link.and_then(|link| link.predecessor.as_deref()), link.and_then(|link| link.successor.as_deref())];
-        for (end, what) in ends.iter().zip(["link/predecessor/@elementId", "link/successor/@elementId"]) {
+        let ends = [
+            link.and_then(|link| link.predecessor.as_deref()),
+            link.and_then(|link| link.successor.as_deref()),
+        ];
+        for (end, what) in
+            ends.iter().zip(["link/predecessor/@elementId", "link/successor/@elementId"])
+        {
             let Some(end) = end else { continue };
             let kinds: &[PartKind] = match value(&end.element_type) {
                 Some(ElementType::Junction) => &[PartKind::Junction],
@@ -200,7 +277,13 @@ impl Network {
                 }
             }
             if let Some(partner) = &switch.partner {
-                self.refer(&[PartKind::Switch], &partner.id, "switch/partner/@id", &switch.id, partner.span);
+                self.refer(
+                    &[PartKind::Switch],
+                    &partner.id,
+                    "switch/partner/@id",
+                    &switch.id,
+                    partner.span,
+                );
             }
         }
         let sections = self.add_sections(road);
@@ -243,15 +326,16 @@ impl Network {
                 };
                 let (start, end) = (find(0), find(1));
                 let links = lane.link.as_deref();
-                let links = [links.map(|l| &l.predecessor), links.map(|l| &l.successor)].map(|list| {
-                    let first = self.lane_links.len();
-                    for link in list.into_iter().flatten() {
-                        if let Some(id) = value(&link.id) {
-                            self.lane_links.push(LaneLinkFacts { span: link.span, id });
+                let links =
+                    [links.map(|l| &l.predecessor), links.map(|l| &l.successor)].map(|list| {
+                        let first = self.lane_links.len();
+                        for link in list.into_iter().flatten() {
+                            if let Some(id) = value(&link.id) {
+                                self.lane_links.push(LaneLinkFacts { span: link.span, id });
+                            }
                         }
-                    }
-                    first..self.lane_links.len()
-                });
+                        first..self.lane_links.len()
+                    });
                 let direction = value(&lane.direction).unwrap_or(LaneDirection::Standard);
                 let kind = value(&lane.r#type).unwrap_or(LaneType::None);
                 self.lanes.push(LaneFacts {
@@ -276,7 +360,11 @@ impl Network {
         before..self.sections.len()
     }
 
-    fn add_stations(&mut self, road: &Road, line: &ReferenceLine) -> (std::ops::Range<usize>, [f64; 4]) {
+    fn add_stations(
+        &mut self,
+        road: &Road,
+        line: &ReferenceLine,
+    ) -> (std::ops::Range<usize>, [f64; 4]) {
         let before = self.stations.len();
         let mut bounds = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
         let end = number(&road.length).min(line.end());
@@ -304,7 +392,8 @@ impl Network {
 
 /// Sections of the permanent layer.
 fn permanent(road: &Road) -> impl Iterator<Item = SectionIn<'_>> {
-    let layers = road.lanes.iter().filter(|lanes| value(&lanes.layer) != Some(LayerType::Temporary));
+    let layers =
+        road.lanes.iter().filter(|lanes| value(&lanes.layer) != Some(LayerType::Temporary));
     layers.take(1).flat_map(move |lanes| {
         let sections = lanes.lane_section.iter().enumerate();
         sections.map(move |(index, section)| SectionIn { road, lanes, section, index })

@@ -69,7 +69,8 @@ impl Network {
         let nearer = || {
             let own = self.station_of(road, end)?;
             let [start, last] = Contact::BOTH.map(|end| {
-                self.station_of(target, end).map_or(f64::INFINITY, |s| (s.x - own.x).hypot(s.y - own.y))
+                self.station_of(target, end)
+                    .map_or(f64::INFINITY, |s| (s.x - own.x).hypot(s.y - own.y))
             });
             Some(if start <= last { Contact::Start } else { Contact::End })
         };
@@ -77,7 +78,12 @@ impl Network {
     }
 
     /// What touches an end of a section, given by its rank in its road.
-    pub fn neighbor<'a>(&'a self, road: &'a RoadFacts, rank: usize, end: Contact) -> Option<Neighbor<'a>> {
+    pub fn neighbor<'a>(
+        &'a self,
+        road: &'a RoadFacts,
+        rank: usize,
+        end: Contact,
+    ) -> Option<Neighbor<'a>> {
         let sections = self.sections_of(road);
         let next = match end {
             Contact::Start => rank.checked_sub(1),
@@ -97,7 +103,10 @@ impl Network {
     }
 
     /// Every link of a road's lanes.
-    pub fn lane_joints_of<'a>(&'a self, road: &'a RoadFacts) -> impl Iterator<Item = LaneJoint<'a>> {
+    pub fn lane_joints_of<'a>(
+        &'a self,
+        road: &'a RoadFacts,
+    ) -> impl Iterator<Item = LaneJoint<'a>> {
         let sections = self.sections_of(road).iter().enumerate();
         sections.flat_map(move |(rank, section)| {
             let neighbors = Contact::BOTH.map(|end| self.neighbor(road, rank, end));
@@ -128,7 +137,9 @@ impl Network {
         connecting: Option<(&RoadFacts, Contact)>,
     ) -> Option<Contact> {
         let names = |end: &Contact| {
-            road.link(*end).is_some_and(|link| matches!(&link.target, LinkTarget::Junction(id) if **id == *junction))
+            road.link(*end).is_some_and(
+                |link| matches!(&link.target, LinkTarget::Junction(id) if **id == *junction),
+            )
         };
         let named: Vec<Contact> = Contact::BOTH.into_iter().filter(names).collect();
         match named[..] {
@@ -137,7 +148,9 @@ impl Network {
             _ => {
                 let (connecting, contact) = connecting?;
                 let link = connecting.link(contact)?;
-                matches!(&link.target, LinkTarget::Road(id) if *id == road.id).then_some(link.contact).flatten()
+                matches!(&link.target, LinkTarget::Road(id) if *id == road.id)
+                    .then_some(link.contact)
+                    .flatten()
             }
         }
     }

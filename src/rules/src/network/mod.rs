@@ -7,12 +7,12 @@ mod joints;
 mod overlap;
 
 pub(crate) use collect::contact;
-pub use overlap::{CLEARANCE, Overlap, TOUCH};
-pub use joints::{LaneJoint, Neighbor};
 pub use facts::{
     Contact, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, Part, PartKind, Reference, RoadFacts,
     SectionFacts, Station,
 };
+pub use joints::{LaneJoint, Neighbor};
+pub use overlap::{CLEARANCE, Overlap, TOUCH};
 
 use mapd_xodr::{Attribute, Junction, Span};
 use std::collections::HashMap;

@@ -1,7 +1,7 @@
 //! Where roads overlap, in the plane and in height.
 
-use crate::place::text;
 use super::{LinkTarget, Network, RoadFacts, Station};
+use crate::place::text;
 
 /// Roads may touch by this much without overlapping `[m]`: borders of neighbors are rounded, and drawn a little over.
 pub const TOUCH: f64 = 0.25;
@@ -80,7 +80,8 @@ impl Stretch {
                     let low = along.iter().copied().fold(f64::INFINITY, f64::min);
                     (low, along.iter().copied().fold(f64::NEG_INFINITY, f64::max))
                 };
-                let ((low_a, high_a), (low_b, high_b)) = (range(&self.corners), range(&other.corners));
+                let ((low_a, high_a), (low_b, high_b)) =
+                    (range(&self.corners), range(&other.corners));
                 depth = depth.min(high_a.min(high_b) - low_a.max(low_b));
             }
         }
@@ -102,12 +103,13 @@ impl Network {
         let length = road.length;
         for step in 0..STEPS {
             let [from, to] = [step, step + 1].map(|at| length * at as f64 / STEPS as f64);
-            let stretch = Stretch::new(0, &self.station_at(road, from)?, &self.station_at(road, to)?)?;
+            let stretch =
+                Stretch::new(0, &self.station_at(road, from)?, &self.station_at(road, to)?)?;
             let stations = self.stations_of(other);
-            let is_over = stations
-                .windows(2)
-                .filter_map(|pair| Stretch::new(1, &pair[0], &pair[1]))
-                .any(|other| (other.z - stretch.z).abs() < CLEARANCE && other.depth(&stretch) > 0.0);
+            let is_over =
+                stations.windows(2).filter_map(|pair| Stretch::new(1, &pair[0], &pair[1])).any(
+                    |other| (other.z - stretch.z).abs() < CLEARANCE && other.depth(&stretch) > 0.0,
+                );
             if is_over {
                 range = Some((range.map_or(from, |range| range.0), to));
             }
@@ -162,14 +164,21 @@ impl Network {
         for cell in cells.chunk_by(|a, b| a.0 == b.0) {
             for (at, (_, first)) in cell.iter().enumerate() {
                 for (_, second) in &cell[at + 1..] {
-                    let (Some(a), Some(b)) = (stretches.get(*first as usize), stretches.get(*second as usize)) else { continue };
+                    let (Some(a), Some(b)) =
+                        (stretches.get(*first as usize), stretches.get(*second as usize))
+                    else {
+                        continue;
+                    };
                     let key = (a.road, b.road);
                     if found.contains_key(&key) || !self.may_overlap(a, b, &members) {
                         continue;
                     }
                     let depth = a.depth(b);
                     if depth > TOUCH && (a.z - b.z).abs() < CLEARANCE {
-                        found.insert(key, Overlap { a: a.road, b: b.road, s_a: a.s, s_b: b.s, depth });
+                        found.insert(
+                            key,
+                            Overlap { a: a.road, b: b.road, s_a: a.s, s_b: b.s, depth },
+                        );
                     }
                 }
             }
@@ -179,7 +188,9 @@ impl Network {
 
     /// Whether an overlap of two stretches would tell something: not of neighbors, and not within one junction.
     fn may_overlap(&self, a: &Stretch, b: &Stretch, members: &[Vec<usize>]) -> bool {
-        let (Some(road_a), Some(road_b)) = (self.roads.get(a.road), self.roads.get(b.road)) else { return false };
+        let (Some(road_a), Some(road_b)) = (self.roads.get(a.road), self.roads.get(b.road)) else {
+            return false;
+        };
         if a.road == b.road {
             let apart = (a.s - b.s).abs();
             // A road may lead back to its own start.
@@ -203,9 +214,14 @@ impl Network {
             targets.any(|target| road_b.links.iter().flatten().any(|link| link.target == *target))
         };
         let share_junction = || {
-            let (Some(of_a), Some(of_b)) = (members.get(a.road), members.get(b.road)) else { return false };
+            let (Some(of_a), Some(of_b)) = (members.get(a.road), members.get(b.road)) else {
+                return false;
+            };
             of_a.iter().any(|junction| of_b.binary_search(junction).is_ok())
         };
-        !share_junction() && !touches(road_a, road_b) && !touches(road_b, road_a) && !share_neighbor()
+        !share_junction()
+            && !touches(road_a, road_b)
+            && !touches(road_b, road_a)
+            && !share_neighbor()
     }
 }

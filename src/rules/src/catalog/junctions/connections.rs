@@ -72,13 +72,22 @@ fn both(junction: &xodr::Junction, sink: &mut Sink<'_>) {
     if matches!(kind(junction), Kind::Direct | Kind::Crossing) {
         return;
     }
-    let within: BTreeSet<&str> =
-        junction.connection.iter().filter_map(|c| c.connecting_road.as_ref()).map(|id| &*id.value).collect();
+    let within: BTreeSet<&str> = junction
+        .connection
+        .iter()
+        .filter_map(|c| c.connecting_road.as_ref())
+        .map(|id| &*id.value)
+        .collect();
     for connection in &junction.connection {
         let incoming = text(&connection.incoming_road);
         if within.contains(incoming) && !incoming.is_empty() {
             let found = format_args!("road {incoming}, which is within the junction");
-            sink.add_within("connection", connection.span, "a road that leads into the junction", found);
+            sink.add_within(
+                "connection",
+                connection.span,
+                "a road that leads into the junction",
+                found,
+            );
         }
     }
 }
@@ -110,10 +119,9 @@ fn one_per_pair(junction: &xodr::Junction, sink: &mut Sink<'_>) {
 }
 
 fn one_per_road(junction: &xodr::Junction, sink: &mut Sink<'_>) {
-    let roads = junction
-        .connection
-        .iter()
-        .map(|c| (c.connecting_road.as_ref().map(|id| &id.value), c.span, text(&c.connecting_road)));
+    let roads = junction.connection.iter().map(|c| {
+        (c.connecting_road.as_ref().map(|id| &id.value), c.span, text(&c.connecting_road))
+    });
     repeated(roads, |span, road| {
         let found = format_args!("another of road {road}");
         sink.add_within("connection", span, "one connection of a road within the junction", found);

@@ -39,15 +39,23 @@ fn one_high(junction: &xodr::Junction, sink: &mut Sink<'_>) {
     for priority in &junction.priority {
         high.insert(text(&priority.high));
         if high.len() > 1 {
-            sink.add_within("priority", priority.span, "one road with priority", text(&priority.high));
+            sink.add_within(
+                "priority",
+                priority.span,
+                "one road with priority",
+                text(&priority.high),
+            );
             return;
         }
     }
 }
 
 fn stretches(junction: &xodr::Junction, sink: &mut Sink<'_>) {
-    let own = (kind(junction) == Kind::Virtual)
-        .then_some((&junction.s_start, &junction.s_end, junction.span));
+    let own = (kind(junction) == Kind::Virtual).then_some((
+        &junction.s_start,
+        &junction.s_end,
+        junction.span,
+    ));
     let sections = junction.road_section.iter().map(|s| (&s.s_start, &s.s_end, s.span));
     for (start, end, span) in sections.chain(own) {
         let (start, end) = (number(start), number(end));

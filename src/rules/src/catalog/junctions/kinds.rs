@@ -128,7 +128,12 @@ fn connecting_road(junction: &xodr::Junction, sink: &mut Sink<'_>) {
         return;
     }
     for connection in junction.connection.iter().filter(|c| c.connecting_road.is_some()) {
-        sink.add_within("connection", connection.span, "no @connectingRoad in a direct junction", "one");
+        sink.add_within(
+            "connection",
+            connection.span,
+            "no @connectingRoad in a direct junction",
+            "one",
+        );
     }
 }
 
@@ -164,7 +169,12 @@ fn controllers(junction: &xodr::Junction, sink: &mut Sink<'_>) {
     if kind(junction) == Kind::Virtual
         && let Some(controller) = junction.controller.first()
     {
-        sink.add_within("controller", controller.span, "no controller of a virtual junction", "one");
+        sink.add_within(
+            "controller",
+            controller.span,
+            "no controller of a virtual junction",
+            "one",
+        );
     }
 }
 
@@ -186,7 +196,12 @@ fn crossing(junction: &xodr::Junction, sink: &mut Sink<'_>) {
             sink.add_within("connection", connection.span, "no connection in a crossing", "one");
         }
     } else if let Some(section) = junction.road_section.first() {
-        sink.add_within("roadSection", section.span, "stretches of roads in crossings alone", "one");
+        sink.add_within(
+            "roadSection",
+            section.span,
+            "stretches of roads in crossings alone",
+            "one",
+        );
     }
 }
 
@@ -201,7 +216,8 @@ fn one_to_many(junction: &xodr::Junction, sink: &mut Sink<'_>) {
     if kind(junction) != Kind::Direct || junction.connection.is_empty() {
         return;
     }
-    let incoming: BTreeSet<&str> = junction.connection.iter().map(|c| text(&c.incoming_road)).collect();
+    let incoming: BTreeSet<&str> =
+        junction.connection.iter().map(|c| text(&c.incoming_road)).collect();
     let linked: BTreeSet<&str> = junction.connection.iter().map(|c| text(&c.linked_road)).collect();
     let (few, many) = (incoming.len().min(linked.len()), incoming.len().max(linked.len()));
     // Written in both directions, each road is on both sides.
@@ -219,6 +235,11 @@ fn one_zone(junction: &xodr::Junction, sink: &mut Sink<'_>) {
     }
     let links = junction.connection.iter().flat_map(|connection| &connection.lane_link);
     if let Some(second) = links.filter(|link| link.overlap_zone.is_some()).nth(1) {
-        sink.add_within("connection/laneLink", second.span, "one zone where lanes overlap", "another");
+        sink.add_within(
+            "connection/laneLink",
+            second.span,
+            "one zone where lanes overlap",
+            "another",
+        );
     }
 }

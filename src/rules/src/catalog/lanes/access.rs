@@ -38,7 +38,11 @@ pub(super) static RULES: &[Rule] = &[
 fn no_mix(of: &LaneIn<'_>, sink: &mut Sink<'_>) {
     for pair in of.lane.access.windows(2) {
         let (a, b) = (value(&pair[0].rule), value(&pair[1].rule));
-        if number(&pair[0].s_offset) == number(&pair[1].s_offset) && a.is_some() && b.is_some() && a != b {
+        if number(&pair[0].s_offset) == number(&pair[1].s_offset)
+            && a.is_some()
+            && b.is_some()
+            && a != b
+        {
             sink.add_within("access", pair[1].span, "either allow or deny at one place", "both");
         }
     }

@@ -192,13 +192,18 @@ fn not_wider(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
         return;
     }
     let width = |section: &SectionIn<'_>, side, ds| {
-        borders_at(section, side, ds).iter().map(|(_, inner, outer)| (outer - inner).abs()).sum::<f64>()
+        borders_at(section, side, ds)
+            .iter()
+            .map(|(_, inner, outer)| (outer - inner).abs())
+            .sum::<f64>()
     };
     for side in [Side::Left, Side::Right] {
         for place in 0..PLACES {
             let ds = of.length() * place as f64 / PLACES as f64;
             let s = of.s() + ds;
-            let Some(below) = permanent(of).filter(|section| section.s() <= s).last() else { continue };
+            let Some(below) = permanent(of).filter(|section| section.s() <= s).last() else {
+                continue;
+            };
             let (own, due) = (width(of, side, ds), width(&below, side, s - below.s()));
             if own > due + WIDTH.value {
                 let expected = format_args!("lanes within the {due:.3} m of the permanent ones");
@@ -214,8 +219,12 @@ fn layer_ends(of: &SectionIn<'_>) -> impl Iterator<Item = (f64, bool)> {
     let (s, end, length) = (of.s(), of.s_end(), number(&of.road.length));
     let touches = |at: f64| {
         let sections = of.lanes.lane_section.iter().enumerate();
-        let others = sections.filter(|(index, _)| *index != of.index).map(|(index, section)| SectionIn { section, index, ..*of });
-        others.into_iter().any(|other| (other.s() - at).abs() <= ROUNDING.value || (other.s_end() - at).abs() <= ROUNDING.value)
+        let others = sections
+            .filter(|(index, _)| *index != of.index)
+            .map(|(index, section)| SectionIn { section, index, ..*of });
+        others.into_iter().any(|other| {
+            (other.s() - at).abs() <= ROUNDING.value || (other.s_end() - at).abs() <= ROUNDING.value
+        })
     };
     let begins = (s > ROUNDING.value && !touches(s)).then_some((s, false));
     let ends = (end < length - ROUNDING.value && !touches(end)).then_some((end, true));
@@ -247,7 +256,9 @@ fn breaks(of: &LaneIn<'_>, sink: &mut Sink<'_>) {
     for (s, is_end) in layer_ends(&of.section) {
         let Some(link) = of.lane.link.as_deref() else { return };
         let list = if is_end { &link.successor } else { &link.predecessor };
-        let Some(link) = list.iter().find(|link| text(&link.layer) == "permanent") else { continue };
+        let Some(link) = list.iter().find(|link| text(&link.layer) == "permanent") else {
+            continue;
+        };
         if !permanent(&of.section).any(|section| (section.s() - s).abs() <= ROUNDING.value) {
             let expected = format_args!("a permanent section that begins at s = {s}");
             sink.add_within("link", link.span, expected, "none");

@@ -103,7 +103,12 @@ fn unique(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
     for lane in of.lanes() {
         let Some(id) = value(&lane.id) else { continue };
         if !ids.insert(id) {
-            sink.add_within("lane", lane.span, "a lane id that no other lane of the section has", id);
+            sink.add_within(
+                "lane",
+                lane.span,
+                "a lane id that no other lane of the section has",
+                id,
+            );
         }
     }
 }

@@ -64,7 +64,12 @@ fn exclusive_width(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
         let width = lanes.iter().find_map(|lane| lane.width.first());
         let border = lanes.iter().find_map(|lane| lane.border.first());
         if let (Some(_), Some(border)) = (width, border) {
-            sink.add_within("lane/border", border.span, "either widths or borders on a side", "both");
+            sink.add_within(
+                "lane/border",
+                border.span,
+                "either widths or borders on a side",
+                "both",
+            );
         }
     }
 }
@@ -78,7 +83,12 @@ fn exclusive_offset(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
         let sections = of.sections().filter(|section| std::ptr::eq(section.lanes, lanes));
         let mut all = sections.flat_map(|section| section.lanes());
         if all.any(|lane| !lane.border.is_empty() && lane.width.is_empty()) {
-            sink.add_within("lanes/laneOffset", offset.span, "no lane offset beside borders", "one");
+            sink.add_within(
+                "lanes/laneOffset",
+                offset.span,
+                "no lane offset beside borders",
+                "one",
+            );
         }
     }
 }
@@ -103,7 +113,12 @@ fn overlaps(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
             && let Some(lane) = of.lane(id)
         {
             let found = format_args!("lane {id} {crossing:.3} m inside it at s = {s:.3}");
-            sink.add_within("lane/border", lane.span, "a border outside of the lane before it", found);
+            sink.add_within(
+                "lane/border",
+                lane.span,
+                "a border outside of the lane before it",
+                found,
+            );
         }
     }
 }

@@ -88,7 +88,12 @@ fn lengths(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
             let is_single = pair.iter().any(|section| value(&section.single_side) == Some(true));
             if next - s <= SHORT.value && next >= s && !is_single {
                 let found = format_args!("one from s = {s} to {next}");
-                sink.add_within("lanes/laneSection", pair[0].span, "a section with a length", found);
+                sink.add_within(
+                    "lanes/laneSection",
+                    pair[0].span,
+                    "a section with a length",
+                    found,
+                );
             }
         }
     }

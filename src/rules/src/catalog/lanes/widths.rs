@@ -8,7 +8,8 @@ use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
 
 /// Widths below 0 that come from rounding in the file.
-const NEGATIVE: Tolerance = Tolerance { name: "width below 0 that counts as rounding", value: 1e-3, unit: "m" };
+const NEGATIVE: Tolerance =
+    Tolerance { name: "width below 0 that counts as rounding", value: 1e-3, unit: "m" };
 /// Offsets that count as 0.
 const ROUNDING: Tolerance = Tolerance { name: "sOffset that counts as 0", value: 1e-6, unit: "m" };
 /// Widths that count as none.
@@ -104,7 +105,11 @@ fn long_without(of: &LaneIn<'_>, sink: &mut Sink<'_>) {
         let length = end - start;
         // The next record holds at its own start.
         let before_end = start + 0.999 * length;
-        if length > LONG.value && [start, start + length / 3.0, start + length / 1.5, before_end].into_iter().all(is_none) {
+        if length > LONG.value
+            && [start, start + length / 3.0, start + length / 1.5, before_end]
+                .into_iter()
+                .all(is_none)
+        {
             let found = format_args!("{length} m of it");
             sink.add_within("width", width.span, "no long stretch without width", found);
         }

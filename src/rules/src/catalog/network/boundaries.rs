@@ -122,9 +122,11 @@ fn border(network: &Network, road: &crate::network::RoadFacts, s: f64, lane: i32
     let section = network.section_over(road, s)?;
     let t = match lane {
         // The inner border of the first lane of either side.
-        0 => network.lanes_of(section).iter().find(|lane| lane.id.unsigned_abs() == 1).map_or(0.0, |lane| {
-            Network::borders_over(section, lane, s)[0]
-        }),
+        0 => network
+            .lanes_of(section)
+            .iter()
+            .find(|lane| lane.id.unsigned_abs() == 1)
+            .map_or(0.0, |lane| Network::borders_over(section, lane, s)[0]),
         id => Network::borders_over(section, network.lane(section, id)?, s)[1],
     };
     Some(network.station_at(road, s)?.at(t))
@@ -145,8 +147,10 @@ fn points(network: &Network, segment: &BoundarySegment) -> Option<Vec<Point>> {
         let s = place(&value(&segment.contact_point)?, road.length);
         let section = network.section_over(road, s)?;
         let lanes = network.lanes_of(section);
-        let first = value(&segment.joint_lane_start).or_else(|| lanes.first().map(|lane| lane.id.max(0)))?;
-        let last = value(&segment.joint_lane_end).or_else(|| lanes.last().map(|lane| lane.id.min(0)))?;
+        let first = value(&segment.joint_lane_start)
+            .or_else(|| lanes.first().map(|lane| lane.id.max(0)))?;
+        let last =
+            value(&segment.joint_lane_end).or_else(|| lanes.last().map(|lane| lane.id.min(0)))?;
         return Some(vec![border(network, road, s, first)?, border(network, road, s, last)?]);
     }
     let lane = value(&segment.boundary_lane)?;
@@ -176,7 +180,12 @@ fn closed(network: &Network, sink: &mut Sink<'_>) {
             let gap = distance(end, start);
             if gap > GAP.value {
                 let part = ("junction", text(&junction.id), "boundary/segment");
-                sink.add_in(part, *span, "a segment that begins where the one before ends", format_args!("a gap of {gap:.3} m"));
+                sink.add_in(
+                    part,
+                    *span,
+                    "a segment that begins where the one before ends",
+                    format_args!("a gap of {gap:.3} m"),
+                );
             }
         }
     }
@@ -189,14 +198,25 @@ fn outline(network: &Network, junction: &Junction) -> Option<Vec<Point>> {
 
 fn counter_clockwise(network: &Network, sink: &mut Sink<'_>) {
     for junction in &network.junctions {
-        let Some(points) = outline(network, junction).filter(|points| points.len() > 2) else { continue };
+        let Some(points) = outline(network, junction).filter(|points| points.len() > 2) else {
+            continue;
+        };
         let [x0, y0] = points[0];
         let next = points.iter().skip(1).chain(points.first());
-        let area: f64 = points.iter().zip(next).map(|(a, b)| (a[0] - x0) * (b[1] - y0) - (b[0] - x0) * (a[1] - y0)).sum();
+        let area: f64 = points
+            .iter()
+            .zip(next)
+            .map(|(a, b)| (a[0] - x0) * (b[1] - y0) - (b[0] - x0) * (a[1] - y0))
+            .sum();
         if area < 0.0 {
             let span = junction.boundary.as_ref().map_or(junction.span, |boundary| boundary.span);
             let part = ("junction", text(&junction.id), "boundary");
-            sink.add_in(part, span, "a boundary that runs counter-clockwise", "one that runs clockwise");
+            sink.add_in(
+                part,
+                span,
+                "a boundary that runs counter-clockwise",
+                "one that runs clockwise",
+            );
         }
     }
 }
@@ -207,11 +227,19 @@ fn each_road(network: &Network, sink: &mut Sink<'_>) {
         let id = text(&junction.id);
         for road in &network.roads {
             for end in Contact::BOTH {
-                let leads_in = road.link(end).is_some_and(|link| matches!(&link.target, LinkTarget::Junction(j) if **j == *id));
-                let has_one = boundary.segment.iter().any(|segment| text(&segment.road_id) == &*road.id);
+                let leads_in = road.link(end).is_some_and(
+                    |link| matches!(&link.target, LinkTarget::Junction(j) if **j == *id),
+                );
+                let has_one =
+                    boundary.segment.iter().any(|segment| text(&segment.road_id) == &*road.id);
                 if leads_in && !has_one {
                     let part = ("junction", id, "boundary");
-                    sink.add_in(part, boundary.span, format_args!("a segment at road {}", road.id), "none");
+                    sink.add_in(
+                        part,
+                        boundary.span,
+                        format_args!("a segment at road {}", road.id),
+                        "none",
+                    );
                 }
             }
         }
@@ -235,8 +263,11 @@ fn along(start: Point, direction: Point, point: Point) -> (f64, f64) {
 fn line_crosses(network: &Network, sink: &mut Sink<'_>) {
     for junction in &network.junctions {
         let Some((span, start, direction, length)) = line(junction) else { continue };
-        let Some(points) = outline(network, junction).filter(|points| !points.is_empty()) else { continue };
-        let track: Vec<(f64, f64)> = points.iter().map(|point| along(start, direction, *point)).collect();
+        let Some(points) = outline(network, junction).filter(|points| !points.is_empty()) else {
+            continue;
+        };
+        let track: Vec<(f64, f64)> =
+            points.iter().map(|point| along(start, direction, *point)).collect();
         let next = track.iter().skip(1).chain(track.first());
         let meets = track.iter().zip(next).any(|(a, b)| {
             let touches = a.1.abs() <= GAP.value && a.0 >= -GAP.value && a.0 <= length + GAP.value;
@@ -270,14 +301,26 @@ fn line_spans(network: &Network, sink: &mut Sink<'_>) {
 fn grid_covers(network: &Network, sink: &mut Sink<'_>) {
     for junction in &network.junctions {
         let Some((_, start, direction, _)) = line(junction) else { continue };
-        let (Some(grid), Some(points)) = (&junction.elevation_grid, outline(network, junction)) else { continue };
+        let (Some(grid), Some(points)) = (&junction.elevation_grid, outline(network, junction))
+        else {
+            continue;
+        };
         let parse = |text: &str| text.trim().parse::<f64>().ok().filter(|value| value.is_finite());
-        let (Some(s_start), Some(spacing)) = (parse(text(&grid.s_start)), parse(text(&grid.grid_spacing))) else { continue };
+        let (Some(s_start), Some(spacing)) =
+            (parse(text(&grid.s_start)), parse(text(&grid.grid_spacing)))
+        else {
+            continue;
+        };
         let s_end = s_start + spacing * (grid.elevation.len().saturating_sub(1)) as f64;
         let most = |side: fn(&mapd_xodr::GridElevation) -> &str| {
-            grid.elevation.iter().map(|row| side(row).split_ascii_whitespace().count()).max().unwrap_or(0) as f64
+            grid.elevation
+                .iter()
+                .map(|row| side(row).split_ascii_whitespace().count())
+                .max()
+                .unwrap_or(0) as f64
         };
-        let (left, right) = (most(|row| text(&row.left)) * spacing, most(|row| text(&row.right)) * spacing);
+        let (left, right) =
+            (most(|row| text(&row.left)) * spacing, most(|row| text(&row.right)) * spacing);
         let outside = |point: &Point| {
             let (s, t) = along(start, direction, *point);
             (s_start - s).max(s - s_end).max(t - left).max(-right - t)
@@ -285,7 +328,12 @@ fn grid_covers(network: &Network, sink: &mut Sink<'_>) {
         let beyond = points.iter().map(outside).fold(0.0, f64::max);
         if beyond > GAP.value {
             let part = ("junction", text(&junction.id), "elevationGrid");
-            sink.add_in(part, grid.span, "a grid that covers the junction", format_args!("{beyond:.2} m of it beyond"));
+            sink.add_in(
+                part,
+                grid.span,
+                "a grid that covers the junction",
+                format_args!("{beyond:.2} m of it beyond"),
+            );
         }
     }
 }

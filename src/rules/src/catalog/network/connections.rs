@@ -148,13 +148,20 @@ impl Joined<'_> {
         found: impl std::fmt::Display,
     ) {
         let part = format!("connection[@id={}]", text(&self.connection.id));
-        sink.add_in(("junction", text(&self.junction.id), &part), self.connection.span, expected, found);
+        sink.add_in(
+            ("junction", text(&self.junction.id), &part),
+            self.connection.span,
+            expected,
+            found,
+        );
     }
 }
 
 fn linkage(network: &Network, end: Contact, sink: &mut Sink<'_>) {
     for joined in joined(network).filter(|joined| joined.contact == Some(end)) {
-        let (Some(incoming), Some(connecting)) = (joined.incoming, joined.connecting) else { continue };
+        let (Some(incoming), Some(connecting)) = (joined.incoming, joined.connecting) else {
+            continue;
+        };
         let link = connecting.link(end).map(|link| &link.target);
         if !matches!(link, Some(LinkTarget::Road(id)) if *id == incoming.id) {
             let found = match link {
@@ -162,7 +169,10 @@ fn linkage(network: &Network, end: Contact, sink: &mut Sink<'_>) {
                 Some(LinkTarget::Road(id)) => format!("one to road {id}"),
                 Some(LinkTarget::Junction(id)) => format!("one to junction {id}"),
             };
-            let expected = format_args!("a link from the {end:?} of road {} to road {}", connecting.id, incoming.id);
+            let expected = format_args!(
+                "a link from the {end:?} of road {} to road {}",
+                connecting.id, incoming.id
+            );
             joined.add(sink, expected, found);
         }
     }
@@ -181,7 +191,8 @@ fn belongs(network: &Network, sink: &mut Sink<'_>) {
         let Some(road) = joined.connecting else { continue };
         let id = text(&joined.junction.id);
         if road.junction.as_deref() != Some(id) {
-            let found = format_args!("road {} of {}", road.id, road.junction.as_deref().unwrap_or("none"));
+            let found =
+                format_args!("road {} of {}", road.id, road.junction.as_deref().unwrap_or("none"));
             joined.add(sink, format_args!("a road of junction {id}"), found);
         }
     }
@@ -208,7 +219,9 @@ fn leads_in(network: &Network, sink: &mut Sink<'_>) {
         let (Some(road), Some(end)) = (joined.incoming, joined.incoming_end) else { continue };
         let Some(section) = network.section_at(road, end) else { continue };
         for id in joined.connection.lane_link.iter().filter_map(|link| value(&link.from)) {
-            let Some(lane) = network.lane(section, id).filter(|lane| is_drivable(lane.kind)) else { continue };
+            let Some(lane) = network.lane(section, id).filter(|lane| is_drivable(lane.kind)) else {
+                continue;
+            };
             if Network::goes_along(road, lane).is_some_and(|along| along != (end == Contact::End)) {
                 let found = format_args!("lane {id} of road {}, which leads out of it", road.id);
                 joined.add(sink, "a lane that leads into the junction", found);
@@ -219,16 +232,24 @@ fn leads_in(network: &Network, sink: &mut Sink<'_>) {
 
 fn smooth(network: &Network, sink: &mut Sink<'_>) {
     for joined in joined(network) {
-        let (Some(incoming), Some(incoming_end)) = (joined.incoming, joined.incoming_end) else { continue };
-        let (Some(connecting), Some(contact)) = (joined.connecting, joined.contact) else { continue };
+        let (Some(incoming), Some(incoming_end)) = (joined.incoming, joined.incoming_end) else {
+            continue;
+        };
+        let (Some(connecting), Some(contact)) = (joined.connecting, joined.contact) else {
+            continue;
+        };
         let (Some(from), Some(to)) =
             (network.section_at(incoming, incoming_end), network.section_at(connecting, contact))
         else {
             continue;
         };
         for link in &joined.connection.lane_link {
-            let (Some(from_id), Some(to_id)) = (value(&link.from), value(&link.to)) else { continue };
-            let (Some(a), Some(b)) = (network.lane(from, from_id), network.lane(to, to_id)) else { continue };
+            let (Some(from_id), Some(to_id)) = (value(&link.from), value(&link.to)) else {
+                continue;
+            };
+            let (Some(a), Some(b)) = (network.lane(from, from_id), network.lane(to, to_id)) else {
+                continue;
+            };
             if !is_drivable(a.kind) || !is_drivable(b.kind) {
                 continue;
             }
@@ -238,7 +259,11 @@ fn smooth(network: &Network, sink: &mut Sink<'_>) {
             let (gap, kink) = (a.gap(&b), a.kink(&b));
             if gap > CORNER.value || kink > KINK.value {
                 let expected = format_args!("lanes {from_id} and {to_id} that meet");
-                joined.add(sink, expected, format_args!("a gap of {gap:.3} m and a kink of {kink:.4} rad"));
+                joined.add(
+                    sink,
+                    expected,
+                    format_args!("a gap of {gap:.3} m and a kink of {kink:.4} rad"),
+                );
             }
         }
     }
@@ -264,7 +289,9 @@ fn arms<'a>(network: &'a Network, junction: &'a Junction) -> BTreeSet<&'a str> {
 }
 
 fn not_only_two(network: &Network, sink: &mut Sink<'_>) {
-    for junction in network.junctions.iter().filter(|j| matches!(kind(j), Kind::Default | Kind::Direct)) {
+    for junction in
+        network.junctions.iter().filter(|j| matches!(kind(j), Kind::Default | Kind::Direct))
+    {
         let arms = arms(network, junction);
         if arms.len() <= 2 && !junction.connection.is_empty() {
             let part = ("junction", text(&junction.id), "");
@@ -280,13 +307,19 @@ fn has_choice(network: &Network, sink: &mut Sink<'_>) {
             *from.entry(text(&connection.incoming_road)).or_default() += 1;
             let Some(road) = network.road(text(&connection.connecting_road)) else { continue };
             let Some(contact) = contact(&connection.contact_point) else { continue };
-            if let Some(LinkTarget::Road(id)) = road.link(contact.other()).map(|link| &link.target) {
+            if let Some(LinkTarget::Road(id)) = road.link(contact.other()).map(|link| &link.target)
+            {
                 *to.entry(id).or_default() += 1;
             }
         }
         if !from.is_empty() && from.values().chain(to.values()).all(|count| *count == 1) {
             let part = ("junction", text(&junction.id), "");
-            sink.add_in(part, junction.span, "a choice or a merge", "one way through from each road to each");
+            sink.add_in(
+                part,
+                junction.span,
+                "a choice or a merge",
+                "one way through from each road to each",
+            );
         }
     }
 }
@@ -297,7 +330,8 @@ fn surface(network: &Network, sink: &mut Sink<'_>) {
             continue;
         }
         for road in network.roads_within(text(&junction.id)).filter(|road| road.has_crg) {
-            let expected = format_args!("no surface data, for junction {} has some", text(&junction.id));
+            let expected =
+                format_args!("no surface data, for junction {} has some", text(&junction.id));
             sink.add_in(("road", &road.id, "surface"), road.span, expected, "some");
         }
     }

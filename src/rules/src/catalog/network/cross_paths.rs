@@ -90,7 +90,10 @@ struct End<'a> {
 }
 
 fn paths(network: &Network) -> impl Iterator<Item = (&Junction, &CrossPath)> {
-    network.junctions.iter().flat_map(|junction| junction.cross_path.iter().map(move |path| (junction, path)))
+    network
+        .junctions
+        .iter()
+        .flat_map(|junction| junction.cross_path.iter().map(move |path| (junction, path)))
 }
 
 fn ends(network: &Network) -> impl Iterator<Item = End<'_>> {
@@ -132,7 +135,10 @@ fn lane_types(network: &Network, sink: &mut Sink<'_>) {
         let (Some(road), Some(from)) = (end.touched, value(&end.link.from)) else { continue };
         let section = network.section_over(road, number(&end.link.s));
         let Some(lane) = section.and_then(|section| network.lane(section, from)) else { continue };
-        if !matches!(lane.kind, LaneType::Walking | LaneType::Biking | LaneType::Sidewalk | LaneType::Shared) {
+        if !matches!(
+            lane.kind,
+            LaneType::Walking | LaneType::Biking | LaneType::Sidewalk | LaneType::Shared
+        ) {
             let found = format_args!("lane {from} of road {}, for {}", road.id, lane.kind.name());
             add((end.junction, end.path), sink, "a lane for walking or biking", found);
         }
@@ -142,13 +148,20 @@ fn lane_types(network: &Network, sink: &mut Sink<'_>) {
 fn lanes_there(network: &Network, sink: &mut Sink<'_>) {
     for end in ends(network) {
         let crossing = network.road(text(&end.path.crossing_road));
-        let touched = end.touched.and_then(|road| Some((road, network.section_over(road, number(&end.link.s))?)));
+        let touched = end
+            .touched
+            .and_then(|road| Some((road, network.section_over(road, number(&end.link.s))?)));
         let own = crossing.and_then(|road| Some((road, network.section_at(road, end.contact)?)));
         for (place, id) in [(touched, value(&end.link.from)), (own, value(&end.link.to))] {
             let (Some((road, section)), Some(id)) = (place, id) else { continue };
             if network.lane(section, id).is_none() && id != 0 {
                 let expected = format_args!("a lane of road {}", road.id);
-                add((end.junction, end.path), sink, expected, format_args!("lane {id}, which is not there"));
+                add(
+                    (end.junction, end.path),
+                    sink,
+                    expected,
+                    format_args!("lane {id}, which is not there"),
+                );
             }
         }
     }
@@ -161,11 +174,18 @@ fn contained(network: &Network, sink: &mut Sink<'_>) {
         let Some(station) = network.station_of(crossing, end.contact) else { continue };
         let Some((s, t, _)) = network.project(road, [station.x, station.y]) else { continue };
         let section = network.section_over(road, number(&end.link.s));
-        let Some((section, lane)) = section.and_then(|section| Some((section, network.lane(section, from)?))) else { continue };
+        let Some((section, lane)) =
+            section.and_then(|section| Some((section, network.lane(section, from)?)))
+        else {
+            continue;
+        };
         let [inner, outer] = Network::borders_over(section, lane, s);
         let (low, high) = (inner.min(outer) - OUTSIDE.value, inner.max(outer) + OUTSIDE.value);
         if t < low || t > high {
-            let expected = format_args!("an end within lane {from} of road {}, t from {low:.2} to {high:.2}", road.id);
+            let expected = format_args!(
+                "an end within lane {from} of road {}, t from {low:.2} to {high:.2}",
+                road.id
+            );
             add((end.junction, end.path), sink, expected, format_args!("{t:.2}"));
         }
     }
@@ -182,7 +202,10 @@ fn within_main_road(network: &Network, sink: &mut Sink<'_>) {
             let Some((s, t, _)) = network.project(main, [station.x, station.y]) else { continue };
             let Some(across) = network.station_at(main, s) else { continue };
             if t > across.left + AREA.value || t < across.right - AREA.value {
-                let expected = format_args!("t from {:.2} to {:.2} on road {}", across.right, across.left, main.id);
+                let expected = format_args!(
+                    "t from {:.2} to {:.2} on road {}",
+                    across.right, across.left, main.id
+                );
                 add((junction, path), sink, expected, format_args!("{t:.2}"));
                 break;
             }
@@ -194,14 +217,20 @@ fn within_junction(network: &Network, sink: &mut Sink<'_>) {
     for (junction, path) in paths(network).filter(|(junction, _)| kind(junction) == Kind::Default) {
         let Some(crossing) = network.road(text(&path.crossing_road)) else { continue };
         let mut area = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
-        let crossings: Vec<&str> = junction.cross_path.iter().map(|path| text(&path.crossing_road)).collect();
-        for road in network.roads_within(text(&junction.id)).filter(|road| !crossings.contains(&&*road.id)) {
+        let crossings: Vec<&str> =
+            junction.cross_path.iter().map(|path| text(&path.crossing_road)).collect();
+        for road in
+            network.roads_within(text(&junction.id)).filter(|road| !crossings.contains(&&*road.id))
+        {
             let b = road.bounds;
             area = [area[0].min(b[0]), area[1].min(b[1]), area[2].max(b[2]), area[3].max(b[3])];
         }
         let reach = AREA.value;
         let is_outside = |s: &&crate::network::Station| {
-            s.x < area[0] - reach || s.y < area[1] - reach || s.x > area[2] + reach || s.y > area[3] + reach
+            s.x < area[0] - reach
+                || s.y < area[1] - reach
+                || s.x > area[2] + reach
+                || s.y > area[3] + reach
         };
         if area[0] <= area[2]
             && let Some(station) = network.stations_of(crossing).iter().find(is_outside)

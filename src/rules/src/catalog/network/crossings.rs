@@ -35,14 +35,16 @@ fn cover(network: &Network, sink: &mut Sink<'_>) {
     for junction in network.junctions.iter().filter(|junction| kind(junction) == Kind::Crossing) {
         for section in &junction.road_section {
             let Some(road) = network.road(text(&section.road_id)) else { continue };
-            let others = junction.road_section.iter().filter(|other| other.road_id != section.road_id);
+            let others =
+                junction.road_section.iter().filter(|other| other.road_id != section.road_id);
             for other in others {
                 let Some(other) = network.road(text(&other.road_id)) else { continue };
                 let Some((start, end)) = network.overlap_along(road, other) else { continue };
                 let (from, to) = (number(&section.s_start), number(&section.s_end));
                 if start < from - BEYOND.value || end > to + BEYOND.value {
                     let part = ("junction", text(&junction.id), "roadSection");
-                    let expected = format_args!("a stretch of road {} from {start:.2} to {end:.2}", road.id);
+                    let expected =
+                        format_args!("a stretch of road {} from {start:.2} to {end:.2}", road.id);
                     sink.add_in(part, section.span, expected, format_args!("{from} to {to}"));
                 }
             }

@@ -69,14 +69,28 @@ fn joined(network: &Network) -> impl Iterator<Item = Joined<'_>> {
 }
 
 impl Joined<'_> {
-    fn add(&self, sink: &mut Sink<'_>, expected: impl std::fmt::Display, found: impl std::fmt::Display) {
+    fn add(
+        &self,
+        sink: &mut Sink<'_>,
+        expected: impl std::fmt::Display,
+        found: impl std::fmt::Display,
+    ) {
         let part = format!("connection[@id={}]", text(&self.connection.id));
-        sink.add_in(("junction", text(&self.junction.id), &part), self.connection.span, expected, found);
+        sink.add_in(
+            ("junction", text(&self.junction.id), &part),
+            self.connection.span,
+            expected,
+            found,
+        );
     }
 
     /// The two lanes of each link, as far as they are there.
-    fn edges<'a>(&'a self, network: &'a Network) -> impl Iterator<Item = (i32, i32, Edge, Edge)> + 'a {
-        let ends = [self.incoming, self.linked].map(|(road, end)| network.section_at(road, end).map(|s| (road, s, end)));
+    fn edges<'a>(
+        &'a self,
+        network: &'a Network,
+    ) -> impl Iterator<Item = (i32, i32, Edge, Edge)> + 'a {
+        let ends = [self.incoming, self.linked]
+            .map(|(road, end)| network.section_at(road, end).map(|s| (road, s, end)));
         self.connection.lane_link.iter().filter_map(move |link| {
             let (from, to) = (value(&link.from)?, value(&link.to)?);
             let [a, b] = ends;
@@ -104,7 +118,11 @@ fn smooth(network: &Network, sink: &mut Sink<'_>) {
         for (from, to, a, b) in joined.edges(network) {
             let gap = a.gap(&b);
             if gap > CORNER.value {
-                joined.add(sink, format_args!("lanes {from} and {to} that meet"), format_args!("a gap of {gap:.3} m"));
+                joined.add(
+                    sink,
+                    format_args!("lanes {from} and {to} that meet"),
+                    format_args!("a gap of {gap:.3} m"),
+                );
             }
         }
     }

@@ -16,7 +16,9 @@ pub(super) static RULES: &[Rule] = &[Rule::info(
     All(centered),
     [
         PlanView(r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><line/></geometry>"#),
-        PlanView(r#"<geometry s="0" x="690000" y="5330000" hdg="0" length="100"><line/></geometry>"#),
+        PlanView(
+            r#"<geometry s="0" x="690000" y="5330000" hdg="0" length="100"><line/></geometry>"#,
+        ),
     ],
 )
 .within(&[FAR])
@@ -28,7 +30,8 @@ fn centered(network: &Network, sink: &mut Sink<'_>) {
     };
     if let Some(road) = network.roads.iter().find(far) {
         let span = network.header.unwrap_or(Span::default());
-        let found = format_args!("road {} at ({:.0}, {:.0})", road.id, road.bounds[0], road.bounds[1]);
+        let found =
+            format_args!("road {} at ({:.0}, {:.0})", road.id, road.bounds[0], road.bounds[1]);
         let expected = format_args!("coordinates below {} m and an offset", FAR.value);
         sink.add_at("OpenDRIVE/header".to_owned(), sink.severity, span, expected, found);
     }

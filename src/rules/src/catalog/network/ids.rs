@@ -103,7 +103,12 @@ fn signals_only(network: &Network, sink: &mut Sink<'_>) {
         }
         if let Some((kind, _)) = known.iter().filter(|(_, other)| *other == id).min() {
             let found = format_args!("that of a {}", kind.name());
-            sink.add_in(("road", &reference.from, reference.what), reference.span, "the id of a signal", found);
+            sink.add_in(
+                ("road", &reference.from, reference.what),
+                reference.span,
+                "the id of a signal",
+                found,
+            );
         }
     }
 }

@@ -9,7 +9,8 @@ use crate::sink::Sink;
 use mapd_geometry::normalize_angle;
 
 /// Distance of corners that are meant to be one, as in ASAM's checker.
-pub(super) const CORNER: Tolerance = Tolerance { name: "distance of corners", value: 0.01, unit: "m" };
+pub(super) const CORNER: Tolerance =
+    Tolerance { name: "distance of corners", value: 0.01, unit: "m" };
 /// Headings that are meant to be one.
 pub(super) const KINK: Tolerance = Tolerance { name: "kink", value: 0.01, unit: "rad" };
 /// Heights that are meant to be one.
@@ -116,7 +117,8 @@ fn corners(network: &Network, sink: &mut Sink<'_>) {
         if gap > CORNER.value {
             let (s, id) = (joint.section.s, joint.lane.id);
             let part = format!("lanes/laneSection[@s={s}]/lane[@id={id}]/link");
-            let expected = format_args!("the corners of lane {} of road {}", target.id, neighbor.road.id);
+            let expected =
+                format_args!("the corners of lane {} of road {}", target.id, neighbor.road.id);
             let found = format_args!("them {gap:.3} m away");
             sink.add_in(("road", &joint.road.id, &part), joint.link.span, expected, found);
         }
@@ -137,8 +139,14 @@ fn heights(network: &Network, sink: &mut Sink<'_>) {
             let step = (own.z - other.z).abs();
             if step > STEP.value && apart <= CORNER.value {
                 let span = road.link(end).map_or(road.span, |link| link.span);
-                let expected = format_args!("the height {:.3} m, that of road {}", other.z, target.id);
-                sink.add_in(("road", &road.id, "link"), span, expected, format_args!("{:.3} m", own.z));
+                let expected =
+                    format_args!("the height {:.3} m, that of road {}", other.z, target.id);
+                sink.add_in(
+                    ("road", &road.id, "link"),
+                    span,
+                    expected,
+                    format_args!("{:.3} m", own.z),
+                );
             }
         }
     }

@@ -14,8 +14,12 @@ const NONE: Tolerance = Tolerance { name: "width that counts as none", value: 1e
 macro_rules! sections {
     ($first:literal, $second:literal) => {
         Lanes(concat!(
-            r#"<laneSection s="0"><center><lane id="0" type="none"/></center><right>"#, $first, r#"</right></laneSection>
-<laneSection s="50"><center><lane id="0" type="none"/></center><right>"#, $second, "</right></laneSection>"
+            r#"<laneSection s="0"><center><lane id="0" type="none"/></center><right>"#,
+            $first,
+            r#"</right></laneSection>
+<laneSection s="50"><center><lane id="0" type="none"/></center><right>"#,
+            $second,
+            "</right></laneSection>"
         ))
     };
 }
@@ -112,8 +116,10 @@ pub(super) static RULES: &[Rule] = &[
 ];
 
 const fn roads() -> crate::example::Example {
-    Document(r#"<road id="1" length="50" junction="-1"><link><successor elementType="road" elementId="2" contactPoint="start"/></link><planView><geometry s="0" x="0" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
-<road id="2" length="50" junction="-1"><link><predecessor elementType="road" elementId="1" contactPoint="end"/></link><planView><geometry s="0" x="50" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>"#)
+    Document(
+        r#"<road id="1" length="50" junction="-1"><link><successor elementType="road" elementId="2" contactPoint="start"/></link><planView><geometry s="0" x="0" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
+<road id="2" length="50" junction="-1"><link><predecessor elementType="road" elementId="1" contactPoint="end"/></link><planView><geometry s="0" x="50" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>"#,
+    )
 }
 
 /// Adds a finding about a lane's link.
@@ -135,8 +141,11 @@ fn add(
 fn orphans(network: &Network, sink: &mut Sink<'_>) {
     for joint in network.lane_joints() {
         // Lane 0 is in every section.
-        if let Some(neighbor) = joint.neighbor.filter(|_| joint.target.is_none() && joint.link.id != 0) {
-            let expected = format_args!("a lane of road {} at s = {}", neighbor.road.id, neighbor.section.s);
+        if let Some(neighbor) =
+            joint.neighbor.filter(|_| joint.target.is_none() && joint.link.id != 0)
+        {
+            let expected =
+                format_args!("a lane of road {} at s = {}", neighbor.road.id, neighbor.section.s);
             add(&joint, sink, expected, format_args!("lane {}, which is not there", joint.link.id));
         }
     }
@@ -151,7 +160,8 @@ fn both_ways(network: &Network, sink: &mut Sink<'_>) {
         }
         let back = network.links_of(target, neighbor.end);
         if !back.iter().any(|link| link.id == joint.lane.id) {
-            let expected = format_args!("a link back from lane {} of road {}", target.id, neighbor.road.id);
+            let expected =
+                format_args!("a link back from lane {} of road {}", target.id, neighbor.road.id);
             add(&joint, sink, expected, "none");
         }
     }
@@ -162,7 +172,12 @@ fn opening(network: &Network, sink: &mut Sink<'_>) {
         let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { continue };
         let opens = target.widths[neighbor.end as usize] <= NONE.value;
         if opens && network.links_of(joint.lane, Contact::End).len() > 1 {
-            add(&joint, sink, "no link to a lane that opens here", format_args!("one to lane {}", target.id));
+            add(
+                &joint,
+                sink,
+                "no link to a lane that opens here",
+                format_args!("one to lane {}", target.id),
+            );
         }
     }
 }
@@ -170,7 +185,12 @@ fn opening(network: &Network, sink: &mut Sink<'_>) {
 fn no_width(network: &Network, end: Contact, sink: &mut Sink<'_>) {
     for joint in network.lane_joints().filter(|joint| joint.end == end && joint.target.is_some()) {
         if joint.lane.widths[end as usize] <= NONE.value {
-            add(&joint, sink, "no link of a lane without width here", format_args!("one to lane {}", joint.link.id));
+            add(
+                &joint,
+                sink,
+                "no link of a lane without width here",
+                format_args!("one to lane {}", joint.link.id),
+            );
         }
     }
 }
@@ -190,7 +210,12 @@ fn abrupt(network: &Network, sink: &mut Sink<'_>) {
         let own = joint.lane.widths[joint.end as usize];
         let width = target.widths[neighbor.end as usize];
         if is_one_of_many && (own <= NONE.value || width <= NONE.value) {
-            add(&joint, sink, "widths of both lanes where several link", format_args!("{own} and {width} m"));
+            add(
+                &joint,
+                sink,
+                "widths of both lanes where several link",
+                format_args!("{own} and {width} m"),
+            );
         }
     }
 }
@@ -220,9 +245,16 @@ fn ambiguous(network: &Network, sink: &mut Sink<'_>) {
         let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { continue };
         let is_outside = joint.road.junction.is_none() && neighbor.road.junction.is_none();
         let links = network.links_of(joint.lane, joint.end);
-        let is_second = links.len() > 1 && links.first().is_none_or(|first| first.id != joint.link.id);
-        if neighbor.road.id != joint.road.id && is_outside && is_second && is_drivable(target.kind) {
-            add(&joint, sink, "one lane of the next road, or a junction", format_args!("{}", links.len()));
+        let is_second =
+            links.len() > 1 && links.first().is_none_or(|first| first.id != joint.link.id);
+        if neighbor.road.id != joint.road.id && is_outside && is_second && is_drivable(target.kind)
+        {
+            add(
+                &joint,
+                sink,
+                "one lane of the next road, or a junction",
+                format_args!("{}", links.len()),
+            );
         }
     }
 }
@@ -233,14 +265,18 @@ fn directions(network: &Network, sink: &mut Sink<'_>) {
         if !is_drivable(joint.lane.kind) || !is_drivable(target.kind) {
             continue;
         }
-        let (Some(own), Some(other)) =
-            (Network::goes_along(joint.road, joint.lane), Network::goes_along(neighbor.road, target))
-        else {
+        let (Some(own), Some(other)) = (
+            Network::goes_along(joint.road, joint.lane),
+            Network::goes_along(neighbor.road, target),
+        ) else {
             continue;
         };
         let is_turned = joint.end == neighbor.end;
         if (own == other) == is_turned {
-            let found = format_args!("lane {} of road {}, where it comes from ahead", target.id, neighbor.road.id);
+            let found = format_args!(
+                "lane {} of road {}, where it comes from ahead",
+                target.id, neighbor.road.id
+            );
             add(&joint, sink, "a lane that goes on in the same direction", found);
         }
     }

@@ -31,8 +31,16 @@ pub(super) static RULES: &[Rule] = &[
         "The reference lines of linked roads meet at the ends that the link names.",
         All(meet),
         [
-            pair!(r#"<successor elementType="road" elementId="2" contactPoint="start"/>"#, r#"<predecessor elementType="road" elementId="1" contactPoint="end"/>"#, "50"),
-            pair!(r#"<successor elementType="road" elementId="2" contactPoint="start"/>"#, r#"<predecessor elementType="road" elementId="1" contactPoint="end"/>"#, "52"),
+            pair!(
+                r#"<successor elementType="road" elementId="2" contactPoint="start"/>"#,
+                r#"<predecessor elementType="road" elementId="1" contactPoint="end"/>"#,
+                "50"
+            ),
+            pair!(
+                r#"<successor elementType="road" elementId="2" contactPoint="start"/>"#,
+                r#"<predecessor elementType="road" elementId="1" contactPoint="end"/>"#,
+                "52"
+            ),
         ],
     )
     .within(&[APART]),
@@ -41,8 +49,16 @@ pub(super) static RULES: &[Rule] = &[
         "Of two linked roads each names the other, and the end that touches.",
         All(consistent),
         [
-            pair!(r#"<successor elementType="road" elementId="2" contactPoint="start"/>"#, r#"<predecessor elementType="road" elementId="1" contactPoint="end"/>"#, "50"),
-            pair!(r#"<successor elementType="road" elementId="2" contactPoint="start"/>"#, "", "50"),
+            pair!(
+                r#"<successor elementType="road" elementId="2" contactPoint="start"/>"#,
+                r#"<predecessor elementType="road" elementId="1" contactPoint="end"/>"#,
+                "50"
+            ),
+            pair!(
+                r#"<successor elementType="road" elementId="2" contactPoint="start"/>"#,
+                "",
+                "50"
+            ),
         ],
     )
     .also(&["mapd:xodr:1.4.0:topology.asymmetric_link"]),
@@ -51,9 +67,18 @@ pub(super) static RULES: &[Rule] = &[
         "An end of a road is linked to one road; for more there is a junction.",
         All(one_to_one),
         [
-            pair!(r#"<successor elementType="road" elementId="2" contactPoint="start"/>"#, r#"<predecessor elementType="road" elementId="1" contactPoint="end"/>"#, "50"),
-            pair!(r#"<successor elementType="road" elementId="2" contactPoint="start"/>"#, r#"<predecessor elementType="road" elementId="1" contactPoint="end"/>"#, "50", r#"<road id="3" length="50" junction="-1"><link><predecessor elementType="road" elementId="1" contactPoint="end"/></link><planView><geometry s="0" x="50" y="0" hdg="0.2" length="50"><line/></geometry></planView>
-<lanes><laneSection s="0"><center><lane id="0" type="none"/></center></laneSection></lanes></road>"#),
+            pair!(
+                r#"<successor elementType="road" elementId="2" contactPoint="start"/>"#,
+                r#"<predecessor elementType="road" elementId="1" contactPoint="end"/>"#,
+                "50"
+            ),
+            pair!(
+                r#"<successor elementType="road" elementId="2" contactPoint="start"/>"#,
+                r#"<predecessor elementType="road" elementId="1" contactPoint="end"/>"#,
+                "50",
+                r#"<road id="3" length="50" junction="-1"><link><predecessor elementType="road" elementId="1" contactPoint="end"/></link><planView><geometry s="0" x="50" y="0" hdg="0.2" length="50"><line/></geometry></planView>
+<lanes><laneSection s="0"><center><lane id="0" type="none"/></center></laneSection></lanes></road>"#
+            ),
         ],
     ),
 ];
@@ -79,7 +104,12 @@ fn meet(network: &Network, sink: &mut Sink<'_>) {
             if apart > APART.value && road.junction.is_none() && target.junction.is_none() {
                 let span = road.link(end).map_or(road.span, |link| link.span);
                 let found = format_args!("road {} {apart:.3} m away", target.id);
-                sink.add_in(("road", &road.id, part(end)), span, "a road that begins or ends here", found);
+                sink.add_in(
+                    ("road", &road.id, part(end)),
+                    span,
+                    "a road that begins or ends here",
+                    found,
+                );
             }
         }
     }
@@ -96,12 +126,13 @@ fn consistent(network: &Network, sink: &mut Sink<'_>) {
             if names_junction && road.junction.is_some() {
                 continue;
             }
-            let is_back = network.linked_road(target, contact).is_some_and(|(back, back_end)| {
-                back.id == road.id && back_end == end
-            });
+            let is_back = network
+                .linked_road(target, contact)
+                .is_some_and(|(back, back_end)| back.id == road.id && back_end == end);
             if !is_back {
                 let span = road.link(end).map_or(road.span, |link| link.span);
-                let expected = format_args!("a link back from the {contact:?} of road {}", target.id);
+                let expected =
+                    format_args!("a link back from the {contact:?} of road {}", target.id);
                 let found = match back.map(|link| &link.target) {
                     None => "none".to_owned(),
                     Some(LinkTarget::Road(id)) => format!("one to road {id}"),
@@ -121,7 +152,10 @@ fn one_to_one(network: &Network, sink: &mut Sink<'_>) {
             let before = claimed.insert((&target.id, contact), &road.id);
             if let Some(before) = before.filter(|before| **before != *road.id) {
                 let span = road.link(end).map_or(road.span, |link| link.span);
-                let expected = format_args!("one road at the {contact:?} of road {}, or a junction", target.id);
+                let expected = format_args!(
+                    "one road at the {contact:?} of road {}, or a junction",
+                    target.id
+                );
                 let found = format_args!("roads {before} and {}", road.id);
                 sink.add_in(("road", &road.id, part(end)), span, expected, found);
             }

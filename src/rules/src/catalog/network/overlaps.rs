@@ -63,7 +63,10 @@ fn tell(
     is_of_kind: impl Fn(&Overlap, &RoadFacts, &RoadFacts) -> bool,
 ) {
     for overlap in network.overlaps() {
-        let (Some(a), Some(b)) = (network.roads.get(overlap.a), network.roads.get(overlap.b)) else { continue };
+        let (Some(a), Some(b)) = (network.roads.get(overlap.a), network.roads.get(overlap.b))
+        else {
+            continue;
+        };
         if is_of_kind(overlap, a, b) {
             let found = format_args!(
                 "s = {:.1} of this road {:.2} m deep in s = {:.1} of road {}",

@@ -92,32 +92,50 @@ fn root(parents: &mut [usize], mut at: usize) -> usize {
 
 /// Every pair of lanes that are linked, by rank among all lanes.
 fn linked_lanes(network: &Network, mut show: impl FnMut(usize, usize)) {
-    let rank: HashMap<*const crate::network::LaneFacts, usize> =
-        network.lanes.iter().enumerate().map(|(rank, lane)| (std::ptr::from_ref(lane), rank)).collect();
+    let rank: HashMap<*const crate::network::LaneFacts, usize> = network
+        .lanes
+        .iter()
+        .enumerate()
+        .map(|(rank, lane)| (std::ptr::from_ref(lane), rank))
+        .collect();
     for joint in network.lane_joints() {
         let Some(target) = joint.target else { continue };
-        if let (Some(a), Some(b)) = (rank.get(&std::ptr::from_ref(joint.lane)), rank.get(&std::ptr::from_ref(target))) {
+        if let (Some(a), Some(b)) =
+            (rank.get(&std::ptr::from_ref(joint.lane)), rank.get(&std::ptr::from_ref(target)))
+        {
             show(*a, *b);
         }
     }
     for junction in &network.junctions {
         for connection in &junction.connection {
             let incoming = network.road(text(&connection.incoming_road));
-            let other = if kind(junction) == Kind::Direct { &connection.linked_road } else { &connection.connecting_road };
-            let (Some(incoming), Some(other)) = (incoming, network.road(text(other))) else { continue };
+            let other = if kind(junction) == Kind::Direct {
+                &connection.linked_road
+            } else {
+                &connection.connecting_road
+            };
+            let (Some(incoming), Some(other)) = (incoming, network.road(text(other))) else {
+                continue;
+            };
             let Some(contact) = contact(&connection.contact_point) else { continue };
             let end = network.end_at_junction(incoming, text(&junction.id), Some((other, contact)));
             let from = match end {
                 Some(end) => network.section_at(incoming, end),
                 // Roads leave the main road of a virtual junction somewhere.
-                None => other.link(contact).and_then(|link| network.section_over(incoming, link.s?)),
+                None => {
+                    other.link(contact).and_then(|link| network.section_over(incoming, link.s?))
+                }
             };
-            let (Some(from), Some(to)) = (from, network.section_at(other, contact)) else { continue };
+            let (Some(from), Some(to)) = (from, network.section_at(other, contact)) else {
+                continue;
+            };
             for link in &connection.lane_link {
                 let lanes = value(&link.from).zip(value(&link.to));
-                let lanes = lanes.and_then(|(a, b)| Some((network.lane(from, a)?, network.lane(to, b)?)));
+                let lanes =
+                    lanes.and_then(|(a, b)| Some((network.lane(from, a)?, network.lane(to, b)?)));
                 if let Some((a, b)) = lanes
-                    && let (Some(a), Some(b)) = (rank.get(&std::ptr::from_ref(a)), rank.get(&std::ptr::from_ref(b)))
+                    && let (Some(a), Some(b)) =
+                        (rank.get(&std::ptr::from_ref(a)), rank.get(&std::ptr::from_ref(b)))
                 {
                     show(*a, *b);
                 }
@@ -135,7 +153,10 @@ fn disconnected(network: &Network, sink: &mut Sink<'_>) {
     });
     // Lanes side by side are of one part.
     for section in &network.sections {
-        let lanes = section.lanes.clone().filter(|rank| network.lanes.get(*rank).is_some_and(|lane| is_drivable(lane.kind)));
+        let lanes = section
+            .lanes
+            .clone()
+            .filter(|rank| network.lanes.get(*rank).is_some_and(|lane| is_drivable(lane.kind)));
         let lanes: Vec<usize> = lanes.collect();
         for pair in lanes.windows(2) {
             let (a, b) = (root(&mut parents, pair[0]), root(&mut parents, pair[1]));
@@ -148,7 +169,11 @@ fn disconnected(network: &Network, sink: &mut Sink<'_>) {
             *parts.entry(root(&mut parents, rank)).or_default() += 1;
         }
     }
-    let Some(largest) = parts.iter().max_by_key(|(rank, count)| (**count, std::cmp::Reverse(**rank))).map(|(rank, _)| *rank) else {
+    let Some(largest) = parts
+        .iter()
+        .max_by_key(|(rank, count)| (**count, std::cmp::Reverse(**rank)))
+        .map(|(rank, _)| *rank)
+    else {
         return;
     };
     for (rank, count) in parts.iter().filter(|(rank, _)| **rank != largest) {
@@ -179,9 +204,17 @@ fn dead(network: &Network, sink: &mut Sink<'_>) {
         for section in network.sections_of(road) {
             for (rank, lane) in section.lanes.clone().zip(network.lanes_of(section)) {
                 let has_width = lane.widths.iter().any(|width| *width > 0.0);
-                if is_drivable(lane.kind) && has_width && !is_linked.get(rank).copied().unwrap_or(true) {
+                if is_drivable(lane.kind)
+                    && has_width
+                    && !is_linked.get(rank).copied().unwrap_or(true)
+                {
                     let part = format!("lanes/laneSection[@s={}]/lane[@id={}]", section.s, lane.id);
-                    sink.add_in(("road", &road.id, &part), lane.span, "a link of the lane", "none at either end");
+                    sink.add_in(
+                        ("road", &road.id, &part),
+                        lane.span,
+                        "a link of the lane",
+                        "none at either end",
+                    );
                 }
             }
         }
@@ -235,7 +268,8 @@ fn no_progress(network: &Network, sink: &mut Sink<'_>) {
         if road.length >= PROGRESS.value {
             continue;
         }
-        let is_short = |road: usize| network.roads.get(road).is_some_and(|r| r.length < PROGRESS.value);
+        let is_short =
+            |road: usize| network.roads.get(road).is_some_and(|r| r.length < PROGRESS.value);
         let length = loop_from(network, &next, (rank, Contact::End), is_short);
         if let Some(length) = length.filter(|length| *length < PROGRESS.value) {
             let found = format_args!("one of {length} m");
@@ -246,8 +280,10 @@ fn no_progress(network: &Network, sink: &mut Sink<'_>) {
 
 fn junction_cycle(network: &Network, sink: &mut Sink<'_>) {
     let next = next_roads(network);
-    for (rank, road) in network.roads.iter().enumerate().filter(|(_, road)| road.junction.is_some()) {
-        let is_within = |other: usize| network.roads.get(other).is_some_and(|o| o.junction == road.junction);
+    for (rank, road) in network.roads.iter().enumerate().filter(|(_, road)| road.junction.is_some())
+    {
+        let is_within =
+            |other: usize| network.roads.get(other).is_some_and(|o| o.junction == road.junction);
         let leads_within = road.links.iter().flatten().any(|link| {
             matches!(&link.target, LinkTarget::Road(id) if network.road_rank(id).is_some_and(is_within))
         });

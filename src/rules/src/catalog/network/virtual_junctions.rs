@@ -73,7 +73,12 @@ fn leaving(network: &Network) -> impl Iterator<Item = Leaving<'_>> {
 }
 
 impl Leaving<'_> {
-    fn add(&self, sink: &mut Sink<'_>, expected: impl std::fmt::Display, found: impl std::fmt::Display) {
+    fn add(
+        &self,
+        sink: &mut Sink<'_>,
+        expected: impl std::fmt::Display,
+        found: impl std::fmt::Display,
+    ) {
         let part = match self.end {
             Contact::Start => "link/predecessor",
             Contact::End => "link/successor",
@@ -87,7 +92,8 @@ fn at_ends(network: &Network, sink: &mut Sink<'_>) {
     for leaving in leaving(network) {
         let ends = [number(&leaving.junction.s_start), number(&leaving.junction.s_end)];
         if ends.iter().all(|end| (leaving.s - end).abs() > PLACE.value) {
-            let expected = format_args!("s of {} or {} on road {}", ends[0], ends[1], leaving.main.id);
+            let expected =
+                format_args!("s of {} or {} on road {}", ends[0], ends[1], leaving.main.id);
             leaving.add(sink, expected, leaving.s);
         }
     }
@@ -95,12 +101,14 @@ fn at_ends(network: &Network, sink: &mut Sink<'_>) {
 
 fn heading(network: &Network, sink: &mut Sink<'_>) {
     for leaving in leaving(network) {
-        let (Some(main), Some(own)) =
-            (network.station_at(leaving.main, leaving.s), network.station_of(leaving.road, leaving.end))
-        else {
+        let (Some(main), Some(own)) = (
+            network.station_at(leaving.main, leaving.s),
+            network.station_of(leaving.road, leaving.end),
+        ) else {
             continue;
         };
-        let kink = Edge { station: main, borders: [0.0; 2] }.kink(&Edge { station: *own, borders: [0.0; 2] });
+        let kink = Edge { station: main, borders: [0.0; 2] }
+            .kink(&Edge { station: *own, borders: [0.0; 2] });
         if kink > KINK.value {
             let expected = format_args!("the heading of road {}", leaving.main.id);
             leaving.add(sink, expected, format_args!("one that differs by {kink:.4} rad"));
@@ -119,7 +127,8 @@ fn smooth(network: &Network, sink: &mut Sink<'_>) {
                 let (Some(from), Some(to)) = (value(&link.from), value(&link.to)) else { continue };
                 let Some(gap) = gap(network, &leaving, from, to) else { continue };
                 if gap > CORNER.value {
-                    let expected = format_args!("lane {to} at lane {from} of road {}", leaving.main.id);
+                    let expected =
+                        format_args!("lane {to} at lane {from} of road {}", leaving.main.id);
                     leaving.add(sink, expected, format_args!("a gap of {gap:.3} m"));
                 }
             }

@@ -15,8 +15,12 @@ pub(super) static RULES: &[Rule] = &[
         "An object is either round, with a radius, or has length and width.",
         Object(round_or_angular),
         [
-            In(r#"<object id="1" type="pole" s="10" t="4" zOffset="0" orientation="none" radius="0.1" height="3"/>"#),
-            In(r#"<object id="1" type="pole" s="10" t="4" zOffset="0" orientation="none" radius="0.1" length="1" width="1" height="3"/>"#),
+            In(
+                r#"<object id="1" type="pole" s="10" t="4" zOffset="0" orientation="none" radius="0.1" height="3"/>"#,
+            ),
+            In(
+                r#"<object id="1" type="pole" s="10" t="4" zOffset="0" orientation="none" radius="0.1" length="1" width="1" height="3"/>"#,
+            ),
         ],
     ),
     Rule::info(

@@ -227,12 +227,20 @@ fn continuous(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
             let Some(compiled) = compiled(curve) else { continue };
             let start = Start::new(number(&curve.u), number(&curve.v), number(&curve.hdg));
             let length = number(&curve.length);
-            let Some(shape) = Curve::new(compiled.kind, start, length, &compiled.coefficients) else { continue };
+            let Some(shape) = Curve::new(compiled.kind, start, length, &compiled.coefficients)
+            else {
+                continue;
+            };
             let end = shape.evaluate(length);
             let gap = (number(&next.u) - end.x).hypot(number(&next.v) - end.y);
             if gap > GAP.value {
                 let found = format_args!("one {gap:.3} m away");
-                sink.add_within("outlines/outline/curveLocal", next.span, "a start where the curve before ends", found);
+                sink.add_within(
+                    "outlines/outline/curveLocal",
+                    next.span,
+                    "a start where the curve before ends",
+                    found,
+                );
             }
         }
     }
@@ -240,7 +248,9 @@ fn continuous(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
 
 fn length_match(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
     for curve in all(of.object).flat_map(|outline| &outline.curve_local) {
-        let Some(longer) = compiled(curve).map(|compiled| compiled.length_mismatch) else { continue };
+        let Some(longer) = compiled(curve).map(|compiled| compiled.length_mismatch) else {
+            continue;
+        };
         if longer.abs() > LENGTH.value {
             let expected = format_args!("a curve of the length {} m", number(&curve.length));
             let found = format_args!("one that is {longer:.4} m longer");

@@ -170,7 +170,12 @@ fn on_one_outline(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
             None => !has_outline || all(of.object).any(fits),
         };
         if !is_on_one && !named.is_empty() {
-            sink.add_within(PART, marking.span, "corners of one outline", format_args!("{named:?}"));
+            sink.add_within(
+                PART,
+                marking.span,
+                "corners of one outline",
+                format_args!("{named:?}"),
+            );
         }
     }
 }
@@ -208,7 +213,12 @@ fn in_order(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
         // Going around, ranks fall once.
         let falls = ranks.windows(2).filter(|pair| pair[1] < pair[0]).count();
         if falls > 1 || (falls == 1 && ranks.last() > ranks.first()) {
-            sink.add_within(PART, marking.span, "corners in the order of the outline", format_args!("{named:?}"));
+            sink.add_within(
+                PART,
+                marking.span,
+                "corners in the order of the outline",
+                format_args!("{named:?}"),
+            );
         }
     }
 }
@@ -220,7 +230,12 @@ fn enclosed(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
         let corners = corners(outline);
         let is_closed = value(&outline.closed) != Some(false);
         if is_closed && corners.len() > 2 && named == corners {
-            sink.add_within(PART, marking.span, "the first corner again at the end", "all corners but that");
+            sink.add_within(
+                PART,
+                marking.span,
+                "the first corner again at the end",
+                "all corners but that",
+            );
         }
     }
 }

@@ -11,7 +11,8 @@ use std::collections::BTreeSet;
 /// How far outlines may reach beyond the box.
 const BEYOND: Tolerance = Tolerance { name: "reach beyond the box", value: 0.01, unit: "m" };
 /// Points of outlines that are nearer than this are meant to be one.
-const TOUCH: Tolerance = Tolerance { name: "distance of points that touch", value: 0.01, unit: "m" };
+const TOUCH: Tolerance =
+    Tolerance { name: "distance of points that touch", value: 0.01, unit: "m" };
 /// Pairs of points of one object's outlines that are compared at most.
 const PAIRS: usize = 1_000_000;
 
@@ -109,7 +110,12 @@ fn ids(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
     let mut ids = BTreeSet::new();
     for outline in all(of.object) {
         if let Some(id) = value(&outline.id).filter(|id| !ids.insert(*id)) {
-            sink.add_within("outlines/outline", outline.span, "an id that no other outline has", id);
+            sink.add_within(
+                "outlines/outline",
+                outline.span,
+                "an id that no other outline has",
+                id,
+            );
         }
     }
 }
@@ -128,7 +134,12 @@ fn has_corners(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
         let corners = outline.corner_local.len() + outline.corner_road.len();
         if corners < 2 && outline.curve_local.is_empty() {
             let expected = "at least two corners or a curve";
-            sink.add_within("outlines/outline", outline.span, expected, format_args!("{corners} corners"));
+            sink.add_within(
+                "outlines/outline",
+                outline.span,
+                expected,
+                format_args!("{corners} corners"),
+            );
         }
     }
 }
@@ -144,7 +155,12 @@ fn inside_box(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
             let (u, v) = (number(&corner.u), number(&corner.v));
             if u.abs() > length / 2.0 + BEYOND.value || v.abs() > width / 2.0 + BEYOND.value {
                 let expected = format_args!("corners within {length} by {width} m");
-                sink.add_within("outlines/outline/cornerLocal", corner.span, expected, format_args!("one at ({u}, {v})"));
+                sink.add_within(
+                    "outlines/outline/cornerLocal",
+                    corner.span,
+                    expected,
+                    format_args!("one at ({u}, {v})"),
+                );
                 return;
             }
         }
@@ -166,7 +182,12 @@ fn touching(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
                 let apart = (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2]);
                 if apart > 0.0 && apart < TOUCH.value {
                     let found = format_args!("one {apart:.6} m beside it");
-                    sink.add_within("outlines/outline/cornerLocal", corner.span, "the very point of the other outline", found);
+                    sink.add_within(
+                        "outlines/outline/cornerLocal",
+                        corner.span,
+                        "the very point of the other outline",
+                        found,
+                    );
                 }
             }
         }
@@ -178,7 +199,12 @@ fn complete(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
         if value(&border.use_complete_outline) == Some(true)
             && let Some(corner) = border.corner_reference.first()
         {
-            sink.add_within("borders/border", corner.span, "no corners beside the complete outline", "one");
+            sink.add_within(
+                "borders/border",
+                corner.span,
+                "no corners beside the complete outline",
+                "one",
+            );
         }
     }
 }
@@ -187,7 +213,12 @@ fn border_outline(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
     let ids: BTreeSet<u32> = all(of.object).filter_map(|outline| value(&outline.id)).collect();
     for border in of.object.borders.iter().flat_map(|borders| &borders.border) {
         if let Some(id) = value(&border.outline_id).filter(|id| !ids.contains(id)) {
-            sink.add_within("borders/border", border.span, "the id of one of the object's outlines", id);
+            sink.add_within(
+                "borders/border",
+                border.span,
+                "the id of one of the object's outlines",
+                id,
+            );
         }
     }
 }

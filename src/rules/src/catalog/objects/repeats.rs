@@ -87,7 +87,12 @@ fn sizes(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
             ("radiusEnd", &repeat.radius_end),
         ] {
             if given.is_some() {
-                sink.add_within("repeat", repeat.span, format_args!("no {name} beside outlines or a skeleton"), "one");
+                sink.add_within(
+                    "repeat",
+                    repeat.span,
+                    format_args!("no {name} beside outlines or a skeleton"),
+                    "one",
+                );
             }
         }
     }
@@ -98,9 +103,15 @@ fn widths(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
         return;
     }
     for repeat in &of.object.repeat {
-        for (name, given) in [("widthStart", &repeat.width_start), ("widthEnd", &repeat.width_end)] {
+        for (name, given) in [("widthStart", &repeat.width_start), ("widthEnd", &repeat.width_end)]
+        {
             if number(given) != 0.0 {
-                sink.add_within("repeat", repeat.span, format_args!("no {name} beside a radius"), "one");
+                sink.add_within(
+                    "repeat",
+                    repeat.span,
+                    format_args!("no {name} beside a radius"),
+                    "one",
+                );
             }
         }
     }
@@ -112,7 +123,12 @@ fn own_frame(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
     }
     for outline in super::outlines::all(of.object) {
         if let Some(corner) = outline.corner_road.first() {
-            sink.add_within("outlines/outline/cornerRoad", corner.span, "corners in the object's own frame", "corners along the road");
+            sink.add_within(
+                "outlines/outline/cornerRoad",
+                corner.span,
+                "corners in the object's own frame",
+                "corners along the road",
+            );
         }
     }
 }
@@ -124,7 +140,12 @@ fn on_road(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
         let (start, end) = (number(&repeat.s), number(&repeat.s) + number(&repeat.length));
         if start < -BEHIND.value || end > length + BEHIND.value {
             let expected = format_args!("a repetition within the road's {length} m");
-            sink.add_within("repeat", repeat.span, expected, format_args!("one from {start} to {end}"));
+            sink.add_within(
+                "repeat",
+                repeat.span,
+                expected,
+                format_args!("one from {start} to {end}"),
+            );
         }
     }
 }

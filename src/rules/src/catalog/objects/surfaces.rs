@@ -81,11 +81,20 @@ fn hidden(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     let own = of.road.surface.iter().flat_map(|surface| &surface.crg);
     let own: Vec<_> = own.filter(|crg| value(&crg.mode) != Some(CrgMode::Attached)).collect();
     for object in of.road.objects.iter().flat_map(|objects| &objects.object) {
-        let Some(crg) = object.surface.as_ref().and_then(|surface| surface.crg.as_ref()) else { continue };
+        let Some(crg) = object.surface.as_ref().and_then(|surface| surface.crg.as_ref()) else {
+            continue;
+        };
         let (s, half) = (number(&object.s), number(&object.length) / 2.0);
-        let overlaps = |crg: &&&xodr::RoadCrg| number(&crg.s_start) < s + half && s - half < number(&crg.s_end);
+        let overlaps = |crg: &&&xodr::RoadCrg| {
+            number(&crg.s_start) < s + half && s - half < number(&crg.s_end)
+        };
         if value(&crg.hide_road_surface_crg) == Some(true) && own.iter().any(|crg| overlaps(&crg)) {
-            sink.add_within("objects/object/surface/CRG", crg.span, "the road's surface data not hidden", "them hidden");
+            sink.add_within(
+                "objects/object/surface/CRG",
+                crg.span,
+                "the road's surface data not hidden",
+                "them hidden",
+            );
         }
     }
 }
@@ -125,7 +134,8 @@ fn skewed(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
     let bend = record.map_or(0.0, |record| record.cubic.second_derivative(s - record.s).abs());
     let size = number(&object.length).max(number(&object.width));
     if size * bend > 1.0 {
-        let expected = format_args!("an object below {:.2} m, the radius of the road's height", 1.0 / bend);
+        let expected =
+            format_args!("an object below {:.2} m, the radius of the road's height", 1.0 / bend);
         sink.add(object.span, expected, format_args!("{size} m"));
     }
 }

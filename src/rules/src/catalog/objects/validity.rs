@@ -12,7 +12,12 @@ macro_rules! object {
     ($orientation:literal, $from:literal, $to:literal) => {
         In(concat!(
             r#"<object id="1" type="pole" s="10" t="4" zOffset="0" orientation=""#,
-            $orientation, r#""><validity fromLane=""#, $from, r#"" toLane=""#, $to, r#""/></object>"#
+            $orientation,
+            r#""><validity fromLane=""#,
+            $from,
+            r#"" toLane=""#,
+            $to,
+            r#""/></object>"#
         ))
     };
 }
@@ -190,13 +195,19 @@ fn known_lanes(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     };
     if let Some(objects) = &of.road.objects {
         objects.object.iter().for_each(|o| look("objects/object/validity", &o.validity));
-        objects.object_reference.iter().for_each(|o| look("objects/objectReference/validity", &o.validity));
+        objects
+            .object_reference
+            .iter()
+            .for_each(|o| look("objects/objectReference/validity", &o.validity));
         objects.tunnel.iter().for_each(|o| look("objects/tunnel/validity", &o.validity));
         objects.bridge.iter().for_each(|o| look("objects/bridge/validity", &o.validity));
     }
     if let Some(signals) = &of.road.signals {
         signals.signal.iter().for_each(|s| look("signals/signal/validity", &s.validity));
-        signals.signal_reference.iter().for_each(|s| look("signals/signalReference/validity", &s.validity));
+        signals
+            .signal_reference
+            .iter()
+            .for_each(|s| look("signals/signalReference/validity", &s.validity));
     }
 }
 

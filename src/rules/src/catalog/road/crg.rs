@@ -73,7 +73,9 @@ fn all<'a>(of: &RoadIn<'a>) -> impl Iterator<Item = &'a RoadCrg> + use<'a> {
 
 fn attached_friction(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     for crg in all(of) {
-        if value(&crg.mode) == Some(CrgMode::Attached) && value(&crg.purpose) == Some(CrgPurpose::Friction) {
+        if value(&crg.mode) == Some(CrgMode::Attached)
+            && value(&crg.purpose) == Some(CrgPurpose::Friction)
+        {
             sink.add_within(PART, crg.span, "another mode than attached for friction", "attached");
         }
     }
@@ -91,15 +93,24 @@ fn friction_z(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
 
 fn h_offset(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     for crg in all(of).filter(|crg| crg.h_offset.is_some()) {
-        if let Some(mode) = value(&crg.mode).filter(|m| !matches!(m, CrgMode::Genuine | CrgMode::Global)) {
-            sink.add_within(PART, crg.span, "no hOffset", format_args!("one in the mode {}", mode.name()));
+        if let Some(mode) =
+            value(&crg.mode).filter(|m| !matches!(m, CrgMode::Genuine | CrgMode::Global))
+        {
+            sink.add_within(
+                PART,
+                crg.span,
+                "no hOffset",
+                format_args!("one in the mode {}", mode.name()),
+            );
         }
     }
 }
 
 fn opposite(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     for crg in all(of).filter(|crg| value(&crg.orientation) == Some(Direction::Opposite)) {
-        if let Some(mode) = value(&crg.mode).filter(|m| !matches!(m, CrgMode::Attached | CrgMode::Attached0)) {
+        if let Some(mode) =
+            value(&crg.mode).filter(|m| !matches!(m, CrgMode::Attached | CrgMode::Attached0))
+        {
             let found = format_args!("opposite in the mode {}", mode.name());
             sink.add_within(PART, crg.span, "the orientation same", found);
         }
@@ -115,7 +126,12 @@ fn one_per_place(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
                 && number(&crg.s_start) < number(&other.s_end)
         };
         if all[..rank].iter().any(|other| overlaps(&other)) {
-            sink.add_within(PART, crg.span, "one file for a place and purpose", "another; the last is used");
+            sink.add_within(
+                PART,
+                crg.span,
+                "one file for a place and purpose",
+                "another; the last is used",
+            );
         }
     }
 }
@@ -124,7 +140,12 @@ fn offsets(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     for crg in all(of).filter(|crg| value(&crg.mode) == Some(CrgMode::Global)) {
         for (name, given) in [("sOffset", &crg.s_offset), ("tOffset", &crg.t_offset)] {
             if given.is_some() {
-                sink.add_within(PART, crg.span, format_args!("no {name} in the mode global"), "one");
+                sink.add_within(
+                    PART,
+                    crg.span,
+                    format_args!("no {name} in the mode global"),
+                    "one",
+                );
             }
         }
     }

@@ -76,9 +76,10 @@ pub(super) static RULES: &[Rule] = &[
 fn alone(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     let Some(profile) = &of.road.lateral_profile else { return };
     let Some(surface) = &profile.cross_section_surface else { return };
-    for (name, is_there) in
-        [("superelevation", !profile.superelevation.is_empty()), ("shape", !profile.shape.is_empty())]
-    {
+    for (name, is_there) in [
+        ("superelevation", !profile.superelevation.is_empty()),
+        ("shape", !profile.shape.is_empty()),
+    ] {
         if is_there {
             let expected = format_args!("no {name} beside it");
             sink.add_within("lateralProfile/crossSectionSurface", surface.span, expected, "one");
@@ -126,7 +127,12 @@ fn lone_strip(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     for side in by_side(of) {
         if let [(id, strip)] = side[..] {
             if id.unsigned_abs() != 1 {
-                sink.add_within(STRIP, strip.span, "the id 1 or -1 of the only strip of a side", id);
+                sink.add_within(
+                    STRIP,
+                    strip.span,
+                    "the id 1 or -1 of the only strip of a side",
+                    id,
+                );
             }
             if strip.width.is_some() {
                 sink.add_within(STRIP, strip.span, "no width of the only strip of a side", "one");
@@ -168,11 +174,14 @@ fn starts_right(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
 
 fn coverage(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     for (s, t, span) in first_shapes(of) {
-        let Some(section) = of.sections().filter(|section| section.s() <= s).last() else { continue };
+        let Some(section) = of.sections().filter(|section| section.s() <= s).last() else {
+            continue;
+        };
         let borders = borders_at(&section, Side::Right, s - section.s());
         let Some(outermost) = borders.last().map(|border| border.2) else { continue };
         if outermost < t - COVER.value {
-            let expected = format_args!("shapes from t = {outermost:.3}, where the lanes end, at s = {s}");
+            let expected =
+                format_args!("shapes from t = {outermost:.3}, where the lanes end, at s = {s}");
             sink.add_within("lateralProfile/shape", span, expected, t);
         }
     }

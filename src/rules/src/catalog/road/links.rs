@@ -91,7 +91,12 @@ fn to_junction(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
             ("elementDir", link.element_dir.is_some()),
         ] {
             if given {
-                sink.add_within(part, link.span, format_args!("no {name} beside a junction"), "one");
+                sink.add_within(
+                    part,
+                    link.span,
+                    format_args!("no {name} beside a junction"),
+                    "one",
+                );
             }
         }
     }

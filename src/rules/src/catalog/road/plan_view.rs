@@ -175,7 +175,12 @@ fn s_is_sum(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     for geometry in geometries(of) {
         let s = number(&geometry.s);
         if (s - sum).abs() > LENGTH.value {
-            sink.add_within(PART, geometry.span, format_args!("s = {sum}, the lengths before it"), s);
+            sink.add_within(
+                PART,
+                geometry.span,
+                format_args!("s = {sum}, the lengths before it"),
+                s,
+            );
             return;
         }
         sum += number(&geometry.length);
@@ -195,7 +200,9 @@ fn length_is_sum(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
 fn joints(of: &RoadIn<'_>, mut show: impl FnMut(&Geometry, f64, f64, f64)) {
     let all = geometries(of);
     for pair in of.line.pieces.windows(2).filter(|pair| pair[0].index + 1 == pair[1].index) {
-        let (Some(end), Some(start)) = (pair[0].at(pair[0].length), pair[1].at(0.0)) else { continue };
+        let (Some(end), Some(start)) = (pair[0].at(pair[0].length), pair[1].at(0.0)) else {
+            continue;
+        };
         let Some(geometry) = all.get(pair[1].index) else { continue };
         let gap = (start.x - end.x).hypot(start.y - end.y);
         let kink = normalize_angle(start.heading - end.heading).abs();

@@ -116,7 +116,12 @@ fn arc_length_range(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
             && let Some(longer) = mismatch(of, at).filter(broken)
         {
             let expected = format_args!("a parameter from 0 to {length} that is the arc length");
-            sink.add_within(PART, geometry.span, expected, format_args!("a curve {longer:.3} m longer"));
+            sink.add_within(
+                PART,
+                geometry.span,
+                expected,
+                format_args!("a curve {longer:.3} m longer"),
+            );
         }
     }
 }

@@ -1,24 +1,43 @@
 //! Records along s ascend.
 
+use crate::example::Example;
 use crate::place::{LaneIn, RoadIn, number};
 use crate::rule::Check::{self, Lane, Road};
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
-use crate::example::Example;
 use mapd_xodr::{Attribute, Severity, Span};
 
 /// A fall that comes from rounding in the file.
-const ROUNDING: Tolerance = Tolerance { name: "fall that counts as rounding", value: 1e-6, unit: "m" };
+const ROUNDING: Tolerance =
+    Tolerance { name: "fall that counts as rounding", value: 1e-6, unit: "m" };
 
 /// The example of a road with two records of an element.
 macro_rules! records {
     ($before:literal, $element:literal, $rest:literal, $after:literal) => {
         [
             Example::Road(concat!(
-                $before, "<", $element, r#" s="0" "#, $rest, "<", $element, r#" s="50" "#, $rest, $after
+                $before,
+                "<",
+                $element,
+                r#" s="0" "#,
+                $rest,
+                "<",
+                $element,
+                r#" s="50" "#,
+                $rest,
+                $after
             )),
             Example::Road(concat!(
-                $before, "<", $element, r#" s="50" "#, $rest, "<", $element, r#" s="0" "#, $rest, $after
+                $before,
+                "<",
+                $element,
+                r#" s="50" "#,
+                $rest,
+                "<",
+                $element,
+                r#" s="0" "#,
+                $rest,
+                $after
             )),
         ]
     };
@@ -29,16 +48,35 @@ macro_rules! lane_records {
     ($element:literal, $rest:literal) => {
         [
             Example::Lane(concat!(
-                "<", $element, r#" sOffset="0" "#, $rest, "<", $element, r#" sOffset="50" "#, $rest
+                "<",
+                $element,
+                r#" sOffset="0" "#,
+                $rest,
+                "<",
+                $element,
+                r#" sOffset="50" "#,
+                $rest
             )),
             Example::Lane(concat!(
-                "<", $element, r#" sOffset="50" "#, $rest, "<", $element, r#" sOffset="0" "#, $rest
+                "<",
+                $element,
+                r#" sOffset="50" "#,
+                $rest,
+                "<",
+                $element,
+                r#" sOffset="0" "#,
+                $rest
             )),
         ]
     };
 }
 
-const fn rule(id: &'static str, meaning: &'static str, check: Check, examples: [Example; 2]) -> Rule {
+const fn rule(
+    id: &'static str,
+    meaning: &'static str,
+    check: Check,
+    examples: [Example; 2],
+) -> Rule {
     Rule::error(id, meaning, check, examples).within(&[ROUNDING])
 }
 
@@ -63,7 +101,10 @@ pub(super) static RULES: &[Rule] = &[
         "Elevations stand in the order of s.",
         Road(elevations),
         records!(
-            "<elevationProfile>", "elevation", r#"a="1" b="0.01" c="0" d="0"/>"#, "</elevationProfile>"
+            "<elevationProfile>",
+            "elevation",
+            r#"a="1" b="0.01" c="0" d="0"/>"#,
+            "</elevationProfile>"
         ),
     ),
     rule(
@@ -71,7 +112,10 @@ pub(super) static RULES: &[Rule] = &[
         "Superelevations stand in the order of s.",
         Road(superelevations),
         records!(
-            "<lateralProfile>", "superelevation", r#"a="0" b="0.001" c="0" d="0"/>"#, "</lateralProfile>"
+            "<lateralProfile>",
+            "superelevation",
+            r#"a="0" b="0.001" c="0" d="0"/>"#,
+            "</lateralProfile>"
         ),
     ),
     rule(
@@ -183,7 +227,8 @@ fn ascend<'a>(
     for (s, span) in records {
         let s = number(s);
         if s < before {
-            let severity = if before - s <= ROUNDING.value { Severity::Warning } else { Severity::Error };
+            let severity =
+                if before - s <= ROUNDING.value { Severity::Warning } else { Severity::Error };
             sink.add_milder(
                 severity,
                 part,

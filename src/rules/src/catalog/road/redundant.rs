@@ -53,7 +53,11 @@ fn redundant(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
         look("lanes/laneOffset", lanes.lane_offset.iter().map(|e| (record!(e, s), e.span)), sink);
     }
     for lane in of.sections().flat_map(|section| section.lanes()) {
-        look("lanes/laneSection/lane/width", lane.width.iter().map(|e| (record!(e, s_offset), e.span)), sink);
+        look(
+            "lanes/laneSection/lane/width",
+            lane.width.iter().map(|e| (record!(e, s_offset), e.span)),
+            sink,
+        );
     }
     let geometries = road.plan_view.iter().flat_map(|plan_view| &plan_view.geometry);
     let mut before = None;
@@ -61,14 +65,26 @@ fn redundant(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
         let is_line = geometry.line.is_some();
         if let Some((x, y, hdg)) = before.filter(|_| is_line) {
             let same = |a: f64, b: f64| (a - b).abs() <= SAME.value;
-            if same(x, number(&geometry.x)) && same(y, number(&geometry.y)) && same(hdg, number(&geometry.hdg)) {
-                sink.add_within("planView/geometry", geometry.span, "a bend", "a line in line with the one before it");
+            if same(x, number(&geometry.x))
+                && same(y, number(&geometry.y))
+                && same(hdg, number(&geometry.hdg))
+            {
+                sink.add_within(
+                    "planView/geometry",
+                    geometry.span,
+                    "a bend",
+                    "a line in line with the one before it",
+                );
             }
         }
         let (cos, sin) = mapd_geometry::cos_sin(number(&geometry.hdg));
         let length = number(&geometry.length);
         before = is_line.then(|| {
-            (number(&geometry.x) + length * cos, number(&geometry.y) + length * sin, number(&geometry.hdg))
+            (
+                number(&geometry.x) + length * cos,
+                number(&geometry.y) + length * sin,
+                number(&geometry.hdg),
+            )
         });
     }
 }

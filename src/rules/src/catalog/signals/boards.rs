@@ -23,8 +23,14 @@ pub(super) static RULES: &[Rule] = &[
         "A multi board has a static board and one with variable messages.",
         Signal(sub_boards),
         [
-            board!(r#"type="multiBoard" dynamic="yes""#, r#"<staticBoard><sign id="2" dynamic="no" orientation="+" type="274" subtype="50" v="0" z="0"/></staticBoard><vmsBoard displayType="LED" displayWidth="1" displayHeight="1" v="0" z="0"><displayArea index="0" v="0" z="0" width="1" height="1"/></vmsBoard>"#),
-            board!(r#"type="multiBoard" dynamic="yes""#, r#"<staticBoard><sign id="2" dynamic="no" orientation="+" type="274" subtype="50" v="0" z="0"/></staticBoard>"#),
+            board!(
+                r#"type="multiBoard" dynamic="yes""#,
+                r#"<staticBoard><sign id="2" dynamic="no" orientation="+" type="274" subtype="50" v="0" z="0"/></staticBoard><vmsBoard displayType="LED" displayWidth="1" displayHeight="1" v="0" z="0"><displayArea index="0" v="0" z="0" width="1" height="1"/></vmsBoard>"#
+            ),
+            board!(
+                r#"type="multiBoard" dynamic="yes""#,
+                r#"<staticBoard><sign id="2" dynamic="no" orientation="+" type="274" subtype="50" v="0" z="0"/></staticBoard>"#
+            ),
         ],
     ),
     Rule::warning(
@@ -32,8 +38,14 @@ pub(super) static RULES: &[Rule] = &[
         "A signal with a static board and one with variable messages is of the type multiBoard.",
         Signal(multi_type),
         [
-            board!(r#"type="multiBoard" dynamic="yes""#, r#"<staticBoard><sign id="2" dynamic="no" orientation="+" type="274" subtype="50" v="0" z="0"/></staticBoard><vmsBoard displayType="LED" displayWidth="1" displayHeight="1" v="0" z="0"><displayArea index="0" v="0" z="0" width="1" height="1"/></vmsBoard>"#),
-            board!(r#"type="staticBoard" dynamic="yes""#, r#"<staticBoard><sign id="2" dynamic="no" orientation="+" type="274" subtype="50" v="0" z="0"/></staticBoard><vmsBoard displayType="LED" displayWidth="1" displayHeight="1" v="0" z="0"><displayArea index="0" v="0" z="0" width="1" height="1"/></vmsBoard>"#),
+            board!(
+                r#"type="multiBoard" dynamic="yes""#,
+                r#"<staticBoard><sign id="2" dynamic="no" orientation="+" type="274" subtype="50" v="0" z="0"/></staticBoard><vmsBoard displayType="LED" displayWidth="1" displayHeight="1" v="0" z="0"><displayArea index="0" v="0" z="0" width="1" height="1"/></vmsBoard>"#
+            ),
+            board!(
+                r#"type="staticBoard" dynamic="yes""#,
+                r#"<staticBoard><sign id="2" dynamic="no" orientation="+" type="274" subtype="50" v="0" z="0"/></staticBoard><vmsBoard displayType="LED" displayWidth="1" displayHeight="1" v="0" z="0"><displayArea index="0" v="0" z="0" width="1" height="1"/></vmsBoard>"#
+            ),
         ],
     ),
     Rule::warning(
@@ -41,8 +53,14 @@ pub(super) static RULES: &[Rule] = &[
         "A multi board is dynamic.",
         Signal(dynamic),
         [
-            board!(r#"type="multiBoard" dynamic="yes""#, r#"<staticBoard><sign id="2" dynamic="no" orientation="+" type="274" subtype="50" v="0" z="0"/></staticBoard><vmsBoard displayType="LED" displayWidth="1" displayHeight="1" v="0" z="0"><displayArea index="0" v="0" z="0" width="1" height="1"/></vmsBoard>"#),
-            board!(r#"type="multiBoard" dynamic="no""#, r#"<staticBoard><sign id="2" dynamic="no" orientation="+" type="274" subtype="50" v="0" z="0"/></staticBoard><vmsBoard displayType="LED" displayWidth="1" displayHeight="1" v="0" z="0"><displayArea index="0" v="0" z="0" width="1" height="1"/></vmsBoard>"#),
+            board!(
+                r#"type="multiBoard" dynamic="yes""#,
+                r#"<staticBoard><sign id="2" dynamic="no" orientation="+" type="274" subtype="50" v="0" z="0"/></staticBoard><vmsBoard displayType="LED" displayWidth="1" displayHeight="1" v="0" z="0"><displayArea index="0" v="0" z="0" width="1" height="1"/></vmsBoard>"#
+            ),
+            board!(
+                r#"type="multiBoard" dynamic="no""#,
+                r#"<staticBoard><sign id="2" dynamic="no" orientation="+" type="274" subtype="50" v="0" z="0"/></staticBoard><vmsBoard displayType="LED" displayWidth="1" displayHeight="1" v="0" z="0"><displayArea index="0" v="0" z="0" width="1" height="1"/></vmsBoard>"#
+            ),
         ],
     ),
     Rule::warning(
@@ -50,8 +68,14 @@ pub(super) static RULES: &[Rule] = &[
         "A signal with a static board alone is of the type staticBoard.",
         Signal(static_type),
         [
-            board!(r#"type="staticBoard" dynamic="no""#, r#"<staticBoard><sign id="2" dynamic="no" orientation="+" type="274" subtype="50" v="0" z="0"/></staticBoard>"#),
-            board!(r#"type="274" dynamic="no""#, r#"<staticBoard><sign id="2" dynamic="no" orientation="+" type="274" subtype="50" v="0" z="0"/></staticBoard>"#),
+            board!(
+                r#"type="staticBoard" dynamic="no""#,
+                r#"<staticBoard><sign id="2" dynamic="no" orientation="+" type="274" subtype="50" v="0" z="0"/></staticBoard>"#
+            ),
+            board!(
+                r#"type="274" dynamic="no""#,
+                r#"<staticBoard><sign id="2" dynamic="no" orientation="+" type="274" subtype="50" v="0" z="0"/></staticBoard>"#
+            ),
         ],
     ),
     Rule::warning(
@@ -59,8 +83,12 @@ pub(super) static RULES: &[Rule] = &[
         "A group of boards refers to at least one.",
         VmsGroup(references),
         [
-            Document(r#"<road id="1" length="9" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="9"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center></laneSection></lanes><signals><signal id="1" s="5" t="-4" zOffset="2" dynamic="yes" orientation="+" country="DE" type="vmsBoard" subtype="-1" hOffset="0" pitch="0" roll="0"/></signals></road><vmsGroup id="8"><vmsBoardReference signalId="1" vmsIndex="0" groupIndex="0"/></vmsGroup>"#),
-            Document(r#"<road id="1" length="9" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="9"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center></laneSection></lanes></road><vmsGroup id="8"/>"#),
+            Document(
+                r#"<road id="1" length="9" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="9"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center></laneSection></lanes><signals><signal id="1" s="5" t="-4" zOffset="2" dynamic="yes" orientation="+" country="DE" type="vmsBoard" subtype="-1" hOffset="0" pitch="0" roll="0"/></signals></road><vmsGroup id="8"><vmsBoardReference signalId="1" vmsIndex="0" groupIndex="0"/></vmsGroup>"#,
+            ),
+            Document(
+                r#"<road id="1" length="9" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="9"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center></laneSection></lanes></road><vmsGroup id="8"/>"#,
+            ),
         ],
     ),
 ];
@@ -69,7 +97,9 @@ const MULTI: &str = "multiBoard";
 
 fn sub_boards(of: &SignalIn<'_>, sink: &mut Sink<'_>) {
     let signal = of.signal;
-    if text(&signal.r#type) == MULTI && (signal.static_board.is_empty() || signal.vms_board.is_empty()) {
+    if text(&signal.r#type) == MULTI
+        && (signal.static_board.is_empty() || signal.vms_board.is_empty())
+    {
         sink.add(signal.span, "a static board and one with variable messages", "not both");
     }
 }
