@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! cargo bench -p mapd-benches --bench compile
+//! cargo bench -p mapd-benches --bench reading
 //! cargo bench -p mapd-benches --bench attach
 //! cargo bench -p mapd-benches --bench queries
 //! ```

@@ -1,4 +1,5 @@
-//! What mapd's tests share: places of maps, and the generator of the town that the project carries.
+//! What mapd's tests share: places of maps, the generator of the town that the project carries, domains with daemons and
+//! clients as processes, and the tracer that stops a program at its system calls.
 //!
 //! Tests live in `tests/tests`. Those that need maps from outside the project look for them in `../shared` beside the
 //! workspace and say aloud that they skip where it is missing.
@@ -10,7 +11,10 @@
 pub mod damage;
 pub mod maps;
 pub mod place;
+pub mod small;
+pub mod stage;
 pub mod town;
+pub mod tracer;
 
 use std::path::{Path, PathBuf};
 

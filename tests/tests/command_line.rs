@@ -169,3 +169,12 @@ fn compile_writes_archive_and_report() {
     let left: Vec<_> = std::fs::read_dir(folder.path()).expect("the folder").flatten().collect();
     assert_eq!(left.len(), 2, "temporary files are left: {left:?}");
 }
+
+#[test]
+fn surfaces_have_a_normal() {
+    check(
+        &["surface"],
+        "road_id,s,t\n1,20,-1\n",
+        "road_id,s,t,x,y,z,nx,ny,nz,friction,roughness,error\n1,20,-1,20.0,-1.0,10.0,0.0,0.0,1.0,,,\n",
+    );
+}

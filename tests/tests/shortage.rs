@@ -13,7 +13,7 @@ use mapd_client::{Client, ClientError};
 use mapd_tests::place::{PATIENCE, Place};
 use mapd_tests::say;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Output, Stdio};
 use std::time::{Duration, Instant};
 
 const PROBE: &str = env!("CARGO_BIN_EXE_planner_probe");
@@ -63,25 +63,45 @@ fn too_small_at_the_start() {
     assert_eq!(left, 1, "something is left behind: {text}");
 }
 
-/// The check sees room; then, while the call that reserves the pages is held up, somebody else takes it.
+/// A client that comes when shared memory is full is told so, and attaches once there is room; the daemon serves on.
 #[test]
-fn filled_up_between_check_and_write() {
-    if !Command::new("strace").arg("-V").output().is_ok_and(|output| output.status.success()) {
-        return say("SKIPPED: there is no strace");
-    }
+fn full_when_a_client_attaches() {
     let place = place();
     let script = format!(
-        "strace -f -o /dev/null -e trace=fallocate -e inject=fallocate:delay_enter=2000000 {MAPD} --load {} & \
-         while ! ls /dev/shm/*.data >/dev/null 2>&1; do sleep 0.02; done; \
+        "{MAPD} --load {} & while ! {PROBE} ask town 1000 >/dev/null 2>&1; do sleep 0.02; done; \
          head -c 100M /dev/zero > /dev/shm/filler 2>/dev/null; \
-         wait $!; echo ended $?; rm /dev/shm/filler; ls -A /dev/shm",
+         {PROBE} connect town 300; echo refused $?; rm /dev/shm/filler; \
+         {PROBE} ask town 10000; echo attached $?; \
+         kill $!; wait $!; echo ended $?; ls -A /dev/shm",
         town()
     );
-    let Some(output) = with_small_shared_memory(&place, 2048, &script) else { return };
+    let Some(output) = with_small_shared_memory(&place, 8192, &script) else { return };
     let text = told(&output);
-    assert!(text.contains("bytes of shared memory") && text.contains("ended 1\n"), "{text}");
-    let left = String::from_utf8_lossy(&output.stdout).lines().count();
-    assert_eq!(left, 1, "something is left behind: {text}");
+    let all =
+        ["error attaching needs ", "left by /dev/shm", "refused 1\n", "attached 0\n", "ended 0\n"];
+    all.iter().for_each(|part| assert!(text.contains(part), "{part:?} is missing in {text}"));
+    assert!(output.stdout.ends_with(b"ended 0\n"), "left behind: {text}");
+}
+
+/// A client that holds a generation and waits for the next keeps what it has.
+#[test]
+fn full_while_a_client_waits() {
+    let place = place();
+    let script = format!(
+        "{MAPD} --load {} & daemon=$!; \
+         while ! {PROBE} ask town 1000 >/dev/null 2>&1; do sleep 0.02; done; \
+         {{ sleep 0.3; echo; }} | {PROBE} wait town 400 & waiting=$!; sleep 0.2; \
+         head -c 100M /dev/zero > /dev/shm/filler 2>/dev/null; \
+         wait $waiting; echo waited $?; rm /dev/shm/filler; \
+         {PROBE} ask town 10000; echo attached $?; \
+         kill $daemon; wait $daemon; echo ended $?; ls -A /dev/shm",
+        town()
+    );
+    let Some(output) = with_small_shared_memory(&place, 8192, &script) else { return };
+    let text = told(&output);
+    let all = ["held 1\n", "error ", "waited 1\n", "attached 0\n"];
+    all.iter().for_each(|part| assert!(text.contains(part), "{part:?} is missing in {text}"));
+    assert!(output.stdout.ends_with(b"ended 0\n"), "left behind: {text}");
 }
 
 /// A control group of version 1 or 2 with this memory limit; removed at the end.

@@ -5,11 +5,13 @@ use mapd_geometry::clamp;
 
 /// Halvings of one stretch. 2²⁰ pieces of a stretch that is not smooth at all are enough to stop at.
 const MAX_DEPTH: u32 = 20;
-/// Places between two points where the curve is compared with its chord. Odd eighths and quarters, because curves that
-/// bend both ways cross their chord in the middle.
-const PROBES: [f64; 5] = [0.125, 0.25, 0.5, 0.75, 0.875];
-/// Share of the tolerance that probes may use up; the rest covers what lies between them and single precision.
-const SHARE: f64 = 0.8;
+/// Parts between two points at whose joints the curve is compared with its chord.
+const PARTS: usize = 8;
+/// Share of the tolerance that may be used up; the rest is for single precision.
+const SHARE: f64 = 0.95;
+/// Between two places the curve leaves the line through them by an eighth of the second difference there, if its second
+/// derivative is constant; doubled, because it is not.
+const BETWEEN: f64 = 2.0 / 8.0;
 
 /// A point of a polyline.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,15 +55,7 @@ fn refine(
     out: &mut Vec<Sample>,
 ) -> Option<()> {
     let at = |share: f64| a.s + share * (b.s - a.s);
-    let mut flat = true;
-    if depth > 0 {
-        for probe in PROBES {
-            if distance_to_segment(curve(at(probe))?, a.position, b.position) > tolerance {
-                flat = false;
-                break;
-            }
-        }
-    }
+    let flat = depth == 0 || is_flat(a, b, tolerance, curve)?;
     if flat {
         out.push(b);
         return Some(());
@@ -69,6 +63,35 @@ fn refine(
     let middle = Sample { s: at(0.5), position: curve(at(0.5))? };
     refine(a, middle, tolerance, depth - 1, curve, out)?;
     refine(middle, b, tolerance, depth - 1, curve, out)
+}
+
+/// Whether a curve stays near the chord between two of its points: at the places that are looked at, and, as far as
+/// differences tell how it bends, between them.
+fn is_flat(
+    a: Sample,
+    b: Sample,
+    tolerance: f64,
+    curve: &impl Fn(f64) -> Option<DVec3>,
+) -> Option<bool> {
+    let place = |i: usize| curve(a.s + (b.s - a.s) * (i as f64 / PARTS as f64));
+    // The middle first: most stretches that are not flat show it there.
+    let middle = place(PARTS / 2)?;
+    if distance_to_segment(middle, a.position, b.position) > tolerance {
+        return Some(false);
+    }
+    let (mut before, mut here) = (a.position, place(1)?);
+    let (mut off, mut bend) = (0f64, 0f64);
+    for i in 1..PARTS {
+        off = off.max(distance_to_segment(here, a.position, b.position));
+        let next = match i + 1 {
+            PARTS => b.position,
+            i if i == PARTS / 2 => middle,
+            i => place(i)?,
+        };
+        bend = bend.max((before - 2.0 * here + next).length());
+        (before, here) = (here, next);
+    }
+    Some(off + BETWEEN * bend <= tolerance)
 }
 
 /// Distance of a point from a segment.

@@ -30,7 +30,7 @@ mod origin;
 mod report;
 
 pub use options::{CompileOptions, OptionsError};
-pub use report::{Compilation, Diagnostic, Progress, Verdict};
+pub use report::{Compilation, Diagnostic, Progress, Verdict, Version};
 
 use hashing::HashingReader;
 use lower::Lowering;
@@ -73,10 +73,36 @@ pub fn compile_with(
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Compilation> {
+    let (lowering, mut compiled) = read(input, reading, progress)?;
+    compiled.provenance.options_hash = options.hash();
+    if compiled.verdict == Verdict::Accepted {
+        progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
+        compiled.rows = Some(build(lowering, options, progress).map_err(io::Error::other)?);
+    }
+    Ok(compiled)
+}
+
+/// Finds everything that [`compile_with`] finds, without building the map: there are no rows.
+///
+/// Errors: reading failed.
+pub fn check(
+    input: impl Read + Send,
+    reading: &ReadOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Compilation> {
+    Ok(read(input, reading, progress)?.1)
+}
+
+/// Reads and checks a document and resolves its links.
+fn read(
+    input: impl Read + Send,
+    reading: &ReadOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<(Lowering, Compilation)> {
     let mut hashing = HashingReader::new(input);
     let mut lowering = Lowering::default();
     let mut collector = Collector::default();
-    let places = {
+    let (places, version) = {
         let mut inputs = Inputs::new(reading.limits.source);
         if let Some(folder) = &reading.include_folder {
             inputs = inputs.with_include_folder(folder);
@@ -106,7 +132,8 @@ pub fn compile_with(
         }
         checker.finish();
         collector.add_read(reader.take_findings(), checker.take_findings(), &places);
-        places
+        let stated = reader.stated_version().to_owned();
+        (places, Version { stated, checked: reader.checked_version() })
     };
     let mut late = Vec::new();
     lowering.finish_reading(&mut late);
@@ -119,16 +146,10 @@ pub fn compile_with(
     }
     let provenance = Provenance {
         input_hash: hashing.finish(included(&places))?,
-        options_hash: options.hash(),
-        compiler_version: version(),
+        options_hash: [0; 8],
+        compiler_version: crate::version(),
     };
-    let rows = if collector.is_rejected() {
-        None
-    } else {
-        progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
-        Some(build(lowering, options, progress).map_err(io::Error::other)?)
-    };
-    Ok(collector.finish(rows, provenance))
+    Ok((lowering, collector.finish(provenance, version)))
 }
 
 /// The files that the document included, in the order in which it did.

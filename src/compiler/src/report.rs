@@ -52,12 +52,23 @@ pub struct Diagnostic {
     pub column: u32,
 }
 
+/// Revisions of the standard.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Version {
+    /// What the document states, such as `1.7`; empty where it states none.
+    pub stated: String,
+    /// What it was checked against.
+    pub checked: &'static str,
+}
+
 /// Everything a compilation yields.
 pub struct Compilation {
     /// The tables; `None` for a rejected map.
     pub rows: Option<Rows>,
     /// Where they come from.
     pub provenance: Provenance,
+    /// The document's revision.
+    pub version: Version,
     /// Findings in file order.
     pub diagnostics: Vec<Diagnostic>,
     /// Findings beyond those kept, by severity: information, warnings, errors.
@@ -143,14 +154,22 @@ impl Collector {
         self.rejecting > 0
     }
 
-    pub(crate) fn finish(mut self, rows: Option<Rows>, provenance: Provenance) -> Compilation {
+    /// Everything but the rows.
+    pub(crate) fn finish(mut self, provenance: Provenance, version: Version) -> Compilation {
         self.diagnostics.sort_by_key(|d| d.finding.span.start);
         let verdict = if self.is_rejected() { Verdict::Rejected } else { Verdict::Accepted };
         let mut dropped = self.counts;
         for d in &self.diagnostics {
             dropped[rank(d.finding.severity)] -= 1;
         }
-        Compilation { rows, provenance, diagnostics: self.diagnostics, dropped, verdict }
+        Compilation {
+            rows: None,
+            provenance,
+            version,
+            diagnostics: self.diagnostics,
+            dropped,
+            verdict,
+        }
     }
 }
 

@@ -12,6 +12,9 @@ use glam::DVec2;
 /// per metre of its distance and at least this many metres.
 const PERPENDICULAR: f64 = 1e-9;
 
+/// Longest last step of a projection `[m]`: what it neglects is of the order of its square.
+const LAST_STEP: f64 = 1e-7;
+
 /// A compiled curve over u ∈ [0, length] m, borrowing its coefficients.
 ///
 /// `u` is arc length; only for a paramPoly3 whose true length differs from the written one it is arc length scaled to
@@ -172,25 +175,44 @@ impl<'a> Curve<'a> {
     /// The nearest point of the whole curve to (`x`, `y`) `[m]`; of equally near points the first.
     #[must_use]
     pub fn project(&self, x: f64, y: f64) -> Projection {
-        let length = self.length;
-        let target = self.start.localize(x, y);
-        let u = match &self.shape {
-            Shape::Line => clamp(target.x, 0.0, length),
-            Shape::Arc { curvature } => arc::project(*curvature, target, 0.0, 0.0, length),
-            Shape::Spiral(spiral) => {
-                nearest::search(|u| spiral.jet(u), target, spiral.pieces.count(), length)
-            }
-            Shape::Parametric(parametric) => {
-                nearest::search(|u| parametric.jet(u), target, parametric.pieces.count(), length)
-            }
-        };
-        self.foot(target, u, 0.0, length)
+        self.project_within(x, y, self.length)
     }
 
-    /// What is known about the foot at `u` of a target in the curve's own frame.
+    /// As [`project`](Self::project), over u ∈ [0, `limit`] `[m]`: of a geometry that the next one of a road cuts short.
+    #[must_use]
+    pub fn project_within(&self, x: f64, y: f64, limit: f64) -> Projection {
+        let (length, limit) = (self.length, self.clamp(limit));
+        let target = self.start.localize(x, y);
+        let u = match &self.shape {
+            Shape::Line => clamp(target.x, 0.0, limit),
+            Shape::Arc { curvature } => arc::project(*curvature, target, 0.0, 0.0, limit),
+            Shape::Spiral(spiral) => {
+                nearest::search(|u| spiral.jet(u), target, spiral.pieces.count(), length, limit)
+            }
+            Shape::Parametric(parametric) => {
+                let count = parametric.pieces.count();
+                nearest::search(|u| parametric.jet(u), target, count, length, limit)
+            }
+        };
+        self.foot(target, u, 0.0, limit)
+    }
+
+    /// What is known about the foot near `u` of a target in the curve's own frame.
+    ///
+    /// The search for it stops within about 1e-10 m, and takes a spiral's direction from its polynomials. One more step
+    /// with the exact direction makes the gap perpendicular to it to rounding, so that a point is met again from its s and
+    /// t.
     #[inline]
     fn foot(&self, target: DVec2, u: f64, lo: f64, hi: f64) -> Projection {
-        let frame = self.frame(u);
+        let (mut u, mut frame) = (u, self.frame(u));
+        if let Shape::Spiral(_) | Shape::Parametric(_) = self.shape {
+            let gap = target - frame.position;
+            let bend = 1.0 - frame.curvature * frame.tangent.perp_dot(gap);
+            let better = u + gap.dot(frame.tangent) / bend;
+            if better != u && (better - u).abs() <= LAST_STEP && lo < better && better < hi {
+                (u, frame) = (better, self.frame(better));
+            }
+        }
         let gap = target - frame.position;
         let distance_squared = gap.length_squared();
         let ahead = gap.dot(frame.tangent);

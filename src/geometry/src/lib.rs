@@ -5,8 +5,8 @@
 //!
 //! Invariants: evaluation and projection allocate nothing, do no I/O, hold no global state, and neither panic nor loop
 //! without bound on coefficients that are wrong. The same arguments give the same bits on every machine:
-//! sines and cosines come from `libm`, never from the system, and no operation is fused. Deliberately absent: height,
-//! lanes, and chains of geometries, which the crates above add.
+//! sines and cosines come from `libm`, never from the system, and no operation is fused. Deliberately absent: which
+//! record holds where, lanes, and chains of geometries, which the crates above add; [`surface`] has the heights of one place.
 //!
 //! Lengths are in metres, angles in radians, counter-clockwise positive; curvature is positive to the left.
 //!
@@ -39,6 +39,7 @@ mod piecewise;
 mod point;
 mod primitive;
 mod spiral;
+pub mod surface;
 
 pub use angle::{atan2, cos_sin, normalize_angle};
 pub use compile::{CompileError, Compiled, MAX_LENGTH, MAX_PIECES, MAX_TURNING, compile};

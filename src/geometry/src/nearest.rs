@@ -93,7 +93,7 @@ pub(crate) fn descend(
     u
 }
 
-/// The nearest point over [0, length] of a curve in `count` pieces of equal length.
+/// The nearest point over [0, limit] of a curve in `count` pieces of equal length; the limit lies on the curve.
 ///
 /// Every piece is bounded by the circle around its midpoint; a piece whose circle is farther than the best point so far
 /// is skipped, every other one is searched in [`PARTS`] parts. So no turn of a winding curve is missed.
@@ -102,27 +102,30 @@ pub(crate) fn search(
     target: DVec2,
     count: usize,
     length: f64,
+    limit: f64,
 ) -> f64 {
     let piece = length / count as f64;
     let mut best = Best { u: 0.0, distance_squared: f64::INFINITY };
     let circle = |index: usize| {
-        let u = (index as f64 + 0.5) * piece;
+        let u = ((index as f64 + 0.5) * piece).min(limit);
         let jet = curve(u);
-        let radius = 0.5 * piece * jet.first.length() * (1.0 + PRUNE_SLACK) + PRUNE_MARGIN;
+        let half = u - index as f64 * piece;
+        let radius = half * jet.first.length() * (1.0 + PRUNE_SLACK) + PRUNE_MARGIN;
         (u, jet.position.distance_squared(target), radius)
     };
     // A single piece is searched in any case.
-    for index in (0..count).filter(|_| count > 1) {
+    let reached = |index: &usize| *index == 0 || *index as f64 * piece < limit;
+    for index in (0..count).filter(reached).filter(|_| count > 1) {
         let (u, distance_squared, _) = circle(index);
         best.offer(u, distance_squared);
     }
-    for index in 0..count {
+    for index in (0..count).filter(reached) {
         let (_, distance_squared, radius) = circle(index);
         if distance_squared.sqrt() - radius > best.distance_squared.sqrt() {
             continue;
         }
         let border = |part: usize| {
-            let u = clamp((index as f64 + part as f64 / PARTS as f64) * piece, 0.0, length);
+            let u = clamp((index as f64 + part as f64 / PARTS as f64) * piece, 0.0, limit);
             let jet = curve(u);
             let gap = target - jet.position;
             (u, gap.length_squared(), gap.dot(jet.first))

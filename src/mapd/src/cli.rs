@@ -3,7 +3,7 @@
 use crate::exit::Exit;
 use crate::progress::Bar;
 use crate::query::{self, Kind};
-use crate::{archive_file, inspect, load, report, source, status};
+use crate::{archive_file, check, export, inspect, load, report, source, status};
 use anyhow::{Context, Result, bail};
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions};
@@ -20,7 +20,7 @@ use std::time::Duration;
 #[derive(Parser)]
 #[command(version, args_conflicts_with_subcommands = true, after_help = EXIT_CODES)]
 struct Cli {
-    /// Serve a map (.xodr or .mapd) or every map of a folder; may be repeated
+    /// Serve a map (.xodr, .xodrz or .mapd) or every map of a folder; may be repeated
     #[arg(long, value_name = "FILE", num_args = 1..)]
     load: Vec<PathBuf>,
 
@@ -92,6 +92,17 @@ enum Command {
         #[command(flatten)]
         options: Options,
     },
+    /// Say everything that is wrong with an OpenDRIVE file, without building the map
+    #[command(after_help = CHECK_HELP)]
+    Check {
+        /// OpenDRIVE file (.xodr or .xodrz)
+        file: PathBuf,
+        /// How findings are written
+        #[arg(long, value_enum, default_value_t = check::Format::Text)]
+        format: check::Format,
+        #[command(flatten)]
+        reading: check::ReadArgs,
+    },
     /// Show what a map holds
     Inspect {
         /// .xodr, .mapd or shm:NAME
@@ -128,6 +139,22 @@ enum Command {
         #[command(flatten)]
         live: Live,
     },
+    /// Draw or convert a map
+    Export {
+        /// .xodr, .mapd or shm:NAME
+        source: String,
+        /// What to write
+        #[arg(long, value_enum)]
+        format: export::Format,
+        /// File to write [default: stdout]
+        #[arg(short, long, value_name = "OUT")]
+        output: Option<PathBuf>,
+        /// svg: also the boxes of the spatial index
+        #[arg(long)]
+        index_boxes: bool,
+        #[command(flatten)]
+        live: Live,
+    },
     /// List the maps that are served
     Status {
         /// As JSON
@@ -138,9 +165,14 @@ enum Command {
     },
 }
 
+const CHECK_HELP: &str = "\
+An error says that the file violates the standard; the map is rejected only for errors that say so, because what it is
+built from is missing or unusable. Ends with 0 where the map would be accepted, with 4 where it would be rejected.";
+
 const QUERY_HELP: &str = "\
 Columns:
   inertial    road_id,s,t[,h]      x,y,z,hdg (h = 0 is the plane rolled by superelevation)
+  surface     road_id,s,t          x,y,z,nx,ny,nz,friction,roughness: point and normal of the surface, the lane's material
   lane        road_id,s,lane_id    width,t_inner,t_outer,x,y,z,hdg of the lane's centre on that plane
   nearest     x,y[,z][,hdg]        lane,road_id,lane_id,s,t,offset,distance
   track       road_id,x,y[,z]      s,t,h (h only with z)
@@ -219,6 +251,9 @@ fn execute(cli: Cli) -> Result<Exit> {
         Command::Compile { file, output, report, options } => {
             compile(&file, output, report, &validated(&options)?, out)?
         }
+        Command::Check { file, format, reading } => {
+            check::run(&file, format, &reading, out)?.verdict.into()
+        }
         Command::Inspect { source, json, verify, live } => {
             let (domain, wait) = live.get()?;
             match source::open_or_report(&source, &CompileOptions::default(), (&domain, wait))? {
@@ -248,6 +283,17 @@ fn execute(cli: Cli) -> Result<Exit> {
                             }
                             other => anyhow::Error::new(other),
                         })?;
+                    Exit::Done
+                }
+                None => Exit::Rejected,
+            }
+        }
+        Command::Export { source, format, output, index_boxes, live } => {
+            let (domain, wait) = live.get()?;
+            match source::open_or_report(&source, &CompileOptions::default(), (&domain, wait))? {
+                Some(snapshot) => {
+                    let options = export::Options { index_boxes };
+                    export::run(snapshot.map(), format, options, output.as_deref(), out)?;
                     Exit::Done
                 }
                 None => Exit::Rejected,

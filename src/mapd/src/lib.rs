@@ -17,8 +17,10 @@
 //! ```
 
 pub mod archive_file;
+mod check;
 pub mod cli;
 pub mod exit;
+pub mod export;
 mod inspect;
 mod load;
 mod progress;

@@ -85,7 +85,7 @@ fn expand(files: &[PathBuf]) -> Result<Vec<PathBuf>> {
             .filter(|path| is_map(path))
             .collect();
         if maps.is_empty() {
-            bail!("{} holds no .xodr or .mapd file", file.display());
+            bail!("{} holds no .xodr, .xodrz or .mapd file", file.display());
         }
         maps.sort();
         out.extend(maps);
@@ -94,7 +94,7 @@ fn expand(files: &[PathBuf]) -> Result<Vec<PathBuf>> {
 }
 
 fn is_map(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension == "xodr" || extension == "mapd")
+    path.extension().is_some_and(|e| e == "xodr" || e == "xodrz" || e == "mapd")
 }
 
 fn stem(file: &Path) -> Result<String> {

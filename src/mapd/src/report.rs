@@ -1,7 +1,8 @@
 //! What a compilation found: as text for people, as JSON for programs.
 
 use mapd_compiler::{Compilation, Diagnostic, Verdict};
-use mapd_xodr::Severity;
+use mapd_xodr::source::Places;
+use mapd_xodr::{Severity, rule_ids};
 use serde::Serialize;
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -21,24 +22,36 @@ pub struct Report<'a> {
     not_kept: usize,
 }
 
+/// A finding as JSON.
 #[derive(Serialize)]
-struct ReportedFinding<'a> {
+pub(crate) struct ReportedFinding<'a> {
     rule: &'a str,
+    /// The id of the same rule in ASAM's checkers, where they have it.
+    asam_rule: Option<&'static str>,
     severity: &'static str,
+    /// Whether the map is rejected because of it.
+    rejects: bool,
     file: &'a str,
     line: u32,
     column: u32,
-    rejects: bool,
+    /// Byte of the file's decoded text, and how many it is about.
+    offset: u64,
+    length: u32,
     path: &'a str,
+    subject: &'a str,
     message: &'a str,
+    /// The halves of the message, where it has two.
+    expected: Option<&'a str>,
+    found: Option<&'a str>,
     hint: &'a str,
 }
 
+/// How many findings there are, those not kept among them.
 #[derive(Serialize)]
-struct Counts {
-    errors: usize,
-    warnings: usize,
-    information: usize,
+pub(crate) struct Counts {
+    pub(crate) errors: usize,
+    pub(crate) warnings: usize,
+    pub(crate) information: usize,
 }
 
 /// Bytes as hexadecimal digits.
@@ -49,7 +62,7 @@ pub fn hex(bytes: &[u8]) -> String {
     })
 }
 
-fn severity_name(severity: Severity) -> &'static str {
+pub(crate) fn severity_name(severity: Severity) -> &'static str {
     match severity {
         Severity::Info => "info",
         Severity::Warning => "warning",
@@ -66,20 +79,41 @@ fn place<'a>(file: &'a str, diagnostic: &'a Diagnostic) -> &'a str {
     if diagnostic.file.is_empty() { file } else { &diagnostic.file }
 }
 
-/// The report of a compilation.
-pub fn report<'a>(file: &'a str, compiled: &'a Compilation) -> Report<'a> {
-    let finding = |d: &'a Diagnostic| ReportedFinding {
-        rule: d.finding.rule,
-        severity: severity_name(d.finding.severity),
-        file: place(file, d),
+/// A finding with its place.
+pub(crate) fn reported<'a>(file: &'a str, d: &'a Diagnostic) -> ReportedFinding<'a> {
+    let finding = &d.finding;
+    let halves = finding.message.strip_prefix("expected ").and_then(|m| m.split_once(", found "));
+    ReportedFinding {
+        rule: finding.rule,
+        asam_rule: rule_ids::asam(finding.rule),
+        severity: severity_name(finding.severity),
         rejects: d.rejects,
+        file: place(file, d),
         line: d.line,
         column: d.column,
-        path: &d.finding.path,
-        message: &d.finding.message,
-        hint: &d.finding.hint,
-    };
+        offset: Places::offset_of(finding.span.start),
+        length: finding.span.len,
+        path: &finding.path,
+        subject: &finding.subject,
+        message: &finding.message,
+        expected: halves.map(|(expected, _)| expected),
+        found: halves.map(|(_, found)| found),
+        hint: &finding.hint,
+    }
+}
+
+/// How many findings there are.
+pub(crate) fn counts(compiled: &Compilation) -> Counts {
     let [information, warnings, errors] = compiled.dropped;
+    Counts {
+        errors: of(compiled, Severity::Error).count() + errors,
+        warnings: of(compiled, Severity::Warning).count() + warnings,
+        information: of(compiled, Severity::Info).count() + information,
+    }
+}
+
+/// The report of a compilation.
+pub fn report<'a>(file: &'a str, compiled: &'a Compilation) -> Report<'a> {
     Report {
         verdict: match compiled.verdict {
             Verdict::Accepted => "accepted",
@@ -87,14 +121,10 @@ pub fn report<'a>(file: &'a str, compiled: &'a Compilation) -> Report<'a> {
         },
         file,
         input_hash: hex(&compiled.provenance.input_hash),
-        findings: compiled.diagnostics.iter().map(finding).collect(),
+        findings: compiled.diagnostics.iter().map(|d| reported(file, d)).collect(),
         quarantined: Vec::new(),
-        counts: Counts {
-            errors: of(compiled, Severity::Error).count() + errors,
-            warnings: of(compiled, Severity::Warning).count() + warnings,
-            information: of(compiled, Severity::Info).count() + information,
-        },
-        not_kept: information + warnings + errors,
+        counts: counts(compiled),
+        not_kept: compiled.dropped.iter().sum(),
     }
 }
 
@@ -102,7 +132,7 @@ pub fn report<'a>(file: &'a str, compiled: &'a Compilation) -> Report<'a> {
 /// count.
 pub fn print(file: &str, compiled: &Compilation) {
     let mut err = std::io::stderr().lock();
-    let counts = report(file, compiled).counts;
+    let counts = counts(compiled);
     let errors =
         |rejects: bool| of(compiled, Severity::Error).filter(move |d| d.rejects == rejects);
     for (severity, count, printed) in [
@@ -133,11 +163,8 @@ pub fn print(file: &str, compiled: &Compilation) {
             let _ = writeln!(err, "{file}: rejected, {} errors", counts.errors);
         }
         Verdict::Accepted if counts.errors > 0 => {
-            let _ = writeln!(
-                err,
-                "{file}: accepted; errors against the standard: {}",
-                counts.errors
-            );
+            let _ =
+                writeln!(err, "{file}: accepted; errors against the standard: {}", counts.errors);
         }
         Verdict::Accepted => {}
     }

@@ -4,18 +4,15 @@ use crate::report;
 use anyhow::{Context, Result};
 use mapd_archive::encode;
 use mapd_client::{Client, Domain, Snapshot};
-use mapd_compiler::{Compilation, CompileOptions, Progress, compile};
+use mapd_compiler::{Compilation, CompileOptions, Progress, ReadOptions, compile_with};
 use std::fs::File;
-use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// Prefix of a live map's name.
 const SHARED: &str = "shm:";
 /// How long to wait for a live map by default.
 pub const WAIT: Duration = Duration::from_secs(2);
-/// First bytes of a gzip stream.
-const GZIP: [u8; 2] = [0x1f, 0x8b];
 
 /// A source that answers queries, or the report of why it does not.
 pub enum Opened {
@@ -30,7 +27,7 @@ pub fn is_archive(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension == "mapd")
 }
 
-/// Compiles an OpenDRIVE file.
+/// Compiles an OpenDRIVE file, compressed with gzip or not. Files are included from its folder.
 ///
 /// Errors: the file cannot be read. A rejected map is no error.
 pub fn compile_file(
@@ -38,21 +35,28 @@ pub fn compile_file(
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Compilation> {
-    let mut file = File::open(path).with_context(|| format!("opening {}", path.display()))?;
+    let reading = ReadOptions { include_folder: folder(path), ..ReadOptions::default() };
+    compile_with(open_input(path)?, &reading, options, progress)
+        .with_context(|| format!("reading {}", path.display()))
+}
+
+/// The folder of a file, from which it may include others.
+pub(crate) fn folder(path: &Path) -> Option<PathBuf> {
+    let parent = path.parent()?;
+    Some(if parent.as_os_str().is_empty() { PathBuf::from(".") } else { parent.to_owned() })
+}
+
+/// Opens an OpenDRIVE file.
+///
+/// Errors: it cannot be opened or is a folder.
+pub(crate) fn open_input(path: &Path) -> Result<File> {
+    let file = File::open(path).with_context(|| format!("opening {}", path.display()))?;
     anyhow::ensure!(
         !file.metadata()?.is_dir(),
         "{} is a folder, expected an OpenDRIVE file",
         path.display()
     );
-    let mut head = [0; 2];
-    let count = file.read(&mut head)?;
-    anyhow::ensure!(
-        head != GZIP,
-        "{} is compressed with gzip, which is not read yet; unpack it first",
-        path.display()
-    );
-    let input = head.get(..count).unwrap_or(&[]).chain(file);
-    compile(input, options, progress).with_context(|| format!("reading {}", path.display()))
+    Ok(file)
 }
 
 /// Opens a SOURCE: `shm:NAME` (in a domain, waiting so long at most), a `.mapd` file in place, or an OpenDRIVE file compiled in memory.

@@ -14,8 +14,14 @@ use mapd_geometry::{clamp, normalize_angle};
 const BORDER_ITERATIONS: usize = 12;
 /// Step along a border `[m]` below which its foot counts as found.
 const BORDER_STEP: f64 = 1e-10;
-/// Smallest share of the Gauss–Newton slope that is kept where the point lies near the border's centre of curvature.
-const MIN_CONTRACTION: f64 = 0.1;
+/// Nearness to the border's centre of curvature, as a share of the radius, below which Newton's method is not trusted.
+const MIN_CONTRACTION: f64 = 0.5;
+/// Bend of a border's t, times the point's distance, up to which the border counts as convex.
+const MAX_SWING: f64 = 0.25;
+/// Parts of a stretch that are looked at where it is not.
+const SEARCH_PARTS: usize = 8;
+/// Narrowings to two thirds around the nearest of them: from metres to a nanometre.
+const NARROWINGS: usize = 52;
 
 /// A stretch of a lane.
 #[derive(Clone, Copy, Debug)]
@@ -42,10 +48,14 @@ impl Slab {
 pub(crate) fn slab(lane: &Lane<'_>, segment: usize) -> Option<Slab> {
     let points = lane.row.center().of(lane.map.tables().points);
     let (a, b) = (points.get(segment)?, points.get(segment + 1)?);
+    if a.s() == b.s() && points.len() > 2 {
+        // Both sides of a jump, or records that hold for less than single precision tells apart: no area, as in the index.
+        return None;
+    }
     let (start, end) = (lane.section.s_start(), lane.section.s_end());
     // Stored s has 24 bits; the ends and the joints of geometries are exact values, put back here.
-    let lo = if segment == 0 { start } else { start + f64::from(a.s()) };
-    let hi = if segment + 2 == points.len() { end } else { start + f64::from(b.s()) };
+    let lo = if segment == 0 { start } else { (start + f64::from(a.s())).min(end) };
+    let hi = if segment + 2 == points.len() { end } else { (start + f64::from(b.s())).min(end) };
     let middle = 0.5 * (lo + hi);
     let rows = lane.road.geometries();
     let at = rows.partition_point(|g| g.s() <= middle).saturating_sub(1);
@@ -98,14 +108,9 @@ pub(crate) fn position_in_slab(lane: &Lane<'_>, slab: Slab, local: DVec2) -> Opt
             best = away.dot(tangent).hypot(past);
         }
         if beside {
-            best = best.min(border_distance(
-                lane,
-                slab,
-                &piece,
-                local,
-                s,
-                (t > high) == (edges.outer >= edges.inner),
-            )?);
+            let outer = (t > high) == (edges.outer >= edges.inner);
+            let border = Border { lane, slab, piece: &piece, local, outer };
+            best = best.min(border.distance(s));
         }
         best
     };
@@ -119,47 +124,101 @@ pub(crate) fn position_in_slab(lane: &Lane<'_>, slab: Slab, local: DVec2) -> Opt
     })
 }
 
-/// Distance from a border within the slab, by Newton's method from the reference line's foot; every step is a point of
-/// the border, so the smallest distance seen is an upper bound whatever happens.
-fn border_distance(
-    lane: &Lane<'_>,
+/// One border of a lane within a slab, as seen from a point.
+struct Border<'a, 'm> {
+    lane: &'a Lane<'m>,
     slab: Slab,
-    piece: &Piece<'_>,
+    piece: &'a Piece<'m>,
     local: DVec2,
-    seed: f64,
     outer: bool,
-) -> Option<f64> {
-    let mut s = seed;
-    let mut best = f64::INFINITY;
-    for _ in 0..BORDER_ITERATIONS {
-        let at = slab.at(s);
-        let point = piece.curve.evaluate(s - piece.s);
-        let slopes = lane.edge_slopes(at);
-        let edge = if outer { slopes.outer } else { slopes.inner };
-        let (roll_cos, _) = lane.road.roll(at);
+}
+
+/// A place on a border: distance, step towards the point's foot, and how much nearer than its centre of curvature the
+/// point lies (1 on the border, 0 at the centre, negative beyond).
+struct Approach {
+    distance: f64,
+    step: f64,
+    contraction: f64,
+}
+
+impl Border<'_, '_> {
+    fn at(&self, s: f64) -> Approach {
+        let at = self.slab.at(s);
+        let point = self.piece.curve.evaluate(s - self.piece.s);
+        let slopes = self.lane.edge_slopes(at);
+        let edge = if self.outer { slopes.outer } else { slopes.inner };
+        let (roll_cos, roll_sin) = self.lane.road.roll(at);
         let lateral = edge.value * roll_cos;
+        let mut widening = edge.derivative * roll_cos;
+        if roll_sin != 0.0 {
+            widening -= edge.value * roll_sin * self.lane.road.superelevation_slope(at);
+        }
         let (tangent, normal) =
             (DVec2::new(point.cos, point.sin), DVec2::new(-point.sin, point.cos));
-        let away = local - (DVec2::new(point.x, point.y) + normal * lateral);
-        best = best.min(away.length());
+        let away = self.local - (DVec2::new(point.x, point.y) + normal * lateral);
         let stretch = 1.0 - point.curvature * lateral;
-        let derivative = tangent * stretch + normal * (edge.derivative * roll_cos);
-        let squared = derivative.length_squared();
-        if squared == 0.0 {
-            break;
-        }
+        let derivative = tangent * stretch + normal * widening;
         // Curvature of the border, its own change of t left out: it only shapes the step.
         let curvature = if stretch.abs() > f64::EPSILON { point.curvature / stretch } else { 0.0 };
-        let contraction = (1.0 - curvature * away.dot(normal)).max(MIN_CONTRACTION);
-        let next = s + away.dot(derivative) / (squared * contraction);
-        let next = clamp(next, slab.s_lo, slab.s_hi);
-        let step = (next - s).abs();
-        if step <= BORDER_STEP || !step.is_finite() {
-            break;
-        }
-        s = next;
+        let contraction = 1.0 - curvature * away.dot(normal);
+        let squared = derivative.length_squared() * contraction.max(MIN_CONTRACTION);
+        let step = if squared == 0.0 { 0.0 } else { away.dot(derivative) / squared };
+        Approach { distance: away.length(), step, contraction }
     }
-    Some(best)
+
+    /// Distance by Newton's method; every step is a point of the border, so the smallest distance seen is an upper bound
+    /// whatever happens.
+    fn distance(&self, seed: f64) -> f64 {
+        let (mut s, mut best) = (seed, f64::INFINITY);
+        for _ in 0..BORDER_ITERATIONS {
+            let found = self.at(s);
+            best = best.min(found.distance);
+            if found.contraction < MIN_CONTRACTION {
+                // Near or beyond the centre of curvature the nearest place may be anywhere, the ends included.
+                return best.min(self.search());
+            }
+            let next = clamp(s + found.step, self.slab.s_lo, self.slab.s_hi);
+            let step = (next - s).abs();
+            if step <= BORDER_STEP || !step.is_finite() {
+                break;
+            }
+            s = next;
+        }
+        if self.swings(best) { best.min(self.search()) } else { best }
+    }
+
+    /// Whether the border's t bends so much within the slab that from so far away there may be several nearest places.
+    fn swings(&self, distance: f64) -> bool {
+        let slopes = [self.slab.s_lo, self.slab.middle(), self.slab.s_hi].map(|s| {
+            let slopes = self.lane.edge_slopes(self.slab.at(s));
+            if self.outer { slopes.outer.derivative } else { slopes.inner.derivative }
+        });
+        let swing = slopes.iter().fold(f64::NEG_INFINITY, |a, b| a.max(*b))
+            - slopes.iter().fold(f64::INFINITY, |a, b| a.min(*b));
+        swing * distance > MAX_SWING * (self.slab.s_hi - self.slab.s_lo)
+    }
+
+    /// Distance by looking everywhere, then more closely around the nearest place.
+    fn search(&self) -> f64 {
+        let part = (self.slab.s_hi - self.slab.s_lo) / SEARCH_PARTS as f64;
+        let places = (0..=SEARCH_PARTS).map(|i| self.slab.s_lo + part * i as f64);
+        let (mut best, mut nearest) = (f64::INFINITY, self.slab.s_lo);
+        for s in places {
+            let distance = self.at(s).distance;
+            if distance < best {
+                (best, nearest) = (distance, s);
+            }
+        }
+        let mut low = clamp(nearest - part, self.slab.s_lo, self.slab.s_hi);
+        let mut high = clamp(nearest + part, self.slab.s_lo, self.slab.s_hi);
+        for _ in 0..NARROWINGS {
+            let third = (high - low) / 3.0;
+            let (a, b) = (self.at(low + third).distance, self.at(high - third).distance);
+            best = best.min(a).min(b);
+            if a < b { high -= third } else { low += third }
+        }
+        best
+    }
 }
 
 /// Position with respect to the whole lane: the nearest of its slabs.

@@ -17,6 +17,7 @@
 
 mod area;
 mod error;
+mod grid;
 mod ids;
 mod index;
 mod junction;
@@ -30,6 +31,7 @@ mod profile;
 mod region;
 mod road;
 mod section;
+mod surface;
 mod types;
 mod waypoints;
 
@@ -47,5 +49,6 @@ pub use polyline::Polyline;
 pub use region::{BoundarySegment, Region};
 pub use road::{Road, RoadLink, RoadTypeRecord};
 pub use section::LaneSection;
+pub use surface::{Material, Surface};
 pub use types::{LaneEdges, LanePosition, Point, Pose, Track, TrackPosition};
 pub use waypoints::Waypoint;

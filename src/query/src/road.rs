@@ -14,6 +14,10 @@ use mapd_archive::{
 };
 use mapd_geometry::{Curve, CurveKind, CurvePoint, Start, clamp, normalize_angle};
 
+/// Two geometries that meet may miss each other by the rounding of their written coordinates: a unit in the last place of
+/// 8,000 km `[m]`. Of two feet whose distances differ by less, the perpendicular one is the foot.
+const JOINT: f64 = 1e-9;
+
 /// A road.
 #[derive(Clone, Copy)]
 pub struct Road<'a> {
@@ -92,6 +96,11 @@ impl<'a> Road<'a> {
         } else {
             Junction::new(self.map, self.row.junction())
         }
+    }
+
+    /// Row of the junction that this is a connecting road of.
+    pub(crate) fn junction_row(&self) -> Option<u32> {
+        Some(self.row.junction()).filter(|row| *row != NONE)
     }
 
     /// What lies at s = 0.
@@ -181,6 +190,11 @@ impl<'a> Road<'a> {
     #[inline]
     pub(crate) fn elevation(&self, at: At) -> f64 {
         profile::value(self.cubics(self.row.elevations()), at)
+    }
+
+    /// Elevation with its slope.
+    pub(crate) fn elevation_slope(&self, at: At) -> profile::Slope {
+        profile::slope(self.cubics(self.row.elevations()), at)
     }
 
     /// Lane offset at s `[m]`; positive to the left.
@@ -296,7 +310,8 @@ impl<'a> Road<'a> {
         let local: DVec2 = point.xy - self.map.origin();
         let end = self.reference_end();
         let mut best: Option<(f64, Piece<'a>, mapd_geometry::Projection)> = None;
-        for g in self.geometries().iter().filter(|g| g.s() <= end) {
+        let rows = self.geometries();
+        for (i, g) in rows.iter().enumerate().filter(|(_, g)| g.s() <= end) {
             let from_start = DVec2::new(local.x - g.x(), local.y - g.y()).length();
             // No point of a line, arc or spiral is farther from its start than its length; parametric curves are scaled
             // to their stated length and may reach farther.
@@ -305,13 +320,20 @@ impl<'a> Road<'a> {
                 Some(CurveKind::Poly3 | CurveKind::ParamPoly3)
             );
             let nearest_possible = if scaled { 0.0 } else { from_start - g.length() };
-            if best.as_ref().is_some_and(|(d, ..)| nearest_possible > *d) {
+            if best.as_ref().is_some_and(|(d, ..)| nearest_possible > *d + JOINT) {
                 continue;
             }
             let piece = self.piece(g).ok_or(QueryError::Corrupt)?;
-            let foot = piece.curve.project(local.x, local.y);
+            // Where geometries overlap, the later one holds.
+            let next = rows.get(i + 1).map_or(end, |next| next.s().min(end));
+            let foot = piece.curve.project_within(local.x, local.y, next - piece.s);
             let distance = foot.distance_squared.sqrt();
-            if best.as_ref().is_none_or(|(d, ..)| distance < *d) {
+            let better = |(d, _, b): &(f64, Piece<'a>, mapd_geometry::Projection)| {
+                // A perpendicular foot has to lose by more than rounding, and wins within it.
+                let allowance = f64::from(i8::from(b.clamped) - i8::from(foot.clamped)) * JOINT;
+                distance < *d + allowance
+            };
+            if best.as_ref().is_none_or(better) {
                 best = Some((distance, piece, foot));
             }
         }

@@ -6,7 +6,7 @@ use crate::element::{self, Element};
 use crate::extension::Extension;
 use crate::finding::{Finding, Severity, Span};
 use crate::findings::Findings;
-use crate::limits::Limits;
+use crate::limits::{ELEMENT_BYTES, Limits};
 use crate::markup::Text;
 use crate::rule_ids;
 use crate::schema::{AttributeSchema, Choice, ElementSchema};
@@ -137,6 +137,10 @@ pub(crate) struct Cursor<'a> {
     pub(crate) content_start: Option<u64>,
     /// Order of the parts of the file.
     pub(crate) structure: Structure,
+    /// Whether an element beyond the standard's own is being read.
+    pub(crate) within_extension: bool,
+    /// Bytes that the top-level element has taken so far, as [`Limits::item_bytes`] counts them.
+    pub(crate) spent: usize,
     pub(crate) over: bool,
     pub(crate) failed: Option<io::Error>,
 }
@@ -170,6 +174,8 @@ impl<'a> Cursor<'a> {
             content: String::new(),
             content_start: None,
             structure: Structure::default(),
+            within_extension: false,
+            spent: 0,
             over: false,
             failed: None,
         }
@@ -177,6 +183,7 @@ impl<'a> Cursor<'a> {
 
     /// Begins the element whose start tag has been read.
     pub(crate) fn open(&mut self, schema: &'static ElementSchema) -> Open {
+        self.spend(self.tag.span.len as usize + ELEMENT_BYTES);
         let name = Name::Known(self.pending);
         self.frames.push(Frame { name, key: None, names: self.names.len() });
         let counts = self.counts.len();
@@ -387,8 +394,11 @@ impl<'a> Cursor<'a> {
 
     /// Path of the open elements, such as `OpenDRIVE/road[@id=12]/planView`.
     pub(crate) fn path(&self) -> String {
+        /// Bytes of a name or a key that are shown.
+        const SHOWN: usize = 64;
         let text = |from: usize, len: usize| {
-            String::from_utf8_lossy(self.names.get(from..from + len).unwrap_or_default())
+            let to = from + len.min(SHOWN);
+            String::from_utf8_lossy(self.names.get(from..to).unwrap_or_default())
         };
         let mut path = String::new();
         for frame in &self.frames {
@@ -417,6 +427,24 @@ impl<'a> Cursor<'a> {
     ) {
         let path = self.path();
         self.findings.add(rule, severity, span, (self.kind, detail), || (path, message));
+    }
+
+    /// Counts what the top-level element takes; ends the walk where that is too much.
+    #[inline]
+    pub(crate) fn spend(&mut self, bytes: usize) {
+        self.spent += bytes;
+        if self.spent > self.limits.item_bytes && !self.over {
+            self.overspent();
+        }
+    }
+
+    #[cold]
+    fn overspent(&mut self) {
+        let message = format!(
+            "expected at most {} bytes in one top-level element, {ELEMENT_BYTES} for each element within counted, found more",
+            self.limits.item_bytes
+        );
+        self.refuse(rule_ids::LIMIT, self.window.start(), message);
     }
 
     /// Ends the walk with an error.

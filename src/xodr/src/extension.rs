@@ -29,6 +29,10 @@ pub struct Extension {
 }
 
 /// The extensions of an element in file order; most elements have none, and pay eight bytes.
+#[expect(
+    clippy::box_collection,
+    reason = "every element has this field, and few have an extension"
+)]
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Extensions(Option<Box<Vec<Extension>>>);
 

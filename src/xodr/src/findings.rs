@@ -6,6 +6,13 @@ use std::collections::HashMap;
 /// What findings have in common: the rule, the type of element, and what of it is concerned.
 type Kind = (&'static str, &'static str, Box<str>);
 
+/// Kinds that are told apart; all others of a rule are one kind.
+const KINDS: usize = 1024;
+/// Bytes of a message or a path that are kept.
+const SHOWN_BYTES: usize = 1024;
+/// Bytes of what a kind is about that are looked at.
+const DETAIL_BYTES: usize = 64;
+
 /// Findings beyond those kept, of one kind.
 struct More {
     severity: Severity,
@@ -40,12 +47,16 @@ impl Findings {
         make: impl FnOnce() -> (String, String),
     ) {
         self.errors += usize::from(severity == Severity::Error);
-        let kind = (rule, element, Box::from(detail));
+        let mut kind = (rule, element, Box::from(shorten(detail, DETAIL_BYTES)));
+        if self.counts.len() >= KINDS && !self.counts.contains_key(&kind) {
+            kind = (rule, "", Box::default());
+        }
         let (count, more) = self.counts.entry(kind.clone()).or_default();
         *count = count.saturating_add(1);
         if *count <= self.limit {
             let (path, message) = make();
-            let subject = kind.2;
+            let (path, message) = (shown(path), shown(message));
+            let subject = shorten(detail, DETAIL_BYTES).into();
             self.kept.push(Finding {
                 rule,
                 severity,
@@ -64,7 +75,7 @@ impl Findings {
             }
             None => {
                 *more = Some(self.more.len());
-                let (path, _) = make();
+                let path = shown(make().0);
                 self.more.push((kind, More { severity, span, path, count: 1 }));
             }
         }
@@ -73,8 +84,11 @@ impl Findings {
     /// The document has ended: one finding for each kind that had more than are kept.
     pub(crate) fn finish(&mut self) {
         for ((rule, element, detail), more) in self.more.drain(..) {
-            let what =
-                if detail.is_empty() { element.to_owned() } else { format!("{element}, {detail}") };
+            let what = match (element, &*detail) {
+                ("", "") => "whatever they are about".to_owned(),
+                (what, "") | ("", what) => what.to_owned(),
+                (element, detail) => format!("{element}, {detail}"),
+            };
             let message =
                 format!("{} more findings like this ({what}), the first of them here", more.count);
             let (severity, span, path) = (more.severity, more.span, more.path);
@@ -94,5 +108,18 @@ impl Findings {
     /// Takes the findings since the last call.
     pub(crate) fn take(&mut self) -> Vec<Finding> {
         std::mem::take(&mut self.kept)
+    }
+}
+
+/// The beginning of a text, of at most so many bytes.
+pub(crate) fn shorten(text: &str, bytes: usize) -> &str {
+    text.get(..text.floor_char_boundary(bytes)).unwrap_or(text)
+}
+
+/// A text as findings keep it.
+fn shown(text: String) -> String {
+    match shorten(&text, SHOWN_BYTES) {
+        short if short.len() < text.len() => format!("{short}…"),
+        _ => text,
     }
 }

@@ -12,6 +12,10 @@ const TEXT_BYTES: usize = 1 << 20;
 const ATTRIBUTES: usize = 1024;
 /// User data of one element, such as a vector graphic.
 const EXTENSION_BYTES: usize = 1 << 20;
+/// The longest roads known have 2 MB of text and 16,000 elements, which count as 6 MB.
+const ITEM_BYTES: usize = 64 << 20;
+/// Bytes that an element counts beyond its text: about what the largest one takes as a value.
+pub(crate) const ELEMENT_BYTES: usize = 256;
 /// Findings of one kind about one type of element that are kept. The first dozen show what is wrong.
 const FINDINGS_OF_A_KIND: u32 = 100;
 
@@ -29,6 +33,9 @@ pub struct Limits {
     /// Bytes of an element beyond the standard's own that is kept as text; of larger ones only the place is kept.
     /// Default 1 MiB.
     pub extension_bytes: usize,
+    /// Bytes of one top-level element: its tags and texts, and 256 for each element. Documents with larger ones are
+    /// refused. As many are kept of what stands in the root beyond the standard's own elements. Default 64 MiB.
+    pub item_bytes: usize,
     /// Findings of one kind about one type of element that are kept; more are counted. Default 100.
     pub findings_of_a_kind: u32,
     /// Bounds on the input: its size, compression, includes.
@@ -43,6 +50,7 @@ impl Default for Limits {
             text_bytes: TEXT_BYTES,
             attributes: ATTRIBUTES,
             extension_bytes: EXTENSION_BYTES,
+            item_bytes: ITEM_BYTES,
             findings_of_a_kind: FINDINGS_OF_A_KIND,
             source: SourceLimits::default(),
         }

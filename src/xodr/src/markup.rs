@@ -296,7 +296,9 @@ impl Cursor<'_> {
             Text::Content => {
                 let content = String::from_utf8_lossy(content).into_owned();
                 self.content_start.get_or_insert(start + 9);
-                self.content += &content;
+                if self.has_room(content.len(), start) {
+                    self.content += &content;
+                }
             }
             Text::None if !content.trim_ascii().is_empty() => self.stray_text(start),
             Text::None | Text::Any => {}
@@ -343,6 +345,19 @@ impl Cursor<'_> {
         self.add(rule_ids::TEXT, Severity::Warning, Span { start, len: 1 }, "", message);
     }
 
+    /// Whether the content may grow by some bytes; the walk ends where it may not.
+    fn has_room(&mut self, bytes: usize, start: u64) -> bool {
+        let most = self.limits.text_bytes;
+        let has_room = self.content.len() + bytes <= most;
+        if !has_room {
+            let message =
+                format!("expected at most {most} bytes of text in one element, found more");
+            self.refuse(rule_ids::LIMIT, start, message);
+        }
+        self.spend(bytes);
+        has_room && !self.over
+    }
+
     /// Takes in text up to the next markup as content.
     fn collect_text(&mut self) {
         self.window.begin();
@@ -357,8 +372,9 @@ impl Cursor<'_> {
         if let Some(first) = content.iter().position(|byte| !byte.is_ascii_whitespace()) {
             self.content_start.get_or_insert(start + first as u64);
         }
-        if self.content.len() + content.len() <= self.limits.text_bytes {
-            values::push_resolved(&mut self.content, &String::from_utf8_lossy(content));
+        let content = content.to_vec();
+        if self.has_room(content.len(), start) {
+            values::push_resolved(&mut self.content, &String::from_utf8_lossy(&content));
         }
         self.window.take(end);
         self.faults(faults);

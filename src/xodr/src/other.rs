@@ -4,6 +4,7 @@ use crate::cursor::{Cursor, Markup, Name, Open, Step};
 use crate::extension::{Extension, ExtensionKind};
 use crate::finding::Severity;
 use crate::generated::schema_additional_data as additional;
+use crate::limits::ELEMENT_BYTES;
 use crate::markup::Text;
 use crate::rule_ids;
 use crate::schema::{DATA_QUALITY, ElementSchema, INCLUDE, Kind, USER_DATA, alike};
@@ -55,8 +56,9 @@ impl Cursor<'_> {
             _ => None,
         };
         // Within another extension nothing is kept a second time.
-        let outermost = !self.window.is_holding();
+        let outermost = !self.within_extension;
         if outermost {
+            self.within_extension = true;
             self.window.hold();
         }
         let kind = match known.filter(|_| !foreign && !open.schema.any) {
@@ -71,10 +73,13 @@ impl Cursor<'_> {
                 self.check_only(schema);
                 if let Some(file) = file
                     && !self.over
-                    && self.enter_include(&file, span)
                 {
-                    self.window.release();
-                    return None;
+                    let text = self.kept(span);
+                    self.within_extension = false;
+                    if self.enter_include(&file, span) {
+                        return None;
+                    }
+                    return Some(Extension { kind, text, span });
                 }
                 kind
             }
@@ -90,7 +95,12 @@ impl Cursor<'_> {
                 if foreign { ExtensionKind::Foreign } else { ExtensionKind::Unknown }
             }
         };
-        let text = if outermost { self.kept(span) } else { Box::default() };
+        if !outermost {
+            return Some(Extension { kind, text: Box::default(), span });
+        }
+        self.within_extension = false;
+        let text = self.kept(span);
+        self.spend(text.len() + ELEMENT_BYTES);
         Some(Extension { kind, text, span })
     }
 
@@ -166,6 +176,14 @@ impl Cursor<'_> {
                 let name = self.bytes((1, 1 + self.tag.name as u32)).to_vec();
                 self.names.extend_from_slice(&name);
                 self.push_frame(Name::Other(at, name.len()), at);
+                if self.names.len() > self.limits.tag_bytes {
+                    let most = self.limits.tag_bytes;
+                    let message = format!(
+                        "expected at most {most} bytes in the names of nested elements, found more"
+                    );
+                    self.refuse(rule_ids::LIMIT, self.tag.span.start, message);
+                    return;
+                }
             }
             while self.frames.len() > depth {
                 match self.markup(Text::Any) {

@@ -4,10 +4,11 @@ use crate::cursor::{Cursor, Markup, Open, Step};
 use crate::extension::Extensions;
 use crate::finding::{Finding, Severity, Span};
 use crate::generated::{Item, read_document, schema_document};
-use crate::limits::Limits;
+use crate::limits::{ELEMENT_BYTES, Limits};
 use crate::markup::Text;
 use crate::other;
 use crate::rule_ids;
+use crate::schema::NAMES;
 use crate::source::{Inputs, Places, Position, Source};
 use crate::well_formed::{Fault, Faults};
 use std::io::{self, Read};
@@ -28,6 +29,8 @@ pub struct Reader<'a> {
     cursor: Cursor<'a>,
     state: State,
     extensions: Extensions,
+    /// Bytes of these.
+    extended: usize,
 }
 
 impl Reader<'static> {
@@ -55,6 +58,7 @@ impl<'a> Reader<'a> {
             cursor: Cursor::new(inputs, source, limits),
             state: State::BeforeRoot,
             extensions: Extensions::default(),
+            extended: 0,
         }
     }
 
@@ -85,6 +89,16 @@ impl<'a> Reader<'a> {
     /// Takes the findings since the last call. Where many are of one kind, the last call has how many more there were.
     pub fn take_findings(&mut self) -> Vec<Finding> {
         self.cursor.take_findings()
+    }
+
+    /// The revision that the header states, such as `1.7`; empty before the header and where it states none.
+    pub fn stated_version(&self) -> &str {
+        &self.cursor.stated
+    }
+
+    /// The version of the standard that the document is checked against.
+    pub fn checked_version(&self) -> &'static str {
+        NAMES[self.cursor.version]
     }
 
     /// Files and lines read so far.
@@ -194,9 +208,27 @@ impl<'a> Reader<'a> {
                         cursor.set_version();
                     }
                     let item = read_document::item(slot, cursor);
+                    cursor.spent = 0;
                     return item.filter(|_| !cursor.over);
                 }
-                Step::Extension(extension) => self.extensions.push(extension),
+                Step::Extension(extension) => {
+                    cursor.spent = 0;
+                    let bytes = extension.text.len() + ELEMENT_BYTES;
+                    if self.extended + bytes <= cursor.limits.item_bytes {
+                        self.extended += bytes;
+                        self.extensions.push(extension);
+                    } else {
+                        let message = "expected less beyond the standard's own elements in the root, found more; not kept";
+                        let message = message.to_owned();
+                        cursor.add(
+                            rule_ids::NOT_KEPT,
+                            Severity::Warning,
+                            extension.span,
+                            "",
+                            message,
+                        );
+                    }
+                }
                 Step::End => {
                     if !cursor.over {
                         cursor.structure.end();

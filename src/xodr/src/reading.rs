@@ -299,7 +299,8 @@ impl Cursor<'_> {
         if is_known {
             let expected = format!("a word that {standard} does not deprecate");
             self.about(rule_ids::DEPRECATED, Severity::Info, &expected, "");
-        } else if !self.is_loose() {
+        } else if !self.is_loose() && self.schema.versions & alike(self.version as u8) != 0 {
+            // Of an attribute that is of another version itself, its words need no finding of their own.
             let expected = format!("a word of {standard}");
             self.about(
                 rule_ids::OTHER_VERSION,
@@ -362,7 +363,6 @@ impl Cursor<'_> {
         if let Some(done) = problem {
             let stated = if self.stated.is_empty() { "none" } else { &self.stated };
             let message = format!("expected revision 1.4 to 1.9, found {stated}; {done}");
-            self.stated = NAMES[version].to_owned();
             let path = format!("{}/header", self.path());
             self.findings.add(
                 rule_ids::VERSION,

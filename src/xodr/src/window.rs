@@ -43,13 +43,15 @@ pub(crate) struct Window<'a> {
 
 impl<'a> Window<'a> {
     pub(crate) fn new(source: Source<'a>, limit: usize, hold_limit: usize) -> Self {
+        // Where the text begins, unless something before it is passed over.
+        let base = Places::start(source.file(), 0);
         Self {
             source,
             buffer: vec![0; ROOM],
             start: 0,
             at: 0,
             end: 0,
-            base: 0,
+            base,
             hold: None,
             limit,
             hold_limit,
@@ -85,17 +87,12 @@ impl<'a> Window<'a> {
 
     /// The token has `length` bytes.
     pub(crate) fn take(&mut self, length: usize) {
-        self.at = (self.start + length).min(self.end);
+        self.at = self.start.saturating_add(length).min(self.end);
     }
 
     /// From the token's start on everything stays, until [`Window::release`].
     pub(crate) fn hold(&mut self) {
         self.hold = Some(self.start);
-    }
-
-    /// Whether something is held.
-    pub(crate) fn is_holding(&self) -> bool {
-        self.hold.is_some()
     }
 
     /// What was held, up to the token's end; none if it was more than the window holds.

@@ -641,3 +641,232 @@ impl ArchivedIndexLeafRow {
         bytemuck::cast_ref::<[rend::u16_le; 16], _>(&self.z_high)
     }
 }
+
+impl ArchivedSurfaceRow {
+    /// The road.
+    #[inline]
+    pub fn road(&self) -> u32 {
+        self.road.to_native()
+    }
+    /// Stations of the lateral shape, ascending in s (OpenDRIVE 1.8.1, 10.5.3).
+    #[inline]
+    pub fn shapes(&self) -> Range {
+        self.shapes.to_native()
+    }
+    /// Crossfall `[rad]` over s left of the reference line; positive falls outwards (OpenDRIVE 1.4, 1.5).
+    #[inline]
+    pub fn crossfall_left(&self) -> Range {
+        self.crossfall_left.to_native()
+    }
+    /// Crossfall `[rad]` over s right of the reference line; positive falls outwards.
+    #[inline]
+    pub fn crossfall_right(&self) -> Range {
+        self.crossfall_right.to_native()
+    }
+    /// t `[m]` over s from which the strips count.
+    #[inline]
+    pub fn strip_offset(&self) -> Range {
+        self.strip_offset.to_native()
+    }
+    /// Strips of the cross-section surface (OpenDRIVE 1.8.1, 10.6).
+    #[inline]
+    pub fn strips(&self) -> Range {
+        self.strips.to_native()
+    }
+}
+
+impl ArchivedShapeStationRow {
+    /// `[m]` Place on the road.
+    #[inline]
+    pub fn s(&self) -> f64 {
+        self.s.to_native()
+    }
+    /// Height `[m]` over t: each record starts at the t `[m]` in its field `s`.
+    #[inline]
+    pub fn records(&self) -> Range {
+        self.records.to_native()
+    }
+}
+
+impl ArchivedSurfaceStripRow {
+    /// Width `[m]` over s; empty for a strip without an outer end.
+    #[inline]
+    pub fn width(&self) -> Range {
+        self.width.to_native()
+    }
+    /// Constant part `[m]` over s.
+    #[inline]
+    pub fn constant(&self) -> Range {
+        self.constant.to_native()
+    }
+    /// Linear part over s.
+    #[inline]
+    pub fn linear(&self) -> Range {
+        self.linear.to_native()
+    }
+    /// Quadratic part `[1/m]` over s.
+    #[inline]
+    pub fn quadratic(&self) -> Range {
+        self.quadratic.to_native()
+    }
+    /// Cubic part `[1/m²]` over s.
+    #[inline]
+    pub fn cubic(&self) -> Range {
+        self.cubic.to_native()
+    }
+    /// strip/@id: 1 and 2 to the left, −1 and −2 to the right, from the middle outwards.
+    #[inline]
+    pub fn id(&self) -> i32 {
+        self.id.to_native()
+    }
+    /// 0 absolute, 1 relative to the inner strip's outer edge.
+    #[inline]
+    pub fn mode(&self) -> u32 {
+        self.mode.to_native()
+    }
+}
+
+impl ArchivedLaneHeightRow {
+    /// `[m]` Start on the road.
+    #[inline]
+    pub fn s(&self) -> f64 {
+        self.s.to_native()
+    }
+    /// `[m]` Height at the edge nearer to lane 0.
+    #[inline]
+    pub fn inner(&self) -> f64 {
+        self.inner.to_native()
+    }
+    /// `[m]` Height at the edge away from lane 0.
+    #[inline]
+    pub fn outer(&self) -> f64 {
+        self.outer.to_native()
+    }
+    /// The lane.
+    #[inline]
+    pub fn lane(&self) -> u32 {
+        self.lane.to_native()
+    }
+}
+
+impl ArchivedLaneMaterialRow {
+    /// `[m]` Start on the road.
+    #[inline]
+    pub fn s(&self) -> f64 {
+        self.s.to_native()
+    }
+    /// Friction coefficient; −1 if not given.
+    #[inline]
+    pub fn friction(&self) -> f64 {
+        self.friction.to_native()
+    }
+    /// Roughness as written; −1 if not given.
+    #[inline]
+    pub fn roughness(&self) -> f64 {
+        self.roughness.to_native()
+    }
+    /// The lane.
+    #[inline]
+    pub fn lane(&self) -> u32 {
+        self.lane.to_native()
+    }
+    /// material/@surface.
+    #[inline]
+    pub fn surface(&self) -> u32 {
+        self.surface.to_native()
+    }
+}
+
+impl ArchivedElevationGridRow {
+    /// `[m]` Start of the junction's reference line, relative to the local origin.
+    #[inline]
+    pub fn x(&self) -> f64 {
+        self.x.to_native()
+    }
+    /// `[m]` Start of the junction's reference line, relative to the local origin.
+    #[inline]
+    pub fn y(&self) -> f64 {
+        self.y.to_native()
+    }
+    /// Cosine of the line's heading.
+    #[inline]
+    pub fn cos(&self) -> f64 {
+        self.cos.to_native()
+    }
+    /// Sine of the line's heading.
+    #[inline]
+    pub fn sin(&self) -> f64 {
+        self.sin.to_native()
+    }
+    /// `[m]` First row's place on the line.
+    #[inline]
+    pub fn s_start(&self) -> f64 {
+        self.s_start.to_native()
+    }
+    /// `[m]` Distance between rows, and between points of a row.
+    #[inline]
+    pub fn spacing(&self) -> f64 {
+        self.spacing.to_native()
+    }
+    /// The junction.
+    #[inline]
+    pub fn junction(&self) -> u32 {
+        self.junction.to_native()
+    }
+    /// Rows along the line.
+    #[inline]
+    pub fn rows(&self) -> Range {
+        self.rows.to_native()
+    }
+    /// Joints at which the roads' own heights pass into the grid's.
+    #[inline]
+    pub fn transitions(&self) -> Range {
+        self.transitions.to_native()
+    }
+}
+
+impl ArchivedGridRowRow {
+    /// `[m]` Height on the reference line.
+    #[inline]
+    pub fn center(&self) -> f64 {
+        self.center.to_native()
+    }
+    /// Heights to the left `[m]`.
+    #[inline]
+    pub fn left(&self) -> Range {
+        self.left.to_native()
+    }
+    /// Heights to the right `[m]`.
+    #[inline]
+    pub fn right(&self) -> Range {
+        self.right.to_native()
+    }
+}
+
+impl ArchivedGridTransitionRow {
+    /// `[m]` One end of the joint, relative to the local origin.
+    #[inline]
+    pub fn start_x(&self) -> f64 {
+        self.start_x.to_native()
+    }
+    /// `[m]` One end of the joint.
+    #[inline]
+    pub fn start_y(&self) -> f64 {
+        self.start_y.to_native()
+    }
+    /// `[m]` The other end of the joint.
+    #[inline]
+    pub fn end_x(&self) -> f64 {
+        self.end_x.to_native()
+    }
+    /// `[m]` The other end of the joint.
+    #[inline]
+    pub fn end_y(&self) -> f64 {
+        self.end_y.to_native()
+    }
+    /// `[m]` Length of the transition into the junction.
+    #[inline]
+    pub fn length(&self) -> f64 {
+        self.length.to_native()
+    }
+}

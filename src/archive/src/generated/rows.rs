@@ -370,3 +370,158 @@ pub struct IndexLeafRow {
     pub z_high: [u16; 16],
 }
 const _: () = assert!(size_of::<IndexLeafRow>() == 504 && size_of::<ArchivedIndexLeafRow>() == 504);
+
+/// Lateral profiles of the roads that have any besides superelevation, by road.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct SurfaceRow {
+    /// The road.
+    pub road: u32,
+    /// Stations of the lateral shape, ascending in s (OpenDRIVE 1.8.1, 10.5.3).
+    pub shapes: Range,
+    /// Crossfall `[rad]` over s left of the reference line; positive falls outwards (OpenDRIVE 1.4, 1.5).
+    pub crossfall_left: Range,
+    /// Crossfall `[rad]` over s right of the reference line; positive falls outwards.
+    pub crossfall_right: Range,
+    /// t `[m]` over s from which the strips count.
+    pub strip_offset: Range,
+    /// Strips of the cross-section surface (OpenDRIVE 1.8.1, 10.6).
+    pub strips: Range,
+}
+const _: () = assert!(size_of::<SurfaceRow>() == 44 && size_of::<ArchivedSurfaceRow>() == 44);
+
+/// Stations of lateral shapes.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ShapeStationRow {
+    /// `[m]` Place on the road.
+    pub s: f64,
+    /// Height `[m]` over t: each record starts at the t `[m]` in its field `s`.
+    pub records: Range,
+}
+const _: () =
+    assert!(size_of::<ShapeStationRow>() == 16 && size_of::<ArchivedShapeStationRow>() == 16);
+
+/// Strips of cross-section surfaces; coefficients count from the strip's inner edge, signed as t is.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct SurfaceStripRow {
+    /// Width `[m]` over s; empty for a strip without an outer end.
+    pub width: Range,
+    /// Constant part `[m]` over s.
+    pub constant: Range,
+    /// Linear part over s.
+    pub linear: Range,
+    /// Quadratic part `[1/m]` over s.
+    pub quadratic: Range,
+    /// Cubic part `[1/m²]` over s.
+    pub cubic: Range,
+    /// strip/@id: 1 and 2 to the left, −1 and −2 to the right, from the middle outwards.
+    pub id: i32,
+    /// 0 absolute, 1 relative to the inner strip's outer edge.
+    pub mode: u32,
+}
+const _: () =
+    assert!(size_of::<SurfaceStripRow>() == 48 && size_of::<ArchivedSurfaceStripRow>() == 48);
+
+/// lane/height records, by lane and s: what the lane lies above the road's surface, linear between its edges.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct LaneHeightRow {
+    /// `[m]` Start on the road.
+    pub s: f64,
+    /// `[m]` Height at the edge nearer to lane 0.
+    pub inner: f64,
+    /// `[m]` Height at the edge away from lane 0.
+    pub outer: f64,
+    /// The lane.
+    pub lane: u32,
+    /// 0.
+    pub reserved: u32,
+}
+const _: () = assert!(size_of::<LaneHeightRow>() == 32 && size_of::<ArchivedLaneHeightRow>() == 32);
+
+/// lane/material records, by lane and s.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct LaneMaterialRow {
+    /// `[m]` Start on the road.
+    pub s: f64,
+    /// Friction coefficient; −1 if not given.
+    pub friction: f64,
+    /// Roughness as written; −1 if not given.
+    pub roughness: f64,
+    /// The lane.
+    pub lane: u32,
+    /// material/@surface.
+    pub surface: u32,
+}
+const _: () =
+    assert!(size_of::<LaneMaterialRow>() == 32 && size_of::<ArchivedLaneMaterialRow>() == 32);
+
+/// Elevation grids of junctions, by junction (OpenDRIVE 1.8.1, 12.8): inside, their heights replace those of the connecting roads.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ElevationGridRow {
+    /// `[m]` Start of the junction's reference line, relative to the local origin.
+    pub x: f64,
+    /// `[m]` Start of the junction's reference line, relative to the local origin.
+    pub y: f64,
+    /// Cosine of the line's heading.
+    pub cos: f64,
+    /// Sine of the line's heading.
+    pub sin: f64,
+    /// `[m]` First row's place on the line.
+    pub s_start: f64,
+    /// `[m]` Distance between rows, and between points of a row.
+    pub spacing: f64,
+    /// The junction.
+    pub junction: u32,
+    /// Rows along the line.
+    pub rows: Range,
+    /// Joints at which the roads' own heights pass into the grid's.
+    pub transitions: Range,
+    /// 0.
+    pub reserved: u32,
+}
+const _: () =
+    assert!(size_of::<ElevationGridRow>() == 72 && size_of::<ArchivedElevationGridRow>() == 72);
+
+/// A row of an elevation grid: heights from its point on the reference line outwards.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct GridRowRow {
+    /// `[m]` Height on the reference line.
+    pub center: f64,
+    /// Heights to the left `[m]`.
+    pub left: Range,
+    /// Heights to the right `[m]`.
+    pub right: Range,
+}
+const _: () = assert!(size_of::<GridRowRow>() == 24 && size_of::<ArchivedGridRowRow>() == 24);
+
+/// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct GridTransitionRow {
+    /// `[m]` One end of the joint, relative to the local origin.
+    pub start_x: f64,
+    /// `[m]` One end of the joint.
+    pub start_y: f64,
+    /// `[m]` The other end of the joint.
+    pub end_x: f64,
+    /// `[m]` The other end of the joint.
+    pub end_y: f64,
+    /// `[m]` Length of the transition into the junction.
+    pub length: f64,
+}
+const _: () =
+    assert!(size_of::<GridTransitionRow>() == 40 && size_of::<ArchivedGridTransitionRow>() == 40);

@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [80, 197, 222, 229, 166, 89, 192, 112, 71, 152, 17, 41, 138, 168, 75, 135];
+    [246, 29, 40, 31, 78, 16, 131, 10, 81, 152, 197, 225, 137, 17, 52, 52];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -58,6 +58,24 @@ pub struct Rows {
     pub index_nodes: Table<IndexNodeRow>,
     /// Sixteen segments of lanes' centre lines each. A lane's area between a segment's ends lies in a rectangle around the segment: `reach` to both sides, `overshoot` beyond both ends; in height between `z_low` and `z_high`. All four are rounded outwards; 65535 in `reach`, `overshoot` or `z_high` stands for any distance. Unused places have lane u32::MAX.
     pub index_leaves: Table<IndexLeafRow>,
+    /// Lateral profiles of the roads that have any besides superelevation, by road.
+    pub surfaces: Table<SurfaceRow>,
+    /// Stations of lateral shapes.
+    pub shape_stations: Table<ShapeStationRow>,
+    /// Strips of cross-section surfaces; coefficients count from the strip's inner edge, signed as t is.
+    pub surface_strips: Table<SurfaceStripRow>,
+    /// lane/height records, by lane and s: what the lane lies above the road's surface, linear between its edges.
+    pub lane_heights: Table<LaneHeightRow>,
+    /// lane/material records, by lane and s.
+    pub lane_materials: Table<LaneMaterialRow>,
+    /// Elevation grids of junctions, by junction (OpenDRIVE 1.8.1, 12.8): inside, their heights replace those of the connecting roads.
+    pub elevation_grids: Table<ElevationGridRow>,
+    /// A row of an elevation grid: heights from its point on the reference line outwards.
+    pub grid_rows: Table<GridRowRow>,
+    /// Heights of elevation grids `[m]`.
+    pub grid_heights: Table<f64>,
+    /// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
+    pub grid_transitions: Table<GridTransitionRow>,
 }
 
 impl Rows {
@@ -85,6 +103,15 @@ impl Rows {
             index_levels: (self.index_levels.as_slice()),
             index_nodes: bytemuck::cast_slice(self.index_nodes.as_slice()),
             index_leaves: bytemuck::cast_slice(self.index_leaves.as_slice()),
+            surfaces: bytemuck::cast_slice(self.surfaces.as_slice()),
+            shape_stations: bytemuck::cast_slice(self.shape_stations.as_slice()),
+            surface_strips: bytemuck::cast_slice(self.surface_strips.as_slice()),
+            lane_heights: bytemuck::cast_slice(self.lane_heights.as_slice()),
+            lane_materials: bytemuck::cast_slice(self.lane_materials.as_slice()),
+            elevation_grids: bytemuck::cast_slice(self.elevation_grids.as_slice()),
+            grid_rows: bytemuck::cast_slice(self.grid_rows.as_slice()),
+            grid_heights: (self.grid_heights.as_slice()),
+            grid_transitions: bytemuck::cast_slice(self.grid_transitions.as_slice()),
         }
     }
 }
@@ -135,6 +162,24 @@ pub struct Tables<'a> {
     pub index_nodes: &'a [ArchivedIndexNodeRow],
     /// Sixteen segments of lanes' centre lines each. A lane's area between a segment's ends lies in a rectangle around the segment: `reach` to both sides, `overshoot` beyond both ends; in height between `z_low` and `z_high`. All four are rounded outwards; 65535 in `reach`, `overshoot` or `z_high` stands for any distance. Unused places have lane u32::MAX.
     pub index_leaves: &'a [ArchivedIndexLeafRow],
+    /// Lateral profiles of the roads that have any besides superelevation, by road.
+    pub surfaces: &'a [ArchivedSurfaceRow],
+    /// Stations of lateral shapes.
+    pub shape_stations: &'a [ArchivedShapeStationRow],
+    /// Strips of cross-section surfaces; coefficients count from the strip's inner edge, signed as t is.
+    pub surface_strips: &'a [ArchivedSurfaceStripRow],
+    /// lane/height records, by lane and s: what the lane lies above the road's surface, linear between its edges.
+    pub lane_heights: &'a [ArchivedLaneHeightRow],
+    /// lane/material records, by lane and s.
+    pub lane_materials: &'a [ArchivedLaneMaterialRow],
+    /// Elevation grids of junctions, by junction (OpenDRIVE 1.8.1, 12.8): inside, their heights replace those of the connecting roads.
+    pub elevation_grids: &'a [ArchivedElevationGridRow],
+    /// A row of an elevation grid: heights from its point on the reference line outwards.
+    pub grid_rows: &'a [ArchivedGridRowRow],
+    /// Heights of elevation grids `[m]`.
+    pub grid_heights: &'a [f64],
+    /// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
+    pub grid_transitions: &'a [ArchivedGridTransitionRow],
 }
 
 impl<'a> Tables<'a> {
@@ -164,11 +209,20 @@ impl<'a> Tables<'a> {
             index_levels: root.index_levels.view_numbers(body, "index_levels")?,
             index_nodes: root.index_nodes.view(body, "index_nodes")?,
             index_leaves: root.index_leaves.view(body, "index_leaves")?,
+            surfaces: root.surfaces.view(body, "surfaces")?,
+            shape_stations: root.shape_stations.view(body, "shape_stations")?,
+            surface_strips: root.surface_strips.view(body, "surface_strips")?,
+            lane_heights: root.lane_heights.view(body, "lane_heights")?,
+            lane_materials: root.lane_materials.view(body, "lane_materials")?,
+            elevation_grids: root.elevation_grids.view(body, "elevation_grids")?,
+            grid_rows: root.grid_rows.view(body, "grid_rows")?,
+            grid_heights: root.grid_heights.view_numbers(body, "grid_heights")?,
+            grid_transitions: root.grid_transitions.view(body, "grid_transitions")?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 21] {
+    pub fn infos(&self) -> [TableInfo; 30] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -191,6 +245,15 @@ impl<'a> Tables<'a> {
             TableInfo::of("index_levels", self.index_levels),
             TableInfo::of("index_nodes", self.index_nodes),
             TableInfo::of("index_leaves", self.index_leaves),
+            TableInfo::of("surfaces", self.surfaces),
+            TableInfo::of("shape_stations", self.shape_stations),
+            TableInfo::of("surface_strips", self.surface_strips),
+            TableInfo::of("lane_heights", self.lane_heights),
+            TableInfo::of("lane_materials", self.lane_materials),
+            TableInfo::of("elevation_grids", self.elevation_grids),
+            TableInfo::of("grid_rows", self.grid_rows),
+            TableInfo::of("grid_heights", self.grid_heights),
+            TableInfo::of("grid_transitions", self.grid_transitions),
         ]
     }
 
@@ -369,6 +432,73 @@ impl<'a> Tables<'a> {
                 check.finite("delta_y", f64::from(*value))?;
             }
         }
+        for (i, row) in self.surfaces.iter().enumerate() {
+            let check = Check { table: "surfaces", row: i };
+            check.reference("road", row.road(), self.roads.len(), false)?;
+            check.range("shapes", row.shapes(), self.shape_stations.len())?;
+            check.range("crossfall_left", row.crossfall_left(), self.cubics.len())?;
+            check.range("crossfall_right", row.crossfall_right(), self.cubics.len())?;
+            check.range("strip_offset", row.strip_offset(), self.cubics.len())?;
+            check.range("strips", row.strips(), self.surface_strips.len())?;
+        }
+        for (i, row) in self.shape_stations.iter().enumerate() {
+            let check = Check { table: "shape_stations", row: i };
+            check.finite("s", row.s())?;
+            check.range("records", row.records(), self.cubics.len())?;
+        }
+        for (i, row) in self.surface_strips.iter().enumerate() {
+            let check = Check { table: "surface_strips", row: i };
+            check.range("width", row.width(), self.cubics.len())?;
+            check.range("constant", row.constant(), self.cubics.len())?;
+            check.range("linear", row.linear(), self.cubics.len())?;
+            check.range("quadratic", row.quadratic(), self.cubics.len())?;
+            check.range("cubic", row.cubic(), self.cubics.len())?;
+        }
+        for (i, row) in self.lane_heights.iter().enumerate() {
+            let check = Check { table: "lane_heights", row: i };
+            check.finite("s", row.s())?;
+            check.finite("inner", row.inner())?;
+            check.finite("outer", row.outer())?;
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+        }
+        for (i, row) in self.lane_materials.iter().enumerate() {
+            let check = Check { table: "lane_materials", row: i };
+            check.finite("s", row.s())?;
+            check.finite("friction", row.friction())?;
+            check.finite("roughness", row.roughness())?;
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+            check.reference("surface", row.surface(), strings, false)?;
+        }
+        for (i, row) in self.elevation_grids.iter().enumerate() {
+            let check = Check { table: "elevation_grids", row: i };
+            check.finite("x", row.x())?;
+            check.finite("y", row.y())?;
+            check.finite("cos", row.cos())?;
+            check.finite("sin", row.sin())?;
+            check.finite("s_start", row.s_start())?;
+            check.finite("spacing", row.spacing())?;
+            check.reference("junction", row.junction(), self.junctions.len(), false)?;
+            check.range("rows", row.rows(), self.grid_rows.len())?;
+            check.range("transitions", row.transitions(), self.grid_transitions.len())?;
+        }
+        for (i, row) in self.grid_rows.iter().enumerate() {
+            let check = Check { table: "grid_rows", row: i };
+            check.finite("center", row.center())?;
+            check.range("left", row.left(), self.grid_heights.len())?;
+            check.range("right", row.right(), self.grid_heights.len())?;
+        }
+        for (i, row) in self.grid_heights.iter().enumerate() {
+            let check = Check { table: "grid_heights", row: i };
+            check.finite("", *row)?;
+        }
+        for (i, row) in self.grid_transitions.iter().enumerate() {
+            let check = Check { table: "grid_transitions", row: i };
+            check.finite("start_x", row.start_x())?;
+            check.finite("start_y", row.start_y())?;
+            check.finite("end_x", row.end_x())?;
+            check.finite("end_y", row.end_y())?;
+            check.finite("length", row.length())?;
+        }
         Ok(())
     }
 }
@@ -380,3 +510,4 @@ const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::f64_le>() == size_of::<f64>());

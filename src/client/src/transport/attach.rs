@@ -9,6 +9,7 @@ use super::limits::{TRANSPORT_REVISION, changed_name, service_name, wake_name};
 use super::payload::{Chunk64, GenerationInfo};
 use super::presence::Presence;
 use super::record::read_published;
+use super::room::check_room;
 use super::status::alive_maps;
 use super::unfinished::unfinished_segments;
 use super::user::check_owner;
@@ -119,6 +120,7 @@ pub(crate) fn open_listener(
     map: &str,
     _guard: &AttachGuard,
 ) -> Result<Listener<TransportService>, AttachError> {
+    check_room()?;
     let changed = node
         .service_builder(&service_name_of(&changed_name(map))?)
         .event()
@@ -160,7 +162,10 @@ fn enter(
     };
     match unfinished_segments(domain).into_iter().find(in_the_way) {
         Some(file) => Err(AttachError::Stuck { file }),
-        None => Ok((lock, guard)),
+        None => {
+            check_room()?;
+            Ok((lock, guard))
+        }
     }
 }
 

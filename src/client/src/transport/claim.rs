@@ -67,10 +67,16 @@ impl Claim {
             match file.try_lock() {
                 // A daemon that ends removes the file before it unlocks: then the lock is on a file without a name.
                 Ok(()) if is_named(&file, &path) => {
-                    file.set_len(0)
-                        .and_then(|()| write!(file, "{}", std::process::id()))
-                        .map_err(io)?;
-                    return Ok(Self { file, path });
+                    let written =
+                        file.set_len(0).and_then(|()| write!(file, "{}", std::process::id()));
+                    let claim = Self { file, path: path.clone() };
+                    return match written {
+                        Ok(()) => Ok(claim),
+                        Err(error) => {
+                            claim.release();
+                            Err(io(error))
+                        }
+                    };
                 }
                 Ok(()) => {}
                 Err(TryLockError::WouldBlock) if Instant::now() >= until => {

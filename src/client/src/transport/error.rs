@@ -1,7 +1,9 @@
 //! Why a map cannot be attached to.
 
 use super::domain::DomainError;
+use super::domain::SHARED_MEMORY_FOLDER;
 use super::limits::{MAX_MAP_NAME_LENGTH, MAX_PINNED, MAX_SUBSCRIBERS, TRANSPORT_REVISION};
+use super::room::{ATTACH_ROOM, check_room};
 use std::path::PathBuf;
 use thiserror::Error;
 
@@ -96,6 +98,15 @@ pub enum AttachError {
         /// The lock file.
         lock: PathBuf,
     },
+    /// Shared memory is full.
+    #[error(
+        "attaching needs {ATTACH_ROOM} bytes of shared memory, {available} are left by {SHARED_MEMORY_FOLDER}; free some, or enlarge it \
+         (`mount -o remount,size=…`, for containers `--shm-size`)"
+    )]
+    NoRoom {
+        /// Bytes that are left.
+        available: u64,
+    },
     /// A file of the domain cannot be used.
     #[error("{}: {error}", path.display())]
     Io {
@@ -118,6 +129,14 @@ impl AttachError {
 
     pub(crate) fn io(path: impl Into<PathBuf>, error: std::io::Error) -> Self {
         Self::Io { path: path.into(), error }
+    }
+
+    /// The same, or that shared memory is full, if it is: whatever failed, failed for that.
+    pub(crate) fn or_no_room(self) -> Self {
+        match (&self, check_room()) {
+            (Self::Iceoryx(_) | Self::Io { .. }, Err(no_room)) => no_room,
+            _ => self,
+        }
     }
 
     /// Whether trying again may help: not for wrong names, users and versions.

@@ -8,7 +8,8 @@
 //! ```text
 //! /dev/shm/mapd_…                     segments of iceoryx2: map data (0444), queues, service state
 //! /dev/shm/mapd_root/.attach          flock: shared while a client attaches, exclusive while a daemon creates or cleans
-//! /dev/shm/mapd_root/.present            flock: shared by everyone who uses the domain; free, when it is deserted
+//! /dev/shm/mapd_root/.turn            flock: passed by everyone on the way to .attach, so that daemons get it in turn
+//! /dev/shm/mapd_root/.present         flock: shared by everyone who uses the domain; free, when it is deserted
 //! /dev/shm/mapd_root/{map}.lock       flock, exclusive while a daemon serves the map; holds its process id
 //! /dev/shm/mapd_root/{map}.generation the last generation number handed out
 //! /dev/shm/mapd_root/{map}.published  what is served now, for `mapd status`
@@ -46,6 +47,7 @@ mod payload;
 mod pinned;
 mod presence;
 mod record;
+mod room;
 mod status;
 mod subscription;
 mod unfinished;
@@ -66,6 +68,7 @@ pub use presence::Presence;
 pub use record::{
     GENERATION_SUFFIX, read_generation, read_published, write_generation, write_published,
 };
+pub use room::{ATTACH_ROOM, free_bytes};
 pub use status::{MapStatus, list_maps};
 pub use subscription::Subscription;
 pub use unfinished::unfinished_segments;

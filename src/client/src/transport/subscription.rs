@@ -7,6 +7,7 @@ use super::domain::Domain;
 use super::error::AttachError;
 use super::limits::{MAX_PINNED, check_map_name};
 use super::pinned::{Pinned, Watch};
+use super::room::check_room;
 use iceoryx2::port::listener::Listener;
 use iceoryx2::service::port_factory::PortFactory as _;
 use std::fmt;
@@ -67,7 +68,7 @@ impl Subscription {
         silence_iceoryx2();
         let mut pause = FIRST_PAUSE;
         let mut inbox = loop {
-            match open_ports(domain, map, deadline) {
+            match open_ports(domain, map, deadline).map_err(AttachError::or_no_room) {
                 Ok(ports) => break Inbox { ports, held: Vec::new() },
                 Err(error) if error.may_pass() && Instant::now() < deadline => {
                     sleep(&mut pause, deadline)
@@ -90,12 +91,15 @@ impl Subscription {
     }
 
     /// A generation newer than any handed out before, if one has come; takes the newest. Never waits: while a daemon
-    /// cleans up (some milliseconds, seldom), the answer is `None`.
+    /// cleans up (some milliseconds, seldom), and while shared memory is full, the answer is `None`.
     ///
     /// Errors: too many generations are held; shared memory failed. What is held stays valid.
     pub fn latest(&self) -> Result<Option<Pinned>, AttachError> {
         let mut state = self.state();
-        state.receive(&self.map, Instant::now())?;
+        match state.receive(&self.map, Instant::now()) {
+            Err(AttachError::NoRoom { .. }) => return Ok(None),
+            other => other?,
+        }
         if state.current.info().generation <= state.handed_out {
             return Ok(None);
         }
@@ -109,9 +113,13 @@ impl Subscription {
     /// Errors: none came in time; too many generations are held; shared memory failed.
     pub fn wait_newer(&self, than: u64, deadline: Instant) -> Result<Pinned, AttachError> {
         loop {
+            let mut no_room = None;
             {
                 let mut state = self.state();
-                state.receive(&self.map, deadline.min(Instant::now() + LOCK_WAIT))?;
+                match state.receive(&self.map, deadline.min(Instant::now() + LOCK_WAIT)) {
+                    Err(error @ AttachError::NoRoom { .. }) => no_room = Some(error),
+                    other => other?,
+                }
                 if state.current.info().generation > than {
                     state.handed_out = state.handed_out.max(state.current.info().generation);
                     return Ok(state.current.clone());
@@ -119,12 +127,11 @@ impl Subscription {
             }
             let left = deadline.saturating_duration_since(Instant::now());
             if left.is_zero() {
-                let daemon_alive = served_by(&self.domain, &self.map).is_some();
-                return Err(AttachError::NoGeneration {
+                return Err(no_room.unwrap_or_else(|| AttachError::NoGeneration {
                     map: self.map.clone(),
                     newer_than: than,
-                    daemon_alive,
-                });
+                    daemon_alive: served_by(&self.domain, &self.map).is_some(),
+                }));
             }
             self.sleep(left.min(COARSE_POLL))?;
         }
@@ -209,6 +216,9 @@ impl Inbox {
                     return Ok(pinned);
                 }
                 Err(error) if !error.may_pass() => return Err(error),
+                Err(error @ AttachError::NoRoom { .. }) if Instant::now() >= deadline => {
+                    return Err(error);
+                }
                 // A publisher that was killed cannot be connected to until a daemon has cleaned up.
                 Ok(None) | Err(_) => {}
             }
@@ -243,8 +253,11 @@ impl Inbox {
 
     /// Takes everything that has come and returns the newest of it. Under the attach lock, for receiving from a new
     /// publisher creates a segment; waits for the lock at most until the deadline, and finds nothing if it stays taken.
+    ///
+    /// Errors: shared memory is full; too many generations are held; iceoryx2 refuses.
     fn receive(&mut self, map: &str, deadline: Instant) -> Result<Option<Pinned>, AttachError> {
         let Some(_guard) = self.ports.lock.shared(deadline)? else { return Ok(None) };
+        check_room()?;
         self.held.retain(Watch::is_held);
         let mut newest: Option<Pinned> = None;
         loop {

@@ -13,6 +13,8 @@ const S_TOLERANCE: f64 = 1e-6;
 pub enum Kind {
     /// `road_id,s,t[,h]` → x,y,z,hdg
     Inertial,
+    /// `road_id,s,t` → x,y,z of the road's surface, its normal, the lane's friction and roughness
+    Surface,
     /// `road_id,s,lane_id` → width,t_inner,t_outer,x,y,z,hdg of the lane's centre
     Lane,
     /// `x,y[,z][,hdg]` → lane,road_id,lane_id,s,t,offset,distance
@@ -27,6 +29,7 @@ impl Kind {
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Inertial => "inertial",
+            Self::Surface => "surface",
             Self::Lane => "lane",
             Self::Nearest => "nearest",
             Self::Track => "track",
@@ -37,7 +40,7 @@ impl Kind {
     /// Columns that the input must have.
     pub(crate) fn needs(self) -> &'static [&'static str] {
         match self {
-            Self::Inertial => &["road_id", "s", "t"],
+            Self::Inertial | Self::Surface => &["road_id", "s", "t"],
             Self::Lane | Self::Successors => &["road_id", "s", "lane_id"],
             Self::Nearest => &["x", "y"],
             Self::Track => &["road_id", "x", "y"],
@@ -48,6 +51,7 @@ impl Kind {
     pub(crate) fn answers(self) -> &'static [&'static str] {
         match self {
             Self::Inertial => &["x", "y", "z", "hdg"],
+            Self::Surface => &["x", "y", "z", "nx", "ny", "nz", "friction", "roughness"],
             Self::Lane => &["width", "t_inner", "t_outer", "x", "y", "z", "hdg"],
             Self::Nearest => &["lane", "road_id", "lane_id", "s", "t", "offset", "distance"],
             Self::Track => &["s", "t", "h"],
@@ -73,6 +77,17 @@ impl Kind {
                 };
                 let pose = road.to_inertial(track).map_err(text)?;
                 numbers(out, &[pose.position.x, pose.position.y, pose.position.z, pose.heading]);
+            }
+            Self::Surface => {
+                let road = road(map, row)?;
+                let found = road.surface_at(s_on(&road, row)?, row.number("t")?).map_err(text)?;
+                numbers(out, &found.position.to_array());
+                numbers(out, &found.normal.to_array());
+                let material = found.material;
+                for value in [material.and_then(|m| m.friction), material.and_then(|m| m.roughness)]
+                {
+                    out.push(value.map(number).unwrap_or_default());
+                }
             }
             Self::Lane => {
                 let (lane, s) = lane(map, row)?;

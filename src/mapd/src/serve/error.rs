@@ -37,6 +37,20 @@ pub enum ServeError {
         /// How to get more.
         hint: &'static str,
     },
+    /// Shared memory has no room even for what serves a map.
+    #[error(
+        "serving needs {needed} bytes of shared memory besides the maps, {available} are left by {limit}; {hint}"
+    )]
+    NoRoom {
+        /// Bytes that are needed.
+        needed: u64,
+        /// Bytes that are left.
+        available: u64,
+        /// What limits them.
+        limit: &'static str,
+        /// How to get more.
+        hint: &'static str,
+    },
     /// Writing the bytes failed; nothing was published and the generation before, if any, is still served.
     #[error("map {map:?}: {error}")]
     Fill {

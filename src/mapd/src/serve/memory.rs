@@ -3,7 +3,7 @@
 
 use super::control_group;
 use super::error::ServeError;
-use mapd_client::transport::SHARED_MEMORY_FOLDER;
+use mapd_client::transport::{ATTACH_ROOM, ClaimError, SHARED_MEMORY_FOLDER, free_bytes};
 use std::fs;
 
 /// What a publisher needs besides the payload: header, allocator state, queues to all subscribers, rounding to pages.
@@ -21,13 +21,53 @@ struct Room {
 /// Errors: [`ServeError::NotEnoughMemory`], naming the tightest limit. A limit that cannot be read is none.
 pub(crate) fn check(map: &str, length: u64) -> Result<(), ServeError> {
     let needed = length.saturating_add(OVERHEAD);
-    let rooms = [file_system(), control_group(), machine()];
-    match rooms.into_iter().flatten().min_by_key(|room| room.available) {
+    match tightest() {
         Some(Room { available, limit, hint }) if available < needed => {
             Err(ServeError::NotEnoughMemory { map: map.to_owned(), needed, available, limit, hint })
         }
         _ => Ok(()),
     }
+}
+
+/// Checks that nodes, services and queues can be made. Directly before they are: iceoryx2 reserves no pages for them.
+///
+/// Errors: [`ServeError::NoRoom`].
+pub(crate) fn check_overhead() -> Result<(), ServeError> {
+    match tightest() {
+        Some(Room { available, limit, hint }) if available < OVERHEAD => {
+            Err(ServeError::NoRoom { needed: OVERHEAD, available, limit, hint })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Checks that `/dev/shm` has room for the queue of a newcomer. Only that: newcomers wait meanwhile, and control groups
+/// take longer to ask than to greet.
+///
+/// Errors: [`ServeError::NoRoom`].
+pub(crate) fn check_queue() -> Result<(), ServeError> {
+    match file_system() {
+        Some(Room { available, limit, hint }) if available < ATTACH_ROOM => {
+            Err(ServeError::NoRoom { needed: ATTACH_ROOM, available, limit, hint })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The same error, or that there is no room, if there is none: whatever failed, failed for that.
+pub(crate) fn or_no_room(error: ServeError) -> ServeError {
+    use ServeError as E;
+    match error {
+        E::Iceoryx { .. } | E::Io { .. } | E::Claim(ClaimError::Io { .. }) => {
+            check_overhead().err().unwrap_or(error)
+        }
+        other => other,
+    }
+}
+
+fn tightest() -> Option<Room> {
+    let rooms = [file_system(), control_group(), machine()];
+    rooms.into_iter().flatten().min_by_key(|room| room.available)
 }
 
 /// The kernel refused to provide the pages although [`check`] saw room: somebody else was quicker.
@@ -52,13 +92,8 @@ pub(crate) fn refused(map: &str, length: u64, error: &std::io::Error) -> ServeEr
 }
 
 fn file_system() -> Option<Room> {
-    let fs = rustix::fs::statvfs(SHARED_MEMORY_FOLDER).ok()?;
     let hint = "enlarge it (`mount -o remount,size=…`, for containers `--shm-size`)";
-    Some(Room {
-        available: fs.f_bavail.saturating_mul(fs.f_frsize),
-        limit: SHARED_MEMORY_FOLDER,
-        hint,
-    })
+    Some(Room { available: free_bytes()?, limit: SHARED_MEMORY_FOLDER, hint })
 }
 
 fn machine() -> Option<Room> {

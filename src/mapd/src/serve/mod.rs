@@ -36,6 +36,8 @@ mod loan;
 mod memory;
 mod nodes;
 mod notice;
+mod orphans;
+mod reserve;
 mod segment;
 mod served_map;
 mod server;

@@ -10,15 +10,9 @@ use iceoryx2::prelude::{CallbackProgression, Config, Node, NodeState};
 use mapd_client::transport::{AttachGuard, Domain, TransportService};
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
-use std::time::Duration;
 
-/// Age of files that belong to no node, after which they are taken for a killed process's. A living process is in this
-/// state for some microseconds, while it makes its node (under the attach lock) or removes it.
-const ORPHAN_AGE: Duration = Duration::from_secs(10);
-
-/// Removes the files of dead nodes that have no details, and of what is no node and has not been for a while. Under the
-/// exclusive attach lock nobody is making a node.
+/// Removes the files of dead nodes that have no details, and of what is no node. Under the exclusive attach lock nobody
+/// is making a node; who is just removing one finds its last files gone, which is what it wants.
 pub(crate) fn purge(domain: &Domain, config: &Config, _exclusive: &AttachGuard) {
     let mut in_use = BTreeSet::new();
     let mut hopeless = BTreeSet::new();
@@ -37,7 +31,7 @@ pub(crate) fn purge(domain: &Domain, config: &Config, _exclusive: &AttachGuard) 
         let name = entry.file_name();
         let Some(id) = name.to_str().and_then(|name| node_of(domain, name)) else { continue };
         let path = entry.path();
-        if hopeless.contains(&id) || (!in_use.contains(&id) && is_old(&path)) {
+        if hopeless.contains(&id) || !in_use.contains(&id) {
             // What cannot be removed now is tried again a second later.
             let _ = if path.is_dir() { fs::remove_dir_all(&path) } else { fs::remove_file(&path) };
         }
@@ -48,11 +42,6 @@ pub(crate) fn purge(domain: &Domain, config: &Config, _exclusive: &AttachGuard) 
 fn node_of(domain: &Domain, name: &str) -> Option<u128> {
     let name = name.strip_prefix(domain.prefix()).unwrap_or(name);
     name.split('.').next()?.parse().ok()
-}
-
-fn is_old(path: &Path) -> bool {
-    let modified = fs::symlink_metadata(path).and_then(|m| m.modified());
-    modified.is_ok_and(|modified| modified.elapsed().is_ok_and(|age| age > ORPHAN_AGE))
 }
 
 #[cfg(test)]

@@ -1,7 +1,9 @@
 //! One map of a server: its services, its publisher, its claim.
 
 use super::error::ServeError;
+use super::memory;
 use super::notice::Notice;
+use super::reserve::reserving;
 use super::services::MapServices;
 use iceoryx2::port::listener::Listener;
 use iceoryx2::port::notifier::Notifier;
@@ -116,10 +118,13 @@ impl MapPorts {
 
     /// Gives the generation to newcomers.
     pub(crate) fn greet(&self, map: &str, notify: &dyn Fn(&Notice)) {
-        if let Some((publisher, _)) = &self.current
-            && let Err(error) = publisher.update_connections()
-        {
-            notify(&Notice::Unconnected { map: map.to_owned(), error: format!("{error:?}") });
+        let Some((publisher, _)) = &self.current else { return };
+        // A newcomer costs a queue.
+        let greeted = memory::check_queue().map_err(|error| error.to_string()).and_then(|()| {
+            reserving(|| publisher.update_connections()).map_err(|error| format!("{error:?}"))
+        });
+        if let Err(error) = greeted {
+            notify(&Notice::Unconnected { map: map.to_owned(), error });
         }
     }
 

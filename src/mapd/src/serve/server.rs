@@ -6,6 +6,8 @@ use super::greeter::{greet_until, greeting_meanwhile};
 use super::loan::{Filled, PublishMeta, fill_loan};
 use super::memory;
 use super::notice::Notice;
+use super::orphans;
+use super::reserve::reserving;
 use super::segment::Segment;
 use super::served_map::{MapPorts, MapPublisher};
 use super::stop::StopSignal;
@@ -33,6 +35,9 @@ const LOCK_PATIENCE: Duration = Duration::from_secs(2);
 
 /// The same, once it was in vain, until the lock can be had again.
 const PATIENCE_LOST: Duration = Duration::from_millis(20);
+
+/// How long a round waits for the attach lock at most: nobody attaches meanwhile.
+const ROUND_PATIENCE: Duration = Duration::from_millis(100);
 
 /// Rounds without the attach lock after which the operator is told.
 const ROUNDS_BEFORE_NOTICE: u32 = 10;
@@ -64,8 +69,8 @@ pub struct Server {
 impl Server {
     /// Enters a domain, and cleans up after killed processes.
     ///
-    /// Errors: the domain belongs to another user, or cannot be written; iceoryx2 refuses; a killed process left an
-    /// unfinished file that cannot be removed because a stopped process holds the attach lock.
+    /// Errors: the domain belongs to another user, or cannot be written; shared memory is full; iceoryx2 refuses; a killed
+    /// process left an unfinished file that cannot be removed because a stopped process holds the attach lock.
     pub fn start(domain: &Domain) -> Result<Self, ServeError> {
         Self::start_with(domain, |_| {})
     }
@@ -79,7 +84,8 @@ impl Server {
     ) -> Result<Self, ServeError> {
         silence_iceoryx2();
         let config = iceoryx2_config(domain)?;
-        let (lock, exclusive) = enter(domain)?;
+        memory::check_overhead()?;
+        let (lock, exclusive) = enter(domain).map_err(memory::or_no_room)?;
         match &exclusive {
             Some(guard) if Presence::is_deserted(domain) => cleanup::wipe(domain, false, guard),
             Some(guard) => cleanup::sweep(domain, guard, &notify),
@@ -91,24 +97,28 @@ impl Server {
             }
         }
         let presence = Presence::enter(domain).map_err(ServeError::io(domain.root()))?;
-        let node = NodeBuilder::new()
-            .config(&config)
-            .signal_handling_mode(SignalHandlingMode::Disabled)
-            .create::<TransportService>()
-            .map_err(ServeError::iceoryx("creating a node"))?;
-        if let Some(guard) = &exclusive {
-            cleanup::clean(domain, &node, guard, &notify);
-        }
-        drop(exclusive);
-        Ok(Self {
+        // From here on, dropping it leaves nothing behind.
+        let mut server = Self {
             maps: BTreeMap::new(),
-            node: Some(node),
+            node: None,
             presence: Some(presence),
             lock,
             domain: domain.clone(),
             notify: Box::new(notify),
             patience: Cell::new(LOCK_PATIENCE),
-        })
+        };
+        let builder =
+            NodeBuilder::new().config(&config).signal_handling_mode(SignalHandlingMode::Disabled);
+        let node = reserving(|| builder.create::<TransportService>())
+            .map_err(ServeError::iceoryx("creating a node"))
+            .map_err(memory::or_no_room)?;
+        if let Some(guard) = &exclusive {
+            cleanup::clean(domain, &node, guard, &server.notify);
+            orphans::remove(domain, &config, guard, &server.notify);
+        }
+        drop(exclusive);
+        server.node = Some(node);
+        Ok(server)
     }
 
     /// Claims a map before its first generation is ready, so that a second daemon fails at once and clients know that the
@@ -127,7 +137,16 @@ impl Server {
         let Some(node) = &self.node else {
             return Err(ServeError::iceoryx("creating a service")("no node"));
         };
-        let ports = MapPorts::create(&self.domain, node, map, claim, exclusive.as_ref())?;
+        if let Err(error) = memory::check_overhead() {
+            claim.release();
+            return Err(error);
+        }
+        let ports =
+            reserving(|| MapPorts::create(&self.domain, node, map, claim, exclusive.as_ref()))?;
+        if let Some(guard) = &exclusive {
+            // Of services that were half made and have been made anew.
+            orphans::remove(&self.domain, node.config(), guard, &self.notify);
+        }
         self.maps.insert(map.to_owned(), ports);
         Ok(())
     }
@@ -150,8 +169,8 @@ impl Server {
         }
         memory::check(map, length as u64)?;
         let known = self.maps.contains_key(map);
-        self.claim(map)?;
-        let published = self.publish_claimed(map, length, fill);
+        self.claim(map).map_err(memory::or_no_room)?;
+        let published = self.publish_claimed(map, length, fill).map_err(memory::or_no_room);
         if published.is_err() && !known {
             self.withdraw(map);
         }
@@ -170,7 +189,9 @@ impl Server {
         };
         let publisher = {
             let exclusive = self.exclusive();
-            ports.create_publisher(chunks, exclusive.as_ref())?
+            // Again, for what has been created since.
+            memory::check(map, length as u64)?;
+            reserving(|| ports.create_publisher(chunks, exclusive.as_ref()))?
         };
         let prepared = greeting_meanwhile(&self.maps, &self.lock, || {
             self.prepare(map, length, &publisher, fill)
@@ -252,7 +273,9 @@ impl Server {
 
     /// Cleans up and greets, if nobody is attaching just now.
     fn round(&self, missed: &mut u32) -> Result<(), ServeError> {
-        let Some(exclusive) = self.lock.exclusive(Instant::now())? else {
+        // A process that is stopped while it holds the lock costs newcomers little: once it is known, hardly any wait.
+        let patience = if *missed == 0 { ROUND_PATIENCE } else { PATIENCE_LOST };
+        let Some(exclusive) = self.lock.exclusive(Instant::now() + patience)? else {
             *missed += 1;
             if *missed == ROUNDS_BEFORE_NOTICE {
                 (self.notify)(&Notice::LockHeld { lock: self.lock.path().to_owned() });

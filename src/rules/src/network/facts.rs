@@ -149,7 +149,7 @@ impl Station {
     pub fn between(&self, other: &Self, s: f64) -> Self {
         let span = other.s - self.s;
         let part = if span > 0.0 { (s - self.s) / span } else { 0.0 };
-        let part = if part > 0.0 { part.min(1.0) } else { 0.0 };
+        let part = mapd_geometry::clamp(part, 0.0, 1.0);
         let mix = |a: f64, b: f64| a + part * (b - a);
         Self {
             s: mix(self.s, other.s),

@@ -179,7 +179,7 @@ impl Network {
                 continue;
             }
             let part = ((x - a.x) * dx + (y - a.y) * dy) / square;
-            let part = if part > 0.0 { part.min(1.0) } else { 0.0 };
+            let part = mapd_geometry::clamp(part, 0.0, 1.0);
             let (px, py) = (x - (a.x + part * dx), y - (a.y + part * dy));
             let distance = px.hypot(py);
             if best.is_none_or(|best| distance < best.2) {
@@ -193,7 +193,11 @@ impl Network {
     /// Inner and outer border of a lane at `s`, linear between the section's ends: t `[m]`.
     pub fn borders_over(section: &SectionFacts, lane: &LaneFacts, s: f64) -> [f64; 2] {
         let length = section.s_end - section.s;
-        let part = if length > 0.0 { ((s - section.s) / length).max(0.0).min(1.0) } else { 0.0 };
+        let part = if length > 0.0 {
+            mapd_geometry::clamp((s - section.s) / length, 0.0, 1.0)
+        } else {
+            0.0
+        };
         [lane.inner, lane.outer].map(|[start, end]| start + part * (end - start))
     }
 }

@@ -1,45 +1,53 @@
-//! The client as victim, while one daemon serves all the time.
+//! A client killed at every system call of attaching, asking and detaching, while a daemon serves.
 
-use crate::holder::Stage;
-use crate::{Plan, Tally, trace};
-use std::time::Duration;
+use crate::check::{Witness, nothing_left, settles};
+use crate::report::{Killing, Report, choose};
+use crate::watchdog;
+use mapd_tests::stage::{Checked, Stage};
+use mapd_tests::tracer::{Moment, Then, Traced};
+use nix::sys::signal::Signal;
+use std::os::unix::process::ExitStatusExt;
+use std::process::Stdio;
 
-/// After the last kill the daemon has this long to clean up. It does so about once a second; what may belong to a process
-/// that is just leaving it lets lie for ten.
-const CLEAN_UP: Duration = Duration::from_secs(30);
+/// After so many kills the daemon is given the time to clean up, and must have done so.
+const SETTLE_EVERY: usize = 100;
 
-pub(crate) fn kill_everywhere(plan: &Plan) -> Result<Tally, Box<dyn std::error::Error>> {
-    let stage = Stage::new()?;
-    let daemon = stage.place.serve(&[&stage.archive.display().to_string()]);
-    stage.fresh()?;
-    let before = stage.left().len();
-    let log = tempfile::NamedTempFile::new()?;
-    let whole = trace::logging(&stage.client(), log.path()).status()?;
-    if !whole.success() {
-        return Err("the client fails even where nobody kills it".into());
-    }
-    let calls = trace::calls(&std::fs::read_to_string(log.path())?);
-    let mut tally = Tally::default();
-    for call in calls.iter().step_by(plan.step) {
-        trace::killing(&stage.client(), call).output()?;
-        tally.kills += 1;
-        match stage.fresh() {
-            Ok(taken) => tally.worst_ms = tally.worst_ms.max(taken.as_millis()),
-            Err(error) => tally.bad.push(format!("{call:?}: {error}")),
+pub(crate) fn run(stage: &Stage, most: usize) -> Checked<Report> {
+    let mut daemon = stage.serve()?;
+    let witness = Witness::new(stage)?;
+    let mut moments = Vec::new();
+    victim(stage, |moment| {
+        moments.push(*moment);
+        Then::Continue
+    })?;
+    let chosen = choose(&moments, most);
+    let mut report = Report::new("client", moments.len(), chosen.len());
+    let before = stage.files();
+    for (i, moment) in chosen.iter().enumerate() {
+        watchdog::step(&format!("client killed {moment}"));
+        report.ran(moment.kill(|at| victim(stage, at))?);
+        if let Some(time) = report.note(moment, stage.fresh_client()) {
+            report.attached(time);
+        }
+        report.note(moment, witness.still_reads());
+        if !daemon.is_running() {
+            report.note(moment, Err::<(), _>("the daemon has ended".to_owned()));
+            daemon = stage.serve()?;
+        }
+        if (i + 1) % SETTLE_EVERY == 0 || i + 1 == chosen.len() {
+            watchdog::step("settling");
+            report.note(&format!("up to {moment}"), settles(stage, &before));
         }
     }
-    // What the killed ones left goes away while the daemon serves.
-    let start = std::time::Instant::now();
-    while stage.left().len() > before && start.elapsed() < CLEAN_UP {
-        std::thread::sleep(Duration::from_millis(100));
-    }
-    let left = stage.left();
-    if left.len() > before {
-        tally.bad.push(format!("{} files instead of {before}: {left:?}", left.len()));
-    }
-    let code = daemon.stop();
-    if code != 0 || !stage.left().is_empty() {
-        tally.bad.push(format!("the daemon ended with {code} and left {:?}", stage.left()));
-    }
-    Ok(tally)
+    drop(witness);
+    let end = daemon.stop().and_then(|()| nothing_left(stage));
+    report.note(&"everywhere, in the end", end);
+    Ok(report)
+}
+
+/// Runs the victim; whether it was killed.
+fn victim(stage: &Stage, at: impl FnMut(&Moment) -> Then) -> Checked<bool> {
+    let start = Traced::start(&stage.client_command(), stage.question(), Stdio::null());
+    let status = start.and_then(|(traced, _)| traced.run(at)).map_err(|error| error.to_string())?;
+    Ok(status.signal() == Some(Signal::SIGKILL as i32))
 }

@@ -1,123 +1,103 @@
-//! Kills daemons and clients at each of their system calls, and at random, and proves after each kill that everybody else
-//! goes on: `kill_everywhere [--short] [--random N] [--seed S]`. Needs Linux and strace.
-//!
-//! A victim runs once under strace, which lists its calls; then once for each call, with SIGKILL injected as the call is
-//! entered. After each: the next client attaches within its deadline and answers rightly, the next daemon starts by
-//! itself, what was held stays readable and right, and at the end nothing is left in shared memory.
-//!
-//! Three victims: a client (attach, query, detach) while a daemon serves; a daemon (start, publish, stop) alone; a daemon
-//! while a client holds the generation before. `--short` takes every [`SHORT_STEP`]th call.
+//! Kills daemon and clients at every system call of theirs, and at random moments, and proves each time that nothing is
+//! wedged, wrong or left behind. See `docs/transport.md`.
 
+mod check;
 mod client;
 mod daemon;
-mod holder;
 mod random;
-mod trace;
+mod report;
+mod watchdog;
 
+use clap::{Parser, ValueEnum};
 use mapd_tests::say;
+use mapd_tests::stage::{Checked, Stage};
+use report::Report;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// With `--short`, one of so many calls; a prime, so that no pattern of calls is left out.
-const SHORT_STEP: usize = 13;
-/// Random kills where `--random` says nothing else.
-const RANDOM_KILLS: usize = 300;
-/// The same with `--short`.
-const SHORT_RANDOM_KILLS: usize = 30;
+/// Moments of each victim in the short form.
+const SHORT: usize = 60;
 
-/// What a run is to do.
-struct Plan {
-    /// One of so many calls.
-    step: usize,
-    random: usize,
-    seed: u64,
+/// Random kills of the full form, of both sides together.
+const RANDOM_KILLS: u32 = 300;
+
+/// The same in the short form.
+const SHORT_RANDOM_KILLS: u32 = 40;
+
+/// A point of the map `one_road`, and one far away from it.
+const QUESTION: &str = "x,y\n10,-1.5\n5000,5000\n";
+
+/// Kill mapd's daemon and clients at every system call, and at random, and check what is left.
+#[derive(Parser)]
+struct Options {
+    /// The program to kill [default: `mapd` beside this program]
+    #[arg(long)]
+    mapd: Option<PathBuf>,
+    /// Whom to kill [default: all, one after the other]
+    #[arg(long, value_enum)]
+    victim: Vec<Victim>,
+    /// About a minute: of each victim's moments only some, evenly spread, always the same
+    #[arg(long)]
+    short: bool,
+    /// Kills of the victim `random`
+    #[arg(long)]
+    kills: Option<u32>,
+    /// Seed of the random kills [default: the clock]
+    #[arg(long)]
+    seed: Option<u64>,
 }
 
-/// A victim's whole treatment.
-type Run = fn(&Plan) -> Result<Tally, Box<dyn std::error::Error>>;
-
-/// What a victim went through.
-#[derive(Default)]
-struct Tally {
-    kills: usize,
-    /// One line for each kill after which something was wrong.
-    bad: Vec<String>,
-    /// Longest time until a fresh client had its answer \[ms\].
-    worst_ms: u128,
-}
-
-impl Tally {
-    fn print(&self, victim: &str) {
-        say(&format!(
-            "{victim}: {} kills, {} bad, slowest answer after a kill {} ms",
-            self.kills,
-            self.bad.len(),
-            self.worst_ms
-        ));
-        self.bad.iter().for_each(|line| say(&format!("  BAD {line}")));
-    }
-}
-
-/// A program that lies beside this one.
-fn beside(name: &str) -> PathBuf {
-    let own = std::env::current_exe().unwrap_or_default();
-    own.with_file_name(name)
-}
-
-fn plan() -> Result<Plan, String> {
-    let mut plan = Plan { step: 1, random: RANDOM_KILLS, seed: u64::from(std::process::id()) };
-    let mut args = std::env::args().skip(1);
-    while let Some(flag) = args.next() {
-        let mut number = || {
-            let text = args.next().ok_or(format!("{flag} needs a number"))?;
-            text.parse::<u64>().map_err(|error| format!("{flag}: {error}"))
-        };
-        match flag.as_str() {
-            "--short" => (plan.step, plan.random) = (SHORT_STEP, SHORT_RANDOM_KILLS),
-            "--random" => plan.random = number()? as usize,
-            "--seed" => plan.seed = number()?,
-            _ => {
-                return Err(format!(
-                    "unknown {flag}; usage: kill_everywhere [--short] [--random N] [--seed S]"
-                ));
-            }
-        }
-    }
-    Ok(plan)
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Victim {
+    /// A client that attaches, asks and detaches, while a daemon serves and another client holds a snapshot
+    Client,
+    /// A daemon that starts, publishes and stops, alone
+    Daemon,
+    /// The same, while a client holds a snapshot of the daemon before
+    DaemonWithClient,
+    /// Daemons and clients, at random moments
+    Random,
 }
 
 fn main() -> ExitCode {
-    let plan = match plan() {
-        Ok(plan) => plan,
+    match run(&Options::parse()) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
         Err(error) => {
-            say(&error);
-            return ExitCode::from(2);
+            say(&format!("kill_everywhere: {error}"));
+            ExitCode::FAILURE
         }
+    }
+}
+
+/// Whether every check held.
+fn run(options: &Options) -> Checked<bool> {
+    let mapd = match &options.mapd {
+        Some(mapd) => mapd.clone(),
+        None => std::env::current_exe().map_err(|error| error.to_string())?.with_file_name("mapd"),
     };
-    if !trace::is_possible() {
-        say(
-            "strace cannot be run here; install it (Debian: apt-get install strace) and allow ptrace",
-        );
-        return ExitCode::from(1);
+    if !mapd.exists() {
+        return Err(format!("{} is missing: cargo build -p mapd", mapd.display()));
     }
-    let runs: [(&str, Run); 4] = [
-        ("client", client::kill_everywhere),
-        ("daemon alone", daemon::kill_everywhere_alone),
-        ("daemon beside a client that holds", daemon::kill_everywhere_held),
-        ("both sides at random", random::kill),
-    ];
-    let mut bad = 0;
-    for (victim, run) in runs {
-        match run(&plan) {
-            Ok(tally) => {
-                tally.print(victim);
-                bad += tally.bad.len();
+    watchdog::start();
+    let all = Victim::value_variants();
+    let victims = if options.victim.is_empty() { all } else { options.victim.as_slice() };
+    let most = if options.short { SHORT } else { usize::MAX };
+    let mut good = true;
+    for victim in victims {
+        let stage = Stage::new(&mapd, &mapd_tests::carried("one_road.xodr"), QUESTION)?;
+        let report: Report = match victim {
+            Victim::Client => client::run(&stage, most)?,
+            Victim::Daemon => daemon::run(&stage, false, most)?,
+            Victim::DaemonWithClient => daemon::run(&stage, true, most)?,
+            Victim::Random => {
+                let short = if options.short { SHORT_RANDOM_KILLS } else { RANDOM_KILLS };
+                let kills = options.kills.unwrap_or(short);
+                random::run(&stage, kills, options.seed.unwrap_or_else(random::seed_of_clock))?
             }
-            Err(error) => {
-                say(&format!("{victim}: {error}"));
-                bad += 1;
-            }
-        }
+        };
+        say(&report.to_string());
+        good &= report.is_good();
     }
-    if bad == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    Ok(good)
 }

@@ -98,7 +98,7 @@ fn overlaps(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
         if of.side(side).iter().all(|lane| lane.border.is_empty()) {
             continue;
         }
-        let steps = ((of.length() / STEP).ceil() as usize).min(PLACES).max(1);
+        let steps = ((of.length() / STEP).ceil() as usize).clamp(1, PLACES);
         let mut worst: Option<(i32, f64, f64)> = None;
         for step in 0..=steps {
             let ds = of.length() * step as f64 / steps as f64;

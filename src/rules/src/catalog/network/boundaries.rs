@@ -156,7 +156,7 @@ fn points(network: &Network, segment: &BoundarySegment) -> Option<Vec<Point>> {
     let lane = value(&segment.boundary_lane)?;
     let start = place(&value(&segment.s_start)?, road.length);
     let end = place(&value(&segment.s_end)?, road.length);
-    let steps = (((end - start).abs() / STEP).ceil() as usize).max(1).min(POINTS);
+    let steps = (((end - start).abs() / STEP).ceil() as usize).clamp(1, POINTS);
     let at = |step: usize| start + (end - start) * step as f64 / steps as f64;
     (0..=steps).map(|step| border(network, road, at(step), lane)).collect()
 }

@@ -5,7 +5,6 @@ use crate::network::Network;
 use crate::rule::Check::Network as All;
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
-use mapd_xodr::Span;
 
 /// Beyond this, a 32-bit number has no millimetres: its 24 bits reach from 65,536 m to 1/256 m.
 const FAR: Tolerance = Tolerance { name: "coordinate", value: 65_536.0, unit: "m" };
@@ -29,7 +28,7 @@ fn centered(network: &Network, sink: &mut Sink<'_>) {
         road.bounds.iter().any(|value| value.is_finite() && value.abs() > FAR.value)
     };
     if let Some(road) = network.roads.iter().find(far) {
-        let span = network.header.unwrap_or(Span::default());
+        let span = network.header.unwrap_or_default();
         let found =
             format_args!("road {} at ({:.0}, {:.0})", road.id, road.bounds[0], road.bounds[1]);
         let expected = format_args!("coordinates below {} m and an offset", FAR.value);

@@ -130,7 +130,7 @@ fn skewed(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
     }
     let s = number(&object.s);
     let elevations = road.elevation_profile.iter().flat_map(|profile| &profile.elevation);
-    let record = elevations.map(|e| crate::profile::record!(e, s)).filter(|r| r.s <= s).last();
+    let record = elevations.map(|e| crate::profile::record!(e, s)).rfind(|r| r.s <= s);
     let bend = record.map_or(0.0, |record| record.cubic.second_derivative(s - record.s).abs());
     let size = number(&object.length).max(number(&object.width));
     if size * bend > 1.0 {

@@ -1,0 +1,104 @@
+//! `mapd check`: every finding about a file, whether or not a map can be built from it.
+
+mod excerpt;
+mod json;
+mod text;
+
+use crate::progress::Bar;
+use crate::source;
+use anyhow::{Context, Result};
+use clap::{Args, ValueEnum};
+use mapd_compiler::{Compilation, ReadOptions};
+use mapd_xodr::{Limits, source::SourceLimits};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// How findings are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// For people: each finding with its line of the file.
+    Text,
+    /// For programs: one document.
+    Json,
+}
+
+/// Bounds on what a file may ask for, and where it may include others from.
+#[derive(Args)]
+pub(crate) struct ReadArgs {
+    /// Deepest nesting of elements
+    #[arg(long, value_name = "N", default_value_t = Limits::default().depth)]
+    max_depth: usize,
+
+    /// Longest tag, which bounds its attributes [bytes]
+    #[arg(long, value_name = "BYTES", default_value_t = Limits::default().tag_bytes)]
+    max_attribute_length: usize,
+
+    /// Most attributes of one element
+    #[arg(long, value_name = "N", default_value_t = Limits::default().attributes)]
+    max_attributes: usize,
+
+    /// Longest text, comment or CDATA section [bytes]
+    #[arg(long, value_name = "BYTES", default_value_t = Limits::default().text_bytes)]
+    max_text_length: usize,
+
+    /// Largest file with all that it includes, decompressed [bytes]
+    #[arg(long, value_name = "BYTES", default_value_t = SourceLimits::default().decoded_bytes)]
+    max_bytes: u64,
+
+    /// Findings of one kind about one type of element that are told one by one; more are counted
+    #[arg(long, value_name = "N", default_value_t = Limits::default().findings_of_a_kind)]
+    max_findings: u32,
+
+    /// Folder that files may be included from [default: that of FILE]
+    #[arg(long, value_name = "FOLDER")]
+    include_base: Option<PathBuf>,
+}
+
+impl ReadArgs {
+    fn options(&self, file: &Path) -> ReadOptions {
+        let source = SourceLimits { decoded_bytes: self.max_bytes, ..SourceLimits::default() };
+        let limits = Limits {
+            depth: self.max_depth,
+            tag_bytes: self.max_attribute_length,
+            text_bytes: self.max_text_length,
+            attributes: self.max_attributes,
+            findings_of_a_kind: self.max_findings,
+            source,
+            ..Limits::default()
+        };
+        let include_folder = self.include_base.clone().or_else(|| source::folder(file));
+        ReadOptions { limits, include_folder, ..ReadOptions::default() }
+    }
+}
+
+/// Checks a file and writes what was found.
+///
+/// Errors: the file cannot be read, or the output not written.
+pub(crate) fn run(
+    file: &Path,
+    format: Format,
+    reading: &ReadArgs,
+    out: &mut dyn Write,
+) -> Result<Compilation> {
+    let bar = Bar::new(file);
+    let input = source::open_input(file)?;
+    let checked = mapd_compiler::check(input, &reading.options(file), &mut |p| bar.show(p))
+        .with_context(|| format!("reading {}", file.display()))?;
+    bar.finish();
+    match format {
+        Format::Text => text::write(file, &checked, out)?,
+        Format::Json => json::write(file, &checked, out)?,
+    }
+    Ok(checked)
+}
+
+/// Findings of each rule, most first: rule, count.
+fn by_rule(checked: &Compilation) -> Vec<(&'static str, usize)> {
+    let mut counts = std::collections::BTreeMap::new();
+    for diagnostic in &checked.diagnostics {
+        *counts.entry(diagnostic.finding.rule).or_insert(0) += 1;
+    }
+    let mut rules: Vec<(&str, usize)> = counts.into_iter().collect();
+    rules.sort_by_key(|(rule, count)| (std::cmp::Reverse(*count), *rule));
+    rules
+}

@@ -1,0 +1,59 @@
+//! Findings for people.
+
+use super::excerpt::excerpts;
+use crate::report::{counts, severity_name};
+use anyhow::Result;
+use mapd_compiler::{Compilation, Verdict};
+use std::io::Write;
+use std::path::Path;
+
+/// Writes each finding in file order, then how many there are of each rule, then the verdict.
+pub(super) fn write(file: &Path, checked: &Compilation, out: &mut dyn Write) -> Result<()> {
+    let name = file.display().to_string();
+    let excerpts = excerpts(file, &checked.diagnostics);
+    for (d, excerpt) in checked.diagnostics.iter().zip(excerpts) {
+        let f = &d.finding;
+        let place = if d.file.is_empty() { name.as_str() } else { &d.file };
+        let severity = severity_name(f.severity);
+        let rejects = if d.rejects { ", rejects the map" } else { "" };
+        writeln!(
+            out,
+            "{place}:{}:{}: {severity}[{}]{rejects}: {}",
+            d.line, d.column, f.rule, f.message
+        )?;
+        if !f.path.is_empty() {
+            writeln!(out, "    at {}", f.path)?;
+        }
+        if let Some(excerpt) = excerpt {
+            let number = d.line.to_string();
+            writeln!(out, " {number} | {}", excerpt.text)?;
+            writeln!(
+                out,
+                " {:number$} | {:before$}^",
+                "",
+                "",
+                number = number.len(),
+                before = excerpt.before
+            )?;
+        }
+        if !f.hint.is_empty() {
+            writeln!(out, "    hint: {}", f.hint)?;
+        }
+    }
+    for (rule, count) in super::by_rule(checked) {
+        writeln!(out, "{count:7} {rule}")?;
+    }
+    let counts = counts(checked);
+    let version = &checked.version;
+    let stated = if version.stated.is_empty() { "no revision" } else { &version.stated };
+    let verdict = match checked.verdict {
+        Verdict::Accepted => "accepted",
+        Verdict::Rejected => "rejected",
+    };
+    writeln!(
+        out,
+        "{name}: {verdict}; states {stated}, checked as {}; errors {}, warnings {}, information {}",
+        version.checked, counts.errors, counts.warnings, counts.information
+    )?;
+    Ok(())
+}

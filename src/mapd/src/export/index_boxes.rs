@@ -1,0 +1,56 @@
+//! The spatial index as boxes: those of its nodes, and the rectangles around the segments in its leaves.
+
+use super::svg::Paper;
+use mapd_archive::NONE;
+use mapd_client::Map;
+use mapd_client::glam::DVec2;
+use std::io::{Result, Write};
+
+/// Metres in a unit of a leaf's `reach` and `overshoot`.
+const UNIT: f64 = 1.0 / 128.0;
+/// Children of a node, places of a leaf.
+const WIDTH: usize = 16;
+
+/// Draws all boxes.
+///
+/// Errors: what writing gives.
+pub(super) fn write(map: Map<'_>, paper: Paper, out: &mut dyn Write) -> Result<()> {
+    let (tables, origin) = (map.tables(), map.local_origin());
+    for node in tables.index_nodes {
+        for k in 0..WIDTH {
+            let low = DVec2::new(f64::from(node.min_x()[k]), f64::from(node.min_y()[k]));
+            let high = DVec2::new(f64::from(node.max_x()[k]), f64::from(node.max_y()[k]));
+            // Unused places are empty.
+            if low.x > high.x {
+                continue;
+            }
+            let corner = paper.at(origin + DVec2::new(low.x, high.y));
+            let size = high - low;
+            writeln!(
+                out,
+                "<rect class=\"node\" x=\"{:.3}\" y=\"{:.3}\" width=\"{:.3}\" height=\"{:.3}\"/>",
+                corner.x, corner.y, size.x, size.y
+            )?;
+        }
+    }
+    for leaf in tables.index_leaves {
+        for k in (0..WIDTH).filter(|k| leaf.lane()[*k] != NONE) {
+            let start = origin
+                + DVec2::new(leaf.x(), leaf.y())
+                + DVec2::new(f64::from(leaf.start_x()[k]), f64::from(leaf.start_y()[k]));
+            let delta = DVec2::new(f64::from(leaf.delta_x()[k]), f64::from(leaf.delta_y()[k]));
+            let along = delta.normalize_or_zero();
+            let before = along * (f64::from(leaf.overshoot()[k]) * UNIT);
+            let beside = along.perp() * (f64::from(leaf.reach()[k]) * UNIT);
+            let (a, b) = (start - before, start + delta + before);
+            let corners = [a - beside, b - beside, b + beside, a + beside];
+            write!(out, "<path class=\"leaf\" d=\"")?;
+            for (i, corner) in corners.into_iter().enumerate() {
+                let p = paper.at(corner);
+                write!(out, "{}{:.3},{:.3}", if i == 0 { 'M' } else { ' ' }, p.x, p.y)?;
+            }
+            writeln!(out, "z\"/>")?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,41 @@
+//! How a drawing looks: one class per lane type that stands out, and one per kind of line.
+
+use mapd_client::LaneType;
+
+/// Style sheet. Widths are metres on the ground.
+pub(super) const SHEET: &str = "\
+.ground{fill:#eef0e8}\
+.lane{stroke:none;fill:#c9c9c4}\
+.drive{fill:#8d9299}.slow{fill:#a9a3b5}.bike{fill:#b9745f}.walk{fill:#d9cfb8}.edge{fill:#b9bdb0}\
+.park{fill:#8fa5c4}.rail{fill:#7a6a58}.green{fill:#a9c48f}.works{fill:#d8a24a}\
+.bound{fill:none;stroke:#fff;stroke-width:.12;stroke-linejoin:round}\
+.reference{fill:none;stroke:#d9822b;stroke-width:.15;stroke-linejoin:round}\
+.way{fill:#fff;fill-opacity:.8}\
+.node{fill:none;stroke:#2b6cd9;stroke-opacity:.6;vector-effect:non-scaling-stroke}\
+.leaf{fill:#2bd98a;fill-opacity:.08;stroke:#0a8f52;stroke-width:.04}";
+
+/// Class of a lane, from how it is used.
+pub(super) fn class(kind: LaneType) -> &'static str {
+    match kind {
+        LaneType::Driving
+        | LaneType::Bidirectional
+        | LaneType::Stop
+        | LaneType::Entry
+        | LaneType::Exit
+        | LaneType::OnRamp
+        | LaneType::OffRamp
+        | LaneType::ConnectingRamp
+        | LaneType::SlipLane
+        | LaneType::MwyEntry
+        | LaneType::MwyExit => "lane drive",
+        LaneType::Bus | LaneType::Taxi | LaneType::Hov => "lane slow",
+        LaneType::Biking => "lane bike",
+        LaneType::Sidewalk | LaneType::Walking => "lane walk",
+        LaneType::Shoulder | LaneType::Border | LaneType::Curb => "lane edge",
+        LaneType::Parking => "lane park",
+        LaneType::Rail | LaneType::Tram => "lane rail",
+        LaneType::Median | LaneType::Restricted => "lane green",
+        LaneType::RoadWorks => "lane works",
+        _ => "lane",
+    }
+}

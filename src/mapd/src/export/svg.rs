@@ -1,0 +1,150 @@
+//! A map as a drawing: x to the right, y up, one unit a metre.
+
+use super::{Options, index_boxes, style};
+use mapd_client::glam::{DVec2, DVec3};
+use mapd_client::{Lane, LaneSection, LaneType, Map, Polyline};
+use std::io::{Result, Write};
+
+/// Room around the map `[m]`.
+const MARGIN: f64 = 5.0;
+/// Size of the triangle that shows where a lane leads `[m]`, and the shortest lane that has one.
+const WAY: (f64, f64) = (1.2, 6.0);
+/// Number of digits after the point: millimetres.
+const DIGITS: usize = 3;
+
+/// From inertial coordinates to those of the drawing, relative to its upper left corner.
+#[derive(Clone, Copy)]
+pub(super) struct Paper {
+    left: f64,
+    top: f64,
+}
+
+impl Paper {
+    /// A point of the drawing.
+    pub(super) fn at(self, p: DVec2) -> DVec2 {
+        DVec2::new(p.x - self.left, self.top - p.y)
+    }
+}
+
+/// Writes the drawing.
+///
+/// Errors: what writing gives.
+pub(super) fn write(map: Map<'_>, options: Options, out: &mut dyn Write) -> Result<()> {
+    let (low, high) = map.bounds();
+    let size = (high - low).truncate() + 2.0 * MARGIN;
+    let paper = Paper { left: low.x - MARGIN, top: high.y + MARGIN };
+    writeln!(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>")?;
+    writeln!(
+        out,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.3} {:.3}\">",
+        size.x, size.y
+    )?;
+    writeln!(out, "<style>{}</style>", style::SHEET)?;
+    writeln!(out, "<rect class=\"ground\" width=\"100%\" height=\"100%\"/>")?;
+    // Lanes without a use are often verges drawn far beyond the road: they lie below everything else.
+    for lane in map.lanes().filter(|lane| lane.kind() == LaneType::None) {
+        area(&lane, paper, out)?;
+    }
+    // What lies higher is drawn later and covers what it passes over.
+    let mut sections: Vec<(f64, LaneSection<'_>)> = map
+        .roads()
+        .flat_map(|road| road.sections())
+        .map(|section| (height(&section), section))
+        .collect();
+    sections.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (_, section) in sections {
+        let lanes = || section.lanes().filter(|lane| lane.number() != 0);
+        for lane in lanes().filter(|lane| lane.kind() != LaneType::None) {
+            area(&lane, paper, out)?;
+        }
+        for lane in lanes() {
+            line(lane.border(), "bound", paper, out)?;
+            way(&lane, paper, out)?;
+        }
+        if let Some(center) = section.lane(0) {
+            line(center.border(), "reference", paper, out)?;
+        }
+    }
+    if options.index_boxes {
+        index_boxes::write(map, paper, out)?;
+    }
+    writeln!(out, "</svg>")
+}
+
+/// Height in the middle of a section `[m]`.
+fn height(section: &LaneSection<'_>) -> f64 {
+    let line = section.lane(0).map(|center| center.border());
+    line.and_then(|line| line.position(line.len() / 2)).map_or(0.0, |p| p.z)
+}
+
+/// The lane's area, filled by its type.
+fn area(lane: &Lane<'_>, paper: Paper, out: &mut dyn Write) -> Result<()> {
+    if lane.center_line().len() < 2 {
+        return Ok(());
+    }
+    write!(out, "<path class=\"{}\" d=\"", style::class(lane.kind()))?;
+    points(lane.left_bound().positions(), paper, 'M', out)?;
+    let right: Vec<DVec3> = lane.right_bound().positions().collect();
+    points(right.into_iter().rev(), paper, 'L', out)?;
+    writeln!(
+        out,
+        "z\"><title>{} {}</title></path>",
+        escape(&lane.key().to_string()),
+        lane.kind().name()
+    )
+}
+
+fn line(line: Polyline<'_>, class: &str, paper: Paper, out: &mut dyn Write) -> Result<()> {
+    if line.len() < 2 {
+        return Ok(());
+    }
+    write!(out, "<path class=\"{class}\" d=\"")?;
+    points(line.positions(), paper, 'M', out)?;
+    writeln!(out, "\"/>")
+}
+
+/// Points of a path, the first one after `first`.
+fn points(
+    points: impl Iterator<Item = DVec3>,
+    paper: Paper,
+    first: char,
+    out: &mut dyn Write,
+) -> Result<()> {
+    for (i, point) in points.enumerate() {
+        let p = paper.at(point.truncate());
+        let command = if i == 0 { first } else { ' ' };
+        write!(out, "{command}{:.DIGITS$},{:.DIGITS$}", p.x, p.y)?;
+    }
+    Ok(())
+}
+
+/// A triangle in the middle of a lane that motor vehicles use, pointing where they drive.
+fn way(lane: &Lane<'_>, paper: Paper, out: &mut dyn Write) -> Result<()> {
+    let section = lane.section();
+    let (start, end) = (section.s_start(), section.s_end());
+    let (size, shortest) = WAY;
+    if !lane.kind().is_drivable() || lane.is_bidirectional() || end - start < shortest {
+        return Ok(());
+    }
+    let middle = 0.5 * (start + end);
+    let Ok(pose) = lane.pose_at(middle, 0.0) else { return Ok(()) };
+    if lane.width_at(middle) < size {
+        return Ok(());
+    }
+    let forward = if lane.is_forward() { 1.0 } else { -1.0 };
+    let ahead = DVec2::from_angle(pose.heading) * (forward * size);
+    let center = pose.position.truncate();
+    let tips = [
+        center + ahead,
+        center - 0.5 * ahead + 0.5 * ahead.perp(),
+        center - 0.5 * ahead - 0.5 * ahead.perp(),
+    ];
+    write!(out, "<path class=\"way\" d=\"")?;
+    points(tips.into_iter().map(|p| p.extend(0.0)), paper, 'M', out)?;
+    writeln!(out, "z\"/>")
+}
+
+/// Text that may stand between tags.
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}

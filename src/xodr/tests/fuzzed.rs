@@ -1,0 +1,16 @@
+//! Inputs that fuzzing found, each named by what went wrong.
+
+use mapd_xodr::{Finding, Limits, Reader, Severity, rule_ids};
+
+fn read(text: &[u8]) -> Vec<Finding> {
+    let mut reader = Reader::new(text, Limits::default());
+    while reader.next().expect("memory does not fail").is_some() {}
+    reader.take_findings()
+}
+
+#[test]
+fn text_up_to_the_end_of_a_document_that_is_cut() {
+    let findings = read(b"<OpenDRIVE> text without an end");
+    let is_it = |f: &Finding| f.rule == rule_ids::XML && f.severity == Severity::Error;
+    assert!(findings.iter().any(is_it), "{findings:?}");
+}

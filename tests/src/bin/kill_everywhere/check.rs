@@ -1,0 +1,82 @@
+//! What must hold after every kill.
+
+use mapd_client::glam::DVec2;
+use mapd_client::{Client, NearestOptions, Snapshot};
+use mapd_tests::stage::{ATTACH_DEADLINE, Checked, Stage};
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+/// Longest time until what a killed client held has been given back: some rounds of the daemon.
+const SETTLE: Duration = Duration::from_secs(5);
+
+/// A point in the middle of a lane of `one_road`.
+const POINT: DVec2 = DVec2::new(10.0, -1.5);
+
+/// A client of this process, which lives through everything, and a snapshot that it holds.
+pub(crate) struct Witness {
+    client: Client,
+    held: Snapshot,
+    lane: String,
+}
+
+impl Witness {
+    pub(crate) fn new(stage: &Stage) -> Checked<Self> {
+        let client = stage.client().map_err(|error| format!("the witness: {error}"))?;
+        let held = client.snapshot();
+        let lane = answer(&held)?;
+        Ok(Self { client, held, lane })
+    }
+
+    /// The held snapshot is whole and answers as ever.
+    pub(crate) fn still_reads(&self) -> Checked<()> {
+        self.held.verify().map_err(|error| format!("the held snapshot: {error}"))?;
+        match answer(&self.held)? {
+            lane if lane == self.lane => Ok(()),
+            lane => Err(format!("the held snapshot answers {lane} instead of {}", self.lane)),
+        }
+    }
+
+    /// A newer generation arrives, has the same content, and both are right; then only the newer one is held.
+    pub(crate) fn follows(&mut self) -> Checked<()> {
+        let next = self
+            .client
+            .wait_next(ATTACH_DEADLINE)
+            .map_err(|error| format!("the witness does not get the next generation: {error}"))?;
+        if next.generation() <= self.held.generation() {
+            return Err("the generation did not rise".to_owned());
+        }
+        self.still_reads()?;
+        self.held = next;
+        self.still_reads()
+    }
+}
+
+fn answer(snapshot: &Snapshot) -> Checked<String> {
+    let map = snapshot.map();
+    let hit = map.nearest_lane(POINT, &NearestOptions::default());
+    let lane = hit.map_err(|error| error.to_string())?.ok_or("no lane")?.lane;
+    Ok(map.lane(lane).map_err(|error| error.to_string())?.key().to_string())
+}
+
+/// Nothing of the domain is left.
+pub(crate) fn nothing_left(stage: &Stage) -> Checked<()> {
+    let left = stage.files();
+    if left.is_empty() { Ok(()) } else { Err(format!("left behind: {left:?}")) }
+}
+
+/// No more files are left than there were, by kind, after the daemon has had the time to clean up.
+pub(crate) fn settles(stage: &Stage, before: &BTreeSet<PathBuf>) -> Checked<()> {
+    let until = Instant::now() + SETTLE;
+    loop {
+        let now = stage.files();
+        if now.len() <= before.len() {
+            return Ok(());
+        }
+        if Instant::now() >= until {
+            let new: Vec<_> = now.difference(before).collect();
+            return Err(format!("not given back: {new:?}"));
+        }
+        std::thread::sleep(Duration::from_millis(50));
+    }
+}

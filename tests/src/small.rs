@@ -1,0 +1,59 @@
+//! Shared memory of any size: a thread that sees a `/dev/shm` of its own, and whatever it starts sees the same.
+
+use nix::mount::{MsFlags, mount};
+use nix::sched::{CloneFlags, unshare};
+use std::fs::File;
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+/// Runs `work` in a thread whose `/dev/shm` is empty and holds at most `bytes`. `None`, with the reason said aloud, where
+/// that is not permitted.
+pub fn in_small_shared_memory<T: Send>(bytes: u64, work: impl FnOnce() -> T + Send) -> Option<T> {
+    std::thread::scope(|scope| {
+        let thread = scope.spawn(|| match mount_own(bytes) {
+            Ok(()) => Some(work()),
+            Err(error) => {
+                crate::say(&format!(
+                    "skipped: no shared memory of our own can be mounted: {error}"
+                ));
+                None
+            }
+        });
+        thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    })
+}
+
+fn mount_own(bytes: u64) -> io::Result<()> {
+    let nothing: Option<&str> = None;
+    unshare(CloneFlags::CLONE_NEWNS)?;
+    // Else the new mount would be seen outside.
+    mount(nothing, "/", nothing, MsFlags::MS_REC | MsFlags::MS_PRIVATE, nothing)?;
+    let options = format!("size={bytes},mode=1777");
+    mount(Some("tmpfs"), "/dev/shm", Some("tmpfs"), MsFlags::empty(), Some(options.as_str()))?;
+    Ok(())
+}
+
+/// A file that takes all of `/dev/shm` that is left. Dropping it gives it back.
+pub struct Filler(PathBuf);
+
+impl Filler {
+    /// Takes everything.
+    ///
+    /// Errors: the file cannot be made. That it cannot grow any more is what is wanted.
+    pub fn fill() -> io::Result<Self> {
+        let path = PathBuf::from("/dev/shm/filler");
+        let mut file = File::create(&path)?;
+        let filler = Self(path);
+        for chunk in [1 << 16, 1 << 12, 1] {
+            let zeros = vec![0; chunk];
+            while file.write_all(&zeros).is_ok() {}
+        }
+        Ok(filler)
+    }
+}
+
+impl Drop for Filler {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_file(&self.0);
+    }
+}

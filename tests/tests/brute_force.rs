@@ -1,0 +1,239 @@
+//! Points to lanes and to track coordinates against looking everywhere: a search of its own, which knows neither index nor
+//! projection, only where (s, t) lies.
+
+use mapd_client::glam::DVec2;
+use mapd_client::{Lane, Map, NearestOptions, Road, Track};
+use mapd_geometry::clamp;
+use mapd_tests::maps::{Random, carried_and, open};
+
+/// Maps besides the carried ones.
+const MAPS: [&str; 10] = [
+    "carla/Town05",
+    "carla/Town03",
+    "Scenic/Issue295a",
+    "Scenic/Issue189",
+    "esmini/velodrome",
+    "esmini/soderleden",
+    "esmini/multi_intersections",
+    "drone_dataset/rdb2",
+    "gdal/5g_living_lab_A39_Wolfsburg-West",
+    "sumo/adlershof_dlr_netconvert",
+];
+/// Points of each map; a tenth of them in builds that are not optimised.
+const POINTS: usize = if cfg!(debug_assertions) { 1_000 } else { 10_000 };
+/// Distance between two cross-sections `[m]`.
+const STEP: f64 = 1.0;
+/// Records that hold for less than this share of a section are not seen: polylines store s in single precision.
+const SLIVER: f64 = 2.0 * f32::EPSILON as f64;
+/// Added to the circle around two neighbouring cross-sections, for what bulges out of it `[m]`, and as its share.
+const MARGIN: (f64, f64) = (0.05, 0.1);
+/// Cross-sections looked at between two neighbours before the search narrows.
+const PARTS: usize = 8;
+/// Narrowings to two thirds: of a metre to 1e-11 m.
+const NARROWINGS: usize = 64;
+/// Farthest search `[m]`.
+const RADIUS: f64 = 50.0;
+/// Allowed difference of two distances `[m]`: where cross-sections cross, the search narrows to a neighbour.
+const TOLERANCE: f64 = 1e-7;
+/// Points of which every one is also looked for on some road that is not near: each of so many.
+const OTHER_ROAD: usize = 10;
+
+/// A stretch between two cross-sections, without what begins at its end.
+struct Stretch<'a> {
+    lane: Option<Lane<'a>>,
+    road: Road<'a>,
+    from: f64,
+    to: f64,
+    center: DVec2,
+    radius: f64,
+}
+
+impl<'a> Stretch<'a> {
+    fn new(lane: Option<Lane<'a>>, road: Road<'a>, from: f64, to: f64) -> Self {
+        let to = to.next_down().max(from);
+        let mut stretch = Self { lane, road, from, to, center: DVec2::ZERO, radius: 0.0 };
+        let ends = [stretch.ends(from), stretch.ends(0.5 * (from + to)), stretch.ends(to)];
+        let corners = ends.as_flattened();
+        stretch.center = corners.iter().sum::<DVec2>() / corners.len() as f64;
+        let reach = corners.iter().map(|c| c.distance(stretch.center)).fold(0.0, f64::max);
+        stretch.radius = reach * (1.0 + MARGIN.1) + MARGIN.0;
+        stretch
+    }
+
+    /// Both ends of the cross-section at s: of the lane, or of the reference line, where they are one.
+    fn ends(&self, s: f64) -> [DVec2; 2] {
+        let at = |t: f64| {
+            let pose = self.road.to_inertial(Track { s, t, h: 0.0 }).expect("a pose");
+            pose.position.truncate()
+        };
+        match self.lane {
+            Some(lane) => {
+                let edges = lane.edges_at(s);
+                [at(edges.inner), at(edges.outer)]
+            }
+            None => [at(0.0); 2],
+        }
+    }
+
+    /// Distance of a point from the cross-section at s.
+    fn distance_at(&self, point: DVec2, s: f64) -> f64 {
+        let [a, b] = self.ends(s);
+        let along = b - a;
+        let squared = along.length_squared();
+        let share =
+            if squared > 0.0 { clamp((point - a).dot(along) / squared, 0.0, 1.0) } else { 0.0 };
+        point.distance(a + along * share)
+    }
+
+    /// Distance of a point from all cross-sections of the stretch, which are its area.
+    fn distance(&self, point: DVec2) -> f64 {
+        let at = |part: f64| {
+            let share = part / PARTS as f64;
+            self.distance_at(point, self.from + (self.to - self.from) * share)
+        };
+        let (mut best, mut nearest) = (f64::INFINITY, 0.0);
+        for part in 0..=PARTS {
+            let distance = at(part as f64);
+            if distance < best {
+                (best, nearest) = (distance, part as f64);
+            }
+        }
+        let (mut low, mut high) = ((nearest - 1.0).max(0.0), (nearest + 1.0).min(PARTS as f64));
+        for _ in 0..NARROWINGS {
+            let third = (high - low) / 3.0;
+            let (a, b) = (at(low + third), at(high - third));
+            best = best.min(a).min(b);
+            if a < b { high -= third } else { low += third }
+        }
+        best
+    }
+}
+
+/// The smallest distance of a point from any of these, infinite beyond a limit.
+fn nearest<'s>(stretches: impl Iterator<Item = &'s Stretch<'s>>, point: DVec2, limit: f64) -> f64 {
+    let mut candidates: Vec<(f64, &Stretch<'_>)> = stretches
+        .map(|stretch| (point.distance(stretch.center) - stretch.radius, stretch))
+        .filter(|(bound, _)| *bound <= limit)
+        .collect();
+    candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut best = f64::INFINITY;
+    for (bound, stretch) in candidates {
+        if bound > best {
+            break;
+        }
+        best = best.min(stretch.distance(point));
+    }
+    best
+}
+
+/// Neighbouring places at which to cut: a step apart, and wherever a record begins.
+fn cuts(start: f64, end: f64, breaks: impl Iterator<Item = f64>) -> Vec<f64> {
+    let steps = ((end - start) / STEP).ceil().max(1.0) as usize;
+    let mut cuts: Vec<f64> =
+        (0..=steps).map(|i| start + (end - start) * i as f64 / steps as f64).collect();
+    cuts.extend(breaks.filter(|s| *s > start && *s < end));
+    cuts.sort_by(f64::total_cmp);
+    cuts
+}
+
+/// Neighbours among cuts.
+fn pairs(cuts: &[f64]) -> impl Iterator<Item = (f64, f64)> {
+    let sliver = cuts.last().zip(cuts.first()).map_or(0.0, |(end, start)| (end - start) * SLIVER);
+    cuts.windows(2).map(|pair| (pair[0], pair[1])).filter(move |(a, b)| b - a > sliver)
+}
+
+fn lanes(map: Map<'_>) -> Vec<Stretch<'_>> {
+    let of = |lane: Lane<'_>| {
+        let section = lane.section();
+        cuts(
+            section.s_start(),
+            section.s_end().min(lane.road().reference_end()),
+            lane.shape_breaks(),
+        )
+    };
+    map.lanes()
+        .flat_map(|lane| {
+            let cuts = of(lane);
+            let pairs: Vec<_> = pairs(&cuts).collect();
+            pairs.into_iter().map(move |(a, b)| Stretch::new(Some(lane), lane.road(), a, b))
+        })
+        .collect()
+}
+
+/// Per road, its reference line.
+fn reference_lines(map: Map<'_>) -> Vec<Vec<Stretch<'_>>> {
+    let of = |road: Road<'_>| {
+        let breaks = road.section(0).and_then(|section| section.lane(0));
+        let breaks = breaks.into_iter().flat_map(|lane| lane.shape_breaks());
+        cuts(0.0, road.reference_end(), breaks)
+    };
+    map.roads()
+        .map(|road| {
+            of(road).windows(2).map(|pair| Stretch::new(None, road, pair[0], pair[1])).collect()
+        })
+        .collect()
+}
+
+/// A point of the map: anywhere, or, more often, on or beside a lane.
+fn point(map: Map<'_>, lanes: &[Stretch<'_>], random: &mut Random) -> DVec2 {
+    if random.unit() < 0.2 {
+        return random.point(map);
+    }
+    let stretch = &lanes[(random.unit() * lanes.len() as f64) as usize];
+    let reach = if random.unit() < 0.5 { 1.0 } else { 10.0 };
+    stretch.center + DVec2::new(random.between(-reach, reach), random.between(-reach, reach))
+}
+
+#[test]
+fn what_is_found_is_the_nearest_of_all() {
+    let options = NearestOptions { radius: RADIUS, ..NearestOptions::default() };
+    for path in carried_and(&MAPS) {
+        let snapshot = open(&path);
+        let map = snapshot.map();
+        let (lanes, lines) = (lanes(map), reference_lines(map));
+        let mut random = Random(30);
+        let mut found = 0;
+        for i in 0..POINTS {
+            let point = point(map, &lanes, &mut random);
+            let context = || format!("{}, {point}", path.display());
+            let expected = nearest(lanes.iter(), point, RADIUS);
+            let hit = map.nearest_lane(point, &options).expect("an answer");
+            let Some(hit) = hit else {
+                assert!(expected > RADIUS - TOLERANCE, "{} missed {expected}", context());
+                continue;
+            };
+            found += 1;
+            let lane = map.lane(hit.lane).expect("the map's own lane");
+            let error = (hit.position.distance - expected).abs();
+            // Where a stretch ends is stored with 24 bits of the section's length.
+            let section = lane.section();
+            let allowed = TOLERANCE + SLIVER * (section.s_end() - section.s_start());
+            assert!(
+                error <= allowed,
+                "{}: expected {expected}, found {} {hit:?}",
+                context(),
+                lane.key()
+            );
+            if hit.position.distance == 0.0 {
+                let (s, offset) = (hit.position.s, hit.position.offset);
+                let again = lane.pose_at(s, offset).expect("a pose").position.truncate();
+                assert!(again.distance(point) <= 1e-8, "{}: {} {hit:?}", context(), lane.key());
+            }
+            // The lane's own road, and some road of the map.
+            let own = lane.road().road_id().row() as usize;
+            let other = (i % OTHER_ROAD == 0).then_some(i / OTHER_ROAD % lines.len());
+            for row in [Some(own), other].into_iter().flatten() {
+                let road = map.roads().nth(row).expect("a road");
+                let expected = nearest(lines[row].iter(), point, f64::INFINITY);
+                let track = road.to_track(point).expect("a foot");
+                assert!(
+                    (track.distance - expected).abs() <= TOLERANCE,
+                    "{}, road {}: expected {expected}, found {track:?}",
+                    context(),
+                    road.id()
+                );
+            }
+        }
+        assert!(found > POINTS / 2, "{}: only {found} points were near lanes", path.display());
+    }
+}
