@@ -2,7 +2,7 @@
 
 use crate::place::{SectionIn, Side, number};
 use mapd_geometry::Cubic;
-use mapd_xodr::{Attribute, Lane, Road};
+use mapd_xodr::{Attribute, CubicRecord, Lane, Road};
 
 /// A record `a + b·ds + c·ds² + d·ds³` that holds from `s` on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,27 +29,28 @@ macro_rules! record {
 }
 pub(crate) use record;
 
-/// The value at `s`: of the last record that begins at or before it, else 0.
-pub(crate) fn value_at(records: impl Iterator<Item = Record>, s: f64) -> f64 {
-    let holds = records.filter(|record| record.s <= s).last();
-    holds.map_or(0.0, |record| record.cubic.value(s - record.s))
+/// The value at `s`: of the last record that begins at or before it, else 0. Records that do not ascend are a finding of
+/// their own; of such, any may be taken.
+pub(crate) fn value_at<R: CubicRecord>(records: &[R], s: f64) -> f64 {
+    let after = records.partition_point(|record| record.start().unwrap_or(0.0) <= s);
+    let Some(record) = after.checked_sub(1).and_then(|last| records.get(last)) else { return 0.0 };
+    let coefficients = record.coefficients().map(|value| value.unwrap_or(0.0));
+    Cubic::new(coefficients).value(s - record.start().unwrap_or(0.0))
 }
 
 /// Height of the reference line at `s` `[m]`.
 pub(crate) fn elevation_at(road: &Road, s: f64) -> f64 {
-    let records = road.elevation_profile.iter().flat_map(|profile| &profile.elevation);
-    value_at(records.map(|e| record!(e, s)), s)
+    road.elevation_profile.as_ref().map_or(0.0, |profile| value_at(&profile.elevation, s))
 }
 
 /// Superelevation at `s` `[rad]`.
 pub(crate) fn superelevation_at(road: &Road, s: f64) -> f64 {
-    let records = road.lateral_profile.iter().flat_map(|profile| &profile.superelevation);
-    value_at(records.map(|e| record!(e, s)), s)
+    road.lateral_profile.as_ref().map_or(0.0, |profile| value_at(&profile.superelevation, s))
 }
 
 /// Offset of lane 0 at `s` `[m]`.
 pub(crate) fn lane_offset_at(section: &SectionIn<'_>, s: f64) -> f64 {
-    value_at(section.lanes.lane_offset.iter().map(|e| record!(e, s)), s)
+    value_at(&section.lanes.lane_offset, s)
 }
 
 /// Width of a lane at a distance from its section's start `[m]`; none where it has borders instead.
@@ -57,7 +58,7 @@ pub(crate) fn width_at(lane: &Lane, ds: f64) -> Option<f64> {
     if lane.width.is_empty() && !lane.border.is_empty() {
         return None;
     }
-    Some(value_at(lane.width.iter().map(|e| record!(e, s_offset)), ds))
+    Some(value_at(&lane.width, ds))
 }
 
 /// The borders of a side at a distance from the section's start: (id, inner t, outer t) from the center outwards.
@@ -68,7 +69,7 @@ pub(crate) fn borders_at(section: &SectionIn<'_>, side: Side, ds: f64) -> Vec<(i
     for lane in section.outwards(side) {
         let outer = match width_at(lane, ds) {
             Some(width) => inner + sign * width,
-            None => value_at(lane.border.iter().map(|e| record!(e, s_offset)), ds),
+            None => value_at(&lane.border, ds),
         };
         borders.push((lane.id.map_or(0, |id| id.value), inner, outer));
         inner = outer;

@@ -368,9 +368,10 @@ impl Network {
         let before = self.stations.len();
         let mut bounds = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
         let end = number(&road.length).min(line.end());
-        for s in places(line, road, end) {
+        let sections: Vec<SectionIn<'_>> = permanent(road).collect();
+        for s in places(line, &sections, end) {
             let Some(point) = line.at(s) else { break };
-            let [left, right] = extent_at(road, s);
+            let [left, right] = extent_at(&sections, s);
             let station = Station {
                 s,
                 x: point.x,
@@ -401,27 +402,27 @@ fn permanent(road: &Road) -> impl Iterator<Item = SectionIn<'_>> {
 }
 
 /// t of the outermost borders at `s`: left, right `[m]`.
-fn extent_at(road: &Road, s: f64) -> [f64; 2] {
-    let mut extent = [0.0; 2];
-    for section in permanent(road).filter(|section| section.s() <= s) {
-        for (at, side, present) in [
-            (0, Side::Left, section.section.left.is_some()),
-            (1, Side::Right, section.section.right.is_some()),
-        ] {
-            // A section of one side leaves the other as it was.
-            if present || value(&section.section.single_side) != Some(true) {
-                let ds = s.min(section.s_end()) - section.s();
-                let borders = borders_at(&section, side, ds);
-                let center = crate::profile::lane_offset_at(&section, s);
-                extent[at] = borders.last().map_or(center, |border| border.2);
-            }
-        }
-    }
-    extent
+fn extent_at(sections: &[SectionIn<'_>], s: f64) -> [f64; 2] {
+    let after = sections.partition_point(|section| section.s() <= s);
+    let begun = sections.get(..after).unwrap_or_default();
+    [Side::Left, Side::Right].map(|side| {
+        // A section of one side leaves the other as it was.
+        let holds = begun.iter().rev().find(|section| {
+            let is_there = match side {
+                Side::Left => section.section.left.is_some(),
+                Side::Right => section.section.right.is_some(),
+            };
+            is_there || value(&section.section.single_side) != Some(true)
+        });
+        let Some(section) = holds else { return 0.0 };
+        let ds = s.min(section.s_end()) - section.s();
+        let outermost = borders_at(section, side, ds).last().map(|border| border.2);
+        outermost.unwrap_or_else(|| crate::profile::lane_offset_at(section, s))
+    })
 }
 
 /// Where cross-sections are kept, ascending.
-fn places(line: &ReferenceLine, road: &Road, end: f64) -> Vec<f64> {
+fn places(line: &ReferenceLine, sections: &[SectionIn<'_>], end: f64) -> Vec<f64> {
     let mut places = Vec::new();
     for piece in &line.pieces {
         let until = (piece.s + piece.length).min(end);
@@ -434,7 +435,7 @@ fn places(line: &ReferenceLine, road: &Road, end: f64) -> Vec<f64> {
             s += step.max(STATION_STEP_MIN);
         }
     }
-    places.extend(permanent(road).map(|section| section.s()).filter(|s| *s >= 0.0 && *s < end));
+    places.extend(sections.iter().map(|section| section.s()).filter(|s| *s >= 0.0 && *s < end));
     places.push(end);
     places.retain(|s| s.is_finite());
     places.sort_by(f64::total_cmp);
