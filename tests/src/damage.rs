@@ -1,7 +1,10 @@
 //! Damaged archives: making hashes fit, and asking everything.
 
 use mapd_archive::{AlignedBytes, HEADER_LENGTH};
-use mapd_client::{NearestOptions, Snapshot, Track, glam::DVec2};
+use mapd_client::{LaneTypes, NearestOptions, Region, Snapshot, Track, glam::DVec2};
+
+/// Lanes for questions that take long.
+const FEW: usize = 3;
 
 /// Asks everything of a map that may be damaged; only the absence of a panic counts.
 pub fn ask_everything(bytes: AlignedBytes) {
@@ -20,6 +23,7 @@ pub fn ask_everything(bytes: AlignedBytes) {
         );
         let _ = road.to_inertial(Track { s: 10.0, t: 1.0, h: 0.0 });
         let _ = road.to_track(DVec2::new(3.0, 4.0));
+        let _ = (road.surface_at(10.0, 1.0), road.surface_at(100.0, -30.0));
         let _ = (road.section_at(5.0).map(|s| s.lane_at(5.0, 1.0).is_some()), road.types().count());
     }
     for lane in map.lanes() {
@@ -35,7 +39,15 @@ pub fn ask_everything(bytes: AlignedBytes) {
             lane.speeds().count(),
         );
         let _ = lane.pose_at(1.0, 0.0);
+        let _ =
+            (lane.material_at(1.0).is_some(), lane.height_at(1.0), lane.waypoint_at(1.0).is_ok());
     }
+    for lane in map.lanes().take(FEW) {
+        let _ = lane.position_of(DVec2::new(3.0, 4.0));
+    }
+    let (region, mut lanes, mut segments) =
+        (Region::around(DVec2::new(20.0, 1.0), 30.0), vec![], vec![]);
+    let _ = map.boundary_segments(region, LaneTypes::drivable(), &mut lanes, &mut segments);
     for junction in map.junctions() {
         let _ = junction.connections().map(|c| c.lane_links().count()).sum::<usize>();
     }

@@ -197,10 +197,17 @@ pub struct TableInfo {
     pub count: usize,
     /// Bytes of one element.
     pub element_bytes: usize,
+    /// Address of the first element in this process.
+    pub address: usize,
 }
 
 impl TableInfo {
     pub(crate) fn of<T>(name: &'static str, elements: &[T]) -> Self {
-        Self { name, count: elements.len(), element_bytes: size_of::<T>() }
+        Self {
+            name,
+            count: elements.len(),
+            element_bytes: size_of::<T>(),
+            address: elements.as_ptr() as usize,
+        }
     }
 }

@@ -234,6 +234,10 @@ impl Cursor<'_> {
             }
             Current::Content => self.content.trim().into(),
         };
+        if value.len() != value.trim_ascii().len() && self.is_identifier() {
+            let expected = "no white space around an identifier";
+            self.about(rule_ids::SPACE, Severity::Info, expected, "; kept");
+        }
         if self.schema.numeric >> self.version & 1 == 1 {
             let lexical = values::double(value.as_bytes());
             if lexical.value.is_none() {
@@ -245,6 +249,12 @@ impl Cursor<'_> {
             self.about(rule_ids::ENUMERATION, Severity::Error, self.schema.fixed, "");
         }
         Some(self.placed(value))
+    }
+
+    /// Whether the value is an identifier or refers to one, as its name says.
+    fn is_identifier(&self) -> bool {
+        let name = self.schema.name;
+        name == "id" || name == "junction" || name.ends_with("Id") || name.ends_with("Road")
     }
 
     /// The code or name of a country, as written.

@@ -1,0 +1,135 @@
+//! What `mapd check` says, and how it ends.
+
+use std::io::Write as _;
+use std::path::Path;
+use std::process::{Command, Output};
+
+const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
+
+const PLAN: &str = "<planView><geometry s=\"0\" x=\"0\" y=\"0\" hdg=\"0\" length=\"10\"><line/></geometry></planView>";
+const LANES: &str =
+    "<lanes><laneSection s=\"0\"><center><lane id=\"0\"/></center></laneSection></lanes>";
+
+fn run(file: &Path, args: &[&str]) -> Output {
+    Command::new(MAPD).arg("check").arg(file).args(args).output().expect("starts")
+}
+
+/// Writes a document and checks it; its standard output without the folder's name, and how it ends.
+fn check(name: &str, text: &[u8], args: &[&str]) -> (String, Option<i32>) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join(name);
+    std::fs::write(&file, text).expect("written");
+    std::fs::write(
+        folder.path().join("more.xodr"),
+        format!("<OpenDRIVE>\n<road id=\"2\" length=\"10\" junction=\"-1\">{PLAN}\n{LANES}\n<tree/></road></OpenDRIVE>"),
+    )
+    .expect("written");
+    let output = run(&file, args);
+    let base = format!("{}/", folder.path().display());
+    (String::from_utf8_lossy(&output.stdout).replace(&base, ""), output.status.code())
+}
+
+fn document(inner: &str) -> String {
+    format!(
+        "<OpenDRIVE>\n<header revMajor=\"1\" revMinor=\"8\"/>\n<road id=\"1\" length=\"10\" junction=\"-1\">{PLAN}\n{LANES}\n{inner}</road>\n</OpenDRIVE>"
+    )
+}
+
+#[test]
+fn text_shows_the_line_and_the_place() {
+    let text = document("\t<lights ü=\"1\"/>");
+    let expected = "\
+a.xodr:5:2: warning[mapd:structure.unknown_element]: expected no element lights, which the standard does not have here, found it; kept as text
+    at OpenDRIVE/road[@id=1]
+ 5 |  <lights ü=\"1\"/></road>
+   |  ^
+      1 mapd:structure.unknown_element
+a.xodr: accepted; states 1.8, checked as 1.8.1; errors 0, warnings 1, information 0
+";
+    assert_eq!(check("a.xodr", text.as_bytes(), &[]), (expected.to_owned(), Some(0)));
+    // The same, compressed.
+    let mut gzip = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::default());
+    gzip.write_all(text.as_bytes()).expect("compresses");
+    let gzip = gzip.finish().expect("compresses");
+    let expected = expected.replace("a.xodr", "a.xodrz");
+    assert_eq!(check("a.xodrz", &gzip, &[]), (expected, Some(0)));
+}
+
+#[test]
+fn what_rejects_the_map_says_so() {
+    let text = document("")
+        .replace("hdg=\"0\"", "hdg=\"east\"")
+        .replace("id=\"1\"", "id=\"1\" rule=\"UP\"");
+    let (out, code) = check("a.xodr", text.as_bytes(), &[]);
+    assert_eq!(code, Some(4), "{out}");
+    assert!(out.contains("a.xodr:3:20: error[mapd:value.enumeration]: expected"), "{out}");
+    assert!(
+        out.contains("error[mapd:value.type], rejects the map: expected a number in @hdg"),
+        "{out}"
+    );
+    assert!(out.contains("a.xodr: rejected; states 1.8"), "{out}");
+}
+
+#[test]
+fn json_is_one_document() {
+    let text = document("").replace("hdg=\"0\"", "hdg=\"east\"");
+    let (out, code) = check("a.xodr", text.as_bytes(), &["--format", "json"]);
+    assert_eq!(code, Some(4), "{out}");
+    let json: serde_json::Value = serde_json::from_str(&out).expect("JSON");
+    assert_eq!(json["verdict"], "rejected");
+    assert_eq!(
+        (&json["stated_version"], &json["checked_version"]),
+        (&"1.8".into(), &"1.8.1".into())
+    );
+    assert_eq!(json["counts"]["errors"], 1);
+    assert_eq!(json["rules"][0]["rule"], "mapd:value.type");
+    let column = text.lines().nth(2).and_then(|line| line.find("east")).expect("the value") + 1;
+    let expected = serde_json::json!({
+        "rule": "mapd:value.type", "asam_rule": "asam.net:xodr:1.0.0:xml.valid_schema",
+        "severity": "error", "rejects": true, "file": "a.xodr", "line": 3, "column": column,
+        "offset": text.find("east"), "length": 4,
+        "path": "OpenDRIVE/road[@id=1]/planView/geometry[@s=0]", "subject": "hdg",
+        "message": "expected a number in @hdg, found something else; refused: \"east\"",
+        "expected": "a number in @hdg", "found": "something else; refused: \"east\"", "hint": ""
+    });
+    assert_eq!(json["findings"], serde_json::json!([expected]));
+}
+
+#[test]
+fn included_files_have_places_of_their_own() {
+    let text = document("").replace("</OpenDRIVE>", "<include file=\"more.xodr\"/>\n</OpenDRIVE>");
+    let (out, code) = check("a.xodr", text.as_bytes(), &[]);
+    assert_eq!(code, Some(0), "{out}");
+    assert!(out.contains("more.xodr:4:1: warning[mapd:structure.unknown_element]"), "{out}");
+    assert!(out.contains(" 4 | <tree/></road></OpenDRIVE>\n   | ^"), "{out}");
+    let elsewhere = tempfile::tempdir().expect("a folder");
+    let base = elsewhere.path().display().to_string();
+    let (out, code) = check("a.xodr", text.as_bytes(), &["--include-base", &base]);
+    assert_eq!(code, Some(4), "{out}");
+    assert!(out.contains("error[mapd:xml.include], rejects the map"), "{out}");
+}
+
+#[test]
+fn limits_are_options() {
+    let text = document(&"<tree/>".repeat(5));
+    let (out, _) = check("a.xodr", text.as_bytes(), &["--max-findings", "2"]);
+    assert!(out.contains("3 more findings like this"), "{out}");
+    for limit in [
+        ["--max-depth", "3"],
+        ["--max-attribute-length", "20"],
+        ["--max-attributes", "2"],
+        ["--max-bytes", "300"],
+    ] {
+        let (out, code) = check("a.xodr", text.as_bytes(), &limit);
+        assert_eq!(code, Some(4), "{limit:?}: {out}");
+        assert!(out.contains("error[mapd:xml.limit], rejects the map"), "{limit:?}: {out}");
+    }
+}
+
+#[test]
+fn it_ends_as_the_other_commands_do() {
+    assert_eq!(run(Path::new("no/such.xodr"), &[]).status.code(), Some(1));
+    assert_eq!(run(Path::new("a.xodr"), &["--format", "sky"]).status.code(), Some(2));
+    let folder = tempfile::tempdir().expect("a folder");
+    assert_eq!(run(folder.path(), &[]).status.code(), Some(1));
+}
