@@ -36,7 +36,9 @@ mod table;
 mod verify;
 mod write;
 
-pub use codes::{ContactPoint, LaneType, LinkKind, NONE, RoadType, SpeedKind, lane_flags};
+pub use codes::{
+    ContactPoint, LaneType, LinkKind, NONE, QuarantinedKind, RoadType, SpeedKind, lane_flags,
+};
 pub use error::{OpenError, VerifyError, WriteError};
 pub use generated::{rows::*, tables::*};
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};

@@ -27,9 +27,12 @@ mod links;
 mod lower;
 mod options;
 mod origin;
+mod quarantine;
 mod report;
+mod rounds;
 
 pub use options::{CompileOptions, OptionsError};
+pub use quarantine::{OnError, PartKind, Policy, QuarantinedPart, Treatment};
 pub use report::{Compilation, Diagnostic, Progress, Verdict, Version};
 
 use hashing::HashingReader;
@@ -38,11 +41,12 @@ use mapd_archive::{NONE, Provenance, Rows};
 use mapd_rules::Checker;
 use mapd_xodr::source::{Inputs, Places};
 use mapd_xodr::{Finding, Item, Limits, Reader, Severity};
+use quarantine::{Exclusions, Units};
 use report::Collector;
 use std::io::{self, Read};
 use std::path::PathBuf;
 
-/// How a document is read. It shapes findings and refusals, never the tables of a map that is accepted.
+/// How a document is read and what becomes of its errors. It never shapes the tables of a map without errors.
 #[derive(Clone, Debug, Default)]
 pub struct ReadOptions {
     /// Bounds on what the document may ask for.
@@ -51,6 +55,24 @@ pub struct ReadOptions {
     pub include_folder: Option<PathBuf>,
     /// Which rules apply, and how bad their findings are.
     pub rules: mapd_rules::Settings,
+    /// What becomes of a map with errors.
+    pub policy: Policy,
+}
+
+impl ReadOptions {
+    /// First bytes of the BLAKE3 of all that shapes an archive, as its header carries them.
+    fn hash(&self, options: &CompileOptions) -> [u8; 8] {
+        if self.rules == mapd_rules::Settings::default() && self.policy == Policy::default() {
+            return options.hash();
+        }
+        let mut hasher = blake3::Hasher::new();
+        hasher.update(&options.hash());
+        // Both are plain values with names, the same in every build of one version.
+        hasher.update(format!("{:?} {:?}", self.rules, self.policy).as_bytes());
+        let mut out = [0; 8];
+        out.copy_from_slice(&hasher.finalize().as_bytes()[..8]);
+        out
+    }
 }
 
 /// Compiles a document that includes no files. `progress` is told after each top-level element and at each stage.
@@ -64,7 +86,8 @@ pub fn compile(
     compile_with(input, &ReadOptions::default(), options, progress)
 }
 
-/// Compiles a document.
+/// Compiles a document that can be read once. An error rejects the map: to leave out the part that has it, the document must
+/// be read again, which [`compile_from`] does.
 ///
 /// Errors: reading failed. A map that is rejected is no error: see [`Compilation::verdict`].
 pub fn compile_with(
@@ -73,35 +96,71 @@ pub fn compile_with(
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Compilation> {
-    let (lowering, mut compiled) = read(input, reading, progress)?;
-    compiled.provenance.options_hash = options.hash();
-    if compiled.verdict == Verdict::Accepted {
+    let round = read(input, reading, &Exclusions::default(), progress)?;
+    finish(round.lowering, round.compilation, reading, options, progress)
+}
+
+/// Compiles a document. `open` yields it from its start, as often as it is called: parts with errors are treated as
+/// [`ReadOptions::policy`] says.
+///
+/// Errors: reading failed, or the document changed in between. A map that is rejected is no error: see
+/// [`Compilation::verdict`].
+pub fn compile_from<R: Read + Send>(
+    mut open: impl FnMut() -> io::Result<R>,
+    reading: &ReadOptions,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Compilation> {
+    let (lowering, compilation) = rounds::read(&mut open, reading, progress)?;
+    finish(lowering, compilation, reading, options, progress)
+}
+
+/// Finds everything that [`compile_from`] finds, without building the map: there are no rows.
+///
+/// Errors: reading failed, or the document changed in between.
+pub fn check<R: Read + Send>(
+    mut open: impl FnMut() -> io::Result<R>,
+    reading: &ReadOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Compilation> {
+    Ok(rounds::read(&mut open, reading, progress)?.1)
+}
+
+/// Builds the map, unless it is rejected.
+fn finish(
+    lowering: Lowering,
+    mut compiled: Compilation,
+    reading: &ReadOptions,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Compilation> {
+    compiled.provenance.options_hash = reading.hash(options);
+    if compiled.verdict != Verdict::Rejected {
         progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
         compiled.rows = Some(build(lowering, options, progress).map_err(io::Error::other)?);
     }
     Ok(compiled)
 }
 
-/// Finds everything that [`compile_with`] finds, without building the map: there are no rows.
-///
-/// Errors: reading failed.
-pub fn check(
-    input: impl Read + Send,
-    reading: &ReadOptions,
-    progress: &mut dyn FnMut(Progress),
-) -> io::Result<Compilation> {
-    Ok(read(input, reading, progress)?.1)
+/// What reading a document once yields.
+struct Round {
+    lowering: Lowering,
+    compilation: Compilation,
+    causes: Vec<report::Cause>,
+    units: Units,
 }
 
-/// Reads and checks a document and resolves its links.
+/// Reads and checks a document without some parts and resolves its links.
 fn read(
     input: impl Read + Send,
     reading: &ReadOptions,
+    without: &Exclusions,
     progress: &mut dyn FnMut(Progress),
-) -> io::Result<(Lowering, Compilation)> {
+) -> io::Result<Round> {
     let mut hashing = HashingReader::new(input);
     let mut lowering = Lowering::default();
     let mut collector = Collector::default();
+    let mut quarantined = Vec::new();
     let (places, version) = {
         let mut inputs = Inputs::new(reading.limits.source);
         if let Some(folder) = &reading.include_folder {
@@ -114,6 +173,11 @@ fn read(
         let mut checker = Checker::new(&reading.rules);
         while let Some(item) = reader.next()? {
             let read = reader.take_findings();
+            collector.add_units(&item);
+            let Some(item) = without.filter(item, &mut quarantined) else {
+                collector.add_read(read, Vec::new(), &places, without);
+                continue;
+            };
             checker.item(&item);
             checked.append(&mut checker.take_findings());
             match item {
@@ -127,11 +191,11 @@ fn read(
                 }
                 _ => {}
             }
-            collector.add_read(read, std::mem::take(&mut checked), &places);
+            collector.add_read(read, std::mem::take(&mut checked), &places, without);
             progress(Progress::Reading { bytes: reader.bytes_read(), roads: lowering.roads() });
         }
         checker.finish();
-        collector.add_read(reader.take_findings(), checker.take_findings(), &places);
+        collector.add_read(reader.take_findings(), checker.take_findings(), &places, without);
         let stated = reader.stated_version().to_owned();
         (places, Version { stated, checked: reader.checked_version() })
     };
@@ -149,7 +213,9 @@ fn read(
         options_hash: [0; 8],
         compiler_version: crate::version(),
     };
-    Ok((lowering, collector.finish(provenance, version)))
+    lowering.quarantine(&quarantined);
+    let (compilation, causes, units) = collector.finish(provenance, version, quarantined);
+    Ok(Round { lowering, compilation, causes, units })
 }
 
 /// The files that the document included, in the order in which it did.

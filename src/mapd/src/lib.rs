@@ -22,6 +22,7 @@ pub mod cli;
 pub mod exit;
 pub mod export;
 mod inspect;
+mod judging;
 mod load;
 mod progress;
 pub mod query;

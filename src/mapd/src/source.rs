@@ -4,7 +4,7 @@ use crate::report;
 use anyhow::{Context, Result};
 use mapd_archive::encode;
 use mapd_client::{Client, Domain, Snapshot};
-use mapd_compiler::{Compilation, CompileOptions, Progress, ReadOptions, compile_with};
+use mapd_compiler::{Compilation, CompileOptions, Progress, ReadOptions, compile_from};
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -27,16 +27,23 @@ pub fn is_archive(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension == "mapd")
 }
 
-/// Compiles an OpenDRIVE file, compressed with gzip or not. Files are included from its folder.
+/// Compiles an OpenDRIVE file, compressed with gzip or not. Files are included from its folder, unless
+/// another is given.
 ///
 /// Errors: the file cannot be read. A rejected map is no error.
 pub fn compile_file(
     path: &Path,
+    reading: &ReadOptions,
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Compilation> {
-    let reading = ReadOptions { include_folder: folder(path), ..ReadOptions::default() };
-    compile_with(open_input(path)?, &reading, options, progress)
+    let reading = ReadOptions {
+        include_folder: reading.include_folder.clone().or_else(|| folder(path)),
+        ..reading.clone()
+    };
+    // What cannot be opened is said in words of its own.
+    drop(open_input(path)?);
+    compile_from(|| File::open(path), &reading, options, progress)
         .with_context(|| format!("reading {}", path.display()))
 }
 
@@ -76,7 +83,7 @@ pub fn open(
     if is_archive(path) {
         return Ok(Opened::Map(Snapshot::open(path)?));
     }
-    let compiled = compile_file(path, options, progress)?;
+    let compiled = compile_file(path, &ReadOptions::default(), options, progress)?;
     match &compiled.rows {
         Some(rows) => Ok(Opened::Map(Snapshot::from_bytes(encode(rows, &compiled.provenance)?)?)),
         None => Ok(Opened::Rejected(Box::new(compiled))),

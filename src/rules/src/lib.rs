@@ -39,7 +39,7 @@ mod walk;
 pub use checker::Checker;
 pub use documentation::documentation;
 pub use example::Example;
-pub use network::Network;
+pub use network::{Network, extent};
 pub use place::{LaneIn, ObjectIn, RoadIn, SectionIn, Side, SignalIn};
 pub use rule::{Check, Minor, NEWEST, Rule, Tolerance};
 pub use settings::{Grade, Profile, Settings};

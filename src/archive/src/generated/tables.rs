@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [246, 29, 40, 31, 78, 16, 131, 10, 81, 152, 197, 225, 137, 17, 52, 52];
+    [167, 143, 101, 236, 243, 95, 79, 226, 117, 191, 42, 157, 166, 108, 68, 210];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -76,6 +76,8 @@ pub struct Rows {
     pub grid_heights: Table<f64>,
     /// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
     pub grid_transitions: Table<GridTransitionRow>,
+    /// Parts of the document that have errors and are not in the map as written, in the order of the document.
+    pub quarantined: Table<QuarantinedRow>,
 }
 
 impl Rows {
@@ -112,6 +114,7 @@ impl Rows {
             grid_rows: bytemuck::cast_slice(self.grid_rows.as_slice()),
             grid_heights: (self.grid_heights.as_slice()),
             grid_transitions: bytemuck::cast_slice(self.grid_transitions.as_slice()),
+            quarantined: bytemuck::cast_slice(self.quarantined.as_slice()),
         }
     }
 }
@@ -180,6 +183,8 @@ pub struct Tables<'a> {
     pub grid_heights: &'a [f64],
     /// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
     pub grid_transitions: &'a [ArchivedGridTransitionRow],
+    /// Parts of the document that have errors and are not in the map as written, in the order of the document.
+    pub quarantined: &'a [ArchivedQuarantinedRow],
 }
 
 impl<'a> Tables<'a> {
@@ -218,11 +223,12 @@ impl<'a> Tables<'a> {
             grid_rows: root.grid_rows.view(body, "grid_rows")?,
             grid_heights: root.grid_heights.view_numbers(body, "grid_heights")?,
             grid_transitions: root.grid_transitions.view(body, "grid_transitions")?,
+            quarantined: root.quarantined.view(body, "quarantined")?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 30] {
+    pub fn infos(&self) -> [TableInfo; 31] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -254,6 +260,7 @@ impl<'a> Tables<'a> {
             TableInfo::of("grid_rows", self.grid_rows),
             TableInfo::of("grid_heights", self.grid_heights),
             TableInfo::of("grid_transitions", self.grid_transitions),
+            TableInfo::of("quarantined", self.quarantined),
         ]
     }
 
@@ -498,6 +505,21 @@ impl<'a> Tables<'a> {
             check.finite("end_x", row.end_x())?;
             check.finite("end_y", row.end_y())?;
             check.finite("length", row.length())?;
+        }
+        for (i, row) in self.quarantined.iter().enumerate() {
+            let check = Check { table: "quarantined", row: i };
+            check.finite("min_x", row.min_x())?;
+            check.finite("min_y", row.min_y())?;
+            check.finite("max_x", row.max_x())?;
+            check.finite("max_y", row.max_y())?;
+            check.finite("length", row.length())?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("owner", row.owner(), strings, false)?;
+            check.reference("rule", row.rule(), strings, false)?;
+            check.reference("message", row.message(), strings, false)?;
+            check.code("kind", row.kind(), 7)?;
+            check.code("treatment", row.treatment(), 2)?;
+            check.code("has_extent", row.has_extent(), 2)?;
         }
         Ok(())
     }

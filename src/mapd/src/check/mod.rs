@@ -4,12 +4,14 @@ mod excerpt;
 mod json;
 mod text;
 
+use crate::judging::JudgingArgs;
 use crate::progress::Bar;
 use crate::source;
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use mapd_compiler::{Compilation, ReadOptions};
 use mapd_xodr::{Limits, source::SourceLimits};
+use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -52,10 +54,13 @@ pub(crate) struct ReadArgs {
     /// Folder that files may be included from [default: that of FILE]
     #[arg(long, value_name = "FOLDER")]
     include_base: Option<PathBuf>,
+
+    #[command(flatten)]
+    judging: JudgingArgs,
 }
 
 impl ReadArgs {
-    fn options(&self, file: &Path) -> ReadOptions {
+    fn options(&self, file: &Path) -> Result<ReadOptions> {
         let source = SourceLimits { decoded_bytes: self.max_bytes, ..SourceLimits::default() };
         let limits = Limits {
             depth: self.max_depth,
@@ -67,7 +72,7 @@ impl ReadArgs {
             ..Limits::default()
         };
         let include_folder = self.include_base.clone().or_else(|| source::folder(file));
-        ReadOptions { limits, include_folder, ..ReadOptions::default() }
+        self.judging.apply(ReadOptions { limits, include_folder, ..ReadOptions::default() })
     }
 }
 
@@ -81,8 +86,10 @@ pub(crate) fn run(
     out: &mut dyn Write,
 ) -> Result<Compilation> {
     let bar = Bar::new(file);
-    let input = source::open_input(file)?;
-    let checked = mapd_compiler::check(input, &reading.options(file), &mut |p| bar.show(p))
+    // What cannot be opened is said in words of its own.
+    drop(source::open_input(file)?);
+    let options = reading.options(file)?;
+    let checked = mapd_compiler::check(|| File::open(file), &options, &mut |p| bar.show(p))
         .with_context(|| format!("reading {}", file.display()))?;
     bar.finish();
     match format {

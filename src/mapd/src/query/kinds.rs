@@ -132,6 +132,15 @@ fn nearest(
     Ok(())
 }
 
+/// Parts in quarantine that are as near as an answer may be, joined by `;`.
+pub(crate) fn holes(map: Map<'_>, options: &NearestOptions, row: &Row<'_>) -> String {
+    let Ok(point) = point(row) else { return String::new() };
+    let near = map.quarantined_near(point.xy, options.radius);
+    let names: Vec<String> =
+        near.map(|part| format!("{} {}", part.kind().name(), part.id())).collect();
+    names.join(";")
+}
+
 fn text(error: QueryError) -> String {
     error.to_string()
 }

@@ -391,6 +391,13 @@ impl Network {
     }
 }
 
+/// Smallest x, smallest y, largest x, largest y of a road's surface `[m]`; none where its reference line cannot be built.
+pub fn extent(road: &Road) -> Option<[f64; 4]> {
+    let line = ReferenceLine::new(road.plan_view.as_deref());
+    let (_, bounds) = Network::default().add_stations(road, &line);
+    bounds.iter().all(|value| value.is_finite()).then_some(bounds)
+}
+
 /// Sections of the permanent layer.
 fn permanent(road: &Road) -> impl Iterator<Item = SectionIn<'_>> {
     let layers =

@@ -7,6 +7,7 @@ mod joints;
 mod overlap;
 
 pub(crate) use collect::contact;
+pub use collect::extent;
 pub use facts::{
     Contact, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, Part, PartKind, Reference, RoadFacts,
     SectionFacts, Station,
