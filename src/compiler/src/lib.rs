@@ -115,10 +115,21 @@ pub fn compile_from<R: Read + Send>(
     finish(lowering, compilation, reading, options, progress)
 }
 
+/// Finds everything that [`compile_with`] finds, without building the map: there are no rows.
+///
+/// Errors: reading failed.
+pub fn check(
+    input: impl Read + Send,
+    reading: &ReadOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Compilation> {
+    Ok(read(input, reading, &Exclusions::default(), progress)?.compilation)
+}
+
 /// Finds everything that [`compile_from`] finds, without building the map: there are no rows.
 ///
 /// Errors: reading failed, or the document changed in between.
-pub fn check<R: Read + Send>(
+pub fn check_from<R: Read + Send>(
     mut open: impl FnMut() -> io::Result<R>,
     reading: &ReadOptions,
     progress: &mut dyn FnMut(Progress),

@@ -323,7 +323,7 @@ fn compile(
     out: &mut dyn Write,
 ) -> Result<Exit> {
     let bar = Bar::new(file);
-    let compiled = source::compile_file(file, reading, options, &mut |p| bar.show(p))?;
+    let compiled = source::compile_file_with(file, reading, options, &mut |p| bar.show(p))?;
     bar.finish();
     let name = file.display().to_string();
     report::print(&name, &compiled);

@@ -111,7 +111,7 @@ fn prepare(file: &Path, reading: &ReadOptions, options: &CompileOptions) -> Resu
         return Ok(Some(Ready::Archive(Snapshot::open(file)?)));
     }
     let bar = Bar::new(file);
-    let mut compiled = source::compile_file(file, reading, options, &mut |p| bar.show(p))?;
+    let mut compiled = source::compile_file_with(file, reading, options, &mut |p| bar.show(p))?;
     bar.finish();
     report::print(&file.display().to_string(), &compiled);
     Ok(compiled.rows.take().map(|rows| Ready::Compiled(Box::new(rows), Box::new(compiled))))

@@ -27,11 +27,21 @@ pub fn is_archive(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension == "mapd")
 }
 
-/// Compiles an OpenDRIVE file, compressed with gzip or not. Files are included from its folder, unless
-/// another is given.
+/// Compiles an OpenDRIVE file, compressed with gzip or not. Files are included from its folder.
 ///
 /// Errors: the file cannot be read. A rejected map is no error.
 pub fn compile_file(
+    path: &Path,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Compilation> {
+    compile_file_with(path, &ReadOptions::default(), options, progress)
+}
+
+/// As [`compile_file`], with rules and a policy. Files are included from the file's folder unless another is given.
+///
+/// Errors: the file cannot be read. A rejected map is no error.
+pub fn compile_file_with(
     path: &Path,
     reading: &ReadOptions,
     options: &CompileOptions,
@@ -83,7 +93,7 @@ pub fn open(
     if is_archive(path) {
         return Ok(Opened::Map(Snapshot::open(path)?));
     }
-    let compiled = compile_file(path, &ReadOptions::default(), options, progress)?;
+    let compiled = compile_file(path, options, progress)?;
     match &compiled.rows {
         Some(rows) => Ok(Opened::Map(Snapshot::from_bytes(encode(rows, &compiled.provenance)?)?)),
         None => Ok(Opened::Rejected(Box::new(compiled))),

@@ -89,7 +89,7 @@ pub(crate) fn run(
     // What cannot be opened is said in words of its own.
     drop(source::open_input(file)?);
     let options = reading.options(file)?;
-    let checked = mapd_compiler::check(|| File::open(file), &options, &mut |p| bar.show(p))
+    let checked = mapd_compiler::check_from(|| File::open(file), &options, &mut |p| bar.show(p))
         .with_context(|| format!("reading {}", file.display()))?;
     bar.finish();
     match format {

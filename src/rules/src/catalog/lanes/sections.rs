@@ -1,7 +1,7 @@
 //! Lane sections cover the road.
 
 use crate::example::Example::{Lanes, Road};
-use crate::place::{RoadIn, SectionIn, Side, number, value};
+use crate::place::{RoadIn, SectionIn, number, value};
 use crate::rule::Check::{self, Section};
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
@@ -57,12 +57,12 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[ROUNDING]),
     Rule::info(
         "asam.net:xodr:1.9.0:road.lane.lane_section_drivable",
-        "A lane section has lanes to the left or right.",
+        "Where a road has lanes, each of its sections has some to the left or right.",
         Section(has_lanes),
         [
             Road(""),
             Road(
-                r#"<lanes><laneSection s="0"><center><lane id="0" type="none"/></center></laneSection></lanes>"#,
+                r#"<lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection><laneSection s="50"><center><lane id="0" type="none"/></center></laneSection></lanes>"#,
             ),
         ],
     )
@@ -124,7 +124,10 @@ fn boundaries(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
 }
 
 fn has_lanes(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
-    if of.side(Side::Left).is_empty() && of.side(Side::Right).is_empty() {
+    let is_empty = |section: &SectionIn<'_>| section.lanes().next().is_none();
+    let sections = of.lanes.lane_section.iter().enumerate();
+    let mut others = sections.map(|(index, section)| SectionIn { section, index, ..*of });
+    if is_empty(of) && others.any(|other| !is_empty(&other)) {
         sink.add(of.section.span, "lanes to the left or right", "none");
     }
 }
