@@ -120,12 +120,13 @@ fn judge(compilation: &mut Compilation, lowering: &Lowering, reading: &ReadOptio
         .map(|road| road.length)
         .sum();
     let share = if lost > 0.0 { lost / (lost + kept) } else { 0.0 };
-    let reason = if lowering.rows.roads.is_empty() {
-        Some("expected a road that can be used, found none".to_owned())
-    } else {
-        reading.policy.exceeded(compilation.quarantined.len(), share)
-    };
-    if let Some(message) = reason {
+    // Of a map that is left without roads, the findings say why.
+    if lowering.rows.roads.is_empty() {
+        compilation.verdict = Verdict::Rejected;
+        compilation.quarantined.clear();
+        return;
+    }
+    if let Some(message) = reading.policy.exceeded(compilation.quarantined.len(), share) {
         let finding = finding(
             "mapd:compile.quarantine",
             Severity::Error,
