@@ -142,6 +142,24 @@ pub struct Word {
     pub since: Option<Version>,
     pub until: Option<Version>,
     pub deprecated: Option<Version>,
+    pub deprecated_until: Option<Version>,
+}
+
+impl Word {
+    /// Versions that have it.
+    pub fn versions(&self) -> VersionSet {
+        VersionSet::between(self.since, self.until)
+    }
+
+    /// Versions that deprecate it.
+    pub fn deprecations(&self) -> VersionSet {
+        match self.deprecated {
+            Some(since) => {
+                VersionSet::between(Some(since), self.deprecated_until).and(self.versions())
+            }
+            None => VersionSet::NONE,
+        }
+    }
 }
 
 /// What mapd does with an element or attribute beyond reading and checking it.

@@ -50,13 +50,13 @@ fn list(words: &Words) -> String {
     );
     for word in &words.words {
         let _ = write!(out, "word({:?})", word.word);
-        let versions = VersionSet::between(word.since, word.until);
+        let versions = word.versions();
         if versions != VersionSet::ALL {
             let _ = write!(out, ".only({})", set_code(versions));
         }
-        if let Some(since) = word.deprecated {
-            let set = VersionSet::between(Some(since), None).and(versions);
-            let _ = write!(out, ".deprecated({})", set_code(set));
+        let deprecated = word.deprecations();
+        if deprecated != VersionSet::NONE {
+            let _ = write!(out, ".deprecated({})", set_code(deprecated));
         }
         out += ",\n";
     }

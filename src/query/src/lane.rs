@@ -62,11 +62,17 @@ impl<'a> Lane<'a> {
         self.row.number()
     }
 
+    /// Whether the lane is the same as its namesake in the section before: it goes on while a section of the other side
+    /// alone (`singleSide`) begins. Such pieces have one key, that of the section they are written in, and are linked.
+    pub fn continues(&self) -> bool {
+        self.row.continues() != 0
+    }
+
     /// The lane's stable name.
     pub fn key(&self) -> LaneKey<'a> {
         LaneKey {
             road: Cow::Borrowed(self.road.id()),
-            section: self.section.number(),
+            section: self.section.number().saturating_sub(u32::from(self.row.continues())),
             lane: self.number(),
         }
     }

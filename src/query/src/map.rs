@@ -160,9 +160,10 @@ impl<'a> Map<'a> {
         Junction::new(*self, find(self.tables().junctions_by_id, id, name)?)
     }
 
-    /// The lane with this name.
+    /// The lane with this name; of one in several pieces (see [`Lane::continues`]) the first.
     pub fn lane_by_key(&self, key: &LaneKey<'_>) -> Option<Lane<'a>> {
-        self.road_by_id(&key.road)?.section(key.section)?.lane(key.lane)
+        let lane = self.road_by_id(&key.road)?.section(key.section)?.lane(key.lane)?;
+        Some(lane).filter(|lane| !lane.continues())
     }
 }
 

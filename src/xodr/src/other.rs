@@ -63,13 +63,13 @@ impl Cursor<'_> {
         }
         let kind = match known.filter(|_| !foreign && !open.schema.any) {
             Some((kind, rank, schema)) => {
-                self.check_additional(open, rank, schema);
-                let file = (rank == INCLUDE).then(|| self.attribute_text("file"));
                 self.pending = match rank {
                     USER_DATA => "userData",
                     INCLUDE => "include",
                     _ => "dataQuality",
                 };
+                self.check_additional(open, rank, self.pending);
+                let file = (rank == INCLUDE).then(|| self.attribute_text("file"));
                 self.check_only(schema);
                 if let Some(file) = file
                     && !self.over
@@ -122,10 +122,10 @@ impl Cursor<'_> {
     }
 
     /// Says where userData, include or dataQuality stands where the version has none.
-    fn check_additional(&mut self, open: &Open, rank: usize, schema: &'static ElementSchema) {
+    fn check_additional(&mut self, open: &Open, rank: usize, name: &str) {
         let versions = open.schema.additional[rank];
         if versions & alike(self.version as u8) == 0 {
-            let (name, standard, span) = (schema.name, self.standard(), self.tag.span);
+            let (standard, span) = (self.standard(), self.tag.span);
             let message = format!("expected no {name} here in {standard}, found it; kept");
             self.add(rule_ids::OTHER_VERSION, Severity::Warning, span, name, message);
         }

@@ -424,6 +424,11 @@ impl ArchivedLaneRow {
     pub fn flags(&self) -> u8 {
         self.flags
     }
+    /// Sections of the road since the one that the lane is written in: not 0 where it goes on beside a section of the other side alone.
+    #[inline]
+    pub fn continues(&self) -> u16 {
+        self.continues.to_native()
+    }
 }
 
 impl ArchivedLaneSpeedRow {

@@ -224,8 +224,10 @@ pub struct LaneRow {
     pub kind: u8,
     /// 1 travels towards +s, 2 level, 4 `widths` hold borders, 8 also travels the other way.
     pub flags: u8,
+    /// Sections of the road since the one that the lane is written in: not 0 where it goes on beside a section of the other side alone.
+    pub continues: u16,
     /// 0.
-    pub reserved: [u8; 6],
+    pub reserved: [u8; 4],
 }
 const _: () = assert!(size_of::<LaneRow>() == 88 && size_of::<ArchivedLaneRow>() == 88);
 

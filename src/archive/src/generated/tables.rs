@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [167, 143, 101, 236, 243, 95, 79, 226, 117, 191, 42, 157, 166, 108, 68, 210];
+    [202, 141, 179, 149, 203, 138, 58, 219, 199, 57, 48, 21, 29, 39, 66, 78];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]

@@ -1,12 +1,15 @@
 //! One element after the other, from what the file says to flat rows.
 
+mod grid;
 mod need;
 mod reference_line;
 mod sections;
+mod surface;
 
 use crate::options::CompileOptions;
 use crate::quarantine::{QuarantinedPart, Treatment};
 use crate::{finding, origin};
+pub(crate) use grid::{Joint, transitions};
 use mapd_archive::{
     ContactPoint, JunctionRow, LinkKind, MapRow, NONE, QuarantinedRow, Range, RoadRow, RoadType,
     RoadTypeRow, Rows, SpeedKind, StringTable,
@@ -34,6 +37,8 @@ pub(crate) struct Links {
     pub(crate) lane_numbers: Vec<i32>,
     /// Junctions as written.
     pub(crate) junctions: Vec<Junction>,
+    /// Joints of junctions with an elevation grid.
+    pub(crate) joints: Vec<Joint>,
 }
 
 /// The rows of what has been read so far.
@@ -111,7 +116,7 @@ impl Lowering {
         let junction = Some(road.junction.text()).filter(|id| !id.is_empty() && *id != NO_JUNCTION);
         self.links.road_junctions.push(junction.map(str::to_owned));
         self.links.road_spans.push(road.span);
-        not_built(road, &mut Part { span: road.span, path: (&path, ""), findings });
+        self.surface(road, number, &path, findings);
         let row = RoadRow {
             length,
             id: self.strings.add(road.id.text()),
@@ -199,6 +204,7 @@ impl Lowering {
         if part.need(junction.id.as_ref(), "id").is_none() {
             return;
         }
+        self.elevation_grid(&junction, &format!("{path}[@id={}]", junction.id.text()), findings);
         self.rows.junctions.push(JunctionRow {
             id: self.strings.add(junction.id.text()),
             name: self.strings.add(junction.name.text()),
@@ -279,10 +285,15 @@ impl Lowering {
     /// The tables so far, geometry moved to the local origin.
     pub(crate) fn into_rows(self, options: &CompileOptions) -> Rows {
         let mut rows = self.rows;
+        let joints = self.links.joints;
         let (x, y) = origin::choose(&rows.geometries);
         for g in rows.geometries.iter_mut() {
             g.x -= x;
             g.y -= y;
+        }
+        for grid in rows.elevation_grids.iter_mut() {
+            grid.x -= x;
+            grid.y -= y;
         }
         let mut map = self.map.unwrap_or_else(bytemuck::Zeroable::zeroed);
         (map.origin_x, map.origin_y) = (x, y);
@@ -293,6 +304,7 @@ impl Lowering {
         let (bytes, offsets) = self.strings.into_tables();
         rows.string_bytes = bytes.into();
         rows.string_offsets = offsets.into();
+        transitions(&mut rows, &joints);
         rows
     }
 }
@@ -300,23 +312,6 @@ impl Lowering {
 /// Rows between two lengths. Tables that outgrow 32 bits are refused at the end, before anything is written.
 pub(crate) fn between(before: usize, after: usize) -> Range {
     Range::between(before, after).unwrap_or_default()
-}
-
-/// Names what shapes the surface and is not built yet.
-fn not_built(road: &Road, part: &mut Part<'_>) {
-    let Some(profile) = &road.lateral_profile else { return };
-    for (there, name) in [
-        (!profile.shape.is_empty(), "lateralProfile/shape"),
-        (!profile.crossfall.is_empty(), "lateralProfile/crossfall"),
-        (profile.cross_section_surface.is_some(), "lateralProfile/crossSectionSurface"),
-    ] {
-        if there {
-            let message = format!(
-                "{name} is not built into the map yet: surface heights of this road lack it"
-            );
-            part.add("mapd:compile.unsupported", Severity::Info, message);
-        }
-    }
 }
 
 /// What a speed record says, in m/s. Without a unit, or with one that is none of speed, m/s is meant.

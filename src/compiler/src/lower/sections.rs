@@ -21,7 +21,21 @@ struct AnyLane<'a> {
     width: &'a [xodr::LaneWidth],
     border: &'a [xodr::LaneBorder],
     speed: &'a [xodr::LaneSpeed],
+    height: &'a [xodr::LaneHeight],
+    material: &'a [xodr::LaneMaterial],
     span: Span,
+}
+
+/// Where the lanes of one side of a stretch are written.
+#[derive(Clone, Copy)]
+struct Side<'a> {
+    section: &'a xodr::LaneSection,
+    /// The section's start `[m]`.
+    s: f64,
+    /// Number of sections of the road between that one and the stretch; 0 where the stretch is the section itself.
+    continues: u16,
+    /// Whether the lanes go on in the next stretch.
+    goes_on: bool,
 }
 
 /// The usable lanes of a section, from the leftmost on.
@@ -45,6 +59,8 @@ fn lanes_of<'a>(
             width: &lane.width,
             border: &lane.border,
             speed: &lane.speed,
+            height: &lane.height,
+            material: &lane.material,
             span: lane.span,
         }));
     }
@@ -58,11 +74,57 @@ fn lanes_of<'a>(
             width: &lane.width,
             border: &lane.border,
             speed: &lane.speed,
+            height: &lane.height,
+            material: &lane.material,
             span: lane.span,
         }));
     }
     lanes.sort_by_key(|lane| (std::cmp::Reverse(lane.id), lane.span.start));
     lanes
+}
+
+/// For the stretch from each section's start to the next one's, where its left and its right lanes are written: in that
+/// section, or, where that is for the other side only (`singleSide`), in the last one for their side
+/// (OpenDRIVE 1.8.1, 11.3).
+fn sides<'a>(
+    placed: &[(f64, &'a xodr::LaneSection)],
+    road: &str,
+    findings: &mut Vec<Finding>,
+) -> Vec<[Side<'a>; 2]> {
+    let has = |section: &xodr::LaneSection| {
+        [&section.left, &section.right]
+            .map(|side| side.as_ref().is_some_and(|side| !side.lane.is_empty()))
+    };
+    let mut written = [0usize; 2];
+    let mut stretches: Vec<[Side<'a>; 2]> = Vec::with_capacity(placed.len());
+    for (i, (s, section)) in placed.iter().enumerate() {
+        let mut replaces = [true; 2];
+        if section.single_side.value() == Some(true) {
+            let has = has(section);
+            let mut part = Part { span: section.span, path: (road, "lanes/laneSection"), findings };
+            if has[0] == has[1] {
+                let message = "expected lanes on one side of a section with singleSide, found them on both or none; read as a section for both".to_owned();
+                part.add("mapd:compile.single_side", Severity::Warning, message);
+            } else if i == 0 {
+                let message = "the road's first section is for one side only: the other one begins without lanes".to_owned();
+                part.add("mapd:compile.single_side", Severity::Warning, message);
+            } else {
+                replaces = has;
+            }
+        }
+        let mut stretch = [Side { section, s: *s, continues: 0, goes_on: false }; 2];
+        for (k, side) in stretch.iter_mut().enumerate() {
+            if replaces[k] {
+                written[k] = i;
+            } else if let Some(before) = stretches.last_mut().and_then(|before| before.get_mut(k)) {
+                before.goes_on = true;
+                let continues = u16::try_from(i - written[k]).unwrap_or(u16::MAX);
+                *side = Side { continues, goes_on: false, ..*before };
+            }
+        }
+        stretches.push(stretch);
+    }
+    stretches
 }
 
 impl Lowering {
@@ -86,9 +148,10 @@ impl Lowering {
             })
             .collect();
         let right_hand = road.rule.value() != Some(TrafficRule::Lht);
+        let sides = sides(&placed, path, findings);
         for (i, (s, section)) in placed.iter().enumerate() {
             let s_end = placed.get(i + 1).map_or(length, |(next, _)| *next).max(*s);
-            let lanes = self.section(section, *s, right_hand, path, findings);
+            let lanes = self.section(section, sides[i], right_hand, path, findings);
             self.rows.sections.push(SectionRow {
                 s_start: *s,
                 s_end,
@@ -100,23 +163,28 @@ impl Lowering {
         between(before, self.rows.sections.len())
     }
 
-    /// Appends a section's lanes.
+    /// Appends the lanes of a stretch between two section starts.
     fn section(
         &mut self,
         section: &xodr::LaneSection,
-        s: f64,
+        [left_side, right_side]: [Side<'_>; 2],
         right_hand: bool,
         road: &str,
         findings: &mut Vec<Finding>,
     ) -> Range {
+        let s = if left_side.continues == 0 { left_side.s } else { right_side.s };
         let tail = format!("lanes/laneSection[@s={s}]");
-        let lanes = lanes_of(section, road, findings);
-        let mut part = Part { span: section.span, path: (road, &tail), findings };
-        if section.single_side.value() == Some(true) {
-            let message =
-                "a section that replaces one side only (singleSide) is not built yet".to_owned();
-            part.add("mapd:compile.single_side", Severity::Error, message);
+        let mut lanes = lanes_of(section, road, findings);
+        for (side, sign) in [(left_side, 1), (right_side, -1)] {
+            if side.continues > 0 {
+                lanes.retain(|lane| lane.id.signum() != sign);
+                // What is wrong with them has been said where they are written.
+                let written = lanes_of(side.section, road, &mut Vec::new());
+                lanes.extend(written.into_iter().filter(|lane| lane.id.signum() == sign));
+            }
         }
+        lanes.sort_by_key(|lane| (std::cmp::Reverse(lane.id), lane.span.start));
+        let mut part = Part { span: section.span, path: (road, &tail), findings };
         for pair in lanes.windows(2).filter(|pair| pair[0].id == pair[1].id) {
             let message = format!("lane {} occurs twice in this section", pair[1].id);
             part.span = pair[1].span;
@@ -135,14 +203,14 @@ impl Lowering {
         let before = self.rows.lanes.len();
         let (left, right) = lanes.split_at(center);
         for lane in left {
-            self.lane(section_row, s, right_hand, lane, road, findings);
+            self.lane(section_row, left_side, right_hand, lane, road, findings);
         }
         if !has_center {
             let kind = LaneType::None.code();
-            self.push_lane(section_row, (0, kind, 0), [Range::default(); 2], [&[], &[]]);
+            self.push_lane(section_row, (0, kind, 0, 0), [Range::default(); 2], [&[], &[]]);
         }
         for lane in right {
-            self.lane(section_row, s, right_hand, lane, road, findings);
+            self.lane(section_row, right_side, right_hand, lane, road, findings);
         }
         between(before, self.rows.lanes.len())
     }
@@ -150,12 +218,14 @@ impl Lowering {
     fn lane(
         &mut self,
         section: u32,
-        section_s: f64,
+        side: Side<'_>,
         right_hand: bool,
         lane: &AnyLane<'_>,
         road: &str,
         findings: &mut Vec<Finding>,
     ) {
+        let section_s = side.s;
+        self.lane_surface(lane.height, lane.material, section_s, road, findings);
         // Width and border both present: width wins (OpenDRIVE 1.8.1, 11.6.2).
         let by_border = lane.width.is_empty() && !lane.border.is_empty();
         let widths = if lane.id == 0 {
@@ -202,17 +272,25 @@ impl Lowering {
             };
             linked.iter().filter_map(number).collect()
         };
-        let links = lane.link.map_or_else(Default::default, |link| {
+        let [mut before, mut behind] = lane.link.map_or_else(Default::default, |link| {
             [numbers(&link.predecessor), numbers(&link.successor)]
         });
-        let links = [links[0].as_slice(), links[1].as_slice()];
-        self.push_lane(section, (lane.id, kind.code(), flags), [widths, speeds], links);
+        // Where the other side alone begins a section, the lane goes on as itself.
+        if lane.id != 0 && side.continues > 0 {
+            before = vec![lane.id];
+        }
+        if lane.id != 0 && side.goes_on {
+            behind = vec![lane.id];
+        }
+        let links = [before.as_slice(), behind.as_slice()];
+        let continues = if lane.id == 0 { 0 } else { side.continues };
+        self.push_lane(section, (lane.id, kind.code(), flags, continues), [widths, speeds], links);
     }
 
     fn push_lane(
         &mut self,
         section: u32,
-        (number, kind, flags): (i32, u8, u8),
+        (number, kind, flags, continues): (i32, u8, u8, u16),
         [widths, speeds]: [Range; 2],
         links: [&[i32]; 2],
     ) {
@@ -236,7 +314,8 @@ impl Lowering {
             number,
             kind,
             flags,
-            reserved: [0; 6],
+            continues,
+            reserved: [0; 4],
         });
     }
 }

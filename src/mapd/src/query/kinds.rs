@@ -106,9 +106,9 @@ impl Kind {
             }
             Self::Successors => {
                 let (lane, _) = lane(map, row)?;
-                let keys: Result<Vec<String>, QueryError> =
-                    lane.successors().map(|id| Ok(map.lane(id)?.key().to_string())).collect();
-                out.push(keys.map_err(text)?.join(";"));
+                let mut keys = Vec::new();
+                successors(map, &lane, &mut keys).map_err(text)?;
+                out.push(keys.join(";"));
             }
         }
         Ok(())
@@ -139,6 +139,28 @@ pub(crate) fn holes(map: Map<'_>, options: &NearestOptions, row: &Row<'_>) -> St
     let names: Vec<String> =
         near.map(|part| format!("{} {}", part.kind().name(), part.id())).collect();
     names.join(";")
+}
+
+/// Keys of a lane's successors; where the lane itself goes on, those of its last piece.
+fn successors(map: Map<'_>, lane: &Lane<'_>, keys: &mut Vec<String>) -> Result<(), QueryError> {
+    let mut last = *lane;
+    // A road has no more pieces of a lane than sections.
+    for _ in 0..map.tables().sections.len() {
+        let next = last.successors().map(|id| map.lane(id)).find(|next| {
+            // A ring's lane may follow itself; that is no piece of it.
+            let section = last.section().section_id();
+            next.as_ref()
+                .is_ok_and(|n| n.key() == lane.key() && n.section().section_id() != section)
+        });
+        match next {
+            Some(next) => last = next?,
+            None => break,
+        }
+    }
+    for id in last.successors() {
+        keys.push(map.lane(id)?.key().to_string());
+    }
+    Ok(())
 }
 
 fn text(error: QueryError) -> String {

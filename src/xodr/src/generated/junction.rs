@@ -37,8 +37,8 @@ pub struct Junction {
     pub priority: Vec<Priority>,
     /// `controller`: A controller of the junction.
     pub controller: Vec<JunctionController>,
-    /// `surface`: Surface data of a road or junction. Since 1.5.
-    pub surface: Option<Box<RoadSurface>>,
+    /// `surface`: Surface data of a junction. Since 1.5.
+    pub surface: Option<Box<JunctionSurface>>,
     /// `planView`: The reference line in the plane. Since 1.8.
     pub plan_view: Option<Box<PlanView>>,
     /// `objects`: Objects along a road. Since 1.8.
@@ -289,6 +289,52 @@ pub struct JunctionReference {
     pub span: Span,
     /// `@junction`: Junction that it belongs to. Required since 1.5.
     pub junction: Option<Attribute<Box<str>>>,
+    /// What stands inside beyond the standard's own elements.
+    pub extensions: Extensions,
+}
+
+/// Surface data of a junction (`t_junction_surface`; section 12; since 1.5).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct JunctionSurface {
+    /// The start tag.
+    pub span: Span,
+    /// `CRG`: Surface data of a junction in an OpenCRG file.
+    pub crg: Vec<JunctionCrg>,
+    /// What stands inside beyond the standard's own elements.
+    pub extensions: Extensions,
+}
+
+/// Surface data of a junction in an OpenCRG file (`t_junction_surface_CRG`; section 12; since 1.5).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct JunctionCrg {
+    /// The start tag.
+    pub span: Span,
+    /// `@file`: Path of the file, relative to this one. Required.
+    pub file: Option<Attribute<Box<str>>>,
+    /// `@sStart` `[m]`: Where it begins along the reference line. At least 0. Required. Since 1.8.
+    pub s_start: Option<Attribute<f64>>,
+    /// `@sEnd` `[m]`: Where it ends along the reference line. At least 0. Required. Since 1.8.
+    pub s_end: Option<Attribute<f64>>,
+    /// `@orientation`: Direction of travel that it is for: along s, against s, both. Required. Since 1.8.
+    pub orientation: Option<Attribute<Direction>>,
+    /// `@mode`: How it is applied. Required.
+    pub mode: Option<Attribute<CrgMode>>,
+    /// `@purpose`: What the surface data describe.
+    pub purpose: Option<Attribute<CrgPurpose>>,
+    /// `@sOffset` `[m]`: Offset along the reference line. Since 1.8.
+    pub s_offset: Option<Attribute<f64>>,
+    /// `@tOffset` `[m]`: Lateral offset. Since 1.8.
+    pub t_offset: Option<Attribute<f64>>,
+    /// `@xOffset` `[m]`: Offset in x. Since 1.9.
+    pub x_offset: Option<Attribute<f64>>,
+    /// `@yOffset` `[m]`: Offset in y. Since 1.9.
+    pub y_offset: Option<Attribute<f64>>,
+    /// `@zOffset` `[m]`: Height above the reference line.
+    pub z_offset: Option<Attribute<f64>>,
+    /// `@zScale`: Factor on heights.
+    pub z_scale: Option<Attribute<f64>>,
+    /// `@hOffset` `[rad]`: Heading relative to the reference line. Since 1.8.
+    pub h_offset: Option<Attribute<f64>>,
     /// What stands inside beyond the standard's own elements.
     pub extensions: Extensions,
 }

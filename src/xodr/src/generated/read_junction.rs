@@ -363,3 +363,51 @@ impl Element for JunctionReference {
         }
     }
 }
+
+impl Element for JunctionSurface {
+    fn schema() -> &'static ElementSchema {
+        &JUNCTION_SURFACE
+    }
+    fn begin(&mut self, span: Span) {
+        self.span = span;
+    }
+    fn extensions(&mut self) -> &mut Extensions {
+        &mut self.extensions
+    }
+    fn child(&mut self, slot: usize, cursor: &mut Cursor<'_>) {
+        match slot {
+            0 => cursor.push(&mut self.crg),
+            _ => {}
+        }
+    }
+}
+
+impl Element for JunctionCrg {
+    fn schema() -> &'static ElementSchema {
+        &JUNCTION_CRG
+    }
+    fn begin(&mut self, span: Span) {
+        self.span = span;
+    }
+    fn extensions(&mut self) -> &mut Extensions {
+        &mut self.extensions
+    }
+    fn attribute(&mut self, slot: usize, cursor: &mut Cursor<'_>) {
+        match slot {
+            0 => self.file = cursor.text(),
+            1 => self.s_start = cursor.double(),
+            2 => self.s_end = cursor.double(),
+            3 => self.orientation = cursor.word::<super::words::Direction>(),
+            4 => self.mode = cursor.word::<super::words::CrgMode>(),
+            5 => self.purpose = cursor.word::<super::words::CrgPurpose>(),
+            6 => self.s_offset = cursor.double(),
+            7 => self.t_offset = cursor.double(),
+            8 => self.x_offset = cursor.double(),
+            9 => self.y_offset = cursor.double(),
+            10 => self.z_offset = cursor.double(),
+            11 => self.z_scale = cursor.double(),
+            12 => self.h_offset = cursor.double(),
+            _ => {}
+        }
+    }
+}

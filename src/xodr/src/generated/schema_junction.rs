@@ -3,7 +3,6 @@
 
 use crate::generated::schema_objects::*;
 use crate::generated::schema_plan_view::*;
-use crate::generated::schema_road::*;
 #[allow(unused_imports, reason = "each part needs some")]
 use crate::generated::schema_words::*;
 #[allow(unused_imports, reason = "each part needs some")]
@@ -44,7 +43,7 @@ pub(crate) static JUNCTION: ElementSchema = ElementSchema::new(
         child("crossPath", &CROSS_PATH, 2).only(from(V1_8)).when(0b0101),
         child("priority", &PRIORITY, 3),
         child("controller", &JUNCTION_CONTROLLER, 4),
-        child("surface", &ROAD_SURFACE, 5).only(from(V1_5)).occurs(0, 1, from(V1_4)),
+        child("surface", &JUNCTION_SURFACE, 5).only(from(V1_5)).occurs(0, 1, from(V1_4)),
         child("planView", &PLAN_VIEW, 6).only(from(V1_8)).occurs(0, 1, from(V1_4)),
         child("objects", &OBJECTS, 7).only(from(V1_8)).occurs(0, 1, from(V1_4)),
         child("boundary", &BOUNDARY, 8).only(from(V1_8)).occurs(0, 1, from(V1_4)).when(0b0001),
@@ -288,6 +287,41 @@ pub(crate) static JUNCTION_GROUP: ElementSchema = ElementSchema::new(
 pub(crate) static JUNCTION_REFERENCE: ElementSchema = ElementSchema::new(
     "JunctionReference",
     &[attribute("junction", Kind::Text).required(from(V1_5))],
+    &[],
+)
+.additional(
+    between(V1_5, V1_5) | from(V1_8),
+    between(V1_5, V1_5) | from(V1_8),
+    between(V1_5, V1_5) | from(V1_8),
+);
+
+pub(crate) static JUNCTION_SURFACE: ElementSchema =
+    ElementSchema::new("JunctionSurface", &[], &[child("CRG", &JUNCTION_CRG, 1).only(from(V1_5))])
+        .additional(from(V1_5), from(V1_5), from(V1_5));
+
+pub(crate) static JUNCTION_CRG: ElementSchema = ElementSchema::new(
+    "JunctionCrg",
+    &[
+        attribute("file", Kind::Text).only(from(V1_5)).required(from(V1_5)),
+        attribute("sStart", Kind::Double)
+            .only(from(V1_8))
+            .required(from(V1_8))
+            .range(Range::AtLeast0, from(V1_4)),
+        attribute("sEnd", Kind::Double)
+            .only(from(V1_8))
+            .required(from(V1_8))
+            .range(Range::AtLeast0, from(V1_4)),
+        attribute("orientation", Kind::Words(&DIRECTION)).only(from(V1_8)).required(from(V1_8)),
+        attribute("mode", Kind::Words(&CRG_MODE)).only(from(V1_5)).required(from(V1_5)),
+        attribute("purpose", Kind::Words(&CRG_PURPOSE)).only(from(V1_5)),
+        attribute("sOffset", Kind::Double).only(from(V1_8)),
+        attribute("tOffset", Kind::Double).only(from(V1_8)),
+        attribute("xOffset", Kind::Double).only(from(V1_9)),
+        attribute("yOffset", Kind::Double).only(from(V1_9)),
+        attribute("zOffset", Kind::Double).only(from(V1_5)),
+        attribute("zScale", Kind::Double).only(from(V1_5)),
+        attribute("hOffset", Kind::Double).only(from(V1_8)),
+    ],
     &[],
 )
 .additional(

@@ -218,7 +218,7 @@ pub(crate) static OBJECT_TYPE: WordList = WordList {
         word("gantry").only(from(V1_5)),
         word("soundBarrier").only(from(V1_5)),
         word("truck").only(between(V1_5, V1_5)),
-        word("van").only(from(V1_5)).deprecated(from(V1_6)),
+        word("van").only(from(V1_5)).deprecated(between(V1_6, V1_7)),
         word("bus").only(from(V1_5)).deprecated(from(V1_6)),
         word("trailer").only(from(V1_5)).deprecated(from(V1_6)),
         word("bike").only(from(V1_5)).deprecated(from(V1_6)),

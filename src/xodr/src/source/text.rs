@@ -125,7 +125,13 @@ impl<'a> Source<'a> {
 
     /// Takes the notes since the last call, in the order of their places.
     pub fn take_notes(&mut self) -> Vec<Note> {
-        std::mem::take(&mut self.notes)
+        let mut notes = std::mem::take(&mut self.notes);
+        // What was looked at to recognise the encoding may be refused before the place of a note.
+        let end = self.base + self.valid as u64;
+        for note in &mut notes {
+            note.start = note.start.min(end);
+        }
+        notes
     }
 
     /// A new piece of markup or text begins, of `limit` bytes at most and a buffer's length.
