@@ -2,7 +2,9 @@
 
 mod excerpt;
 mod json;
+mod sarif;
 mod text;
+mod xqar;
 
 use crate::judging::JudgingArgs;
 use crate::progress::Bar;
@@ -22,6 +24,10 @@ pub(crate) enum Format {
     Text,
     /// For programs: one document.
     Json,
+    /// For code review tools: SARIF 2.1.0.
+    Sarif,
+    /// For ASAM's quality checker framework: its result file.
+    Xqar,
 }
 
 /// Bounds on what a file may ask for, and where it may include others from.
@@ -95,6 +101,8 @@ pub(crate) fn run(
     match format {
         Format::Text => text::write(file, &checked, out)?,
         Format::Json => json::write(file, &checked, out)?,
+        Format::Sarif => sarif::write(file, &checked, out)?,
+        Format::Xqar => xqar::write(file, &checked, out)?,
     }
     Ok(checked)
 }
