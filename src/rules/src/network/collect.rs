@@ -343,6 +343,7 @@ impl Network {
                     id,
                     kind,
                     direction,
+                    is_level: value(&lane.level) == Some(true),
                     widths: [(start[1] - start[0]).abs(), (end[1] - end[0]).abs()],
                     inner: [start[0], end[0]],
                     outer: [start[1], end[1]],

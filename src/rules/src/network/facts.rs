@@ -104,6 +104,8 @@ pub struct LaneFacts {
     pub kind: LaneType,
     /// Direction of travel.
     pub direction: LaneDirection,
+    /// It is kept level.
+    pub is_level: bool,
     /// Width at the section's start and end `[m]`.
     pub widths: [f64; 2],
     /// Inner border at the section's start and end: t `[m]`.

@@ -216,15 +216,21 @@ fn lane_links(network: &Network, sink: &mut Sink<'_>) {
 
 fn leads_in(network: &Network, sink: &mut Sink<'_>) {
     for joined in joined(network) {
-        let (Some(road), Some(end)) = (joined.incoming, joined.incoming_end) else { continue };
-        let Some(section) = network.section_at(road, end) else { continue };
-        for id in joined.connection.lane_link.iter().filter_map(|link| value(&link.from)) {
-            let Some(lane) = network.lane(section, id).filter(|lane| is_drivable(lane.kind)) else {
-                continue;
-            };
-            if Network::goes_along(road, lane).is_some_and(|along| along != (end == Contact::End)) {
-                let found = format_args!("lane {id} of road {}, which leads out of it", road.id);
-                joined.add(sink, "a lane that leads into the junction", found);
+        // Traffic leaves the incoming road at its end and enters the other one there.
+        let from = joined.incoming.zip(joined.incoming_end).map(|(road, end)| (road, end, true));
+        let to = joined.connecting.zip(joined.contact).map(|(road, end)| (road, end, false));
+        for link in &joined.connection.lane_link {
+            for (place, id) in [(from, value(&link.from)), (to, value(&link.to))] {
+                let (Some((road, end, leaves)), Some(id)) = (place, id) else { continue };
+                let section = network.section_at(road, end);
+                let lane = section.and_then(|section| network.lane(section, id));
+                let Some(lane) = lane.filter(|lane| is_drivable(lane.kind)) else { continue };
+                let due = (end == Contact::End) == leaves;
+                if Network::goes_along(road, lane).is_some_and(|along| along != due) {
+                    let found =
+                        format_args!("lane {id} of road {}, which leads the other way", road.id);
+                    joined.add(sink, "lanes that lead into the junction", found);
+                }
             }
         }
     }

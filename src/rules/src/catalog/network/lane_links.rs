@@ -168,14 +168,14 @@ fn both_ways(network: &Network, sink: &mut Sink<'_>) {
 }
 
 fn opening(network: &Network, sink: &mut Sink<'_>) {
-    for joint in network.lane_joints().filter(|joint| joint.end == Contact::End) {
+    for joint in network.lane_joints() {
         let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { continue };
         let opens = target.widths[neighbor.end as usize] <= NONE.value;
-        if opens && network.links_of(joint.lane, Contact::End).len() > 1 {
+        if opens && joint.lane.widths[joint.end as usize] > NONE.value {
             add(
                 &joint,
                 sink,
-                "no link to a lane that opens here",
+                "no link to a lane without width here",
                 format_args!("one to lane {}", target.id),
             );
         }

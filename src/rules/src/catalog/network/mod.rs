@@ -10,6 +10,7 @@ mod extent;
 mod ids;
 mod joints;
 mod lane_links;
+mod levels;
 mod linkage;
 mod overlaps;
 mod topology;
@@ -23,6 +24,7 @@ pub(super) static RULES: &[&[Rule]] = &[
     extent::RULES,
     linkage::RULES,
     lane_links::RULES,
+    levels::RULES,
     joints::RULES,
     connections::RULES,
     direct::RULES,
