@@ -1,7 +1,7 @@
 //! Nearest lane and (s, t) → (x, y, z), against rstar and the crate `xodr`, in one run.
 
-use mapd_benches::{Random, maps, percentiles, print};
-use mapd_client::{Map, NearestOptions, Snapshot, Track, glam::DVec2};
+use mapd_benches::{maps, percentiles, places, print};
+use mapd_client::{NearestOptions, Snapshot, Track, glam::DVec2};
 use mapd_compiler::{CompileOptions, compile};
 use rstar::RTree;
 use rstar::primitives::{GeomWithData, Line};
@@ -23,25 +23,6 @@ fn time<T>(inputs: &[T], mut query: impl FnMut(&T)) -> (Duration, Duration) {
         start.elapsed() / BATCH as u32
     });
     percentiles(batches.collect())
-}
-
-/// Places on roads: (road row, s, t), at random over the map, or in small steps along roads.
-fn places(map: Map<'_>, along: bool) -> Vec<(u32, f64, f64)> {
-    let mut random = Random(7);
-    let roads: Vec<_> = map.roads().filter(|road| road.length() > 1.0).collect();
-    let mut places = Vec::new();
-    while places.len() < QUERIES {
-        let road = &roads[(random.unit() * roads.len() as f64) as usize];
-        let row = road.road_id().row();
-        if along {
-            let steps = (road.length() / 0.5) as usize;
-            places.extend((0..steps).map(|i| (row, i as f64 * 0.5, -1.5)));
-        } else {
-            places.push((row, random.unit() * road.length(), random.unit() * 8.0 - 4.0));
-        }
-    }
-    places.truncate(QUERIES);
-    places
 }
 
 fn main() {
@@ -70,7 +51,7 @@ fn main() {
         let peer =
             if std::env::var_os("NOPEER").is_some() { None } else { xodr::load_file(&path).ok() };
         for (kind, along) in [("random", false), ("along a trajectory", true)] {
-            let places = places(map, along);
+            let places = places(map, along, QUERIES);
             let track = |&(road, s, t): &(u32, f64, f64)| {
                 roads[road as usize].to_inertial(Track { s, t, h: 0.0 }).expect("a pose").position
             };

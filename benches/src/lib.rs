@@ -9,6 +9,7 @@
 //!
 //! They use `carla/Town05.xodr` of the shared corpus and its 6×6 tiling, and say so where these are missing.
 
+use mapd_client::Map;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -68,6 +69,25 @@ pub fn percentiles(mut times: Vec<Duration>) -> (Duration, Duration) {
         times.get(((times.len() as f64 - 1.0) * share) as usize).copied().unwrap_or_default()
     };
     (at(0.5), at(0.99))
+}
+
+/// Places on roads: (road row, s, t), at random over the map, or in small steps along roads.
+pub fn places(map: Map<'_>, along: bool, count: usize) -> Vec<(u32, f64, f64)> {
+    let mut random = Random(7);
+    let roads: Vec<_> = map.roads().filter(|road| road.length() > 1.0).collect();
+    let mut places = Vec::new();
+    while places.len() < count {
+        let road = &roads[(random.unit() * roads.len() as f64) as usize];
+        let row = road.road_id().row();
+        if along {
+            let steps = (road.length() / 0.5) as usize;
+            places.extend((0..steps).map(|i| (row, i as f64 * 0.5, -1.5)));
+        } else {
+            places.push((row, random.unit() * road.length(), random.unit() * 8.0 - 4.0));
+        }
+    }
+    places.truncate(count);
+    places
 }
 
 /// Numbers that look random, the same in every run.

@@ -1,6 +1,6 @@
 //! The table against the lists of everything that the standard's schemas have, which lie outside the project.
 
-use mapd_schemas::opendrive::{ADDITIONAL, Element, Table, VERSIONS, VersionSet};
+use mapd_schemas::opendrive::{ADDITIONAL, Element, Table, VERSIONS, VersionSet, split_range};
 use std::collections::{BTreeMap, HashMap};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -162,6 +162,21 @@ fn every_element_and_attribute_is_in_the_table() {
         if deprecated.as_deref() != since {
             wrong.push(format!("{path}: deprecated {deprecated:?}, expected {since:?}"));
         }
+        let by_text = Some(row["use_in_1.9_text"].as_str())
+            .filter(|text| ["required", "optional"].contains(text) && row["use"] != *text);
+        if row["in_1.9"] == "yes" && attribute.text_use.as_deref() != by_text {
+            let found = &attribute.text_use;
+            wrong.push(format!("{path}: by the text {found:?}, expected {by_text:?}"));
+        }
+        let newest = stated.last().copied().unwrap_or(0);
+        let (_, found) = split_range(attribute.kind.at(newest).map_or("", String::as_str));
+        let expected = range(row);
+        // The schema's range of places that may also be `start` or `end` leaves out the road's start; its text does not.
+        let own =
+            ["words ", "position_or_end"].iter().any(|k| attribute.kind.last().starts_with(k));
+        if found != expected && !own {
+            wrong.push(format!("{path}: range {found:?}, expected {expected:?}"));
+        }
         if !is_of_type(&row["type"], &attribute.value_type().expect("a type")) {
             wrong.push(format!(
                 "{path}: type {:?}, expected {}",
@@ -190,6 +205,21 @@ fn need(row: &HashMap<String, String>, rank: usize) -> String {
     let steps = history.split(" -> ").filter_map(|step| step.split_once(": "));
     let since = steps.take_while(|(version, _)| self::rank(version) <= rank);
     since.last().map_or(String::new(), |(_, need)| need.to_owned())
+}
+
+/// The range of an attribute in the notation of the table.
+fn range(row: &HashMap<String, String>) -> &str {
+    match (row["type"].as_str(), row["range"].as_str(), row["default_or_fixed"].as_str()) {
+        (_, _, "fixed=0") => "=0",
+        (_, _, "fixed=1") => "=1",
+        (_, _, "fixed=road") => "=road",
+        ("uint(>=1)", ..) => ">=1",
+        ("uint(>=1)|int(<=-1)", ..) => "!=0",
+        (_, ">=0.0", _) => ">=0",
+        (_, ">0.0", _) => ">0",
+        (_, "<=1.0 >=0.0", _) => "0..1",
+        _ => "",
+    }
 }
 
 /// Whether a type of the table reads values of a type of the list.

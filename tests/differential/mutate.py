@@ -69,6 +69,7 @@ def insert(element, name):
     child = etree.SubElement(element, f"{{{namespace}}}{name}" if namespace else name)
     if name == "userData":
         child.set("code", "c")
+        child.set("value", "v")
 
 
 def rename(element, attribute):

@@ -94,7 +94,7 @@ class Xsd11:
     def finding(self, error):
         line = error.elem.sourceline if error.elem is not None else 0
         reason = error.reason or str(error)
-        attribute = re.search(r"attribute '?(?:\{[^}]*\})?([\w:]+)'?", reason) or re.search(r"^(\w+)='", reason)
+        attribute = re.search(r"^'(\w+)' attribute", reason) or re.search(r"attribute '?(?:\{[^}]*\})?([\w:]+)'?", reason) or re.search(r"^(\w+)='", reason)
         attribute = (attribute.group(1) if attribute else "").replace("=", "")
         if isinstance(error, xmlschema.XMLSchemaChildrenValidationError):
             kind, attribute = "content", ""

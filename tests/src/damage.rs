@@ -1,7 +1,11 @@
 //! Damaged archives: making hashes fit, and asking everything.
 
 use mapd_archive::{AlignedBytes, HEADER_LENGTH};
-use mapd_client::{LaneTypes, NearestOptions, Region, Snapshot, Track, glam::DVec2};
+use mapd_client::{LaneTypes, Map, NearestOptions, Region, Snapshot, Track, glam::DVec2};
+use mapd_query::{
+    LanePlace, LaneSequences, RouteScratch, ShortestLength, ShortestTime, VehicleClass,
+    next_lane_change,
+};
 
 /// Lanes for questions that take long.
 const FEW: usize = 3;
@@ -40,6 +44,11 @@ pub fn ask_everything(bytes: AlignedBytes) {
         );
         let _ = lane.pose_at(1.0, 0.0);
         let _ =
+            (lane.opposite().is_some(), lane.length_between(0.0, 9.0), lane.speed_limit_at(1.0));
+        for conflict in lane.conflicts() {
+            let _ = (conflict.other().is_some(), conflict.other_range(), conflict.s_range());
+        }
+        let _ =
             (lane.material_at(1.0).is_some(), lane.height_at(1.0), lane.waypoint_at(1.0).is_ok());
     }
     for lane in map.lanes().take(FEW) {
@@ -48,11 +57,37 @@ pub fn ask_everything(bytes: AlignedBytes) {
     let (region, mut lanes, mut segments) =
         (Region::around(DVec2::new(20.0, 1.0), 30.0), vec![], vec![]);
     let _ = map.boundary_segments(region, LaneTypes::drivable(), &mut lanes, &mut segments);
+    ask_graph(map);
     for junction in map.junctions() {
         let _ = junction.connections().map(|c| c.lane_links().count()).sum::<usize>();
     }
     let _ = map.road_by_id("1");
     let _ = snapshot.verify();
+}
+
+fn ask_graph(map: Map<'_>) {
+    for node in map.lane_nodes().take(200) {
+        let _ = (node.s_range(), node.change_left().is_some(), node.predecessors().count());
+        for edge in node.edges() {
+            let _ = (edge.kind(), edge.closes_loop(), edge.source_position());
+        }
+    }
+    let (mut scratch, mut steps, mut reached) = (RouteScratch::default(), Vec::new(), Vec::new());
+    let mut sequences = LaneSequences::default();
+    let (car, length) = (VehicleClass::PassengerCar, ShortestLength::default());
+    let mut places = map.lanes().map(|lane| LanePlace { lane: lane.lane_id(), s: 5.0 });
+    let (Some(first), Some(last)) = (places.next(), places.nth(20).or(places.last())) else {
+        return;
+    };
+    for (from, to) in [(first, last), (last, first)] {
+        let _ = map.route(from, to, car, &length, &mut scratch, &mut steps);
+        let _ = next_lane_change(map, &steps, 0, from);
+        let _ = map.route(from, to, car, &ShortestTime::default(), &mut scratch, &mut steps);
+        let _ = map.reachable(from, 60.0, car, &length, &mut scratch, &mut reached);
+        let _ = map.lane_sequences_ahead(from, 60.0, car, &mut sequences);
+        let _ = map.lane_sequences_behind(from, 60.0, car, &mut sequences);
+        let _ = map.next_junction(from, 60.0, car);
+    }
 }
 
 /// Makes hashes fit again, as a faulty or hostile writer would: what is left to find damage are the checks of rows.

@@ -9,8 +9,11 @@
 //! ```
 
 pub mod damage;
+pub mod graph_maps;
+pub mod literal;
 pub mod maps;
 pub mod place;
+pub mod plain_route;
 pub mod small;
 pub mod stage;
 pub mod town;

@@ -107,6 +107,21 @@ fn successors_follow_the_driving_direction() {
 }
 
 #[test]
+fn routes_name_their_lanes() {
+    // Straight on; onto the exit lane, which lies 4 m outside a bend of 50 m; across the road; backwards; beyond its end.
+    check(
+        &["route"],
+        "from_road,from_s,from_lane,to_road,to_s,to_lane\n1,10,-1,1,50,-1\n1,130,-1,1,150,-2\n1,150,1,1,150,-1\n1,50,-1,1,10,-1\n1,10,-1,1,9999,-1\n",
+        "from_road,from_s,from_lane,to_road,to_s,to_lane,length,lane_changes,lanes,error\n1,10,-1,1,50,-1,40.0,0,1:0:-1,\n1,130,-1,1,150,-2,21.617243226856313,1,1:1:-1;1:1:-2,\n1,150,1,1,150,-1,,,,no way for passengerCar\n1,50,-1,1,10,-1,,,,no way for passengerCar\n1,10,-1,1,9999,-1,,,,\"s must lie between 0 and the road's length 200.0, found 9999.0\"\n",
+    );
+    check(
+        &["route", "--vehicle", "pedestrian"],
+        "from_road,from_s,from_lane,to_road,to_s,to_lane\n1,10,-1,1,50,-1\n",
+        "from_road,from_s,from_lane,to_road,to_s,to_lane,length,lane_changes,lanes,error\n1,10,-1,1,50,-1,,,,no way for pedestrian\n",
+    );
+}
+
+#[test]
 fn wrong_usage_ends_with_two() {
     let road = one_road();
     for args in [
@@ -114,6 +129,9 @@ fn wrong_usage_ends_with_two() {
         &["nonsense"],
         &[],
         &["query", &road, "nearest", "--types", "sky"],
+        &["query", &road, "route", "--vehicle", "broom"],
+        &["compile", &road, "--cycles", "some"],
+        &["compile", &road, "--landmarks", "33"],
     ] {
         let output = run(args, "");
         assert_eq!(

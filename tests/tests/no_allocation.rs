@@ -3,6 +3,9 @@
 
 use mapd_archive::encode;
 use mapd_client::{LaneKey, LaneTypes, NearestOptions, Region, Snapshot, Track, glam::DVec2};
+use mapd_client::{
+    LanePlace, LaneSequences, RouteScratch, ShortestTime, VehicleClass, next_lane_change,
+};
 use mapd_compiler::{CompileOptions, compile};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -48,6 +51,15 @@ fn queries_do_not_allocate() {
         Vec::with_capacity(ROOM),
         Vec::with_capacity(ROOM),
     );
+    let (car, cost) = (VehicleClass::PassengerCar, ShortestTime::default());
+    let all: Vec<LanePlace> =
+        snapshot.map().lanes().map(|lane| LanePlace { lane: lane.lane_id(), s: 1.0 }).collect();
+    let (mut scratch, mut steps, mut reached, mut sequences) = (
+        RouteScratch::with_capacity(snapshot.map().lane_nodes().len()),
+        Vec::with_capacity(ROOM),
+        Vec::with_capacity(ROOM),
+        LaneSequences::with_capacity(ROOM),
+    );
     let before = COUNT.with(Cell::get);
     let copy = snapshot.clone();
     let map = copy.map();
@@ -76,6 +88,17 @@ fn queries_do_not_allocate() {
         seen += near.len() + lanes.len() + borders.len();
         let first = map.lanes().nth(i as usize).expect("a lane");
         seen += first.waypoints(0.5).expect("a step").count();
+    }
+    for (from, to) in all.iter().zip(all.iter().rev()) {
+        let route = map.route(*from, *to, car, &cost, &mut scratch, &mut steps).expect("an answer");
+        map.reachable(*from, 30.0, car, &cost, &mut scratch, &mut reached).expect("an answer");
+        map.lane_sequences_ahead(*from, 300.0, car, &mut sequences).expect("an answer");
+        map.lane_sequences_behind(*from, 300.0, car, &mut sequences).expect("an answer");
+        map.next_junction(*from, 300.0, car).expect("an answer");
+        next_lane_change(map, &steps, 0, *from).expect("an answer");
+        seen += usize::from(route.is_some()) + reached.len() + sequences.iter().len();
+        let lane = map.lane(from.lane).expect("known");
+        seen += lane.conflicts().count() + usize::from(lane.opposite().is_some());
     }
     let after = COUNT.with(Cell::get);
     assert!(seen > 100, "the queries found nothing to count");

@@ -29,7 +29,7 @@ const TOLERANCES: [(f64, f64); 3] = [(0.05, 0.01), (0.01, 0.002), (0.5, 0.1)];
 const ROUNDING: f64 = f32::EPSILON as f64;
 
 fn open(path: &Path, index_tolerance: f64, bound_tolerance: f64) -> Snapshot {
-    let options = CompileOptions { index_tolerance, bound_tolerance };
+    let options = CompileOptions { index_tolerance, bound_tolerance, ..CompileOptions::default() };
     let file = std::fs::File::open(path).expect("the map can be read");
     let compiled = compile(file, &options, &mut |_| {}).expect("reading works");
     let rows = compiled.rows.expect("the map is accepted");

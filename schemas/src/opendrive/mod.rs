@@ -9,6 +9,7 @@ mod versions;
 mod words_code;
 
 use anyhow::{Context, Result, bail, ensure};
+pub use names::field;
 use serde::Deserialize;
 use std::path::Path;
 pub use versions::{Occurs, Spanned, VERSIONS, Version, VersionSet};

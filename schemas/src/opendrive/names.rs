@@ -1,7 +1,7 @@
 //! Names in Rust from names in the standard.
 
-/// `aU` → `a_u`, `CRG` → `crg`, `type` → `r#type`.
-pub(crate) fn field(name: &str) -> String {
+/// The field of an attribute or child: `aU` → `a_u`, `CRG` → `crg`, `type` → `r#type`.
+pub fn field(name: &str) -> String {
     let snake = snake(name);
     if matches!(snake.as_str(), "type") { format!("r#{snake}") } else { snake }
 }

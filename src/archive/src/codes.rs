@@ -244,3 +244,5 @@ codes! {
         Other = 6, "group";
     }
 }
+
+pub(crate) use codes;

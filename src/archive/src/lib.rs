@@ -29,11 +29,13 @@ compile_error!(
 mod codes;
 mod error;
 mod generated;
+mod graph_codes;
 mod header;
 mod open;
 mod strings;
 mod table;
 mod verify;
+mod verify_graph;
 mod write;
 
 pub use codes::{
@@ -41,6 +43,7 @@ pub use codes::{
 };
 pub use error::{OpenError, VerifyError, WriteError};
 pub use generated::{rows::*, tables::*};
+pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_flags};
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
 pub use open::{Archive, open, string};
 pub use strings::StringTable;

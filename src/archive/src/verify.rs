@@ -4,13 +4,15 @@ use crate::error::VerifyError;
 use crate::header::HEADER_LENGTH;
 use crate::open::{Archive, open};
 use crate::table::Range;
+use crate::verify_graph::graph;
 use crate::{NONE, Tables};
 
 /// Places in a node or leaf of the index.
 const WIDTH: usize = 16;
 
 /// Opens an archive and proves it: content hash, finite numbers, known codes, references and ranges inside their
-/// tables, strings that are UTF-8, ascending `s`, sections that meet, an index that is a complete tree.
+/// tables, strings that are UTF-8, ascending `s`, sections that meet, an index that is a complete tree, a lane graph whose edges
+/// are mirrored, whose components are ordered and whose loops are closed where it says so.
 ///
 /// Errors: the first thing that is wrong, with table, row and field.
 pub fn verify(bytes: &[u8]) -> Result<Archive<'_>, VerifyError> {
@@ -26,6 +28,7 @@ pub fn verify(bytes: &[u8]) -> Result<Archive<'_>, VerifyError> {
     ascending(tables)?;
     sections(tables)?;
     index(tables)?;
+    graph(tables)?;
     Ok(archive)
 }
 
@@ -36,7 +39,7 @@ pub(crate) struct Check {
 }
 
 impl Check {
-    fn fail(
+    pub(crate) fn fail(
         &self,
         field: &'static str,
         expected: impl Into<String>,

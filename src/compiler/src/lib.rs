@@ -31,7 +31,7 @@ mod quarantine;
 mod report;
 mod rounds;
 
-pub use options::{CompileOptions, OptionsError};
+pub use options::{CompileOptions, CyclePolicy, OptionsError};
 pub use quarantine::{OnError, PartKind, Policy, QuarantinedPart, Treatment};
 pub use report::{Compilation, Diagnostic, Progress, Verdict, Version};
 
@@ -96,8 +96,8 @@ pub fn compile_with(
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Compilation> {
-    let round = read(input, reading, &Exclusions::default(), progress)?;
-    finish(round.lowering, round.compilation, reading, options, progress)
+    let round = round(input, reading, &Exclusions::default(), options, progress)?;
+    build(round.rows, round.compilation, reading, options, progress)
 }
 
 /// Compiles a document. `open` yields it from its start, as often as it is called: parts with errors are treated as
@@ -111,8 +111,8 @@ pub fn compile_from<R: Read + Send>(
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Compilation> {
-    let (lowering, compilation) = rounds::read(&mut open, reading, progress)?;
-    finish(lowering, compilation, reading, options, progress)
+    let (rows, compilation) = rounds::read(&mut open, reading, options, progress)?;
+    build(rows, compilation, reading, options, progress)
 }
 
 /// Finds everything that [`compile_with`] finds, without building the map: there are no rows.
@@ -123,7 +123,8 @@ pub fn check(
     reading: &ReadOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Compilation> {
-    Ok(read(input, reading, &Exclusions::default(), progress)?.compilation)
+    let options = CompileOptions { landmarks: 0, ..CompileOptions::default() };
+    Ok(round(input, reading, &Exclusions::default(), &options, progress)?.compilation)
 }
 
 /// Finds everything that [`compile_from`] finds, without building the map: there are no rows.
@@ -134,31 +135,88 @@ pub fn check_from<R: Read + Send>(
     reading: &ReadOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Compilation> {
-    Ok(rounds::read(&mut open, reading, progress)?.1)
+    let options = CompileOptions { landmarks: 0, ..CompileOptions::default() };
+    Ok(rounds::read(&mut open, reading, &options, progress)?.1)
 }
 
-/// Builds the map, unless it is rejected.
-fn finish(
-    lowering: Lowering,
+/// Builds the index of a map that is not rejected.
+fn build(
+    rows: Option<Rows>,
     mut compiled: Compilation,
     reading: &ReadOptions,
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Compilation> {
     compiled.provenance.options_hash = reading.hash(options);
-    if compiled.verdict != Verdict::Rejected {
-        progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
-        compiled.rows = Some(build(lowering, options, progress).map_err(io::Error::other)?);
+    if let Some(mut rows) = rows.filter(|_| compiled.verdict != Verdict::Rejected) {
+        progress(Progress::Indexing { segments: rows.points.len() });
+        index::build(&mut rows, options).map_err(io::Error::other)?;
+        compiled.rows = Some(rows);
     }
     Ok(compiled)
 }
 
 /// What reading a document once yields.
 struct Round {
-    lowering: Lowering,
+    /// Tables but for the index; none where something is wrong.
+    rows: Option<Rows>,
     compilation: Compilation,
     causes: Vec<report::Cause>,
     units: Units,
+    /// Number of roads in the map.
+    roads: usize,
+    /// Their length together `[m]`.
+    length: f64,
+}
+
+/// Reads a document without some parts, samples lanes and completes the lane graph.
+fn round(
+    input: impl Read + Send,
+    reading: &ReadOptions,
+    without: &Exclusions,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Round> {
+    let mut document = read(input, reading, without, progress)?;
+    let roads = document.lowering.rows.roads.len();
+    let length = document.lowering.rows.roads.iter().map(|road| road.length).sum();
+    let rows = document.sample(options, progress)?;
+    let (compilation, causes, units) =
+        document.collector.finish(document.provenance, document.version, document.quarantined);
+    Ok(Round { rows, compilation, causes, units, roads, length })
+}
+
+/// A document that has been read and checked, and whose links are resolved.
+struct Document {
+    lowering: Lowering,
+    /// What the file says about the lane graph.
+    graph: graph::Written,
+    collector: Collector,
+    places: Places,
+    provenance: Provenance,
+    version: Version,
+    /// Parts that were left out.
+    quarantined: Vec<QuarantinedPart>,
+}
+
+impl Document {
+    /// Samples lanes and completes the lane graph, which may find more that is wrong; none for a rejected map.
+    fn sample(
+        &mut self,
+        options: &CompileOptions,
+        progress: &mut dyn FnMut(Progress),
+    ) -> io::Result<Option<Rows>> {
+        if self.collector.is_rejected() {
+            return Ok(None);
+        }
+        let lowering = std::mem::take(&mut self.lowering);
+        progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
+        let mut rows = lowering.into_rows(options);
+        lanes::sample(&mut rows, options).map_err(io::Error::other)?;
+        let findings = graph::complete(&mut rows, &self.graph, options);
+        self.collector.add(findings, &self.places);
+        Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
+    }
 }
 
 /// Reads and checks a document without some parts and resolves its links.
@@ -167,7 +225,7 @@ fn read(
     reading: &ReadOptions,
     without: &Exclusions,
     progress: &mut dyn FnMut(Progress),
-) -> io::Result<Round> {
+) -> io::Result<Document> {
     let mut hashing = HashingReader::new(input);
     let mut lowering = Lowering::default();
     let mut collector = Collector::default();
@@ -214,9 +272,10 @@ fn read(
     lowering.finish_reading(&mut late);
     links::resolve(&mut lowering, &mut late);
     collector.add(late, &places);
+    let mut graph = graph::Written::default();
     if !collector.is_rejected() {
         let mut late = Vec::new();
-        graph::build(&mut lowering, &mut late);
+        graph = graph::build(&mut lowering, &places, &mut late).map_err(io::Error::other)?;
         collector.add(late, &places);
     }
     let provenance = Provenance {
@@ -225,27 +284,13 @@ fn read(
         compiler_version: crate::version(),
     };
     lowering.quarantine(&quarantined);
-    let (compilation, causes, units) = collector.finish(provenance, version, quarantined);
-    Ok(Round { lowering, compilation, causes, units })
+    Ok(Document { lowering, graph, collector, places, provenance, version, quarantined })
 }
 
 /// The files that the document included, in the order in which it did.
 fn included(places: &Places) -> impl Iterator<Item = PathBuf> {
     let start = |file: usize| Places::start(u16::try_from(file).unwrap_or(u16::MAX), 0);
     (1..places.files()).map(move |file| PathBuf::from(&*places.place(start(file)).file))
-}
-
-/// Samples lanes, builds the index and completes the tables.
-fn build(
-    lowering: Lowering,
-    options: &CompileOptions,
-    progress: &mut dyn FnMut(Progress),
-) -> Result<Rows, TooLarge> {
-    let mut rows = lowering.into_rows(options);
-    lanes::sample(&mut rows, options)?;
-    progress(Progress::Indexing { segments: rows.points.len() });
-    index::build(&mut rows, options)?;
-    Ok(rows)
 }
 
 /// A table outgrew 32-bit row numbers.

@@ -122,6 +122,7 @@ fn resolve_road(
         if let Some(target) = found
             && !to_junction
             && contact == ContactPoint::None.code()
+            && link.element_s.is_none()
         {
             contact = nearer_end(lowering, number, i == 1, target as usize);
             let message = format!(

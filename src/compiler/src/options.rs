@@ -6,6 +6,10 @@ use thiserror::Error;
 const INDEX_TOLERANCE: f64 = 0.05;
 /// Default of [`CompileOptions::bound_tolerance`] `[m]`.
 const BOUND_TOLERANCE: f64 = 0.01;
+/// Default of [`CompileOptions::landmarks`].
+const LANDMARKS: u8 = 16;
+/// Landmarks that a search looks at.
+pub(crate) const MOST_LANDMARKS: u8 = 32;
 /// Tolerances that make sense `[m]`: below, single precision has no room; above, an index stops to be one.
 const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-3..=1.0;
 
@@ -16,6 +20,26 @@ pub struct CompileOptions {
     pub index_tolerance: f64,
     /// Largest distance of a lane's border from its polyline `[m]`. Default 0.01.
     pub bound_tolerance: f64,
+    /// Which cycles of the lane graph are errors. Default: those that no road network may have.
+    pub cycles: CyclePolicy,
+    /// Number of landmarks; more than 32 count as 32. More make routing over long ways faster and the archive larger.
+    /// Default 16.
+    pub landmarks: u8,
+}
+
+/// Which cycles of the lane graph are errors.
+///
+/// Lawful networks have cycles (blocks, roundabouts, ring roads); a cycle within the connecting roads of one junction,
+/// or one of at most 1 m, is none of them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum CyclePolicy {
+    /// Cycles within a junction and cycles without length are errors; others are condensed.
+    #[default]
+    Illegal,
+    /// Every cycle is an error: the graph must be acyclic, as that of a corridor is.
+    All,
+    /// No cycle is an error: forbidden ones are warnings, others information.
+    Report,
 }
 
 /// An option outside its range.
@@ -30,7 +54,12 @@ pub struct OptionsError {
 
 impl Default for CompileOptions {
     fn default() -> Self {
-        Self { index_tolerance: INDEX_TOLERANCE, bound_tolerance: BOUND_TOLERANCE }
+        Self {
+            index_tolerance: INDEX_TOLERANCE,
+            bound_tolerance: BOUND_TOLERANCE,
+            cycles: CyclePolicy::default(),
+            landmarks: LANDMARKS,
+        }
     }
 }
 
@@ -52,6 +81,7 @@ impl CompileOptions {
         let mut hasher = blake3::Hasher::new();
         hasher.update(&self.index_tolerance.to_le_bytes());
         hasher.update(&self.bound_tolerance.to_le_bytes());
+        hasher.update(&[self.cycles as u8, self.landmarks.min(MOST_LANDMARKS)]);
         let mut out = [0; 8];
         out.copy_from_slice(&hasher.finalize().as_bytes()[..8]);
         out

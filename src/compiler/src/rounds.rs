@@ -1,9 +1,10 @@
 //! Round after round, until nothing more has to be left out.
 
-use crate::lower::Lowering;
-use crate::quarantine::{Exclusions, OnError};
+use crate::options::CompileOptions;
+use crate::quarantine::{Exclusions, OnError, Treatment};
 use crate::report::{Compilation, Diagnostic, Progress, Verdict};
 use crate::{ReadOptions, finding};
+use mapd_archive::Rows;
 use mapd_xodr::{Severity, Span};
 use std::collections::BTreeSet;
 use std::io::{self, Read};
@@ -18,10 +19,11 @@ const ROUNDS: usize = 16;
 pub(crate) fn read<R: Read + Send>(
     open: &mut dyn FnMut() -> io::Result<R>,
     reading: &ReadOptions,
+    options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
-) -> io::Result<(Lowering, Compilation)> {
+) -> io::Result<(Option<Rows>, Compilation)> {
     let mut without = Exclusions::default();
-    let mut round = crate::read(open()?, reading, &without, progress)?;
+    let mut round = crate::round(open()?, reading, &without, options, progress)?;
     let mut told = Told::new(&round.compilation);
     for _ in 1..ROUNDS {
         if round.compilation.verdict != Verdict::Rejected {
@@ -32,7 +34,7 @@ pub(crate) fn read<R: Read + Send>(
         {
             break;
         }
-        let next = crate::read(open()?, reading, &without, progress)?;
+        let next = crate::round(open()?, reading, &without, options, progress)?;
         if next.compilation.provenance.input_hash != round.compilation.provenance.input_hash {
             return Err(io::Error::other("the document changed while it was read"));
         }
@@ -41,8 +43,8 @@ pub(crate) fn read<R: Read + Send>(
     }
     let mut compilation = round.compilation;
     told.finish(&mut compilation);
-    judge(&mut compilation, &round.lowering, reading);
-    Ok((round.lowering, compilation))
+    judge(&mut compilation, (round.roads, round.length), reading);
+    Ok((round.rows, compilation))
 }
 
 /// Leaves out every part that has an error. False where something has one that is no part.
@@ -94,8 +96,8 @@ impl Told {
     }
 }
 
-/// What becomes of a map of which some parts may be left out.
-fn judge(compilation: &mut Compilation, lowering: &Lowering, reading: &ReadOptions) {
+/// What becomes of a map of which some parts may be left out; it has so many roads of a length `[m]`.
+fn judge(compilation: &mut Compilation, (roads, length): (usize, f64), reading: &ReadOptions) {
     if compilation.verdict == Verdict::Rejected {
         compilation.quarantined.clear();
         return;
@@ -104,24 +106,15 @@ fn judge(compilation: &mut Compilation, lowering: &Lowering, reading: &ReadOptio
         return;
     }
     compilation.verdict = Verdict::Quarantined;
-    let lost: f64 = compilation
-        .quarantined
-        .iter()
-        .map(|part| part.length)
-        .filter(|length| length.is_finite())
-        .sum();
-    let bare =
-        |id: &str| compilation.quarantined.iter().any(|part| part.id == id && part.length > 0.0);
-    let kept: f64 = lowering
-        .rows
-        .roads
-        .iter()
-        .filter(|road| !bare(&String::from_utf8_lossy(lowering.strings.bytes_of(road.id))))
-        .map(|road| road.length)
-        .sum();
-    let share = if lost > 0.0 { lost / (lost + kept) } else { 0.0 };
+    let of = |treatment: Treatment| -> f64 {
+        let parts = compilation.quarantined.iter().filter(|part| part.treatment == treatment);
+        parts.map(|part| part.length).filter(|length| length.is_finite()).sum()
+    };
+    let (dropped, bare) = (of(Treatment::Dropped), of(Treatment::ReferenceLine));
+    let whole = dropped + length;
+    let share = if whole > 0.0 { (dropped + bare) / whole } else { 0.0 };
     // Of a map that is left without roads, the findings say why.
-    if lowering.rows.roads.is_empty() {
+    if roads == 0 {
         compilation.verdict = Verdict::Rejected;
         compilation.quarantined.clear();
         return;

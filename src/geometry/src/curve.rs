@@ -44,6 +44,7 @@ impl<'a> Curve<'a> {
     ///
     /// `None` if their number does not fit the kind, or the length is negative or not finite.
     #[must_use]
+    #[inline]
     pub fn new(
         kind: CurveKind,
         start: Start,

@@ -6,9 +6,9 @@ use crate::progress::Bar;
 use crate::query::{self, Kind};
 use crate::{archive_file, check, export, inspect, load, report, source, status};
 use anyhow::{Context, Result, bail};
-use clap::{Args, CommandFactory, Parser, Subcommand};
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions};
-use mapd_compiler::{CompileOptions, ReadOptions};
+use mapd_compiler::{CompileOptions, CyclePolicy, ReadOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -53,6 +53,25 @@ struct Options {
     /// Largest distance of a lane's border from its polyline [m]
     #[arg(long, value_name = "M", default_value_t = CompileOptions::default().bound_tolerance)]
     bound_tolerance: f64,
+
+    /// Landmarks for routing, 0 to 32: more are faster over long ways and larger
+    #[arg(long, value_name = "N", default_value_t = CompileOptions::default().landmarks, value_parser = clap::value_parser!(u8).range(0..=32))]
+    landmarks: u8,
+
+    /// Which cycles of the lane graph are errors
+    #[arg(long, value_enum, default_value_t = Cycles::Illegal)]
+    cycles: Cycles,
+}
+
+/// As [`CyclePolicy`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Cycles {
+    /// Those that no network may have: within a junction, or without length
+    Illegal,
+    /// All
+    All,
+    /// None: forbidden ones are warnings, the others information
+    Report,
 }
 
 #[derive(Args)]
@@ -142,6 +161,8 @@ enum Command {
         #[arg(long, value_name = "RAD")]
         heading_tolerance: Option<f64>,
         #[command(flatten)]
+        route: query::RouteArgs,
+        #[command(flatten)]
         live: Live,
     },
     /// Draw or convert a map
@@ -183,6 +204,8 @@ Columns:
   nearest     x,y[,z][,hdg]        lane,road_id,lane_id,s,t,offset,distance
   track       road_id,x,y[,z]      s,t,h (h only with z)
   successors  road_id,s,lane_id    successors in driving direction, joined by ;
+  route       from_road,from_s,from_lane,to_road,to_s,to_lane
+                                   length,lane_changes,lanes (keys in driving order, joined by ;)
 Metres and radians. A row that has no answer says why in the column `error`; the command still ends with 0.
 
   printf 'x,y\\n12.5,-3\\n' | mapd query map.xodr nearest";
@@ -192,6 +215,12 @@ impl Options {
         CompileOptions {
             index_tolerance: self.index_tolerance,
             bound_tolerance: self.bound_tolerance,
+            landmarks: self.landmarks,
+            cycles: match self.cycles {
+                Cycles::Illegal => CyclePolicy::Illegal,
+                Cycles::All => CyclePolicy::All,
+                Cycles::Report => CyclePolicy::Report,
+            },
         }
     }
 }
@@ -271,7 +300,16 @@ fn execute(cli: Cli) -> Result<Exit> {
                 None => Exit::Rejected,
             }
         }
-        Command::Query { source, kind, radius, types, z_tolerance, heading_tolerance, live } => {
+        Command::Query {
+            source,
+            kind,
+            radius,
+            types,
+            z_tolerance,
+            heading_tolerance,
+            route,
+            live,
+        } => {
             let (domain, wait) = live.get()?;
             let types = lane_types(&types)?;
             let options = NearestOptions {
@@ -283,13 +321,19 @@ fn execute(cli: Cli) -> Result<Exit> {
             };
             match source::open_or_report(&source, &CompileOptions::default(), (&domain, wait))? {
                 Some(snapshot) => {
-                    query::run(snapshot.map(), kind, &options, io::stdin().lock(), &mut *out)
-                        .map_err(|error| match error {
-                            query::QueryRunError::Columns { .. } => {
-                                UsageError(error.to_string()).into()
-                            }
-                            other => anyhow::Error::new(other),
-                        })?;
+                    query::run(
+                        snapshot.map(),
+                        kind,
+                        (&options, &route),
+                        io::stdin().lock(),
+                        &mut *out,
+                    )
+                    .map_err(|error| match error {
+                        query::QueryRunError::Columns { .. } => {
+                            UsageError(error.to_string()).into()
+                        }
+                        other => anyhow::Error::new(other),
+                    })?;
                     Exit::Done
                 }
                 None => Exit::Rejected,

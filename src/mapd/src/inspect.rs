@@ -1,5 +1,6 @@
 //! `mapd inspect`.
 
+use crate::graph_facts::{GraphFacts, lane_links};
 use crate::report::hex;
 use anyhow::Result;
 use mapd_client::Snapshot;
@@ -20,6 +21,7 @@ struct Inspection {
     generation: u64,
     verified: Option<bool>,
     map: MapFacts,
+    graph: GraphFacts,
     quarantined: Vec<QuarantinedFacts>,
     tables: Vec<TableFacts>,
 }
@@ -93,6 +95,7 @@ pub(crate) fn run(
         m.junctions
     )?;
     writeln!(out, "lanes         {} in {} sections, {} links", m.lanes, m.sections, m.lane_links)?;
+    i.graph.print(out)?;
     writeln!(out, "bounds [m]    {:?} to {:?}", m.min, m.max)?;
     writeln!(out, "geoReference  {}", m.geo_reference)?;
     writeln!(out, "archive       {} bytes, {:.0} per km of road", i.bytes, m.bytes_per_road_km)?;
@@ -129,7 +132,6 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
     let length = map.road_length();
     let bytes = snapshot.bytes().len();
     let [a, b, c] = header.provenance.compiler_version;
-    let links: u64 = tables.lanes.iter().map(|lane| u64::from(lane.successors().count)).sum();
     Inspection {
         source: source.to_owned(),
         bytes,
@@ -149,12 +151,13 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
             junctions: tables.junctions.len(),
             sections: tables.sections.len(),
             lanes: map.lanes().count(),
-            lane_links: links as usize,
+            lane_links: lane_links(map),
             road_length_m: length,
             min: min.to_array(),
             max: max.to_array(),
             bytes_per_road_km: if length > 0.0 { bytes as f64 / (length / 1000.0) } else { 0.0 },
         },
+        graph: GraphFacts::of(map),
         quarantined: map.quarantined().map(|part| quarantined(&part)).collect(),
         tables: tables
             .infos()

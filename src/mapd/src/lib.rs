@@ -21,6 +21,7 @@ mod check;
 pub mod cli;
 pub mod exit;
 pub mod export;
+mod graph_facts;
 mod inspect;
 mod judging;
 mod load;

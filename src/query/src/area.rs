@@ -16,6 +16,8 @@ const BORDER_ITERATIONS: usize = 12;
 const BORDER_STEP: f64 = 1e-10;
 /// Nearness to the border's centre of curvature, as a share of the radius, below which Newton's method is not trusted.
 const MIN_CONTRACTION: f64 = 0.5;
+/// Beside an edge by more than this `[m]` is not on it.
+const EDGE: f64 = 1e-9;
 /// Bend of a border's t, times the point's distance, up to which the border counts as convex.
 const MAX_SWING: f64 = 0.25;
 /// Parts of a stretch that are looked at where it is not.
@@ -24,28 +26,32 @@ const SEARCH_PARTS: usize = 8;
 const NARROWINGS: usize = 52;
 
 /// A stretch of a lane.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Slab {
+#[derive(Clone, Copy)]
+pub(crate) struct Slab<'a> {
     /// First s `[m]`.
     pub(crate) s_lo: f64,
     /// Last s `[m]`.
     pub(crate) s_hi: f64,
+    /// The geometry that holds there.
+    piece: Piece<'a>,
 }
 
-impl Slab {
-    fn middle(self) -> f64 {
+impl Slab<'_> {
+    #[inline]
+    fn middle(&self) -> f64 {
         0.5 * (self.s_lo + self.s_hi)
     }
 
     /// A place in the slab, with what holds within: records and geometries begin where slabs do, but stored s are rounded.
     #[inline]
-    fn at(self, s: f64) -> At {
+    fn at(&self, s: f64) -> At {
         At { s, hold: self.middle() }
     }
 }
 
 /// The slab of a segment of the lane's centre line, by its number within the line.
-pub(crate) fn slab(lane: &Lane<'_>, segment: usize) -> Option<Slab> {
+#[inline]
+pub(crate) fn slab<'a>(lane: &Lane<'a>, segment: usize) -> Option<Slab<'a>> {
     let points = lane.row.center().of(lane.map.tables().points);
     let (a, b) = (points.get(segment)?, points.get(segment + 1)?);
     if a.s() == b.s() && points.len() > 2 {
@@ -64,7 +70,8 @@ pub(crate) fn slab(lane: &Lane<'_>, segment: usize) -> Option<Slab> {
     let slack = (end - start) * f64::from(f32::EPSILON);
     let s_lo = if (lo - geometry_start).abs() <= slack { geometry_start } else { lo };
     let s_hi = if (hi - geometry_end).abs() <= slack { geometry_end } else { hi };
-    (s_lo <= s_hi).then_some(Slab { s_lo, s_hi })
+    let piece = lane.road.piece(rows.get(at)?)?;
+    (s_lo <= s_hi).then_some(Slab { s_lo, s_hi, piece })
 }
 
 /// The segment of the lane's centre line that s lies in; the first or last beyond the ends. `None` for lane 0.
@@ -76,17 +83,27 @@ pub(crate) fn segment_at(lane: &Lane<'_>, s: f64) -> Option<usize> {
     Some(after.saturating_sub(1).min(last))
 }
 
-/// Position and distance with respect to one slab; `local` is relative to the map's origin.
-pub(crate) fn position_in_slab(lane: &Lane<'_>, slab: Slab, local: DVec2) -> Option<LanePosition> {
-    let seed = slab.middle();
-    let piece = lane.road.piece_at(At::new(seed))?;
+/// Position and distance with respect to one slab; `local` is relative to the map's origin. `None` where the point lies
+/// outside and the limit is 0.
+#[inline]
+pub(crate) fn position_in_slab(
+    lane: &Lane<'_>,
+    slab: &Slab<'_>,
+    local: DVec2,
+    limit: f64,
+) -> Option<LanePosition> {
+    let piece = &slab.piece;
     let foot = piece.curve.project_from(
         local.x,
         local.y,
-        seed - piece.s,
+        slab.middle() - piece.s,
         slab.s_lo - piece.s,
         slab.s_hi - piece.s,
     );
+    let inside_only = limit == 0.0;
+    if foot.clamped && inside_only {
+        return None;
+    }
     let s = clamp(piece.s + foot.u, slab.s_lo, slab.s_hi);
     let at = slab.at(s);
     let (roll_cos, roll_sin) = lane.road.roll(at);
@@ -95,6 +112,9 @@ pub(crate) fn position_in_slab(lane: &Lane<'_>, slab: Slab, local: DVec2) -> Opt
     let edges = LaneEdges { inner: slopes.inner.value, outer: slopes.outer.value };
     let (low, high) = (edges.inner.min(edges.outer), edges.inner.max(edges.outer));
     let beside = t < low || t > high;
+    if inside_only && (t - high > EDGE || low - t > EDGE) {
+        return None;
+    }
     let distance = if !beside && !foot.clamped {
         0.0
     } else {
@@ -109,7 +129,7 @@ pub(crate) fn position_in_slab(lane: &Lane<'_>, slab: Slab, local: DVec2) -> Opt
         }
         if beside {
             let outer = (t > high) == (edges.outer >= edges.inner);
-            let border = Border { lane, slab, piece: &piece, local, outer };
+            let border = Border { lane, slab, local, outer };
             best = best.min(border.distance(s));
         }
         best
@@ -127,8 +147,7 @@ pub(crate) fn position_in_slab(lane: &Lane<'_>, slab: Slab, local: DVec2) -> Opt
 /// One border of a lane within a slab, as seen from a point.
 struct Border<'a, 'm> {
     lane: &'a Lane<'m>,
-    slab: Slab,
-    piece: &'a Piece<'m>,
+    slab: &'a Slab<'m>,
     local: DVec2,
     outer: bool,
 }
@@ -144,7 +163,7 @@ struct Approach {
 impl Border<'_, '_> {
     fn at(&self, s: f64) -> Approach {
         let at = self.slab.at(s);
-        let point = self.piece.curve.evaluate(s - self.piece.s);
+        let point = self.slab.piece.curve.evaluate(s - self.slab.piece.s);
         let slopes = self.lane.edge_slopes(at);
         let edge = if self.outer { slopes.outer } else { slopes.inner };
         let (roll_cos, roll_sin) = self.lane.road.roll(at);
@@ -227,7 +246,7 @@ pub(crate) fn position_in(lane: &Lane<'_>, local: DVec2) -> Option<LanePosition>
     let mut best: Option<LanePosition> = None;
     for segment in 0..points.len().saturating_sub(1) {
         let Some(slab) = slab(lane, segment) else { continue };
-        let Some(found) = position_in_slab(lane, slab, local) else { continue };
+        let Some(found) = position_in_slab(lane, &slab, local, f64::INFINITY) else { continue };
         let better = |b: &LanePosition| {
             (found.distance, found.offset.abs()).partial_cmp(&(b.distance, b.offset.abs()))
                 == Some(std::cmp::Ordering::Less)

@@ -38,4 +38,6 @@ ids! {
     LaneId;
     /// A junction.
     JunctionId;
+    /// A node of the lane graph.
+    NodeId;
 }

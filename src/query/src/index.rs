@@ -14,6 +14,12 @@ const ANY: u16 = u16::MAX;
 /// Places on the search stack: 15 siblings on each of 8 levels (16⁸ leaves) and some more.
 const STACK: usize = 160;
 
+/// The greater of two numbers that are not not-a-number, in one instruction.
+#[inline]
+fn more(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
 /// A segment of a lane's centre line found by [`nearest_segment`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SegmentHit {
@@ -23,6 +29,34 @@ pub struct SegmentHit {
     pub segment: u16,
     /// Plan-view distance `[m]`, in single precision.
     pub distance: f32,
+}
+
+/// A node or leaf to be visited: its squared distance (whose bits are ordered as it is, for it is not negative) above its
+/// level and number, so that comparing places compares distances first.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+struct Place(u64);
+
+/// Bits of the number of a node or leaf within its level: 2²⁸ leaves hold 2³² segments.
+const NUMBER_BITS: u32 = 28;
+
+impl Place {
+    #[inline]
+    fn new(squared: f32, level: u32, at: u32) -> Self {
+        let node = level << NUMBER_BITS | at & ((1 << NUMBER_BITS) - 1);
+        Self(u64::from(squared.to_bits()) << 32 | u64::from(node))
+    }
+
+    #[inline]
+    fn squared(self) -> f32 {
+        f32::from_bits((self.0 >> 32) as u32)
+    }
+
+    /// Level, and number within it.
+    #[inline]
+    fn node(self) -> (u32, u32) {
+        let node = self.0 as u32;
+        (node >> NUMBER_BITS, node & ((1 << NUMBER_BITS) - 1))
+    }
 }
 
 /// Visits every leaf whose box is not farther from the point than the bound, nearer children first; with
@@ -37,13 +71,13 @@ pub(crate) fn visit<'a>(
 ) {
     let Some(depth) = tables.index_levels.len().checked_sub(1) else { return };
     let (px, py) = (local.x as f32, local.y as f32);
-    // Squared distance, level, node or leaf within the level.
-    let mut stack = [(0f32, 0u32, 0u32); STACK];
+    let mut stack = [Place(0); STACK];
     let mut top = 1;
     while top > 0 {
         top -= 1;
-        let Some(&(squared, level, at)) = stack.get(top) else { return };
-        if squared > bound * bound {
+        let Some(place) = stack.get(top) else { return };
+        let (level, at) = place.node();
+        if place.squared() > bound * bound {
             continue;
         }
         if level as usize == depth {
@@ -56,8 +90,8 @@ pub(crate) fn visit<'a>(
         let (min_x, min_y, max_x, max_y) = (node.min_x(), node.min_y(), node.max_x(), node.max_y());
         let mut squares = [0f32; WIDTH];
         for k in 0..WIDTH {
-            let dx = (min_x[k] - px).max(px - max_x[k]).max(0.0);
-            let dy = (min_y[k] - py).max(py - max_y[k]).max(0.0);
+            let dx = more(more(min_x[k] - px, px - max_x[k]), 0.0);
+            let dy = more(more(min_y[k] - py, py - max_y[k]), 0.0);
             squares[k] = dx * dx + dy * dy;
         }
         if let Some([low, high]) = heights {
@@ -76,14 +110,15 @@ pub(crate) fn visit<'a>(
             if top >= STACK {
                 return;
             }
+            let child = at.wrapping_mul(WIDTH as u32).wrapping_add(k as u32);
+            let new = Place::new(squares[k], level + 1, child);
             // Insertion keeps the nearest child on top.
             let mut place = top;
-            while place > base && stack[place - 1].0 < squares[k] {
+            while place > base && stack[place - 1] < new {
                 stack[place] = stack[place - 1];
                 place -= 1;
             }
-            stack[place] =
-                (squares[k], level + 1, at.wrapping_mul(WIDTH as u32).wrapping_add(k as u32));
+            stack[place] = new;
             top += 1;
         }
     }
@@ -174,13 +209,13 @@ pub(crate) fn lower_bounds(
     let mut out = [0f32; WIDTH];
     for k in 0..WIDTH {
         let (ex, ey) = (qx - ax[k], qy - ay[k]);
-        let length = (dx[k] * dx[k] + dy[k] * dy[k]).max(f32::MIN_POSITIVE).sqrt();
+        let length = more(dx[k] * dx[k] + dy[k] * dy[k], f32::MIN_POSITIVE).sqrt();
         let forward = (ex * dx[k] + ey * dy[k]) / length;
         let sideways = (ex * dy[k] - ey * dx[k]).abs() / length;
-        let past = (-forward).max(forward - length) - f32::from(overshoot[k]) * REACH_UNIT;
+        let past = more(-forward, forward - length) - f32::from(overshoot[k]) * REACH_UNIT;
         let beside = sideways - f32::from(reach[k]) * REACH_UNIT;
-        let past = if overshoot[k] == ANY { 0.0 } else { past.max(0.0) };
-        let beside = if reach[k] == ANY { 0.0 } else { beside.max(0.0) };
+        let past = if overshoot[k] == ANY { 0.0 } else { more(past, 0.0) };
+        let beside = if reach[k] == ANY { 0.0 } else { more(beside, 0.0) };
         let bound = (past * past + beside * beside).sqrt();
         out[k] = if lanes[k] == NONE { f32::INFINITY } else { bound };
     }

@@ -56,6 +56,12 @@ impl<'a> Lane<'a> {
         LaneId { row: self.number, content: self.map.content() }
     }
 
+    /// Row in the archive's table.
+    #[inline]
+    pub(crate) fn row_number(&self) -> u32 {
+        self.number
+    }
+
     /// OpenDRIVE's lane number: positive left of lane 0, negative right.
     #[inline]
     pub fn number(&self) -> i32 {
@@ -133,8 +139,17 @@ impl<'a> Lane<'a> {
         let mut edges = EdgeSlopes { inner: edge, outer: edge };
         let number = self.number();
         let lanes = self.section.rows();
-        let Ok(center) = lanes.binary_search_by(|lane| 0.cmp(&lane.number())) else { return edges };
         let own = (self.number.wrapping_sub(self.section.row.lanes().first)) as usize;
+        // Numbers fall one by one in nearly every section.
+        let guess = own.wrapping_add_signed(number as isize);
+        let center = if lanes.get(guess).is_some_and(|lane| lane.number() == 0) {
+            guess
+        } else {
+            match lanes.binary_search_by(|lane| 0.cmp(&lane.number())) {
+                Ok(center) => center,
+                Err(_) => return edges,
+            }
+        };
         let steps = own.abs_diff(center);
         for step in 1..=steps {
             let row = if number > 0 { center.wrapping_sub(step) } else { center + step };
@@ -273,6 +288,18 @@ impl<'a> Lane<'a> {
         self.beside(1)
     }
 
+    /// Lanes from the next one towards lane 0 on to the edge beyond it; lane 0 is skipped.
+    pub(crate) fn inner_ones(&self) -> impl Iterator<Item = Lane<'a>> + use<'a> {
+        let step = i64::from(self.number().signum());
+        std::iter::successors(self.beside(step), move |lane| lane.beside(step))
+    }
+
+    /// Lanes from the next one away from lane 0 on to the road's edge.
+    pub(crate) fn outer_ones(&self) -> impl Iterator<Item = Lane<'a>> + use<'a> {
+        let step = -i64::from(self.number().signum());
+        std::iter::successors(self.beside(step), move |lane| lane.beside(step))
+    }
+
     fn beside(&self, step: i64) -> Option<Lane<'a>> {
         let mut at = i64::from(self.number);
         loop {
@@ -287,18 +314,51 @@ impl<'a> Lane<'a> {
         }
     }
 
-    /// Lanes entered from this one in driving direction.
-    pub fn successors(&self) -> impl ExactSizeIterator<Item = LaneId> + use<'a> {
-        self.links(self.row.successors())
+    /// Lanes entered from this one in its own driving direction, in order of road id, section and lane.
+    #[inline]
+    pub fn successors(&self) -> impl Iterator<Item = LaneId> + use<'a> {
+        self.linked(self.map.tables().successor_offsets, self.map.tables().successors, 1)
     }
 
-    /// Lanes from which this one is entered in driving direction.
-    pub fn predecessors(&self) -> impl ExactSizeIterator<Item = LaneId> + use<'a> {
-        self.links(self.row.predecessors())
+    /// Lanes from which this one is entered in its own driving direction, in order of road id, section and lane.
+    #[inline]
+    pub fn predecessors(&self) -> impl Iterator<Item = LaneId> + use<'a> {
+        self.linked(self.map.tables().predecessor_offsets, self.map.tables().predecessors, -1)
     }
 
-    fn links(&self, range: Range) -> impl ExactSizeIterator<Item = LaneId> + use<'a> {
-        let content = self.map.content();
-        range.of(self.map.tables().lane_links).iter().map(move |row| LaneId { row: *row, content })
+    /// Lanes over the edges of this lane's nodes, those between its own pieces left out; `step` is from a piece to the
+    /// next in the direction of the edges.
+    #[inline]
+    fn linked(
+        &self,
+        offsets: &'a [u32],
+        targets: &'a [u32],
+        step: i32,
+    ) -> impl Iterator<Item = LaneId> + use<'a> {
+        let (map, content) = (self.map, self.map.content());
+        let nodes = self.row.nodes();
+        // Nodes of the other way come last; they are no part of the lane's own direction.
+        let ways = if self.is_bidirectional() { 2 } else { 1 };
+        let last = nodes.first.saturating_add(nodes.count / ways);
+        let list = map.tables().lane_nodes;
+        (nodes.first..last).flat_map(move |node| {
+            let edges = edges_of(offsets, targets, node);
+            edges.iter().filter_map(move |target| {
+                let own = node.wrapping_add_signed(step) == *target
+                    && (nodes.first..last).contains(target);
+                let row = list.get(*target as usize).filter(|_| !own)?;
+                Some(LaneId { row: row.lane(), content })
+            })
+        })
+    }
+}
+
+/// Entries of a node in compressed sparse rows.
+#[inline]
+pub(crate) fn edges_of<'a>(offsets: &[u32], targets: &'a [u32], node: u32) -> &'a [u32] {
+    let at = node as usize;
+    match offsets.get(at..at + 2) {
+        Some(&[from, to]) => targets.get(from as usize..to as usize).unwrap_or(&[]),
+        _ => &[],
     }
 }

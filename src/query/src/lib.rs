@@ -17,12 +17,14 @@
 
 mod area;
 mod error;
+mod graph;
 mod grid;
 mod ids;
 mod index;
 mod junction;
 mod key;
 mod lane;
+mod lane_length;
 mod map;
 mod near;
 mod nearest;
@@ -31,6 +33,7 @@ mod profile;
 mod quarantine;
 mod region;
 mod road;
+mod route;
 mod section;
 mod surface;
 mod types;
@@ -38,18 +41,26 @@ mod waypoints;
 
 pub use error::QueryError;
 pub use glam;
-pub use ids::{JunctionId, LaneId, LaneSectionId, RoadId};
+pub use graph::{Conflict, LaneEdge, LaneNode};
+pub use ids::{JunctionId, LaneId, LaneSectionId, NodeId, RoadId};
 pub use index::{SegmentHit, nearest_segment};
 pub use junction::{Connection, Junction};
 pub use key::{LaneKey, ParseLaneKeyError};
 pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
-pub use mapd_archive::{ContactPoint, LaneType, QuarantinedKind, RoadType, SpeedKind};
+pub use mapd_archive::{
+    ConflictKind, ContactPoint, EdgeKind, LaneType, QuarantinedKind, RoadType, SpeedKind,
+    VehicleClass,
+};
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
 pub use polyline::Polyline;
 pub use quarantine::Quarantined;
 pub use region::{BoundarySegment, Region};
 pub use road::{Road, RoadLink, RoadTypeRecord};
+pub use route::{
+    CostBound, Enter, LaneChangeAhead, LanePlace, LaneSequences, NextJunction, Reached, Route,
+    RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime, next_lane_change,
+};
 pub use section::LaneSection;
 pub use surface::{Material, Surface};
 pub use types::{LaneEdges, LanePosition, Point, Pose, Track, TrackPosition};

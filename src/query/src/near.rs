@@ -31,16 +31,18 @@ impl Map<'_> {
                 if lower[k] > bound {
                     continue;
                 }
-                let Some(found) = self.candidate(lanes[k], segments[k], point, local, options)
+                let Some(found) =
+                    self.candidate((lanes[k], segments[k]), point, local, options, f64::INFINITY)
                 else {
                     continue;
                 };
                 if found.position.distance > options.radius {
                     continue;
                 }
-                match out.iter_mut().find(|known| known.lane == found.lane.lane_id()) {
-                    None => out.push(found.nearest()),
-                    Some(known) if nearer(&found.nearest(), known) => *known = found.nearest(),
+                let found = found.nearest(*self);
+                match out.iter_mut().find(|known| known.lane == found.lane) {
+                    None => out.push(found),
+                    Some(known) if nearer(&found, known) => *known = found,
                     Some(_) => {}
                 }
             }
@@ -50,7 +52,7 @@ impl Map<'_> {
         out.sort_unstable_by(|a, b| {
             let candidate = |nearest: &Nearest| self.candidate_of(nearest, point, options);
             match (candidate(a), candidate(b)) {
-                (Some(a), Some(b)) => a.order(&b),
+                (Some(a), Some(b)) => a.order(&b, *self),
                 _ => Ordering::Equal,
             }
         });

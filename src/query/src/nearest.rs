@@ -109,39 +109,59 @@ pub struct Nearest {
 }
 
 /// A lane's stretch, as near as it comes.
-pub(crate) struct Candidate<'a> {
-    pub(crate) lane: Lane<'a>,
+#[derive(Clone, Copy)]
+pub(crate) struct Candidate {
+    lane: u32,
     pub(crate) position: LanePosition,
     heading_difference: f64,
     z_difference: f64,
 }
 
-impl<'a> Candidate<'a> {
+impl Candidate {
     #[inline]
-    fn new(lane: Lane<'a>, position: LanePosition, point: Point, options: &NearestOptions) -> Self {
+    fn new(
+        lane: &Lane<'_>,
+        position: LanePosition,
+        point: Point,
+        options: &NearestOptions,
+    ) -> Self {
         let z_difference = point.z.map_or(0.0, |z| (z - position.z).abs());
         let heading_difference =
-            options.heading.map_or(0.0, |heading| heading_difference(&lane, &position, heading));
-        Self { lane, position, heading_difference, z_difference }
+            options.heading.map_or(0.0, |heading| heading_difference(lane, &position, heading));
+        Self { lane: lane.row_number(), position, heading_difference, z_difference }
     }
 
-    pub(crate) fn nearest(&self) -> Nearest {
-        Nearest { lane: self.lane.lane_id(), position: self.position }
+    pub(crate) fn lane_id(&self, map: Map<'_>) -> LaneId {
+        LaneId { row: self.lane, content: map.content() }
     }
 
-    /// Distance; then heading difference, z difference, |offset|, key, s.
-    pub(crate) fn order(&self, other: &Self) -> Ordering {
+    pub(crate) fn nearest(&self, map: Map<'_>) -> Nearest {
+        Nearest { lane: self.lane_id(map), position: self.position }
+    }
+
+    /// Distance; then heading difference, z difference, |offset|, key, s; and what two geometries that meet round differently.
+    #[inline]
+    pub(crate) fn order(&self, other: &Self, map: Map<'_>) -> Ordering {
         self.position
             .distance
             .total_cmp(&other.position.distance)
             .then(self.heading_difference.total_cmp(&other.heading_difference))
             .then(self.z_difference.total_cmp(&other.z_difference))
             .then(self.position.offset.abs().total_cmp(&other.position.offset.abs()))
-            .then_with(|| self.lane.road.id().cmp(other.lane.road.id()))
-            .then_with(|| self.lane.section.number().cmp(&other.lane.section.number()))
-            .then_with(|| self.lane.number().cmp(&other.lane.number()))
+            .then_with(|| self.order_by_key(other, map))
             // Where two stretches of one lane meet, so that the answer does not depend on which is visited first.
             .then(self.position.s.total_cmp(&other.position.s))
+            .then(self.position.t.total_cmp(&other.position.t))
+            .then(self.position.heading.total_cmp(&other.position.heading))
+    }
+
+    #[cold]
+    fn order_by_key(&self, other: &Self, map: Map<'_>) -> Ordering {
+        let key = |candidate: &Self| {
+            let lane = Lane::new(map, candidate.lane)?;
+            Some((lane.road.id(), lane.section.number(), lane.number()))
+        };
+        key(self).cmp(&key(other))
     }
 }
 
@@ -160,7 +180,7 @@ impl<'a> Map<'a> {
         let point = point.into();
         options.check(point)?;
         let local = point.xy - self.origin();
-        let mut best = self.hinted(point, local, options);
+        let (place, mut best) = self.hinted(point, local, options).unzip();
         // Single precision rounds the bound; a little more than the radius loses nothing, the exact test follows.
         let start = round_up(best.as_ref().map_or(options.radius, |b| b.position.distance));
         let heights = options.heights(point);
@@ -171,38 +191,39 @@ impl<'a> Map<'a> {
             // The most promising comes first: what it yields excludes most of the others before they cost a projection.
             while let Some(k) = index::least(&lower, open) {
                 open &= !(1 << k);
-                if lower[k] > bound {
-                    break;
-                }
-                let Some(candidate) = self.candidate(lanes[k], segments[k], point, local, options)
-                else {
+                if place == Some((lanes[k], segments[k])) {
                     continue;
-                };
+                }
+                let limit = best.as_ref().map_or(f64::INFINITY, |b| b.position.distance);
+                let found = self.candidate((lanes[k], segments[k]), point, local, options, limit);
+                let Some(candidate) = found else { continue };
                 if candidate.position.distance > options.radius {
                     continue;
                 }
-                if best.as_ref().is_none_or(|b| candidate.order(b) == Ordering::Less) {
+                if best.as_ref().is_none_or(|b| candidate.order(b, *self) == Ordering::Less) {
                     bound = bound.min(round_up(candidate.position.distance));
+                    open &= index::places_within(&lower, bound);
                     best = Some(candidate);
                 }
             }
             bound
         });
-        Ok(best.map(|b| b.nearest()))
+        Ok(best.map(|b| b.nearest(*self)))
     }
 
-    /// The hint's lane at the hint's place, or past its end if the point has gone on.
+    /// The hint's lane at the hint's place, or past its end if the point has gone on; and which segment that is.
     fn hinted(
         &self,
         point: Point,
         local: glam::DVec2,
         options: &NearestOptions,
-    ) -> Option<Candidate<'a>> {
+    ) -> Option<((u32, u16), Candidate)> {
         let hint = options.hint?;
         let lane = self.lane(hint.lane).ok()?;
         let segment = u16::try_from(area::segment_at(&lane, hint.position.s)?).ok()?;
-        let candidate = self.candidate(hint.lane.row(), segment, point, local, options)?;
-        (candidate.position.distance <= options.radius).then_some(candidate)
+        let place = (hint.lane.row(), segment);
+        let candidate = self.candidate(place, point, local, options, f64::INFINITY)?;
+        (candidate.position.distance <= options.radius).then_some((place, candidate))
     }
 
     /// What a place on a lane has for ties.
@@ -211,28 +232,29 @@ impl<'a> Map<'a> {
         found: &Nearest,
         point: Point,
         options: &NearestOptions,
-    ) -> Option<Candidate<'a>> {
+    ) -> Option<Candidate> {
         let lane = Lane::new(*self, found.lane.row())?;
-        Some(Candidate::new(lane, found.position, point, options))
+        Some(Candidate::new(&lane, found.position, point, options))
     }
 
-    /// A lane's stretch as a candidate; `None` where the options exclude it.
+    /// A lane's stretch as a candidate; `None` where the options exclude it, or it is farther than `limit` where that is
+    /// cheap to tell.
     #[inline]
     pub(crate) fn candidate(
         &self,
-        lane: u32,
-        segment: u16,
+        (lane, segment): (u32, u16),
         point: Point,
         local: glam::DVec2,
         options: &NearestOptions,
-    ) -> Option<Candidate<'a>> {
+        limit: f64,
+    ) -> Option<Candidate> {
         let lane = Lane::new(*self, lane)?;
         if !options.types.contains(lane.kind()) {
             return None;
         }
         let slab = area::slab(&lane, usize::from(segment))?;
-        let position = area::position_in_slab(&lane, slab, local)?;
-        let found = Candidate::new(lane, position, point, options);
+        let position = area::position_in_slab(&lane, &slab, local, limit)?;
+        let found = Candidate::new(&lane, position, point, options);
         let too_far = |limit: Option<f64>, known: bool, difference: f64| {
             known && limit.is_some_and(|limit| difference > limit)
         };

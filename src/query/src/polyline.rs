@@ -30,6 +30,12 @@ impl<'a> Polyline<'a> {
         self.points.get(i).map(|p| at(self.origin, p))
     }
 
+    /// s of the points on the road `[m]`.
+    pub fn stations(&self) -> impl ExactSizeIterator<Item = f64> + use<'a> {
+        let s_start = self.s_start;
+        self.points.iter().map(move |p| s_start + f64::from(p.s()))
+    }
+
     /// Inertial positions in ascending s `[m]`.
     pub fn positions(&self) -> impl ExactSizeIterator<Item = DVec3> + use<'a> {
         let origin = self.origin;

@@ -210,12 +210,19 @@ impl<'a> Road<'a> {
     /// Cosine and sine of the superelevation; (1, 0) without any trigonometry where the road has none.
     #[inline]
     pub(crate) fn roll(&self, at: At) -> (f64, f64) {
-        let records = self.cubics(self.row.superelevations());
-        if records.is_empty() {
-            return (1.0, 0.0);
+        let (cos, sin, _) = self.roll_angle(at);
+        (cos, sin)
+    }
+
+    /// As [`Self::roll`], and the angle itself.
+    #[inline]
+    fn roll_angle(&self, at: At) -> (f64, f64, f64) {
+        let angle = profile::value(self.cubics(self.row.superelevations()), at);
+        if angle == 0.0 {
+            return (1.0, 0.0, angle);
         }
-        let angle = profile::value(records, at);
-        if angle == 0.0 { (1.0, 0.0) } else { mapd_geometry::cos_sin(angle) }
+        let (cos, sin) = mapd_geometry::cos_sin(angle);
+        (cos, sin, angle)
     }
 
     #[inline]
@@ -232,7 +239,7 @@ impl<'a> Road<'a> {
     }
 
     #[inline]
-    fn piece(&self, g: &'a ArchivedGeometryRow) -> Option<Piece<'a>> {
+    pub(crate) fn piece(&self, g: &'a ArchivedGeometryRow) -> Option<Piece<'a>> {
         let start = Start { x: g.x(), y: g.y(), heading: g.hdg(), cos: g.cos(), sin: g.sin() };
         let coefficients = g.coefficients().of(self.map.tables().coefficients);
         let curve = Curve::new(CurveKind::from_code(g.kind())?, start, g.length(), coefficients)?;
@@ -281,7 +288,7 @@ impl<'a> Road<'a> {
         }
         let point = self.reference_at(at).ok_or(QueryError::Corrupt)?;
         let elevation = profile::slope(self.cubics(self.row.elevations()), at);
-        let (roll_cos, roll_sin) = self.roll(at);
+        let (roll_cos, roll_sin, superelevation) = self.roll_angle(at);
         let lateral = t * roll_cos - h * roll_sin;
         let origin = self.map.origin();
         Ok(Pose {
@@ -293,7 +300,7 @@ impl<'a> Road<'a> {
             heading: normalize_angle(point.heading),
             curvature: point.curvature,
             slope: elevation.derivative,
-            superelevation: profile::value(self.cubics(self.row.superelevations()), at),
+            superelevation,
             clamped: false,
         })
     }

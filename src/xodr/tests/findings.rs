@@ -160,6 +160,32 @@ fn versions() {
 }
 
 #[test]
+fn variants_and_what_only_the_text_requires() {
+    let junction = |text: &str| document(&[("</road>\n", &format!("</road>\n{text}\n"))]);
+    let link = "<laneLink from=\"-1\" to=\"-1\"/></connection></junction>";
+    for (text, rule) in [
+        (
+            "<junction id=\"5\" type=\"direct\"><connection id=\"0\" incomingRoad=\"1\" linkedRoad=\"1\" connectingRoad=\"¦1\" contactPoint=\"start\">",
+            rule::VARIANT,
+        ),
+        (
+            "<junction id=\"5\" type=\"direct\">¦<connection id=\"0\" incomingRoad=\"1\" contactPoint=\"start\">",
+            rule::MISSING,
+        ),
+        (
+            "<junction id=\"5\" mainRoad=\"¦1\"><connection id=\"0\" incomingRoad=\"1\" connectingRoad=\"1\" contactPoint=\"start\">",
+            rule::VARIANT,
+        ),
+        (
+            "<junction id=\"5\">¦<connection id=\"0\" incomingRoad=\"1\" contactPoint=\"start\">",
+            rule::MISSING,
+        ),
+    ] {
+        check(&junction(&format!("{text}{link}")), (rule, Warning));
+    }
+}
+
+#[test]
 fn documents_that_are_not_well_formed() {
     for (text, rule, line, column) in [
         ("", rule::ROOT, 1, 1),

@@ -389,15 +389,10 @@ impl ArchivedLaneRow {
     pub fn speeds(&self) -> Range {
         self.speeds.to_native()
     }
-    /// Lanes entered from this one in driving direction.
+    /// Nodes of the lane graph: pieces in driving order, then, if the lane is travelled the other way too, those of the other way. None for lane 0.
     #[inline]
-    pub fn successors(&self) -> Range {
-        self.successors.to_native()
-    }
-    /// Lanes from which this one is entered.
-    #[inline]
-    pub fn predecessors(&self) -> Range {
-        self.predecessors.to_native()
+    pub fn nodes(&self) -> Range {
+        self.nodes.to_native()
     }
     /// Centre line, ascending in s. Empty for lane 0.
     #[inline]
@@ -873,6 +868,153 @@ impl ArchivedGridTransitionRow {
     #[inline]
     pub fn length(&self) -> f64 {
         self.length.to_native()
+    }
+}
+
+impl ArchivedGraphRow {
+    /// `[m]` Unit of `landmark_lengths`.
+    #[inline]
+    pub fn length_step(&self) -> f64 {
+        self.length_step.to_native()
+    }
+    /// `[s]` Unit of `landmark_times`.
+    #[inline]
+    pub fn time_step(&self) -> f64 {
+        self.time_step.to_native()
+    }
+    /// Number of strongly connected components.
+    #[inline]
+    pub fn components(&self) -> u32 {
+        self.components.to_native()
+    }
+    /// Number of groups: nodes side by side in one direction.
+    #[inline]
+    pub fn groups(&self) -> u32 {
+        self.groups.to_native()
+    }
+    /// Number of landmarks; 0 if the map has none.
+    #[inline]
+    pub fn landmarks(&self) -> u32 {
+        self.landmarks.to_native()
+    }
+}
+
+impl ArchivedLaneNodeRow {
+    /// The lane.
+    #[inline]
+    pub fn lane(&self) -> u32 {
+        self.lane.to_native()
+    }
+    /// Node beside it, in driving direction to the left, that travels the same way.
+    #[inline]
+    pub fn left(&self) -> u32 {
+        self.left.to_native()
+    }
+    /// Node beside it, in driving direction to the right, that travels the same way.
+    #[inline]
+    pub fn right(&self) -> u32 {
+        self.right.to_native()
+    }
+    /// Strongly connected component, numbered in topological order of the condensation.
+    #[inline]
+    pub fn component(&self) -> u32 {
+        self.component.to_native()
+    }
+    /// Group for `landmark_lengths` and `landmark_times`; u32::MAX if no motor vehicle may use the node.
+    #[inline]
+    pub fn group(&self) -> u32 {
+        self.group.to_native()
+    }
+    /// `[m]` Smaller end of the piece, from the section's start.
+    #[inline]
+    pub fn s_from(&self) -> f32 {
+        self.s_from.to_native()
+    }
+    /// `[m]` Length of the centre line in plan view.
+    #[inline]
+    pub fn length(&self) -> f32 {
+        self.length.to_native()
+    }
+    /// `[s]` Time to pass it at the speed limit.
+    #[inline]
+    pub fn time(&self) -> f32 {
+        self.time.to_native()
+    }
+    /// Bit i: vehicle class i may use it.
+    #[inline]
+    pub fn access(&self) -> u16 {
+        self.access.to_native()
+    }
+    /// 1 travels towards +s, 2 change to the left allowed, 4 change to the right allowed.
+    #[inline]
+    pub fn flags(&self) -> u8 {
+        self.flags
+    }
+}
+
+impl ArchivedEdgeRow {
+    /// Line of the link, from 1; 0 where no link is needed.
+    #[inline]
+    pub fn line(&self) -> u32 {
+        self.line.to_native()
+    }
+    /// Column of the link in bytes, from 1.
+    #[inline]
+    pub fn column(&self) -> u32 {
+        self.column.to_native()
+    }
+    /// 0 for the document itself, else the number of the included file.
+    #[inline]
+    pub fn file(&self) -> u16 {
+        self.file.to_native()
+    }
+    /// 0 within a lane, 1 link inside a road, 2 link over a road's end, 3 lane link of a connection, 4 implied by a connection without lane links, 5 at a virtual junction.
+    #[inline]
+    pub fn kind(&self) -> u8 {
+        self.kind
+    }
+    /// 1 closes a loop: without these edges the graph has no cycle.
+    #[inline]
+    pub fn flags(&self) -> u8 {
+        self.flags
+    }
+}
+
+impl ArchivedConflictRow {
+    /// The lane.
+    #[inline]
+    pub fn lane(&self) -> u32 {
+        self.lane.to_native()
+    }
+    /// The lane that it conflicts with.
+    #[inline]
+    pub fn other(&self) -> u32 {
+        self.other.to_native()
+    }
+    /// `[m]` Start of the common area on `lane`, from its section's start.
+    #[inline]
+    pub fn s_from(&self) -> f32 {
+        self.s_from.to_native()
+    }
+    /// `[m]` End of the common area on `lane`.
+    #[inline]
+    pub fn s_to(&self) -> f32 {
+        self.s_to.to_native()
+    }
+    /// `[m]` Start of the common area on `other`, from its section's start.
+    #[inline]
+    pub fn other_from(&self) -> f32 {
+        self.other_from.to_native()
+    }
+    /// `[m]` End of the common area on `other`.
+    #[inline]
+    pub fn other_to(&self) -> f32 {
+        self.other_to.to_native()
+    }
+    /// 0 cross, 1 merge, 2 overlap, 3 crossing of roads.
+    #[inline]
+    pub fn kind(&self) -> u8 {
+        self.kind
     }
 }
 

@@ -210,10 +210,8 @@ pub struct LaneRow {
     pub widths: Range,
     /// Speed records, ascending in s.
     pub speeds: Range,
-    /// Lanes entered from this one in driving direction.
-    pub successors: Range,
-    /// Lanes from which this one is entered.
-    pub predecessors: Range,
+    /// Nodes of the lane graph: pieces in driving order, then, if the lane is travelled the other way too, those of the other way. None for lane 0.
+    pub nodes: Range,
     /// Centre line, ascending in s. Empty for lane 0.
     pub center: Range,
     /// Outer border, ascending in s; for lane 0 the shifted reference line.
@@ -229,7 +227,7 @@ pub struct LaneRow {
     /// 0.
     pub reserved: [u8; 4],
 }
-const _: () = assert!(size_of::<LaneRow>() == 88 && size_of::<ArchivedLaneRow>() == 88);
+const _: () = assert!(size_of::<LaneRow>() == 80 && size_of::<ArchivedLaneRow>() == 80);
 
 /// lane/speed records.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
@@ -527,6 +525,98 @@ pub struct GridTransitionRow {
 }
 const _: () =
     assert!(size_of::<GridTransitionRow>() == 40 && size_of::<ArchivedGridTransitionRow>() == 40);
+
+/// Exactly one row: what concerns the whole lane graph.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct GraphRow {
+    /// `[m]` Unit of `landmark_lengths`.
+    pub length_step: f64,
+    /// `[s]` Unit of `landmark_times`.
+    pub time_step: f64,
+    /// Number of strongly connected components.
+    pub components: u32,
+    /// Number of groups: nodes side by side in one direction.
+    pub groups: u32,
+    /// Number of landmarks; 0 if the map has none.
+    pub landmarks: u32,
+    /// 0.
+    pub reserved: u32,
+}
+const _: () = assert!(size_of::<GraphRow>() == 32 && size_of::<ArchivedGraphRow>() == 32);
+
+/// Nodes of the lane graph: a lane, or a piece of one, travelled in one direction. Lane by lane.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct LaneNodeRow {
+    /// The lane.
+    pub lane: u32,
+    /// Node beside it, in driving direction to the left, that travels the same way.
+    pub left: u32,
+    /// Node beside it, in driving direction to the right, that travels the same way.
+    pub right: u32,
+    /// Strongly connected component, numbered in topological order of the condensation.
+    pub component: u32,
+    /// Group for `landmark_lengths` and `landmark_times`; u32::MAX if no motor vehicle may use the node.
+    pub group: u32,
+    /// `[m]` Smaller end of the piece, from the section's start.
+    pub s_from: f32,
+    /// `[m]` Length of the centre line in plan view.
+    pub length: f32,
+    /// `[s]` Time to pass it at the speed limit.
+    pub time: f32,
+    /// Bit i: vehicle class i may use it.
+    pub access: u16,
+    /// 1 travels towards +s, 2 change to the left allowed, 4 change to the right allowed.
+    pub flags: u8,
+    /// 0.
+    pub reserved: u8,
+}
+const _: () = assert!(size_of::<LaneNodeRow>() == 36 && size_of::<ArchivedLaneNodeRow>() == 36);
+
+/// What is known of each entry of `successors`: where the file says so. Length, time and access are those of the node that is left.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct EdgeRow {
+    /// Line of the link, from 1; 0 where no link is needed.
+    pub line: u32,
+    /// Column of the link in bytes, from 1.
+    pub column: u32,
+    /// 0 for the document itself, else the number of the included file.
+    pub file: u16,
+    /// 0 within a lane, 1 link inside a road, 2 link over a road's end, 3 lane link of a connection, 4 implied by a connection without lane links, 5 at a virtual junction.
+    pub kind: u8,
+    /// 1 closes a loop: without these edges the graph has no cycle.
+    pub flags: u8,
+}
+const _: () = assert!(size_of::<EdgeRow>() == 12 && size_of::<ArchivedEdgeRow>() == 12);
+
+/// Lanes of one junction whose areas meet, by `lane`; each pair stands twice, once from either side.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ConflictRow {
+    /// The lane.
+    pub lane: u32,
+    /// The lane that it conflicts with.
+    pub other: u32,
+    /// `[m]` Start of the common area on `lane`, from its section's start.
+    pub s_from: f32,
+    /// `[m]` End of the common area on `lane`.
+    pub s_to: f32,
+    /// `[m]` Start of the common area on `other`, from its section's start.
+    pub other_from: f32,
+    /// `[m]` End of the common area on `other`.
+    pub other_to: f32,
+    /// 0 cross, 1 merge, 2 overlap, 3 crossing of roads.
+    pub kind: u8,
+    /// 0.
+    pub reserved: [u8; 3],
+}
+const _: () = assert!(size_of::<ConflictRow>() == 28 && size_of::<ArchivedConflictRow>() == 28);
 
 /// Parts of the document that have errors and are not in the map as written, in the order of the document.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]

@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [202, 141, 179, 149, 203, 138, 58, 219, 199, 57, 48, 21, 29, 39, 66, 78];
+    [150, 117, 251, 171, 89, 3, 55, 220, 205, 136, 156, 4, 73, 139, 212, 9];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -38,8 +38,6 @@ pub struct Rows {
     pub lanes: Table<LaneRow>,
     /// lane/speed records.
     pub lane_speeds: Table<LaneSpeedRow>,
-    /// Targets of the lanes' `successors` and `predecessors` (compressed sparse rows).
-    pub lane_links: Table<u32>,
     /// Points of polylines, relative to the origin of the lane that owns them.
     pub points: Table<PointRow>,
     /// One row per junction, in file order. The row number is the JunctionId.
@@ -76,6 +74,26 @@ pub struct Rows {
     pub grid_heights: Table<f64>,
     /// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
     pub grid_transitions: Table<GridTransitionRow>,
+    /// Exactly one row: what concerns the whole lane graph.
+    pub graph: Table<GraphRow>,
+    /// Nodes of the lane graph: a lane, or a piece of one, travelled in one direction. Lane by lane.
+    pub lane_nodes: Table<LaneNodeRow>,
+    /// First edge of each node in `successors`; one more entry than nodes.
+    pub successor_offsets: Table<u32>,
+    /// Nodes entered from each node, in order of road id, section, lane (compressed sparse rows).
+    pub successors: Table<u32>,
+    /// What is known of each entry of `successors`: where the file says so. Length, time and access are those of the node that is left.
+    pub edges: Table<EdgeRow>,
+    /// First entry of each node in `predecessors`; one more entry than nodes.
+    pub predecessor_offsets: Table<u32>,
+    /// Nodes from which each node is entered: `successors` turned round.
+    pub predecessors: Table<u32>,
+    /// Lanes of one junction whose areas meet, by `lane`; each pair stands twice, once from either side.
+    pub conflicts: Table<ConflictRow>,
+    /// Per group: distances from each landmark, then to each, in `length_step`, rounded down; 65535 where there is no way.
+    pub landmark_lengths: Table<u16>,
+    /// As `landmark_lengths`, in `time_step`.
+    pub landmark_times: Table<u16>,
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: Table<QuarantinedRow>,
 }
@@ -95,7 +113,6 @@ impl Rows {
             sections: bytemuck::cast_slice(self.sections.as_slice()),
             lanes: bytemuck::cast_slice(self.lanes.as_slice()),
             lane_speeds: bytemuck::cast_slice(self.lane_speeds.as_slice()),
-            lane_links: (self.lane_links.as_slice()),
             points: bytemuck::cast_slice(self.points.as_slice()),
             junctions: bytemuck::cast_slice(self.junctions.as_slice()),
             connections: bytemuck::cast_slice(self.connections.as_slice()),
@@ -114,6 +131,16 @@ impl Rows {
             grid_rows: bytemuck::cast_slice(self.grid_rows.as_slice()),
             grid_heights: (self.grid_heights.as_slice()),
             grid_transitions: bytemuck::cast_slice(self.grid_transitions.as_slice()),
+            graph: bytemuck::cast_slice(self.graph.as_slice()),
+            lane_nodes: bytemuck::cast_slice(self.lane_nodes.as_slice()),
+            successor_offsets: (self.successor_offsets.as_slice()),
+            successors: (self.successors.as_slice()),
+            edges: bytemuck::cast_slice(self.edges.as_slice()),
+            predecessor_offsets: (self.predecessor_offsets.as_slice()),
+            predecessors: (self.predecessors.as_slice()),
+            conflicts: bytemuck::cast_slice(self.conflicts.as_slice()),
+            landmark_lengths: (self.landmark_lengths.as_slice()),
+            landmark_times: (self.landmark_times.as_slice()),
             quarantined: bytemuck::cast_slice(self.quarantined.as_slice()),
         }
     }
@@ -145,8 +172,6 @@ pub struct Tables<'a> {
     pub lanes: &'a [ArchivedLaneRow],
     /// lane/speed records.
     pub lane_speeds: &'a [ArchivedLaneSpeedRow],
-    /// Targets of the lanes' `successors` and `predecessors` (compressed sparse rows).
-    pub lane_links: &'a [u32],
     /// Points of polylines, relative to the origin of the lane that owns them.
     pub points: &'a [ArchivedPointRow],
     /// One row per junction, in file order. The row number is the JunctionId.
@@ -183,6 +208,26 @@ pub struct Tables<'a> {
     pub grid_heights: &'a [f64],
     /// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
     pub grid_transitions: &'a [ArchivedGridTransitionRow],
+    /// Exactly one row: what concerns the whole lane graph.
+    pub graph: &'a [ArchivedGraphRow],
+    /// Nodes of the lane graph: a lane, or a piece of one, travelled in one direction. Lane by lane.
+    pub lane_nodes: &'a [ArchivedLaneNodeRow],
+    /// First edge of each node in `successors`; one more entry than nodes.
+    pub successor_offsets: &'a [u32],
+    /// Nodes entered from each node, in order of road id, section, lane (compressed sparse rows).
+    pub successors: &'a [u32],
+    /// What is known of each entry of `successors`: where the file says so. Length, time and access are those of the node that is left.
+    pub edges: &'a [ArchivedEdgeRow],
+    /// First entry of each node in `predecessors`; one more entry than nodes.
+    pub predecessor_offsets: &'a [u32],
+    /// Nodes from which each node is entered: `successors` turned round.
+    pub predecessors: &'a [u32],
+    /// Lanes of one junction whose areas meet, by `lane`; each pair stands twice, once from either side.
+    pub conflicts: &'a [ArchivedConflictRow],
+    /// Per group: distances from each landmark, then to each, in `length_step`, rounded down; 65535 where there is no way.
+    pub landmark_lengths: &'a [u16],
+    /// As `landmark_lengths`, in `time_step`.
+    pub landmark_times: &'a [u16],
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: &'a [ArchivedQuarantinedRow],
 }
@@ -202,7 +247,6 @@ impl<'a> Tables<'a> {
             sections: root.sections.view(body, "sections")?,
             lanes: root.lanes.view(body, "lanes")?,
             lane_speeds: root.lane_speeds.view(body, "lane_speeds")?,
-            lane_links: root.lane_links.view_numbers(body, "lane_links")?,
             points: root.points.view(body, "points")?,
             junctions: root.junctions.view(body, "junctions")?,
             connections: root.connections.view(body, "connections")?,
@@ -223,12 +267,24 @@ impl<'a> Tables<'a> {
             grid_rows: root.grid_rows.view(body, "grid_rows")?,
             grid_heights: root.grid_heights.view_numbers(body, "grid_heights")?,
             grid_transitions: root.grid_transitions.view(body, "grid_transitions")?,
+            graph: root.graph.view(body, "graph")?,
+            lane_nodes: root.lane_nodes.view(body, "lane_nodes")?,
+            successor_offsets: root.successor_offsets.view_numbers(body, "successor_offsets")?,
+            successors: root.successors.view_numbers(body, "successors")?,
+            edges: root.edges.view(body, "edges")?,
+            predecessor_offsets: root
+                .predecessor_offsets
+                .view_numbers(body, "predecessor_offsets")?,
+            predecessors: root.predecessors.view_numbers(body, "predecessors")?,
+            conflicts: root.conflicts.view(body, "conflicts")?,
+            landmark_lengths: root.landmark_lengths.view_numbers(body, "landmark_lengths")?,
+            landmark_times: root.landmark_times.view_numbers(body, "landmark_times")?,
             quarantined: root.quarantined.view(body, "quarantined")?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 31] {
+    pub fn infos(&self) -> [TableInfo; 40] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -241,7 +297,6 @@ impl<'a> Tables<'a> {
             TableInfo::of("sections", self.sections),
             TableInfo::of("lanes", self.lanes),
             TableInfo::of("lane_speeds", self.lane_speeds),
-            TableInfo::of("lane_links", self.lane_links),
             TableInfo::of("points", self.points),
             TableInfo::of("junctions", self.junctions),
             TableInfo::of("connections", self.connections),
@@ -260,6 +315,16 @@ impl<'a> Tables<'a> {
             TableInfo::of("grid_rows", self.grid_rows),
             TableInfo::of("grid_heights", self.grid_heights),
             TableInfo::of("grid_transitions", self.grid_transitions),
+            TableInfo::of("graph", self.graph),
+            TableInfo::of("lane_nodes", self.lane_nodes),
+            TableInfo::of("successor_offsets", self.successor_offsets),
+            TableInfo::of("successors", self.successors),
+            TableInfo::of("edges", self.edges),
+            TableInfo::of("predecessor_offsets", self.predecessor_offsets),
+            TableInfo::of("predecessors", self.predecessors),
+            TableInfo::of("conflicts", self.conflicts),
+            TableInfo::of("landmark_lengths", self.landmark_lengths),
+            TableInfo::of("landmark_times", self.landmark_times),
             TableInfo::of("quarantined", self.quarantined),
         ]
     }
@@ -356,8 +421,7 @@ impl<'a> Tables<'a> {
             check.reference("section", row.section(), self.sections.len(), false)?;
             check.range("widths", row.widths(), self.cubics.len())?;
             check.range("speeds", row.speeds(), self.lane_speeds.len())?;
-            check.range("successors", row.successors(), self.lane_links.len())?;
-            check.range("predecessors", row.predecessors(), self.lane_links.len())?;
+            check.range("nodes", row.nodes(), self.lane_nodes.len())?;
             check.range("center", row.center(), self.points.len())?;
             check.range("border", row.border(), self.points.len())?;
         }
@@ -365,10 +429,6 @@ impl<'a> Tables<'a> {
             let check = Check { table: "lane_speeds", row: i };
             check.finite("s", row.s())?;
             check.finite("max", row.max())?;
-        }
-        for (i, row) in self.lane_links.iter().enumerate() {
-            let check = Check { table: "lane_links", row: i };
-            check.reference("", *row, self.lanes.len(), false)?;
         }
         for (i, row) in self.points.iter().enumerate() {
             let check = Check { table: "points", row: i };
@@ -506,6 +566,42 @@ impl<'a> Tables<'a> {
             check.finite("end_y", row.end_y())?;
             check.finite("length", row.length())?;
         }
+        for (i, row) in self.graph.iter().enumerate() {
+            let check = Check { table: "graph", row: i };
+            check.finite("length_step", row.length_step())?;
+            check.finite("time_step", row.time_step())?;
+        }
+        for (i, row) in self.lane_nodes.iter().enumerate() {
+            let check = Check { table: "lane_nodes", row: i };
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+            check.reference("left", row.left(), self.lane_nodes.len(), true)?;
+            check.reference("right", row.right(), self.lane_nodes.len(), true)?;
+            check.finite("s_from", f64::from(row.s_from()))?;
+            check.finite("length", f64::from(row.length()))?;
+            check.finite("time", f64::from(row.time()))?;
+        }
+        for (i, row) in self.successors.iter().enumerate() {
+            let check = Check { table: "successors", row: i };
+            check.reference("", *row, self.lane_nodes.len(), false)?;
+        }
+        for (i, row) in self.edges.iter().enumerate() {
+            let check = Check { table: "edges", row: i };
+            check.code("kind", row.kind(), 6)?;
+        }
+        for (i, row) in self.predecessors.iter().enumerate() {
+            let check = Check { table: "predecessors", row: i };
+            check.reference("", *row, self.lane_nodes.len(), false)?;
+        }
+        for (i, row) in self.conflicts.iter().enumerate() {
+            let check = Check { table: "conflicts", row: i };
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+            check.reference("other", row.other(), self.lanes.len(), false)?;
+            check.finite("s_from", f64::from(row.s_from()))?;
+            check.finite("s_to", f64::from(row.s_to()))?;
+            check.finite("other_from", f64::from(row.other_from()))?;
+            check.finite("other_to", f64::from(row.other_to()))?;
+            check.code("kind", row.kind(), 4)?;
+        }
         for (i, row) in self.quarantined.iter().enumerate() {
             let check = Check { table: "quarantined", row: i };
             check.finite("min_x", row.min_x())?;
@@ -531,5 +627,10 @@ const _: () = assert!(size_of::<rend::f64_le>() == size_of::<f64>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::f64_le>() == size_of::<f64>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
+const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());

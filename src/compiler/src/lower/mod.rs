@@ -6,6 +6,7 @@ mod reference_line;
 mod sections;
 mod surface;
 
+use crate::graph::Permissions;
 use crate::options::CompileOptions;
 use crate::quarantine::{QuarantinedPart, Treatment};
 use crate::{finding, origin};
@@ -32,13 +33,22 @@ pub(crate) struct Links {
     pub(crate) road_junctions: Vec<Option<String>>,
     /// Per road: place of its start tag.
     pub(crate) road_spans: Vec<Span>,
-    /// Per lane row: predecessors and successors as written, ranges of `lane_numbers`.
+    /// Per lane row: predecessors and successors as written, ranges of `lane_links`.
     pub(crate) lanes: Vec<[Range; 2]>,
-    pub(crate) lane_numbers: Vec<i32>,
+    pub(crate) lane_links: Vec<WrittenLink>,
     /// Junctions as written.
     pub(crate) junctions: Vec<Junction>,
     /// Joints of junctions with an elevation grid.
     pub(crate) joints: Vec<Joint>,
+}
+
+/// A lane's link as written.
+#[derive(Clone, Copy)]
+pub(crate) struct WrittenLink {
+    /// Number of the linked lane.
+    pub(crate) number: i32,
+    /// The element's start tag.
+    pub(crate) span: Span,
 }
 
 /// The rows of what has been read so far.
@@ -47,6 +57,7 @@ pub(crate) struct Lowering {
     pub(crate) rows: Rows,
     pub(crate) strings: StringTable,
     pub(crate) links: Links,
+    pub(crate) permissions: Permissions,
     map: Option<MapRow>,
 }
 

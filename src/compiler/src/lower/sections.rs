@@ -1,7 +1,7 @@
 //! Lane sections and lanes.
 
 use super::need::Part;
-use super::{Lowering, between, speed};
+use super::{Lowering, WrittenLink, between, speed};
 use mapd_archive::{LaneRow, LaneSpeedRow, LaneType, Range, SectionRow, lane_flags};
 use mapd_xodr::{
     self as xodr, Finding, LaneDirection, Road, Severity, Span, TrafficRule, Value as _,
@@ -23,6 +23,8 @@ struct AnyLane<'a> {
     speed: &'a [xodr::LaneSpeed],
     height: &'a [xodr::LaneHeight],
     material: &'a [xodr::LaneMaterial],
+    road_mark: &'a [xodr::RoadMark],
+    access: &'a [xodr::LaneAccess],
     span: Span,
 }
 
@@ -61,6 +63,8 @@ fn lanes_of<'a>(
             speed: &lane.speed,
             height: &lane.height,
             material: &lane.material,
+            road_mark: &lane.road_mark,
+            access: &lane.access,
             span: lane.span,
         }));
     }
@@ -76,6 +80,8 @@ fn lanes_of<'a>(
             speed: &lane.speed,
             height: &lane.height,
             material: &lane.material,
+            road_mark: &lane.road_mark,
+            access: &lane.access,
             span: lane.span,
         }));
     }
@@ -265,10 +271,13 @@ impl Lowering {
             (kind == LaneType::Bidirectional, lane_flags::BOTH),
         ];
         flags |= set.iter().filter(|(on, _)| *on).fold(0, |all, (_, flag)| all | flag);
-        let mut numbers = |linked: &[xodr::LinkedLane]| -> Vec<i32> {
+        self.permissions.lane(self.rows.lanes.len() as u32, kind, lane.road_mark, lane.access);
+        let mut numbers = |linked: &[xodr::LinkedLane]| -> Vec<WrittenLink> {
             let number = |link: &xodr::LinkedLane| {
+                let span = link.span;
                 let path = (road, "lanes/laneSection/lane/link");
-                Part { span: link.span, path, findings }.need(link.id.value(), "id")
+                let number = Part { span, path, findings }.need(link.id.value(), "id")?;
+                Some(WrittenLink { number, span })
             };
             linked.iter().filter_map(number).collect()
         };
@@ -276,11 +285,12 @@ impl Lowering {
             [numbers(&link.predecessor), numbers(&link.successor)]
         });
         // Where the other side alone begins a section, the lane goes on as itself.
+        let itself = WrittenLink { number: lane.id, span: lane.span };
         if lane.id != 0 && side.continues > 0 {
-            before = vec![lane.id];
+            before = vec![itself];
         }
         if lane.id != 0 && side.goes_on {
-            behind = vec![lane.id];
+            behind = vec![itself];
         }
         let links = [before.as_slice(), behind.as_slice()];
         let continues = if lane.id == 0 { 0 } else { side.continues };
@@ -292,12 +302,12 @@ impl Lowering {
         section: u32,
         (number, kind, flags, continues): (i32, u8, u8, u16),
         [widths, speeds]: [Range; 2],
-        links: [&[i32]; 2],
+        links: [&[WrittenLink]; 2],
     ) {
         let ranges = links.map(|numbers| {
-            let before = self.links.lane_numbers.len();
-            self.links.lane_numbers.extend_from_slice(numbers);
-            between(before, self.links.lane_numbers.len())
+            let before = self.links.lane_links.len();
+            self.links.lane_links.extend_from_slice(numbers);
+            between(before, self.links.lane_links.len())
         });
         self.links.lanes.push(ranges);
         self.rows.lanes.push(LaneRow {
@@ -307,8 +317,7 @@ impl Lowering {
             section,
             widths,
             speeds,
-            successors: Range::default(),
-            predecessors: Range::default(),
+            nodes: Range::default(),
             center: Range::default(),
             border: Range::default(),
             number,

@@ -53,6 +53,10 @@ pub(crate) struct ReadArgs {
     #[arg(long, value_name = "BYTES", default_value_t = SourceLimits::default().decoded_bytes)]
     max_bytes: u64,
 
+    /// Largest road, junction or other top-level element, with 256 bytes for each element within [bytes]
+    #[arg(long, value_name = "BYTES", default_value_t = Limits::default().item_bytes)]
+    max_road_bytes: usize,
+
     /// Findings of one kind about one type of element that are told one by one; more are counted
     #[arg(long, value_name = "N", default_value_t = Limits::default().findings_of_a_kind)]
     max_findings: u32,
@@ -73,6 +77,7 @@ impl ReadArgs {
             tag_bytes: self.max_attribute_length,
             text_bytes: self.max_text_length,
             attributes: self.max_attributes,
+            item_bytes: self.max_road_bytes,
             findings_of_a_kind: self.max_findings,
             source,
             ..Limits::default()

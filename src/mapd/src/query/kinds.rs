@@ -1,5 +1,6 @@
 //! The kinds of queries and their columns.
 
+use super::route::Router;
 use super::row::Row;
 use clap::ValueEnum;
 use mapd_client::{Lane, Map, NearestOptions, Point, QueryError, Road, Track};
@@ -23,6 +24,8 @@ pub enum Kind {
     Track,
     /// `road_id,s,lane_id` → successors in driving direction
     Successors,
+    /// `from_road,from_s,from_lane,to_road,to_s,to_lane` → length,lane_changes,lanes
+    Route,
 }
 
 impl Kind {
@@ -34,6 +37,7 @@ impl Kind {
             Self::Nearest => "nearest",
             Self::Track => "track",
             Self::Successors => "successors",
+            Self::Route => "route",
         }
     }
 
@@ -44,6 +48,7 @@ impl Kind {
             Self::Lane | Self::Successors => &["road_id", "s", "lane_id"],
             Self::Nearest => &["x", "y"],
             Self::Track => &["road_id", "x", "y"],
+            Self::Route => &["from_road", "from_s", "from_lane", "to_road", "to_s", "to_lane"],
         }
     }
 
@@ -56,6 +61,7 @@ impl Kind {
             Self::Nearest => &["lane", "road_id", "lane_id", "s", "t", "offset", "distance"],
             Self::Track => &["s", "t", "h"],
             Self::Successors => &["successors"],
+            Self::Route => &["length", "lane_changes", "lanes"],
         }
     }
 
@@ -64,6 +70,7 @@ impl Kind {
         self,
         map: Map<'_>,
         options: &NearestOptions,
+        router: &mut Router<'_>,
         row: &Row<'_>,
         out: &mut Vec<String>,
     ) -> Result<(), String> {
@@ -110,6 +117,7 @@ impl Kind {
                 successors(map, &lane, &mut keys).map_err(text)?;
                 out.push(keys.join(";"));
             }
+            Self::Route => router.answer(map, row, out)?,
         }
         Ok(())
     }
@@ -163,11 +171,11 @@ fn successors(map: Map<'_>, lane: &Lane<'_>, keys: &mut Vec<String>) -> Result<(
     Ok(())
 }
 
-fn text(error: QueryError) -> String {
+pub(super) fn text(error: QueryError) -> String {
     error.to_string()
 }
 
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     // Debug is the shortest form that reads back as the same number, with an exponent where that is shorter.
     format!("{value:?}")
 }
@@ -181,13 +189,21 @@ fn point(row: &Row<'_>) -> Result<Point, String> {
 }
 
 fn road<'a>(map: Map<'a>, row: &Row<'_>) -> Result<Road<'a>, String> {
-    let id = row.text("road_id")?;
+    road_in(map, row, "road_id")
+}
+
+fn road_in<'a>(map: Map<'a>, row: &Row<'_>, column: &str) -> Result<Road<'a>, String> {
+    let id = row.text(column)?;
     map.road_by_id(id).ok_or_else(|| format!("the map has no road {id:?}"))
 }
 
-/// s within the road, give or take rounding.
 fn s_on(road: &Road<'_>, row: &Row<'_>) -> Result<f64, String> {
-    let s = row.number("s")?;
+    s_in(road, row, "s")
+}
+
+/// s within the road, give or take rounding.
+fn s_in(road: &Road<'_>, row: &Row<'_>, column: &str) -> Result<f64, String> {
+    let s = row.number(column)?;
     let length = road.length();
     if s < -S_TOLERANCE || s > length + S_TOLERANCE {
         return Err(format!("s must lie between 0 and the road's length {length:?}, found {s:?}"));
@@ -197,9 +213,18 @@ fn s_on(road: &Road<'_>, row: &Row<'_>) -> Result<f64, String> {
 
 /// The lane with a number at s.
 fn lane<'a>(map: Map<'a>, row: &Row<'_>) -> Result<(Lane<'a>, f64), String> {
-    let road = road(map, row)?;
-    let s = s_on(&road, row)?;
-    let number = row.lane_number()?;
+    lane_in(map, row, ("road_id", "s", "lane_id"))
+}
+
+/// As [`lane`], from columns of these names for road, s and lane number.
+pub(super) fn lane_in<'a>(
+    map: Map<'a>,
+    row: &Row<'_>,
+    (road, s, lane): (&str, &str, &str),
+) -> Result<(Lane<'a>, f64), String> {
+    let road = road_in(map, row, road)?;
+    let s = s_in(&road, row, s)?;
+    let number = row.lane_number(lane)?;
     let section =
         road.section_at(s).ok_or_else(|| format!("road {:?} has no lane section", road.id()))?;
     let lane = section

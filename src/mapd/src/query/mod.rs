@@ -4,11 +4,13 @@
 //! the answer's columns and `error`, which is empty where the row has an answer. Numbers are in shortest round-trip form.
 
 mod kinds;
+mod route;
 mod row;
 
 pub use kinds::Kind;
 use mapd_client::Map;
 use mapd_query::NearestOptions;
+pub use route::{RouteArgs, RouteBy};
 use row::Row;
 use std::io::{Read, Write};
 use thiserror::Error;
@@ -43,7 +45,7 @@ pub enum QueryRunError {
 pub fn run(
     map: Map<'_>,
     kind: Kind,
-    options: &NearestOptions,
+    (options, route): (&NearestOptions, &RouteArgs),
     input: impl Read,
     output: impl Write,
 ) -> Result<(), QueryRunError> {
@@ -72,9 +74,11 @@ pub fn run(
     writer.write_record(head)?;
     let mut record = csv::StringRecord::new();
     let mut answer = Vec::new();
+    let mut router = route::Router::new(route);
     while reader.read_record(&mut record)? {
         answer.clear();
-        let error = kind.answer(map, options, &Row::new(&headers, &record), &mut answer).err();
+        let error =
+            kind.answer(map, options, &mut router, &Row::new(&headers, &record), &mut answer).err();
         if error.is_some() {
             answer.clear();
         }

@@ -41,10 +41,10 @@ impl<'a> Row<'a> {
     }
 
     /// A lane number.
-    pub(crate) fn lane_number(&self) -> Result<i32, String> {
-        let text = self.text("lane_id")?;
+    pub(crate) fn lane_number(&self, name: &str) -> Result<i32, String> {
+        let text = self.text(name)?;
         text.trim()
             .parse()
-            .map_err(|_| format!("expected a lane number in column lane_id, found {text:?}"))
+            .map_err(|_| format!("expected a lane number in column {name}, found {text:?}"))
     }
 }

@@ -105,10 +105,10 @@ pub struct Lane {
     pub road_mark: Vec<RoadMark>,
     /// `material`: Surface of a lane.
     pub material: Vec<LaneMaterial>,
-    /// `speed`: Speed limit of a lane.
-    pub speed: Vec<LaneSpeed>,
     /// `visibility`: How far one sees from a lane. Until 1.5.
     pub visibility: Vec<LaneVisibility>,
+    /// `speed`: Speed limit of a lane.
+    pub speed: Vec<LaneSpeed>,
     /// `access`: Who may use a lane.
     pub access: Vec<LaneAccess>,
     /// `height`: Height of a lane above the road surface.
@@ -316,10 +316,10 @@ pub struct CenterLane {
     pub link: Option<Box<LaneLink>>,
     /// `border`: Outer border of a lane, a cubic of the distance from sOffset. 1.6 to 1.7.
     pub border: Vec<LaneBorder>,
-    /// `roadMark`: Mark on the outer border of a lane.
-    pub road_mark: Vec<RoadMark>,
     /// `width`: Width of a lane, a cubic of the distance from sOffset. 1.6 to 1.7.
     pub width: Vec<LaneWidth>,
+    /// `roadMark`: Mark on the outer border of a lane.
+    pub road_mark: Vec<RoadMark>,
     /// `material`: Surface of a lane. 1.6 to 1.7.
     pub material: Vec<LaneMaterial>,
     /// `speed`: Speed limit of a lane. 1.6 to 1.7.

@@ -118,7 +118,7 @@ pub struct RoadTypeRecord {
 pub struct RoadSpeed {
     /// The start tag.
     pub span: Span,
-    /// `@max`: Greatest speed allowed. Required since 1.5.
+    /// `@max`: Greatest speed allowed. At least 0. Required since 1.5.
     pub max: Option<Attribute<SpeedLimit>>,
     /// `@unit`: Unit of the value. Required by the text since 1.8.
     pub unit: Option<Attribute<UnitSpeed>>,

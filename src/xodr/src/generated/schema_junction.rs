@@ -75,12 +75,12 @@ pub(crate) static CONNECTION: ElementSchema = ElementSchema::new(
     ],
     &[
         child("laneLink", &JUNCTION_LANE_LINK, 1),
-        child("predecessor", &CONNECTION_END, 5)
+        child("predecessor", &CONNECTION_END, 1)
             .only(from(V1_5))
             .occurs(0, 1, between(V1_5, V1_7))
             .occurs(1, 1, from(V1_8))
             .when(0b1000),
-        child("successor", &CONNECTION_END, 6)
+        child("successor", &CONNECTION_END, 1)
             .only(from(V1_5))
             .occurs(0, 1, between(V1_5, V1_7))
             .occurs(1, 1, from(V1_8))

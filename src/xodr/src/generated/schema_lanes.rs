@@ -80,11 +80,11 @@ pub(crate) static LANE: ElementSchema = ElementSchema::new(
         child("width", &LANE_WIDTH, 3).occurs(1, MANY, between(V1_4, V1_5)).choice(),
         child("roadMark", &ROAD_MARK, 4),
         child("material", &LANE_MATERIAL, 5),
-        child("speed", &LANE_SPEED, 6),
         child("visibility", &LANE_VISIBILITY, 6).only(between(V1_4, V1_5)),
-        child("access", &LANE_ACCESS, 7),
-        child("height", &LANE_HEIGHT, 8),
-        child("rule", &LANE_RULE, 9),
+        child("speed", &LANE_SPEED, 7),
+        child("access", &LANE_ACCESS, 8),
+        child("height", &LANE_HEIGHT, 9),
+        child("rule", &LANE_RULE, 10),
     ],
 )
 .key(7)
@@ -287,8 +287,8 @@ pub(crate) static CENTER_LANE: ElementSchema = ElementSchema::new(
     &[
         child("link", &LANE_LINK, 1).occurs(0, 1, from(V1_4)),
         child("border", &LANE_BORDER, 2).only(between(V1_6, V1_7)).choice(),
-        child("roadMark", &ROAD_MARK, 2),
         child("width", &LANE_WIDTH, 3).only(between(V1_6, V1_7)).choice(),
+        child("roadMark", &ROAD_MARK, 4),
         child("material", &LANE_MATERIAL, 5).only(between(V1_6, V1_7)),
         child("speed", &LANE_SPEED, 6).only(between(V1_6, V1_7)),
         child("access", &LANE_ACCESS, 7).only(between(V1_6, V1_7)),

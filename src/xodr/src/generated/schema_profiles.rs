@@ -39,8 +39,8 @@ pub(crate) static LATERAL_PROFILE: ElementSchema = ElementSchema::new(
     &[
         child("superelevation", &SUPERELEVATION, 1),
         child("crossfall", &CROSSFALL, 2).only(between(V1_4, V1_5)),
-        child("shape", &SHAPE, 2),
-        child("crossSectionSurface", &CROSS_SECTION_SURFACE, 3).only(from(V1_8)).occurs(
+        child("shape", &SHAPE, 3),
+        child("crossSectionSurface", &CROSS_SECTION_SURFACE, 4).only(from(V1_8)).occurs(
             0,
             1,
             from(V1_4),

@@ -106,7 +106,7 @@ pub(crate) static ROAD_TYPE_RECORD: ElementSchema = ElementSchema::new(
 pub(crate) static ROAD_SPEED: ElementSchema = ElementSchema::new(
     "RoadSpeed",
     &[
-        attribute("max", Kind::SpeedLimit).required(from(V1_5)),
+        attribute("max", Kind::SpeedLimit).required(from(V1_5)).range(Range::AtLeast0, from(V1_4)),
         attribute("unit", Kind::Words(&UNIT_SPEED)).by_text(from(V1_8)),
     ],
     &[],

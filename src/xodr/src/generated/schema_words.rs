@@ -41,7 +41,7 @@ pub(crate) static BRIDGE_TYPE: WordList = WordList {
 
 pub(crate) static CONNECTION_TYPE: WordList = WordList {
     name: "e_connection_type",
-    words: &[word("default").only(from(V1_7)), word("virtual").only(from(V1_7))],
+    words: &[word("default").only(from(V1_5)), word("virtual").only(from(V1_5))],
 };
 
 pub(crate) static CONTACT_POINT: WordList =
@@ -486,16 +486,16 @@ pub(crate) static TUNNEL_TYPE: WordList =
 pub(crate) static UNIT: WordList = WordList {
     name: "e_unit",
     words: &[
-        word("m").only(from(V1_5)),
-        word("km").only(from(V1_5)),
-        word("ft").only(from(V1_5)),
-        word("mile").only(from(V1_5)),
-        word("m/s").only(from(V1_5)),
-        word("mph").only(from(V1_5)),
-        word("km/h").only(from(V1_5)),
-        word("kg").only(from(V1_5)),
-        word("t").only(from(V1_5)),
-        word("%").only(from(V1_5)),
+        word("m"),
+        word("km"),
+        word("ft"),
+        word("mile"),
+        word("m/s"),
+        word("mph"),
+        word("km/h"),
+        word("kg"),
+        word("t"),
+        word("%"),
     ],
 };
 

@@ -2,7 +2,7 @@
 //! `]]>`, the declaration, the document type, one root with nothing around it. Characters are looked at by the
 //! [`source`](crate::source).
 //!
-//! Pure functions of pieces of markup, which add to [`Faults`]; [`Structure`] follows the order of the pieces; [`scan`] puts
+//! Pure functions of pieces of markup, which add to [`Faults`]; [`Structure`] follows the order of the pieces; [`scan()`] puts
 //! all of it together. libxml2 is the judge: `tests/differential/well_formed.py` compares the two on mutated documents.
 //!
 //! Deliberately absent: namespaces (an unbound prefix is no matter of well-formedness) and everything in a document type,

@@ -1,0 +1,193 @@
+//! Edges at places inside a road, where roads of virtual junctions attach (OpenDRIVE 1.8.1, 12.7).
+//!
+//! The main road is not cut in the file. A connecting road names it with `elementS` and `elementDir`; `+` says that +s of
+//! both roads run on into each other.
+
+use super::cuts::Cuts;
+use super::findings::{Problem, Problems};
+use super::nodes::{first_node, pieces};
+use super::walk::{connection_written, lane_of, written_links};
+use crate::lower::Lowering;
+use mapd_archive::{ContactPoint, LinkKind, node_flags};
+use mapd_xodr::{ElementDir, LinkedElement, Span, Value as _};
+
+/// Edges over places inside a road, by the node that is left.
+#[derive(Default)]
+pub(crate) struct Attachments {
+    edges: Vec<(u32, u32, Span)>,
+}
+
+/// A place inside a road, travelled through in one direction.
+#[derive(Clone, Copy)]
+struct Place {
+    road: u32,
+    s: f64,
+    forward: bool,
+}
+
+impl Attachments {
+    pub(crate) fn new(lowering: &Lowering, cuts: &Cuts, problems: &mut Problems) -> Self {
+        let mut edges = Vec::new();
+        for road in 0..lowering.rows.roads.len() as u32 {
+            for successor in [false, true] {
+                out_of_road(lowering, cuts, (road, successor), problems, &mut edges);
+            }
+        }
+        for (junction, row) in lowering.rows.junctions.iter().enumerate() {
+            for connection in row.connections.first..row.connections.end() as u32 {
+                into_road(lowering, cuts, (junction as u32, connection), problems, &mut edges);
+            }
+        }
+        edges.sort_by_key(|(from, ..)| *from);
+        Self { edges }
+    }
+
+    /// Nodes that are entered from a node over a place inside a road.
+    pub(crate) fn leaving(&self, node: u32) -> impl Iterator<Item = (u32, Span)> + '_ {
+        let from = self.edges.partition_point(|(from, ..)| *from < node);
+        let rest = self.edges.get(from..).unwrap_or(&[]).iter();
+        rest.take_while(move |(from, ..)| *from == node).map(|(_, to, span)| (*to, *span))
+    }
+}
+
+/// A road's link at one end, if it names a place inside another road.
+fn link_inside(lowering: &Lowering, road: u32, successor: bool) -> Option<(&LinkedElement, Place)> {
+    let row = lowering.rows.roads.get(road as usize)?;
+    let link = lowering.links.roads.get(road as usize)?[usize::from(successor)].as_ref()?;
+    let (kind, target) = if successor {
+        (row.successor_kind, row.successor)
+    } else {
+        (row.predecessor_kind, row.predecessor)
+    };
+    let s = link.element_s.value().filter(|_| LinkKind::from_code(kind) == LinkKind::Road)?;
+    let aligned = link.element_dir.value() != Some(ElementDir::Minus);
+    Some((link, Place { road: target, s, forward: aligned }))
+}
+
+/// Edges that leave a road over a link into the middle of another.
+fn out_of_road(
+    lowering: &Lowering,
+    cuts: &Cuts,
+    (road, successor): (u32, bool),
+    problems: &mut Problems,
+    edges: &mut Vec<(u32, u32, Span)>,
+) {
+    let Some((_, mut place)) = link_inside(lowering, road, successor) else { return };
+    // Who leaves over the predecessor travels against +s of both.
+    place.forward = place.forward == successor;
+    let rows = &lowering.rows;
+    let Some(row) = rows.roads.get(road as usize) else { return };
+    let at_end =
+        if successor { row.sections.end().saturating_sub(1) } else { row.sections.first.into() };
+    let Some(section) = rows.sections.get(at_end as usize) else { return };
+    for lane in section.lanes.first..section.lanes.end() as u32 {
+        let Some(leaving) = rows.lanes.get(lane as usize) else { continue };
+        let Some(first) = first_node(leaving, successor) else { continue };
+        let from = first + pieces(leaving) - 1;
+        for link in written_links(lowering, lane, successor) {
+            match node_at(lowering, cuts, place, link.number, true) {
+                Ok(to) => edges.push((from, to, link.span)),
+                Err(missing) => problems.add(missing.problem(from, link.number, link.span)),
+            }
+        }
+    }
+}
+
+/// Edges from the middle of an incoming road into a connecting road.
+fn into_road(
+    lowering: &Lowering,
+    cuts: &Cuts,
+    (junction, connection): (u32, u32),
+    problems: &mut Problems,
+    edges: &mut Vec<(u32, u32, Span)>,
+) {
+    let rows = &lowering.rows;
+    let Some(row) = rows.connections.get(connection as usize) else { return };
+    let start = match ContactPoint::from_code(row.contact) {
+        ContactPoint::Start => true,
+        ContactPoint::End => false,
+        _ => return,
+    };
+    let Some((_, mut place)) = link_inside(lowering, row.connecting_road, !start) else { return };
+    if place.road != row.incoming_road {
+        return;
+    }
+    place.forward = place.forward == start;
+    let Some(road) = rows.roads.get(row.connecting_road as usize) else { return };
+    let section = if start { road.sections.first } else { road.sections.end() as u32 - 1 };
+    let Some(written) = connection_written(lowering, junction, connection) else { return };
+    for link in &written.lane_link {
+        let (Some(number), Some(entered)) = (link.from.value(), link.to.value()) else { continue };
+        let from = match node_at(lowering, cuts, place, number, false) {
+            Ok(from) => from,
+            // Lanes of the main road that travel the other way have nothing to do with this place.
+            Err(Missing::Direction(_)) => continue,
+            Err(missing) => {
+                problems.add(missing.problem(u32::MAX, number, link.span));
+                continue;
+            }
+        };
+        let lane = lane_of(lowering, section, entered);
+        let Some(lane) = lane else {
+            problems.add(Problem::MissingLane { from, section, number: entered, span: link.span });
+            continue;
+        };
+        match rows.lanes.get(lane as usize).and_then(|row| first_node(row, start)) {
+            Some(to) => edges.push((from, to, link.span)),
+            None => problems.add(Problem::Direction { from, lane, span: link.span }),
+        }
+    }
+}
+
+/// Why there is no node at a place.
+enum Missing {
+    /// No section has a lane of that number there.
+    Lane(u32),
+    /// The lane travels the other way.
+    Direction(u32),
+}
+
+impl Missing {
+    fn problem(self, from: u32, number: i32, span: Span) -> Problem {
+        match self {
+            Self::Lane(section) => Problem::MissingLane { from, section, number, span },
+            Self::Direction(lane) => Problem::Direction { from, lane, span },
+        }
+    }
+}
+
+/// The node of a lane that begins (`entering`) or ends at a place, in its direction of travel.
+fn node_at(
+    lowering: &Lowering,
+    cuts: &Cuts,
+    place: Place,
+    number: i32,
+    entering: bool,
+) -> Result<u32, Missing> {
+    let rows = &lowering.rows;
+    let range = rows.roads.get(place.road as usize).map(|road| road.sections).unwrap_or_default();
+    let sections = range.of(&rows.sections);
+    // The piece lies beyond the place towards +s just if one enters towards +s or leaves towards −s.
+    let beyond = place.forward == entering;
+    let after = sections.partition_point(|section| {
+        if beyond { section.s_start <= place.s } else { section.s_start < place.s }
+    });
+    let at = range.first + after.saturating_sub(1) as u32;
+    let lane = lane_of(lowering, at, number).ok_or(Missing::Lane(at))?;
+    let row = rows.lanes.get(lane as usize).ok_or(Missing::Lane(at))?;
+    let first = first_node(row, place.forward).ok_or(Missing::Direction(lane))?;
+    let offset = rows.sections.get(at as usize).map_or(0.0, |section| place.s - section.s_start);
+    let offsets = cuts.of(at);
+    // The cut nearest to the place; too near to an end there is none, and the whole of the next piece stands in.
+    let before =
+        offsets.partition_point(|cut| f64::from(*cut) < offset - super::cuts::SHORTEST_PIECE);
+    let through =
+        offsets.partition_point(|cut| f64::from(*cut) <= offset + super::cuts::SHORTEST_PIECE);
+    let piece = if beyond { through } else { before };
+    let in_order = if place.forward { piece } else { offsets.len() - piece };
+    let node = first + in_order as u32;
+    debug_assert!(rows.lane_nodes.get(node as usize).is_some_and(|n| {
+        n.lane == lane && (n.flags & node_flags::FORWARD != 0) == place.forward
+    }));
+    Ok(node)
+}

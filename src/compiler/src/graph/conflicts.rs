@@ -1,0 +1,216 @@
+//! Lanes of different roads whose areas meet within a junction: they cross, merge or overlap.
+//!
+//! Each lane is cut into short cells, quadrangles between its edges. Where cells of two lanes share more than a strip, the
+//! lanes conflict; the interval on each reaches from the first to the last such cell. So intervals are too long by
+//! at most a cell at either end, and never too short by more than what the chords cut off. Ways that only part from each
+//! other are no conflict: who follows one has left the other.
+
+use super::zones::{Stretch, Zone};
+use crate::lanes::view;
+use glam::DVec2;
+use mapd_archive::{ConflictKind, ConflictRow, Rows};
+use mapd_query::{Lane, LaneId, Map, Track};
+use rayon::prelude::*;
+
+/// Longest cell `[m]`.
+const CELL: f64 = 0.5;
+/// Areas that share a strip of at most this width `[m]` only touch: lanes side by side share their border.
+const STRIP: f64 = 0.05;
+/// Lanes whose heights differ by more than this `[m]` pass over each other: the least clearance of bridges is above it.
+const CLEARANCE: f64 = 2.0;
+
+/// Both ends of a common area on one lane, from its section's start.
+type Interval = (f32, f32);
+
+/// A quadrangle of a lane's area.
+struct Cell {
+    corners: [DVec2; 4],
+    low: DVec2,
+    high: DVec2,
+    z: f64,
+    /// From the section's start.
+    s_from: f32,
+    s_to: f32,
+}
+
+/// A lane in a zone.
+struct Candidate {
+    row: u32,
+    road: u32,
+    cells: Vec<Cell>,
+    low: DVec2,
+    high: DVec2,
+    entered_from: Vec<LaneId>,
+    leads_to: Vec<LaneId>,
+}
+
+/// Fills `conflicts`.
+pub(crate) fn build(rows: &mut Rows, zones: &[Zone]) {
+    let mut found: Vec<ConflictRow> = {
+        let archive = view(rows);
+        let map = Map::new(&archive, 0);
+        let rows = &*rows;
+        let of_zones: Vec<Vec<ConflictRow>> =
+            zones.par_iter().map(|zone| of_zone(rows, map, zone)).collect();
+        of_zones.into_iter().flatten().collect()
+    };
+    // Of a pair that meets in two zones the first place counts.
+    found.sort_by_key(|row| (row.lane, row.other, row.s_from.to_bits(), row.kind));
+    found.dedup_by_key(|row| (row.lane, row.other));
+    rows.conflicts = found.into();
+}
+
+fn of_zone(rows: &Rows, map: Map<'_>, zone: &Zone) -> Vec<ConflictRow> {
+    let lanes_of = |stretch: &Stretch| {
+        let sections = rows.roads.get(stretch.road as usize).map(|road| road.sections);
+        let sections = sections.unwrap_or_default().of(&rows.sections).iter();
+        sections.flat_map(|section| section.lanes.first..section.lanes.end() as u32)
+    };
+    let candidates: Vec<Candidate> = zone
+        .stretches
+        .iter()
+        .flat_map(|stretch| lanes_of(stretch).map(move |lane| (stretch, lane)))
+        .filter_map(|(stretch, lane)| candidate(&map.lane_by_row(lane)?, *stretch))
+        .collect();
+    let mut out = Vec::new();
+    for (i, a) in candidates.iter().enumerate() {
+        for b in candidates.get(i + 1..).unwrap_or(&[]).iter().filter(|b| b.road != a.road) {
+            if let Some((kind, own, other)) = meet(a, b, zone.crossing) {
+                let row =
+                    |a: &Candidate, b: &Candidate, own: Interval, other: Interval| ConflictRow {
+                        lane: a.row,
+                        other: b.row,
+                        s_from: own.0,
+                        s_to: own.1,
+                        other_from: other.0,
+                        other_to: other.1,
+                        kind: kind.code(),
+                        reserved: [0; 3],
+                    };
+                out.push(row(a, b, own, other));
+                out.push(row(b, a, other, own));
+            }
+        }
+    }
+    out
+}
+
+/// A lane that somebody travels, as far as it lies in a stretch.
+fn candidate(lane: &Lane<'_>, Stretch { road, s_from, s_to }: Stretch) -> Option<Candidate> {
+    if !lane.nodes().any(|node| node.is_open()) {
+        return None;
+    }
+    let section = lane.section();
+    let (from, to) = (section.s_start().max(s_from), section.s_end().min(s_to));
+    if from >= to {
+        return None;
+    }
+    let count = ((to - from) / CELL).ceil().max(1.0) as usize;
+    let ends: Vec<(f64, [DVec2; 2], f64)> = (0..=count)
+        .filter_map(|i| end(lane, from + (to - from) * i as f64 / count as f64))
+        .collect();
+    let cells: Vec<Cell> = ends
+        .windows(2)
+        .map(|pair| {
+            let corners = [pair[0].1[0], pair[0].1[1], pair[1].1[1], pair[1].1[0]];
+            let low = corners.into_iter().fold(DVec2::INFINITY, DVec2::min);
+            let high = corners.into_iter().fold(DVec2::NEG_INFINITY, DVec2::max);
+            let offset = |s: f64| (s - section.s_start()) as f32;
+            let (s_from, s_to) = (offset(pair[0].0), offset(pair[1].0));
+            Cell { corners, low, high, z: 0.5 * (pair[0].2 + pair[1].2), s_from, s_to }
+        })
+        .collect();
+    Some(Candidate {
+        row: lane.lane_id().row(),
+        road,
+        low: cells.iter().fold(DVec2::INFINITY, |low, cell| low.min(cell.low)),
+        high: cells.iter().fold(DVec2::NEG_INFINITY, |high, cell| high.max(cell.high)),
+        cells,
+        entered_from: lane.predecessors().collect(),
+        leads_to: lane.successors().collect(),
+    })
+}
+
+/// s, both edges and the height of a cross-section.
+fn end(lane: &Lane<'_>, s: f64) -> Option<(f64, [DVec2; 2], f64)> {
+    let edges = lane.edges_at(s);
+    let at = |t: f64| lane.road().to_inertial(Track { s, t, h: 0.0 }).ok().map(|p| p.position);
+    let (inner, outer) = (at(edges.inner)?, at(edges.outer)?);
+    Some((s, [inner.truncate(), outer.truncate()], 0.5 * (inner.z + outer.z)))
+}
+
+/// How two lanes meet, and the common interval on each.
+fn meet(
+    a: &Candidate,
+    b: &Candidate,
+    crossing: bool,
+) -> Option<(ConflictKind, Interval, Interval)> {
+    let merge = a.leads_to.iter().any(|lane| b.leads_to.contains(lane));
+    let part = a.entered_from.iter().any(|lane| b.entered_from.contains(lane));
+    let apart = |low: DVec2, high: DVec2, other_low: DVec2, other_high: DVec2| {
+        low.x > other_high.x || high.x < other_low.x || low.y > other_high.y || high.y < other_low.y
+    };
+    if (part && !merge) || apart(a.low, a.high, b.low, b.high) {
+        return None;
+    }
+    let none = (f32::INFINITY, f32::NEG_INFINITY);
+    let (mut own, mut other, mut cross) = (none, none, false);
+    for one in a.cells.iter().filter(|one| !apart(one.low, one.high, b.low, b.high)) {
+        for two in &b.cells {
+            if apart(one.low, one.high, two.low, two.high)
+                || (one.z - two.z).abs() > CLEARANCE
+                || !overlap(&one.corners, &two.corners)
+            {
+                continue;
+            }
+            own = (own.0.min(one.s_from), own.1.max(one.s_to));
+            other = (other.0.min(two.s_from), other.1.max(two.s_to));
+            cross |= centers_cross(one, two);
+        }
+    }
+    if own.0 > own.1 {
+        return None;
+    }
+    let kind = if crossing {
+        ConflictKind::Crossing
+    } else if merge {
+        ConflictKind::Merge
+    } else if cross {
+        ConflictKind::Cross
+    } else {
+        ConflictKind::Overlap
+    };
+    Some((kind, own, other))
+}
+
+/// Whether two convex quadrangles share more than a strip: no edge's normal keeps them apart.
+fn overlap(a: &[DVec2; 4], b: &[DVec2; 4]) -> bool {
+    let range = |corners: &[DVec2; 4], axis: DVec2| {
+        corners
+            .iter()
+            .map(|p| p.dot(axis))
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), d| (low.min(d), high.max(d)))
+    };
+    [a, b].into_iter().all(|corners| {
+        (0..4).all(|i| {
+            let edge = corners[(i + 1) % 4] - corners[i];
+            let length = edge.length();
+            if length < STRIP {
+                return true;
+            }
+            let normal = DVec2::new(-edge.y, edge.x) / length;
+            let (own, other) = (range(a, normal), range(b, normal));
+            own.1.min(other.1) - own.0.max(other.0) > STRIP
+        })
+    })
+}
+
+/// Whether the centre lines of two cells cross.
+fn centers_cross(a: &Cell, b: &Cell) -> bool {
+    let center = |cell: &Cell| {
+        [0.5 * (cell.corners[0] + cell.corners[1]), 0.5 * (cell.corners[2] + cell.corners[3])]
+    };
+    let ([a0, a1], [b0, b1]) = (center(a), center(b));
+    let side = |from: DVec2, to: DVec2, p: DVec2| (to - from).perp_dot(p - from);
+    side(a0, a1, b0) * side(a0, a1, b1) <= 0.0 && side(b0, b1, a0) * side(b0, b1, a1) <= 0.0
+}

@@ -1,0 +1,87 @@
+//! Edges as compressed sparse rows, forward and backward.
+
+use super::walk::Edge;
+use crate::TooLarge;
+use crate::lower::Lowering;
+use mapd_archive::{EdgeRow, NONE, Rows};
+use mapd_xodr::Span;
+use mapd_xodr::source::Places;
+
+/// Stores edges, which come by the node that is left; gives each edge's place in the file. Those of one node are ordered by road id, section and lane of the
+/// node that is entered, so that the order of elements in the file does not show.
+pub(crate) fn store(
+    lowering: &mut Lowering,
+    mut edges: Vec<Edge>,
+    places: &Places,
+) -> Result<Vec<Span>, TooLarge> {
+    if edges.len() >= NONE as usize {
+        return Err(TooLarge("successors"));
+    }
+    let rank = ranks(&lowering.rows);
+    let key = |node: u32| rank.get(node as usize).copied().unwrap_or(NONE);
+    for of_node in edges.chunk_by_mut(|a, b| a.from == b.from) {
+        of_node.sort_by_key(|edge| (key(edge.to), edge.kind.code(), edge.span.start));
+    }
+    // A file may state a link twice.
+    edges.dedup_by_key(|edge| (edge.from, edge.to));
+    let rows = &mut lowering.rows;
+    let nodes = rows.lane_nodes.len();
+    rows.successor_offsets = offsets(nodes, edges.iter().map(|edge| edge.from)).into();
+    rows.successors = edges.iter().map(|edge| edge.to).collect::<Vec<_>>().into();
+    rows.edges = edges.iter().map(|edge| row(edge, places)).collect::<Vec<_>>().into();
+    let mut backward: Vec<(u32, u32)> = edges.iter().map(|edge| (edge.to, edge.from)).collect();
+    backward.sort_unstable_by_key(|(to, from)| (*to, key(*from)));
+    rows.predecessor_offsets = offsets(nodes, backward.iter().map(|(to, _)| *to)).into();
+    rows.graph.push(bytemuck::Zeroable::zeroed());
+    rows.predecessors = backward.iter().map(|(_, from)| *from).collect::<Vec<_>>().into();
+    Ok(edges.iter().map(|edge| edge.span).collect())
+}
+
+fn row(edge: &Edge, places: &Places) -> EdgeRow {
+    let nowhere = edge.span == Span::default();
+    let start = edge.span.start;
+    let position = if nowhere { Default::default() } else { places.place(start).position };
+    EdgeRow {
+        line: position.line,
+        column: position.column,
+        file: Places::file_of(start),
+        kind: edge.kind.code(),
+        flags: 0,
+    }
+}
+
+/// First entry of each node and their number, from ascending nodes.
+fn offsets(nodes: usize, sorted: impl Iterator<Item = u32>) -> Vec<u32> {
+    let mut offsets = vec![0; nodes + 1];
+    for node in sorted {
+        if let Some(count) = offsets.get_mut(node as usize + 1) {
+            *count += 1;
+        }
+    }
+    let mut sum = 0;
+    for offset in &mut offsets {
+        sum += *offset;
+        *offset = sum;
+    }
+    offsets
+}
+
+/// Per node its place in the order of road ids, sections, lanes from left to right, directions and pieces.
+pub(crate) fn ranks(rows: &Rows) -> Vec<u32> {
+    let mut ranks = vec![NONE; rows.lane_nodes.len()];
+    for (place, node) in in_order(rows).enumerate() {
+        if let Some(rank) = ranks.get_mut(node as usize) {
+            *rank = place as u32;
+        }
+    }
+    ranks
+}
+
+/// All nodes in the order of [`ranks`]: it depends on names only, not on the order of elements in the file.
+pub(crate) fn in_order(rows: &Rows) -> impl Iterator<Item = u32> + '_ {
+    let roads = rows.roads_by_id.iter().filter_map(|road| rows.roads.get(*road as usize));
+    roads
+        .flat_map(|road| road.sections.of(&rows.sections))
+        .flat_map(|section| section.lanes.of(&rows.lanes))
+        .flat_map(|lane| lane.nodes.first..lane.nodes.end() as u32)
+}

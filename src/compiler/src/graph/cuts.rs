@@ -1,0 +1,125 @@
+//! Where sections are cut into pieces: wherever who may do what changes, and where virtual junctions attach.
+//!
+//! All lanes of a section are cut at the same places, so that the pieces beside each other are known by their number and
+//! a change of lane is allowed over a whole piece or not at all. Cuts never show in a `LaneKey`.
+
+use crate::lower::{Lowering, between};
+use mapd_archive::{CubicRow, LaneType, Range, VehicleClass, lane_flags};
+use mapd_xodr::{ElementType, Value as _};
+
+/// Shortest piece `[m]`: a cut nearer than this to an end or to another cut is left out. What holds in the middle of a
+/// piece holds for all of it, so a permission is off by at most half of this.
+pub(crate) const SHORTEST_PIECE: f64 = 0.1;
+
+/// Cuts of all sections.
+pub(crate) struct Cuts {
+    /// Per section a range of `offsets`.
+    ranges: Vec<Range>,
+    /// Ascending, from the section's start.
+    offsets: Vec<f32>,
+}
+
+impl Cuts {
+    pub(crate) fn new(lowering: &Lowering) -> Self {
+        let rows = &lowering.rows;
+        let mut cuts =
+            Self { ranges: Vec::with_capacity(rows.sections.len()), offsets: Vec::new() };
+        let attached = attachments(lowering);
+        let mut wanted = Vec::new();
+        for section in rows.sections.iter() {
+            let length = section.s_end - section.s_start;
+            for lane in section.lanes.first..section.lanes.end() as u32 {
+                wanted_by(lowering, lane, &mut wanted);
+            }
+            let from = attached.partition_point(|(road, _)| *road < section.road);
+            let own = attached.get(from..).unwrap_or(&[]);
+            wanted.extend(
+                own.iter()
+                    .take_while(|(road, _)| *road == section.road)
+                    .map(|(_, s)| s - section.s_start),
+            );
+            wanted.sort_by(f64::total_cmp);
+            let before = cuts.offsets.len();
+            let mut last = 0.0;
+            for offset in wanted.drain(..) {
+                if offset - last >= SHORTEST_PIECE && length - offset >= SHORTEST_PIECE {
+                    cuts.offsets.push(offset as f32);
+                    last = offset;
+                }
+            }
+            cuts.ranges.push(between(before, cuts.offsets.len()));
+        }
+        cuts
+    }
+
+    /// Cuts of a section, ascending, from its start.
+    pub(crate) fn of(&self, section: u32) -> &[f32] {
+        self.ranges.get(section as usize).copied().unwrap_or_default().of(&self.offsets)
+    }
+}
+
+/// Places on roads to which roads of virtual junctions are linked: (road row, s), sorted.
+fn attachments(lowering: &Lowering) -> Vec<(u32, f64)> {
+    let mut places = Vec::new();
+    for (row, links) in lowering.rows.roads.iter().zip(&lowering.links.roads) {
+        let ends = [row.predecessor, row.successor];
+        for (link, target) in links.iter().zip(ends) {
+            if let Some(link) = link
+                && let Some(s) = link.element_s.value()
+                && link.element_type.value() != Some(ElementType::Junction)
+            {
+                places.push((target, s));
+            }
+        }
+    }
+    places.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    places
+}
+
+/// Cuts that a lane asks for.
+fn wanted_by(lowering: &Lowering, lane: u32, wanted: &mut Vec<f64>) {
+    let rows = &lowering.rows;
+    let Some(row) = rows.lanes.get(lane as usize) else { return };
+    let permissions = &lowering.permissions;
+    if !usable(lowering, lane) && row.number != 0 {
+        return;
+    }
+    wanted.extend(permissions.accesses(lane).iter().map(|record| record.s));
+    // The mark on the outer border concerns the lane beyond it; that on lane 0 both lanes beside it.
+    let beyond = if row.number > 0 { lane.wrapping_sub(1) } else { lane + 1 };
+    let own = if row.number == 0 { lane.wrapping_sub(1) } else { lane };
+    if usable(lowering, own) && usable(lowering, beyond) && one_way(lowering, own, beyond) {
+        wanted.extend(permissions.mark_breaks(lane));
+    }
+    if row.flags & lane_flags::BORDER == 0
+        && let Some(section) = rows.sections.get(row.section as usize)
+    {
+        let widths = row.widths.of(&rows.cubics);
+        for pair in widths.windows(2).filter(|pair| is_zero(&pair[0]) != is_zero(&pair[1])) {
+            wanted.push(pair[1].s - section.s_start);
+        }
+    }
+}
+
+/// Whether a width record holds no width at all.
+pub(crate) fn is_zero(width: &CubicRow) -> bool {
+    width.a <= 0.0 && width.b == 0.0 && width.c == 0.0 && width.d == 0.0
+}
+
+/// Whether anybody may use a lane anywhere.
+fn usable(lowering: &Lowering, lane: u32) -> bool {
+    let Some(row) = lowering.rows.lanes.get(lane as usize).filter(|row| row.number != 0) else {
+        return false;
+    };
+    VehicleClass::of_lane_type(LaneType::from_code(row.kind)) != 0
+        || !lowering.permissions.accesses(lane).is_empty()
+}
+
+/// Whether two lanes of one section share a direction of travel.
+fn one_way(lowering: &Lowering, a: u32, b: u32) -> bool {
+    let row = |lane: u32| lowering.rows.lanes.get(lane as usize);
+    let (Some(a), Some(b)) = (row(a), row(b)) else { return false };
+    a.section == b.section
+        && ((a.flags | b.flags) & lane_flags::BOTH != 0
+            || (a.flags ^ b.flags) & lane_flags::FORWARD == 0)
+}

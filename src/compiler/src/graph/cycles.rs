@@ -1,0 +1,173 @@
+//! Which cycles a map may have.
+//!
+//! Lawful networks are full of cycles: blocks, roundabouts, ring roads. What no network may have is a cycle within one
+//! junction's connecting roads, and one without any length. `CyclePolicy` says what else counts.
+
+use super::report::Report;
+use crate::options::CyclePolicy;
+use mapd_archive::{EdgeKind, NONE, Rows};
+use mapd_xodr::Severity;
+use std::collections::VecDeque;
+
+/// Cycles of at most this length `[m]` make no progress.
+const LEAST_CYCLE: f64 = 1.0;
+/// Steps of a cycle's path that are named.
+const NAMED_STEPS: usize = 50;
+
+/// Reports cycles by policy.
+pub(crate) fn check(rows: &Rows, policy: CyclePolicy, report: &mut Report<'_>) {
+    let severity = match policy {
+        CyclePolicy::Illegal | CyclePolicy::All => Severity::Error,
+        CyclePolicy::Report => Severity::Warning,
+    };
+    let junction = junctions(rows);
+    let within_junction = |from: usize, to: usize| {
+        let own = junction.get(from).copied().unwrap_or(NONE);
+        own != NONE && junction.get(to) == Some(&own)
+    };
+    cycles(rows, false, within_junction, |path| {
+        let what = "a way through the junction that leaves it";
+        report_path(rows, report, ("mapd:graph.junction_cycle", severity), what, path);
+    });
+    let short = |node: usize| {
+        rows.lane_nodes.get(node).is_some_and(|row| f64::from(row.length) <= LEAST_CYCLE)
+    };
+    cycles(
+        rows,
+        false,
+        |from, to| short(from) && short(to),
+        |path| {
+            let length: f64 = path.iter().map(|edge| edge_length(rows, *edge)).sum();
+            if length <= LEAST_CYCLE {
+                let what = "a loop longer than 1 m";
+                report_path(rows, report, ("mapd:graph.no_progress", severity), what, path);
+            }
+        },
+    );
+    let others = match policy {
+        CyclePolicy::Illegal => return,
+        CyclePolicy::All => Severity::Error,
+        CyclePolicy::Report => Severity::Info,
+    };
+    cycles(
+        rows,
+        true,
+        |_, _| true,
+        |path| {
+            report_path(rows, report, ("mapd:graph.cycle", others), "no loop", path);
+        },
+    );
+}
+
+/// Per node the junction whose connecting road it lies on.
+fn junctions(rows: &Rows) -> Vec<u32> {
+    let of = |lane: u32| {
+        let section = rows.sections.get(rows.lanes.get(lane as usize)?.section as usize)?;
+        Some(rows.roads.get(section.road as usize)?.junction)
+    };
+    rows.lane_nodes.iter().map(|node| of(node.lane).unwrap_or(NONE)).collect()
+}
+
+fn edge_length(rows: &Rows, edge: u32) -> f64 {
+    let from = rows.successor_offsets.partition_point(|first| *first <= edge).saturating_sub(1);
+    rows.lane_nodes.get(from).map_or(0.0, |node| f64::from(node.length))
+}
+
+/// Finds cycles of kept edges, each the shortest (by number of edges) through its first node, none sharing a node with an
+/// earlier one, and hands over their edges; only the first of each component if `once`.
+fn cycles(
+    rows: &Rows,
+    once: bool,
+    keep: impl Fn(usize, usize) -> bool,
+    mut found: impl FnMut(&[u32]),
+) {
+    let order: Vec<u32> = super::csr::in_order(rows).collect();
+    let kept = |from: u32| {
+        let at = |i: usize| rows.successor_offsets.get(i).copied().unwrap_or(0);
+        let keep = &keep;
+        (at(from as usize)..at(from as usize + 1)).filter_map(move |edge| {
+            let to = rows.successors.get(edge as usize).copied()?;
+            keep(from as usize, to as usize).then_some((edge, to))
+        })
+    };
+    let mut seen_component = vec![false; rows.graph.first().map_or(0, |g| g.components) as usize];
+    let mut state = vec![0u32; rows.lane_nodes.len()];
+    let (mut round, mut done) = (0, vec![false; rows.lane_nodes.len()]);
+    let mut parent = vec![NONE; rows.lane_nodes.len()];
+    for root in order {
+        // A cycle of kept edges lies in one component of the whole graph.
+        let component = rows.lane_nodes[root as usize].component as usize;
+        if seen_component[component] || done[root as usize] || kept(root).next().is_none() {
+            continue;
+        }
+        round += 1;
+        let mut queue = VecDeque::from([root]);
+        let mut last = None;
+        'search: while let Some(node) = queue.pop_front() {
+            for (edge, to) in kept(node) {
+                if rows.lane_nodes[to as usize].component as usize != component {
+                    continue;
+                }
+                if to == root {
+                    last = Some((node, edge));
+                    break 'search;
+                }
+                if state[to as usize] != round && !done[to as usize] {
+                    state[to as usize] = round;
+                    parent[to as usize] = edge;
+                    queue.push_back(to);
+                }
+            }
+        }
+        // A node on no cycle need not be looked at again.
+        done[root as usize] = true;
+        let Some((mut node, edge)) = last else { continue };
+        let mut path = vec![edge];
+        while node != root {
+            let edge = parent[node as usize];
+            path.push(edge);
+            let from = rows.successor_offsets.partition_point(|first| *first <= edge);
+            node = from.saturating_sub(1) as u32;
+        }
+        path.reverse();
+        seen_component[component] = once;
+        for edge in &path {
+            let from = rows.successor_offsets.partition_point(|first| first <= edge);
+            done[from.saturating_sub(1)] = true;
+        }
+        found(&path);
+    }
+}
+
+fn report_path(
+    rows: &Rows,
+    report: &mut Report<'_>,
+    (rule, severity): (&'static str, Severity),
+    expected: &str,
+    path: &[u32],
+) {
+    // Steps between pieces of one lane are none that the file could name.
+    let within = EdgeKind::Within.code();
+    let named: Vec<u32> = path
+        .iter()
+        .copied()
+        .filter(|edge| rows.edges.get(*edge as usize).is_some_and(|row| row.kind != within))
+        .collect();
+    let Some(first) = named.first().copied().or(path.first().copied()) else { return };
+    let mut steps: Vec<String> = named
+        .iter()
+        .take(NAMED_STEPS)
+        .map(|edge| {
+            let from = rows.successor_offsets.partition_point(|first| first <= edge);
+            let from = report.node_text(from.saturating_sub(1) as u32);
+            format!("{from} (link at {})", report.place_text(*edge))
+        })
+        .collect();
+    if named.len() > NAMED_STEPS {
+        steps.push(format!("… {} more", named.len() - NAMED_STEPS));
+    }
+    let start = rows.successor_offsets.partition_point(|edge| *edge <= first).saturating_sub(1);
+    steps.push(report.node_text(start as u32));
+    let message = format!("expected {expected}, found the cycle {}", steps.join(" → "));
+    report.at_edge(rule, severity, first, message);
+}

@@ -1,0 +1,120 @@
+//! What is wrong with lane links, put into words.
+
+use crate::finding;
+use crate::lower::Lowering;
+use mapd_archive::Rows;
+use mapd_xodr::{Finding, Severity, Span};
+
+/// Problems of one kind that are named one by one; more are counted.
+const NAMED: usize = 100;
+
+/// Something wrong with a lane link.
+#[derive(Clone, Copy)]
+pub(crate) enum Problem {
+    /// The link names a lane that the section does not have.
+    MissingLane { from: u32, section: u32, number: i32, span: Span },
+    /// The link leads into a lane that travels the other way.
+    Direction { from: u32, lane: u32, span: Span },
+}
+
+/// What is wrong with lane links, in the order in which it was found.
+#[derive(Default)]
+pub(crate) struct Problems(Vec<Problem>);
+
+impl Problems {
+    pub(crate) fn add(&mut self, problem: Problem) {
+        self.0.push(problem);
+    }
+
+    /// Findings in file order; of each kind the first ones by name, the rest as a number.
+    pub(crate) fn report(mut self, lowering: &Lowering, findings: &mut Vec<Finding>) {
+        self.0.sort_by_key(|problem| problem.span().start);
+        // A link that names nothing breaks what the file promises; one against the traffic is the rule for lanes that end.
+        for (rule, severity, what) in [
+            ("mapd:graph.missing_lane", Severity::Error, "links name lanes that are not there"),
+            (
+                "mapd:graph.direction",
+                Severity::Warning,
+                "links lead into lanes that travel the other way",
+            ),
+        ] {
+            let of_kind = || self.0.iter().filter(|problem| problem.rule() == rule);
+            for problem in of_kind().take(NAMED) {
+                let (path, message) = problem.text(lowering);
+                let span = problem.span();
+                findings.push(finding(rule, severity, span, path, message, ""));
+            }
+            if let Some(more) = of_kind().count().checked_sub(NAMED).filter(|more| *more > 0) {
+                let path = "OpenDRIVE".to_owned();
+                let message = format!("{more} more {what}");
+                findings.push(finding(rule, severity, Span::default(), path, message, ""));
+            }
+        }
+    }
+}
+
+impl Problem {
+    fn span(&self) -> Span {
+        match *self {
+            Self::MissingLane { span, .. } | Self::Direction { span, .. } => span,
+        }
+    }
+
+    fn rule(&self) -> &'static str {
+        match self {
+            Self::MissingLane { .. } => "mapd:graph.missing_lane",
+            Self::Direction { .. } => "mapd:graph.direction",
+        }
+    }
+
+    fn text(&self, lowering: &Lowering) -> (String, String) {
+        match *self {
+            Self::MissingLane { from, section, number, .. } => {
+                let place = section_text(lowering, section);
+                let message =
+                    format!("expected a lane {number} in {place}, found none; not linked");
+                (node_path(lowering, from), message)
+            }
+            Self::Direction { from, lane, .. } => {
+                let message = format!(
+                    "expected a link to a lane that travels on, found {}, which travels the other way; not linked",
+                    lane_text(lowering, lane)
+                );
+                (node_path(lowering, from), message)
+            }
+        }
+    }
+}
+
+/// Path of the lane of a node.
+fn node_path(lowering: &Lowering, node: u32) -> String {
+    let lane = lowering.rows.lane_nodes.get(node as usize).map_or(u32::MAX, |node| node.lane);
+    let Some((road, section, number)) = place_of(&lowering.rows, lane) else {
+        return "OpenDRIVE/junction/connection/laneLink".to_owned();
+    };
+    let s = lowering.rows.sections.get(section as usize).map_or(0.0, |section| section.s_start);
+    let road = road_id(lowering, road);
+    format!("OpenDRIVE/road[@id={road}]/lanes/laneSection[@s={s}]/lane[@id={number}]")
+}
+
+fn lane_text(lowering: &Lowering, lane: u32) -> String {
+    let Some((_, section, number)) = place_of(&lowering.rows, lane) else { return String::new() };
+    format!("lane {number} of {}", section_text(lowering, section))
+}
+
+fn section_text(lowering: &Lowering, section: u32) -> String {
+    let Some(row) = lowering.rows.sections.get(section as usize) else { return String::new() };
+    format!("road {:?}, section at s = {}", road_id(lowering, row.road), row.s_start)
+}
+
+fn road_id(lowering: &Lowering, road: u32) -> String {
+    let id = lowering.rows.roads.get(road as usize).map_or(0, |road| road.id);
+    String::from_utf8_lossy(lowering.strings.bytes_of(id)).into_owned()
+}
+
+/// Road, section and number of a lane.
+fn place_of(rows: &Rows, lane: u32) -> Option<(u32, u32, i32)> {
+    let row = rows.lanes.get(lane as usize)?;
+    let section = rows.sections.get(row.section as usize)?;
+    Some((section.road, row.section, row.number))
+}

@@ -1,0 +1,76 @@
+//! Edges whose lanes do not meet where they are linked.
+
+use super::report::Report;
+use crate::lanes::view;
+use glam::DVec3;
+use mapd_archive::{EdgeKind, Rows};
+use mapd_query::{LaneNode, Map, Track};
+use mapd_xodr::Severity;
+use rayon::prelude::*;
+
+/// Largest distance between two linked lanes' ends that is no finding `[m]`: files round to centimetres, and tools
+/// snap to decimetres.
+const JOINT_TOLERANCE: f64 = 0.1;
+/// Nodes that one task looks at.
+const NODES_PER_TASK: usize = 256;
+
+/// Names the edges that join ends farther apart than the tolerance. They stay: the file links them.
+pub(crate) fn check(rows: &Rows, report: &mut Report<'_>) {
+    let archive = view(rows);
+    let map = Map::new(&archive, 0);
+    let nodes: Vec<LaneNode<'_>> = map.lane_nodes().collect();
+    let gaps: Vec<Vec<(u32, f64)>> =
+        nodes.par_chunks(NODES_PER_TASK).map(|nodes| of_nodes(rows, nodes)).collect();
+    for (edge, gap) in gaps.into_iter().flatten() {
+        let message = format!(
+            "expected lanes that meet, found {gap:.3} m between {}; linked as written",
+            report.edge_text(edge)
+        );
+        report.at_edge("mapd:graph.gap", Severity::Warning, edge, message);
+    }
+}
+
+fn of_nodes(rows: &Rows, nodes: &[LaneNode<'_>]) -> Vec<(u32, f64)> {
+    let mut gaps = Vec::new();
+    for node in nodes {
+        let first = rows.successor_offsets[node.node_id().row() as usize];
+        let mut exit = None;
+        for (i, edge) in node.edges().enumerate().filter(|(_, e)| e.kind() != EdgeKind::Within) {
+            let Some(target) = edge.target() else { continue };
+            let exit = *exit.get_or_insert_with(|| end(node, true));
+            let (Some(exit), Some(entry)) = (exit, end(&target, false)) else { continue };
+            let gap = between(exit, entry);
+            if gap > JOINT_TOLERANCE {
+                gaps.push((first + i as u32, gap));
+            }
+        }
+    }
+    gaps
+}
+
+/// Both corners of a node's end: where it is left (`exit`) or entered.
+fn end(node: &LaneNode<'_>, exit: bool) -> Option<[DVec3; 2]> {
+    let lane = node.lane()?;
+    let (from, to) = node.s_range();
+    let s = if node.is_forward() == exit { to } else { from };
+    let edges = lane.edges_at(s);
+    let at =
+        |t: f64| lane.road().to_inertial(Track { s, t, h: 0.0 }).ok().map(|pose| pose.position);
+    Some([at(edges.inner)?, at(edges.outer)?])
+}
+
+/// Distance between two short segments that should lie in one line: the least from an end of one to the other.
+fn between(a: [DVec3; 2], b: [DVec3; 2]) -> f64 {
+    let to_segment = |p: DVec3, [from, to]: [DVec3; 2]| {
+        let along = to - from;
+        let squared = along.length_squared();
+        let share = if squared > 0.0 {
+            mapd_geometry::clamp((p - from).dot(along) / squared, 0.0, 1.0)
+        } else {
+            0.0
+        };
+        (from + along * share - p).length()
+    };
+    let ends = [(a[0], b), (a[1], b), (b[0], a), (b[1], a)];
+    ends.into_iter().map(|(p, segment)| to_segment(p, segment)).fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,66 @@
+//! The lane graph (docs/graph.md): first its shape, from what the file says, then its measures, from sampled lanes.
+
+mod attach;
+mod components;
+mod conflicts;
+mod csr;
+mod cuts;
+mod cycles;
+mod findings;
+mod gaps;
+mod incoming;
+mod landmarks;
+mod measure;
+mod nodes;
+mod permissions;
+mod report;
+mod walk;
+mod zones;
+
+pub(crate) use permissions::Permissions;
+
+use crate::TooLarge;
+use crate::lower::Lowering;
+use crate::options::{CompileOptions, MOST_LANDMARKS};
+use mapd_archive::Rows;
+use mapd_xodr::source::Places;
+use mapd_xodr::{Finding, Span};
+
+/// What the file says about the finished graph, kept until lanes are sampled.
+#[derive(Default)]
+pub(crate) struct Written {
+    /// Where each edge's link stands.
+    links: Vec<Span>,
+    zones: Vec<zones::Zone>,
+}
+
+/// Fills nodes and edges. What is wrong with a link is a finding, and the link is left out.
+pub(crate) fn build(
+    lowering: &mut Lowering,
+    places: &Places,
+    findings: &mut Vec<Finding>,
+) -> Result<Written, TooLarge> {
+    let cuts = cuts::Cuts::new(lowering);
+    nodes::build(lowering, &cuts)?;
+    let mut problems = findings::Problems::default();
+    let attachments = attach::Attachments::new(lowering, &cuts, &mut problems);
+    let edges = walk::edges(lowering, &attachments, &mut problems);
+    problems.report(lowering, findings);
+    Ok(Written { links: csr::store(lowering, edges, places)?, zones: zones::zones(lowering) })
+}
+
+/// Completes the graph from sampled lanes: lengths and times, components, conflicts, landmarks, and what is wrong with its cycles and joints.
+pub(crate) fn complete(
+    rows: &mut Rows,
+    written: &Written,
+    options: &CompileOptions,
+) -> Vec<Finding> {
+    measure::measure(rows);
+    components::condense(rows);
+    conflicts::build(rows, &written.zones);
+    landmarks::build(rows, options.landmarks.min(MOST_LANDMARKS).into());
+    let mut report = report::Report::new(rows, &written.links);
+    gaps::check(rows, &mut report);
+    cycles::check(rows, options.cycles, &mut report);
+    report.finish()
+}

@@ -1,0 +1,134 @@
+//! Who may use a lane, and where lanes may be changed, as the file says it.
+
+use mapd_archive::{LaneType, VehicleClass};
+use mapd_xodr::{
+    AccessRestrictionType as Restriction, AccessRule, LaneAccess, LaneChange, RoadMark, Value as _,
+};
+
+/// A road mark on the outer border of a lane, as far as lane changes go.
+#[derive(Clone, Copy)]
+pub(crate) struct Mark {
+    lane: u32,
+    /// Start, from the section's start `[m]`.
+    pub(crate) s: f64,
+    change: LaneChange,
+}
+
+/// Who may use a lane from a place on.
+#[derive(Clone, Copy)]
+pub(crate) struct Access {
+    lane: u32,
+    /// Start, from the section's start `[m]`.
+    pub(crate) s: f64,
+    /// Bit i: vehicle class i may use it.
+    classes: u16,
+}
+
+/// Road marks and access records of all lanes, by lane row.
+#[derive(Default)]
+pub(crate) struct Permissions {
+    marks: Vec<Mark>,
+    accesses: Vec<Access>,
+}
+
+impl Permissions {
+    /// Adds what a lane says. Lanes come in the order of their rows.
+    pub(crate) fn lane(
+        &mut self,
+        row: u32,
+        kind: LaneType,
+        marks: &[RoadMark],
+        accesses: &[LaneAccess],
+    ) {
+        let before = self.marks.len();
+        self.marks.extend(marks.iter().map(|mark| Mark {
+            lane: row,
+            s: mark.s_offset.value().unwrap_or(0.0),
+            change: mark.lane_change.value().unwrap_or(LaneChange::Both),
+        }));
+        let marks = &mut self.marks[before..];
+        marks.sort_by(|a, b| a.s.total_cmp(&b.s));
+        let base = VehicleClass::of_lane_type(kind);
+        let s_of = |record: &LaneAccess| record.s_offset.value().unwrap_or(0.0);
+        let mut records: Vec<&LaneAccess> = accesses.iter().collect();
+        records.sort_by(|a, b| s_of(a).total_cmp(&s_of(b)));
+        for set in records.chunk_by(|a, b| s_of(a) == s_of(b)) {
+            let Some(s) = set.first().map(|first| s_of(first)) else { continue };
+            self.accesses.push(Access { lane: row, s, classes: classes(base, set) });
+        }
+    }
+
+    pub(crate) fn marks(&self, lane: u32) -> &[Mark] {
+        of_lane(&self.marks, lane, |mark| mark.lane)
+    }
+
+    pub(crate) fn accesses(&self, lane: u32) -> &[Access] {
+        of_lane(&self.accesses, lane, |access| access.lane)
+    }
+
+    /// Classes that may use a lane at a place.
+    pub(crate) fn classes(&self, lane: u32, kind: LaneType, s: f64) -> u16 {
+        let records = self.accesses(lane);
+        let at = records.partition_point(|record| record.s <= s);
+        match at.checked_sub(1).and_then(|i| records.get(i)) {
+            Some(record) => record.classes,
+            None => VehicleClass::of_lane_type(kind),
+        }
+    }
+
+    /// Whether the marks of a lane's outer border allow changes at a place: to higher and to lower lane numbers. Nothing
+    /// forbids them where no mark lies (OpenDRIVE 1.8.1, 11.9: `laneChange` is `both` where absent).
+    pub(crate) fn changes(&self, lane: u32, s: f64) -> (bool, bool) {
+        let marks = self.marks(lane);
+        let at = marks.partition_point(|mark| mark.s <= s);
+        match at.checked_sub(1).and_then(|i| marks.get(i)).map(|mark| mark.change) {
+            Some(LaneChange::Increase) => (true, false),
+            Some(LaneChange::Decrease) => (false, true),
+            Some(LaneChange::None) => (false, false),
+            // A word that the standard does not list says nothing.
+            _ => (true, true),
+        }
+    }
+
+    /// Where a border's permission changes, from the section's start.
+    pub(crate) fn mark_breaks(&self, lane: u32) -> impl Iterator<Item = f64> + '_ {
+        let pairs = self.marks(lane).windows(2);
+        let first = self.marks(lane).first().filter(|m| m.change != LaneChange::Both);
+        first
+            .map(|mark| mark.s)
+            .into_iter()
+            .chain(pairs.filter(|pair| pair[0].change != pair[1].change).map(|pair| pair[1].s))
+    }
+}
+
+fn of_lane<T>(rows: &[T], lane: u32, key: impl Fn(&T) -> u32) -> &[T] {
+    let from = rows.partition_point(|row| key(row) < lane);
+    let rows = rows.get(from..).unwrap_or(&[]);
+    let count = rows.iter().take_while(|row| key(row) == lane).count();
+    rows.get(..count).unwrap_or(&[])
+}
+
+/// Classes that a set of records at one place leaves (OpenDRIVE 1.8.1, 11.8.1): where one allows, all others are banned;
+/// `none` resets to what the lane's type says. A record without `rule` denies, which is what a restriction does.
+fn classes(base: u16, set: &[&LaneAccess]) -> u16 {
+    let bits = |allow: bool| {
+        let of_rule =
+            |record: &&&LaneAccess| (record.rule.value() == Some(AccessRule::Allow)) == allow;
+        let named = set.iter().filter(of_rule).flat_map(|record| {
+            let nested = record.restriction_element.iter().filter_map(|r| r.r#type.value());
+            record.restriction.value().into_iter().chain(nested)
+        });
+        named.fold(0, |all, restriction| all | class_bits(restriction))
+    };
+    let (allowed, denied) = (bits(true), bits(false));
+    let granted = if allowed == 0 { base } else { allowed };
+    granted & !denied
+}
+
+/// Classes that a restriction names; 0 for `none` and unknown words.
+fn class_bits(restriction: Restriction) -> u16 {
+    match restriction {
+        Restriction::Trucks => VehicleClass::Truck.bit(),
+        named => VehicleClass::from_name(named.name()).bit(),
+    }
+}

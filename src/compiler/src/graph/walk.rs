@@ -1,0 +1,252 @@
+//! Longitudinal edges: which node is entered from which, in driving direction (OpenDRIVE 1.8.1, 10.3, 11.5, 12).
+//!
+//! A node leaves its section at the end towards which it travels. Inside a road its lane's written links lead into the
+//! adjacent section; at a road's end through the road's link; at a junction through the connections whose incoming road
+//! this is. Links are followed as written, never derived from geometry.
+
+use super::attach::Attachments;
+use super::findings::{Problem, Problems};
+use super::incoming::Incoming;
+use super::nodes::{first_node, pieces};
+use crate::lower::{Lowering, WrittenLink};
+use mapd_archive::{
+    ConnectionRow, ContactPoint, EdgeKind, LaneRow, LinkKind, Range, RoadRow, lane_flags,
+    node_flags,
+};
+use mapd_xodr::{Span, Value as _};
+
+/// An edge with the place in the file that says so.
+#[derive(Clone, Copy)]
+pub(crate) struct Edge {
+    pub(crate) from: u32,
+    pub(crate) to: u32,
+    pub(crate) kind: EdgeKind,
+    pub(crate) span: Span,
+}
+
+/// A lane's place at which an edge ends: its section and the direction in which it is entered.
+#[derive(Clone, Copy)]
+struct Entry {
+    section: u32,
+    forward: bool,
+}
+
+/// All edges, by the node that is left, and what is wrong with the links.
+pub(crate) fn edges(
+    lowering: &Lowering,
+    attachments: &Attachments,
+    problems: &mut Problems,
+) -> Vec<Edge> {
+    let incoming = Incoming::new(lowering);
+    let mut walk = Walk { lowering, incoming: &incoming, attachments, edges: Vec::new(), problems };
+    for node in 0..lowering.rows.lane_nodes.len() {
+        walk.leave(node as u32);
+    }
+    walk.edges
+}
+
+struct Walk<'a> {
+    lowering: &'a Lowering,
+    incoming: &'a Incoming,
+    attachments: &'a Attachments,
+    edges: Vec<Edge>,
+    problems: &'a mut Problems,
+}
+
+impl Walk<'_> {
+    /// Adds the edges that leave a node.
+    fn leave(&mut self, node: u32) {
+        let rows = &self.lowering.rows;
+        let Some(own) = rows.lane_nodes.get(node as usize) else { return };
+        let Some(row) = rows.lanes.get(own.lane as usize) else { return };
+        let forward = own.flags & node_flags::FORWARD != 0;
+        for (to, span) in self.attachments.leaving(node) {
+            self.edges.push(Edge { from: node, to, kind: EdgeKind::Virtual, span });
+        }
+        if (node - row.nodes.first) % pieces(row) + 1 < pieces(row) {
+            let span = Span::default();
+            self.edges.push(Edge { from: node, to: node + 1, kind: EdgeKind::Within, span });
+            return;
+        }
+        let Some(section) = rows.sections.get(row.section as usize) else { return };
+        let Some(road) = rows.roads.get(section.road as usize) else { return };
+        let at = row.section - road.sections.first;
+        let inside = if forward { at + 1 < road.sections.count } else { at > 0 };
+        if inside {
+            let next = if forward { row.section + 1 } else { row.section - 1 };
+            self.written(
+                node,
+                own.lane,
+                forward,
+                EdgeKind::Section,
+                Entry { section: next, forward },
+            );
+            return;
+        }
+        let (kind, target, contact) = if forward {
+            (road.successor_kind, road.successor, road.successor_contact)
+        } else {
+            (road.predecessor_kind, road.predecessor, road.predecessor_contact)
+        };
+        match LinkKind::from_code(kind) {
+            // A link into the middle of a road is an attachment.
+            LinkKind::Road if self.names_a_place(section.road, forward) => {}
+            LinkKind::Road => {
+                if let Some(entry) = self.touching(target, contact) {
+                    self.written(node, own.lane, forward, EdgeKind::Road, entry);
+                }
+            }
+            LinkKind::Junction => {
+                self.through_junction(node, row, (section.road, road), target, forward)
+            }
+            _ => {}
+        }
+    }
+
+    /// Whether a road's link at one end names a place inside another road.
+    fn names_a_place(&self, road: u32, forward: bool) -> bool {
+        let links = self.lowering.links.roads.get(road as usize);
+        links
+            .and_then(|links| links[usize::from(forward)].as_ref())
+            .is_some_and(|link| link.element_s.is_some())
+    }
+
+    /// Follows the lane's links as written: its successors (`forward`) or predecessors.
+    fn written(&mut self, node: u32, lane: u32, forward: bool, kind: EdgeKind, entry: Entry) {
+        for link in written_links(self.lowering, lane, forward) {
+            self.enter((node, kind, link.span), entry, link.number);
+        }
+    }
+
+    /// The section of a road at one of its ends and whether lanes entered there travel towards +s.
+    fn touching(&self, road: u32, contact: u8) -> Option<Entry> {
+        let sections = self.lowering.rows.roads.get(road as usize)?.sections;
+        let last = sections.count.checked_sub(1)?;
+        match ContactPoint::from_code(contact) {
+            ContactPoint::Start => Some(Entry { section: sections.first, forward: true }),
+            ContactPoint::End => Some(Entry { section: sections.first + last, forward: false }),
+            _ => None,
+        }
+    }
+
+    /// Through every connection of the junction that starts at this end of the road.
+    fn through_junction(
+        &mut self,
+        node: u32,
+        row: &LaneRow,
+        (number, road): (u32, &RoadRow),
+        junction: u32,
+        forward: bool,
+    ) {
+        let lowering = self.lowering;
+        let rows = &lowering.rows;
+        let incoming = self.incoming;
+        for (of, connection_row) in incoming.of_road(number) {
+            let Some(connection) =
+                rows.connections.get(*connection_row as usize).filter(|_| *of == junction)
+            else {
+                continue;
+            };
+            if both_ends(road, junction) && !self.starts_here(connection, number, forward) {
+                continue;
+            }
+            let Some(entry) = self.touching(connection.connecting_road, connection.contact) else {
+                continue;
+            };
+            let Some(written) = connection_written(lowering, *of, *connection_row) else {
+                continue;
+            };
+            if written.lane_link.is_empty() {
+                // OpenDRIVE 1.4: without lane links, lanes keep their numbers, as far as both roads have them.
+                if self.find(entry, row.number).is_some_and(|lane| self.travels(lane, entry)) {
+                    self.enter((node, EdgeKind::Implied, written.span), entry, row.number);
+                }
+            }
+            for link in written.lane_link.iter().filter(|l| l.from.value() == Some(row.number)) {
+                let Some(to) = link.to.value() else { continue };
+                self.enter((node, EdgeKind::Connection, link.span), entry, to);
+            }
+        }
+    }
+
+    /// Whether a connection's road is linked to this end of the incoming road; asked where both ends of the road lie at
+    /// one junction.
+    fn starts_here(&self, connection: &ConnectionRow, road: u32, forward: bool) -> bool {
+        let Some(connecting) = self.lowering.rows.roads.get(connection.connecting_road as usize)
+        else {
+            return false;
+        };
+        let (kind, target, contact) = match ContactPoint::from_code(connection.contact) {
+            ContactPoint::End => {
+                (connecting.successor_kind, connecting.successor, connecting.successor_contact)
+            }
+            _ => (
+                connecting.predecessor_kind,
+                connecting.predecessor,
+                connecting.predecessor_contact,
+            ),
+        };
+        let here = if forward { ContactPoint::End } else { ContactPoint::Start };
+        LinkKind::from_code(kind) == LinkKind::Road && target == road && contact == here.code()
+    }
+
+    /// The lane with a number in the section that is entered.
+    fn find(&self, entry: Entry, number: i32) -> Option<u32> {
+        lane_of(self.lowering, entry.section, number)
+    }
+
+    fn travels(&self, lane: u32, entry: Entry) -> bool {
+        self.lowering.rows.lanes.get(lane as usize).is_some_and(|row| {
+            row.flags & lane_flags::BOTH != 0
+                || (row.flags & lane_flags::FORWARD != 0) == entry.forward
+        })
+    }
+
+    /// Adds an edge to a lane of a section if that lane travels the way it is entered.
+    fn enter(&mut self, (from, kind, span): (u32, EdgeKind, Span), entry: Entry, number: i32) {
+        let rows = &self.lowering.rows;
+        let Some(lane) = self.find(entry, number) else {
+            self.problems.add(Problem::MissingLane { from, section: entry.section, number, span });
+            return;
+        };
+        let target = rows.lanes.get(lane as usize).and_then(|row| first_node(row, entry.forward));
+        match target {
+            Some(to) => self.edges.push(Edge { from, to, kind, span }),
+            None => self.problems.add(Problem::Direction { from, lane, span }),
+        }
+    }
+}
+
+/// The lane with a number in a section; none for lane 0.
+pub(crate) fn lane_of(lowering: &Lowering, section: u32, number: i32) -> Option<u32> {
+    let rows = &lowering.rows;
+    let section = rows.sections.get(section as usize)?;
+    let lanes = section.lanes.of(&rows.lanes);
+    let at = lanes.binary_search_by(|lane| number.cmp(&lane.number)).ok()?;
+    (number != 0).then_some(section.lanes.first + at as u32)
+}
+
+/// Lanes written as successors (`forward`) or predecessors.
+pub(crate) fn written_links(lowering: &Lowering, lane: u32, forward: bool) -> &[WrittenLink] {
+    let ranges: [Range; 2] = lowering.links.lanes.get(lane as usize).copied().unwrap_or_default();
+    ranges[usize::from(forward)].of(&lowering.links.lane_links)
+}
+
+/// A connection as the file has it.
+pub(crate) fn connection_written(
+    lowering: &Lowering,
+    junction: u32,
+    connection: u32,
+) -> Option<&mapd_xodr::Connection> {
+    let first = lowering.rows.junctions.get(junction as usize)?.connections.first;
+    let written = lowering.links.junctions.get(junction as usize)?;
+    written.connection.get(connection.checked_sub(first)? as usize)
+}
+
+/// Whether both ends of a road lie at this junction.
+fn both_ends(road: &RoadRow, junction: u32) -> bool {
+    let at = |kind: u8, target: u32| {
+        LinkKind::from_code(kind) == LinkKind::Junction && target == junction
+    };
+    at(road.predecessor_kind, road.predecessor) && at(road.successor_kind, road.successor)
+}

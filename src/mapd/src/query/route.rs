@@ -1,0 +1,89 @@
+//! `mapd query … route`.
+
+use super::kinds::{lane_in, number, text};
+use super::row::Row;
+use clap::{Args, ValueEnum};
+use mapd_client::Map;
+use mapd_query::{LanePlace, RouteScratch, RouteStep, ShortestLength, ShortestTime, VehicleClass};
+
+/// What a route is to keep small.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum RouteBy {
+    /// Metres along lanes.
+    Length,
+    /// Seconds at the speed limits.
+    Time,
+}
+
+/// How routes are found.
+#[derive(Args, Clone, Debug)]
+pub struct RouteArgs {
+    /// route: what to keep small
+    #[arg(long, value_enum, default_value_t = RouteBy::Length)]
+    by: RouteBy,
+    /// route: what a change of lane costs, in metres or seconds [default: 20 m, 2 s]
+    #[arg(long, value_name = "COST")]
+    lane_change: Option<f64>,
+    /// route: who travels, in the words of access/restriction
+    #[arg(long, value_name = "CLASS", default_value = VehicleClass::PassengerCar.name(), value_parser = vehicle)]
+    vehicle: VehicleClass,
+}
+
+fn vehicle(name: &str) -> Result<VehicleClass, String> {
+    match VehicleClass::from_name(name) {
+        VehicleClass::Unknown => {
+            let all: Vec<_> = VehicleClass::ALL.iter().map(|class| class.name()).collect();
+            Err(format!("expected one of {}", all.join(", ")))
+        }
+        known => Ok(known),
+    }
+}
+
+/// Finds routes one after the other.
+pub(crate) struct Router<'a> {
+    args: &'a RouteArgs,
+    scratch: RouteScratch,
+    steps: Vec<RouteStep>,
+}
+
+impl<'a> Router<'a> {
+    pub(crate) fn new(args: &'a RouteArgs) -> Self {
+        Self { args, scratch: RouteScratch::default(), steps: Vec::new() }
+    }
+
+    /// Answers one row.
+    pub(crate) fn answer(
+        &mut self,
+        map: Map<'_>,
+        row: &Row<'_>,
+        out: &mut Vec<String>,
+    ) -> Result<(), String> {
+        let place = |road, s, lane| {
+            let (lane, s) = lane_in(map, row, (road, s, lane))?;
+            Ok::<_, String>(LanePlace { lane: lane.lane_id(), s })
+        };
+        let from = place("from_road", "from_s", "from_lane")?;
+        let to = place("to_road", "to_s", "to_lane")?;
+        let Self { args, scratch, steps } = self;
+        let found = match args.by {
+            RouteBy::Length => {
+                let default = ShortestLength::default().lane_change;
+                let cost = ShortestLength { lane_change: args.lane_change.unwrap_or(default) };
+                map.route(from, to, args.vehicle, &cost, scratch, steps)
+            }
+            RouteBy::Time => {
+                let default = ShortestTime::default().lane_change;
+                let cost = ShortestTime { lane_change: args.lane_change.unwrap_or(default) };
+                map.route(from, to, args.vehicle, &cost, scratch, steps)
+            }
+        };
+        let route = found.map_err(text)?;
+        let route = route.ok_or_else(|| format!("no way for {}", args.vehicle.name()))?;
+        let keys = steps.iter().map(|step| Ok(map.lane(step.lane)?.key().to_string()));
+        let keys: Result<Vec<String>, _> = keys.collect();
+        out.push(number(route.length));
+        out.push(route.lane_changes.to_string());
+        out.push(keys.map_err(text)?.join(";"));
+        Ok(())
+    }
+}

@@ -1,0 +1,240 @@
+//! The lane graph: nodes, edges, conflicts.
+
+use crate::ids::NodeId;
+use crate::lane::{Lane, edges_of};
+use crate::map::Map;
+use mapd_archive::{
+    ArchivedConflictRow, ArchivedLaneNodeRow, ConflictKind, EdgeKind, NONE, VehicleClass,
+    edge_flags, node_flags,
+};
+
+/// A node of the lane graph: a lane, or a piece of one, travelled in one direction.
+#[derive(Clone, Copy)]
+pub struct LaneNode<'a> {
+    pub(crate) map: Map<'a>,
+    pub(crate) number: u32,
+    pub(crate) row: &'a ArchivedLaneNodeRow,
+}
+
+/// An edge of the lane graph: from one node into the next, in driving direction.
+#[derive(Clone, Copy)]
+pub struct LaneEdge<'a> {
+    map: Map<'a>,
+    /// Row of `successors` and `edges`.
+    number: u32,
+    target: u32,
+}
+
+/// A place where two lanes of a junction meet.
+#[derive(Clone, Copy)]
+pub struct Conflict<'a> {
+    map: Map<'a>,
+    row: &'a ArchivedConflictRow,
+}
+
+impl<'a> LaneNode<'a> {
+    #[inline]
+    pub(crate) fn new(map: Map<'a>, number: u32) -> Option<Self> {
+        Some(Self { map, number, row: map.tables().lane_nodes.get(number as usize)? })
+    }
+
+    /// Dense id.
+    pub fn node_id(&self) -> NodeId {
+        NodeId { row: self.number, content: self.map.content() }
+    }
+
+    /// The lane.
+    pub fn lane(&self) -> Option<Lane<'a>> {
+        Lane::new(self.map, self.row.lane())
+    }
+
+    /// Whether it travels towards +s.
+    pub fn is_forward(&self) -> bool {
+        self.row.flags() & node_flags::FORWARD != 0
+    }
+
+    /// Both ends of the piece on the road `[m]`, the smaller s first.
+    pub fn s_range(&self) -> (f64, f64) {
+        let Some(lane) = self.lane() else { return (0.0, 0.0) };
+        let section = lane.section();
+        let start = section.s_start();
+        let beyond =
+            if self.is_forward() { self.number.checked_add(1) } else { self.number.checked_sub(1) };
+        let neighbour = beyond.and_then(|number| Self::new(self.map, number)).filter(|other| {
+            other.row.lane() == self.row.lane() && other.is_forward() == self.is_forward()
+        });
+        let end = neighbour.map_or(section.s_end(), |n| start + f64::from(n.row.s_from()));
+        (start + f64::from(self.row.s_from()), end)
+    }
+
+    /// Length of the centre line in plan view `[m]`.
+    pub fn length(&self) -> f64 {
+        f64::from(self.row.length())
+    }
+
+    /// Time to pass it at the speed limit `[s]`.
+    pub fn travel_time(&self) -> f64 {
+        f64::from(self.row.time())
+    }
+
+    /// Whether a class of vehicles may use it, by lane type and access records.
+    pub fn allows(&self, class: VehicleClass) -> bool {
+        self.row.access() & class.bit() != 0
+    }
+
+    /// Whether any class of vehicles may use it.
+    pub fn is_open(&self) -> bool {
+        self.row.access() != 0
+    }
+
+    /// The node beside it, in driving direction to the left, that travels the same way.
+    pub fn left(&self) -> Option<LaneNode<'a>> {
+        Self::new(self.map, self.row.left())
+    }
+
+    /// The node beside it, in driving direction to the right, that travels the same way.
+    pub fn right(&self) -> Option<LaneNode<'a>> {
+        Self::new(self.map, self.row.right())
+    }
+
+    /// Where a change of lane to the left leads, if the road marks allow one.
+    pub fn change_left(&self) -> Option<LaneNode<'a>> {
+        self.left().filter(|_| self.row.flags() & node_flags::CHANGE_LEFT != 0)
+    }
+
+    /// Where a change of lane to the right leads, if the road marks allow one.
+    pub fn change_right(&self) -> Option<LaneNode<'a>> {
+        self.right().filter(|_| self.row.flags() & node_flags::CHANGE_RIGHT != 0)
+    }
+
+    /// Edges that leave the node, by road id, section and lane of their targets.
+    pub fn edges(&self) -> impl ExactSizeIterator<Item = LaneEdge<'a>> + use<'a> {
+        let map = self.map;
+        let tables = map.tables();
+        let first = tables.successor_offsets.get(self.number as usize).copied().unwrap_or(NONE);
+        let targets = edges_of(tables.successor_offsets, tables.successors, self.number);
+        targets.iter().enumerate().map(move |(i, target)| LaneEdge {
+            map,
+            number: first.wrapping_add(i as u32),
+            target: *target,
+        })
+    }
+
+    /// Nodes from which this one is entered.
+    pub fn predecessors(&self) -> impl Iterator<Item = LaneNode<'a>> + use<'a> {
+        let map = self.map;
+        let tables = map.tables();
+        let sources = edges_of(tables.predecessor_offsets, tables.predecessors, self.number);
+        sources.iter().filter_map(move |node| Self::new(map, *node))
+    }
+
+    /// Strongly connected component. Components are numbered in topological order of the condensation: no edge leads from
+    /// a higher number to a lower one.
+    pub fn component(&self) -> u32 {
+        self.row.component()
+    }
+}
+
+impl<'a> LaneEdge<'a> {
+    /// The node that is entered.
+    pub fn target(&self) -> Option<LaneNode<'a>> {
+        LaneNode::new(self.map, self.target)
+    }
+
+    /// Where the edge comes from.
+    pub fn kind(&self) -> EdgeKind {
+        self.row().map_or(EdgeKind::Unknown, |row| EdgeKind::from_code(row.kind()))
+    }
+
+    /// Line and column of the link in the file, from 1; none where no link is needed.
+    pub fn source_position(&self) -> Option<(u32, u32)> {
+        self.row().map(|row| (row.line(), row.column())).filter(|(line, _)| *line > 0)
+    }
+
+    /// Whether the edge closes a loop. The graph without such edges has no cycle; which edges they are depends on names
+    /// only, not on the order of elements in the file.
+    pub fn closes_loop(&self) -> bool {
+        self.row().is_some_and(|row| row.flags() & edge_flags::CLOSES_LOOP != 0)
+    }
+
+    fn row(&self) -> Option<&'a mapd_archive::ArchivedEdgeRow> {
+        self.map.tables().edges.get(self.number as usize)
+    }
+}
+
+impl<'a> Conflict<'a> {
+    /// The lane that is met.
+    pub fn other(&self) -> Option<Lane<'a>> {
+        Lane::new(self.map, self.row.other())
+    }
+
+    /// How the two meet.
+    pub fn kind(&self) -> ConflictKind {
+        ConflictKind::from_code(self.row.kind())
+    }
+
+    /// The common area on the lane itself: both ends on its road `[m]`, the smaller s first.
+    pub fn s_range(&self) -> (f64, f64) {
+        self.on(self.row.lane(), self.row.s_from(), self.row.s_to())
+    }
+
+    /// The common area on the other lane: both ends on its road `[m]`, the smaller s first.
+    pub fn other_range(&self) -> (f64, f64) {
+        self.on(self.row.other(), self.row.other_from(), self.row.other_to())
+    }
+
+    fn on(&self, lane: u32, from: f32, to: f32) -> (f64, f64) {
+        let start = Lane::new(self.map, lane).map_or(0.0, |lane| lane.section().s_start());
+        (start + f64::from(from), start + f64::from(to))
+    }
+}
+
+impl<'a> Map<'a> {
+    /// All nodes of the lane graph.
+    pub fn lane_nodes(&self) -> impl ExactSizeIterator<Item = LaneNode<'a>> + use<'a> {
+        let map = *self;
+        let rows = map.tables().lane_nodes.iter().enumerate();
+        rows.map(move |(number, row)| LaneNode { map, number: number as u32, row })
+    }
+}
+
+impl<'a> Lane<'a> {
+    /// The lane's nodes in driving order; of a lane travelled both ways then those of the other way.
+    pub fn nodes(&self) -> impl Iterator<Item = LaneNode<'a>> + use<'a> {
+        let map = self.map;
+        self.row
+            .nodes()
+            .rows(map.tables().lane_nodes.len())
+            .filter_map(move |n| LaneNode::new(map, n))
+    }
+
+    /// The node that holds s, in one direction of travel; at a cut the later one in that direction.
+    pub fn node_at(&self, s: f64, forward: bool) -> Option<LaneNode<'a>> {
+        let way = |node: &LaneNode<'a>| node.is_forward() == forward;
+        let mut found = None;
+        for node in self.nodes().filter(way) {
+            let (from, to) = node.s_range();
+            if found.is_none() || (if forward { s >= from } else { s <= to }) {
+                found = Some(node);
+            }
+        }
+        found
+    }
+
+    /// The nearest lane beside this one that is travelled the other way: across lane 0, or beside a reversed lane.
+    pub fn opposite(&self) -> Option<Lane<'a>> {
+        let other_way =
+            |lane: &Lane<'a>| lane.kind().is_drivable() && lane.is_forward() != self.is_forward();
+        self.inner_ones().find(other_way).or_else(|| self.outer_ones().find(other_way))
+    }
+
+    /// Lanes of the same junction whose areas meet this one's.
+    pub fn conflicts(&self) -> impl Iterator<Item = Conflict<'a>> + use<'a> {
+        let map = self.map;
+        let rows = map.tables().conflicts;
+        let own = self.lane_id().row();
+        let from = rows.partition_point(|row| row.lane() < own);
+        let rest = rows.get(from..).unwrap_or(&[]).iter();
+        rest.take_while(move |row| row.lane() == own).map(move |row| Conflict { map, row })
+    }
+}

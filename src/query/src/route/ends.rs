@@ -1,0 +1,125 @@
+//! Both ends of a route: lane changes beside the start and beside the target, which do not have a whole piece ahead.
+
+use super::LanePlace;
+use super::cost::RouteCost;
+use crate::graph::LaneNode;
+use crate::lane::Lane;
+use crate::map::Map;
+use mapd_archive::VehicleClass;
+
+/// Lane changes to one side that are followed at most: a damaged archive might lead round in a circle.
+const MOST_BESIDE: usize = 64;
+
+/// A node beside the start or the target, with what changing costs.
+#[derive(Clone, Copy)]
+pub(super) struct ChainNode {
+    pub(super) node: u32,
+    /// Of the lane changes from the start to here, or from here to the target.
+    pub(super) changes: f64,
+    /// Place in the chain of the node before it (start) or after it (target); itself for the first.
+    pub(super) link: u32,
+}
+
+/// Whether a place of a chain is the start or target itself.
+pub(super) fn is_root((place, own): (usize, &ChainNode)) -> bool {
+    own.link as usize == place
+}
+
+/// s of a place within its lane's section.
+pub(super) fn inside(lane: &Lane<'_>, s: f64) -> f64 {
+    let (start, end) = (lane.section().s_start(), lane.section().s_end());
+    mapd_geometry::clamp(s, start, end.max(start))
+}
+
+/// The lane and s of a place.
+pub(super) fn lane_of<'a>(map: Map<'a>, place: LanePlace) -> Option<(Lane<'a>, f64)> {
+    let lane = map.lane(place.lane).ok()?;
+    let s = inside(&lane, place.s);
+    Some((lane, s))
+}
+
+/// Nodes from which a route may start: the one at the place in each direction of travel, then those that lane changes
+/// lead to from it.
+pub(super) fn start_chain(
+    map: Map<'_>,
+    (place, forward): (LanePlace, Option<bool>),
+    vehicle: VehicleClass,
+    cost: &impl RouteCost,
+    out: &mut Vec<ChainNode>,
+) {
+    let Some((lane, s)) = lane_of(map, place) else { return };
+    for way in [true, false].into_iter().filter(|way| forward.is_none_or(|f| f == *way)) {
+        let Some(first) = lane.node_at(s, way) else { continue };
+        let root = push(out, first.number, 0.0, None);
+        for left in [true, false] {
+            let (mut at, mut link, mut changes) = (first, root, 0.0);
+            for _ in 0..MOST_BESIDE {
+                let next = if left { at.change_left() } else { at.change_right() };
+                let Some(next) = next.filter(|next| next.allows(vehicle)) else { break };
+                changes += price(cost.change(&at, &next));
+                if changes == f64::INFINITY {
+                    break;
+                }
+                link = push(out, next.number, changes, Some(link));
+                at = next;
+            }
+        }
+    }
+}
+
+/// Nodes from which lane changes lead to the target, itself first.
+pub(super) fn target_chain(
+    map: Map<'_>,
+    place: LanePlace,
+    vehicle: VehicleClass,
+    cost: &impl RouteCost,
+    out: &mut Vec<ChainNode>,
+) {
+    let Some((lane, s)) = lane_of(map, place) else { return };
+    for way in [true, false] {
+        let target = lane.node_at(s, way).filter(|node| node.allows(vehicle));
+        let Some(first) = target else { continue };
+        let root = push(out, first.number, 0.0, None);
+        for from_left in [true, false] {
+            let (mut at, mut link, mut changes) = (first, root, 0.0);
+            for _ in 0..MOST_BESIDE {
+                let before = if from_left { at.left() } else { at.right() };
+                let Some(before) = before.filter(|before| before.allows(vehicle)) else { break };
+                let change = if from_left { before.change_right() } else { before.change_left() };
+                if change.is_none_or(|to| to.number != at.number) {
+                    break;
+                }
+                changes += price(cost.change(&before, &at));
+                if changes == f64::INFINITY {
+                    break;
+                }
+                link = push(out, before.number, changes, Some(link));
+                at = before;
+            }
+        }
+    }
+}
+
+fn push(out: &mut Vec<ChainNode>, node: u32, changes: f64, link: Option<u32>) -> u32 {
+    let own = out.len() as u32;
+    out.push(ChainNode { node, changes, link: link.unwrap_or(own) });
+    own
+}
+
+/// A cost as a search takes it: infinite closes the way.
+#[inline]
+pub(super) fn price(cost: f64) -> f64 {
+    if cost >= 0.0 { cost } else { f64::INFINITY }
+}
+
+/// Share of a node's length from its beginning to s.
+pub(super) fn share_before(node: &LaneNode<'_>, s: f64) -> f64 {
+    let Some(lane) = node.lane() else { return 0.0 };
+    let (from, to) = node.s_range();
+    let (done, whole) = (lane.length_between(from, s), lane.length_between(from, to));
+    if whole <= 0.0 {
+        return 0.0;
+    }
+    let share = mapd_geometry::clamp(done / whole, 0.0, 1.0);
+    if node.is_forward() { share } else { 1.0 - share }
+}

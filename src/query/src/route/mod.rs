@@ -1,0 +1,108 @@
+//! Routes over the lane graph: shortest, reachable, ahead.
+//!
+//! A route is found by A* with landmark bounds that the archive carries, or by Dijkstra's algorithm where it has none. A
+//! search uses the caller's [`RouteScratch`] and nothing else.
+//!
+//! **What a route costs.** Each piece of a lane that is left at its end costs what the [`RouteCost`] says, in proportion on
+//! the first and last one; each change of lane costs extra. A change may happen anywhere on the piece where it is allowed,
+//! so it drives no length of its own: the length counts on the lane that the piece is left on.
+
+mod bound;
+mod cost;
+mod ends;
+mod reach;
+mod scratch;
+mod search;
+mod sequences;
+mod steps;
+
+pub use cost::{CostBound, RouteCost, ShortestLength, ShortestTime};
+pub use reach::Reached;
+pub use scratch::RouteScratch;
+pub use sequences::{LaneSequences, NextJunction};
+pub use steps::{Enter, LaneChangeAhead, RouteStep, next_lane_change};
+
+use crate::error::QueryError;
+use crate::ids::LaneId;
+use crate::map::Map;
+use mapd_archive::VehicleClass;
+
+/// A place on a lane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LanePlace {
+    /// The lane.
+    pub lane: LaneId,
+    /// Place on the road `[m]`; outside the lane's section its nearer end counts.
+    pub s: f64,
+}
+
+/// What a route costs in all.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Route {
+    /// What the [`RouteCost`] adds up to.
+    pub cost: f64,
+    /// Length along the lanes' centre lines `[m]`.
+    pub length: f64,
+    /// Time at the speed limits `[s]`.
+    pub travel_time: f64,
+    /// Number of lane changes.
+    pub lane_changes: u32,
+}
+
+impl<'a> Map<'a> {
+    /// The cheapest way from one place to another for a class of vehicles, in driving direction and by allowed lane
+    /// changes only. Its lanes are written to `steps`; `None` if there is no way.
+    ///
+    /// The lane of the start may be any; every other one must be open to the vehicle. Equal costs are decided by the order
+    /// of lanes in the archive.
+    ///
+    /// Errors: ids of another map; an s that is no finite number.
+    pub fn route(
+        &self,
+        from: LanePlace,
+        to: LanePlace,
+        vehicle: VehicleClass,
+        cost: &impl RouteCost,
+        scratch: &mut RouteScratch,
+        steps: &mut Vec<RouteStep>,
+    ) -> Result<Option<Route>, QueryError> {
+        self.route_via(&[from, to], vehicle, cost, scratch, steps)
+    }
+
+    /// As [`Map::route`], through all of these places in their order. Each leg is the cheapest by itself, starting in the
+    /// direction in which the one before arrives. Fewer than two places have no route.
+    ///
+    /// Errors: as [`Map::route`].
+    pub fn route_via(
+        &self,
+        places: &[LanePlace],
+        vehicle: VehicleClass,
+        cost: &impl RouteCost,
+        scratch: &mut RouteScratch,
+        steps: &mut Vec<RouteStep>,
+    ) -> Result<Option<Route>, QueryError> {
+        steps.clear();
+        for place in places {
+            self.lane(place.lane)?;
+            if !place.s.is_finite() {
+                return Err(QueryError::NotFinite);
+            }
+        }
+        let mut whole: Option<Route> = None;
+        let mut forward = None;
+        for leg in places.windows(2) {
+            let search = search::Search::new(*self, vehicle, cost, scratch);
+            let Some(route) = search.run((leg[0], forward), leg[1], steps)? else {
+                steps.clear();
+                return Ok(None);
+            };
+            forward = steps.last().map(|step| step.forward);
+            let sum = whole.get_or_insert_default();
+            sum.cost += route.cost;
+            sum.length += route.length;
+            sum.travel_time += route.travel_time;
+            sum.lane_changes += route.lane_changes;
+        }
+        Ok(whole)
+    }
+}

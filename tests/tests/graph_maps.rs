@@ -1,0 +1,420 @@
+//! Lane graphs of small maps made by hand: edges, what is wrong with links, cycles, lane changes, conflicts.
+
+use mapd_client::{Map, Snapshot};
+use mapd_compiler::{Compilation, CompileOptions, CyclePolicy, Verdict, compile};
+use mapd_query::{
+    ConflictKind, EdgeKind, LaneNode, LanePlace, RouteScratch, ShortestLength, VehicleClass,
+};
+use mapd_tests::graph_maps::*;
+use mapd_xodr::Severity;
+use std::collections::{BTreeMap, BTreeSet};
+
+fn compiled(text: &str, cycles: CyclePolicy) -> Compilation {
+    let options = CompileOptions { cycles, ..CompileOptions::default() };
+    compile(text.as_bytes(), &options, &mut |_| {}).expect("reading works")
+}
+
+fn open(what: &str, text: &str) -> Snapshot {
+    let compiled = compiled(text, CyclePolicy::default());
+    let graph = |rule: &str| rule.starts_with("mapd:graph.");
+    let wrong: Vec<_> = compiled.diagnostics.iter().filter(|d| graph(d.finding.rule)).collect();
+    assert!(
+        wrong.iter().all(|d| d.finding.severity < Severity::Warning) || what.contains("both"),
+        "{what}: {wrong:?}"
+    );
+    let rows = compiled.rows.unwrap_or_else(|| panic!("{what}: {:?}", compiled.diagnostics));
+    let archive = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes");
+    mapd_archive::verify(&archive).expect("verifies");
+    Snapshot::from_bytes(archive).expect("opens")
+}
+
+fn key(node: &LaneNode<'_>) -> String {
+    let sign = if node.is_forward() { '+' } else { '-' };
+    format!("{}{sign}", node.lane().expect("a lane").key())
+}
+
+fn edges(map: Map<'_>) -> Vec<String> {
+    let mut all: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for node in map.lane_nodes() {
+        for edge in node.edges().filter(|edge| edge.kind() != EdgeKind::Within) {
+            all.entry(key(&node)).or_default().insert(key(&edge.target().expect("a node")));
+        }
+    }
+    let line = |(from, to): (String, BTreeSet<String>)| {
+        format!("{from} > {}", to.into_iter().collect::<Vec<_>>().join(" "))
+    };
+    all.into_iter().map(line).collect()
+}
+
+#[test]
+fn each_map_has_its_edges() {
+    for map in all() {
+        let snapshot = open(map.name, &map.text);
+        assert_eq!(edges(snapshot.map()), map.edges, "{}", map.name);
+    }
+}
+
+#[test]
+fn a_virtual_junction_cuts_nodes_but_no_lane() {
+    let map = all().into_iter().find(|map| map.name.starts_with("virtual")).expect("a map");
+    let snapshot = open(map.name, &map.text);
+    let map = snapshot.map();
+    let main = map.lane_by_key(&"1:0:-1".parse().expect("a key")).expect("a lane");
+    let ranges: Vec<_> = main.nodes().map(|node| node.s_range()).collect();
+    assert_eq!(ranges, [(0.0, 45.0), (45.0, 75.0), (75.0, 120.0)]);
+    assert_eq!(map.road_by_id("1").expect("a road").sections().count(), 1);
+    // Past the side road, into it, and out of it again.
+    let place = |key: &str, s| LanePlace {
+        lane: map.lane_by_key(&key.parse().expect("a key")).expect("a lane").lane_id(),
+        s,
+    };
+    let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
+    for (from, to, lanes, length) in [
+        (("1:0:-1", 10.0), ("1:0:-1", 110.0), "1:0:-1", 100.0),
+        (
+            ("1:0:-1", 10.0),
+            ("2:0:-1", 20.0),
+            "1:0:-1 5:0:-1 2:0:-1",
+            35.0 + 13.25 * std::f64::consts::FRAC_PI_2 + 20.0,
+        ),
+        (
+            ("2:0:1", 20.0),
+            ("1:0:-1", 80.0),
+            "2:0:1 6:0:-1 1:0:-1",
+            20.0 + 13.25 * std::f64::consts::FRAC_PI_2 + 5.0,
+        ),
+    ] {
+        let route = map
+            .route(
+                place(from.0, from.1),
+                place(to.0, to.1),
+                VehicleClass::PassengerCar,
+                &ShortestLength::default(),
+                &mut scratch,
+                &mut steps,
+            )
+            .expect("an answer")
+            .unwrap_or_else(|| panic!("no way from {from:?} to {to:?}"));
+        let found: Vec<_> = steps
+            .iter()
+            .map(|step| map.lane(step.lane).expect("known").key().to_string())
+            .collect();
+        assert_eq!(found.join(" "), lanes);
+        assert!((route.length - length).abs() < 1e-4, "{} is not {length}", route.length);
+    }
+}
+
+/// A broken map, the rule that must find it, how bad it is, and the tag where it stands.
+type Broken = (&'static str, String, &'static str, Severity, &'static str);
+
+/// Two roads of centimetres that lead into each other.
+fn short_loop() -> String {
+    let lanes = section(0.0, "", &lane(-1, "p-1 s-1"));
+    let part = |id: &str, other: &str, x: f64| {
+        let links = link(&format!("p road {other} end")) + &link(&format!("s road {other} start"));
+        road(id, "junction=\"-1\"", Line(x, 0.0, 0.0, 0.04, 0.0), &links, &lanes)
+    };
+    document(&(part("1", "2", 0.0) + &part("2", "1", 0.04)))
+}
+
+fn broken() -> Vec<Broken> {
+    let plain = "junction=\"-1\"";
+    let line = Line(0.0, 0.0, 0.0, 100.0, 0.0);
+    let two = |first: &str, second: &str| {
+        document(&road(
+            "1",
+            plain,
+            line,
+            "",
+            &(section(0.0, &lane(1, ""), &lane(-1, first))
+                + &section(50.0, &lane(1, second), &lane(-1, ""))),
+        ))
+    };
+    let inside = "junction=\"7\"";
+    let around = [
+        road(
+            "5",
+            inside,
+            line,
+            &(link("p road 6 end") + &link("s road 6 start")),
+            &section(0.0, "", &lane(-1, "p-1 s-1")),
+        ),
+        road(
+            "6",
+            inside,
+            Line(100.0, 0.0, 0.0, 100.0, 0.0),
+            &(link("p road 5 end") + &link("s road 5 start")),
+            &section(0.0, "", &lane(-1, "p-1 s-1")),
+        ),
+    ];
+    let apart = [
+        road("1", plain, line, &link("s road 2 start"), &section(0.0, "", &lane(-1, "s-1"))),
+        road("2", plain, Line(100.0, 5.0, 0.0, 50.0, 0.0), "", &section(0.0, "", &lane(-1, ""))),
+    ];
+    vec![
+        (
+            "a link to a lane that is not there",
+            two("s-5", ""),
+            "mapd:graph.missing_lane",
+            Severity::Error,
+            "<successor id=\"-5\"",
+        ),
+        (
+            "a link into oncoming traffic",
+            two("s1", ""),
+            "mapd:graph.direction",
+            Severity::Warning,
+            "<successor id=\"1\"",
+        ),
+        (
+            "a link to a road that is not there",
+            document(&road(
+                "1",
+                plain,
+                line,
+                &link("s road 9 start"),
+                &section(0.0, "", &lane(-1, "s-1")),
+            )),
+            "mapd:compile.orphan_link",
+            Severity::Warning,
+            "<successor elementType=\"road\" elementId=\"9\"",
+        ),
+        (
+            "a loop without length",
+            short_loop(),
+            "mapd:graph.no_progress",
+            Severity::Error,
+            "<successor id=\"-1\"",
+        ),
+        (
+            "a cycle within a junction",
+            document(&(around.concat() + &junction("7", "", ""))),
+            "mapd:graph.junction_cycle",
+            Severity::Error,
+            "<successor id=\"-1\"",
+        ),
+        (
+            "lanes that do not meet",
+            document(&apart.concat()),
+            "mapd:graph.gap",
+            Severity::Warning,
+            "<successor id=\"-1\"",
+        ),
+    ]
+}
+
+#[test]
+fn what_is_wrong_with_links_is_found_with_its_place() {
+    for (what, text, rule, severity, tag) in broken() {
+        let compiled = compiled(&text, CyclePolicy::default());
+        let found: Vec<_> =
+            compiled.diagnostics.iter().filter(|d| d.finding.rule == rule).collect();
+        let at = text.find(tag).expect("the tag stands there");
+        let line = text[..at].matches('\n').count() as u32 + 1;
+        let column = (at - text[..at].rfind('\n').map_or(0, |newline| newline + 1)) as u32 + 1;
+        let first = found.first().unwrap_or_else(|| panic!("{what}: {:?}", compiled.diagnostics));
+        assert_eq!((first.line, first.column), (line, column), "{what}: {first:?}");
+        assert_eq!(first.finding.severity, severity, "{what}");
+        let rejected = severity == Severity::Error;
+        assert_eq!(
+            compiled.verdict == Verdict::Rejected,
+            rejected,
+            "{what}: {:?}",
+            compiled.diagnostics
+        );
+        assert_eq!(compiled.rows.is_none(), rejected, "{what}");
+    }
+}
+
+#[test]
+fn what_leads_nowhere_is_no_edge() {
+    let (_, text, ..) =
+        broken().into_iter().find(|broken| broken.2 == "mapd:graph.direction").expect("a map");
+    let compiled = compiled(&text, CyclePolicy::default());
+    assert!(compiled.rows.expect("accepted").successors.is_empty());
+}
+
+#[test]
+fn cycles_by_policy() {
+    let map = all().into_iter().find(|map| map.name == "roundabout").expect("a map");
+    for (policy, verdict, severity) in [
+        (CyclePolicy::Illegal, Verdict::Accepted, None),
+        (CyclePolicy::All, Verdict::Rejected, Some(Severity::Error)),
+        (CyclePolicy::Report, Verdict::Accepted, Some(Severity::Info)),
+    ] {
+        let compiled = compiled(&map.text, policy);
+        assert_eq!(compiled.verdict, verdict, "{policy:?}");
+        let found: Vec<_> =
+            compiled.diagnostics.iter().filter(|d| d.finding.rule == "mapd:graph.cycle").collect();
+        assert_eq!(found.first().map(|d| d.finding.severity), severity, "{policy:?}");
+        for finding in found {
+            // The whole path with the place of each link, back to where it began.
+            let message = &finding.finding.message;
+            for key in
+                ["1:0:-1 (link at ", "2:0:-1 (link at ", "3:0:-1 (link at ", "4:0:-1 (link at "]
+            {
+                assert!(message.contains(key), "{message}");
+            }
+            assert!(message.ends_with("→ 1:0:-1"), "{message}");
+        }
+    }
+    // A lawful loop is one component, closed by one edge.
+    let snapshot = open(map.name, &map.text);
+    let components: BTreeSet<_> =
+        snapshot.map().lane_nodes().map(|node| node.component()).collect();
+    assert_eq!(components.len(), 1);
+    let closing = snapshot.map().lane_nodes().flat_map(|n| n.edges()).filter(|e| e.closes_loop());
+    assert_eq!(closing.count(), 1);
+    // Forbidden cycles are warnings where cycles are only reported.
+    let compiled = compiled(&short_loop(), CyclePolicy::Report);
+    let found = compiled.diagnostics.iter().find(|d| d.finding.rule == "mapd:graph.no_progress");
+    assert_eq!(found.map(|d| d.finding.severity), Some(Severity::Warning));
+    assert!(compiled.rows.is_some());
+}
+
+/// A road of 100 m with two lanes each way and these marks on lane −1 and lane 0.
+fn marked(own: &str, center: &str, rule: &str) -> String {
+    let width = "a=\"3.5\" b=\"0\" c=\"0\" d=\"0\"";
+    let right = wide(-1, "", "", width, own) + &lane(-2, "");
+    let left = lane(2, "") + &lane(1, "");
+    let sections = section(0.0, &left, &right).replace(
+        "<lane id=\"0\" type=\"none\"/>",
+        &format!("<lane id=\"0\" type=\"none\">{center}</lane>"),
+    );
+    let attributes = format!("junction=\"-1\"{rule}");
+    document(&road("1", &attributes, Line(0.0, 0.0, 0.0, 100.0, 0.0), "", &sections))
+}
+
+fn mark(s: f64, change: &str) -> String {
+    format!("<roadMark sOffset=\"{s}\" type=\"broken\" color=\"white\" laneChange=\"{change}\"/>")
+}
+
+#[test]
+fn lane_changes_follow_the_marks() {
+    let none = mark(0.0, "none");
+    let part = none.clone() + &mark(30.0, "both") + &mark(70.0, "none");
+    let lht = " rule=\"LHT\"";
+    // Marks on lane −1, traffic rule, lane, direction of the change, where it is allowed.
+    type Case<'a> = (&'a str, &'a str, &'a str, bool, &'a [(f64, f64)]);
+    let cases: [Case<'_>; 12] = [
+        ("", "", "1:0:-1", false, &[(0.0, 100.0)]),
+        ("", "", "1:0:-1", true, &[]),
+        (&none, "", "1:0:-1", false, &[]),
+        (&part, "", "1:0:-1", false, &[(30.0, 70.0)]),
+        (&part, "", "1:0:-2", true, &[(30.0, 70.0)]),
+        // Numbers increase from −2 to −1: to the left, in driving direction, with right-hand traffic.
+        (&mark(0.0, "increase"), "", "1:0:-2", true, &[(0.0, 100.0)]),
+        (&mark(0.0, "increase"), "", "1:0:-1", false, &[]),
+        (&mark(0.0, "decrease"), "", "1:0:-1", false, &[(0.0, 100.0)]),
+        (&mark(0.0, "decrease"), "", "1:0:-2", true, &[]),
+        // With left-hand traffic the right lanes travel towards −s: lane −2 is then on the left.
+        (&mark(0.0, "decrease"), lht, "1:0:-1", true, &[(0.0, 100.0)]),
+        (&mark(0.0, "decrease"), lht, "1:0:-2", false, &[]),
+        (&none, "", "1:0:2", true, &[(0.0, 100.0)]),
+    ];
+    for (own, rule, lane, left, expected) in cases {
+        let snapshot = open(lane, &marked(own, &none, rule));
+        let map = snapshot.map();
+        let lane_of = map.lane_by_key(&lane.parse().expect("a key")).expect("a lane");
+        let allowed = |node: &LaneNode<'_>| {
+            let to = if left { node.change_left() } else { node.change_right() };
+            to.is_some()
+        };
+        let found: Vec<_> = lane_of.nodes().filter(allowed).map(|node| node.s_range()).collect();
+        assert_eq!(found, expected, "{lane} {} {own} {rule}", if left { "left" } else { "right" });
+    }
+}
+
+#[test]
+fn access_closes_and_opens_lanes() {
+    let access = |text: &str| format!("<access sOffset=\"0\" {text}");
+    let cases = [
+        ("", "passengerCar bus bicycle", "pedestrian tram"),
+        (&access("rule=\"deny\" restriction=\"truck\"/>"), "passengerCar bus", "truck pedestrian"),
+        (&access("rule=\"allow\" restriction=\"bus\"/>"), "bus", "passengerCar taxi bicycle"),
+        (
+            &access(
+                "rule=\"allow\"><restriction type=\"taxi\"/><restriction type=\"bicycle\"/></access>",
+            ),
+            "taxi bicycle",
+            "bus passengerCar",
+        ),
+        (&access("rule=\"deny\" restriction=\"none\"/>"), "passengerCar truck", "pedestrian"),
+        (&access("restriction=\"truck\"/>"), "passengerCar", "truck"),
+    ];
+    for (text, open_to, closed_to) in cases {
+        let width = "a=\"3.5\" b=\"0\" c=\"0\" d=\"0\"";
+        let lanes = section(0.0, "", &wide(-1, "", "", width, text));
+        let road = road("1", "junction=\"-1\"", Line(0.0, 0.0, 0.0, 100.0, 0.0), "", &lanes);
+        let snapshot = open("access", &document(&road));
+        let node = snapshot.map().lane_nodes().next().expect("a node");
+        for (words, expected) in [(open_to, true), (closed_to, false)] {
+            for word in words.split(' ') {
+                assert_eq!(node.allows(VehicleClass::from_name(word)), expected, "{word}: {text}");
+            }
+        }
+    }
+}
+
+#[test]
+fn lanes_that_cross_know_where() {
+    // Two straight connecting roads across each other, and two that lead into one lane.
+    let inside = "junction=\"7\"";
+    let right = section(0.0, "", &lane(-1, "s-1"));
+    let roads = [
+        road("1", inside, Line(-20.0, 0.0, 0.0, 40.0, 0.0), &link("s road 3 start"), &right),
+        road(
+            "2",
+            inside,
+            Line(0.0, -20.0, std::f64::consts::FRAC_PI_2, 40.0, 0.0),
+            "",
+            &right.replace("<successor id=\"-1\"/>", ""),
+        ),
+        road(
+            "3",
+            "junction=\"-1\"",
+            Line(20.0, 0.0, 0.0, 50.0, 0.0),
+            "",
+            &section(0.0, "", &lane(-1, "")),
+        ),
+        road(
+            "4",
+            inside,
+            Line(0.0, 20.0, -std::f64::consts::FRAC_PI_2, 20.0 * std::f64::consts::FRAC_PI_2, 0.05),
+            &link("s road 3 start"),
+            &right,
+        ),
+    ];
+    let snapshot = open("crossing", &document(&(roads.concat() + &junction("7", "", ""))));
+    let map = snapshot.map();
+    let of = |key: &str| {
+        let lane = map.lane_by_key(&key.parse().expect("a key")).expect("a lane");
+        lane.conflicts()
+            .map(|c| {
+                (
+                    c.other().expect("a lane").key().to_string(),
+                    c.kind(),
+                    c.s_range(),
+                    c.other_range(),
+                )
+            })
+            .collect::<Vec<_>>()
+    };
+    let near = |found: (f64, f64), expected: (f64, f64)| {
+        let cell = 0.5 + 1e-3;
+        (expected.0 - cell..=expected.0 + 1e-3).contains(&found.0)
+            && (expected.1 - 1e-3..=expected.1 + cell).contains(&found.1)
+    };
+    let first = of("1:0:-1");
+    let (_, kind, own, other) =
+        first.iter().find(|conflict| conflict.0 == "2:0:-1").expect("they cross");
+    assert_eq!(*kind, ConflictKind::Cross);
+    assert!(near(*own, (20.0, 23.5)) && near(*other, (16.5, 20.0)), "{own:?} {other:?}");
+    let merge = first.iter().find(|conflict| conflict.0 == "4:0:-1").expect("they merge");
+    assert_eq!(merge.1, ConflictKind::Merge);
+    assert_eq!(merge.2.1, 40.0, "up to the end");
+    // Seen from the other side it is the same.
+    let back = of("2:0:-1");
+    let turned = back.iter().find(|conflict| conflict.0 == "1:0:-1").expect("they cross");
+    assert_eq!((turned.2, turned.3), (*other, *own));
+}
