@@ -47,7 +47,7 @@ KINDS = {
     "mapd:value.space": "value",
     "mapd:value.empty": "value",
     "mapd:value.enumeration": "value",
-    "asam.net:xodr:1.0.0:xml.fileheader_to_specify_version": "value",
+    "asam.net:xodr:1.0.0:xml.version_is_defined": "value",
     "asam.net:xodr:1.0.0:xml.root_tag_is_opendrive": "root",
 }
 # About elements, attributes or words.
@@ -192,6 +192,7 @@ def prepare(root, version, namespace):
     """A document as both sides read it: of the version and in the schema's namespace."""
     for element in root.iter(etree.Element):
         element.tag = f"{{{namespace}}}{mutate.tag(element)}" if namespace else mutate.tag(element)
+    etree.cleanup_namespaces(root)
     return mutate.lines(etree.ElementTree(root))
 
 

@@ -139,7 +139,7 @@ impl Candidate {
         Nearest { lane: self.lane_id(map), position: self.position }
     }
 
-    /// Distance; then heading difference, z difference, |offset|, key, s.
+    /// Distance; then heading difference, z difference, |offset|, key, s; and what two geometries that meet round differently.
     #[inline]
     pub(crate) fn order(&self, other: &Self, map: Map<'_>) -> Ordering {
         self.position
@@ -151,6 +151,8 @@ impl Candidate {
             .then_with(|| self.order_by_key(other, map))
             // Where two stretches of one lane meet, so that the answer does not depend on which is visited first.
             .then(self.position.s.total_cmp(&other.position.s))
+            .then(self.position.t.total_cmp(&other.position.t))
+            .then(self.position.heading.total_cmp(&other.position.heading))
     }
 
     #[cold]

@@ -35,7 +35,7 @@ struct Side<'a> {
     /// The section's start `[m]`.
     s: f64,
     /// The stretch's start `[m]`.
-    start: f64,
+    begins: f64,
     /// Number of sections of the road between that one and the stretch; 0 where the stretch is the section itself.
     continues: u16,
     /// Whether the lanes go on in the next stretch.
@@ -120,15 +120,14 @@ fn sides<'a>(
                 replaces = has;
             }
         }
-        let own = Side { section, s: *s, start: *s, continues: 0, goes_on: false };
-        let mut stretch = [own; 2];
+        let mut stretch = [Side { section, s: *s, begins: *s, continues: 0, goes_on: false }; 2];
         for (k, side) in stretch.iter_mut().enumerate() {
             if replaces[k] {
                 written[k] = i;
             } else if let Some(before) = stretches.last_mut().and_then(|before| before.get_mut(k)) {
                 before.goes_on = true;
                 let continues = u16::try_from(i - written[k]).unwrap_or(u16::MAX);
-                *side = Side { start: *s, continues, goes_on: false, ..*before };
+                *side = Side { begins: *s, continues, goes_on: false, ..*before };
             }
         }
         stretches.push(stretch);
@@ -181,7 +180,8 @@ impl Lowering {
         road: &str,
         findings: &mut Vec<Finding>,
     ) -> Range {
-        let tail = format!("lanes/laneSection[@s={}]", left_side.start);
+        let s = if left_side.continues == 0 { left_side.s } else { right_side.s };
+        let tail = format!("lanes/laneSection[@s={s}]");
         let mut lanes = lanes_of(section, road, findings);
         for (side, sign) in [(left_side, 1), (right_side, -1)] {
             if side.continues > 0 {
@@ -273,8 +273,10 @@ impl Lowering {
             (kind == LaneType::Bidirectional, lane_flags::BOTH),
         ];
         flags |= set.iter().filter(|(on, _)| *on).fold(0, |all, (_, flag)| all | flag);
-        let written = (lane.road_mark, lane.access, side.s - side.start);
-        self.permissions.lane(self.rows.lanes.len() as u32, kind, written);
+        // Lane 0 is always that of the stretch's own section.
+        let shift = if lane.id == 0 { 0.0 } else { side.begins - side.s };
+        let row = self.rows.lanes.len() as u32;
+        self.permissions.lane((row, shift), kind, lane.road_mark, lane.access);
         let mut numbers = |linked: &[xodr::LinkedLane]| -> Vec<WrittenLink> {
             let number = |link: &xodr::LinkedLane| {
                 let span = link.span;

@@ -10,7 +10,8 @@ pub(crate) struct Double {
 }
 
 /// π/2 in three doubles' precision, of which two are kept.
-const HALF_PI: Double = Double { high: 1.570_796_326_794_896_6, low: 6.123_233_995_736_766e-17 };
+const HALF_PI: Double =
+    Double { high: std::f64::consts::FRAC_PI_2, low: 6.123_233_995_736_766e-17 };
 /// Terms of the series of sine and cosine over a quarter of a right angle.
 const TERMS: i32 = 24;
 
