@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [22, 218, 8, 22, 6, 237, 148, 186, 216, 243, 63, 224, 173, 215, 192, 95];
+    [50, 203, 250, 11, 254, 164, 170, 64, 125, 17, 81, 4, 76, 196, 118, 33];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -90,7 +90,7 @@ pub struct Rows {
     pub predecessors: Table<u32>,
     /// Lanes of one junction whose areas meet, by `lane`; each pair stands twice, once from either side.
     pub conflicts: Table<ConflictRow>,
-    /// Per group: distances from each landmark, then to each, in `length_step`, rounded down; 65535 where there is no way.
+    /// Per place: distances from each landmark, then to each, in `length_step`, rounded down; 65535 where there is no way.
     pub landmark_lengths: Table<u16>,
     /// As `landmark_lengths`, in `time_step`.
     pub landmark_times: Table<u16>,
@@ -221,7 +221,7 @@ pub struct Tables<'a> {
     pub predecessors: &'a [u32],
     /// Lanes of one junction whose areas meet, by `lane`; each pair stands twice, once from either side.
     pub conflicts: &'a [ArchivedConflictRow],
-    /// Per group: distances from each landmark, then to each, in `length_step`, rounded down; 65535 where there is no way.
+    /// Per place: distances from each landmark, then to each, in `length_step`, rounded down; 65535 where there is no way.
     pub landmark_lengths: &'a [u16],
     /// As `landmark_lengths`, in `time_step`.
     pub landmark_times: &'a [u16],
@@ -563,6 +563,8 @@ impl<'a> Tables<'a> {
             let check = Check { table: "graph", row: i };
             check.finite("length_step", row.length_step())?;
             check.finite("time_step", row.time_step())?;
+            check.finite("change_length", row.change_length())?;
+            check.finite("change_time", row.change_time())?;
         }
         for (i, row) in self.lane_nodes.iter().enumerate() {
             let check = Check { table: "lane_nodes", row: i };
