@@ -47,7 +47,7 @@ KINDS = {
     "mapd:value.space": "value",
     "mapd:value.empty": "value",
     "mapd:value.enumeration": "value",
-    "asam.net:xodr:1.0.0:xml.fileheader_to_specify_version": "value",
+    "asam.net:xodr:1.0.0:xml.version_is_defined": "value",
     "asam.net:xodr:1.0.0:xml.root_tag_is_opendrive": "root",
 }
 # About elements, attributes or words.

@@ -225,4 +225,24 @@ impl LaneType {
     }
 }
 
+codes! {
+    /// Kind of a part that is not in the map as its document has it.
+    QuarantinedKind {
+        /// A road.
+        Road = 0, "road";
+        /// A junction.
+        Junction = 1, "junction";
+        /// A connection of a junction.
+        Connection = 2, "connection";
+        /// An object, tunnel or bridge, or a reference to an object.
+        Object = 3, "object";
+        /// A signal, or a reference to one.
+        Signal = 4, "signal";
+        /// A controller.
+        Controller = 5, "controller";
+        /// A junction group, station or group of boards.
+        Other = 6, "group";
+    }
+}
+
 pub(crate) use codes;

@@ -38,7 +38,9 @@ mod verify;
 mod verify_graph;
 mod write;
 
-pub use codes::{ContactPoint, LaneType, LinkKind, NONE, RoadType, SpeedKind, lane_flags};
+pub use codes::{
+    ContactPoint, LaneType, LinkKind, NONE, QuarantinedKind, RoadType, SpeedKind, lane_flags,
+};
 pub use error::{OpenError, VerifyError, WriteError};
 pub use generated::{rows::*, tables::*};
 pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_flags};

@@ -27,27 +27,52 @@ mod links;
 mod lower;
 mod options;
 mod origin;
+mod quarantine;
 mod report;
+mod rounds;
 
 pub use options::{CompileOptions, CyclePolicy, OptionsError};
+pub use quarantine::{OnError, PartKind, Policy, QuarantinedPart, Treatment};
 pub use report::{Compilation, Diagnostic, Progress, Verdict, Version};
 
 use hashing::HashingReader;
 use lower::Lowering;
 use mapd_archive::{NONE, Provenance, Rows};
+use mapd_rules::Checker;
 use mapd_xodr::source::{Inputs, Places};
 use mapd_xodr::{Finding, Item, Limits, Reader, Severity};
+use quarantine::{Exclusions, Units};
 use report::Collector;
 use std::io::{self, Read};
 use std::path::PathBuf;
 
-/// How a document is read. It shapes findings and refusals, never the tables of a map that is accepted.
+/// How a document is read and what becomes of its errors. It never shapes the tables of a map without errors.
 #[derive(Clone, Debug, Default)]
 pub struct ReadOptions {
     /// Bounds on what the document may ask for.
     pub limits: Limits,
     /// The folder that files may be included from; none: nothing is included, and a map that wants to is rejected.
     pub include_folder: Option<PathBuf>,
+    /// Which rules apply, and how bad their findings are.
+    pub rules: mapd_rules::Settings,
+    /// What becomes of a map with errors.
+    pub policy: Policy,
+}
+
+impl ReadOptions {
+    /// First bytes of the BLAKE3 of all that shapes an archive, as its header carries them.
+    fn hash(&self, options: &CompileOptions) -> [u8; 8] {
+        if self.rules == mapd_rules::Settings::default() && self.policy == Policy::default() {
+            return options.hash();
+        }
+        let mut hasher = blake3::Hasher::new();
+        hasher.update(&options.hash());
+        // Both are plain values with names, the same in every build of one version.
+        hasher.update(format!("{:?} {:?}", self.rules, self.policy).as_bytes());
+        let mut out = [0; 8];
+        out.copy_from_slice(&hasher.finalize().as_bytes()[..8]);
+        out
+    }
 }
 
 /// Compiles a document that includes no files. `progress` is told after each top-level element and at each stage.
@@ -61,7 +86,8 @@ pub fn compile(
     compile_with(input, &ReadOptions::default(), options, progress)
 }
 
-/// Compiles a document.
+/// Compiles a document that can be read once. An error rejects the map: to leave out the part that has it, the document must
+/// be read again, which [`compile_from`] does.
 ///
 /// Errors: reading failed. A map that is rejected is no error: see [`Compilation::verdict`].
 pub fn compile_with(
@@ -70,19 +96,23 @@ pub fn compile_with(
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Compilation> {
-    let mut document = read(input, reading, progress)?;
-    let rows = match document.sample(options, progress)? {
-        None => None,
-        Some(mut rows) => {
-            progress(Progress::Indexing { segments: rows.points.len() });
-            index::build(&mut rows, options).map_err(io::Error::other)?;
-            Some(rows)
-        }
-    };
-    let mut compiled = document.finish();
-    compiled.provenance.options_hash = options.hash();
-    compiled.rows = rows;
-    Ok(compiled)
+    let round = round(input, reading, &Exclusions::default(), options, progress)?;
+    build(round.rows, round.compilation, reading, options, progress)
+}
+
+/// Compiles a document. `open` yields it from its start, as often as it is called: parts with errors are treated as
+/// [`ReadOptions::policy`] says.
+///
+/// Errors: reading failed, or the document changed in between. A map that is rejected is no error: see
+/// [`Compilation::verdict`].
+pub fn compile_from<R: Read + Send>(
+    mut open: impl FnMut() -> io::Result<R>,
+    reading: &ReadOptions,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Compilation> {
+    let (rows, compilation) = rounds::read(&mut open, reading, options, progress)?;
+    build(rows, compilation, reading, options, progress)
 }
 
 /// Finds everything that [`compile_with`] finds, without building the map: there are no rows.
@@ -93,9 +123,67 @@ pub fn check(
     reading: &ReadOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Compilation> {
-    let mut document = read(input, reading, progress)?;
-    document.sample(&CompileOptions { landmarks: 0, ..CompileOptions::default() }, progress)?;
-    Ok(document.finish())
+    let options = CompileOptions { landmarks: 0, ..CompileOptions::default() };
+    Ok(round(input, reading, &Exclusions::default(), &options, progress)?.compilation)
+}
+
+/// Finds everything that [`compile_from`] finds, without building the map: there are no rows.
+///
+/// Errors: reading failed, or the document changed in between.
+pub fn check_from<R: Read + Send>(
+    mut open: impl FnMut() -> io::Result<R>,
+    reading: &ReadOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Compilation> {
+    let options = CompileOptions { landmarks: 0, ..CompileOptions::default() };
+    Ok(rounds::read(&mut open, reading, &options, progress)?.1)
+}
+
+/// Builds the index of a map that is not rejected.
+fn build(
+    rows: Option<Rows>,
+    mut compiled: Compilation,
+    reading: &ReadOptions,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Compilation> {
+    compiled.provenance.options_hash = reading.hash(options);
+    if let Some(mut rows) = rows.filter(|_| compiled.verdict != Verdict::Rejected) {
+        progress(Progress::Indexing { segments: rows.points.len() });
+        index::build(&mut rows, options).map_err(io::Error::other)?;
+        compiled.rows = Some(rows);
+    }
+    Ok(compiled)
+}
+
+/// What reading a document once yields.
+struct Round {
+    /// Tables but for the index; none where something is wrong.
+    rows: Option<Rows>,
+    compilation: Compilation,
+    causes: Vec<report::Cause>,
+    units: Units,
+    /// Number of roads in the map.
+    roads: usize,
+    /// Their length together `[m]`.
+    length: f64,
+}
+
+/// Reads a document without some parts, samples lanes and completes the lane graph.
+fn round(
+    input: impl Read + Send,
+    reading: &ReadOptions,
+    without: &Exclusions,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Round> {
+    let mut document = read(input, reading, without, progress)?;
+    let roads = document.lowering.rows.roads.len();
+    let length = document.lowering.rows.roads.iter().map(|road| road.length).sum();
+    let rows = document.sample(options, progress)?;
+    let (compilation, causes, units) =
+        document.collector.finish(document.provenance, document.version, document.quarantined);
+    Ok(Round { rows, compilation, causes, units, roads, length })
 }
 
 /// A document that has been read and checked, and whose links are resolved.
@@ -107,6 +195,8 @@ struct Document {
     places: Places,
     provenance: Provenance,
     version: Version,
+    /// Parts that were left out.
+    quarantined: Vec<QuarantinedPart>,
 }
 
 impl Document {
@@ -127,21 +217,19 @@ impl Document {
         self.collector.add(findings, &self.places);
         Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
     }
-
-    fn finish(self) -> Compilation {
-        self.collector.finish(self.provenance, self.version)
-    }
 }
 
-/// Reads and checks a document and resolves its links.
+/// Reads and checks a document without some parts and resolves its links.
 fn read(
     input: impl Read + Send,
     reading: &ReadOptions,
+    without: &Exclusions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Document> {
     let mut hashing = HashingReader::new(input);
     let mut lowering = Lowering::default();
     let mut collector = Collector::default();
+    let mut quarantined = Vec::new();
     let (places, version) = {
         let mut inputs = Inputs::new(reading.limits.source);
         if let Some(folder) = &reading.include_folder {
@@ -151,12 +239,19 @@ fn read(
         let mut reader = Reader::with_source(inputs, source, reading.limits);
         let places = reader.places().clone();
         let mut checked = Vec::new();
+        let mut checker = Checker::new(&reading.rules);
         while let Some(item) = reader.next()? {
             let read = reader.take_findings();
+            collector.add_units(&item);
+            let Some(item) = without.filter(item, &mut quarantined) else {
+                collector.add_read(read, Vec::new(), &places, without);
+                continue;
+            };
+            checker.item(&item);
+            checked.append(&mut checker.take_findings());
             match item {
                 Item::Header(header) => lowering.header(&header),
                 Item::Road(road) => {
-                    mapd_rules::check_road(&road, &mut checked);
                     lowering.road(&road, reader.position(road.span.start), &mut checked);
                 }
                 Item::Junction(junction) => {
@@ -165,10 +260,11 @@ fn read(
                 }
                 _ => {}
             }
-            collector.add_read(read, std::mem::take(&mut checked), &places);
+            collector.add_read(read, std::mem::take(&mut checked), &places, without);
             progress(Progress::Reading { bytes: reader.bytes_read(), roads: lowering.roads() });
         }
-        collector.add_read(reader.take_findings(), Vec::new(), &places);
+        checker.finish();
+        collector.add_read(reader.take_findings(), checker.take_findings(), &places, without);
         let stated = reader.stated_version().to_owned();
         (places, Version { stated, checked: reader.checked_version() })
     };
@@ -187,7 +283,8 @@ fn read(
         options_hash: [0; 8],
         compiler_version: crate::version(),
     };
-    Ok(Document { lowering, graph, collector, places, provenance, version })
+    lowering.quarantine(&quarantined);
+    Ok(Document { lowering, graph, collector, places, provenance, version, quarantined })
 }
 
 /// The files that the document included, in the order in which it did.

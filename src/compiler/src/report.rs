@@ -1,16 +1,19 @@
 //! What a compilation yields besides rows.
 
 use crate::lower::UNUSABLE;
+use crate::quarantine::{Exclusions, PartKind, QuarantinedPart, Units};
 use mapd_archive::{Provenance, Rows};
 use mapd_xodr::source::Places;
-use mapd_xodr::{Finding, Severity, rule_ids};
+use mapd_xodr::{Finding, Item, Severity, rule_ids};
 use std::sync::Arc;
 
 /// What becomes of a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// There is an archive. The file may still violate the standard, as its findings say.
+    /// There is an archive of all of the map. The file may still violate the standard, as its findings say.
     Accepted,
+    /// There is an archive without some parts, which it lists.
+    Quarantined,
     /// Something that the map is built from is missing or unusable; there is no archive.
     Rejected,
 }
@@ -42,7 +45,7 @@ pub enum Progress {
 pub struct Diagnostic {
     /// The finding.
     pub finding: Finding,
-    /// Whether the map is rejected because of it.
+    /// Whether the map is rejected, or some part of it left out, because of it.
     pub rejects: bool,
     /// Name of the included file that it stands in; empty for the document itself.
     pub file: Arc<str>,
@@ -73,8 +76,35 @@ pub struct Compilation {
     pub diagnostics: Vec<Diagnostic>,
     /// Findings beyond those kept, by severity: information, warnings, errors.
     pub dropped: [usize; 3],
+    /// Parts that are not in the map as the document has them, in the order of the document.
+    pub quarantined: Vec<QuarantinedPart>,
     /// What becomes of the map.
     pub verdict: Verdict,
+}
+
+/// A finding because of which something is left out.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Cause {
+    pub(crate) rule: &'static str,
+    /// Where the finding stands.
+    pub(crate) start: u64,
+    pub(crate) message: String,
+    pub(crate) line: u32,
+    pub(crate) column: u32,
+}
+
+impl Cause {
+    /// Whether leaving something out would help: not where the document cannot be read on.
+    pub(crate) fn can_be_left_out(&self) -> bool {
+        !matches!(
+            self.rule,
+            rule_ids::XML
+                | rule_ids::LIMIT
+                | rule_ids::ENCODING
+                | rule_ids::COMPRESSION
+                | rule_ids::ROOT
+        )
+    }
 }
 
 /// Findings of one severity that are kept; a file with an error in every line must not fill the memory.
@@ -86,6 +116,8 @@ pub(crate) struct Collector {
     diagnostics: Vec<Diagnostic>,
     counts: [usize; 3],
     rejecting: usize,
+    causes: Vec<Cause>,
+    units: Units,
 }
 
 fn rank(severity: Severity) -> usize {
@@ -101,14 +133,30 @@ impl Collector {
     ///
     /// An error of the reader's says that the file violates the standard. It rejects the map only if the document cannot be
     /// read on, or if the compiler finds the very thing unusable; then it stands for the compiler's finding.
-    pub(crate) fn add_read(&mut self, read: Vec<Finding>, built: Vec<Finding>, places: &Places) {
+    ///
+    /// What concerns parts that are left out already is no longer looked at.
+    pub(crate) fn add_read(
+        &mut self,
+        read: Vec<Finding>,
+        built: Vec<Finding>,
+        places: &Places,
+        without: &Exclusions,
+    ) {
         let (mut unusable, built): (Vec<Finding>, Vec<Finding>) =
             built.into_iter().partition(|finding| finding.rule == UNUSABLE);
         unusable.sort_by_key(|finding| finding.span.start);
         let mut explained = vec![false; unusable.len()];
         for finding in read {
+            let unit = self.units.of(finding.span.start);
+            if !without.is_empty() && unit.is_some_and(|unit| without.covers(unit)) {
+                continue;
+            }
             let is_error = finding.severity == Severity::Error;
             let mut rejects = is_error && !rule_ids::is_structural(finding.rule);
+            // Objects and signals are small enough to be left out where one of their values cannot be read.
+            let is_small =
+                unit.is_some_and(|u| matches!(u.kind, PartKind::Object | PartKind::Signal));
+            rejects |= is_error && is_small && is_unreadable(&finding);
             // Start tags do not overlap: it can only be about the one that begins last before it.
             let after = unusable.partition_point(|one| one.span.start <= finding.span.start);
             let tag = after.checked_sub(1).and_then(|last| unusable.get(last)).map(|one| one.span);
@@ -146,30 +194,56 @@ impl Collector {
         if kept {
             let place = places.place(finding.span.start);
             let (line, column) = (place.position.line, place.position.column);
+            if rejects {
+                let (rule, start) = (finding.rule, finding.span.start);
+                let message = finding.message.clone();
+                self.causes.push(Cause { rule, start, message, line, column });
+            }
             self.diagnostics.push(Diagnostic { finding, rejects, file: place.file, line, column });
         }
+    }
+
+    /// Takes the places of an element's parts.
+    pub(crate) fn add_units(&mut self, item: &Item) {
+        self.units.add(item);
     }
 
     pub(crate) fn is_rejected(&self) -> bool {
         self.rejecting > 0
     }
 
-    /// Everything but the rows.
-    pub(crate) fn finish(mut self, provenance: Provenance, version: Version) -> Compilation {
+    /// Everything but the rows; the findings because of which something is left out; which part each place is in.
+    pub(crate) fn finish(
+        mut self,
+        provenance: Provenance,
+        version: Version,
+        quarantined: Vec<QuarantinedPart>,
+    ) -> (Compilation, Vec<Cause>, Units) {
         self.diagnostics.sort_by_key(|d| d.finding.span.start);
         let verdict = if self.is_rejected() { Verdict::Rejected } else { Verdict::Accepted };
         let mut dropped = self.counts;
         for d in &self.diagnostics {
             dropped[rank(d.finding.severity)] -= 1;
         }
-        Compilation {
+        let compilation = Compilation {
             rows: None,
             provenance,
             version,
             diagnostics: self.diagnostics,
             dropped,
+            quarantined,
             verdict,
-        }
+        };
+        (compilation, self.causes, self.units)
+    }
+}
+
+/// Whether a value of an object or signal cannot be read, or one is missing without which it has no place.
+fn is_unreadable(read: &Finding) -> bool {
+    match read.rule {
+        rule_ids::VALUE | rule_ids::FINITE => true,
+        rule_ids::MISSING => matches!(&*read.subject, "id" | "s" | "t"),
+        _ => false,
     }
 }
 

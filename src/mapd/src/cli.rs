@@ -1,13 +1,14 @@
 //! The command line.
 
 use crate::exit::Exit;
+use crate::judging::JudgingArgs;
 use crate::progress::Bar;
 use crate::query::{self, Kind};
 use crate::{archive_file, check, export, inspect, load, report, source, status};
 use anyhow::{Context, Result, bail};
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions};
-use mapd_compiler::{CompileOptions, CyclePolicy};
+use mapd_compiler::{CompileOptions, CyclePolicy, ReadOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -32,14 +33,16 @@ struct Cli {
     options: Options,
 
     #[command(flatten)]
+    judging: JudgingArgs,
+
+    #[command(flatten)]
     domain: DomainArgs,
 
     #[command(subcommand)]
     command: Option<Command>,
 }
 
-const EXIT_CODES: &str =
-    "Exit codes: 0 done and accepted, 4 map rejected, 2 wrong usage, 1 the environment failed.";
+const EXIT_CODES: &str = "Exit codes: 0 done and accepted, 3 accepted with quarantined parts, 4 map rejected, 2 wrong usage, 1 the environment failed.";
 
 #[derive(Args)]
 struct Options {
@@ -110,6 +113,8 @@ enum Command {
         report: Option<PathBuf>,
         #[command(flatten)]
         options: Options,
+        #[command(flatten)]
+        judging: JudgingArgs,
     },
     /// Say everything that is wrong with an OpenDRIVE file, without building the map
     #[command(after_help = CHECK_HELP)]
@@ -187,8 +192,9 @@ enum Command {
 }
 
 const CHECK_HELP: &str = "\
-An error says that the file violates the standard; the map is rejected only for errors that say so, because what it is
-built from is missing or unusable. Ends with 0 where the map would be accepted, with 4 where it would be rejected.";
+An error says that the file violates the standard; parts are left out only for errors that say so, because what they are
+built from is missing or unusable. Ends with 0 where the map would be accepted, with 3 where parts of it would be left
+out, with 4 where it would be rejected.";
 
 const QUERY_HELP: &str = "\
 Columns:
@@ -272,13 +278,14 @@ fn execute(cli: Cli) -> Result<Exit> {
         return load::run(
             &cli.load,
             cli.name.as_deref(),
-            &validated(&cli.options)?,
+            (&cli.judging.apply(ReadOptions::default())?, &validated(&cli.options)?),
             &cli.domain.domain()?,
         );
     };
     let exit = match command {
-        Command::Compile { file, output, report, options } => {
-            compile(&file, output, report, &validated(&options)?, out)?
+        Command::Compile { file, output, report, options, judging } => {
+            let reading = judging.apply(ReadOptions::default())?;
+            compile(&file, output, report, (&reading, &validated(&options)?), out)?
         }
         Command::Check { file, format, reading } => {
             check::run(&file, format, &reading, out)?.verdict.into()
@@ -356,11 +363,11 @@ fn compile(
     file: &std::path::Path,
     output: Option<PathBuf>,
     report_to: Option<PathBuf>,
-    options: &CompileOptions,
+    (reading, options): (&ReadOptions, &CompileOptions),
     out: &mut dyn Write,
 ) -> Result<Exit> {
     let bar = Bar::new(file);
-    let compiled = source::compile_file(file, options, &mut |p| bar.show(p))?;
+    let compiled = source::compile_file_with(file, reading, options, &mut |p| bar.show(p))?;
     bar.finish();
     let name = file.display().to_string();
     report::print(&name, &compiled);

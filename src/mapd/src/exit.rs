@@ -8,6 +8,8 @@ use std::process::ExitCode;
 pub enum Exit {
     /// Done and accepted.
     Done,
+    /// Accepted, with parts in quarantine.
+    Quarantined,
     /// A map was rejected.
     Rejected,
     /// Wrong usage.
@@ -23,18 +25,20 @@ impl Exit {
             Self::Done => 0,
             Self::Environment => 1,
             Self::Usage => 2,
+            Self::Quarantined => 3,
             Self::Rejected => 4,
         }
     }
 
-    /// The worse of two: the environment, then rejected maps.
+    /// The worse of two: the environment, then rejected maps, then those with parts in quarantine.
     #[must_use]
     pub fn worst(self, other: Self) -> Self {
         let rank = |exit: Self| match exit {
             Self::Done => 0,
-            Self::Rejected => 1,
-            Self::Usage => 2,
-            Self::Environment => 3,
+            Self::Quarantined => 1,
+            Self::Rejected => 2,
+            Self::Usage => 3,
+            Self::Environment => 4,
         };
         if rank(other) > rank(self) { other } else { self }
     }
@@ -44,6 +48,7 @@ impl From<Verdict> for Exit {
     fn from(verdict: Verdict) -> Self {
         match verdict {
             Verdict::Accepted => Self::Done,
+            Verdict::Quarantined => Self::Quarantined,
             Verdict::Rejected => Self::Rejected,
         }
     }

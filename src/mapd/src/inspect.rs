@@ -4,6 +4,7 @@ use crate::graph_facts::{GraphFacts, lane_links};
 use crate::report::hex;
 use anyhow::Result;
 use mapd_client::Snapshot;
+use mapd_query::Quarantined;
 use serde::Serialize;
 use std::io::Write;
 
@@ -21,7 +22,7 @@ struct Inspection {
     verified: Option<bool>,
     map: MapFacts,
     graph: GraphFacts,
-    quarantined: Vec<()>,
+    quarantined: Vec<QuarantinedFacts>,
     tables: Vec<TableFacts>,
 }
 
@@ -39,6 +40,20 @@ struct MapFacts {
     min: [f64; 3],
     max: [f64; 3],
     bytes_per_road_km: f64,
+}
+
+#[derive(Serialize)]
+struct QuarantinedFacts {
+    kind: &'static str,
+    id: String,
+    owner: String,
+    reference_line: bool,
+    min: Option<[f64; 2]>,
+    max: Option<[f64; 2]>,
+    rule: String,
+    message: String,
+    line: u32,
+    column: u32,
 }
 
 #[derive(Serialize)]
@@ -93,6 +108,14 @@ pub(crate) fn run(
     if verify {
         writeln!(out, "verified      content hash and every row")?;
     }
+    for part in &i.quarantined {
+        let kept = if part.reference_line { ", kept as reference line" } else { "" };
+        writeln!(
+            out,
+            "quarantined   {} {} of {}{kept}, by line {}, column {}: {}: {}",
+            part.kind, part.id, part.owner, part.line, part.column, part.rule, part.message
+        )?;
+    }
     writeln!(out, "\n{:<24}{:>12}{:>8}{:>14}", "table", "elements", "bytes", "total")?;
     for t in &i.tables {
         writeln!(out, "{:<24}{:>12}{:>8}{:>14}", t.name, t.count, t.element_bytes, t.bytes)?;
@@ -135,7 +158,7 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
             bytes_per_road_km: if length > 0.0 { bytes as f64 / (length / 1000.0) } else { 0.0 },
         },
         graph: GraphFacts::of(map),
-        quarantined: Vec::new(),
+        quarantined: map.quarantined().map(|part| quarantined(&part)).collect(),
         tables: tables
             .infos()
             .iter()
@@ -146,5 +169,22 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
                 bytes: t.count * t.element_bytes,
             })
             .collect(),
+    }
+}
+
+fn quarantined(part: &Quarantined<'_>) -> QuarantinedFacts {
+    let (line, column) = part.source_position();
+    let extent = part.extent();
+    QuarantinedFacts {
+        kind: part.kind().name(),
+        id: part.id().to_owned(),
+        owner: part.owner().to_owned(),
+        reference_line: part.is_reference_line(),
+        min: extent.map(|(min, _)| min.to_array()),
+        max: extent.map(|(_, max)| max.to_array()),
+        rule: part.rule().to_owned(),
+        message: part.message().to_owned(),
+        line,
+        column,
     }
 }

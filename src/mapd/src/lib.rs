@@ -23,6 +23,7 @@ pub mod exit;
 pub mod export;
 mod graph_facts;
 mod inspect;
+mod judging;
 mod load;
 mod progress;
 pub mod query;

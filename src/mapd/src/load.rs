@@ -7,7 +7,7 @@ use crate::{report, source};
 use anyhow::{Context, Result, bail};
 use mapd_archive::{LAYOUT_ID, Rows, encode_into, encoded_length, verify};
 use mapd_client::{Domain, Snapshot};
-use mapd_compiler::{Compilation, CompileOptions};
+use mapd_compiler::{Compilation, CompileOptions, ReadOptions};
 use std::collections::BTreeSet;
 use std::error::Error;
 use std::io::Write;
@@ -25,7 +25,7 @@ enum Ready {
 pub(crate) fn run(
     files: &[PathBuf],
     name: Option<&str>,
-    options: &CompileOptions,
+    (reading, options): (&ReadOptions, &CompileOptions),
     domain: &Domain,
 ) -> Result<Exit> {
     let files = expand(files)?;
@@ -45,7 +45,7 @@ pub(crate) fn run(
                 "two maps would be named {name}; serve them from daemons of their own with --name"
             );
         }
-        match prepare(file, options)? {
+        match prepare(file, reading, options)? {
             Some(ready) => maps.push((name, ready)),
             None => exit = exit.worst(Exit::Rejected),
         }
@@ -106,12 +106,12 @@ fn stem(file: &Path) -> Result<String> {
         .to_owned())
 }
 
-fn prepare(file: &Path, options: &CompileOptions) -> Result<Option<Ready>> {
+fn prepare(file: &Path, reading: &ReadOptions, options: &CompileOptions) -> Result<Option<Ready>> {
     if source::is_archive(file) {
         return Ok(Some(Ready::Archive(Snapshot::open(file)?)));
     }
     let bar = Bar::new(file);
-    let mut compiled = source::compile_file(file, options, &mut |p| bar.show(p))?;
+    let mut compiled = source::compile_file_with(file, reading, options, &mut |p| bar.show(p))?;
     bar.finish();
     report::print(&file.display().to_string(), &compiled);
     Ok(compiled.rows.take().map(|rows| Ready::Compiled(Box::new(rows), Box::new(compiled))))

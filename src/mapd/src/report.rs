@@ -1,6 +1,6 @@
 //! What a compilation found: as text for people, as JSON for programs.
 
-use mapd_compiler::{Compilation, Diagnostic, Verdict};
+use mapd_compiler::{Compilation, Diagnostic, QuarantinedPart, Treatment, Verdict};
 use mapd_xodr::source::Places;
 use mapd_xodr::{Severity, rule_ids};
 use serde::Serialize;
@@ -17,7 +17,7 @@ pub struct Report<'a> {
     file: &'a str,
     input_hash: String,
     findings: Vec<ReportedFinding<'a>>,
-    quarantined: Vec<()>,
+    quarantined: Vec<ReportedPart<'a>>,
     counts: Counts,
     not_kept: usize,
 }
@@ -44,6 +44,46 @@ pub(crate) struct ReportedFinding<'a> {
     expected: Option<&'a str>,
     found: Option<&'a str>,
     hint: &'a str,
+}
+
+/// A part in quarantine as JSON.
+#[derive(Serialize)]
+pub(crate) struct ReportedPart<'a> {
+    kind: &'static str,
+    id: &'a str,
+    owner: &'a str,
+    treatment: &'static str,
+    extent: Option<[f64; 4]>,
+    rule: &'a str,
+    line: u32,
+    column: u32,
+    message: &'a str,
+}
+
+/// A part in quarantine.
+pub(crate) fn part(part: &QuarantinedPart) -> ReportedPart<'_> {
+    ReportedPart {
+        kind: part.kind.name(),
+        id: &part.id,
+        owner: &part.owner,
+        treatment: match part.treatment {
+            Treatment::Dropped => "dropped",
+            Treatment::ReferenceLine => "reference-line",
+        },
+        extent: part.extent,
+        rule: part.rule,
+        line: part.line,
+        column: part.column,
+        message: &part.message,
+    }
+}
+
+pub(crate) fn verdict_name(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Accepted => "accepted",
+        Verdict::Quarantined => "quarantined",
+        Verdict::Rejected => "rejected",
+    }
 }
 
 /// How many findings there are, those not kept among them.
@@ -115,14 +155,11 @@ pub(crate) fn counts(compiled: &Compilation) -> Counts {
 /// The report of a compilation.
 pub fn report<'a>(file: &'a str, compiled: &'a Compilation) -> Report<'a> {
     Report {
-        verdict: match compiled.verdict {
-            Verdict::Accepted => "accepted",
-            Verdict::Rejected => "rejected",
-        },
+        verdict: verdict_name(compiled.verdict),
         file,
         input_hash: hex(&compiled.provenance.input_hash),
         findings: compiled.diagnostics.iter().map(|d| reported(file, d)).collect(),
-        quarantined: Vec::new(),
+        quarantined: compiled.quarantined.iter().map(part).collect(),
         counts: counts(compiled),
         not_kept: compiled.dropped.iter().sum(),
     }
@@ -161,6 +198,18 @@ pub fn print(file: &str, compiled: &Compilation) {
     match compiled.verdict {
         Verdict::Rejected => {
             let _ = writeln!(err, "{file}: rejected, {} errors", counts.errors);
+        }
+        Verdict::Quarantined => {
+            for part in compiled.quarantined.iter().take(PRINTED) {
+                let (kind, id, owner) = (part.kind.name(), &part.id, &part.owner);
+                let of = if owner == id { String::new() } else { format!(" of {owner}") };
+                let _ = writeln!(
+                    err,
+                    "{file}:{}:{}: {kind} {id}{of} is left out: {}",
+                    part.line, part.column, part.rule
+                );
+            }
+            let _ = writeln!(err, "{file}: accepted without {} parts", compiled.quarantined.len());
         }
         Verdict::Accepted if counts.errors > 0 => {
             let _ =

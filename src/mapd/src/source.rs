@@ -4,7 +4,7 @@ use crate::report;
 use anyhow::{Context, Result};
 use mapd_archive::encode;
 use mapd_client::{Client, Domain, Snapshot};
-use mapd_compiler::{Compilation, CompileOptions, Progress, ReadOptions, compile_with};
+use mapd_compiler::{Compilation, CompileOptions, Progress, ReadOptions, compile_from};
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -35,8 +35,25 @@ pub fn compile_file(
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Compilation> {
-    let reading = ReadOptions { include_folder: folder(path), ..ReadOptions::default() };
-    compile_with(open_input(path)?, &reading, options, progress)
+    compile_file_with(path, &ReadOptions::default(), options, progress)
+}
+
+/// As [`compile_file`], with rules and a policy. Files are included from the file's folder unless another is given.
+///
+/// Errors: the file cannot be read. A rejected map is no error.
+pub fn compile_file_with(
+    path: &Path,
+    reading: &ReadOptions,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Compilation> {
+    let reading = ReadOptions {
+        include_folder: reading.include_folder.clone().or_else(|| folder(path)),
+        ..reading.clone()
+    };
+    // What cannot be opened is said in words of its own.
+    drop(open_input(path)?);
+    compile_from(|| File::open(path), &reading, options, progress)
         .with_context(|| format!("reading {}", path.display()))
 }
 

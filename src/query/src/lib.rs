@@ -30,6 +30,7 @@ mod near;
 mod nearest;
 mod polyline;
 mod profile;
+mod quarantine;
 mod region;
 mod road;
 mod route;
@@ -48,10 +49,12 @@ pub use key::{LaneKey, ParseLaneKeyError};
 pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
 pub use mapd_archive::{
-    ConflictKind, ContactPoint, EdgeKind, LaneType, RoadType, SpeedKind, VehicleClass,
+    ConflictKind, ContactPoint, EdgeKind, LaneType, QuarantinedKind, RoadType, SpeedKind,
+    VehicleClass,
 };
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
 pub use polyline::Polyline;
+pub use quarantine::Quarantined;
 pub use region::{BoundarySegment, Region};
 pub use road::{Road, RoadLink, RoadTypeRecord};
 pub use route::{

@@ -17,7 +17,7 @@ pub const ROOT: &str = "asam.net:xodr:1.0.0:xml.root_tag_is_opendrive";
 /// The root stands in a namespace that is none of OpenDRIVE's.
 pub const NAMESPACE: &str = "mapd:xml.namespace";
 /// The version is missing or unknown.
-pub const VERSION: &str = "asam.net:xodr:1.0.0:xml.fileheader_to_specify_version";
+pub const VERSION: &str = "asam.net:xodr:1.0.0:xml.version_is_defined";
 
 /// A required attribute is missing.
 pub const MISSING: &str = "mapd:structure.missing_attribute";

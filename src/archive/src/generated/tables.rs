@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [50, 203, 250, 11, 254, 164, 170, 64, 125, 17, 81, 4, 76, 196, 118, 33];
+    [39, 14, 92, 90, 120, 103, 243, 136, 137, 149, 123, 251, 252, 84, 235, 86];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -94,6 +94,8 @@ pub struct Rows {
     pub landmark_lengths: Table<u16>,
     /// As `landmark_lengths`, in `time_step`.
     pub landmark_times: Table<u16>,
+    /// Parts of the document that have errors and are not in the map as written, in the order of the document.
+    pub quarantined: Table<QuarantinedRow>,
 }
 
 impl Rows {
@@ -139,6 +141,7 @@ impl Rows {
             conflicts: bytemuck::cast_slice(self.conflicts.as_slice()),
             landmark_lengths: (self.landmark_lengths.as_slice()),
             landmark_times: (self.landmark_times.as_slice()),
+            quarantined: bytemuck::cast_slice(self.quarantined.as_slice()),
         }
     }
 }
@@ -225,6 +228,8 @@ pub struct Tables<'a> {
     pub landmark_lengths: &'a [u16],
     /// As `landmark_lengths`, in `time_step`.
     pub landmark_times: &'a [u16],
+    /// Parts of the document that have errors and are not in the map as written, in the order of the document.
+    pub quarantined: &'a [ArchivedQuarantinedRow],
 }
 
 impl<'a> Tables<'a> {
@@ -274,11 +279,12 @@ impl<'a> Tables<'a> {
             conflicts: root.conflicts.view(body, "conflicts")?,
             landmark_lengths: root.landmark_lengths.view_numbers(body, "landmark_lengths")?,
             landmark_times: root.landmark_times.view_numbers(body, "landmark_times")?,
+            quarantined: root.quarantined.view(body, "quarantined")?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 39] {
+    pub fn infos(&self) -> [TableInfo; 40] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -319,6 +325,7 @@ impl<'a> Tables<'a> {
             TableInfo::of("conflicts", self.conflicts),
             TableInfo::of("landmark_lengths", self.landmark_lengths),
             TableInfo::of("landmark_times", self.landmark_times),
+            TableInfo::of("quarantined", self.quarantined),
         ]
     }
 
@@ -596,6 +603,21 @@ impl<'a> Tables<'a> {
             check.finite("other_from", f64::from(row.other_from()))?;
             check.finite("other_to", f64::from(row.other_to()))?;
             check.code("kind", row.kind(), 4)?;
+        }
+        for (i, row) in self.quarantined.iter().enumerate() {
+            let check = Check { table: "quarantined", row: i };
+            check.finite("min_x", row.min_x())?;
+            check.finite("min_y", row.min_y())?;
+            check.finite("max_x", row.max_x())?;
+            check.finite("max_y", row.max_y())?;
+            check.finite("length", row.length())?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("owner", row.owner(), strings, false)?;
+            check.reference("rule", row.rule(), strings, false)?;
+            check.reference("message", row.message(), strings, false)?;
+            check.code("kind", row.kind(), 7)?;
+            check.code("treatment", row.treatment(), 2)?;
+            check.code("has_extent", row.has_extent(), 2)?;
         }
         Ok(())
     }

@@ -8,11 +8,12 @@ mod surface;
 
 use crate::graph::Permissions;
 use crate::options::CompileOptions;
+use crate::quarantine::{QuarantinedPart, Treatment};
 use crate::{finding, origin};
 pub(crate) use grid::{Joint, transitions};
 use mapd_archive::{
-    ContactPoint, JunctionRow, LinkKind, MapRow, NONE, Range, RoadRow, RoadType, RoadTypeRow, Rows,
-    SpeedKind, StringTable,
+    ContactPoint, JunctionRow, LinkKind, MapRow, NONE, QuarantinedRow, Range, RoadRow, RoadType,
+    RoadTypeRow, Rows, SpeedKind, StringTable,
 };
 use mapd_xodr::{
     self as xodr, Finding, Header, Junction, JunctionType, Position, Road, Severity, Span,
@@ -264,6 +265,31 @@ impl Lowering {
                 message,
                 "",
             ));
+        }
+    }
+
+    /// Appends what is not in the map as the document has it.
+    pub(crate) fn quarantine(&mut self, parts: &[QuarantinedPart]) {
+        for part in parts {
+            let [min_x, min_y, max_x, max_y] = part.extent.unwrap_or_default();
+            let row = QuarantinedRow {
+                min_x,
+                min_y,
+                max_x,
+                max_y,
+                length: part.length,
+                id: self.strings.add(&part.id),
+                owner: self.strings.add(&part.owner),
+                rule: self.strings.add(part.rule),
+                message: self.strings.add(&part.message),
+                line: part.line,
+                column: part.column,
+                kind: part.kind.code(),
+                treatment: u8::from(part.treatment == Treatment::ReferenceLine),
+                has_extent: u8::from(part.extent.is_some()),
+                reserved: [0; 5],
+            };
+            self.rows.quarantined.push(row);
         }
     }
 

@@ -3,17 +3,10 @@
 use super::need::Part;
 use super::{Lowering, between};
 use mapd_archive::{CubicRow, GeometryRow, Range};
-use mapd_geometry::{Curve, ParameterRange, Primitive, Start, compile};
+use mapd_geometry::{ParameterRange, Primitive, Start, compile};
 use mapd_xodr::{
     self as xodr, Attribute, CubicRecord, Finding, ParamPoly3Range, Severity, Span, Value as _,
 };
-
-/// A parametric curve's stated length may differ from its true one by this much `[m]` before it is a finding
-/// (as in ASAM's quality checker).
-const LENGTH_MISMATCH: f64 = 1e-3;
-
-/// Gaps between geometries up to this size `[m]` come from rounding in the file.
-const GAP: f64 = 0.01;
 
 impl Lowering {
     pub(super) fn geometries(
@@ -23,20 +16,19 @@ impl Lowering {
         findings: &mut Vec<Finding>,
     ) -> Range {
         let before = self.rows.geometries.len();
-        let mut end = None;
         for g in &plan_view.geometry {
             let tail = match g.s.value() {
                 Some(s) => format!("planView/geometry[@s={s}]"),
                 None => "planView/geometry".to_owned(),
             };
             let mut part = Part { span: g.span, path: (road, &tail), findings };
-            self.geometry(g, &mut part, &mut end);
+            self.geometry(g, &mut part);
         }
         between(before, self.rows.geometries.len())
     }
 
-    /// Appends a geometry. `end` is where the one before ends, if it could be built.
-    fn geometry(&mut self, g: &xodr::Geometry, part: &mut Part<'_>, end: &mut Option<(f64, f64)>) {
+    /// Appends a geometry.
+    fn geometry(&mut self, g: &xodr::Geometry, part: &mut Part<'_>) {
         let numbers =
             [("s", &g.s), ("x", &g.x), ("y", &g.y), ("hdg", &g.hdg), ("length", &g.length)]
                 .map(|(name, attribute)| part.need(attribute.value(), name));
@@ -55,32 +47,7 @@ impl Lowering {
                 return part.add("mapd:compile.curve", Severity::Error, message);
             }
         };
-        if compiled.length_mismatch.abs() > LENGTH_MISMATCH {
-            let message = format!(
-                "expected a curve of the stated length {length} m, found one that is {:.6} m longer; evaluated in true arc length, scaled to the stated one",
-                compiled.length_mismatch
-            );
-            let rule = "asam.net:xodr:1.7.0:road.geometry.paramPoly3.length_match";
-            part.add(rule, Severity::Warning, message);
-        }
         let start = Start::new(x, y, hdg);
-        let gap = end.map_or(0.0, |(end_x, end_y)| {
-            ((x - end_x) * (x - end_x) + (y - end_y) * (y - end_y)).sqrt()
-        });
-        if gap > GAP {
-            let message = format!(
-                "expected a start where the geometry before ends, found one {gap:.3} m away; kept as written"
-            );
-            part.add(
-                "asam.net:xodr:1.4.0:road.geometry.refline_no_gaps",
-                Severity::Warning,
-                message,
-            );
-        }
-        *end = Curve::new(compiled.kind, start, length, &compiled.coefficients).map(|curve| {
-            let end = curve.evaluate(length);
-            (end.x, end.y)
-        });
         let first = self.rows.coefficients.len();
         self.rows.coefficients.extend_from_slice(&compiled.coefficients);
         self.rows.geometries.push(GeometryRow {

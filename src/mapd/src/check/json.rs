@@ -1,8 +1,8 @@
 //! Findings for programs; docs/checks.md describes the fields.
 
-use crate::report::{self, ReportedFinding};
+use crate::report::{self, ReportedFinding, verdict_name};
 use anyhow::Result;
-use mapd_compiler::{Compilation, Verdict};
+use mapd_compiler::Compilation;
 use serde::Serialize;
 use std::io::Write;
 use std::path::Path;
@@ -14,6 +14,7 @@ struct Document<'a> {
     stated_version: &'a str,
     checked_version: &'a str,
     findings: Vec<ReportedFinding<'a>>,
+    quarantined: Vec<report::ReportedPart<'a>>,
     rules: Vec<Rule>,
     counts: report::Counts,
     not_kept: usize,
@@ -31,13 +32,11 @@ pub(super) fn write(file: &Path, checked: &Compilation, out: &mut dyn Write) -> 
     let rules = super::by_rule(checked);
     let document = Document {
         file: &name,
-        verdict: match checked.verdict {
-            Verdict::Accepted => "accepted",
-            Verdict::Rejected => "rejected",
-        },
+        verdict: verdict_name(checked.verdict),
         stated_version: &checked.version.stated,
         checked_version: checked.version.checked,
         findings: checked.diagnostics.iter().map(|d| report::reported(&name, d)).collect(),
+        quarantined: checked.quarantined.iter().map(report::part).collect(),
         rules: rules.into_iter().map(|(rule, count)| Rule { rule, count }).collect(),
         counts: report::counts(checked),
         not_kept: checked.dropped.iter().sum(),

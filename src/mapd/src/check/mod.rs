@@ -2,14 +2,18 @@
 
 mod excerpt;
 mod json;
+mod sarif;
 mod text;
+mod xqar;
 
+use crate::judging::JudgingArgs;
 use crate::progress::Bar;
 use crate::source;
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use mapd_compiler::{Compilation, ReadOptions};
 use mapd_xodr::{Limits, source::SourceLimits};
+use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -20,6 +24,10 @@ pub(crate) enum Format {
     Text,
     /// For programs: one document.
     Json,
+    /// For code review tools: SARIF 2.1.0.
+    Sarif,
+    /// For ASAM's quality checker framework: its result file.
+    Xqar,
 }
 
 /// Bounds on what a file may ask for, and where it may include others from.
@@ -56,10 +64,13 @@ pub(crate) struct ReadArgs {
     /// Folder that files may be included from [default: that of FILE]
     #[arg(long, value_name = "FOLDER")]
     include_base: Option<PathBuf>,
+
+    #[command(flatten)]
+    judging: JudgingArgs,
 }
 
 impl ReadArgs {
-    fn options(&self, file: &Path) -> ReadOptions {
+    fn options(&self, file: &Path) -> Result<ReadOptions> {
         let source = SourceLimits { decoded_bytes: self.max_bytes, ..SourceLimits::default() };
         let limits = Limits {
             depth: self.max_depth,
@@ -72,7 +83,7 @@ impl ReadArgs {
             ..Limits::default()
         };
         let include_folder = self.include_base.clone().or_else(|| source::folder(file));
-        ReadOptions { limits, include_folder }
+        self.judging.apply(ReadOptions { limits, include_folder, ..ReadOptions::default() })
     }
 }
 
@@ -86,13 +97,17 @@ pub(crate) fn run(
     out: &mut dyn Write,
 ) -> Result<Compilation> {
     let bar = Bar::new(file);
-    let input = source::open_input(file)?;
-    let checked = mapd_compiler::check(input, &reading.options(file), &mut |p| bar.show(p))
+    // What cannot be opened is said in words of its own.
+    drop(source::open_input(file)?);
+    let options = reading.options(file)?;
+    let checked = mapd_compiler::check_from(|| File::open(file), &options, &mut |p| bar.show(p))
         .with_context(|| format!("reading {}", file.display()))?;
     bar.finish();
     match format {
         Format::Text => text::write(file, &checked, out)?,
         Format::Json => json::write(file, &checked, out)?,
+        Format::Sarif => sarif::write(file, &checked, out)?,
+        Format::Xqar => xqar::write(file, &checked, out)?,
     }
     Ok(checked)
 }

@@ -1,7 +1,7 @@
 //! Findings for people.
 
 use super::excerpt::excerpts;
-use crate::report::{counts, severity_name};
+use crate::report::{counts, severity_name, verdict_name};
 use anyhow::Result;
 use mapd_compiler::{Compilation, Verdict};
 use std::io::Write;
@@ -15,7 +15,11 @@ pub(super) fn write(file: &Path, checked: &Compilation, out: &mut dyn Write) -> 
         let f = &d.finding;
         let place = if d.file.is_empty() { name.as_str() } else { &d.file };
         let severity = severity_name(f.severity);
-        let rejects = if d.rejects { ", rejects the map" } else { "" };
+        let rejects = match checked.verdict {
+            _ if !d.rejects => "",
+            Verdict::Quarantined => ", takes out the part",
+            _ => ", rejects the map",
+        };
         writeln!(
             out,
             "{place}:{}:{}: {severity}[{}]{rejects}: {}",
@@ -43,13 +47,19 @@ pub(super) fn write(file: &Path, checked: &Compilation, out: &mut dyn Write) -> 
     for (rule, count) in super::by_rule(checked) {
         writeln!(out, "{count:7} {rule}")?;
     }
+    for part in &checked.quarantined {
+        let (kind, id) = (part.kind.name(), &part.id);
+        let of = if part.owner == *id { String::new() } else { format!(" of {}", part.owner) };
+        writeln!(
+            out,
+            "{name}:{}:{}: {kind} {id}{of} is left out: {}",
+            part.line, part.column, part.rule
+        )?;
+    }
     let counts = counts(checked);
     let version = &checked.version;
     let stated = if version.stated.is_empty() { "no revision" } else { &version.stated };
-    let verdict = match checked.verdict {
-        Verdict::Accepted => "accepted",
-        Verdict::Rejected => "rejected",
-    };
+    let verdict = verdict_name(checked.verdict);
     writeln!(
         out,
         "{name}: {verdict}; states {stated}, checked as {}; errors {}, warnings {}, information {}",

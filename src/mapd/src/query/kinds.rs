@@ -140,6 +140,15 @@ fn nearest(
     Ok(())
 }
 
+/// Parts in quarantine that are as near as an answer may be, joined by `;`.
+pub(crate) fn holes(map: Map<'_>, options: &NearestOptions, row: &Row<'_>) -> String {
+    let Ok(point) = point(row) else { return String::new() };
+    let near = map.quarantined_near(point.xy, options.radius);
+    let names: Vec<String> =
+        near.map(|part| format!("{} {}", part.kind().name(), part.id())).collect();
+    names.join(";")
+}
+
 /// Keys of a lane's successors; where the lane itself goes on, those of its last piece.
 fn successors(map: Map<'_>, lane: &Lane<'_>, keys: &mut Vec<String>) -> Result<(), QueryError> {
     let mut last = *lane;

@@ -15,6 +15,9 @@ use row::Row;
 use std::io::{Read, Write};
 use thiserror::Error;
 
+/// Column of the parts in quarantine that are near.
+const HOLES: &str = "quarantined";
+
 /// Why a whole query cannot run; single rows fail in their `error` column instead.
 #[derive(Debug, Error)]
 pub enum QueryRunError {
@@ -58,7 +61,12 @@ pub fn run(
             found: headers.iter().collect::<Vec<_>>().join(","),
         });
     }
-    let answers = kind.answers();
+    // Where the map has holes, answers about places say which are near.
+    let tells_holes = kind == Kind::Nearest && map.quarantined().len() > 0;
+    let mut answers = kind.answers().to_vec();
+    if tells_holes {
+        answers.push(HOLES);
+    }
     let echoed: Vec<usize> = (0..headers.len())
         .filter(|i| !answers.contains(&&headers[*i]) && &headers[*i] != "error")
         .collect();
@@ -74,7 +82,10 @@ pub fn run(
         if error.is_some() {
             answer.clear();
         }
-        answer.resize(answers.len(), String::new());
+        answer.resize(kind.answers().len(), String::new());
+        if tells_holes {
+            answer.push(kinds::holes(map, options, &Row::new(&headers, &record)));
+        }
         let echo = echoed.iter().map(|i| record.get(*i).unwrap_or(""));
         let error = error.unwrap_or_default();
         writer

@@ -1,0 +1,233 @@
+//! What is left out, and the document without it.
+
+use super::{PartKind, QuarantinedPart, Treatment, Unit};
+use crate::report::Cause;
+use mapd_rules::line::ReferenceLine;
+use mapd_xodr::{Item, Junction, Objects, Road, Signals, Span, Text as _, Value as _};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Reach around an object or signal whose size is not told `[m]`.
+const SIZE: f64 = 1.0;
+
+/// A part that is left out.
+struct Excluded {
+    treatment: Treatment,
+    cause: Cause,
+}
+
+/// Parts that are left out, by the start of their tags.
+#[derive(Default)]
+pub(crate) struct Exclusions {
+    parts: BTreeMap<u64, Excluded>,
+    /// Starts of top-level elements that have such a part within.
+    owners: BTreeSet<u64>,
+}
+
+impl Exclusions {
+    pub(crate) fn is_empty(&self) -> bool {
+        self.parts.is_empty()
+    }
+
+    /// Leaves out a part, or does so more thoroughly. False where nothing more can be done about it.
+    pub(crate) fn add(&mut self, unit: Unit, cause: Cause, keep_reference_lines: bool) -> bool {
+        let treatment = match self.parts.get(&unit.start).map(|part| part.treatment) {
+            None if keep_reference_lines && unit.kind == PartKind::Road => Treatment::ReferenceLine,
+            None | Some(Treatment::ReferenceLine) => Treatment::Dropped,
+            Some(Treatment::Dropped) => return false,
+        };
+        self.owners.insert(unit.owner);
+        // The first reason stays: it is the one that the file's author has to mend.
+        let cause = self.parts.remove(&unit.start).map_or(cause, |part| part.cause);
+        self.parts.insert(unit.start, Excluded { treatment, cause });
+        true
+    }
+
+    /// Whether a part, or the element that it is in, is left out already.
+    pub(crate) fn covers(&self, unit: Unit) -> bool {
+        self.dropped(unit.start) || self.dropped(unit.owner)
+    }
+
+    fn dropped(&self, start: u64) -> bool {
+        self.parts.get(&start).is_some_and(|part| part.treatment == Treatment::Dropped)
+    }
+
+    /// The element without what is left out of it; none where that is all of it. What is left out is told.
+    pub(crate) fn filter(&self, item: Item, out: &mut Vec<QuarantinedPart>) -> Option<Item> {
+        match item {
+            Item::Road(road) => self.road(*road, out).map(|road| Item::Road(Box::new(road))),
+            Item::Junction(junction) => {
+                self.junction(*junction, out).map(|junction| Item::Junction(Box::new(junction)))
+            }
+            Item::Controller(c) => self
+                .top(PartKind::Controller, c.span, c.id.text(), out)
+                .then_some(Item::Controller(c)),
+            Item::JunctionGroup(g) => self
+                .top(PartKind::Other, g.span, g.id.text(), out)
+                .then_some(Item::JunctionGroup(g)),
+            Item::Station(s) => {
+                self.top(PartKind::Other, s.span, s.id.text(), out).then_some(Item::Station(s))
+            }
+            Item::VmsGroup(g) => {
+                self.top(PartKind::Other, g.span, g.id.text(), out).then_some(Item::VmsGroup(g))
+            }
+            header @ Item::Header(_) => Some(header),
+        }
+    }
+
+    /// Tells a part that is left out.
+    fn tell(
+        &self,
+        (kind, span): (PartKind, Span),
+        (id, owner): (&str, &str),
+        place: impl FnOnce() -> (Option<[f64; 4]>, f64),
+        out: &mut Vec<QuarantinedPart>,
+    ) -> Option<Treatment> {
+        let part = self.parts.get(&span.start)?;
+        let (extent, length) = place();
+        out.push(QuarantinedPart {
+            kind,
+            id: id.to_owned(),
+            owner: owner.to_owned(),
+            treatment: part.treatment,
+            extent,
+            length,
+            rule: part.cause.rule,
+            message: part.cause.message.clone(),
+            line: part.cause.line,
+            column: part.cause.column,
+        });
+        Some(part.treatment)
+    }
+
+    /// Whether an element without parts of its own stays.
+    fn top(&self, kind: PartKind, span: Span, id: &str, out: &mut Vec<QuarantinedPart>) -> bool {
+        self.tell((kind, span), (id, id), || (None, 0.0), out).is_none()
+    }
+
+    fn road(&self, mut road: Road, out: &mut Vec<QuarantinedPart>) -> Option<Road> {
+        if !self.owners.contains(&road.span.start) {
+            return Some(road);
+        }
+        let id = road.id.text().to_owned();
+        let place = || (mapd_rules::extent(&road), road.length.value().unwrap_or(0.0));
+        match self.tell((PartKind::Road, road.span), (&id, &id), place, out) {
+            Some(Treatment::Dropped) => return None,
+            Some(Treatment::ReferenceLine) => return bare(road),
+            None => {}
+        }
+        let line = ReferenceLine::new(road.plan_view.as_deref());
+        if let Some(objects) = &mut road.objects {
+            self.objects(objects, &id, Some(&line), out);
+        }
+        if let Some(signals) = &mut road.signals {
+            self.signals(signals, &id, &line, out);
+        }
+        Some(road)
+    }
+
+    fn objects(
+        &self,
+        objects: &mut Objects,
+        owner: &str,
+        line: Option<&ReferenceLine>,
+        out: &mut Vec<QuarantinedPart>,
+    ) {
+        let kind = PartKind::Object;
+        objects.object.retain(|o| {
+            let size =
+                [o.length.value(), o.width.value(), o.radius.value().map(|radius| 2.0 * radius)];
+            let size = size.into_iter().flatten().fold(0.0, f64::max);
+            let place = || (around(line, o.s.value(), o.t.value(), size), 0.0);
+            self.tell((kind, o.span), (o.id.text(), owner), place, out).is_none()
+        });
+        objects.object_reference.retain(|o| {
+            let place = || (around(line, o.s.value(), o.t.value(), 0.0), 0.0);
+            self.tell((kind, o.span), (o.id.text(), owner), place, out).is_none()
+        });
+        objects.tunnel.retain(|o| {
+            let place = || (around(line, o.s.value(), None, 0.0), 0.0);
+            self.tell((kind, o.span), (o.id.text(), owner), place, out).is_none()
+        });
+        objects.bridge.retain(|o| {
+            let place = || (around(line, o.s.value(), None, 0.0), 0.0);
+            self.tell((kind, o.span), (o.id.text(), owner), place, out).is_none()
+        });
+    }
+
+    fn signals(
+        &self,
+        signals: &mut Signals,
+        owner: &str,
+        line: &ReferenceLine,
+        out: &mut Vec<QuarantinedPart>,
+    ) {
+        let kind = PartKind::Signal;
+        signals.signal.retain(|s| {
+            let place = || (around(Some(line), s.s.value(), s.t.value(), 0.0), 0.0);
+            self.tell((kind, s.span), (s.id.text(), owner), place, out).is_none()
+        });
+        signals.signal_reference.retain(|s| {
+            let place = || (around(Some(line), s.s.value(), s.t.value(), 0.0), 0.0);
+            self.tell((kind, s.span), (s.id.text(), owner), place, out).is_none()
+        });
+    }
+
+    fn junction(&self, mut junction: Junction, out: &mut Vec<QuarantinedPart>) -> Option<Junction> {
+        if !self.owners.contains(&junction.span.start) {
+            return Some(junction);
+        }
+        let id = junction.id.text().to_owned();
+        if !self.top(PartKind::Junction, junction.span, &id, out) {
+            return None;
+        }
+        junction.connection.retain(|c| {
+            let kind = PartKind::Connection;
+            self.tell((kind, c.span), (c.id.text(), &id), || (None, 0.0), out).is_none()
+        });
+        if let Some(objects) = &mut junction.objects {
+            self.objects(objects, &id, None, out);
+        }
+        Some(junction)
+    }
+}
+
+/// The road as its reference line alone: its first section without lanes, for a road has one. None where there is none.
+fn bare(mut road: Road) -> Option<Road> {
+    road.lanes.truncate(1);
+    let lanes = road.lanes.first_mut()?;
+    lanes.lane_offset.clear();
+    lanes.lane_section.truncate(1);
+    let section = lanes.lane_section.first_mut()?;
+    (section.left, section.right) = (None, None);
+    if let Some(center) = &mut section.center {
+        center.lane.truncate(1);
+        for lane in &mut center.lane {
+            lane.link = None;
+        }
+    }
+    Some(Road {
+        link: None,
+        r#type: Vec::new(),
+        elevation_profile: None,
+        lateral_profile: None,
+        objects: None,
+        signals: None,
+        surface: None,
+        railroad: None,
+        ..road
+    })
+}
+
+/// The box about a place along a road `[m]`: at t, or as far as the road's middle.
+fn around(
+    line: Option<&ReferenceLine>,
+    s: Option<f64>,
+    t: Option<f64>,
+    size: f64,
+) -> Option<[f64; 4]> {
+    let point = line?.at(s?)?;
+    let t = t.unwrap_or(0.0);
+    let (x, y) = (point.x - t * point.sin, point.y + t * point.cos);
+    let reach = size.max(SIZE);
+    Some([x - reach, y - reach, x + reach, y + reach])
+}

@@ -1,0 +1,159 @@
+//! Which part of the document a place is in.
+
+use mapd_xodr::{Item, Junction, Objects, Road, Span};
+
+/// Kinds of parts that can be left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum PartKind {
+    /// A road with all that is along it.
+    Road,
+    /// A junction; its roads stay, without connections.
+    Junction,
+    /// A connection of a junction.
+    Connection,
+    /// An object, tunnel, bridge or reference to an object.
+    Object,
+    /// A signal or a reference to one.
+    Signal,
+    /// A controller.
+    Controller,
+    /// A junction group, station or group of boards.
+    Other,
+}
+
+impl PartKind {
+    /// The element's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Road => "road",
+            Self::Junction => "junction",
+            Self::Connection => "connection",
+            Self::Object => "object",
+            Self::Signal => "signal",
+            Self::Controller => "controller",
+            Self::Other => "group",
+        }
+    }
+
+    /// As the archive has it.
+    pub(crate) fn code(self) -> u8 {
+        self as u8
+    }
+}
+
+/// A part by the start of its tag.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Unit {
+    pub(crate) kind: PartKind,
+    pub(crate) start: u64,
+    /// Start of the top-level element that it is in.
+    pub(crate) owner: u64,
+}
+
+/// Where each part begins, in the order of the document.
+#[derive(Default)]
+pub(crate) struct Units {
+    begins: Vec<(u64, Unit)>,
+    is_sorted: bool,
+}
+
+impl Units {
+    /// The part that a place is in; none before the first.
+    pub(crate) fn of(&mut self, place: u64) -> Option<Unit> {
+        if !self.is_sorted {
+            self.begins.sort_by_key(|(start, _)| *start);
+            self.is_sorted = true;
+        }
+        let after = self.begins.partition_point(|(start, _)| *start <= place);
+        Some(self.begins.get(after.checked_sub(1)?)?.1)
+    }
+
+    /// Takes the places of a top-level element's parts.
+    pub(crate) fn add(&mut self, item: &Item) {
+        self.is_sorted = false;
+        match item {
+            Item::Header(_) => {}
+            Item::Road(road) => self.road(road),
+            Item::Junction(junction) => self.junction(junction),
+            Item::Controller(controller) => self.top(PartKind::Controller, controller.span),
+            Item::JunctionGroup(group) => self.top(PartKind::Other, group.span),
+            Item::Station(station) => self.top(PartKind::Other, station.span),
+            Item::VmsGroup(group) => self.top(PartKind::Other, group.span),
+        }
+    }
+
+    fn top(&mut self, kind: PartKind, span: Span) {
+        self.begins.push((span.start, Unit { kind, start: span.start, owner: span.start }));
+    }
+
+    /// A part within an element.
+    fn part(&mut self, kind: PartKind, span: Span, owner: Span) {
+        let unit = Unit { kind, start: span.start, owner: owner.start };
+        self.begins.push((span.start, unit));
+    }
+
+    /// From here on, a place is in the element itself again.
+    fn back(&mut self, kind: PartKind, span: Span, owner: Span) {
+        let unit = Unit { kind, start: owner.start, owner: owner.start };
+        self.begins.push((span.start, unit));
+    }
+
+    fn road(&mut self, road: &Road) {
+        let (kind, own) = (PartKind::Road, road.span);
+        self.top(kind, own);
+        if let Some(objects) = &road.objects {
+            self.objects(objects, kind, own);
+        }
+        if let Some(signals) = &road.signals {
+            self.back(kind, signals.span, own);
+            signals.signal.iter().for_each(|s| self.part(PartKind::Signal, s.span, own));
+            signals.signal_reference.iter().for_each(|s| self.part(PartKind::Signal, s.span, own));
+        }
+        // What may stand behind objects and signals, in any order.
+        let link = road.link.iter().map(|link| link.span);
+        let rest = link
+            .chain(road.r#type.iter().map(|record| record.span))
+            .chain(road.plan_view.iter().map(|plan_view| plan_view.span))
+            .chain(road.elevation_profile.iter().map(|profile| profile.span))
+            .chain(road.lateral_profile.iter().map(|profile| profile.span))
+            .chain(road.lanes.iter().map(|lanes| lanes.span))
+            .chain(road.surface.iter().map(|surface| surface.span))
+            .chain(road.railroad.iter().map(|railroad| railroad.span));
+        rest.for_each(|span| self.back(kind, span, own));
+    }
+
+    fn objects(&mut self, objects: &Objects, kind: PartKind, own: Span) {
+        self.back(kind, objects.span, own);
+        let parts = objects
+            .object
+            .iter()
+            .map(|object| object.span)
+            .chain(objects.object_reference.iter().map(|object| object.span))
+            .chain(objects.tunnel.iter().map(|tunnel| tunnel.span))
+            .chain(objects.bridge.iter().map(|bridge| bridge.span));
+        parts.for_each(|span| self.part(PartKind::Object, span, own));
+    }
+
+    fn junction(&mut self, junction: &Junction) {
+        let (kind, own) = (PartKind::Junction, junction.span);
+        self.top(kind, own);
+        for connection in &junction.connection {
+            self.part(PartKind::Connection, connection.span, own);
+        }
+        let rest = junction
+            .road_section
+            .iter()
+            .map(|section| section.span)
+            .chain(junction.cross_path.iter().map(|path| path.span))
+            .chain(junction.priority.iter().map(|priority| priority.span))
+            .chain(junction.controller.iter().map(|controller| controller.span))
+            .chain(junction.surface.iter().map(|surface| surface.span))
+            .chain(junction.plan_view.iter().map(|plan_view| plan_view.span))
+            .chain(junction.boundary.iter().map(|boundary| boundary.span))
+            .chain(junction.elevation_grid.iter().map(|grid| grid.span));
+        rest.for_each(|span| self.back(kind, span, own));
+        if let Some(objects) = &junction.objects {
+            self.objects(objects, kind, own);
+        }
+    }
+}

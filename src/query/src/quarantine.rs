@@ -1,0 +1,87 @@
+//! Where the map has holes: parts of the document with errors, which are not in the map as written.
+
+use crate::map::Map;
+use glam::DVec2;
+use mapd_archive::{ArchivedQuarantinedRow, QuarantinedKind, string};
+
+/// A part of the document that is not in the map as written.
+#[derive(Clone, Copy)]
+pub struct Quarantined<'a> {
+    map: Map<'a>,
+    row: &'a ArchivedQuarantinedRow,
+}
+
+impl<'a> Quarantined<'a> {
+    /// What it is.
+    pub fn kind(&self) -> QuarantinedKind {
+        QuarantinedKind::from_code(self.row.kind())
+    }
+
+    /// OpenDRIVE's id, verbatim.
+    pub fn id(&self) -> &'a str {
+        string(self.map.tables(), self.row.id())
+    }
+
+    /// Id of the road or junction that it belongs to; its own for a road or junction.
+    pub fn owner(&self) -> &'a str {
+        string(self.map.tables(), self.row.owner())
+    }
+
+    /// Whether it is a road that is in the map as its bare reference line: it has no lanes and no way leads over it.
+    pub fn is_reference_line(&self) -> bool {
+        self.row.treatment() == 1
+    }
+
+    /// Corner with the smallest and with the largest coordinates, inertial `[m]`; none where its place is not known.
+    pub fn extent(&self) -> Option<(DVec2, DVec2)> {
+        let row = self.row;
+        (row.has_extent() == 1)
+            .then(|| (DVec2::new(row.min_x(), row.min_y()), DVec2::new(row.max_x(), row.max_y())))
+    }
+
+    /// Distance of a point from the extent in plan view `[m]`, 0 inside; none where its place is not known.
+    pub fn distance(&self, point: DVec2) -> Option<f64> {
+        let (min, max) = self.extent()?;
+        let outside = (min - point).max(point - max).max(DVec2::ZERO);
+        Some(outside.length())
+    }
+
+    /// Length of a road as written `[m]`; 0 for other parts.
+    pub fn length(&self) -> f64 {
+        self.row.length()
+    }
+
+    /// Id of the rule whose finding is the reason.
+    pub fn rule(&self) -> &'a str {
+        string(self.map.tables(), self.row.rule())
+    }
+
+    /// What the finding says.
+    pub fn message(&self) -> &'a str {
+        string(self.map.tables(), self.row.message())
+    }
+
+    /// Place of the finding in its file: line and column, from 1.
+    pub fn source_position(&self) -> (u32, u32) {
+        (self.row.line(), self.row.column())
+    }
+}
+
+impl<'a> Map<'a> {
+    /// Parts of the document that are not in the map as written, in the order of the document. Empty for a map that was
+    /// accepted whole.
+    pub fn quarantined(&self) -> impl ExactSizeIterator<Item = Quarantined<'a>> + use<'a> {
+        let map = *self;
+        map.tables().quarantined.iter().map(move |row| Quarantined { map, row })
+    }
+
+    /// Those whose extent comes as near to a point as `radius` `[m]` in plan view: an answer about that place may lack them.
+    pub fn quarantined_near(
+        &self,
+        point: DVec2,
+        radius: f64,
+    ) -> impl Iterator<Item = Quarantined<'a>> + use<'a> {
+        let near = move |part: &Quarantined<'a>| part.distance(point).is_some_and(|d| d <= radius);
+        self.quarantined().filter(near)
+    }
+}

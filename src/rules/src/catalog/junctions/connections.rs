@@ -1,0 +1,170 @@
+//! Connections and priorities.
+
+use super::kind;
+use crate::example::Example::Junction as In;
+use crate::place::text;
+use crate::rule::Check::Junction;
+use crate::rule::Rule;
+use crate::sink::Sink;
+use mapd_xodr::{self as xodr, JunctionType as Kind, Span};
+use std::collections::{BTreeMap, BTreeSet};
+
+pub(super) static RULES: &[Rule] = &[
+    Rule::warning(
+        "asam.net:xodr:1.4.0:junctions.connection.connect_road_no_incoming_road",
+        "A road within a junction does not lead into it.",
+        Junction(both),
+        [
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection><connection id="1" incomingRoad="2" connectingRoad="3" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+        ],
+    ),
+    Rule::warning(
+        "asam.net:xodr:1.8.0:junctions.connection.one_link_to_incoming",
+        "An incoming road and a road within the junction have one connection.",
+        Junction(one_per_pair),
+        [
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection><connection id="1" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+        ],
+    ),
+    Rule::warning(
+        "asam.net:xodr:1.7.0:junctions.connection.one_connection_element",
+        "A road within a junction has one connection.",
+        Junction(one_per_road),
+        [
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection><connection id="1" incomingRoad="3" connectingRoad="2" contactPoint="end"><laneLink from="-1" to="-1"/></connection></junction>"#),
+        ],
+    )
+    .since(7)
+    .until(7),
+    Rule::warning(
+        "mapd:xodr:1.4.0:junction.connection_ids",
+        "The connections of a junction have different ids.",
+        Junction(ids),
+        [
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection><connection id="0" incomingRoad="3" connectingRoad="2" contactPoint="end"><laneLink from="-1" to="-1"/></connection></junction>"#),
+        ],
+    ),
+    Rule::warning(
+        "asam.net:xodr:1.8.0:junctions.priority.high_and_low_attr",
+        "A priority names the road that has it and the one that gives way.",
+        Junction(priority),
+        [
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection><priority high="1" low="3"/></junction>"#),
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection><priority high="1"/></junction>"#),
+        ],
+    ),
+    Rule::warning(
+        "mapd:xodr:1.4.0:topology.priority_cycle",
+        "No road gives way to itself through others.",
+        Junction(priority_cycle),
+        [
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection><priority high="1" low="3"/></junction>"#),
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection><priority high="1" low="3"/><priority high="3" low="1"/></junction>"#),
+        ],
+    ),
+];
+
+fn both(junction: &xodr::Junction, sink: &mut Sink<'_>) {
+    if matches!(kind(junction), Kind::Direct | Kind::Crossing) {
+        return;
+    }
+    let within: BTreeSet<&str> = junction
+        .connection
+        .iter()
+        .filter_map(|c| c.connecting_road.as_ref())
+        .map(|id| &*id.value)
+        .collect();
+    for connection in &junction.connection {
+        let incoming = text(&connection.incoming_road);
+        if within.contains(incoming) && !incoming.is_empty() {
+            let found = format_args!("road {incoming}, which is within the junction");
+            sink.add_within(
+                "connection",
+                connection.span,
+                "a road that leads into the junction",
+                found,
+            );
+        }
+    }
+}
+
+/// Shows every element whose key another had before.
+fn repeated<'a, K: Ord>(
+    elements: impl Iterator<Item = (Option<K>, Span, &'a str)>,
+    mut show: impl FnMut(Span, &'a str),
+) {
+    let mut seen = BTreeSet::new();
+    for (key, span, name) in elements {
+        if let Some(key) = key
+            && !seen.insert(key)
+        {
+            show(span, name);
+        }
+    }
+}
+
+fn one_per_pair(junction: &xodr::Junction, sink: &mut Sink<'_>) {
+    let pairs = junction.connection.iter().map(|c| {
+        let pair = c.connecting_road.as_ref().zip(c.incoming_road.as_ref());
+        (pair.map(|(a, b)| (&a.value, &b.value)), c.span, text(&c.connecting_road))
+    });
+    repeated(pairs, |span, road| {
+        let found = format_args!("another to road {road}");
+        sink.add_within("connection", span, "one connection of two roads", found);
+    });
+}
+
+fn one_per_road(junction: &xodr::Junction, sink: &mut Sink<'_>) {
+    let roads = junction.connection.iter().map(|c| {
+        (c.connecting_road.as_ref().map(|id| &id.value), c.span, text(&c.connecting_road))
+    });
+    repeated(roads, |span, road| {
+        let found = format_args!("another of road {road}");
+        sink.add_within("connection", span, "one connection of a road within the junction", found);
+    });
+}
+
+fn ids(junction: &xodr::Junction, sink: &mut Sink<'_>) {
+    let ids = junction
+        .connection
+        .iter()
+        .map(|c| (c.id.as_ref().map(|id| &id.value), c.span, text(&c.id)));
+    repeated(ids, |span, id| {
+        sink.add_within("connection", span, "an id that no other connection has", id);
+    });
+}
+
+fn priority(junction: &xodr::Junction, sink: &mut Sink<'_>) {
+    for priority in &junction.priority {
+        if priority.high.is_none() || priority.low.is_none() {
+            sink.add_within("priority", priority.span, "both high and low", "not both");
+        }
+    }
+}
+
+fn priority_cycle(junction: &xodr::Junction, sink: &mut Sink<'_>) {
+    let mut lower: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    for priority in &junction.priority {
+        if let (Some(high), Some(low)) = (&priority.high, &priority.low) {
+            lower.entry(&high.value).or_default().push(&low.value);
+        }
+    }
+    for priority in &junction.priority {
+        let (high, low) = (text(&priority.high), text(&priority.low));
+        let (mut open, mut seen) = (vec![low], BTreeSet::new());
+        while let Some(road) = open.pop() {
+            if road == high && !high.is_empty() {
+                let found = format_args!("road {high} above road {low} and below it");
+                sink.add_within("priority", priority.span, "an order of roads", found);
+                return;
+            }
+            if seen.insert(road) {
+                open.extend(lower.get(road).into_iter().flatten());
+            }
+        }
+    }
+}

@@ -1,0 +1,245 @@
+//! What junctions of each kind have.
+
+use super::kind;
+use crate::example::Example::Junction as In;
+use crate::place::text;
+use crate::rule::Check::Junction;
+use crate::rule::Rule;
+use crate::sink::Sink;
+use mapd_xodr::{self as xodr, ConnectionType, JunctionType as Kind};
+use std::collections::BTreeSet;
+
+const SOUND: crate::example::Example = In(
+    r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#,
+);
+
+pub(super) static RULES: &[Rule] = &[
+    Rule::error(
+        "asam.net:xodr:1.7.0:junctions.type_default_no_linked_road",
+        "Only connections of direct junctions name a linked road.",
+        Junction(linked_road),
+        [
+            SOUND,
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" linkedRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+        ],
+    )
+    .also(&["asam.net:xodr:1.7.0:junctions.direct.correct_type_linked_road_usage"]),
+    Rule::error(
+        "asam.net:xodr:1.7.0:junctions.type_direct_no_conn_road",
+        "Connections of direct junctions name no connecting road.",
+        Junction(connecting_road),
+        [
+            SOUND,
+            In(r#"<junction id="9" name="" type="direct"><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+        ],
+    )
+    .also(&[
+        "asam.net:xodr:1.9.0:junctions.connection.no_connecting_road_direct",
+        "asam.net:xodr:1.7.0:junctions.direct.connecting_road_attribute_usage",
+    ]),
+    Rule::warning(
+        "asam.net:xodr:1.8.0:junctions.common.direct_junction_attributes",
+        "Only direct junctions have zones where lanes overlap.",
+        Junction(overlap_zone),
+        [
+            SOUND,
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1" overlapZone="20"/></connection></junction>"#),
+        ],
+    ),
+    Rule::warning(
+        "asam.net:xodr:1.5.0:junctions.common.virtual_junction_attributes",
+        "Only virtual junctions have a main road, a stretch of it and an orientation.",
+        Junction(virtual_attributes),
+        [
+            SOUND,
+            In(r#"<junction id="9" name="" mainRoad="1" sStart="1" sEnd="2" orientation="none"><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+        ],
+    ),
+    Rule::warning(
+        "asam.net:xodr:1.9.0:junctions.virtual.no_controllers",
+        "Virtual junctions have no controllers.",
+        Junction(controllers),
+        [
+            SOUND,
+            In(r#"<junction id="9" name="" type="virtual" mainRoad="1" sStart="1" sEnd="2" orientation="none"><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection><controller id="5"/></junction><controller id="5"><control signalId="1"/></controller>"#),
+        ],
+    ),
+    Rule::warning(
+        "asam.net:xodr:1.9.0:junctions.virtual.connections.only_virtual_junctions",
+        "Only virtual junctions have connections of the type virtual.",
+        Junction(virtual_connections),
+        [
+            SOUND,
+            In(r#"<junction id="9" name=""><connection id="0" type="virtual" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+        ],
+    ),
+    Rule::warning(
+        "asam.net:xodr:1.8.0:junctions.crossing.only_road_sections",
+        "Crossings have stretches of roads and no connections.",
+        Junction(crossing),
+        [
+            SOUND,
+            In(r#"<junction id="9" name="" type="crossing"><roadSection id="0" roadId="1" sStart="1" sEnd="2"/><roadSection id="1" roadId="3" sStart="1" sEnd="2"/><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+        ],
+    )
+    .since(8),
+    Rule::warning(
+        "asam.net:xodr:1.8.0:junctions.boundary.only_for_common_junctions",
+        "Only default junctions have a boundary.",
+        Junction(boundary),
+        [
+            SOUND,
+            In(r#"<junction id="9" name="" type="direct"><connection id="0" incomingRoad="1" linkedRoad="3" contactPoint="start"><laneLink from="-1" to="-1"/></connection><boundary><segment type="lane" roadId="1" boundaryLane="-1" sStart="start" sEnd="end"/></boundary></junction>"#),
+        ],
+    )
+    .since(8),
+    Rule::warning(
+        "asam.net:xodr:1.8.0:junctions.direct.road_connectivity",
+        "A direct junction joins one road on one side with two or more on the other.",
+        Junction(one_to_many),
+        [
+            SOUND,
+            In(r#"<junction id="9" name="" type="direct"><connection id="0" incomingRoad="1" linkedRoad="3" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+        ],
+    ),
+    Rule::warning(
+        "asam.net:xodr:1.8.0:junctions.direct.overlap_zone_exclusivity",
+        "One pair of linked lanes of a direct junction overlaps.",
+        Junction(one_zone),
+        [
+            SOUND,
+            In(r#"<junction id="9" name="" type="direct"><connection id="0" incomingRoad="1" linkedRoad="3" contactPoint="start"><laneLink from="-1" to="-1" overlapZone="20"/><laneLink from="-2" to="-2" overlapZone="20"/></connection></junction>"#),
+        ],
+    ),
+];
+
+fn linked_road(junction: &xodr::Junction, sink: &mut Sink<'_>) {
+    if kind(junction) == Kind::Direct {
+        return;
+    }
+    for connection in junction.connection.iter().filter(|c| c.linked_road.is_some()) {
+        let found = format_args!("one in a junction of the kind {}", kind(junction).name());
+        sink.add_within("connection", connection.span, "no @linkedRoad", found);
+    }
+}
+
+fn connecting_road(junction: &xodr::Junction, sink: &mut Sink<'_>) {
+    if kind(junction) != Kind::Direct {
+        return;
+    }
+    for connection in junction.connection.iter().filter(|c| c.connecting_road.is_some()) {
+        sink.add_within(
+            "connection",
+            connection.span,
+            "no @connectingRoad in a direct junction",
+            "one",
+        );
+    }
+}
+
+fn overlap_zone(junction: &xodr::Junction, sink: &mut Sink<'_>) {
+    if kind(junction) == Kind::Direct {
+        return;
+    }
+    let links = junction.connection.iter().flat_map(|connection| &connection.lane_link);
+    for link in links.filter(|link| link.overlap_zone.is_some()) {
+        let found = format_args!("one in a junction of the kind {}", kind(junction).name());
+        sink.add_within("connection/laneLink", link.span, "no @overlapZone", found);
+    }
+}
+
+fn virtual_attributes(junction: &xodr::Junction, sink: &mut Sink<'_>) {
+    if kind(junction) == Kind::Virtual {
+        return;
+    }
+    for (name, given) in [
+        ("mainRoad", junction.main_road.is_some()),
+        ("sStart", junction.s_start.is_some()),
+        ("sEnd", junction.s_end.is_some()),
+        ("orientation", junction.orientation.is_some()),
+    ] {
+        if given {
+            let found = format_args!("one in a junction of the kind {}", kind(junction).name());
+            sink.add(junction.span, format_args!("no @{name}"), found);
+        }
+    }
+}
+
+fn controllers(junction: &xodr::Junction, sink: &mut Sink<'_>) {
+    if kind(junction) == Kind::Virtual
+        && let Some(controller) = junction.controller.first()
+    {
+        sink.add_within(
+            "controller",
+            controller.span,
+            "no controller of a virtual junction",
+            "one",
+        );
+    }
+}
+
+fn virtual_connections(junction: &xodr::Junction, sink: &mut Sink<'_>) {
+    if kind(junction) == Kind::Virtual {
+        return;
+    }
+    for connection in &junction.connection {
+        if connection.r#type.is_some_and(|kind| kind.value == ConnectionType::Virtual) {
+            let found = format_args!("one in a junction of the kind {}", kind(junction).name());
+            sink.add_within("connection", connection.span, "no virtual connection", found);
+        }
+    }
+}
+
+fn crossing(junction: &xodr::Junction, sink: &mut Sink<'_>) {
+    if kind(junction) == Kind::Crossing {
+        if let Some(connection) = junction.connection.first() {
+            sink.add_within("connection", connection.span, "no connection in a crossing", "one");
+        }
+    } else if let Some(section) = junction.road_section.first() {
+        sink.add_within(
+            "roadSection",
+            section.span,
+            "stretches of roads in crossings alone",
+            "one",
+        );
+    }
+}
+
+fn boundary(junction: &xodr::Junction, sink: &mut Sink<'_>) {
+    if let Some(boundary) = junction.boundary.as_ref().filter(|_| kind(junction) != Kind::Default) {
+        let found = format_args!("one in a junction of the kind {}", kind(junction).name());
+        sink.add_within("boundary", boundary.span, "no boundary", found);
+    }
+}
+
+fn one_to_many(junction: &xodr::Junction, sink: &mut Sink<'_>) {
+    if kind(junction) != Kind::Direct || junction.connection.is_empty() {
+        return;
+    }
+    let incoming: BTreeSet<&str> =
+        junction.connection.iter().map(|c| text(&c.incoming_road)).collect();
+    let linked: BTreeSet<&str> = junction.connection.iter().map(|c| text(&c.linked_road)).collect();
+    let (few, many) = (incoming.len().min(linked.len()), incoming.len().max(linked.len()));
+    // Written in both directions, each road is on both sides.
+    let all = incoming.union(&linked).count();
+    let is_split = few == 1 && many >= 2 || (incoming == linked && all >= 3);
+    if !is_split {
+        let found = format_args!("{} and {}", incoming.len(), linked.len());
+        sink.add(junction.span, "one road on one side and two or more on the other", found);
+    }
+}
+
+fn one_zone(junction: &xodr::Junction, sink: &mut Sink<'_>) {
+    if kind(junction) != Kind::Direct {
+        return;
+    }
+    let links = junction.connection.iter().flat_map(|connection| &connection.lane_link);
+    if let Some(second) = links.filter(|link| link.overlap_zone.is_some()).nth(1) {
+        sink.add_within(
+            "connection/laneLink",
+            second.span,
+            "one zone where lanes overlap",
+            "another",
+        );
+    }
+}

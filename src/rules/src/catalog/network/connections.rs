@@ -1,0 +1,344 @@
+//! Connections of junctions, seen with the roads that they join.
+
+use super::joints::{CORNER, Edge, KINK};
+use crate::catalog::junctions::kind;
+use crate::catalog::lanes::is_drivable;
+use crate::example::Example::{Document, Junction as In};
+use crate::network::{Contact, LinkTarget, Network, RoadFacts, contact};
+use crate::place::{text, value};
+use crate::rule::Check::Network as All;
+use crate::rule::Rule;
+use crate::sink::Sink;
+use mapd_xodr::{Connection, Junction, JunctionType as Kind};
+use std::collections::{BTreeMap, BTreeSet};
+
+const SOUND: crate::example::Example = In(
+    r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#,
+);
+
+/// A road into junction 9, two roads within it and one behind; the example gives the second one's y and surface.
+macro_rules! split {
+    ($y:literal, $surface:literal, $junction:literal) => {
+        Document(concat!(
+            r#"<road id="1" length="50" junction="-1"><link><successor elementType="junction" elementId="9"/></link><planView><geometry s="0" x="0" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
+<road id="2" length="20" junction="9"><link><predecessor elementType="road" elementId="1" contactPoint="end"/></link><planView><geometry s="0" x="50" y=""#, $y, r#"" hdg="0" length="20"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes>"#, $surface, r#"</road>
+<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection>"#, $junction, "</junction>"
+        ))
+    };
+}
+
+pub(super) static RULES: &[Rule] = &[
+    Rule::warning(
+        "asam.net:xodr:1.7.0:junctions.connection.start_along_linkage",
+        "A connection that touches the start of a road within the junction is that road's predecessor.",
+        All(start_along),
+        [
+            SOUND,
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="3" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+        ],
+    ),
+    Rule::warning(
+        "asam.net:xodr:1.7.0:junctions.connection.end_opposite_linkage",
+        "A connection that touches the end of a road within the junction is that road's successor.",
+        All(end_opposite),
+        [
+            SOUND,
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="end"><laneLink from="-1" to="-1"/></connection></junction>"#),
+        ],
+    ),
+    Rule::warning(
+        "mapd:xodr:1.4.0:junction.connecting_road",
+        "A road within a junction names the junction.",
+        All(belongs),
+        [
+            SOUND,
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="3" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+        ],
+    ),
+    Rule::warning(
+        "mapd:xodr:1.4.0:ref.orphan_lane_link",
+        "A connection links lanes that its roads have where they meet.",
+        All(lane_links),
+        [
+            SOUND,
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-5" to="-1"/></connection></junction>"#),
+        ],
+    ),
+    Rule::warning(
+        "mapd:xodr:1.4.0:junction.lane_direction",
+        "A connection links lanes that lead into the junction.",
+        All(leads_in),
+        [
+            SOUND,
+            Document(r#"<road id="1" length="50" junction="-1"><link><successor elementType="junction" elementId="9"/></link><planView><geometry s="0" x="0" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><left><lane id="1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></left><center><lane id="0" type="none"/></center></laneSection></lanes></road>
+<road id="2" length="20" junction="9"><link><predecessor elementType="road" elementId="1" contactPoint="end"/></link><planView><geometry s="0" x="50" y="0" hdg="0" length="20"><line/></geometry></planView><lanes><laneSection s="0"><left><lane id="1" type="driving"><link><predecessor id="1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></left><center><lane id="0" type="none"/></center></laneSection></lanes></road>
+<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="1" to="1"/></connection></junction>"#),
+        ],
+    ),
+    Rule::warning(
+        "asam.net:xodr:1.9.0:junctions.connection.smooth_fit",
+        "Linked lanes of an incoming road and a road within the junction meet without gap and kink.",
+        All(smooth),
+        [split!("0", "", ""), split!("1", "", "")],
+    )
+    .within(&[CORNER, KINK]),
+    Rule::info(
+        "asam.net:xodr:1.9.0:junctions.common.not_only_two",
+        "A junction joins more than two roads.",
+        All(not_only_two),
+        [
+            In(r#"<junction id="9" name="" type="crossing"><roadSection id="0" roadId="1" sStart="1" sEnd="2"/><roadSection id="1" roadId="3" sStart="1" sEnd="2"/></junction>"#),
+            SOUND,
+        ],
+    )
+    .advisory(),
+    Rule::info(
+        "asam.net:xodr:1.4.0:junctions.common.when_to_use",
+        "A junction is where traffic has a choice or merges.",
+        All(has_choice),
+        [
+            In(r#"<junction id="9" name="" type="crossing"><roadSection id="0" roadId="1" sStart="1" sEnd="2"/><roadSection id="1" roadId="3" sStart="1" sEnd="2"/></junction>"#),
+            SOUND,
+        ],
+    )
+    .advisory(),
+    Rule::warning(
+        "asam.net:xodr:1.7.0:road.crg.junction",
+        "Where a junction has surface data, the roads within have none.",
+        All(surface),
+        [
+            split!("0", "", r#"<surface><CRG file="a.crg" sStart="0" sEnd="0" orientation="same" mode="global" purpose="elevation"/></surface>"#),
+            split!("0", r#"<surface><CRG file="b.crg" sStart="0" sEnd="20" orientation="same" mode="attached" purpose="elevation"/></surface>"#, r#"<surface><CRG file="a.crg" sStart="0" sEnd="0" orientation="same" mode="global" purpose="elevation"/></surface>"#),
+        ],
+    ),
+];
+
+/// A connection of a default or virtual junction with the roads that it joins, as far as they are there.
+struct Joined<'a> {
+    junction: &'a Junction,
+    connection: &'a Connection,
+    incoming: Option<&'a RoadFacts>,
+    connecting: Option<&'a RoadFacts>,
+    /// The end of the connecting road that touches the incoming one.
+    contact: Option<Contact>,
+    /// The end of the incoming road that touches the junction.
+    incoming_end: Option<Contact>,
+}
+
+fn joined(network: &Network) -> impl Iterator<Item = Joined<'_>> {
+    let junctions = network.junctions.iter().filter(|junction| kind(junction) == Kind::Default);
+    junctions.flat_map(move |junction| {
+        junction.connection.iter().map(move |connection| {
+            let incoming = network.road(text(&connection.incoming_road));
+            let connecting = network.road(text(&connection.connecting_road));
+            let contact = contact(&connection.contact_point);
+            let incoming_end = incoming.and_then(|road| {
+                network.end_at_junction(road, text(&junction.id), connecting.zip(contact))
+            });
+            Joined { junction, connection, incoming, connecting, contact, incoming_end }
+        })
+    })
+}
+
+impl Joined<'_> {
+    fn add(
+        &self,
+        sink: &mut Sink<'_>,
+        expected: impl std::fmt::Display,
+        found: impl std::fmt::Display,
+    ) {
+        let part = format!("connection[@id={}]", text(&self.connection.id));
+        sink.add_in(
+            ("junction", text(&self.junction.id), &part),
+            self.connection.span,
+            expected,
+            found,
+        );
+    }
+}
+
+fn linkage(network: &Network, end: Contact, sink: &mut Sink<'_>) {
+    for joined in joined(network).filter(|joined| joined.contact == Some(end)) {
+        let (Some(incoming), Some(connecting)) = (joined.incoming, joined.connecting) else {
+            continue;
+        };
+        let link = connecting.link(end).map(|link| &link.target);
+        if !matches!(link, Some(LinkTarget::Road(id)) if *id == incoming.id) {
+            let found = match link {
+                None => "none".to_owned(),
+                Some(LinkTarget::Road(id)) => format!("one to road {id}"),
+                Some(LinkTarget::Junction(id)) => format!("one to junction {id}"),
+            };
+            let expected = format_args!(
+                "a link from the {end:?} of road {} to road {}",
+                connecting.id, incoming.id
+            );
+            joined.add(sink, expected, found);
+        }
+    }
+}
+
+fn start_along(network: &Network, sink: &mut Sink<'_>) {
+    linkage(network, Contact::Start, sink);
+}
+
+fn end_opposite(network: &Network, sink: &mut Sink<'_>) {
+    linkage(network, Contact::End, sink);
+}
+
+fn belongs(network: &Network, sink: &mut Sink<'_>) {
+    for joined in joined(network) {
+        let Some(road) = joined.connecting else { continue };
+        let id = text(&joined.junction.id);
+        if road.junction.as_deref() != Some(id) {
+            let found =
+                format_args!("road {} of {}", road.id, road.junction.as_deref().unwrap_or("none"));
+            joined.add(sink, format_args!("a road of junction {id}"), found);
+        }
+    }
+}
+
+fn lane_links(network: &Network, sink: &mut Sink<'_>) {
+    for joined in joined(network) {
+        let sides = [(joined.incoming, joined.incoming_end), (joined.connecting, joined.contact)];
+        for link in &joined.connection.lane_link {
+            for ((road, end), id) in sides.iter().zip([value(&link.from), value(&link.to)]) {
+                let (Some(road), Some(end), Some(id)) = (road, end, id) else { continue };
+                let Some(section) = network.section_at(road, *end) else { continue };
+                if network.lane(section, id).is_none() && id != 0 {
+                    let expected = format_args!("a lane at the {end:?} of road {}", road.id);
+                    joined.add(sink, expected, format_args!("lane {id}, which is not there"));
+                }
+            }
+        }
+    }
+}
+
+fn leads_in(network: &Network, sink: &mut Sink<'_>) {
+    for joined in joined(network) {
+        // Traffic leaves the incoming road at its end and enters the other one there.
+        let from = joined.incoming.zip(joined.incoming_end).map(|(road, end)| (road, end, true));
+        let to = joined.connecting.zip(joined.contact).map(|(road, end)| (road, end, false));
+        for link in &joined.connection.lane_link {
+            for (place, id) in [(from, value(&link.from)), (to, value(&link.to))] {
+                let (Some((road, end, leaves)), Some(id)) = (place, id) else { continue };
+                let section = network.section_at(road, end);
+                let lane = section.and_then(|section| network.lane(section, id));
+                let Some(lane) = lane.filter(|lane| is_drivable(lane.kind)) else { continue };
+                let due = (end == Contact::End) == leaves;
+                if Network::goes_along(road, lane).is_some_and(|along| along != due) {
+                    let found =
+                        format_args!("lane {id} of road {}, which leads the other way", road.id);
+                    joined.add(sink, "lanes that lead into the junction", found);
+                }
+            }
+        }
+    }
+}
+
+fn smooth(network: &Network, sink: &mut Sink<'_>) {
+    for joined in joined(network) {
+        let (Some(incoming), Some(incoming_end)) = (joined.incoming, joined.incoming_end) else {
+            continue;
+        };
+        let (Some(connecting), Some(contact)) = (joined.connecting, joined.contact) else {
+            continue;
+        };
+        let (Some(from), Some(to)) =
+            (network.section_at(incoming, incoming_end), network.section_at(connecting, contact))
+        else {
+            continue;
+        };
+        for link in &joined.connection.lane_link {
+            let (Some(from_id), Some(to_id)) = (value(&link.from), value(&link.to)) else {
+                continue;
+            };
+            let (Some(a), Some(b)) = (network.lane(from, from_id), network.lane(to, to_id)) else {
+                continue;
+            };
+            if !is_drivable(a.kind) || !is_drivable(b.kind) {
+                continue;
+            }
+            let a = Edge::of(network, incoming, from, a, incoming_end);
+            let b = Edge::of(network, connecting, to, b, contact);
+            let (Some(a), Some(b)) = (a, b) else { continue };
+            let (gap, kink) = (a.gap(&b), a.kink(&b));
+            if gap > CORNER.value || kink > KINK.value {
+                let expected = format_args!("lanes {from_id} and {to_id} that meet");
+                joined.add(
+                    sink,
+                    expected,
+                    format_args!("a gap of {gap:.3} m and a kink of {kink:.4} rad"),
+                );
+            }
+        }
+    }
+}
+
+/// Roads that lead into or out of a junction.
+fn arms<'a>(network: &'a Network, junction: &'a Junction) -> BTreeSet<&'a str> {
+    let id = text(&junction.id);
+    let mut arms: BTreeSet<&str> = BTreeSet::new();
+    for road in network.roads_within(id) {
+        for link in road.links.iter().flatten() {
+            if let LinkTarget::Road(id) = &link.target {
+                arms.insert(id);
+            }
+        }
+    }
+    for connection in &junction.connection {
+        arms.insert(text(&connection.incoming_road));
+        arms.insert(text(&connection.linked_road));
+    }
+    arms.remove("");
+    arms
+}
+
+fn not_only_two(network: &Network, sink: &mut Sink<'_>) {
+    for junction in
+        network.junctions.iter().filter(|j| matches!(kind(j), Kind::Default | Kind::Direct))
+    {
+        let arms = arms(network, junction);
+        if arms.len() <= 2 && !junction.connection.is_empty() {
+            let part = ("junction", text(&junction.id), "");
+            sink.add_in(part, junction.span, "more than two roads", arms.len());
+        }
+    }
+}
+
+fn has_choice(network: &Network, sink: &mut Sink<'_>) {
+    for junction in network.junctions.iter().filter(|j| kind(j) == Kind::Default) {
+        let (mut from, mut to): (BTreeMap<&str, usize>, BTreeMap<&str, usize>) = Default::default();
+        for connection in &junction.connection {
+            *from.entry(text(&connection.incoming_road)).or_default() += 1;
+            let Some(road) = network.road(text(&connection.connecting_road)) else { continue };
+            let Some(contact) = contact(&connection.contact_point) else { continue };
+            if let Some(LinkTarget::Road(id)) = road.link(contact.other()).map(|link| &link.target)
+            {
+                *to.entry(id).or_default() += 1;
+            }
+        }
+        if !from.is_empty() && from.values().chain(to.values()).all(|count| *count == 1) {
+            let part = ("junction", text(&junction.id), "");
+            sink.add_in(
+                part,
+                junction.span,
+                "a choice or a merge",
+                "one way through from each road to each",
+            );
+        }
+    }
+}
+
+fn surface(network: &Network, sink: &mut Sink<'_>) {
+    for junction in &network.junctions {
+        if junction.surface.as_ref().is_none_or(|surface| surface.crg.is_empty()) {
+            continue;
+        }
+        for road in network.roads_within(text(&junction.id)).filter(|road| road.has_crg) {
+            let expected =
+                format_args!("no surface data, for junction {} has some", text(&junction.id));
+            sink.add_in(("road", &road.id, "surface"), road.span, expected, "some");
+        }
+    }
+}

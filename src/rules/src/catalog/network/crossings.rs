@@ -1,0 +1,53 @@
+//! Crossings, seen with the roads that cross.
+
+use crate::catalog::junctions::kind;
+use crate::example::Example::Document;
+use crate::network::Network;
+use crate::place::{number, text};
+use crate::rule::Check::Network as All;
+use crate::rule::{Rule, Tolerance};
+use crate::sink::Sink;
+use mapd_xodr::JunctionType as Kind;
+
+/// How far roads may overlap beyond the stretches.
+const BEYOND: Tolerance = Tolerance { name: "overlap beyond the stretch", value: 0.5, unit: "m" };
+
+/// Two roads that cross at a right angle, and the stretch of the first.
+macro_rules! cross {
+    ($start:literal, $end:literal) => {
+        Document(concat!(
+            r#"<road id="1" length="100" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="100"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
+<road id="2" length="100" junction="-1"><planView><geometry s="0" x="50" y="-50" hdg="1.5707963267948966" length="100"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="rail"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
+<junction id="9" name="" type="crossing"><roadSection id="0" roadId="1" sStart=""#, $start, r#"" sEnd=""#, $end, r#""/><roadSection id="1" roadId="2" sStart="46" sEnd="51"/></junction>"#
+        ))
+    };
+}
+
+pub(super) static RULES: &[Rule] = &[Rule::warning(
+    "asam.net:xodr:1.8.0:junctions.crossing.s_start_end_coverage",
+    "The stretches of a crossing cover where its roads overlap.",
+    All(cover),
+    [cross!("49", "54"), cross!("49", "51")],
+)
+.within(&[BEYOND])];
+
+fn cover(network: &Network, sink: &mut Sink<'_>) {
+    for junction in network.junctions.iter().filter(|junction| kind(junction) == Kind::Crossing) {
+        for section in &junction.road_section {
+            let Some(road) = network.road(text(&section.road_id)) else { continue };
+            let others =
+                junction.road_section.iter().filter(|other| other.road_id != section.road_id);
+            for other in others {
+                let Some(other) = network.road(text(&other.road_id)) else { continue };
+                let Some((start, end)) = network.overlap_along(road, other) else { continue };
+                let (from, to) = (number(&section.s_start), number(&section.s_end));
+                if start < from - BEYOND.value || end > to + BEYOND.value {
+                    let part = ("junction", text(&junction.id), "roadSection");
+                    let expected =
+                        format_args!("a stretch of road {} from {start:.2} to {end:.2}", road.id);
+                    sink.add_in(part, section.span, expected, format_args!("{from} to {to}"));
+                }
+            }
+        }
+    }
+}

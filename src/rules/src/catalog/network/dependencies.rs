@@ -1,0 +1,191 @@
+//! What depends on what.
+
+use crate::example::Example::{Document, Road as InRoad, Signals};
+use crate::network::{Network, PartKind, Reference};
+use crate::rule::Check::Network as All;
+use crate::rule::Rule;
+use crate::sink::Sink;
+use std::collections::{HashMap, HashSet};
+
+pub(super) static RULES: &[Rule] = &[
+    Rule::error(
+        "mapd:xodr:1.4.0:topology.dependency_cycle",
+        "No signal depends on itself through others.",
+        All(cycles),
+        [
+            Signals(
+                r#"<signal id="1" s="10" t="-4" zOffset="2" dynamic="no" orientation="+" type="274" subtype="50" country="DE" hOffset="0" pitch="0" roll="0"><dependency id="2"/></signal><signal id="2" s="20" t="-4" zOffset="2" dynamic="no" orientation="+" type="274" subtype="50" country="DE" hOffset="0" pitch="0" roll="0"/>"#,
+            ),
+            Signals(
+                r#"<signal id="1" s="10" t="-4" zOffset="2" dynamic="no" orientation="+" type="274" subtype="50" country="DE" hOffset="0" pitch="0" roll="0"><dependency id="2"/></signal><signal id="2" s="20" t="-4" zOffset="2" dynamic="no" orientation="+" type="274" subtype="50" country="DE" hOffset="0" pitch="0" roll="0"><dependency id="1"/></signal>"#,
+            ),
+        ],
+    ),
+    Rule::warning(
+        "asam.net:xodr:1.9.0:road.signal.gantry.all_variable_boards_same_gantry",
+        "The boards of a group hang from one gantry: their signals refer to the same object.",
+        All(gantry),
+        [
+            group(),
+            Document(
+                r#"<road id="1" length="90" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="90"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center></laneSection></lanes><objects><object id="20" type="gantry" s="5" t="0" zOffset="0" orientation="none"/><object id="21" type="gantry" s="50" t="0" zOffset="0" orientation="none"/></objects><signals><signal id="1" s="5" t="-4" zOffset="6" dynamic="yes" orientation="+" country="DE" type="vmsBoard" subtype="-1" hOffset="0" pitch="0" roll="0"><reference elementType="object" elementId="20"/></signal><signal id="2" s="5" t="-2" zOffset="6" dynamic="yes" orientation="+" country="DE" type="vmsBoard" subtype="-1" hOffset="0" pitch="0" roll="0"><reference elementType="object" elementId="21"/></signal></signals></road><vmsGroup id="8"><vmsBoardReference signalId="1" vmsIndex="0" groupIndex="0"/><vmsBoardReference signalId="2" vmsIndex="0" groupIndex="1"/></vmsGroup>"#,
+            ),
+        ],
+    ),
+    Rule::warning(
+        "asam.net:xodr:1.7.0:road.railroad.switch.single_switch_no_partner",
+        "A switch has a partner only where the two form a pair: each names the other.",
+        All(partners),
+        [
+            InRoad(
+                r#"<railroad><switch name="a" id="5" position="straight"><mainTrack id="1" s="10" dir="+"/><sideTrack id="1" s="0" dir="+"/></switch></railroad>"#,
+            ),
+            InRoad(
+                r#"<railroad><switch name="a" id="5" position="straight"><mainTrack id="1" s="10" dir="+"/><sideTrack id="1" s="0" dir="+"/><partner id="6"/></switch><switch name="b" id="6" position="straight"><mainTrack id="1" s="20" dir="+"/><sideTrack id="1" s="0" dir="+"/></switch></railroad>"#,
+            ),
+        ],
+    ),
+    Rule::warning(
+        "asam.net:xodr:1.7.0:road.railroad.switch.check_switch_conn",
+        "Two switches that are partners are joined by their side track, not by the main track of one of them.",
+        All(joined),
+        [
+            pair(),
+            Document(
+                r#"<road id="1" length="9" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="9"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center></laneSection></lanes><railroad><switch name="a" id="5" position="straight"><mainTrack id="1" s="1" dir="+"/><sideTrack id="2" s="0" dir="+"/><partner id="6"/></switch></railroad></road>
+<road id="2" length="9" junction="-1"><planView><geometry s="0" x="0" y="50" hdg="0" length="9"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center></laneSection></lanes><railroad><switch name="b" id="6" position="straight"><mainTrack id="2" s="1" dir="+"/><sideTrack id="1" s="0" dir="+"/><partner id="5"/></switch></railroad></road>"#,
+            ),
+        ],
+    ),
+];
+
+const fn group() -> crate::example::Example {
+    Document(
+        r#"<road id="1" length="90" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="90"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center></laneSection></lanes><objects><object id="20" type="gantry" s="5" t="0" zOffset="0" orientation="none"/></objects><signals><signal id="1" s="5" t="-4" zOffset="6" dynamic="yes" orientation="+" country="DE" type="vmsBoard" subtype="-1" hOffset="0" pitch="0" roll="0"><reference elementType="object" elementId="20"/></signal><signal id="2" s="5" t="-2" zOffset="6" dynamic="yes" orientation="+" country="DE" type="vmsBoard" subtype="-1" hOffset="0" pitch="0" roll="0"><reference elementType="object" elementId="20"/></signal></signals></road><vmsGroup id="8"><vmsBoardReference signalId="1" vmsIndex="0" groupIndex="0"/><vmsBoardReference signalId="2" vmsIndex="0" groupIndex="1"/></vmsGroup>"#,
+    )
+}
+
+const fn pair() -> crate::example::Example {
+    Document(
+        r#"<road id="1" length="9" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="9"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center></laneSection></lanes><railroad><switch name="a" id="5" position="straight"><mainTrack id="1" s="1" dir="+"/><sideTrack id="3" s="0" dir="+"/><partner id="6"/></switch></railroad></road>
+<road id="2" length="9" junction="-1"><planView><geometry s="0" x="0" y="50" hdg="0" length="9"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center></laneSection></lanes><railroad><switch name="b" id="6" position="straight"><mainTrack id="2" s="1" dir="+"/><sideTrack id="3" s="0" dir="+"/><partner id="5"/></switch></railroad></road>
+<road id="3" length="9" junction="-1"><planView><geometry s="0" x="0" y="90" hdg="0" length="9"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center></laneSection></lanes></road>"#,
+    )
+}
+
+fn of<'a>(network: &'a Network, what: &'static str) -> impl Iterator<Item = &'a Reference> {
+    network.references.iter().filter(move |reference| reference.what == what)
+}
+
+fn cycles(network: &Network, sink: &mut Sink<'_>) {
+    let mut next: HashMap<&str, Vec<&str>> = HashMap::new();
+    for reference in of(network, "signal/dependency/@id") {
+        next.entry(&reference.from).or_default().push(&reference.id);
+    }
+    let mut told: HashSet<&str> = HashSet::new();
+    for reference in of(network, "signal/dependency/@id") {
+        let from = &*reference.from;
+        if told.contains(from) {
+            continue;
+        }
+        // From the signal that is depended on, back to this one.
+        let mut before: HashMap<&str, &str> = HashMap::new();
+        let mut open = vec![&*reference.id];
+        while let Some(signal) = open.pop() {
+            if signal == from {
+                break;
+            }
+            for other in next.get(signal).into_iter().flatten() {
+                if !before.contains_key(other) {
+                    before.insert(other, signal);
+                    open.push(other);
+                }
+            }
+        }
+        let mut path = vec![from];
+        if *reference.id != *from {
+            let Some(mut at) = before.get(from).copied() else { continue };
+            while at != &*reference.id {
+                path.push(at);
+                let Some(previous) = before.get(at) else { break };
+                at = previous;
+            }
+            path.push(&reference.id);
+        }
+        path.push(from);
+        path.reverse();
+        told.extend(path.iter().copied());
+        let place = format!("OpenDRIVE//signal[@id={from}]/dependency");
+        sink.add_at(
+            place,
+            sink.severity,
+            reference.span,
+            "no way back to the signal",
+            path.join(" on "),
+        );
+    }
+}
+
+fn gantry(network: &Network, sink: &mut Sink<'_>) {
+    let mut objects: HashMap<&str, Vec<&str>> = HashMap::new();
+    for reference in of(network, "signal/reference/@elementId") {
+        if reference.kinds.contains(&PartKind::Object) {
+            objects.entry(&reference.from).or_default().push(&reference.id);
+        }
+    }
+    let mut shared: HashMap<&str, HashSet<&str>> = HashMap::new();
+    for board in of(network, "vmsBoardReference/@signalId") {
+        let own: HashSet<&str> = objects.get(&*board.id).into_iter().flatten().copied().collect();
+        let group = shared.entry(&board.from).or_insert_with(|| own.clone());
+        group.retain(|object| own.contains(object));
+        if group.is_empty() && !own.is_empty() {
+            sink.add_in(
+                ("vmsGroup", &board.from, "vmsBoardReference"),
+                board.span,
+                "boards of one gantry",
+                format_args!("signal {} at another", board.id),
+            );
+        }
+    }
+}
+
+fn partners(network: &Network, sink: &mut Sink<'_>) {
+    let pairs: HashSet<(&str, &str)> =
+        of(network, "switch/partner/@id").map(|r| (&*r.from, &*r.id)).collect();
+    for reference in of(network, "switch/partner/@id") {
+        if !pairs.contains(&(&*reference.id, &*reference.from)) || reference.id == reference.from {
+            let place = format!("OpenDRIVE//switch[@id={}]/partner", reference.from);
+            let found = format_args!("switch {}, which does not", reference.id);
+            sink.add_at(
+                place,
+                sink.severity,
+                reference.span,
+                "a partner that names this switch",
+                found,
+            );
+        }
+    }
+}
+
+fn joined(network: &Network, sink: &mut Sink<'_>) {
+    let main: HashMap<&str, &str> =
+        of(network, "switch/mainTrack/@id").map(|r| (&*r.from, &*r.id)).collect();
+    let side: HashMap<&str, &str> =
+        of(network, "switch/sideTrack/@id").map(|r| (&*r.from, &*r.id)).collect();
+    for reference in of(network, "switch/partner/@id") {
+        let (from, partner) = (&*reference.from, &*reference.id);
+        if let (Some(side), Some(main)) = (side.get(from), main.get(partner))
+            && side == main
+        {
+            let place = format!("OpenDRIVE//switch[@id={from}]/partner");
+            let found = format_args!("road {main}, the main track of switch {partner}");
+            sink.add_at(
+                place,
+                sink.severity,
+                reference.span,
+                "a side track between the two",
+                found,
+            );
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! Ids are unique, and what is referred to is there.
+
+use crate::example::Example::{Document, Signals};
+use crate::network::{Network, Part, PartKind};
+use crate::rule::Check::Network as All;
+use crate::rule::Rule;
+use crate::sink::Sink;
+use mapd_xodr::Severity;
+use std::collections::{HashMap, HashSet};
+
+/// Roads of 9 m, given by their attributes, with more elements behind.
+macro_rules! roads {
+    ($first:literal, $second:literal, $rest:literal) => {
+        Document(concat!(
+            "<road ", $first, r#" length="9"><planView><geometry s="0" x="0" y="0" hdg="0" length="9"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center></laneSection></lanes></road>
+<road "#, $second, r#" length="9"><planView><geometry s="0" x="0" y="90" hdg="0" length="9"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center></laneSection></lanes></road>"#,
+            $rest
+        ))
+    };
+}
+
+pub(super) static RULES: &[Rule] = &[
+    Rule::error(
+        "asam.net:xodr:1.4.0:ids.id_unique_in_class",
+        "An id occurs once among the elements of a kind.",
+        All(unique),
+        [
+            roads!(r#"id="1" junction="-1""#, r#"id="2" junction="-1""#, ""),
+            roads!(r#"id="1" junction="-1""#, r#"id="1" junction="-1""#, ""),
+        ],
+    ),
+    Rule::warning(
+        "asam.net:xodr:1.4.0:ids.only_ref_defined_ids",
+        "What is referred to by its id is there.",
+        All(defined),
+        [
+            roads!(r#"id="1" junction="-1""#, r#"id="2" junction="-1""#, r#"<junction id="8" name=""/><junctionGroup id="7" type="roundabout" name=""><junctionReference junction="8"/></junctionGroup>"#),
+            roads!(r#"id="1" junction="-1""#, r#"id="2" junction="-1""#, r#"<junctionGroup id="7" type="roundabout" name=""><junctionReference junction="8"/></junctionGroup>"#),
+        ],
+    )
+    .also(&["mapd:xodr:1.4.0:ref.orphan_element"]),
+    Rule::warning(
+        "asam.net:xodr:1.7.0:road.signal.reference.used_for_signals_only",
+        "A signalReference refers to a signal, not to something else with that id.",
+        All(signals_only),
+        [
+            Signals(r#"<signal id="1" s="10" t="-4" zOffset="2" dynamic="no" orientation="+" type="274" subtype="50" country="DE" hOffset="0" pitch="0" roll="0"/><signalReference id="1" s="20" t="0" orientation="+"/>"#),
+            crate::example::Example::Road(r#"<objects><object id="5" type="pole" s="10" t="4" zOffset="0" orientation="none"/></objects><signals><signalReference id="5" s="20" t="0" orientation="+"/></signals>"#),
+        ],
+    ),
+];
+
+fn unique(network: &Network, sink: &mut Sink<'_>) {
+    let mut first: HashMap<(PartKind, &str), &Part> = HashMap::new();
+    let mut told: HashSet<(PartKind, &str)> = HashSet::new();
+    for part in &network.parts {
+        let key = (part.kind, &*part.id);
+        let Some(before) = first.get(&key) else {
+            first.insert(key, part);
+            continue;
+        };
+        // Of roads and junctions neither can be told to be the one that is meant; for other parts the id hardly matters.
+        let severity = match part.kind {
+            PartKind::Road | PartKind::Junction => Severity::Error,
+            _ => Severity::Warning,
+        };
+        let severity = severity.min(sink.severity);
+        let name = part.kind.name();
+        let path = format!("OpenDRIVE/{name}[@id={}]", part.id);
+        let expected = format!("an id that no other {name} has");
+        if told.insert(key) && part.kind == PartKind::Road {
+            sink.add_at(path.clone(), severity, before.span, &expected, &part.id);
+        }
+        sink.add_at(path, severity, part.span, &expected, &part.id);
+    }
+}
+
+fn known(network: &Network) -> HashSet<(PartKind, &str)> {
+    network.parts.iter().map(|part| (part.kind, &*part.id)).collect()
+}
+
+fn defined(network: &Network, sink: &mut Sink<'_>) {
+    let known = known(network);
+    for reference in &network.references {
+        if reference.kinds.iter().any(|kind| known.contains(&(*kind, &*reference.id))) {
+            continue;
+        }
+        let kinds: Vec<&str> = reference.kinds.iter().map(|kind| kind.name()).collect();
+        let expected = format!("the id of a {}", kinds.join(" or "));
+        let path = format!("OpenDRIVE//{} of {}", reference.what, reference.from);
+        let found = format_args!("{}, which is not there", reference.id);
+        sink.add_at(path, sink.severity, reference.span, expected, found);
+    }
+}
+
+fn signals_only(network: &Network, sink: &mut Sink<'_>) {
+    let known = known(network);
+    let references = network.references.iter().filter(|r| r.what == "signals/signalReference/@id");
+    for reference in references {
+        let id = &*reference.id;
+        if known.contains(&(PartKind::Signal, id)) {
+            continue;
+        }
+        if let Some((kind, _)) = known.iter().filter(|(_, other)| *other == id).min() {
+            let found = format_args!("that of a {}", kind.name());
+            sink.add_in(
+                ("road", &reference.from, reference.what),
+                reference.span,
+                "the id of a signal",
+                found,
+            );
+        }
+    }
+}

@@ -1,0 +1,283 @@
+//! Links of lanes.
+
+use crate::catalog::lanes::is_drivable;
+use crate::example::Example::{Document, Junction, Lanes};
+use crate::network::{Contact, LaneJoint, LinkTarget, Network};
+use crate::rule::Check::Network as All;
+use crate::rule::{Rule, Tolerance};
+use crate::sink::Sink;
+
+/// Widths that count as none.
+const NONE: Tolerance = Tolerance { name: "width that counts as none", value: 1e-6, unit: "m" };
+
+/// Two sections with lanes to the right.
+macro_rules! sections {
+    ($first:literal, $second:literal) => {
+        Lanes(concat!(
+            r#"<laneSection s="0"><center><lane id="0" type="none"/></center><right>"#,
+            $first,
+            r#"</right></laneSection>
+<laneSection s="50"><center><lane id="0" type="none"/></center><right>"#,
+            $second,
+            "</right></laneSection>"
+        ))
+    };
+}
+
+pub(super) static RULES: &[Rule] = &[
+    Rule::warning(
+        "mapd:xodr:1.4.0:ref.orphan_lane",
+        "A lane's link names a lane of the section that touches there.",
+        All(orphans),
+        [
+            sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#),
+            sections!(r#"<lane id="-1" type="driving"><link><successor id="-5"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#),
+        ],
+    ),
+    Rule::warning(
+        "asam.net:xodr:1.4.0:road.lane.link.lanes_across_laneSections",
+        "Of two linked lanes each names the other.",
+        All(both_ways),
+        [
+            sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#),
+            sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#),
+        ],
+    )
+    .also(&["asam.net:xodr:1.4.0:road.lane.link.lanes_across_lane_sections"]),
+    Rule::warning(
+        "asam.net:xodr:1.4.0:road.lane.link.new_lane_appear",
+        "A lane that opens beside another does not go on from it.",
+        All(opening),
+        [
+            sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane><lane id="-2" type="driving"><width sOffset="0" a="0" b="0.06" c="0" d="0"/></lane>"#),
+            sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/><successor id="-2"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane><lane id="-2" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="0" b="0.06" c="0" d="0"/></lane>"#),
+        ],
+    )
+    .within(&[NONE]),
+    Rule::warning(
+        "asam.net:xodr:1.7.0:road.lane.link.zero_width_at_start",
+        "A lane that begins without width has no predecessor.",
+        All(no_width_at_start),
+        [
+            sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#),
+            sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="0" b="0.06" c="0" d="0"/></lane>"#),
+        ],
+    )
+    .within(&[NONE]),
+    Rule::warning(
+        "asam.net:xodr:1.7.0:road.lane.link.zero_width_at_end",
+        "A lane that ends without width has no successor.",
+        All(no_width_at_end),
+        [
+            sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#),
+            sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="-0.06" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#),
+        ],
+    )
+    .within(&[NONE]),
+    Rule::warning(
+        "asam.net:xodr:1.4.0:road.lane.link.multiple_connections",
+        "Where a lane splits or lanes merge at a line, each of them has a width there.",
+        All(abrupt),
+        [
+            sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/><successor id="-2"/></link><width sOffset="0" a="6" b="0" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane><lane id="-2" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#),
+            sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/><successor id="-2"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane><lane id="-2" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="0" b="0.06" c="0" d="0"/></lane>"#),
+        ],
+    )
+    .within(&[NONE]),
+    Rule::warning(
+        "asam.net:xodr:1.4.0:road.lane.link.no_link",
+        "A lane has no link where its road ends in a junction or has no neighbor.",
+        All(without_partner),
+        [
+            Junction(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+            Document(r#"<road id="1" length="50" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>"#),
+        ],
+    ),
+    Rule::warning(
+        "asam.net:xodr:1.4.0:road.lane.link.use_junctions",
+        "Where the lanes of two roads do not link one to one, there is a junction.",
+        All(ambiguous),
+        [
+            roads(),
+            Document(r#"<road id="1" length="50" junction="-1"><link><successor elementType="road" elementId="2" contactPoint="start"/></link><planView><geometry s="0" x="0" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><successor id="-1"/><successor id="-2"/></link><width sOffset="0" a="6" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
+<road id="2" length="50" junction="-1"><link><predecessor elementType="road" elementId="1" contactPoint="end"/></link><planView><geometry s="0" x="50" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane><lane id="-2" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>"#),
+        ],
+    ),
+    Rule::warning(
+        "mapd:xodr:1.4.0:topology.direction",
+        "Traffic of a lane goes on in the direction of the lane that it leads into.",
+        All(directions),
+        [
+            roads(),
+            Document(r#"<road id="1" length="50" junction="-1"><link><successor elementType="road" elementId="2" contactPoint="start"/></link><planView><geometry s="0" x="0" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><successor id="1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
+<road id="2" length="50" junction="-1"><link><predecessor elementType="road" elementId="1" contactPoint="end"/></link><planView><geometry s="0" x="50" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><left><lane id="1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></left><center><lane id="0" type="none"/></center></laneSection></lanes></road>"#),
+        ],
+    ),
+];
+
+const fn roads() -> crate::example::Example {
+    Document(
+        r#"<road id="1" length="50" junction="-1"><link><successor elementType="road" elementId="2" contactPoint="start"/></link><planView><geometry s="0" x="0" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
+<road id="2" length="50" junction="-1"><link><predecessor elementType="road" elementId="1" contactPoint="end"/></link><planView><geometry s="0" x="50" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>"#,
+    )
+}
+
+/// Adds a finding about a lane's link.
+fn add(
+    joint: &LaneJoint<'_>,
+    sink: &mut Sink<'_>,
+    expected: impl std::fmt::Display,
+    found: impl std::fmt::Display,
+) {
+    let name = match joint.end {
+        Contact::Start => "predecessor",
+        Contact::End => "successor",
+    };
+    let (s, id) = (joint.section.s, joint.lane.id);
+    let part = format!("lanes/laneSection[@s={s}]/lane[@id={id}]/link/{name}");
+    sink.add_in(("road", &joint.road.id, &part), joint.link.span, expected, found);
+}
+
+fn orphans(network: &Network, sink: &mut Sink<'_>) {
+    for joint in network.lane_joints() {
+        // Lane 0 is in every section.
+        if let Some(neighbor) =
+            joint.neighbor.filter(|_| joint.target.is_none() && joint.link.id != 0)
+        {
+            let expected =
+                format_args!("a lane of road {} at s = {}", neighbor.road.id, neighbor.section.s);
+            add(&joint, sink, expected, format_args!("lane {}, which is not there", joint.link.id));
+        }
+    }
+}
+
+fn both_ways(network: &Network, sink: &mut Sink<'_>) {
+    for joint in network.lane_joints() {
+        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { continue };
+        // Where a road within a junction links to one outside of it, the way back is the junction's.
+        if joint.road.junction.is_some() && neighbor.road.junction.is_none() {
+            continue;
+        }
+        let back = network.links_of(target, neighbor.end);
+        if !back.iter().any(|link| link.id == joint.lane.id) {
+            let expected =
+                format_args!("a link back from lane {} of road {}", target.id, neighbor.road.id);
+            add(&joint, sink, expected, "none");
+        }
+    }
+}
+
+fn opening(network: &Network, sink: &mut Sink<'_>) {
+    for joint in network.lane_joints() {
+        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { continue };
+        let opens = target.widths[neighbor.end as usize] <= NONE.value;
+        if opens && joint.lane.widths[joint.end as usize] > NONE.value {
+            add(
+                &joint,
+                sink,
+                "no link to a lane without width here",
+                format_args!("one to lane {}", target.id),
+            );
+        }
+    }
+}
+
+fn no_width(network: &Network, end: Contact, sink: &mut Sink<'_>) {
+    for joint in network.lane_joints().filter(|joint| joint.end == end && joint.target.is_some()) {
+        if joint.lane.widths[end as usize] <= NONE.value {
+            add(
+                &joint,
+                sink,
+                "no link of a lane without width here",
+                format_args!("one to lane {}", joint.link.id),
+            );
+        }
+    }
+}
+
+fn no_width_at_start(network: &Network, sink: &mut Sink<'_>) {
+    no_width(network, Contact::Start, sink);
+}
+
+fn no_width_at_end(network: &Network, sink: &mut Sink<'_>) {
+    no_width(network, Contact::End, sink);
+}
+
+fn abrupt(network: &Network, sink: &mut Sink<'_>) {
+    for joint in network.lane_joints() {
+        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { continue };
+        let is_one_of_many = network.links_of(joint.lane, joint.end).len() > 1;
+        let own = joint.lane.widths[joint.end as usize];
+        let width = target.widths[neighbor.end as usize];
+        if is_one_of_many && (own <= NONE.value || width <= NONE.value) {
+            add(
+                &joint,
+                sink,
+                "widths of both lanes where several link",
+                format_args!("{own} and {width} m"),
+            );
+        }
+    }
+}
+
+fn without_partner(network: &Network, sink: &mut Sink<'_>) {
+    for joint in network.lane_joints() {
+        let sections = network.sections_of(joint.road);
+        let is_inside = match joint.end {
+            Contact::Start => joint.rank > 0,
+            Contact::End => joint.rank + 1 < sections.len(),
+        };
+        if is_inside || joint.neighbor.is_some() {
+            continue;
+        }
+        let found = match joint.road.link(joint.end).map(|link| &link.target) {
+            None => "one at the end of all roads".to_owned(),
+            // In the middle of a main road, lanes link to its lanes.
+            Some(LinkTarget::Road(_)) => continue,
+            Some(LinkTarget::Junction(id)) => format!("one into junction {id}"),
+        };
+        add(&joint, sink, "no link", found);
+    }
+}
+
+fn ambiguous(network: &Network, sink: &mut Sink<'_>) {
+    for joint in network.lane_joints() {
+        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { continue };
+        let is_outside = joint.road.junction.is_none() && neighbor.road.junction.is_none();
+        let links = network.links_of(joint.lane, joint.end);
+        let is_second =
+            links.len() > 1 && links.first().is_none_or(|first| first.id != joint.link.id);
+        if neighbor.road.id != joint.road.id && is_outside && is_second && is_drivable(target.kind)
+        {
+            add(
+                &joint,
+                sink,
+                "one lane of the next road, or a junction",
+                format_args!("{}", links.len()),
+            );
+        }
+    }
+}
+
+fn directions(network: &Network, sink: &mut Sink<'_>) {
+    for joint in network.lane_joints() {
+        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { continue };
+        if !is_drivable(joint.lane.kind) || !is_drivable(target.kind) {
+            continue;
+        }
+        let (Some(own), Some(other)) = (
+            Network::goes_along(joint.road, joint.lane),
+            Network::goes_along(neighbor.road, target),
+        ) else {
+            continue;
+        };
+        let is_turned = joint.end == neighbor.end;
+        if (own == other) == is_turned {
+            let found = format_args!(
+                "lane {} of road {}, where it comes from ahead",
+                target.id, neighbor.road.id
+            );
+            add(&joint, sink, "a lane that goes on in the same direction", found);
+        }
+    }
+}

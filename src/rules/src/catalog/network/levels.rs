@@ -1,0 +1,59 @@
+//! Lanes that are kept level.
+
+use crate::example::Example::Section as In;
+use crate::network::{LaneFacts, Network};
+use crate::rule::Check::Network as All;
+use crate::rule::Rule;
+use crate::sink::Sink;
+
+pub(super) static RULES: &[Rule] = &[Rule::warning(
+    "asam.net:xodr:1.7.0:road.lane.level_true_one_side",
+    "Once a lane is kept level, so are all lanes farther out on that side, and the lanes that it links to.",
+    All(level),
+    [
+        In(r#"<center><lane id="0" type="none"/></center><right>
+<lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>
+<lane id="-2" type="sidewalk" level="true"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right>"#),
+        In(r#"<center><lane id="0" type="none"/></center><right>
+<lane id="-1" type="sidewalk" level="true"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>
+<lane id="-2" type="driving" level="false"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right>"#),
+    ],
+)];
+
+fn level(network: &Network, sink: &mut Sink<'_>) {
+    for road in &network.roads {
+        for section in network.sections_of(road) {
+            // By falling id: those to the left from the outermost, those to the right from the innermost.
+            let (left, right) = {
+                let lanes = network.lanes_of(section);
+                lanes.split_at(lanes.partition_point(|lane| lane.id > 0))
+            };
+            let mut outwards = |lanes: &mut dyn Iterator<Item = &LaneFacts>| {
+                let mut is_level = false;
+                for lane in lanes {
+                    if is_level && !lane.is_level {
+                        let part =
+                            format!("lanes/laneSection[@s={}]/lane[@id={}]", section.s, lane.id);
+                        let found = format_args!("lane {} without it", lane.id);
+                        let place = ("road", &*road.id, &*part);
+                        sink.add_in(place, lane.span, "level lanes outside of a level lane", found);
+                    }
+                    is_level |= lane.is_level;
+                }
+            };
+            outwards(&mut left.iter().rev());
+            outwards(&mut right.iter());
+        }
+    }
+    for joint in network.lane_joints() {
+        let Some(target) = joint.target.filter(|target| target.is_level != joint.lane.is_level)
+        else {
+            continue;
+        };
+        let part =
+            format!("lanes/laneSection[@s={}]/lane[@id={}]/link", joint.section.s, joint.lane.id);
+        let expected = "linked lanes that are both kept level or both not";
+        let found = format_args!("lane {} otherwise", target.id);
+        sink.add_in(("road", &joint.road.id, &part), joint.link.span, expected, found);
+    }
+}

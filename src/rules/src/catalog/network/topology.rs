@@ -1,0 +1,295 @@
+//! The lane network: what hangs together, and what leads nowhere.
+
+use crate::catalog::junctions::kind;
+use crate::catalog::lanes::is_drivable;
+use crate::example::Example::Document;
+use crate::network::{Contact, LinkTarget, Network, contact};
+use crate::place::{text, value};
+use crate::rule::Check::Network as All;
+use crate::rule::{Rule, Tolerance};
+use crate::sink::Sink;
+use mapd_xodr::JunctionType as Kind;
+use std::collections::{BTreeMap, HashMap};
+
+/// A way that comes back to where it began without having gone this far makes no progress.
+const PROGRESS: Tolerance = Tolerance { name: "length of a loop", value: 1.0, unit: "m" };
+
+/// Two roads; the second one's links and the first one's.
+macro_rules! pair {
+    ($first:literal, $lane:literal, $second:literal, $back:literal) => {
+        Document(concat!(
+            r#"<road id="1" length="50" junction="-1"><link>"#, $first, r#"</link><planView><geometry s="0" x="0" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving">"#, $lane, r#"<width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
+<road id="2" length="50" junction="-1"><link>"#, $second, r#"</link><planView><geometry s="0" x="50" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving">"#, $back, r#"<width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>"#
+        ))
+    };
+}
+
+pub(super) static RULES: &[Rule] = &[
+    Rule::info(
+        "mapd:xodr:1.4.0:topology.disconnected",
+        "Lanes for driving hang together.",
+        All(disconnected),
+        [
+            pair!(
+                r#"<successor elementType="road" elementId="2" contactPoint="start"/>"#,
+                r#"<link><successor id="-1"/></link>"#,
+                r#"<predecessor elementType="road" elementId="1" contactPoint="end"/>"#,
+                r#"<link><predecessor id="-1"/></link>"#
+            ),
+            pair!("", "", "", ""),
+        ],
+    ),
+    Rule::warning(
+        "mapd:xodr:1.4.0:topology.dead_lane",
+        "A lane of the middle of a road leads to another or comes from one.",
+        All(dead),
+        [
+            pair!(
+                r#"<successor elementType="road" elementId="2" contactPoint="start"/>"#,
+                r#"<link><successor id="-1"/></link>"#,
+                r#"<predecessor elementType="road" elementId="1" contactPoint="end"/>"#,
+                r#"<link><predecessor id="-1"/></link>"#
+            ),
+            pair!(
+                r#"<successor elementType="road" elementId="2" contactPoint="start"/>"#,
+                "",
+                r#"<predecessor elementType="road" elementId="1" contactPoint="end"/>"#,
+                ""
+            ),
+        ],
+    ),
+    Rule::error(
+        "mapd:xodr:1.4.0:topology.cycle",
+        "A way that leads back to where it began has a length.",
+        All(no_progress),
+        [
+            Document(r#"<road id="1" length="100" junction="-1"><link><predecessor elementType="road" elementId="1" contactPoint="end"/><successor elementType="road" elementId="1" contactPoint="start"/></link><planView><geometry s="0" x="0" y="0" hdg="0" length="100"><arc curvature="0.06283185307179587"/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>"#),
+            Document(r#"<road id="1" length="0.1" junction="-1"><link><predecessor elementType="road" elementId="1" contactPoint="end"/><successor elementType="road" elementId="1" contactPoint="start"/></link><planView><geometry s="0" x="0" y="0" hdg="0" length="0.1"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>"#),
+        ],
+    )
+    .within(&[PROGRESS]),
+    Rule::warning(
+        "mapd:xodr:1.4.0:topology.junction_cycle",
+        "No way goes around within a junction.",
+        All(junction_cycle),
+        [
+            pair!("", "", "", ""),
+            Document(r#"<road id="1" length="50" junction="9"><link><predecessor elementType="road" elementId="2" contactPoint="end"/><successor elementType="road" elementId="2" contactPoint="start"/></link><planView><geometry s="0" x="0" y="0" hdg="0" length="50"><arc curvature="0.06283185307179587"/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
+<road id="2" length="50" junction="9"><link><predecessor elementType="road" elementId="1" contactPoint="end"/><successor elementType="road" elementId="1" contactPoint="start"/></link><planView><geometry s="0" x="0" y="31.8309886184" hdg="3.14159265359" length="50"><arc curvature="0.06283185307179587"/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road><junction id="9" name=""/>"#),
+        ],
+    ),
+];
+
+/// The representative of a set, with paths halved on the way.
+fn root(parents: &mut [usize], mut at: usize) -> usize {
+    while let Some(&parent) = parents.get(at).filter(|parent| **parent != at) {
+        let next = parents.get(parent).copied().unwrap_or(parent);
+        parents[at] = next;
+        at = next;
+    }
+    at
+}
+
+/// Every pair of lanes that are linked, by rank among all lanes.
+fn linked_lanes(network: &Network, mut show: impl FnMut(usize, usize)) {
+    let rank: HashMap<*const crate::network::LaneFacts, usize> = network
+        .lanes
+        .iter()
+        .enumerate()
+        .map(|(rank, lane)| (std::ptr::from_ref(lane), rank))
+        .collect();
+    for joint in network.lane_joints() {
+        let Some(target) = joint.target else { continue };
+        if let (Some(a), Some(b)) =
+            (rank.get(&std::ptr::from_ref(joint.lane)), rank.get(&std::ptr::from_ref(target)))
+        {
+            show(*a, *b);
+        }
+    }
+    for junction in &network.junctions {
+        for connection in &junction.connection {
+            let incoming = network.road(text(&connection.incoming_road));
+            let other = if kind(junction) == Kind::Direct {
+                &connection.linked_road
+            } else {
+                &connection.connecting_road
+            };
+            let (Some(incoming), Some(other)) = (incoming, network.road(text(other))) else {
+                continue;
+            };
+            let Some(contact) = contact(&connection.contact_point) else { continue };
+            let end = network.end_at_junction(incoming, text(&junction.id), Some((other, contact)));
+            let from = match end {
+                Some(end) => network.section_at(incoming, end),
+                // Roads leave the main road of a virtual junction somewhere.
+                None => {
+                    other.link(contact).and_then(|link| network.section_over(incoming, link.s?))
+                }
+            };
+            let (Some(from), Some(to)) = (from, network.section_at(other, contact)) else {
+                continue;
+            };
+            for link in &connection.lane_link {
+                let lanes = value(&link.from).zip(value(&link.to));
+                let lanes =
+                    lanes.and_then(|(a, b)| Some((network.lane(from, a)?, network.lane(to, b)?)));
+                if let Some((a, b)) = lanes
+                    && let (Some(a), Some(b)) =
+                        (rank.get(&std::ptr::from_ref(a)), rank.get(&std::ptr::from_ref(b)))
+                {
+                    show(*a, *b);
+                }
+            }
+        }
+    }
+}
+
+fn disconnected(network: &Network, sink: &mut Sink<'_>) {
+    let mut parents: Vec<usize> = (0..network.lanes.len()).collect();
+    linked_lanes(network, |a, b| {
+        let (a, b) = (root(&mut parents, a), root(&mut parents, b));
+        // The smaller rank stands for the set, whatever the order.
+        parents[a.max(b)] = a.min(b);
+    });
+    // Lanes side by side are of one part.
+    for section in &network.sections {
+        let lanes = section
+            .lanes
+            .clone()
+            .filter(|rank| network.lanes.get(*rank).is_some_and(|lane| is_drivable(lane.kind)));
+        let lanes: Vec<usize> = lanes.collect();
+        for pair in lanes.windows(2) {
+            let (a, b) = (root(&mut parents, pair[0]), root(&mut parents, pair[1]));
+            parents[a.max(b)] = a.min(b);
+        }
+    }
+    let mut parts: BTreeMap<usize, usize> = BTreeMap::new();
+    for rank in 0..network.lanes.len() {
+        if network.lanes.get(rank).is_some_and(|lane| is_drivable(lane.kind)) {
+            *parts.entry(root(&mut parents, rank)).or_default() += 1;
+        }
+    }
+    let Some(largest) = parts
+        .iter()
+        .max_by_key(|(rank, count)| (**count, std::cmp::Reverse(**rank)))
+        .map(|(rank, _)| *rank)
+    else {
+        return;
+    };
+    for (rank, count) in parts.iter().filter(|(rank, _)| **rank != largest) {
+        let Some(lane) = network.lanes.get(*rank) else { continue };
+        let road = network.roads.iter().find(|road| {
+            network.sections_of(road).iter().any(|section| section.lanes.contains(rank))
+        });
+        let id = road.map_or("", |road| &*road.id);
+        let found = format_args!("a part of {count} lanes by itself, of {} parts", parts.len());
+        sink.add_in(("road", id, "lanes"), lane.span, "lanes that are linked to the others", found);
+    }
+}
+
+fn dead(network: &Network, sink: &mut Sink<'_>) {
+    let mut is_linked = vec![false; network.lanes.len()];
+    linked_lanes(network, |a, b| {
+        for rank in [a, b] {
+            if let Some(linked) = is_linked.get_mut(rank) {
+                *linked = true;
+            }
+        }
+    });
+    for road in &network.roads {
+        // Where neither end goes on, the road stands alone.
+        if road.links.iter().all(Option::is_none) {
+            continue;
+        }
+        for section in network.sections_of(road) {
+            for (rank, lane) in section.lanes.clone().zip(network.lanes_of(section)) {
+                let has_width = lane.widths.iter().any(|width| *width > 0.0);
+                if is_drivable(lane.kind)
+                    && has_width
+                    && !is_linked.get(rank).copied().unwrap_or(true)
+                {
+                    let part = format!("lanes/laneSection[@s={}]/lane[@id={}]", section.s, lane.id);
+                    sink.add_in(
+                        ("road", &road.id, &part),
+                        lane.span,
+                        "a link of the lane",
+                        "none at either end",
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// The roads that follow a road from end to end: for each end of the road that is left, the road and end that is entered.
+fn next_roads(network: &Network) -> Vec<[Option<(usize, Contact)>; 2]> {
+    network
+        .roads
+        .iter()
+        .map(|road| {
+            Contact::BOTH.map(|end| {
+                let (target, contact) = network.linked_road(road, end)?;
+                Some((network.road_rank(&target.id)?, contact))
+            })
+        })
+        .collect()
+}
+
+/// Walks from road to road until something is met again; yields the length of the loop and whether it is one.
+fn loop_from(
+    network: &Network,
+    next: &[[Option<(usize, Contact)>; 2]],
+    start: (usize, Contact),
+    mut may_enter: impl FnMut(usize) -> bool,
+) -> Option<f64> {
+    let (mut at, mut length) = (start, 0.0);
+    for _ in 0..=next.len() {
+        length += network.roads.get(at.0)?.length;
+        let (road, entered) = (*next.get(at.0)?)[at.1 as usize]?;
+        if !may_enter(road) {
+            return None;
+        }
+        // A road that is entered at an end is left at the other.
+        at = (road, entered.other());
+        if at == start {
+            return Some(length);
+        }
+        if length > 1e9 {
+            return None;
+        }
+    }
+    None
+}
+
+fn no_progress(network: &Network, sink: &mut Sink<'_>) {
+    let next = next_roads(network);
+    for (rank, road) in network.roads.iter().enumerate() {
+        // Longer roads alone make progress.
+        if road.length >= PROGRESS.value {
+            continue;
+        }
+        let is_short =
+            |road: usize| network.roads.get(road).is_some_and(|r| r.length < PROGRESS.value);
+        let length = loop_from(network, &next, (rank, Contact::End), is_short);
+        if let Some(length) = length.filter(|length| *length < PROGRESS.value) {
+            let found = format_args!("one of {length} m");
+            sink.add_in(("road", &road.id, "link"), road.span, "a loop with a length", found);
+        }
+    }
+}
+
+fn junction_cycle(network: &Network, sink: &mut Sink<'_>) {
+    let next = next_roads(network);
+    for (rank, road) in network.roads.iter().enumerate().filter(|(_, road)| road.junction.is_some())
+    {
+        let is_within =
+            |other: usize| network.roads.get(other).is_some_and(|o| o.junction == road.junction);
+        let leads_within = road.links.iter().flatten().any(|link| {
+            matches!(&link.target, LinkTarget::Road(id) if network.road_rank(id).is_some_and(is_within))
+        });
+        if leads_within && loop_from(network, &next, (rank, Contact::End), is_within).is_some() {
+            let expected = "a way out of the junction";
+            sink.add_in(("road", &road.id, "link"), road.span, expected, "a way around within it");
+        }
+    }
+}

@@ -1,0 +1,25 @@
+//! Rules on roads by themselves.
+
+mod crg;
+mod lateral;
+mod links;
+mod plan_view;
+mod poly;
+mod railroad;
+mod records;
+mod redundant;
+mod types;
+
+use crate::rule::Rule;
+
+pub(super) static RULES: &[&[Rule]] = &[
+    plan_view::RULES,
+    poly::RULES,
+    records::RULES,
+    lateral::RULES,
+    types::RULES,
+    links::RULES,
+    crg::RULES,
+    railroad::RULES,
+    redundant::RULES,
+];

@@ -1,0 +1,264 @@
+//! The reference line in the plane.
+
+use crate::example::Example::PlanView;
+use crate::place::{RoadIn, number};
+use crate::rule::Check::Road;
+use crate::rule::{Rule, Tolerance};
+use crate::sink::Sink;
+use mapd_geometry::normalize_angle;
+use mapd_xodr::{Geometry, Severity};
+
+/// Differences of places along s that come from rounding in the file.
+const S_ROUNDING: Tolerance =
+    Tolerance { name: "difference of s that counts as rounding", value: 1e-3, unit: "m" };
+/// Differences of places along s beyond which the reference line is not what its author meant.
+const S_BROKEN: Tolerance =
+    Tolerance { name: "difference of s that is an error", value: 0.1, unit: "m" };
+/// Differences of lengths that come from rounding in the file: many geometries of 4 decimals each.
+const LENGTH: Tolerance = Tolerance { name: "difference of lengths", value: 0.01, unit: "m" };
+/// Gaps that come from rounding in the file.
+const GAP: Tolerance = Tolerance { name: "gap", value: 0.01, unit: "m" };
+/// Gaps beyond which the reference line is broken: more than a lane marking is wide.
+const GAP_BROKEN: Tolerance = Tolerance { name: "gap that is an error", value: 1.0, unit: "m" };
+/// Kinks that come from rounding in the file.
+const KINK: Tolerance = Tolerance { name: "kink", value: 1e-3, unit: "rad" };
+/// Kinks beyond which borders cross one another: an eighth of a full turn. Road data of polygons have smaller ones at every
+/// corner and can be driven.
+const KINK_BROKEN: Tolerance =
+    Tolerance { name: "kink that is an error", value: std::f64::consts::FRAC_PI_4, unit: "rad" };
+/// Steps of curvature that come from rounding in the file.
+const CURVATURE: Tolerance = Tolerance { name: "step of curvature", value: 1e-3, unit: "1/m" };
+
+pub(super) static RULES: &[Rule] = &[
+    Rule::error(
+        "mapd:xodr:1.4.0:geometry.s_monotonic",
+        "Geometries begin at s = 0, and each where the one before it ends.",
+        Road(s_monotonic),
+        [
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="40"><line/></geometry>
+<geometry s="40" x="40" y="0" hdg="0" length="60"><arc curvature="0.01"/></geometry>"#,
+            ),
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="40"><line/></geometry>
+<geometry s="41" x="40" y="0" hdg="0" length="60"><arc curvature="0.01"/></geometry>"#,
+            ),
+        ],
+    )
+    .within(&[S_ROUNDING, S_BROKEN]),
+    Rule::warning(
+        "asam.net:xodr:1.9.0:road.geometry.s-value_sum",
+        "s of a geometry is the sum of the lengths before it.",
+        Road(s_is_sum),
+        [
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="40"><line/></geometry>
+<geometry s="40" x="40" y="0" hdg="0" length="60"><arc curvature="0.01"/></geometry>"#,
+            ),
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="40"><line/></geometry>
+<geometry s="40.02" x="40" y="0" hdg="0" length="60"><arc curvature="0.01"/></geometry>"#,
+            ),
+        ],
+    )
+    .within(&[LENGTH]),
+    Rule::warning(
+        "asam.net:xodr:1.9.0:road.length_sum_geometries",
+        "A road is as long as its geometries together.",
+        Road(length_is_sum),
+        [
+            PlanView(r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><line/></geometry>"#),
+            PlanView(r#"<geometry s="0" x="0" y="0" hdg="0" length="99"><line/></geometry>"#),
+        ],
+    )
+    .also(&["mapd:xodr:1.4.0:geometry.length_agreement"])
+    .within(&[LENGTH]),
+    Rule::error(
+        "asam.net:xodr:1.4.0:road.geometry.refline_no_gaps",
+        "A geometry begins at the point where the one before it ends.",
+        Road(gaps),
+        [
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="40"><line/></geometry>
+<geometry s="40" x="40" y="0" hdg="0" length="60"><arc curvature="0.01"/></geometry>"#,
+            ),
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="40"><line/></geometry>
+<geometry s="40" x="40" y="5" hdg="0" length="60"><arc curvature="0.01"/></geometry>"#,
+            ),
+        ],
+    )
+    .also(&["mapd:xodr:1.4.0:geometry.g0_gap"])
+    .within(&[GAP, GAP_BROKEN]),
+    Rule::error(
+        "asam.net:xodr:1.4.0:road.geometry.refline_no_kinks",
+        "A geometry begins with the heading that the one before it ends with.",
+        Road(kinks),
+        [
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="40"><line/></geometry>
+<geometry s="40" x="40" y="0" hdg="0" length="60"><arc curvature="0.01"/></geometry>"#,
+            ),
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="40"><line/></geometry>
+<geometry s="40" x="40" y="0" hdg="1.57" length="60"><arc curvature="0.01"/></geometry>"#,
+            ),
+        ],
+    )
+    .also(&["mapd:xodr:1.4.0:geometry.g1_heading"])
+    .within(&[KINK, KINK_BROKEN]),
+    Rule::info(
+        "mapd:xodr:1.4.0:geometry.g2_curvature",
+        "Curvature has no steps; a line may lawfully meet an arc.",
+        Road(curvature_steps),
+        [
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="40"><line/></geometry>
+<geometry s="40" x="40" y="0" hdg="0" length="60"><spiral curvStart="0" curvEnd="0.01"/></geometry>"#,
+            ),
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="40"><line/></geometry>
+<geometry s="40" x="40" y="0" hdg="0" length="60"><arc curvature="0.01"/></geometry>"#,
+            ),
+        ],
+    )
+    .within(&[CURVATURE])
+    .strict(Severity::Error),
+    Rule::warning(
+        "asam.net:xodr:1.9.0:road.geometry.arc.no_zero_curvature",
+        "An arc is curved; what is straight is a line.",
+        Road(straight_arcs),
+        [
+            PlanView(r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><arc curvature="0.01"/></geometry>"#),
+            PlanView(r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><arc curvature="0"/></geometry>"#),
+        ],
+    )
+    .advisory(),
+    Rule::warning(
+        "asam.net:xodr:1.9.0:road.geometry.spiral.curvature_change",
+        "A spiral begins and ends with different curvatures; else it is an arc or line.",
+        Road(even_spirals),
+        [
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><spiral curvStart="0" curvEnd="0.01"/></geometry>"#,
+            ),
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><spiral curvStart="0.01" curvEnd="0.01"/></geometry>"#,
+            ),
+        ],
+    )
+    .advisory(),
+];
+
+const PART: &str = "planView/geometry";
+
+fn geometries<'a>(of: &RoadIn<'a>) -> &'a [Geometry] {
+    of.road.plan_view.as_ref().map_or(&[], |plan_view| &plan_view.geometry)
+}
+
+fn s_monotonic(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
+    let mut due = 0.0;
+    for (rank, geometry) in geometries(of).iter().enumerate() {
+        let s = number(&geometry.s);
+        let difference = (s - due).abs();
+        if difference > S_ROUNDING.value {
+            let severity = grade(difference, S_BROKEN);
+            let what = if rank == 0 { "s = 0" } else { "s where the geometry before ends, at" };
+            sink.add_milder(severity, PART, geometry.span, format_args!("{what} {due}"), s);
+        }
+        due = s + number(&geometry.length);
+    }
+}
+
+fn s_is_sum(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
+    let mut sum = 0.0;
+    for geometry in geometries(of) {
+        let s = number(&geometry.s);
+        if (s - sum).abs() > LENGTH.value {
+            sink.add_within(
+                PART,
+                geometry.span,
+                format_args!("s = {sum}, the lengths before it"),
+                s,
+            );
+            return;
+        }
+        sum += number(&geometry.length);
+    }
+}
+
+fn length_is_sum(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
+    let (all, length) = (geometries(of), number(&of.road.length));
+    let sum: f64 = all.iter().map(|geometry| number(&geometry.length)).sum();
+    if !all.is_empty() && (length - sum).abs() > LENGTH.value {
+        let expected = format_args!("a length of {sum} m, that of the geometries together");
+        sink.add_within("@length", of.road.span, expected, format_args!("{length} m"));
+    }
+}
+
+/// Shows each joint: the geometry behind it, the gap `[m]`, the kink `[rad]` and the step of curvature `[1/m]`.
+fn joints(of: &RoadIn<'_>, mut show: impl FnMut(&Geometry, f64, f64, f64)) {
+    let all = geometries(of);
+    for pair in of.line.pieces.windows(2).filter(|pair| pair[0].index + 1 == pair[1].index) {
+        let (Some(end), Some(start)) = (pair[0].at(pair[0].length), pair[1].at(0.0)) else {
+            continue;
+        };
+        let Some(geometry) = all.get(pair[1].index) else { continue };
+        let gap = (start.x - end.x).hypot(start.y - end.y);
+        let kink = normalize_angle(start.heading - end.heading).abs();
+        show(geometry, gap, kink, (start.curvature - end.curvature).abs());
+    }
+}
+
+/// A warning up to the second bound.
+fn grade(value: f64, broken: Tolerance) -> Severity {
+    if value > broken.value { Severity::Error } else { Severity::Warning }
+}
+
+fn gaps(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
+    joints(of, |geometry, gap, _, _| {
+        if gap > GAP.value {
+            let found = format_args!("one {gap:.3} m away; kept as written");
+            let expected = "a start where the geometry before ends";
+            sink.add_milder(grade(gap, GAP_BROKEN), PART, geometry.span, expected, found);
+        }
+    });
+}
+
+fn kinks(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
+    joints(of, |geometry, _, kink, _| {
+        if kink > KINK.value {
+            let found = format_args!("one that differs by {kink:.6} rad");
+            let expected = "the heading that the geometry before ends with";
+            sink.add_milder(grade(kink, KINK_BROKEN), PART, geometry.span, expected, found);
+        }
+    });
+}
+
+fn curvature_steps(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
+    joints(of, |geometry, _, _, step| {
+        if step > CURVATURE.value {
+            let found = format_args!("a step by {step:.6} 1/m");
+            sink.add_within(PART, geometry.span, "a steady curvature", found);
+        }
+    });
+}
+
+fn straight_arcs(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
+    for geometry in geometries(of) {
+        if geometry.arc.as_ref().is_some_and(|arc| number(&arc.curvature) == 0.0) {
+            sink.add_within(PART, geometry.span, "an arc with a curvature", "0");
+        }
+    }
+}
+
+fn even_spirals(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
+    for geometry in geometries(of) {
+        let Some(spiral) = &geometry.spiral else { continue };
+        let (start, end) = (number(&spiral.curv_start), number(&spiral.curv_end));
+        if start == end {
+            let found = format_args!("{start} at both ends");
+            sink.add_within(PART, geometry.span, "a spiral whose curvature changes", found);
+        }
+    }
+}

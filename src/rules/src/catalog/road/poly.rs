@@ -1,0 +1,140 @@
+//! Parametric cubics of the reference line.
+
+use crate::example::Example::PlanView;
+use crate::place::{RoadIn, number, value};
+use crate::rule::Check::Road;
+use crate::rule::{Rule, Tolerance};
+use crate::sink::Sink;
+use mapd_xodr::{Geometry, ParamPoly3, ParamPoly3Range};
+
+/// Difference of a curve's true length and the written one, as in ASAM's checker.
+const LENGTH: Tolerance = Tolerance { name: "difference of lengths", value: 1e-3, unit: "m" };
+/// Coefficients that count as 0.
+const ZERO: Tolerance = Tolerance { name: "coefficient that counts as 0", value: 1e-6, unit: "m" };
+
+pub(super) static RULES: &[Rule] = &[
+    Rule::warning(
+        "asam.net:xodr:1.7.0:road.geometry.paramPoly3.valid_parameters",
+        "A parametric cubic leaves its start along the heading: aU, aV, bV are 0 and bU is above 0.",
+        Road(valid_parameters),
+        [
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><paramPoly3 aU="0" bU="1" cU="0" dU="0" aV="0" bV="0" cV="0" dV="0" pRange="arcLength"/></geometry>"#,
+            ),
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><paramPoly3 aU="2" bU="1" cU="0" dU="0" aV="0" bV="0" cV="0" dV="0" pRange="arcLength"/></geometry>"#,
+            ),
+        ],
+    )
+    .within(&[ZERO]),
+    Rule::warning(
+        "asam.net:xodr:1.7.0:road.geometry.paramPoly3.length_match",
+        "A parametric cubic is as long as it says.",
+        Road(length_match),
+        [
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><paramPoly3 aU="0" bU="100" cU="0" dU="0" aV="0" bV="0" cV="0" dV="0" pRange="normalized"/></geometry>"#,
+            ),
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><paramPoly3 aU="0" bU="99" cU="0" dU="0" aV="0" bV="0" cV="0" dV="0" pRange="normalized"/></geometry>"#,
+            ),
+        ],
+    )
+    .within(&[LENGTH]),
+    Rule::warning(
+        "asam.net:xodr:1.7.0:road.geometry.paramPoly3.arcLength_range",
+        "Over arc length, the parameter of a cubic runs from 0 to the geometry's length: the curve that it yields has that length.",
+        Road(arc_length_range),
+        [
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><paramPoly3 aU="0" bU="1" cU="0" dU="0" aV="0" bV="0" cV="0" dV="0" pRange="arcLength"/></geometry>"#,
+            ),
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><paramPoly3 aU="0" bU="100" cU="0" dU="0" aV="0" bV="0" cV="0" dV="0" pRange="arcLength"/></geometry>"#,
+            ),
+        ],
+    )
+    .within(&[LENGTH]),
+    Rule::error(
+        "mapd:xodr:1.4.0:geometry.computable",
+        "A geometry is a curve that can be evaluated.",
+        Road(computable),
+        [
+            PlanView(r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><line/></geometry>"#),
+            PlanView(
+                r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><paramPoly3 aU="0" bU="0" cU="0" dU="0" aV="0" bV="0" cV="0" dV="0" pRange="normalized"/></geometry>"#,
+            ),
+        ],
+    ),
+];
+
+const PART: &str = "planView/geometry";
+
+fn cubics<'a>(of: &RoadIn<'a>) -> impl Iterator<Item = (usize, &'a Geometry, &'a ParamPoly3)> {
+    let all = of.road.plan_view.iter().flat_map(|plan_view| &plan_view.geometry).enumerate();
+    all.filter_map(|(at, geometry)| Some((at, geometry, geometry.param_poly3.as_deref()?)))
+}
+
+fn valid_parameters(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
+    for (_, geometry, cubic) in cubics(of) {
+        for (name, coefficient) in [("aU", &cubic.a_u), ("aV", &cubic.a_v), ("bV", &cubic.b_v)] {
+            let value = number(coefficient);
+            if value.abs() > ZERO.value {
+                sink.add_within(PART, geometry.span, format_args!("{name} = 0"), value);
+            }
+        }
+        let b_u = number(&cubic.b_u);
+        if b_u <= 0.0 {
+            sink.add_within(PART, geometry.span, "bU above 0", b_u);
+        }
+    }
+}
+
+/// By how much a geometry's curve is longer than it says `[m]`; none where it cannot be evaluated.
+fn mismatch(of: &RoadIn<'_>, at: usize) -> Option<f64> {
+    let piece = of.line.pieces.iter().find(|piece| piece.index == at)?;
+    Some(piece.compiled.length_mismatch)
+}
+
+fn length_match(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
+    for (at, geometry, _) in cubics(of) {
+        let Some(longer) = mismatch(of, at).filter(|longer| longer.abs() > LENGTH.value) else {
+            continue;
+        };
+        let expected = format_args!("a curve of the length {} m", number(&geometry.length));
+        let found = format_args!("one that is {longer:.6} m longer; scaled to the written length");
+        sink.add_within(PART, geometry.span, expected, found);
+    }
+}
+
+fn arc_length_range(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
+    for (at, geometry, cubic) in cubics(of) {
+        // Beyond a percent, it is the range and not the fit that is at fault.
+        let length = number(&geometry.length);
+        let broken = |longer: &f64| longer.abs() > LENGTH.value.max(0.01 * length);
+        if value(&cubic.p_range) == Some(ParamPoly3Range::ArcLength)
+            && let Some(longer) = mismatch(of, at).filter(broken)
+        {
+            let expected = format_args!("a parameter from 0 to {length} that is the arc length");
+            sink.add_within(
+                PART,
+                geometry.span,
+                expected,
+                format_args!("a curve {longer:.3} m longer"),
+            );
+        }
+    }
+}
+
+fn computable(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
+    let all = of.road.plan_view.iter().flat_map(|plan_view| &plan_view.geometry).enumerate();
+    for (at, geometry) in all {
+        let Some(primitive) = crate::line::primitive(geometry) else { continue };
+        if of.line.pieces.iter().any(|piece| piece.index == at) {
+            continue;
+        }
+        if let Err(error) = mapd_geometry::compile(&primitive, number(&geometry.length)) {
+            sink.add_within(PART, geometry.span, "a curve that can be evaluated", error);
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! The catalog as text for people: `docs/rules.md` and a page of examples for each group.
+
+use crate::catalog;
+use crate::rule::{NEWEST, Rule};
+use crate::structural::{KEPT, LEFT_OUT, STRUCTURAL};
+use mapd_xodr::Severity;
+use std::fmt::Write as _;
+
+const HEAD: &str = "# Rules
+
+Written by `cargo run -p mapd-rules --example rules_doc` from the catalog in `src/rules/src/catalog/`; change that instead.
+
+A finding is an **error** where a part of the map cannot be used for what it says, a **warning** where it is used as described although
+the standard forbids what is written, and **information** where it is lawful and worth knowing. The profile decides:
+
+| profile | rules | severity |
+|---|---|---|
+| `default` | all | as below |
+| `strict` | all | as below, in the second column: whatever the standard forbids is an error |
+| `asam` | those with an id of ASAM's, from the version in it on | error; recommendations are warnings |
+
+A configuration file switches single rules off or grades them otherwise; see `docs/checking.md`.
+";
+
+fn word(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Info => "information",
+        Severity::Warning => "warning",
+        Severity::Error => "error",
+    }
+}
+
+/// Name of a group's page.
+fn page(title: &str) -> String {
+    title.to_lowercase().replace([' ', ','], "-").replace("--", "-")
+}
+
+fn versions(rule: &Rule) -> String {
+    match (rule.since, rule.until) {
+        (4, NEWEST) => "all".to_owned(),
+        (since, NEWEST) => format!("from 1.{since}"),
+        (4, until) => format!("to 1.{until}"),
+        (since, until) if since == until => format!("1.{since}"),
+        (since, until) => format!("1.{since} to 1.{until}"),
+    }
+}
+
+fn tolerances(rule: &Rule) -> String {
+    let bounds = rule.tolerances.iter().map(|t| format!("{} {} {}", t.name, t.value, t.unit));
+    bounds.map(|bound| bound.trim_end().to_owned()).collect::<Vec<_>>().join("; ")
+}
+
+/// Every page: its path from `docs/`, and its text.
+pub fn documentation() -> Vec<(String, String)> {
+    let mut index = HEAD.to_owned();
+    let mut pages = Vec::new();
+    for (title, slices) in catalog::GROUPS {
+        let page = page(title);
+        // Writing to a string cannot fail.
+        let _ = write!(
+            index,
+            "\n## {title}\n\nWith examples: [rules/{page}.md](rules/{page}.md)\n\n| rule | default | strict | versions | what must hold | bounds |\n|---|---|---|---|---|---|\n"
+        );
+        let mut text = format!(
+            "# {title}\n\nWritten by `cargo run -p mapd-rules --example rules_doc`; see [rules.md](../rules.md).\n"
+        );
+        for rule in slices.iter().copied().flatten() {
+            let advisory = if rule.advisory { " (recommended)" } else { "" };
+            let _ = writeln!(
+                index,
+                "| `{}` | {} | {} | {} | {}{advisory} | {} |",
+                rule.id,
+                word(rule.severity),
+                word(rule.strict),
+                versions(rule),
+                rule.meaning,
+                tolerances(rule),
+            );
+            let _ = write!(text, "\n## `{}`\n\n{}\n", rule.id, rule.meaning);
+            if !rule.aliases.is_empty() {
+                let _ = write!(text, "\nAlso `{}`.\n", rule.aliases.join("`, `"));
+            }
+            for (name, example) in [("Valid", rule.valid), ("Invalid", rule.invalid)] {
+                let snippet = example.snippet();
+                let snippet = if snippet.is_empty() { "<!-- nothing -->" } else { snippet };
+                let _ =
+                    write!(text, "\n{name}, in `{}`:\n\n```xml\n{snippet}\n```\n", example.place());
+            }
+        }
+        pages.push((format!("rules/{page}.md"), text));
+    }
+    index.push_str("\n## What the schema says\n\nFor these, findings of reading stand.\n\n| rules | finding | about |\n|---|---|---|\n");
+    for entry in STRUCTURAL {
+        let _ = writeln!(
+            index,
+            "| `{}` | `{}` | {} |",
+            entry.ids.join("`, `"),
+            entry.by,
+            entry.subject
+        );
+    }
+    for (title, list) in [("What is kept otherwise", KEPT), ("What is left out", LEFT_OUT)] {
+        let _ = write!(index, "\n## {title}\n\n| rule | because of |\n|---|---|\n");
+        for (id, reason) in list {
+            let _ = writeln!(index, "| `{id}` | {reason} |");
+        }
+    }
+    pages.insert(0, ("rules.md".to_owned(), index));
+    pages
+}

@@ -1,0 +1,203 @@
+//! Where lanes go on: the section that touches an end of a section, and the lanes that links name there.
+
+use super::{Contact, LaneFacts, LinkTarget, Network, RoadFacts, SectionFacts, Station};
+
+/// A section that touches another one.
+#[derive(Clone, Copy, Debug)]
+pub struct Neighbor<'a> {
+    /// Its road.
+    pub road: &'a RoadFacts,
+    /// The section.
+    pub section: &'a SectionFacts,
+    /// Which end of it touches.
+    pub end: Contact,
+}
+
+/// A lane's link, resolved as far as it can be.
+#[derive(Clone, Copy, Debug)]
+pub struct LaneJoint<'a> {
+    /// The road, section and lane that has the link.
+    pub road: &'a RoadFacts,
+    /// The section.
+    pub section: &'a SectionFacts,
+    /// Rank of the section in its road.
+    pub rank: usize,
+    /// The lane.
+    pub lane: &'a LaneFacts,
+    /// The end of the section.
+    pub end: Contact,
+    /// The link.
+    pub link: super::LaneLinkFacts,
+    /// What touches there.
+    pub neighbor: Option<Neighbor<'a>>,
+    /// The lane that is named.
+    pub target: Option<&'a LaneFacts>,
+}
+
+impl Contact {
+    /// Both ends.
+    pub const BOTH: [Self; 2] = [Self::Start, Self::End];
+
+    /// The other end.
+    pub fn other(self) -> Self {
+        match self {
+            Self::Start => Self::End,
+            Self::End => Self::Start,
+        }
+    }
+}
+
+impl Network {
+    /// The cross-section at an end of a road.
+    pub fn station_of(&self, road: &RoadFacts, end: Contact) -> Option<&Station> {
+        let stations = self.stations_of(road);
+        match end {
+            Contact::Start => stations.first(),
+            Contact::End => stations.last(),
+        }
+    }
+
+    /// The road that a road's end is linked to, and which end of that touches: the one that is written, else the nearer one.
+    /// None for links to junctions and into the middle of roads.
+    pub fn linked_road(&self, road: &RoadFacts, end: Contact) -> Option<(&RoadFacts, Contact)> {
+        let link = road.link(end)?;
+        let LinkTarget::Road(id) = &link.target else { return None };
+        if link.s.is_some() {
+            return None;
+        }
+        let target = self.road(id)?;
+        let nearer = || {
+            let own = self.station_of(road, end)?;
+            let [start, last] = Contact::BOTH.map(|end| {
+                self.station_of(target, end)
+                    .map_or(f64::INFINITY, |s| (s.x - own.x).hypot(s.y - own.y))
+            });
+            Some(if start <= last { Contact::Start } else { Contact::End })
+        };
+        Some((target, link.contact.or_else(nearer)?))
+    }
+
+    /// What touches an end of a section, given by its rank in its road.
+    pub fn neighbor<'a>(
+        &'a self,
+        road: &'a RoadFacts,
+        rank: usize,
+        end: Contact,
+    ) -> Option<Neighbor<'a>> {
+        let sections = self.sections_of(road);
+        let next = match end {
+            Contact::Start => rank.checked_sub(1),
+            Contact::End => rank.checked_add(1),
+        };
+        if let Some(section) = next.and_then(|next| sections.get(next)) {
+            return Some(Neighbor { road, section, end: end.other() });
+        }
+        let (target, contact) = self.linked_road(road, end)?;
+        let section = self.section_at(target, contact)?;
+        Some(Neighbor { road: target, section, end: contact })
+    }
+
+    /// Every link of every lane.
+    pub fn lane_joints(&self) -> impl Iterator<Item = LaneJoint<'_>> {
+        self.roads.iter().flat_map(move |road| self.lane_joints_of(road))
+    }
+
+    /// Every link of a road's lanes.
+    pub fn lane_joints_of<'a>(
+        &'a self,
+        road: &'a RoadFacts,
+    ) -> impl Iterator<Item = LaneJoint<'a>> {
+        let sections = self.sections_of(road).iter().enumerate();
+        sections.flat_map(move |(rank, section)| {
+            let neighbors = Contact::BOTH.map(|end| self.neighbor(road, rank, end));
+            self.lanes_of(section).iter().flat_map(move |lane| {
+                Contact::BOTH.into_iter().flat_map(move |end| {
+                    let links = self.lane_links.get(lane.links[end as usize].clone());
+                    links.unwrap_or_default().iter().map(move |link| {
+                        let neighbor = neighbors[end as usize];
+                        let target = neighbor.and_then(|n| self.lane(n.section, link.id));
+                        LaneJoint { road, section, rank, lane, end, link: *link, neighbor, target }
+                    })
+                })
+            })
+        })
+    }
+
+    /// Links of a lane at an end of its section.
+    pub fn links_of(&self, lane: &LaneFacts, end: Contact) -> &[super::LaneLinkFacts] {
+        self.lane_links.get(lane.links[end as usize].clone()).unwrap_or_default()
+    }
+
+    /// The end of a road that touches a junction: the one whose link names it. Where both do, the one that the connecting
+    /// road names.
+    pub fn end_at_junction(
+        &self,
+        road: &RoadFacts,
+        junction: &str,
+        connecting: Option<(&RoadFacts, Contact)>,
+    ) -> Option<Contact> {
+        let names = |end: &Contact| {
+            road.link(*end).is_some_and(
+                |link| matches!(&link.target, LinkTarget::Junction(id) if **id == *junction),
+            )
+        };
+        let named: Vec<Contact> = Contact::BOTH.into_iter().filter(names).collect();
+        match named[..] {
+            [end] => Some(end),
+            [] => None,
+            _ => {
+                let (connecting, contact) = connecting?;
+                let link = connecting.link(contact)?;
+                matches!(&link.target, LinkTarget::Road(id) if *id == road.id)
+                    .then_some(link.contact)
+                    .flatten()
+            }
+        }
+    }
+
+    /// Whether a lane's traffic goes along s; none where it goes both ways.
+    pub fn goes_along(road: &RoadFacts, lane: &LaneFacts) -> Option<bool> {
+        use mapd_xodr::{LaneDirection, LaneType};
+        let along = (lane.id < 0) != road.is_left_hand;
+        match lane.direction {
+            LaneDirection::Both => None,
+            _ if lane.kind == LaneType::Bidirectional => None,
+            LaneDirection::Reversed => Some(!along),
+            _ => Some(along),
+        }
+    }
+
+    /// Foot of a point on a road's reference line, straight between cross-sections: s, t and the distance `[m]`.
+    pub fn project(&self, road: &RoadFacts, [x, y]: [f64; 2]) -> Option<(f64, f64, f64)> {
+        let stations = self.stations_of(road);
+        let mut best: Option<(f64, f64, f64)> = None;
+        for pair in stations.windows(2) {
+            let (a, b) = (&pair[0], &pair[1]);
+            let (dx, dy) = (b.x - a.x, b.y - a.y);
+            let square = dx * dx + dy * dy;
+            if square <= 0.0 {
+                continue;
+            }
+            let part = ((x - a.x) * dx + (y - a.y) * dy) / square;
+            let part = mapd_geometry::clamp(part, 0.0, 1.0);
+            let (px, py) = (x - (a.x + part * dx), y - (a.y + part * dy));
+            let distance = px.hypot(py);
+            if best.is_none_or(|best| distance < best.2) {
+                let t = (dx * py - dy * px) / square.sqrt();
+                best = Some((a.s + part * (b.s - a.s), t, distance));
+            }
+        }
+        best
+    }
+
+    /// Inner and outer border of a lane at `s`, linear between the section's ends: t `[m]`.
+    pub fn borders_over(section: &SectionFacts, lane: &LaneFacts, s: f64) -> [f64; 2] {
+        let length = section.s_end - section.s;
+        let part = if length > 0.0 {
+            mapd_geometry::clamp((s - section.s) / length, 0.0, 1.0)
+        } else {
+            0.0
+        };
+        [lane.inner, lane.outer].map(|[start, end]| start + part * (end - start))
+    }
+}

@@ -1,0 +1,140 @@
+//! Where rules put what they find.
+
+use crate::rule::{Minor, Rule};
+use mapd_xodr::{Finding, Severity, Span};
+use std::fmt::{self, Write as _};
+
+/// What tells an element from others of its name.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Key<'a> {
+    /// It stands alone.
+    None,
+    /// `@id`.
+    Id(&'a str),
+    /// `@id` of a lane.
+    Lane(i32),
+    /// `@s` `[m]`.
+    S(f64),
+}
+
+/// A step of the path to an element.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Step<'a>(pub(crate) &'static str, pub(crate) Key<'a>);
+
+/// Writes `OpenDRIVE/road[@id=7]/…`.
+pub(crate) fn write_path(steps: &[Step<'_>]) -> String {
+    let mut path = String::from("OpenDRIVE");
+    for Step(name, key) in steps {
+        // Writing to a string cannot fail.
+        let _ = match key {
+            Key::None => write!(path, "/{name}"),
+            Key::Id(id) => write!(path, "/{name}[@id={id}]"),
+            Key::Lane(id) => write!(path, "/{name}[@id={id}]"),
+            Key::S(s) => write!(path, "/{name}[@s={s}]"),
+        };
+    }
+    path
+}
+
+/// Takes the findings of one rule about one element.
+pub struct Sink<'a> {
+    pub(crate) rule: &'static Rule,
+    pub(crate) severity: Severity,
+    pub(crate) version: Minor,
+    pub(crate) path: &'a [Step<'a>],
+    pub(crate) out: &'a mut Vec<Finding>,
+    /// Findings of the rule so far.
+    pub(crate) count: &'a mut u32,
+    pub(crate) left_out: &'a mut Option<(Span, Severity)>,
+    pub(crate) left_out_count: &'a mut u32,
+    pub(crate) limit: u32,
+}
+
+impl Sink<'_> {
+    /// Version of the document.
+    pub fn version(&self) -> Minor {
+        self.version
+    }
+
+    /// A finding about the element, or something in it. `expected` and `found` say what.
+    pub fn add(&mut self, span: Span, expected: impl fmt::Display, found: impl fmt::Display) {
+        self.add_within("", span, expected, found);
+    }
+
+    /// A finding about a child of the element, named with its path from there.
+    pub fn add_within(
+        &mut self,
+        part: &str,
+        span: Span,
+        expected: impl fmt::Display,
+        found: impl fmt::Display,
+    ) {
+        let mut path = write_path(self.path);
+        if !part.is_empty() {
+            path.push('/');
+            path.push_str(part);
+        }
+        self.add_at(path, self.severity, span, expected, found);
+    }
+
+    /// A finding less bad than the rule's usual ones.
+    pub fn add_milder(
+        &mut self,
+        severity: Severity,
+        part: &str,
+        span: Span,
+        expected: impl fmt::Display,
+        found: impl fmt::Display,
+    ) {
+        let before = self.severity;
+        self.severity = severity.min(before);
+        self.add_within(part, span, expected, found);
+        self.severity = before;
+    }
+
+    /// A finding about a part of a top-level element, for rules on the network.
+    pub fn add_in(
+        &mut self,
+        (element, id, part): (&'static str, &str, &str),
+        span: Span,
+        expected: impl fmt::Display,
+        found: impl fmt::Display,
+    ) {
+        let mut path = write_path(&[Step(element, Key::Id(id))]);
+        if !part.is_empty() {
+            path.push('/');
+            path.push_str(part);
+        }
+        self.add_at(path, self.severity, span, expected, found);
+    }
+
+    /// A finding with its own path.
+    pub(crate) fn add_at(
+        &mut self,
+        path: String,
+        severity: Severity,
+        span: Span,
+        expected: impl fmt::Display,
+        found: impl fmt::Display,
+    ) {
+        *self.count = self.count.saturating_add(1);
+        // Errors are all kept: each takes a part out of use. They use up the others' places all the same.
+        if *self.count > self.limit && severity < Severity::Error {
+            let left_out = self.left_out.get_or_insert((span, severity));
+            left_out.1 = left_out.1.max(severity);
+            *self.left_out_count = self.left_out_count.saturating_add(1);
+            return;
+        }
+        let message = format!("expected {expected}, found {found}");
+        let rule = self.rule.id;
+        self.out.push(Finding {
+            rule,
+            severity,
+            span,
+            path,
+            subject: "".into(),
+            message,
+            hint: String::new(),
+        });
+    }
+}
