@@ -501,3 +501,22 @@ fn junctions_and_lane_changes_ahead_are_named_with_their_distance() {
     };
     assert_eq!((via(80.0), via(95.0)), (Some(100.0), None));
 }
+
+#[test]
+fn roads_that_cross_at_a_crossing_conflict() {
+    let lanes = section(0.0, "", &lane(-1, ""));
+    let half = std::f64::consts::FRAC_PI_2;
+    let roads = road("1", "junction=\"-1\"", Line(-50.0, 0.0, 0.0, 100.0, 0.0), "", &lanes)
+        + &road("2", "junction=\"-1\"", Line(0.0, -50.0, half, 100.0, 0.0), "", &lanes);
+    let part = |id: usize, from: f64, to: f64| {
+        format!("<roadSection id=\"{id}\" roadId=\"{id}\" sStart=\"{from}\" sEnd=\"{to}\"/>\n")
+    };
+    let sections = part(1, 45.0, 60.0) + &part(2, 40.0, 55.0);
+    let snapshot =
+        open("crossing", &document(&(roads + &junction("7", "type=\"crossing\"", &sections))));
+    let map = snapshot.map();
+    assert!(map.tables().successors.is_empty(), "a crossing links nothing");
+    let own = map.lane_by_key(&"1:0:-1".parse().expect("a key")).expect("a lane");
+    let found: Vec<_> = own.conflicts().map(|c| (c.kind(), c.s_range(), c.other_range())).collect();
+    assert_eq!(found, [(ConflictKind::Crossing, (50.0, 53.5), (46.5, 50.0))]);
+}
