@@ -22,6 +22,10 @@ const PEER_ROUTES: usize = 60;
 const SHORT: f64 = 2000.0;
 /// A short way goes at most so many lanes along a long one.
 const SHORT_STEPS: usize = 40;
+/// Largest file that the crate `xodr` is asked to load.
+const PEER_BYTES: u64 = 20_000_000;
+/// Lanes that stay in the caches.
+const FEW: usize = 64;
 /// Lane queries timed together: a single one is far below the clock's resolution.
 const BATCH: usize = 1000;
 
@@ -159,8 +163,26 @@ fn time_peer(map: Map<'_>, pairs: &[(LanePlace, LanePlace)]) -> (Duration, Durat
     (percentiles(times.0).0, percentiles(times.1).0)
 }
 
-fn time_successors(map: Map<'_>) -> Duration {
-    let lanes: Vec<_> = map.lanes().collect();
+/// `route` of the crate `xodr` between the same points; it also projects both and samples what it finds.
+fn time_xodr(map: Map<'_>, path: &Path, pairs: &[(LanePlace, LanePlace)]) -> Option<Duration> {
+    let net = xodr::load_file(path).ok()?;
+    let point = |place: &LanePlace| {
+        let pose = map.lane(place.lane).expect("known").pose_at(place.s, 0.0).expect("a pose");
+        let p = pose.position;
+        xodr::Point::new(p.x as f32, p.y as f32, p.z as f32)
+    };
+    let times = pairs.iter().take(PEER_ROUTES).map(|(from, to)| {
+        let (from, to) = (point(from), point(to));
+        let start = Instant::now();
+        black_box(net.route(from, to));
+        start.elapsed()
+    });
+    Some(percentiles(times.collect()).0)
+}
+
+/// Time of a lane's successors: of lanes all over the map, or of a few again and again.
+fn time_successors(map: Map<'_>, few: Option<usize>) -> Duration {
+    let lanes: Vec<_> = map.lanes().take(few.unwrap_or(usize::MAX)).collect();
     let mut random = Random(9);
     let picks: Vec<_> =
         (0..200 * BATCH).map(|_| lanes[(random.unit() * lanes.len() as f64) as usize]).collect();
@@ -211,7 +233,19 @@ fn measure(name: &str, path: &Path) {
             ratio(peer_astar),
         ));
     }
-    print(&format!("successors, lanes at random: {:.1?} each", time_successors(map)));
+    if std::fs::metadata(path).is_ok_and(|file| file.len() < PEER_BYTES) {
+        let all: Vec<_> = pairs.iter().map(|p| (p.0, p.1)).collect();
+        let (own, _) = time_routes(map, &all, false);
+        if let Some(peer) = time_xodr(map, path, &all) {
+            let ratio = peer.as_secs_f64() / own.as_secs_f64();
+            print(&format!("all: p50 {own:.1?}; xodr route p50 {peer:.1?} ({ratio:.1} ×)"));
+        }
+    }
+    print(&format!(
+        "successors: {:.1?} each, lanes all over the map {:.1?}",
+        time_successors(map, Some(FEW)),
+        time_successors(map, None)
+    ));
 }
 
 /// The same places in another archive of the same map.

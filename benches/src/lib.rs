@@ -5,6 +5,8 @@
 //! cargo bench -p mapd-benches --bench reading
 //! cargo bench -p mapd-benches --bench attach
 //! cargo bench -p mapd-benches --bench queries
+//! cargo bench -p mapd-benches --bench instructions
+//! cargo bench -p mapd-benches --bench routing
 //! ```
 //!
 //! They use `carla/Town05.xodr` of the shared corpus and its 6×6 tiling, and say so where these are missing.

@@ -192,6 +192,7 @@ def prepare(root, version, namespace):
     """A document as both sides read it: of the version and in the schema's namespace."""
     for element in root.iter(etree.Element):
         element.tag = f"{{{namespace}}}{mutate.tag(element)}" if namespace else mutate.tag(element)
+    etree.cleanup_namespaces(root)
     return mutate.lines(etree.ElementTree(root))
 
 

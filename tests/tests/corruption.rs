@@ -87,8 +87,13 @@ const FLIPS: usize = 10;
 
 #[test]
 fn flips_in_every_table_are_found_and_survived_even_with_fitting_hashes() {
-    let good = archive("town.xodr");
-    let places = places(&open(&good).expect("opens").tables, good.as_ptr() as usize);
+    for map in ["town.xodr", "surfaces.xodr"] {
+        flip_every_table(&archive(map));
+    }
+}
+
+fn flip_every_table(good: &AlignedBytes) {
+    let places = places(&open(good).expect("opens").tables, good.as_ptr() as usize);
     let mut random = Random(7);
     for (name, place) in places {
         for _ in 0..if place.is_empty() { 0 } else { FLIPS } {
@@ -109,12 +114,27 @@ fn flips_in_every_table_are_found_and_survived_even_with_fitting_hashes() {
 /// Found by fuzzing: numbers that are none, as bounds of `f64::clamp`, made the nearest lane panic.
 #[test]
 fn numbers_that_are_none_do_not_panic() {
-    let good = archive("one_road.xodr");
-    let places = places(&open(&good).expect("opens").tables, good.as_ptr() as usize);
-    for (_, place) in places
-        .iter()
-        .filter(|(name, _)| ["cubics", "geometries", "sections", "coefficients"].contains(name))
-    {
+    for map in ["one_road.xodr", "surfaces.xodr"] {
+        put_no_numbers(&archive(map));
+    }
+}
+
+/// Tables that hold numbers in double precision.
+const NUMBERS: [&str; 9] = [
+    "cubics",
+    "geometries",
+    "sections",
+    "coefficients",
+    "shape_stations",
+    "lane_heights",
+    "elevation_grids",
+    "grid_heights",
+    "grid_transitions",
+];
+
+fn put_no_numbers(good: &AlignedBytes) {
+    let places = places(&open(good).expect("opens").tables, good.as_ptr() as usize);
+    for (_, place) in places.iter().filter(|(name, _)| NUMBERS.contains(name)) {
         for at in place.clone().step_by(7 * size_of::<f64>()) {
             for value in [f64::NAN, f64::INFINITY, -f64::MAX] {
                 let mut bad = good.clone();

@@ -3,7 +3,8 @@
 use mapd_client::{Map, Snapshot};
 use mapd_compiler::{Compilation, CompileOptions, CyclePolicy, Verdict, compile};
 use mapd_query::{
-    ConflictKind, EdgeKind, LaneNode, LanePlace, RouteScratch, ShortestLength, VehicleClass,
+    ConflictKind, EdgeKind, LaneNode, LanePlace, LaneSequences, RouteScratch, ShortestLength,
+    VehicleClass, next_lane_change,
 };
 use mapd_tests::graph_maps::*;
 use mapd_xodr::Severity;
@@ -417,4 +418,84 @@ fn lanes_that_cross_know_where() {
     let back = of("2:0:-1");
     let turned = back.iter().find(|conflict| conflict.0 == "1:0:-1").expect("they cross");
     assert_eq!((turned.2, turned.3), (*other, *own));
+}
+
+fn place(map: Map<'_>, key: &str, s: f64) -> LanePlace {
+    let lane = map.lane_by_key(&key.parse().expect("a key")).expect("a lane");
+    LanePlace { lane: lane.lane_id(), s }
+}
+
+fn named(name: &str) -> Snapshot {
+    let map = all().into_iter().find(|map| map.name == name).expect("a map");
+    open(map.name, &map.text)
+}
+
+#[test]
+fn sequences_follow_every_way() {
+    let snapshot = named("merge and split");
+    let map = snapshot.map();
+    let car = VehicleClass::PassengerCar;
+    let mut out = LaneSequences::default();
+    let keys = |out: &LaneSequences| {
+        let text = |lanes: &[_]| {
+            let key = |lane: &_| map.lane(*lane).expect("known").key().to_string();
+            lanes.iter().map(key).collect::<Vec<_>>().join(" ")
+        };
+        out.iter().map(text).collect::<Vec<_>>()
+    };
+    map.lane_sequences_ahead(place(map, "1:0:-1", 10.0), 200.0, car, &mut out).expect("an answer");
+    assert_eq!(keys(&out), ["1:0:-1 1:1:-1 1:2:-1", "1:0:-1 1:1:-1 1:2:-2"]);
+    map.lane_sequences_ahead(place(map, "1:0:-1", 10.0), 60.0, car, &mut out).expect("an answer");
+    assert_eq!(keys(&out), ["1:0:-1 1:1:-1"]);
+    map.lane_sequences_behind(place(map, "1:2:-2", 120.0), 200.0, car, &mut out)
+        .expect("an answer");
+    assert_eq!(keys(&out), ["1:2:-2 1:1:-1 1:0:-1", "1:2:-2 1:1:-1 1:0:-2"]);
+    // A ring goes round until the distance is reached: 2π · 38.25 m each time towards +s on the outer lane.
+    let snapshot = named("ring road that links to itself");
+    let map = snapshot.map();
+    map.lane_sequences_ahead(place(map, "1:0:-1", 0.0), 600.0, car, &mut out).expect("an answer");
+    assert_eq!(out.iter().map(<[_]>::len).collect::<Vec<_>>(), [3]);
+}
+
+#[test]
+fn junctions_and_lane_changes_ahead_are_named_with_their_distance() {
+    let snapshot = named("connection without lane links");
+    let map = snapshot.map();
+    let car = VehicleClass::PassengerCar;
+    let next = |key, s, distance| {
+        map.next_junction(place(map, key, s), distance, car)
+            .expect("an answer")
+            .map(|next| next.distance)
+    };
+    assert_eq!(next("1:0:-1", 40.0, 100.0), Some(60.0));
+    assert_eq!(next("1:0:-1", 40.0, 50.0), None);
+    assert_eq!(next("5:0:-1", 5.0, 50.0), Some(0.0));
+    assert_eq!(next("2:0:-1", 5.0, 500.0), None);
+    // One change is needed, where the marks allow it.
+    let marks = mark(0.0, "none") + &mark(30.0, "both") + &mark(70.0, "none");
+    let snapshot = open("marks", &marked(&marks, "", ""));
+    let map = snapshot.map();
+    let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
+    let (from, to) = (place(map, "1:0:-1", 10.0), place(map, "1:0:-2", 90.0));
+    let cost = ShortestLength::default();
+    let route = map.route(from, to, car, &cost, &mut scratch, &mut steps).expect("an answer");
+    let route = route.expect("a way");
+    assert_eq!((route.lane_changes, route.length, route.cost), (1, 80.0, 100.0));
+    for (s, expected) in [(10.0, (20.0, 60.0)), (30.0, (0.0, 40.0)), (50.0, (0.0, 20.0))] {
+        let change = next_lane_change(map, &steps, 0, place(map, "1:0:-1", s)).expect("an answer");
+        let change = change.expect("a change");
+        assert_eq!(
+            (change.left, change.from, change.until),
+            (false, expected.0, expected.1),
+            "{s}"
+        );
+    }
+    // Through a place on the way it costs the same; past it there is no way back.
+    let via = |s| {
+        let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
+        let places = [from, place(map, "1:0:-2", s), to];
+        let route = map.route_via(&places, car, &cost, &mut scratch, &mut steps);
+        route.expect("an answer").map(|route| route.cost)
+    };
+    assert_eq!((via(80.0), via(95.0)), (Some(100.0), None));
 }

@@ -73,6 +73,7 @@ fn queries_do_not_allocate() {
             seen += usize::from(lane.contains(point).expect("an answer"));
             lane.pose_at(1.0, 0.5).expect("a pose");
             lane.road().to_track(point).expect("a foot");
+            lane.road().surface_at(hit.position.s, hit.position.t).expect("a surface");
         }
     }
     let road = map.road_by_id("1").expect("a road");

@@ -10,7 +10,7 @@ use mapd_archive::{NONE, Rows, edge_flags};
 /// Fills `component` of all nodes, `closes_loop` of all edges, and the number of components.
 pub(crate) fn condense(rows: &mut Rows) {
     let order: Vec<u32> = in_order(rows).collect();
-    let (components, count) = strong_components(rows, &order);
+    let (components, count) = strong_components(rows, &order, |_, _| true);
     // Tarjan finishes a component after all that it leads to: turned round, the numbers ascend along edges.
     for (node, component) in components.iter().enumerate() {
         rows.lane_nodes[node].component = count - 1 - component;
@@ -30,8 +30,13 @@ fn entries(rows: &Rows, node: u32) -> std::ops::Range<usize> {
     at(node as usize)..at(node as usize + 1)
 }
 
-/// Tarjan's algorithm with a stack of its own: per node its component, in the order in which they are finished.
-pub(crate) fn strong_components(rows: &Rows, order: &[u32]) -> (Vec<u32>, u32) {
+/// Tarjan's algorithm over the kept edges, with a stack of its own: per node its component, in the order in which they are
+/// finished.
+pub(crate) fn strong_components(
+    rows: &Rows,
+    order: &[u32],
+    keep: impl Fn(u32, u32) -> bool,
+) -> (Vec<u32>, u32) {
     let nodes = rows.lane_nodes.len();
     let (mut index, mut low) = (vec![NONE; nodes], vec![NONE; nodes]);
     let (mut component, mut count) = (vec![NONE; nodes], 0);
@@ -52,6 +57,9 @@ pub(crate) fn strong_components(rows: &Rows, order: &[u32]) -> (Vec<u32>, u32) {
                 let to = rows.successors[*edge];
                 *edge += 1;
                 let target = to as usize;
+                if !keep(*node, to) {
+                    continue;
+                }
                 if index[target] == NONE {
                     index[target] = next;
                     low[target] = next;

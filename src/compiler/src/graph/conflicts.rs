@@ -6,27 +6,59 @@
 //! other are no conflict: who follows one has left the other.
 
 use super::zones::{Stretch, Zone};
+use crate::finding;
 use crate::lanes::view;
 use glam::DVec2;
 use mapd_archive::{ConflictKind, ConflictRow, Rows};
 use mapd_query::{Lane, LaneId, Map, Track};
+use mapd_xodr::{Finding, Severity};
 use rayon::prelude::*;
 
 /// Longest cell `[m]`.
 const CELL: f64 = 0.5;
+/// Cells of one lane at most; those of a longer lane are longer.
+const MOST_CELLS: usize = 500;
+/// Cells that are passed over together.
+const BLOCK: usize = 16;
+/// Lanes of a zone that are compared with each other; a zone that has more is passed over. Real junctions have up to a
+/// hundred or two.
+const MOST_LANES: usize = 512;
 /// Areas that share a strip of at most this width `[m]` only touch: lanes side by side share their border.
 const STRIP: f64 = 0.05;
 /// Lanes whose heights differ by more than this `[m]` pass over each other: the least clearance of bridges is above it.
 const CLEARANCE: f64 = 2.0;
 
+/// Rule that names junctions that are passed over.
+const TOO_MANY: &str = "mapd:graph.conflicts";
+
 /// Both ends of a common area on one lane, from its section's start.
 type Interval = (f32, f32);
+
+/// A rectangle along the axes.
+#[derive(Clone, Copy)]
+struct Bounds {
+    low: DVec2,
+    high: DVec2,
+}
+
+impl Bounds {
+    fn of(points: impl Iterator<Item = DVec2>) -> Self {
+        let none = Self { low: DVec2::INFINITY, high: DVec2::NEG_INFINITY };
+        points.fold(none, |all, p| Self { low: all.low.min(p), high: all.high.max(p) })
+    }
+
+    fn meets(&self, other: &Self) -> bool {
+        self.low.x <= other.high.x
+            && self.high.x >= other.low.x
+            && self.low.y <= other.high.y
+            && self.high.y >= other.low.y
+    }
+}
 
 /// A quadrangle of a lane's area.
 struct Cell {
     corners: [DVec2; 4],
-    low: DVec2,
-    high: DVec2,
+    bounds: Bounds,
     z: f64,
     /// From the section's start.
     s_from: f32,
@@ -38,34 +70,47 @@ struct Candidate {
     row: u32,
     road: u32,
     cells: Vec<Cell>,
-    low: DVec2,
-    high: DVec2,
+    /// Of [`BLOCK`] cells each.
+    blocks: Vec<Bounds>,
+    bounds: Bounds,
     entered_from: Vec<LaneId>,
     leads_to: Vec<LaneId>,
 }
 
-/// Fills `conflicts`.
-pub(crate) fn build(rows: &mut Rows, zones: &[Zone]) {
+/// Fills `conflicts`; names the junctions that are passed over.
+pub(crate) fn build(rows: &mut Rows, zones: &[Zone]) -> Vec<Finding> {
+    let mut passed_over = Vec::new();
     let mut found: Vec<ConflictRow> = {
         let archive = view(rows);
         let map = Map::new(&archive, 0);
         let rows = &*rows;
-        let of_zones: Vec<Vec<ConflictRow>> =
+        let of_zones: Vec<Option<Vec<ConflictRow>>> =
             zones.par_iter().map(|zone| of_zone(rows, map, zone)).collect();
-        of_zones.into_iter().flatten().collect()
+        for (zone, _) in zones.iter().zip(&of_zones).filter(|(_, found)| found.is_none()) {
+            let message = format!(
+                "expected a junction of at most {MOST_LANES} lanes, found more; their conflicts are not looked for"
+            );
+            let path = "OpenDRIVE/junction".to_owned();
+            passed_over.push(finding(TOO_MANY, Severity::Warning, zone.span, path, message, ""));
+        }
+        of_zones.into_iter().flatten().flatten().collect()
     };
     // Of a pair that meets in two zones the first place counts.
     found.sort_by_key(|row| (row.lane, row.other, row.s_from.to_bits(), row.kind));
     found.dedup_by_key(|row| (row.lane, row.other));
     rows.conflicts = found.into();
+    passed_over
 }
 
-fn of_zone(rows: &Rows, map: Map<'_>, zone: &Zone) -> Vec<ConflictRow> {
+fn of_zone(rows: &Rows, map: Map<'_>, zone: &Zone) -> Option<Vec<ConflictRow>> {
     let lanes_of = |stretch: &Stretch| {
         let sections = rows.roads.get(stretch.road as usize).map(|road| road.sections);
         let sections = sections.unwrap_or_default().of(&rows.sections).iter();
         sections.flat_map(|section| section.lanes.first..section.lanes.end() as u32)
     };
+    if zone.stretches.iter().flat_map(lanes_of).nth(MOST_LANES).is_some() {
+        return None;
+    }
     let candidates: Vec<Candidate> = zone
         .stretches
         .iter()
@@ -92,7 +137,7 @@ fn of_zone(rows: &Rows, map: Map<'_>, zone: &Zone) -> Vec<ConflictRow> {
             }
         }
     }
-    out
+    Some(out)
 }
 
 /// A lane that somebody travels, as far as it lies in a stretch.
@@ -105,7 +150,7 @@ fn candidate(lane: &Lane<'_>, Stretch { road, s_from, s_to }: Stretch) -> Option
     if from >= to {
         return None;
     }
-    let count = ((to - from) / CELL).ceil().max(1.0) as usize;
+    let count = (((to - from) / CELL).ceil() as usize).clamp(1, MOST_CELLS);
     let ends: Vec<(f64, [DVec2; 2], f64)> = (0..=count)
         .filter_map(|i| end(lane, from + (to - from) * i as f64 / count as f64))
         .collect();
@@ -113,18 +158,18 @@ fn candidate(lane: &Lane<'_>, Stretch { road, s_from, s_to }: Stretch) -> Option
         .windows(2)
         .map(|pair| {
             let corners = [pair[0].1[0], pair[0].1[1], pair[1].1[1], pair[1].1[0]];
-            let low = corners.into_iter().fold(DVec2::INFINITY, DVec2::min);
-            let high = corners.into_iter().fold(DVec2::NEG_INFINITY, DVec2::max);
+            let bounds = Bounds::of(corners.into_iter());
             let offset = |s: f64| (s - section.s_start()) as f32;
             let (s_from, s_to) = (offset(pair[0].0), offset(pair[1].0));
-            Cell { corners, low, high, z: 0.5 * (pair[0].2 + pair[1].2), s_from, s_to }
+            Cell { corners, bounds, z: 0.5 * (pair[0].2 + pair[1].2), s_from, s_to }
         })
         .collect();
+    let around = |cells: &[Cell]| Bounds::of(cells.iter().flat_map(|cell| cell.corners));
     Some(Candidate {
         row: lane.lane_id().row(),
         road,
-        low: cells.iter().fold(DVec2::INFINITY, |low, cell| low.min(cell.low)),
-        high: cells.iter().fold(DVec2::NEG_INFINITY, |high, cell| high.max(cell.high)),
+        blocks: cells.chunks(BLOCK).map(around).collect(),
+        bounds: around(&cells),
         cells,
         entered_from: lane.predecessors().collect(),
         leads_to: lane.successors().collect(),
@@ -147,25 +192,25 @@ fn meet(
 ) -> Option<(ConflictKind, Interval, Interval)> {
     let merge = a.leads_to.iter().any(|lane| b.leads_to.contains(lane));
     let part = a.entered_from.iter().any(|lane| b.entered_from.contains(lane));
-    let apart = |low: DVec2, high: DVec2, other_low: DVec2, other_high: DVec2| {
-        low.x > other_high.x || high.x < other_low.x || low.y > other_high.y || high.y < other_low.y
-    };
-    if (part && !merge) || apart(a.low, a.high, b.low, b.high) {
+    if (part && !merge) || !a.bounds.meets(&b.bounds) {
         return None;
     }
     let none = (f32::INFINITY, f32::NEG_INFINITY);
     let (mut own, mut other, mut cross) = (none, none, false);
-    for one in a.cells.iter().filter(|one| !apart(one.low, one.high, b.low, b.high)) {
-        for two in &b.cells {
-            if apart(one.low, one.high, two.low, two.high)
-                || (one.z - two.z).abs() > CLEARANCE
-                || !overlap(&one.corners, &two.corners)
-            {
-                continue;
+    let blocks = a.cells.chunks(BLOCK).zip(&a.blocks);
+    for (ours, own_bounds) in blocks.filter(|(_, bounds)| bounds.meets(&b.bounds)) {
+        let blocks = b.cells.chunks(BLOCK).zip(&b.blocks);
+        for (theirs, _) in blocks.filter(|(_, bounds)| bounds.meets(own_bounds)) {
+            for (one, two) in ours.iter().flat_map(|one| theirs.iter().map(move |two| (one, two))) {
+                if one.bounds.meets(&two.bounds)
+                    && (one.z - two.z).abs() <= CLEARANCE
+                    && overlap(&one.corners, &two.corners)
+                {
+                    own = (own.0.min(one.s_from), own.1.max(one.s_to));
+                    other = (other.0.min(two.s_from), other.1.max(two.s_to));
+                    cross |= centers_cross(one, two);
+                }
             }
-            own = (own.0.min(one.s_from), own.1.max(one.s_to));
-            other = (other.0.min(two.s_from), other.1.max(two.s_to));
-            cross |= centers_cross(one, two);
         }
     }
     if own.0 > own.1 {

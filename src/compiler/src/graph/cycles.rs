@@ -3,6 +3,7 @@
 //! Lawful networks are full of cycles: blocks, roundabouts, ring roads. What no network may have is a cycle within one
 //! junction's connecting roads, and one without any length. `CyclePolicy` says what else counts.
 
+use super::components::strong_components;
 use super::report::Report;
 use crate::options::CyclePolicy;
 use mapd_archive::{EdgeKind, NONE, Rows};
@@ -11,6 +12,10 @@ use std::collections::VecDeque;
 
 /// Cycles of at most this length `[m]` make no progress.
 const LEAST_CYCLE: f64 = 1.0;
+/// Cycles of one kind that are looked for, and edges that are followed for them at most: a hostile file may have more
+/// cycles than anybody reads.
+const MOST_CYCLES: usize = 1000;
+const MOST_STEPS: usize = 100_000_000;
 /// Steps of a cycle's path that are named.
 const NAMED_STEPS: usize = 50;
 
@@ -69,8 +74,7 @@ fn junctions(rows: &Rows) -> Vec<u32> {
 }
 
 fn edge_length(rows: &Rows, edge: u32) -> f64 {
-    let from = rows.successor_offsets.partition_point(|first| *first <= edge).saturating_sub(1);
-    rows.lane_nodes.get(from).map_or(0.0, |node| f64::from(node.length))
+    rows.lane_nodes.get(left_by(rows, edge) as usize).map_or(0.0, |node| f64::from(node.length))
 }
 
 /// Finds cycles of kept edges, each the shortest (by number of edges) through its first node, none sharing a node with an
@@ -90,22 +94,33 @@ fn cycles(
             keep(from as usize, to as usize).then_some((edge, to))
         })
     };
-    let mut seen_component = vec![false; rows.graph.first().map_or(0, |g| g.components) as usize];
-    let mut state = vec![0u32; rows.lane_nodes.len()];
-    let (mut round, mut done) = (0, vec![false; rows.lane_nodes.len()]);
-    let mut parent = vec![NONE; rows.lane_nodes.len()];
+    // A cycle of kept edges lies in one component of the graph that they make.
+    let (components, count) =
+        strong_components(rows, &order, |from, to| keep(from as usize, to as usize));
+    let mut sizes = vec![0u32; count as usize];
+    for component in &components {
+        sizes[*component as usize] += 1;
+    }
+    let mut seen = vec![false; count as usize];
+    let nodes = rows.lane_nodes.len();
+    let (mut round, mut state, mut parent) = (0, vec![0u32; nodes], vec![NONE; nodes]);
+    let (mut done, mut steps, mut named) = (vec![false; nodes], 0usize, 0usize);
     for root in order {
-        // A cycle of kept edges lies in one component of the whole graph.
-        let component = rows.lane_nodes[root as usize].component as usize;
-        if seen_component[component] || done[root as usize] || kept(root).next().is_none() {
+        let component = components[root as usize] as usize;
+        let may = sizes[component] > 1 || kept(root).any(|(_, to)| to == root);
+        if !may || seen[component] || done[root as usize] {
             continue;
+        }
+        if named >= MOST_CYCLES || steps > MOST_STEPS {
+            break;
         }
         round += 1;
         let mut queue = VecDeque::from([root]);
         let mut last = None;
         'search: while let Some(node) = queue.pop_front() {
             for (edge, to) in kept(node) {
-                if rows.lane_nodes[to as usize].component as usize != component {
+                steps += 1;
+                if components[to as usize] as usize != component {
                     continue;
                 }
                 if to == root {
@@ -126,17 +141,21 @@ fn cycles(
         while node != root {
             let edge = parent[node as usize];
             path.push(edge);
-            let from = rows.successor_offsets.partition_point(|first| *first <= edge);
-            node = from.saturating_sub(1) as u32;
+            node = left_by(rows, edge);
         }
         path.reverse();
-        seen_component[component] = once;
+        seen[component] = once;
         for edge in &path {
-            let from = rows.successor_offsets.partition_point(|first| first <= edge);
-            done[from.saturating_sub(1)] = true;
+            done[left_by(rows, *edge) as usize] = true;
         }
+        named += 1;
         found(&path);
     }
+}
+
+/// The node that an edge leaves.
+fn left_by(rows: &Rows, edge: u32) -> u32 {
+    rows.successor_offsets.partition_point(|first| *first <= edge).saturating_sub(1) as u32
 }
 
 fn report_path(
@@ -158,16 +177,14 @@ fn report_path(
         .iter()
         .take(NAMED_STEPS)
         .map(|edge| {
-            let from = rows.successor_offsets.partition_point(|first| first <= edge);
-            let from = report.node_text(from.saturating_sub(1) as u32);
+            let from = report.node_text(left_by(rows, *edge));
             format!("{from} (link at {})", report.place_text(*edge))
         })
         .collect();
     if named.len() > NAMED_STEPS {
         steps.push(format!("… {} more", named.len() - NAMED_STEPS));
     }
-    let start = rows.successor_offsets.partition_point(|edge| *edge <= first).saturating_sub(1);
-    steps.push(report.node_text(start as u32));
+    steps.push(report.node_text(left_by(rows, first)));
     let message = format!("expected {expected}, found the cycle {}", steps.join(" → "));
     report.at_edge(rule, severity, first, message);
 }

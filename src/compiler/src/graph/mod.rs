@@ -57,10 +57,11 @@ pub(crate) fn complete(
 ) -> Vec<Finding> {
     measure::measure(rows);
     components::condense(rows);
-    conflicts::build(rows, &written.zones);
+    let mut findings = conflicts::build(rows, &written.zones);
     landmarks::build(rows, options.landmarks.min(MOST_LANDMARKS).into());
     let mut report = report::Report::new(rows, &written.links);
     gaps::check(rows, &mut report);
     cycles::check(rows, options.cycles, &mut report);
-    report.finish()
+    findings.extend(report.finish());
+    findings
 }

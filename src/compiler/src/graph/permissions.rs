@@ -32,10 +32,11 @@ pub(crate) struct Permissions {
 }
 
 impl Permissions {
-    /// Adds what a lane says. Lanes come in the order of their rows.
+    /// Adds what a lane says. Lanes come in the order of their rows; `shift` is how far the row's stretch begins behind the
+    /// section that the lane is written in.
     pub(crate) fn lane(
         &mut self,
-        row: u32,
+        (row, shift): (u32, f64),
         kind: LaneType,
         marks: &[RoadMark],
         accesses: &[LaneAccess],
@@ -43,13 +44,13 @@ impl Permissions {
         let before = self.marks.len();
         self.marks.extend(marks.iter().map(|mark| Mark {
             lane: row,
-            s: mark.s_offset.value().unwrap_or(0.0),
+            s: mark.s_offset.value().unwrap_or(0.0) - shift,
             change: mark.lane_change.value().unwrap_or(LaneChange::Both),
         }));
         let marks = &mut self.marks[before..];
         marks.sort_by(|a, b| a.s.total_cmp(&b.s));
         let base = VehicleClass::of_lane_type(kind);
-        let s_of = |record: &LaneAccess| record.s_offset.value().unwrap_or(0.0);
+        let s_of = |record: &LaneAccess| record.s_offset.value().unwrap_or(0.0) - shift;
         let mut records: Vec<&LaneAccess> = accesses.iter().collect();
         records.sort_by(|a, b| s_of(a).total_cmp(&s_of(b)));
         for set in records.chunk_by(|a, b| s_of(a) == s_of(b)) {

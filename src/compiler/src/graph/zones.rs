@@ -3,7 +3,7 @@
 
 use crate::lower::Lowering;
 use mapd_archive::NONE;
-use mapd_xodr::{Junction, JunctionType, Text as _, Value as _};
+use mapd_xodr::{Junction, JunctionType, Span, Text as _, Value as _};
 
 /// A stretch of a road.
 #[derive(Clone, Copy)]
@@ -16,6 +16,8 @@ pub(crate) struct Stretch {
 /// Stretches of roads whose lanes may meet each other.
 pub(crate) struct Zone {
     pub(crate) stretches: Vec<Stretch>,
+    /// The junction's start tag.
+    pub(crate) span: Span,
     /// A junction of type `crossing`.
     pub(crate) crossing: bool,
 }
@@ -29,6 +31,7 @@ pub(crate) fn zones(lowering: &Lowering) -> Vec<Zone> {
         .iter()
         .map(|junction| Zone {
             stretches: named(lowering, junction),
+            span: junction.span,
             crossing: junction.r#type.value() == Some(JunctionType::Crossing),
         })
         .collect();

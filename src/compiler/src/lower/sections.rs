@@ -34,6 +34,8 @@ struct Side<'a> {
     section: &'a xodr::LaneSection,
     /// The section's start `[m]`.
     s: f64,
+    /// The stretch's start `[m]`.
+    begins: f64,
     /// Number of sections of the road between that one and the stretch; 0 where the stretch is the section itself.
     continues: u16,
     /// Whether the lanes go on in the next stretch.
@@ -118,14 +120,14 @@ fn sides<'a>(
                 replaces = has;
             }
         }
-        let mut stretch = [Side { section, s: *s, continues: 0, goes_on: false }; 2];
+        let mut stretch = [Side { section, s: *s, begins: *s, continues: 0, goes_on: false }; 2];
         for (k, side) in stretch.iter_mut().enumerate() {
             if replaces[k] {
                 written[k] = i;
             } else if let Some(before) = stretches.last_mut().and_then(|before| before.get_mut(k)) {
                 before.goes_on = true;
                 let continues = u16::try_from(i - written[k]).unwrap_or(u16::MAX);
-                *side = Side { continues, goes_on: false, ..*before };
+                *side = Side { begins: *s, continues, goes_on: false, ..*before };
             }
         }
         stretches.push(stretch);
@@ -271,7 +273,10 @@ impl Lowering {
             (kind == LaneType::Bidirectional, lane_flags::BOTH),
         ];
         flags |= set.iter().filter(|(on, _)| *on).fold(0, |all, (_, flag)| all | flag);
-        self.permissions.lane(self.rows.lanes.len() as u32, kind, lane.road_mark, lane.access);
+        // Lane 0 is always that of the stretch's own section.
+        let shift = if lane.id == 0 { 0.0 } else { side.begins - side.s };
+        let row = self.rows.lanes.len() as u32;
+        self.permissions.lane((row, shift), kind, lane.road_mark, lane.access);
         let mut numbers = |linked: &[xodr::LinkedLane]| -> Vec<WrittenLink> {
             let number = |link: &xodr::LinkedLane| {
                 let span = link.span;

@@ -4,7 +4,9 @@ use super::kinds::{lane_in, number, text};
 use super::row::Row;
 use clap::{Args, ValueEnum};
 use mapd_client::Map;
-use mapd_query::{LanePlace, RouteScratch, RouteStep, ShortestLength, ShortestTime, VehicleClass};
+use mapd_query::{
+    Enter, LanePlace, RouteScratch, RouteStep, ShortestLength, ShortestTime, VehicleClass,
+};
 
 /// What a route is to keep small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -79,11 +81,21 @@ impl<'a> Router<'a> {
         };
         let route = found.map_err(text)?;
         let route = route.ok_or_else(|| format!("no way for {}", args.vehicle.name()))?;
-        let keys = steps.iter().map(|step| Ok(map.lane(step.lane)?.key().to_string()));
-        let keys: Result<Vec<String>, _> = keys.collect();
+        let mut keys: Vec<String> = Vec::new();
+        let mut last = None;
+        for step in &*steps {
+            let lane = map.lane(step.lane).map_err(text)?;
+            let (key, section) = (lane.key().to_string(), lane.section().section_id());
+            // Stretches of one lane beside a section of the other side are one lane; a ring's lane may follow itself.
+            let goes_on = step.enter == Enter::Ahead && last.is_some_and(|last| last != section);
+            if !(goes_on && keys.last() == Some(&key)) {
+                keys.push(key);
+            }
+            last = Some(section);
+        }
         out.push(number(route.length));
         out.push(route.lane_changes.to_string());
-        out.push(keys.map_err(text)?.join(";"));
+        out.push(keys.join(";"));
         Ok(())
     }
 }

@@ -61,8 +61,8 @@ pub(crate) static SIGNAL: ElementSchema = ElementSchema::new(
             .choice(),
         child("positionRoad", &POSITION_ROAD, 5).only(from(V1_5)).occurs(0, 1, from(V1_4)).choice(),
         child("semantics", &SEMANTICS, 9).only(from(V1_8)).occurs(0, 1, from(V1_4)),
-        child("staticBoard", &STATIC_BOARD, 10).only(from(V1_8)),
-        child("vmsBoard", &VMS_BOARD, 11).only(from(V1_8)),
+        child("staticBoard", &STATIC_BOARD, 9).only(from(V1_8)),
+        child("vmsBoard", &VMS_BOARD, 9).only(from(V1_8)),
     ],
 )
 .key(0)
@@ -185,7 +185,7 @@ pub(crate) static BOARD_SIGN: ElementSchema = ElementSchema::new(
         child("positionRoad", &POSITION_ROAD, 5).only(from(V1_8)).occurs(0, 1, from(V1_4)).choice(),
         child("semantics", &SEMANTICS, 9).only(from(V1_8)).occurs(0, 1, from(V1_4)),
         child("staticBoard", &STATIC_BOARD, 9).only(between(V1_8, V1_8)),
-        child("vmsBoard", &VMS_BOARD, 10).only(between(V1_8, V1_8)),
+        child("vmsBoard", &VMS_BOARD, 9).only(between(V1_8, V1_8)),
     ],
 )
 .choice(Choice::AtMostOne)
