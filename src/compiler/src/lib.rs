@@ -150,8 +150,17 @@ fn build(
     compiled.provenance.options_hash = reading.hash(options);
     if let Some(mut rows) = rows.filter(|_| compiled.verdict != Verdict::Rejected) {
         progress(Progress::Indexing { segments: rows.points.len() });
-        index::build(&mut rows, options).map_err(io::Error::other)?;
-        compiled.rows = Some(rows);
+        match index::build(&mut rows, options) {
+            Ok(()) => compiled.rows = Some(rows),
+            Err(error) => {
+                let finding = too_large(&error);
+                let file = "".into();
+                let told = Diagnostic { finding, rejects: true, file, line: 1, column: 1 };
+                compiled.diagnostics.insert(0, told);
+                compiled.quarantined.clear();
+                compiled.verdict = Verdict::Rejected;
+            }
+        }
     }
     Ok(compiled)
 }
@@ -212,7 +221,10 @@ impl Document {
         let lowering = std::mem::take(&mut self.lowering);
         progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
         let mut rows = lowering.into_rows(options);
-        lanes::sample(&mut rows, options).map_err(io::Error::other)?;
+        if let Err(error) = lanes::sample(&mut rows, options) {
+            self.collector.add(vec![too_large(&error)], &self.places);
+            return Ok(None);
+        }
         let findings = graph::complete(&mut rows, &self.graph, options);
         self.collector.add(findings, &self.places);
         Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
@@ -297,6 +309,12 @@ fn included(places: &Places) -> impl Iterator<Item = PathBuf> {
 #[derive(Debug, thiserror::Error)]
 #[error("table `{0}` would need more than {max} rows; compile the map in smaller tiles", max = NONE)]
 pub(crate) struct TooLarge(pub(crate) &'static str);
+
+/// What the document asks for does not fit the tables.
+fn too_large(error: &TooLarge) -> Finding {
+    let (span, path) = (mapd_xodr::Span::default(), "OpenDRIVE".to_owned());
+    finding("mapd:compile.too_large", Severity::Error, span, path, error.to_string(), "")
+}
 
 /// This crate's version as numbers.
 fn version() -> [u16; 3] {

@@ -19,7 +19,7 @@ the standard forbids what is written, and **information** where it is lawful and
 | `strict` | all | as below, in the second column: whatever the standard forbids is an error |
 | `asam` | those with an id of ASAM's, from the version in it on | error; recommendations are warnings |
 
-A configuration file switches single rules off or grades them otherwise; see `docs/checking.md`.
+A configuration file switches single rules off or grades them otherwise; see [checks.md](checks.md).
 ";
 
 fn word(severity: Severity) -> &'static str {

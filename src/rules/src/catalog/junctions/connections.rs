@@ -49,6 +49,15 @@ pub(super) static RULES: &[Rule] = &[
         ],
     ),
     Rule::warning(
+        "mapd:xodr:1.4.0:junction.connection_roads",
+        "A connection names the road that leads in, the one that is entered, and the end of that which touches.",
+        Junction(roads),
+        [
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2"><laneLink from="-1" to="-1"/></connection></junction>"#),
+        ],
+    ),
+    Rule::warning(
         "asam.net:xodr:1.8.0:junctions.priority.high_and_low_attr",
         "A priority names the road that has it and the one that gives way.",
         Junction(priority),
@@ -136,6 +145,23 @@ fn ids(junction: &xodr::Junction, sink: &mut Sink<'_>) {
     repeated(ids, |span, id| {
         sink.add_within("connection", span, "an id that no other connection has", id);
     });
+}
+
+fn roads(junction: &xodr::Junction, sink: &mut Sink<'_>) {
+    let is_virtual = kind(junction) == Kind::Virtual;
+    for c in &junction.connection {
+        let entered =
+            if kind(junction) == Kind::Direct { &c.linked_road } else { &c.connecting_road };
+        for (name, is_there) in [
+            ("@incomingRoad", c.incoming_road.is_some() || is_virtual),
+            ("@connectingRoad or @linkedRoad", entered.is_some() || is_virtual),
+            ("@contactPoint", c.contact_point.is_some() || is_virtual),
+        ] {
+            if !is_there {
+                sink.add_within("connection", c.span, name, "none; no way leads through it");
+            }
+        }
+    }
 }
 
 fn priority(junction: &xodr::Junction, sink: &mut Sink<'_>) {

@@ -1,0 +1,172 @@
+//! Seeded mutations of good maps: none is accepted silently with another answer, unless what it changes is lawful either way.
+
+use mapd_archive::encode;
+use mapd_compiler::{Compilation, CompileOptions, ReadOptions, Verdict, compile_from};
+use std::collections::BTreeMap;
+
+/// Mutations in all.
+const MUTATIONS: usize = 1000;
+
+/// Attributes of which another value is another lawful map: sizes, names, ids that nothing refers to, kinds, limits,
+/// places of what stands alone. Nothing
+/// in a file says which value is meant.
+const LAWFUL: [&str; 39] = [
+    "a",
+    "b",
+    "c",
+    "d",
+    "name",
+    "type",
+    "subtype",
+    "max",
+    "unit",
+    "sOffset",
+    "country",
+    "value",
+    "level",
+    "lane",
+    "rule",
+    "color",
+    "weight",
+    "material",
+    "laneChange",
+    "space",
+    "tOffset",
+    "north",
+    "south",
+    "east",
+    "west",
+    "vendor",
+    "date",
+    "version",
+    "width",
+    "height",
+    "revMinor",
+    "from",
+    "to",
+    "s",
+    "t",
+    "zOffset",
+    "orientation",
+    "text",
+    "id",
+];
+
+/// A small generator of numbers, the same on every machine (xorshift64*).
+struct Numbers(u64);
+
+impl Numbers {
+    fn below(&mut self, bound: usize) -> usize {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        let high = self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 33;
+        usize::try_from(high).unwrap_or(0) % bound.max(1)
+    }
+}
+
+/// Every attribute: where its name begins, where its value begins and ends.
+fn attributes(text: &str) -> Vec<(usize, usize, usize)> {
+    let mut found = Vec::new();
+    for (at, _) in text.match_indices("=\"") {
+        let name = text[..at].rfind([' ', '\n', '\t']).map_or(0, |space| space + 1);
+        if let Some(length) = text[at + 2..].find('"') {
+            found.push((name, at + 2, at + 2 + length));
+        }
+    }
+    found
+}
+
+/// The text with one attribute changed, the attribute's name and what was done.
+fn mutated(
+    text: &str,
+    places: &[(usize, usize, usize)],
+    numbers: &mut Numbers,
+) -> (String, String, &'static str) {
+    let (name, from, to) = places[numbers.below(places.len())];
+    let value = &text[from..to];
+    let number: Option<f64> = value.parse().ok();
+    let other = places[numbers.below(places.len())];
+    let (what, new) = match (numbers.below(8), number) {
+        (0, _) => ("removed", None),
+        (1, _) => ("emptied", Some(String::new())),
+        (2, _) => ("no number", Some("NaN".to_owned())),
+        (3, Some(number)) if number != 0.0 => ("negated", Some((-number).to_string())),
+        (4, Some(number)) => ("ten times", Some((10.0 * number).to_string())),
+        (5, Some(number)) => ("five more", Some((number + 5.0).to_string())),
+        (6, _) => ("another's", Some(text[other.1..other.2].to_owned())),
+        _ => ("unknown", Some("mutant".to_owned())),
+    };
+    let key = text[name..from].trim_end_matches("=\"").to_owned();
+    let out = match new {
+        None => format!("{}{}", &text[..name], &text[to + 1..]),
+        Some(new) => format!("{}{new}{}", &text[..from], &text[to..]),
+    };
+    (out, key, what)
+}
+
+fn compiled(text: &str) -> Compilation {
+    let options = CompileOptions::default();
+    compile_from(|| Ok(text.as_bytes()), &ReadOptions::default(), &options, &mut |_| {})
+        .expect("reading works")
+}
+
+/// What is found, by rule.
+fn findings(compiled: &Compilation) -> BTreeMap<&'static str, usize> {
+    let mut counts = BTreeMap::new();
+    for d in &compiled.diagnostics {
+        *counts.entry(d.finding.rule).or_default() += 1;
+    }
+    counts
+}
+
+fn body(compiled: &Compilation) -> Vec<u8> {
+    let rows = compiled.rows.as_ref().expect("accepted");
+    let bytes = encode(rows, &compiled.provenance).expect("encodes");
+    bytes[mapd_archive::HEADER_LENGTH..].to_vec()
+}
+
+#[test]
+fn no_mutation_is_accepted_silently() {
+    let maps = ["one_road.xodr", "town.xodr"];
+    let texts: Vec<String> = maps
+        .iter()
+        .filter_map(|name| std::fs::read_to_string(mapd_tests::carried(name)).ok())
+        .collect();
+    assert!(!texts.is_empty());
+    let mut numbers = Numbers(0x5EED);
+    let (mut found, mut harmless, mut lawful) = (0, 0, BTreeMap::<String, usize>::new());
+    let mut silent = Vec::new();
+    let good: Vec<_> = texts
+        .iter()
+        .map(|text| {
+            let compiled = compiled(text);
+            assert_eq!(compiled.verdict, Verdict::Accepted);
+            (attributes(text), findings(&compiled), body(&compiled))
+        })
+        .collect();
+    for round in 0..MUTATIONS {
+        let (text, (places, before, bytes)) =
+            (&texts[round % texts.len()], &good[round % texts.len()]);
+        let (text, name, what) = mutated(text, places, &mut numbers);
+        let after = compiled(&text);
+        if after.verdict != Verdict::Accepted || findings(&after) != *before {
+            found += 1;
+        } else if body(&after) == *bytes {
+            harmless += 1;
+        } else if LAWFUL.contains(&&*name) {
+            *lawful.entry(name).or_default() += 1;
+        } else {
+            let place =
+                text.bytes().zip(texts[round % texts.len()].bytes()).position(|(a, b)| a != b);
+            let place = place.unwrap_or(0);
+            let tag = text[..place].rfind('<').unwrap_or(0);
+            let map = maps[round % texts.len()];
+            silent.push(format!("{map}: {} {what}", &text[tag..(place + 40).min(text.len())]));
+        }
+    }
+    mapd_tests::say(&format!(
+        "{MUTATIONS} mutations: {found} found, {harmless} harmless, lawful {lawful:?}"
+    ));
+    assert!(silent.is_empty(), "{} silent: {silent:?}", silent.len());
+}
