@@ -293,6 +293,7 @@ impl Network {
             elevations.flat_map(|e| [&e.a, &e.b, &e.c, &e.d]).any(|value| number(value) != 0.0);
         self.roads.push(RoadFacts {
             span: road.span,
+            rank,
             id: text(&road.id).into(),
             junction: junction_of(road).map(Into::into),
             length: number(&road.length),
