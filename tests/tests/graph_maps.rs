@@ -108,14 +108,16 @@ fn a_virtual_junction_cuts_nodes_but_no_lane() {
 /// A broken map, the rule that must find it, how bad it is, and the tag where it stands.
 type Broken = (&'static str, String, &'static str, Severity, &'static str);
 
-/// Two roads of centimetres that lead into each other.
+/// A road of centimetres with both ends at one junction, whose connecting road is as short.
 fn short_loop() -> String {
-    let lanes = section(0.0, "", &lane(-1, "p-1 s-1"));
-    let part = |id: &str, other: &str, x: f64| {
-        let links = link(&format!("p road {other} end")) + &link(&format!("s road {other} start"));
-        road(id, "junction=\"-1\"", Line(x, 0.0, 0.0, 0.04, 0.0), &links, &lanes)
-    };
-    document(&(part("1", "2", 0.0) + &part("2", "1", 0.04)))
+    let line = |x: f64| Line(x, 0.0, 0.0, 0.04, 0.0);
+    let own = link("p junction 9") + &link("s junction 9");
+    let back = link("p road 1 end") + &link("s road 1 start");
+    let inside = "junction=\"9\"";
+    let attributes = "id=\"0\" incomingRoad=\"1\" connectingRoad=\"5\" contactPoint=\"start\"";
+    let roads = road("1", "junction=\"-1\"", line(0.0), &own, &section(0.0, "", &lane(-1, "")))
+        + &road("5", inside, line(0.04), &back, &section(0.0, "", &lane(-1, "p-1 s-1")));
+    document(&(roads + &junction("9", "", &connection(attributes, "-1>-1"))))
 }
 
 fn broken() -> Vec<Broken> {
@@ -185,7 +187,7 @@ fn broken() -> Vec<Broken> {
             short_loop(),
             "mapd:graph.no_progress",
             Severity::Error,
-            "<successor id=\"-1\"",
+            "<laneLink from=\"-1\"",
         ),
         (
             "a cycle within a junction",
@@ -498,4 +500,23 @@ fn junctions_and_lane_changes_ahead_are_named_with_their_distance() {
         route.expect("an answer").map(|route| route.cost)
     };
     assert_eq!((via(80.0), via(95.0)), (Some(100.0), None));
+}
+
+#[test]
+fn roads_that_cross_at_a_crossing_conflict() {
+    let lanes = section(0.0, "", &lane(-1, ""));
+    let half = std::f64::consts::FRAC_PI_2;
+    let roads = road("1", "junction=\"-1\"", Line(-50.0, 0.0, 0.0, 100.0, 0.0), "", &lanes)
+        + &road("2", "junction=\"-1\"", Line(0.0, -50.0, half, 100.0, 0.0), "", &lanes);
+    let part = |id: usize, from: f64, to: f64| {
+        format!("<roadSection id=\"{id}\" roadId=\"{id}\" sStart=\"{from}\" sEnd=\"{to}\"/>\n")
+    };
+    let sections = part(1, 45.0, 60.0) + &part(2, 40.0, 55.0);
+    let snapshot =
+        open("crossing", &document(&(roads + &junction("7", "type=\"crossing\"", &sections))));
+    let map = snapshot.map();
+    assert!(map.tables().successors.is_empty(), "a crossing links nothing");
+    let own = map.lane_by_key(&"1:0:-1".parse().expect("a key")).expect("a lane");
+    let found: Vec<_> = own.conflicts().map(|c| (c.kind(), c.s_range(), c.other_range())).collect();
+    assert_eq!(found, [(ConflictKind::Crossing, (50.0, 53.5), (46.5, 50.0))]);
 }

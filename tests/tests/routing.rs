@@ -155,7 +155,7 @@ fn check_map(name: &str, snapshot: &Snapshot, pairs: usize) {
         check(map, car, &ShortestTime::default(), pairs / 4),
         check(map, car, &ShortestLength { lane_change: 0.0 }, pairs / 4),
         check(map, car, &Own { bound: CostBound::None }, pairs / 4),
-        check(map, car, &Own { bound: CostBound::PerMetre(0.5) }, pairs / 4),
+        check(map, car, &Own { bound: CostBound::PerMetre { metre: 0.5, change: 5.0 } }, pairs / 4),
         check(map, VehicleClass::Bicycle, &ShortestLength::default(), pairs / 8),
         check(map, VehicleClass::Pedestrian, &ShortestLength::default(), pairs / 8),
     ];

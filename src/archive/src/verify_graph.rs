@@ -28,11 +28,11 @@ pub(crate) fn graph(tables: &Tables<'_>) -> Result<(), VerifyError> {
                 node.component(),
             );
         }
-        if node.group() != NONE && node.group() >= graph.groups() {
-            return check.fail("group", format!("below {}", graph.groups()), node.group());
+        if node.bound() != NONE && node.bound() >= graph.bounds() {
+            return check.fail("bound", format!("below {}", graph.bounds()), node.bound());
         }
     }
-    let expected = u64::from(graph.groups()) * u64::from(graph.landmarks()) * 2;
+    let expected = u64::from(graph.bounds()) * u64::from(graph.landmarks()) * 2;
     for (table, found) in [
         ("landmark_lengths", tables.landmark_lengths.len()),
         ("landmark_times", tables.landmark_times.len()),

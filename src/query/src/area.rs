@@ -128,7 +128,12 @@ pub(crate) fn position_in_slab(
             best = away.dot(tangent).hypot(past);
         }
         if beside {
-            let outer = (t > high) == (edges.outer >= edges.inner);
+            // Where the lane has no width at the foot, its number says on which side its outer border is.
+            let outwards = match edges.outer - edges.inner {
+                0.0 => lane.number() > 0,
+                width => width > 0.0,
+            };
+            let outer = (t > high) == outwards;
             let border = Border { lane, slab, local, outer };
             best = best.min(border.distance(s));
         }

@@ -145,6 +145,30 @@ pub(crate) struct Cursor<'a> {
     pub(crate) failed: Option<io::Error>,
 }
 
+/// Path of open elements, such as `OpenDRIVE/road[@id=12]/planView`.
+pub(crate) fn path_of(frames: &[Frame], names: &[u8]) -> String {
+    /// Bytes of a name or a key that are shown.
+    const SHOWN: usize = 64;
+    let text = |from: usize, len: usize| {
+        let to = from + len.min(SHOWN);
+        String::from_utf8_lossy(names.get(from..to).unwrap_or_default())
+    };
+    let mut path = String::new();
+    for frame in frames {
+        if !path.is_empty() {
+            path.push('/');
+        }
+        match frame.name {
+            Name::Known(name) => path += name,
+            Name::Other(from, len) => path += &text(from, len),
+        }
+        if let Some((key, from, len)) = frame.key {
+            path += &format!("[@{key}={}]", text(from, len));
+        }
+    }
+    path
+}
+
 impl<'a> Cursor<'a> {
     pub(crate) fn new(inputs: Inputs, source: Source<'a>, limits: Limits) -> Self {
         Self {
@@ -392,28 +416,9 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Path of the open elements, such as `OpenDRIVE/road[@id=12]/planView`.
+    /// Path of the open elements.
     pub(crate) fn path(&self) -> String {
-        /// Bytes of a name or a key that are shown.
-        const SHOWN: usize = 64;
-        let text = |from: usize, len: usize| {
-            let to = from + len.min(SHOWN);
-            String::from_utf8_lossy(self.names.get(from..to).unwrap_or_default())
-        };
-        let mut path = String::new();
-        for frame in &self.frames {
-            if !path.is_empty() {
-                path.push('/');
-            }
-            match frame.name {
-                Name::Known(name) => path += name,
-                Name::Other(from, len) => path += &text(from, len),
-            }
-            if let Some((key, from, len)) = frame.key {
-                path += &format!("[@{key}={}]", text(from, len));
-            }
-        }
-        path
+        path_of(&self.frames, &self.names)
     }
 
     /// Adds a finding about the innermost element. `detail` tells findings of one rule and element apart.
@@ -425,8 +430,9 @@ impl<'a> Cursor<'a> {
         detail: &str,
         message: String,
     ) {
-        let path = self.path();
-        self.findings.add(rule, severity, span, (self.kind, detail), || (path, message));
+        let (frames, names) = (&self.frames, &self.names);
+        self.findings
+            .add(rule, severity, span, (self.kind, detail), || (path_of(frames, names), message));
     }
 
     /// Counts what the top-level element takes; ends the walk where that is too much.

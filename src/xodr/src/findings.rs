@@ -51,7 +51,10 @@ impl Findings {
         if self.counts.len() >= KINDS && !self.counts.contains_key(&kind) {
             kind = (rule, "", Box::default());
         }
-        let (count, more) = self.counts.entry(kind.clone()).or_default();
+        let (count, more) = match self.counts.get_mut(&kind) {
+            Some(known) => known,
+            None => self.counts.entry(kind.clone()).or_default(),
+        };
         *count = count.saturating_add(1);
         if *count <= self.limit {
             let (path, message) = make();

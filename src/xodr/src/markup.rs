@@ -1,6 +1,6 @@
 //! Pieces of markup: tags, comments, text.
 
-use crate::cursor::{Cursor, Markup, Name, RawAttribute, Tag};
+use crate::cursor::{Cursor, Markup, Name, RawAttribute, Tag, path_of};
 use crate::finding::{Severity, Span};
 use crate::rule_ids;
 use crate::source::Places;
@@ -176,11 +176,12 @@ impl Cursor<'_> {
             Fault::LateDeclaration => rule_ids::BEFORE_DECLARATION,
             _ => rule_ids::XML,
         };
-        let path = self.path();
         let detail = format!("{fault:?}");
         let span = Span { start, len: 1 };
-        self.findings
-            .add(rule, fault.severity(), span, ("", &detail), || (path, fault.to_string()));
+        let (frames, names) = (&self.frames, &self.names);
+        self.findings.add(rule, fault.severity(), span, ("", &detail), || {
+            (path_of(frames, names), fault.to_string())
+        });
     }
 
     pub(crate) fn faults(&mut self, mut faults: Faults) {

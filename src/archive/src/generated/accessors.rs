@@ -882,15 +882,25 @@ impl ArchivedGraphRow {
     pub fn time_step(&self) -> f64 {
         self.time_step.to_native()
     }
+    /// `[m]` What a change of lane counts in `landmark_lengths`.
+    #[inline]
+    pub fn change_length(&self) -> f64 {
+        self.change_length.to_native()
+    }
+    /// `[s]` What a change of lane counts in `landmark_times`.
+    #[inline]
+    pub fn change_time(&self) -> f64 {
+        self.change_time.to_native()
+    }
     /// Number of strongly connected components.
     #[inline]
     pub fn components(&self) -> u32 {
         self.components.to_native()
     }
-    /// Number of groups: nodes side by side in one direction.
+    /// Number of nodes with a place in `landmark_lengths` and `landmark_times`.
     #[inline]
-    pub fn groups(&self) -> u32 {
-        self.groups.to_native()
+    pub fn bounds(&self) -> u32 {
+        self.bounds.to_native()
     }
     /// Number of landmarks; 0 if the map has none.
     #[inline]
@@ -920,10 +930,10 @@ impl ArchivedLaneNodeRow {
     pub fn component(&self) -> u32 {
         self.component.to_native()
     }
-    /// Group for `landmark_lengths` and `landmark_times`; u32::MAX if no motor vehicle may use the node.
+    /// Place in `landmark_lengths` and `landmark_times`; u32::MAX if no motor vehicle may use the node.
     #[inline]
-    pub fn group(&self) -> u32 {
-        self.group.to_native()
+    pub fn bound(&self) -> u32 {
+        self.bound.to_native()
     }
     /// `[m]` Smaller end of the piece, from the section's start.
     #[inline]

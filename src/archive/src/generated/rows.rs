@@ -535,16 +535,20 @@ pub struct GraphRow {
     pub length_step: f64,
     /// `[s]` Unit of `landmark_times`.
     pub time_step: f64,
+    /// `[m]` What a change of lane counts in `landmark_lengths`.
+    pub change_length: f64,
+    /// `[s]` What a change of lane counts in `landmark_times`.
+    pub change_time: f64,
     /// Number of strongly connected components.
     pub components: u32,
-    /// Number of groups: nodes side by side in one direction.
-    pub groups: u32,
+    /// Number of nodes with a place in `landmark_lengths` and `landmark_times`.
+    pub bounds: u32,
     /// Number of landmarks; 0 if the map has none.
     pub landmarks: u32,
     /// 0.
     pub reserved: u32,
 }
-const _: () = assert!(size_of::<GraphRow>() == 32 && size_of::<ArchivedGraphRow>() == 32);
+const _: () = assert!(size_of::<GraphRow>() == 48 && size_of::<ArchivedGraphRow>() == 48);
 
 /// Nodes of the lane graph: a lane, or a piece of one, travelled in one direction. Lane by lane.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
@@ -559,8 +563,8 @@ pub struct LaneNodeRow {
     pub right: u32,
     /// Strongly connected component, numbered in topological order of the condensation.
     pub component: u32,
-    /// Group for `landmark_lengths` and `landmark_times`; u32::MAX if no motor vehicle may use the node.
-    pub group: u32,
+    /// Place in `landmark_lengths` and `landmark_times`; u32::MAX if no motor vehicle may use the node.
+    pub bound: u32,
     /// `[m]` Smaller end of the piece, from the section's start.
     pub s_from: f32,
     /// `[m]` Length of the centre line in plan view.

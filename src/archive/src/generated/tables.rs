@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [150, 117, 251, 171, 89, 3, 55, 220, 205, 136, 156, 4, 73, 139, 212, 9];
+    [39, 14, 92, 90, 120, 103, 243, 136, 137, 149, 123, 251, 252, 84, 235, 86];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -90,7 +90,7 @@ pub struct Rows {
     pub predecessors: Table<u32>,
     /// Lanes of one junction whose areas meet, by `lane`; each pair stands twice, once from either side.
     pub conflicts: Table<ConflictRow>,
-    /// Per group: distances from each landmark, then to each, in `length_step`, rounded down; 65535 where there is no way.
+    /// Per place: distances from each landmark, then to each, in `length_step`, rounded down; 65535 where there is no way.
     pub landmark_lengths: Table<u16>,
     /// As `landmark_lengths`, in `time_step`.
     pub landmark_times: Table<u16>,
@@ -224,7 +224,7 @@ pub struct Tables<'a> {
     pub predecessors: &'a [u32],
     /// Lanes of one junction whose areas meet, by `lane`; each pair stands twice, once from either side.
     pub conflicts: &'a [ArchivedConflictRow],
-    /// Per group: distances from each landmark, then to each, in `length_step`, rounded down; 65535 where there is no way.
+    /// Per place: distances from each landmark, then to each, in `length_step`, rounded down; 65535 where there is no way.
     pub landmark_lengths: &'a [u16],
     /// As `landmark_lengths`, in `time_step`.
     pub landmark_times: &'a [u16],
@@ -570,6 +570,8 @@ impl<'a> Tables<'a> {
             let check = Check { table: "graph", row: i };
             check.finite("length_step", row.length_step())?;
             check.finite("time_step", row.time_step())?;
+            check.finite("change_length", row.change_length())?;
+            check.finite("change_time", row.change_time())?;
         }
         for (i, row) in self.lane_nodes.iter().enumerate() {
             let check = Check { table: "lane_nodes", row: i };

@@ -48,7 +48,7 @@ fn add(lowering: &mut Lowering, cuts: &Cuts, lane: usize) {
                 left: NONE,
                 right: NONE,
                 component: 0,
-                group: NONE,
+                bound: NONE,
                 s_from,
                 length: 0.0,
                 time: 0.0,

@@ -7,6 +7,8 @@ use std::io::{Result, Write};
 
 /// Room around the map `[m]`.
 const MARGIN: f64 = 5.0;
+/// Heights that differ by more than this are drawn one above the other `[m]`.
+const LEVEL: f64 = 3.0;
 /// Size of the triangle that shows where a lane leads `[m]`, and the shortest lane that has one.
 const WAY: (f64, f64) = (1.2, 6.0);
 /// Number of digits after the point: millimetres.
@@ -45,24 +47,29 @@ pub(super) fn write(map: Map<'_>, options: Options, out: &mut dyn Write) -> Resu
     for lane in map.lanes().filter(|lane| lane.kind() == LaneType::None) {
         area(&lane, paper, out)?;
     }
-    // What lies higher is drawn later and covers what it passes over.
-    let mut sections: Vec<(f64, LaneSection<'_>)> = map
+    // What lies higher is drawn later and covers what it passes over; on one level, as in a junction, all lines are seen.
+    let mut sections: Vec<(i64, LaneSection<'_>)> = map
         .roads()
         .flat_map(|road| road.sections())
-        .map(|section| (height(&section), section))
+        .map(|section| ((height(&section) / LEVEL).round() as i64, section))
         .collect();
-    sections.sort_by(|a, b| a.0.total_cmp(&b.0));
-    for (_, section) in sections {
-        let lanes = || section.lanes().filter(|lane| lane.number() != 0);
+    sections.sort_by_key(|(level, _)| *level);
+    for level in sections.chunk_by(|(a, _), (b, _)| a == b) {
+        let lanes = || {
+            let lanes = level.iter().flat_map(|(_, section)| section.lanes());
+            lanes.filter(|lane| lane.number() != 0)
+        };
         for lane in lanes().filter(|lane| lane.kind() != LaneType::None) {
             area(&lane, paper, out)?;
         }
         for lane in lanes() {
             line(lane.border(), "bound", paper, out)?;
-            way(&lane, paper, out)?;
         }
-        if let Some(center) = section.lane(0) {
+        for center in level.iter().filter_map(|(_, section)| section.lane(0)) {
             line(center.border(), "reference", paper, out)?;
+        }
+        for lane in lanes() {
+            way(&lane, paper, out)?;
         }
     }
     if options.index_boxes {

@@ -1,10 +1,12 @@
-//! State of services that are no more.
+//! State of services and listeners that are no more.
 //!
 //! iceoryx2 removes a service in two steps: its description, then its shared state. A daemon killed in between leaves the
-//! state, which nobody can open any more; as long as a client lives in the domain, each such kill would leave another.
+//! state, which nobody can open any more. A listener is made before its service knows of it, and removed after. As long as a
+//! client lives in the domain, each such kill would leave more.
 
 use super::notice::Notice;
-use iceoryx2::prelude::{CallbackProgression, Config, Service};
+use iceoryx2::prelude::{CallbackProgression, Node, PortFactory as _, Service, ServiceName};
+use iceoryx2::service::static_config::messaging_pattern::MessagingPattern;
 use mapd_client::transport::{AttachGuard, Domain, SHARED_MEMORY_FOLDER, TransportService};
 use std::collections::BTreeSet;
 use std::fs;
@@ -13,20 +15,30 @@ use std::path::Path;
 /// Ending of the file with a service's shared state. iceoryx2 names it prefix, hash of a type name, `_`, service, ending.
 const STATE_ENDING: &str = ".dynamic";
 
+/// Ending of the file with a listener's shared state, which is named as that of a service.
+const LISTENER_STATE_ENDING: &str = ".event_mgmt";
+
+/// Ending of a listener's socket in the root folder: prefix, listener, ending.
+const SOCKET_ENDING: &str = ".event";
+
 /// Ending of a service's description.
 const DESCRIPTION_ENDING: &str = ".service";
 
-/// Removes the state of services that have no description. Processes that have such a service open keep what they have
-/// mapped. Under the exclusive attach lock nobody is making a service. If a description cannot be read, nothing is removed.
+/// Removes the state of services that have no description, and what listeners left that no service knows. Processes that
+/// have such a service open keep what they have mapped. Under the exclusive attach lock nobody is making a service or a
+/// listener; who is just removing one finds its last files gone, which is what it wants. What cannot be told is left.
 pub(crate) fn remove(
     domain: &Domain,
-    config: &Config,
+    node: &Node<TransportService>,
     _exclusive: &AttachGuard,
     notify: &dyn Fn(&Notice),
 ) {
-    let mut known = BTreeSet::new();
-    let listed = TransportService::list(config, |service| {
+    let (mut known, mut events) = (BTreeSet::new(), Vec::new());
+    let listed = TransportService::list(node.config(), |service| {
         known.insert(service.static_details.unique_service_id().value());
+        if matches!(service.static_details.messaging_pattern(), MessagingPattern::Event(_)) {
+            events.push(*service.static_details.name());
+        }
         CallbackProgression::Continue
     });
     let descriptions = names(&domain.root().join("services"))
@@ -35,13 +47,37 @@ pub(crate) fn remove(
     if listed.is_err() || descriptions != known.len() {
         return;
     }
-    for name in names(Path::new(SHARED_MEMORY_FOLDER)) {
-        if service_of(domain, &name).is_some_and(|service| !known.contains(&service)) {
-            let file = Path::new(SHARED_MEMORY_FOLDER).join(name);
-            // What cannot be removed now is tried again by the next daemon.
-            if fs::remove_file(&file).is_ok() {
-                notify(&Notice::Removed { file });
-            }
+    remove_where(Path::new(SHARED_MEMORY_FOLDER), notify, |name| {
+        service_of(domain, name).is_some_and(|service| !known.contains(&service))
+    });
+    if let Some(listeners) = listeners(node, &events) {
+        let orphan = |name: &str| {
+            listener_of(domain, name).is_some_and(|listener| !listeners.contains(&listener))
+        };
+        remove_where(Path::new(SHARED_MEMORY_FOLDER), notify, orphan);
+        remove_where(domain.root(), notify, orphan);
+    }
+}
+
+/// The listeners of these services; `None` if one cannot be opened.
+fn listeners(node: &Node<TransportService>, events: &[ServiceName]) -> Option<BTreeSet<u128>> {
+    let mut all = BTreeSet::new();
+    for name in events {
+        let service = node.service_builder(name).event().open().ok()?;
+        service.dynamic_config().list_listeners(|listener| {
+            all.insert(listener.listener_id.value());
+            CallbackProgression::Continue
+        });
+    }
+    Some(all)
+}
+
+fn remove_where(folder: &Path, notify: &dyn Fn(&Notice), orphan: impl Fn(&str) -> bool) {
+    for name in names(folder).filter(|name| orphan(name)) {
+        let file = folder.join(name);
+        // What cannot be removed now is tried again by the next daemon.
+        if fs::remove_file(&file).is_ok() {
+            notify(&Notice::Removed { file });
         }
     }
 }
@@ -50,6 +86,15 @@ pub(crate) fn remove(
 fn service_of(domain: &Domain, name: &str) -> Option<u128> {
     let name = name.strip_prefix(domain.prefix())?.strip_suffix(STATE_ENDING)?;
     name.split_once('_')?.1.parse().ok()
+}
+
+/// The listener whose socket or state a file is.
+fn listener_of(domain: &Domain, name: &str) -> Option<u128> {
+    let name = name.strip_prefix(domain.prefix())?;
+    match name.strip_suffix(LISTENER_STATE_ENDING) {
+        Some(state) => state.split_once('_')?.1.parse().ok(),
+        None => name.strip_suffix(SOCKET_ENDING)?.parse().ok(),
+    }
 }
 
 fn names(folder: &Path) -> impl Iterator<Item = String> {
@@ -72,5 +117,18 @@ mod tests {
         assert_eq!(service("mapd_112437a1_42_43.connection"), None);
         assert_eq!(service("other_112437a1_42.dynamic"), None);
         assert_eq!(service("mapd_9204dd18_node.0_10_0.global_mgmt"), None);
+    }
+
+    #[test]
+    fn names_of_listeners() {
+        let domain = Domain::new("mapd_").expect("a good prefix");
+        let listener = |name| listener_of(&domain, name);
+        assert_eq!(
+            listener("mapd_237684920473650085668847640542.event"),
+            Some(237_684_920_473_650_085_668_847_640_542)
+        );
+        assert_eq!(listener("mapd_33c1ac61_23768.event_mgmt"), Some(23_768));
+        assert_eq!(listener("mapd_33c1ac61_42_43.connection"), None);
+        assert_eq!(listener("other_42.event"), None);
     }
 }

@@ -114,7 +114,7 @@ impl Server {
             .map_err(memory::or_no_room)?;
         if let Some(guard) = &exclusive {
             cleanup::clean(domain, &node, guard, &server.notify);
-            orphans::remove(domain, &config, guard, &server.notify);
+            orphans::remove(domain, &node, guard, &server.notify);
         }
         drop(exclusive);
         server.node = Some(node);
@@ -145,7 +145,7 @@ impl Server {
             reserving(|| MapPorts::create(&self.domain, node, map, claim, exclusive.as_ref()))?;
         if let Some(guard) = &exclusive {
             // Of services that were half made and have been made anew.
-            orphans::remove(&self.domain, node.config(), guard, &self.notify);
+            orphans::remove(&self.domain, node, guard, &self.notify);
         }
         self.maps.insert(map.to_owned(), ports);
         Ok(())

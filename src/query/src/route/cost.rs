@@ -8,10 +8,20 @@ pub enum CostBound {
     /// None: Dijkstra's algorithm.
     #[default]
     None,
-    /// Every metre of centre line costs at least this.
-    PerMetre(f64),
-    /// Every second at the speed limit costs at least this.
-    PerSecond(f64),
+    /// By length.
+    PerMetre {
+        /// Every metre of centre line costs at least this.
+        metre: f64,
+        /// Every change of lane costs at least this.
+        change: f64,
+    },
+    /// By time.
+    PerSecond {
+        /// Every second at the speed limit costs at least this.
+        second: f64,
+        /// Every change of lane costs at least this.
+        change: f64,
+    },
 }
 
 /// What a route costs. Costs that are negative or no number close the way, as infinite ones do.
@@ -66,7 +76,7 @@ impl RouteCost for ShortestLength {
     }
 
     fn bound(&self) -> CostBound {
-        CostBound::PerMetre(1.0)
+        CostBound::PerMetre { metre: 1.0, change: self.lane_change }
     }
 }
 
@@ -82,6 +92,6 @@ impl RouteCost for ShortestTime {
     }
 
     fn bound(&self) -> CostBound {
-        CostBound::PerSecond(1.0)
+        CostBound::PerSecond { second: 1.0, change: self.lane_change }
     }
 }

@@ -66,9 +66,9 @@ impl<'a, 's, C: RouteCost> Search<'a, 's, C> {
         let motor = VehicleClass::MOTOR & self.vehicle.bit() != 0;
         let one_way =
             self.scratch.target.iter().enumerate().filter(|t| ends::is_root(*t)).count() == 1;
-        // A target that may be reached in two directions has two groups: no bound for one holds for both.
+        // A target that may be reached in two directions is two nodes: no bound for one holds for both.
         let bound = if motor && one_way { self.cost.bound() } else { CostBound::None };
-        let bounds = Bounds::new(self.map, bound, target.row.group());
+        let bounds = Bounds::new(self.map, bound, target.row.bound());
         let (_, s_from) = ends::lane_of(self.map, from.0).ok_or(QueryError::Corrupt)?;
         let (_, s_to) = ends::lane_of(self.map, to).ok_or(QueryError::Corrupt)?;
         self.on_one_piece(s_from, s_to);
@@ -178,7 +178,7 @@ impl<'a, 's, C: RouteCost> Search<'a, 's, C> {
     #[inline]
     fn enter(&mut self, to: &LaneNode<'a>, cost: f64, parent: u32, bounds: &Bounds<'a>) {
         if cost < f64::INFINITY && self.scratch.improve(to.number, cost, parent) {
-            let key = cost + bounds.least(to.row.group());
+            let key = cost + bounds.least(to.row.bound());
             self.scratch.heap.push(Open::new(key, cost, to.number));
         }
     }

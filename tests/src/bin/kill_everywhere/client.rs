@@ -1,7 +1,7 @@
 //! A client killed at every system call of attaching, asking and detaching, while a daemon serves.
 
 use crate::check::{Witness, nothing_left, settles};
-use crate::report::{Killing, Report, choose};
+use crate::report::{Choice, Killing, Report};
 use crate::watchdog;
 use mapd_tests::stage::{Checked, Stage};
 use mapd_tests::tracer::{Moment, Then, Traced};
@@ -12,7 +12,7 @@ use std::process::Stdio;
 /// After so many kills the daemon is given the time to clean up, and must have done so.
 const SETTLE_EVERY: usize = 100;
 
-pub(crate) fn run(stage: &Stage, most: usize) -> Checked<Report> {
+pub(crate) fn run(stage: &Stage, choice: Choice<'_>) -> Checked<Report> {
     let mut daemon = stage.serve()?;
     let witness = Witness::new(stage)?;
     let mut moments = Vec::new();
@@ -20,7 +20,7 @@ pub(crate) fn run(stage: &Stage, most: usize) -> Checked<Report> {
         moments.push(*moment);
         Then::Continue
     })?;
-    let chosen = choose(&moments, most);
+    let chosen = choice.of(&moments);
     let mut report = Report::new("client", moments.len(), chosen.len());
     let before = stage.files();
     for (i, moment) in chosen.iter().enumerate() {

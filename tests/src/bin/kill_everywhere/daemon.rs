@@ -1,7 +1,7 @@
 //! A daemon killed at every system call of starting, publishing and stopping.
 
 use crate::check::{Witness, nothing_left, settles};
-use crate::report::{Killing, Report, choose};
+use crate::report::{Choice, Killing, Report};
 use crate::watchdog;
 use mapd_tests::stage::{Checked, Stage};
 use mapd_tests::tracer::{Moment, Then, Traced};
@@ -11,7 +11,7 @@ use std::process::Stdio;
 use std::time::Instant;
 use syscalls::Sysno;
 
-pub(crate) fn run(stage: &Stage, with_client: bool, most: usize) -> Checked<Report> {
+pub(crate) fn run(stage: &Stage, with_client: bool, choice: Choice<'_>) -> Checked<Report> {
     let mut witness = None;
     if with_client {
         let daemon = stage.serve()?;
@@ -23,7 +23,7 @@ pub(crate) fn run(stage: &Stage, with_client: bool, most: usize) -> Checked<Repo
         moments.push(*moment);
         Then::Continue
     })?;
-    let chosen = choose(&moments, most);
+    let chosen = choice.of(&moments);
     let name = if with_client { "daemon, with a living client" } else { "daemon, alone" };
     let mut report = Report::new(name, moments.len(), chosen.len());
     // What a living client keeps is as much after every generation.

@@ -11,7 +11,7 @@ mod watchdog;
 use clap::{Parser, ValueEnum};
 use mapd_tests::say;
 use mapd_tests::stage::{Checked, Stage};
-use report::Report;
+use report::{Choice, Report};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -39,6 +39,9 @@ struct Options {
     /// About a minute: of each victim's moments only some, evenly spread, always the same
     #[arg(long)]
     short: bool,
+    /// Only at system calls of this name, such as `bind`
+    #[arg(long)]
+    call: Vec<String>,
     /// Kills of the victim `random`
     #[arg(long)]
     kills: Option<u32>,
@@ -83,13 +86,14 @@ fn run(options: &Options) -> Checked<bool> {
     let all = Victim::value_variants();
     let victims = if options.victim.is_empty() { all } else { options.victim.as_slice() };
     let most = if options.short { SHORT } else { usize::MAX };
+    let choice = Choice { most, calls: &options.call };
     let mut good = true;
     for victim in victims {
         let stage = Stage::new(&mapd, &mapd_tests::carried("one_road.xodr"), QUESTION)?;
         let report: Report = match victim {
-            Victim::Client => client::run(&stage, most)?,
-            Victim::Daemon => daemon::run(&stage, false, most)?,
-            Victim::DaemonWithClient => daemon::run(&stage, true, most)?,
+            Victim::Client => client::run(&stage, choice)?,
+            Victim::Daemon => daemon::run(&stage, false, choice)?,
+            Victim::DaemonWithClient => daemon::run(&stage, true, choice)?,
             Victim::Random => {
                 let short = if options.short { SHORT_RANDOM_KILLS } else { RANDOM_KILLS };
                 let kills = options.kills.unwrap_or(short);

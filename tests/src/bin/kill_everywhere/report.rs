@@ -87,10 +87,24 @@ impl fmt::Display for Report {
     }
 }
 
-/// At most `most` of the moments, evenly spread over all of them.
-pub(crate) fn choose(moments: &[Moment], most: usize) -> Vec<Moment> {
-    let step = moments.len().div_ceil(most.max(1)).max(1);
-    moments.iter().step_by(step).copied().collect()
+/// Which of a victim's moments it is killed at.
+#[derive(Clone, Copy)]
+pub(crate) struct Choice<'a> {
+    /// At most so many, evenly spread over all of them.
+    pub(crate) most: usize,
+    /// Only at calls of these names; all, if there are none.
+    pub(crate) calls: &'a [String],
+}
+
+impl Choice<'_> {
+    pub(crate) fn of(self, moments: &[Moment]) -> Vec<Moment> {
+        let named = |moment: &&Moment| {
+            self.calls.is_empty() || self.calls.contains(&moment.name.to_string())
+        };
+        let named: Vec<Moment> = moments.iter().filter(named).copied().collect();
+        let step = named.len().div_ceil(self.most.max(1)).max(1);
+        named.into_iter().step_by(step).collect()
+    }
 }
 
 /// Runs of a victim until it comes to a moment. Threads race, and with them what each has to do.
