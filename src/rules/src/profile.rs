@@ -76,3 +76,15 @@ pub(crate) fn borders_at(section: &SectionIn<'_>, side: Side, ds: f64) -> Vec<(i
     }
     borders
 }
+
+/// t of the outermost border of a side at a distance from the section's start; of lane 0 where the side has no lanes.
+pub(crate) fn outermost_at(section: &SectionIn<'_>, side: Side, ds: f64) -> f64 {
+    let (lanes, center) = (section.side(side), lane_offset_at(section, section.s() + ds));
+    let sign = if side == Side::Left { 1.0 } else { -1.0 };
+    // Widths may be added in any order.
+    let sum = lanes.iter().try_fold(0.0, |sum, lane| Some(sum + width_at(lane, ds)?));
+    match sum {
+        Some(sum) => center + sign * sum,
+        None => borders_at(section, side, ds).last().map_or(center, |border| border.2),
+    }
+}

@@ -7,7 +7,7 @@ use super::facts::{
 };
 use crate::line::ReferenceLine;
 use crate::place::{SectionIn, Side, is_left_hand, junction_of, number, text, value};
-use crate::profile::{borders_at, elevation_at, superelevation_at};
+use crate::profile::{borders_at, elevation_at, outermost_at, superelevation_at};
 use mapd_xodr::{
     Attribute, ContactPoint, ElementType, Item, Junction, LaneDirection, LaneType, LayerType,
     LinkedElement, Objects, ReferenceElementType, Road, Signals, Span,
@@ -293,6 +293,7 @@ impl Network {
             elevations.flat_map(|e| [&e.a, &e.b, &e.c, &e.d]).any(|value| number(value) != 0.0);
         self.roads.push(RoadFacts {
             span: road.span,
+            rank,
             id: text(&road.id).into(),
             junction: junction_of(road).map(Into::into),
             length: number(&road.length),
@@ -423,9 +424,7 @@ fn extent_at(sections: &[SectionIn<'_>], s: f64) -> [f64; 2] {
             is_there || value(&section.section.single_side) != Some(true)
         });
         let Some(section) = holds else { return 0.0 };
-        let ds = s.min(section.s_end()) - section.s();
-        let outermost = borders_at(section, side, ds).last().map(|border| border.2);
-        outermost.unwrap_or_else(|| crate::profile::lane_offset_at(section, s))
+        outermost_at(section, side, s.min(section.s_end()) - section.s())
     })
 }
 

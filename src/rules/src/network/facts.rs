@@ -41,6 +41,8 @@ pub struct LinkFacts {
 pub struct RoadFacts {
     /// The start tag.
     pub span: Span,
+    /// Rank among the roads.
+    pub rank: usize,
     /// Id.
     pub id: Box<str>,
     /// Junction that it belongs to.

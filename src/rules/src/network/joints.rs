@@ -24,6 +24,8 @@ pub struct LaneJoint<'a> {
     pub rank: usize,
     /// The lane.
     pub lane: &'a LaneFacts,
+    /// Rank of the lane among all lanes.
+    pub lane_rank: usize,
     /// The end of the section.
     pub end: Contact,
     /// The link.
@@ -60,6 +62,17 @@ impl Network {
     /// The road that a road's end is linked to, and which end of that touches: the one that is written, else the nearer one.
     /// None for links to junctions and into the middle of roads.
     pub fn linked_road(&self, road: &RoadFacts, end: Contact) -> Option<(&RoadFacts, Contact)> {
+        let (rank, contact) = (*self.linked.get(road.rank)?)[end as usize]?;
+        Some((self.roads.get(rank)?, contact))
+    }
+
+    /// Finds what each road's ends are linked to.
+    pub(super) fn link_roads(&mut self) {
+        let find = |road: &RoadFacts| Contact::BOTH.map(|end| self.find_linked(road, end));
+        self.linked = self.roads.iter().map(find).collect();
+    }
+
+    fn find_linked(&self, road: &RoadFacts, end: Contact) -> Option<(usize, Contact)> {
         let link = road.link(end)?;
         let LinkTarget::Road(id) = &link.target else { return None };
         if link.s.is_some() {
@@ -74,7 +87,7 @@ impl Network {
             });
             Some(if start <= last { Contact::Start } else { Contact::End })
         };
-        Some((target, link.contact.or_else(nearer)?))
+        Some((target.rank, link.contact.or_else(nearer)?))
     }
 
     /// What touches an end of a section, given by its rank in its road.
@@ -110,13 +123,24 @@ impl Network {
         let sections = self.sections_of(road).iter().enumerate();
         sections.flat_map(move |(rank, section)| {
             let neighbors = Contact::BOTH.map(|end| self.neighbor(road, rank, end));
-            self.lanes_of(section).iter().flat_map(move |lane| {
+            let lanes = section.lanes.clone().zip(self.lanes_of(section));
+            lanes.flat_map(move |(lane_rank, lane)| {
                 Contact::BOTH.into_iter().flat_map(move |end| {
                     let links = self.lane_links.get(lane.links[end as usize].clone());
                     links.unwrap_or_default().iter().map(move |link| {
                         let neighbor = neighbors[end as usize];
                         let target = neighbor.and_then(|n| self.lane(n.section, link.id));
-                        LaneJoint { road, section, rank, lane, end, link: *link, neighbor, target }
+                        LaneJoint {
+                            road,
+                            section,
+                            rank,
+                            lane,
+                            lane_rank,
+                            end,
+                            link: *link,
+                            neighbor,
+                            target,
+                        }
                     })
                 })
             })

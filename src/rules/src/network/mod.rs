@@ -42,6 +42,8 @@ pub struct Network {
     /// References to ids.
     pub references: Vec<Reference>,
     overlaps: std::sync::OnceLock<Vec<Overlap>>,
+    /// By road and end: rank of the road that it is linked to, and the end of that.
+    linked: Vec<[Option<(usize, Contact)>; 2]>,
     road_of: HashMap<Box<str>, usize>,
     junction_of: HashMap<Box<str>, usize>,
     connecting: HashMap<Box<str>, Vec<usize>>,
@@ -89,6 +91,12 @@ impl Network {
         self.lanes_of(section).iter().find(|lane| lane.id == id)
     }
 
+    /// Rank among all lanes of the lane of an id in a section.
+    pub fn lane_rank(&self, section: &SectionFacts, id: i32) -> Option<usize> {
+        let at = self.lanes_of(section).iter().position(|lane| lane.id == id)?;
+        Some(section.lanes.start + at)
+    }
+
     /// The section of a road that touches one of its ends.
     pub fn section_at(&self, road: &RoadFacts, end: Contact) -> Option<&SectionFacts> {
         match end {
@@ -125,5 +133,6 @@ impl Network {
                 self.junction_of.entry(value.clone()).or_insert(rank);
             }
         }
+        self.link_roads();
     }
 }

@@ -39,6 +39,15 @@ struct Stretch {
     s: f64,
     z: f64,
     corners: [[f64; 2]; 4],
+    bounds: [f64; 4],
+}
+
+/// Smallest x, smallest y, largest x, largest y.
+fn bounds(corners: &[[f64; 2]; 4]) -> [f64; 4] {
+    let [x, y] = corners[0];
+    corners
+        .iter()
+        .fold([x, y, x, y], |b, [x, y]| [b[0].min(*x), b[1].min(*y), b[2].max(*x), b[3].max(*y)])
 }
 
 impl Stretch {
@@ -47,21 +56,20 @@ impl Stretch {
             return None;
         }
         let corners = [a.at(a.right), a.at(a.left), b.at(b.left), b.at(b.right)];
+        let bounds = bounds(&corners);
         corners.iter().flatten().all(|value| value.is_finite()).then_some(Self {
             road,
             s: (a.s + b.s) / 2.0,
             z: (a.z + b.z) / 2.0,
             corners,
+            bounds,
         })
     }
 
-    fn bounds(&self) -> [f64; 4] {
-        let [mut b0, mut b1] = self.corners[0];
-        let [mut b2, mut b3] = self.corners[0];
-        for [x, y] in self.corners {
-            (b0, b1, b2, b3) = (b0.min(x), b1.min(y), b2.max(x), b3.max(y));
-        }
-        [b0, b1, b2, b3]
+    /// Whether the boxes of two stretches overlap by more than a touch.
+    fn is_near(&self, other: &Self) -> bool {
+        let ([ax0, ay0, ax1, ay1], [bx0, by0, bx1, by1]) = (self.bounds, other.bounds);
+        ax0 + TOUCH < bx1 && bx0 + TOUCH < ax1 && ay0 + TOUCH < by1 && by0 + TOUCH < ay1
     }
 
     /// How deep two stretches overlap `[m]`; 0 or less where they do not. Corners are taken as those of convex areas.
@@ -151,7 +159,7 @@ impl Network {
         }
         let mut cells: Vec<((i64, i64), u32)> = Vec::new();
         for (rank, stretch) in stretches.iter().enumerate() {
-            let [x0, y0, x1, y1] = stretch.bounds().map(|value| (value / CELL).floor() as i64);
+            let [x0, y0, x1, y1] = stretch.bounds.map(|value| (value / CELL).floor() as i64);
             if (x1 - x0 + 1).saturating_mul(y1 - y0 + 1) > CELLS_OF_A_STRETCH {
                 continue;
             }
@@ -169,12 +177,15 @@ impl Network {
                     else {
                         continue;
                     };
-                    let key = (a.road, b.road);
-                    if found.contains_key(&key) || !self.may_overlap(a, b, &members) {
+                    // What is cheap and excludes most comes first.
+                    if (a.z - b.z).abs() >= CLEARANCE || !a.is_near(b) || self.belong_together(a, b)
+                    {
                         continue;
                     }
+                    let key = (a.road, b.road);
                     let depth = a.depth(b);
-                    if depth > TOUCH && (a.z - b.z).abs() < CLEARANCE {
+                    let is_new = || !found.contains_key(&key);
+                    if depth > TOUCH && is_new() && self.may_overlap(a, b, &members) {
                         found.insert(
                             key,
                             Overlap { a: a.road, b: b.road, s_a: a.s, s_b: b.s, depth },
@@ -186,18 +197,26 @@ impl Network {
         found.into_values().collect()
     }
 
-    /// Whether an overlap of two stretches would tell something: not of neighbors, and not within one junction.
+    /// Whether two stretches are neighbors on one road, or of one junction.
+    fn belong_together(&self, a: &Stretch, b: &Stretch) -> bool {
+        let (Some(road_a), Some(road_b)) = (self.roads.get(a.road), self.roads.get(b.road)) else {
+            return true;
+        };
+        if a.road == b.road {
+            let apart = (a.s - b.s).abs();
+            // A road may lead back to its own start.
+            return apart <= NEAR || road_a.length - apart <= NEAR;
+        }
+        road_a.junction.is_some() && road_a.junction == road_b.junction
+    }
+
+    /// Whether an overlap of two roads would tell something: not where they touch, nor where they meet at one junction.
     fn may_overlap(&self, a: &Stretch, b: &Stretch, members: &[Vec<usize>]) -> bool {
         let (Some(road_a), Some(road_b)) = (self.roads.get(a.road), self.roads.get(b.road)) else {
             return false;
         };
         if a.road == b.road {
-            let apart = (a.s - b.s).abs();
-            // A road may lead back to its own start.
-            return apart > NEAR && road_a.length - apart > NEAR;
-        }
-        if road_a.junction.is_some() && road_a.junction == road_b.junction {
-            return false;
+            return true;
         }
         let touches = |road: &RoadFacts, other: &RoadFacts| {
             road.links.iter().flatten().any(|link| match &link.target {

@@ -9,7 +9,7 @@ use crate::rule::Check::Network as All;
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
 use mapd_xodr::JunctionType as Kind;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 /// A way that comes back to where it began without having gone this far makes no progress.
 const PROGRESS: Tolerance = Tolerance { name: "length of a loop", value: 1.0, unit: "m" };
@@ -92,18 +92,10 @@ fn root(parents: &mut [usize], mut at: usize) -> usize {
 
 /// Every pair of lanes that are linked, by rank among all lanes.
 fn linked_lanes(network: &Network, mut show: impl FnMut(usize, usize)) {
-    let rank: HashMap<*const crate::network::LaneFacts, usize> = network
-        .lanes
-        .iter()
-        .enumerate()
-        .map(|(rank, lane)| (std::ptr::from_ref(lane), rank))
-        .collect();
     for joint in network.lane_joints() {
-        let Some(target) = joint.target else { continue };
-        if let (Some(a), Some(b)) =
-            (rank.get(&std::ptr::from_ref(joint.lane)), rank.get(&std::ptr::from_ref(target)))
-        {
-            show(*a, *b);
+        let target = joint.neighbor.and_then(|n| network.lane_rank(n.section, joint.link.id));
+        if let Some(target) = target {
+            show(joint.lane_rank, target);
         }
     }
     for junction in &network.junctions {
@@ -131,13 +123,11 @@ fn linked_lanes(network: &Network, mut show: impl FnMut(usize, usize)) {
             };
             for link in &connection.lane_link {
                 let lanes = value(&link.from).zip(value(&link.to));
-                let lanes =
-                    lanes.and_then(|(a, b)| Some((network.lane(from, a)?, network.lane(to, b)?)));
-                if let Some((a, b)) = lanes
-                    && let (Some(a), Some(b)) =
-                        (rank.get(&std::ptr::from_ref(a)), rank.get(&std::ptr::from_ref(b)))
-                {
-                    show(*a, *b);
+                let lanes = lanes.and_then(|(a, b)| {
+                    Some((network.lane_rank(from, a)?, network.lane_rank(to, b)?))
+                });
+                if let Some((a, b)) = lanes {
+                    show(a, b);
                 }
             }
         }
