@@ -133,3 +133,57 @@ fn it_ends_as_the_other_commands_do() {
     let folder = tempfile::tempdir().expect("a folder");
     assert_eq!(run(folder.path(), &[]).status.code(), Some(1));
 }
+
+#[test]
+fn sarif_and_xqar_have_every_finding() {
+    let text = document("<lights/>");
+    let (out, _) = check("a.xodr", text.as_bytes(), &["--format", "sarif"]);
+    let log: serde_json::Value = serde_json::from_str(&out).expect("JSON");
+    let run = &log["runs"][0];
+    assert_eq!(
+        (&log["version"], &run["properties"]["verdict"]),
+        (&"2.1.0".into(), &"accepted".into())
+    );
+    let result = &run["results"][0];
+    assert_eq!(result["ruleId"], "mapd:structure.unknown_element");
+    assert_eq!(result["level"], "warning");
+    assert_eq!(run["tool"]["driver"]["rules"][0]["id"], result["ruleId"]);
+    let region = &result["locations"][0]["physicalLocation"]["region"];
+    assert_eq!(
+        (&region["startLine"], &region["byteOffset"]),
+        (&5.into(), &text.find("<lights").into())
+    );
+    let (out, _) = check("a.xodr", text.as_bytes(), &["--format", "xqar"]);
+    let issue = "level=\"2\" ruleUID=\"asam.net:xodr:1.0.0:xml.valid_schema\">";
+    assert_eq!(out.matches("<Issue ").count(), 1, "{out}");
+    assert!(out.contains(issue) && out.contains("<FileLocation column=\"1\" row=\"5\"/>"), "{out}");
+}
+
+#[test]
+fn rules_are_graded_by_profile_and_file() {
+    let text = document("").replace("length=\"10\" junction", "length=\"11\" junction");
+    let rule = "asam.net:xodr:1.9.0:road.length_sum_geometries";
+    let (out, code) = check("a.xodr", text.as_bytes(), &[]);
+    assert!(out.contains(&format!("warning[{rule}]")), "{out}");
+    assert_eq!(code, Some(0), "{out}");
+    // The only road is lost.
+    let (out, code) = check("a.xodr", text.as_bytes(), &["--profile", "strict"]);
+    assert!(out.contains(&format!("error[{rule}], rejects the map")), "{out}");
+    assert_eq!(code, Some(4), "{out}");
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("rules.toml");
+    let path = file.display().to_string();
+    for (grade, expected, code) in
+        [("off", None, 0), ("information", Some("info["), 0), ("error", Some("error["), 4)]
+    {
+        std::fs::write(&file, format!("[rules]\n\"{rule}\" = \"{grade}\"\n")).expect("written");
+        let (out, ended) = check("a.xodr", text.as_bytes(), &["--rules", &path]);
+        assert_eq!(ended, Some(code), "{grade}: {out}");
+        match expected {
+            Some(expected) => assert!(out.contains(&format!("{expected}{rule}]")), "{out}"),
+            None => assert!(!out.contains(rule), "{out}"),
+        }
+    }
+    std::fs::write(&file, "[rules]\n\"mapd:no.such_rule\" = \"off\"\n").expect("written");
+    assert_eq!(check("a.xodr", text.as_bytes(), &["--rules", &path]).1, Some(1));
+}
