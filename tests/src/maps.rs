@@ -2,14 +2,15 @@
 
 use crate::{carried, say, shared};
 use mapd_client::{Map, Snapshot, glam::DVec2};
-use mapd_compiler::{CompileOptions, compile};
+use mapd_compiler::{CompileOptions, ReadOptions, compile_from};
 use std::path::{Path, PathBuf};
 
-/// Compiles a map that must be accepted.
+/// Compiles a map that must be accepted, with parts in quarantine if need be.
 pub fn open(path: &Path) -> Snapshot {
-    let file = std::fs::File::open(path).expect("the map can be read");
-    let compiled = compile(file, &CompileOptions::default(), &mut |_| {}).expect("reading works");
-    let rows = compiled.rows.expect("the map is accepted");
+    let file = || std::fs::File::open(path);
+    let (reading, options) = (ReadOptions::default(), CompileOptions::default());
+    let compiled = compile_from(file, &reading, &options, &mut |_| {}).expect("reading works");
+    let rows = compiled.rows.unwrap_or_else(|| panic!("{} is rejected", path.display()));
     let archive = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes");
     Snapshot::from_bytes(archive).expect("opens")
 }

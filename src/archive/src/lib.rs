@@ -15,6 +15,9 @@
 //! rows.string_offsets.push(0);
 //! rows.string_offsets.push(0);
 //! rows.map.push(bytemuck::Zeroable::zeroed());
+//! rows.graph.push(bytemuck::Zeroable::zeroed());
+//! rows.successor_offsets.push(0);
+//! rows.predecessor_offsets.push(0);
 //! let bytes = encode(&rows, &Provenance::default()).unwrap();
 //! let archive = open(&bytes).unwrap();
 //! assert_eq!(archive.tables.roads.len(), 0);

@@ -1,13 +1,15 @@
 //! State of services and listeners that are no more.
 //!
 //! iceoryx2 removes a service in two steps: its description, then its shared state. A daemon killed in between leaves the
-//! state, which nobody can open any more. A listener is made before its service knows of it, and removed after. As long as a
-//! client lives in the domain, each such kill would leave more.
+//! state, which nobody can open any more. Listeners and queues are made before their service knows of them, and removed
+//! after. As long as a client lives in the domain, each such kill would leave more.
 
 use super::notice::Notice;
 use iceoryx2::prelude::{CallbackProgression, Node, PortFactory as _, Service, ServiceName};
 use iceoryx2::service::static_config::messaging_pattern::MessagingPattern;
-use mapd_client::transport::{AttachGuard, Domain, SHARED_MEMORY_FOLDER, TransportService};
+use mapd_client::transport::{
+    AttachGuard, Chunk64, Domain, GenerationInfo, SHARED_MEMORY_FOLDER, TransportService,
+};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
@@ -21,23 +23,30 @@ const LISTENER_STATE_ENDING: &str = ".event_mgmt";
 /// Ending of a listener's socket in the root folder: prefix, listener, ending.
 const SOCKET_ENDING: &str = ".event";
 
+/// Ending of a queue from a publisher to a subscriber: prefix, hash of a type name, `_`, publisher, `_`, subscriber, ending.
+const QUEUE_ENDING: &str = ".connection";
+
 /// Ending of a service's description.
 const DESCRIPTION_ENDING: &str = ".service";
 
-/// Removes the state of services that have no description, and what listeners left that no service knows. Processes that
-/// have such a service open keep what they have mapped. Under the exclusive attach lock nobody is making a service or a
-/// listener; who is just removing one finds its last files gone, which is what it wants. What cannot be told is left.
+/// Removes the state of services that have no description, and what listeners and publishers left that no service knows.
+/// Processes that have such a file open keep what they have mapped. Under the exclusive attach lock nobody is making a
+/// service or a port; who is just removing one finds its last files gone, which is what it wants. What cannot be told is
+/// left.
 pub(crate) fn remove(
     domain: &Domain,
     node: &Node<TransportService>,
     _exclusive: &AttachGuard,
     notify: &dyn Fn(&Notice),
 ) {
-    let (mut known, mut events) = (BTreeSet::new(), Vec::new());
+    let (mut known, mut events, mut maps) = (BTreeSet::new(), Vec::new(), Vec::new());
     let listed = TransportService::list(node.config(), |service| {
         known.insert(service.static_details.unique_service_id().value());
-        if matches!(service.static_details.messaging_pattern(), MessagingPattern::Event(_)) {
-            events.push(*service.static_details.name());
+        let name = *service.static_details.name();
+        match service.static_details.messaging_pattern() {
+            MessagingPattern::Event(_) => events.push(name),
+            MessagingPattern::PublishSubscribe(_) => maps.push(name),
+            _ => {}
         }
         CallbackProgression::Continue
     });
@@ -57,6 +66,25 @@ pub(crate) fn remove(
         remove_where(Path::new(SHARED_MEMORY_FOLDER), notify, orphan);
         remove_where(domain.root(), notify, orphan);
     }
+    if let Some(publishers) = publishers(node, &maps) {
+        remove_where(Path::new(SHARED_MEMORY_FOLDER), notify, |name| {
+            publisher_of(domain, name).is_some_and(|publisher| !publishers.contains(&publisher))
+        });
+    }
+}
+
+/// The publishers of these services; `None` if one cannot be opened.
+fn publishers(node: &Node<TransportService>, maps: &[ServiceName]) -> Option<BTreeSet<u128>> {
+    let mut all = BTreeSet::new();
+    for name in maps {
+        let builder = node.service_builder(name).publish_subscribe::<[Chunk64]>();
+        let service = builder.user_header::<GenerationInfo>().open().ok()?;
+        service.dynamic_config().list_publishers(|publisher| {
+            all.insert(publisher.publisher_id.value());
+            CallbackProgression::Continue
+        });
+    }
+    Some(all)
 }
 
 /// The listeners of these services; `None` if one cannot be opened.
@@ -97,6 +125,12 @@ fn listener_of(domain: &Domain, name: &str) -> Option<u128> {
     }
 }
 
+/// The publisher whose queue to a subscriber a file is.
+fn publisher_of(domain: &Domain, name: &str) -> Option<u128> {
+    let name = name.strip_prefix(domain.prefix())?.strip_suffix(QUEUE_ENDING)?;
+    name.split_once('_')?.1.split_once('_')?.0.parse().ok()
+}
+
 fn names(folder: &Path) -> impl Iterator<Item = String> {
     let entries = fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok);
     entries.filter_map(|entry| entry.file_name().into_string().ok())
@@ -130,5 +164,14 @@ mod tests {
         assert_eq!(listener("mapd_33c1ac61_23768.event_mgmt"), Some(23_768));
         assert_eq!(listener("mapd_33c1ac61_42_43.connection"), None);
         assert_eq!(listener("other_42.event"), None);
+    }
+
+    #[test]
+    fn names_of_queues() {
+        let domain = Domain::new("mapd_").expect("a good prefix");
+        let publisher = |name| publisher_of(&domain, name);
+        assert_eq!(publisher("mapd_b9fc73e5_42_43.connection"), Some(42));
+        assert_eq!(publisher("mapd_33c1ac61_42.event_mgmt"), None);
+        assert_eq!(publisher("other_b9fc73e5_42_43.connection"), None);
     }
 }
