@@ -36,11 +36,22 @@ pub(crate) fn rows(layout: &Layout) -> String {
     out
 }
 
-/// Accessors of the rows as they lie in an archive.
-pub(crate) fn accessors(layout: &Layout) -> String {
-    let mut out = format!("//! Reading the rows of an archive.\n{NOTE}");
-    out += "use super::rows::*;\nuse crate::table::Range;\nuse rkyv::rend;\n";
-    for table in &layout.tables {
+/// The last table of the map as it is written; those behind it hold what is derived from it or lies beside it.
+const LAST_OF_THE_NETWORK: &str = "index_leaves";
+
+/// Accessors of the rows as they lie in an archive: of the network and its index, and of everything behind.
+pub(crate) fn accessors(layout: &Layout) -> [String; 2] {
+    let last = layout.tables.iter().position(|table| table.name == LAST_OF_THE_NETWORK);
+    let (network, beside) = layout.tables.split_at(last.map_or(0, |last| last + 1));
+    [
+        accessors_of("Reading the rows of the network and its index.", network),
+        accessors_of("Reading the rows of what lies beside the network.", beside),
+    ]
+}
+
+fn accessors_of(title: &str, tables: &[Table]) -> String {
+    let mut out = String::new();
+    for table in tables {
         let Some(row) = &table.row else { continue };
         let _ = writeln!(out, "\nimpl Archived{row} {{");
         for field in table.fields.iter().filter(|f| f.name != "reserved") {
@@ -49,7 +60,13 @@ pub(crate) fn accessors(layout: &Layout) -> String {
         }
         out += "}\n";
     }
-    out
+    let mut head = format!("//! {title}\n{NOTE}use super::rows::*;\n");
+    for (used, import) in [("-> Range", "crate::table::Range"), ("rend::", "rkyv::rend")] {
+        if out.contains(used) {
+            let _ = writeln!(head, "use {import};");
+        }
+    }
+    head + &out
 }
 
 fn unit(field: &Field) -> String {

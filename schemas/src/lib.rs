@@ -32,9 +32,11 @@ pub fn outputs(root: &Path) -> Result<Vec<Output>> {
     let page = std::fs::read_to_string(&format_page)
         .with_context(|| format!("reading {}", format_page.display()))?;
     let folder = "src/archive/src/generated";
+    let [network, beside] = archive_code::accessors(&layout);
     let mut outputs = vec![
         (format!("{folder}/rows.rs"), archive_code::rows(&layout)),
-        (format!("{folder}/accessors.rs"), archive_code::accessors(&layout)),
+        (format!("{folder}/network_accessors.rs"), network),
+        (format!("{folder}/beside_accessors.rs"), beside),
         (format!("{folder}/tables.rs"), archive_code::tables(&layout)),
         ("docs/format.md".to_owned(), archive_doc::splice(&page, &layout)?),
     ];

@@ -1,5 +1,6 @@
 //! Code written from `schemas/archive.toml`.
 
-mod accessors;
+mod beside_accessors;
+mod network_accessors;
 pub(crate) mod rows;
 pub(crate) mod tables;
