@@ -336,16 +336,16 @@ impl<'a> Lane<'a> {
         step: i32,
     ) -> impl Iterator<Item = LaneId> + use<'a> {
         let (map, content) = (self.map, self.map.content());
+        let list = map.tables().lane_nodes;
         let nodes = self.row.nodes();
         // Nodes of the other way come last; they are no part of the lane's own direction.
         let ways = if self.is_bidirectional() { 2 } else { 1 };
-        let last = nodes.first.saturating_add(nodes.count / ways);
-        let list = map.tables().lane_nodes;
-        (nodes.first..last).flat_map(move |node| {
+        let own_way = Range { count: nodes.count / ways, ..nodes }.rows(list.len());
+        own_way.clone().flat_map(move |node| {
             let edges = edges_of(offsets, targets, node);
+            let own_way = own_way.clone();
             edges.iter().filter_map(move |target| {
-                let own = node.wrapping_add_signed(step) == *target
-                    && (nodes.first..last).contains(target);
+                let own = node.wrapping_add_signed(step) == *target && own_way.contains(target);
                 let row = list.get(*target as usize).filter(|_| !own)?;
                 Some(LaneId { row: row.lane(), content })
             })
