@@ -259,7 +259,11 @@ fn read(
                 collector.add_read(read, Vec::new(), &places, without);
                 continue;
             };
-            checker.item(&item);
+            match &item {
+                // What refers to its lanes and links is seen as if it were not there.
+                Item::Road(road) if without.is_bare(road.span.start) => checker.item_apart(&item),
+                _ => checker.item(&item),
+            }
             checked.append(&mut checker.take_findings());
             match item {
                 Item::Header(header) => lowering.header(&header),
@@ -282,7 +286,7 @@ fn read(
     };
     let mut late = Vec::new();
     lowering.finish_reading(&mut late);
-    links::resolve(&mut lowering, &mut late);
+    links::resolve(&mut lowering, without, &mut late);
     collector.add(late, &places);
     let mut graph = graph::Written::default();
     if !collector.is_rejected() {

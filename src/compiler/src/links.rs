@@ -2,6 +2,7 @@
 
 use crate::finding;
 use crate::lower::{Lowering, between};
+use crate::quarantine::Exclusions;
 use mapd_archive::{
     ConnectionLaneLinkRow, ConnectionRow, ContactPoint, LinkKind, NONE, RoadRow, StringTable,
 };
@@ -12,13 +13,19 @@ use std::collections::HashMap;
 type ById = HashMap<u32, u32>;
 
 /// Resolves every id and sorts the look-up tables. What is not found is named and kept as unresolved.
-pub(crate) fn resolve(lowering: &mut Lowering, findings: &mut Vec<Finding>) {
-    let roads = by_id(
+///
+/// Nothing leads to a road that is kept as its reference line alone: it has no lanes that could be entered.
+pub(crate) fn resolve(lowering: &mut Lowering, without: &Exclusions, findings: &mut Vec<Finding>) {
+    let mut roads = by_id(
         lowering.rows.roads.iter().map(|road| road.id),
         &lowering.links.road_spans,
         ("road", "mapd:compile.duplicate_road"),
         findings,
     );
+    roads.retain(|_, row| {
+        let span = lowering.links.road_spans.get(*row as usize);
+        !span.is_some_and(|span| without.is_bare(span.start))
+    });
     let junction_spans: Vec<Span> =
         lowering.links.junctions.iter().map(|junction| junction.span).collect();
     let junctions = by_id(

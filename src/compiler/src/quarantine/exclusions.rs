@@ -47,6 +47,11 @@ impl Exclusions {
         self.dropped(unit.start) || self.dropped(unit.owner)
     }
 
+    /// Whether the road that begins here is kept as its reference line alone.
+    pub(crate) fn is_bare(&self, start: u64) -> bool {
+        self.parts.get(&start).is_some_and(|part| part.treatment == Treatment::ReferenceLine)
+    }
+
     fn dropped(&self, start: u64) -> bool {
         self.parts.get(&start).is_some_and(|part| part.treatment == Treatment::Dropped)
     }
