@@ -157,7 +157,7 @@ impl Checker {
                     rule: applied.rule.id,
                     severity,
                     span,
-                    path: String::new(),
+                    path: "OpenDRIVE".to_owned(),
                     subject: "".into(),
                     message,
                     hint: String::new(),

@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [39, 14, 92, 90, 120, 103, 243, 136, 137, 149, 123, 251, 252, 84, 235, 86];
+    [117, 199, 209, 205, 187, 21, 107, 44, 178, 173, 63, 85, 88, 110, 3, 54];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -618,6 +618,7 @@ impl<'a> Tables<'a> {
             check.code("kind", row.kind(), 7)?;
             check.code("treatment", row.treatment(), 2)?;
             check.code("has_extent", row.has_extent(), 2)?;
+            check.code("owner_kind", row.owner_kind(), 7)?;
         }
         Ok(())
     }

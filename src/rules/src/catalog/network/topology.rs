@@ -143,13 +143,17 @@ fn disconnected(network: &Network, sink: &mut Sink<'_>) {
     else {
         return;
     };
+    let mut roads: BTreeMap<usize, &str> = BTreeMap::new();
+    for road in &network.roads {
+        for section in network.sections_of(road) {
+            roads.extend(parts.range(section.lanes.clone()).map(|(rank, _)| (*rank, &*road.id)));
+        }
+    }
     for (rank, count) in parts.iter().filter(|(rank, _)| **rank != largest) {
         let Some(lane) = network.lanes.get(*rank) else { continue };
-        let road = network.roads.iter().find(|road| {
-            network.sections_of(road).iter().any(|section| section.lanes.contains(rank))
-        });
-        let id = road.map_or("", |road| &*road.id);
-        let found = format_args!("a part of {count} lanes by itself, of {} parts", parts.len());
+        let id = roads.get(rank).copied().unwrap_or_default();
+        let lanes = if *count == 1 { "lane" } else { "lanes" };
+        let found = format_args!("a group of {count} {lanes} apart, one of {} groups", parts.len());
         sink.add_in(("road", id, "lanes"), lane.span, "lanes that are linked to the others", found);
     }
 }
