@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [189, 218, 11, 221, 211, 194, 236, 70, 224, 74, 245, 63, 8, 50, 220, 66];
+    [120, 130, 122, 98, 82, 141, 250, 11, 11, 25, 242, 106, 60, 34, 57, 107];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -668,6 +668,7 @@ impl<'a> Tables<'a> {
             check.code("kind", row.kind(), 7)?;
             check.code("treatment", row.treatment(), 2)?;
             check.code("has_extent", row.has_extent(), 2)?;
+            check.code("owner_kind", row.owner_kind(), 7)?;
         }
         Ok(())
     }

@@ -289,7 +289,8 @@ impl Lowering {
                 kind: part.kind.code(),
                 treatment: u8::from(part.treatment == Treatment::ReferenceLine),
                 has_extent: u8::from(part.extent.is_some()),
-                reserved: [0; 5],
+                owner_kind: part.owner_kind.code(),
+                reserved: [0; 4],
             };
             self.rows.quarantined.push(row);
         }
