@@ -104,6 +104,7 @@ pub fn all() -> Vec<GraphMap> {
     vec![
         direct_junction(),
         virtual_junction(),
+        virtual_connections(),
         left_hand_traffic(),
         ring_road(),
         roundabout(),
@@ -192,6 +193,33 @@ fn virtual_junction() -> GraphMap {
         name: "virtual junction with a side road",
         text: document(&(roads.concat() + &junction("555", attributes, &connections))),
         edges: &["1:0:-1+ > 5:0:-1+", "2:0:1- > 6:0:-1+", "5:0:-1+ > 2:0:-1+", "6:0:-1+ > 1:0:-1+"],
+    }
+}
+
+/// A side road without connecting roads (OpenDRIVE 1.5 to 1.7): into it at `successor` from s = 60 m, and out of it again.
+pub fn side_road(successor: &str) -> String {
+    let two_way = section(0.0, &lane(1, ""), &lane(-1, ""));
+    let roads = road("1", PLAIN, Line(0.0, 0.0, 0.0, 120.0, 0.0), "", &two_way)
+        + &road("2", PLAIN, Line(60.0, -3.5, -FRAC_PI_2, 50.0, 0.0), "", &two_way);
+    let end = |name: &str, place: &str| format!("<{name} elementType=\"road\" {place}/>");
+    let main = "elementId=\"1\" elementS=\"60\" elementDir=\"+\"";
+    let out = "elementId=\"2\" elementS=\"0\" elementDir=\"-\"";
+    let one_way = |id: usize, from: &str, to: &str, links: &str| {
+        let ends = end("predecessor", from) + &end("successor", to);
+        let empty = connection(&format!("id=\"{id}\" type=\"virtual\""), links);
+        empty.replace("</connection>", &(ends + "</connection>"))
+    };
+    let connections = one_way(0, main, successor, "-1>-1") + &one_way(1, out, main, "1>-1");
+    let attributes = "type=\"virtual\" mainRoad=\"1\" sStart=\"55\" sEnd=\"65\" orientation=\"+\"";
+    document(&(roads + &junction("555", attributes, &connections)))
+        .replace("revMinor=\"8\"", "revMinor=\"7\"")
+}
+
+fn virtual_connections() -> GraphMap {
+    GraphMap {
+        name: "virtual connections of a side road",
+        text: side_road("elementId=\"2\" elementS=\"0\" elementDir=\"+\""),
+        edges: &["1:0:-1+ > 2:0:-1+", "2:0:1- > 1:0:-1+"],
     }
 }
 

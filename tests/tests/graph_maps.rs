@@ -105,6 +105,33 @@ fn a_virtual_junction_cuts_nodes_but_no_lane() {
     }
 }
 
+#[test]
+fn virtual_connections_cut_nodes_where_they_attach() {
+    let snapshot = named("virtual connections of a side road");
+    let map = snapshot.map();
+    let ranges = |key: &str| {
+        let lane = map.lane_by_key(&key.parse().expect("a key")).expect("a lane");
+        lane.nodes().map(|node| node.s_range()).collect::<Vec<_>>()
+    };
+    assert_eq!(ranges("1:0:-1"), [(0.0, 60.0), (60.0, 120.0)]);
+    assert_eq!(ranges("2:0:-1"), [(0.0, 50.0)]);
+    let kinds: BTreeSet<_> =
+        map.lane_nodes().flat_map(|node| node.edges()).map(|edge| edge.kind().name()).collect();
+    assert_eq!(kinds, [EdgeKind::Within.name(), EdgeKind::Virtual.name()].into());
+    let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
+    for (from, to, length) in [
+        (("1:0:-1", 10.0), ("2:0:-1", 20.0), Some(70.0)),
+        (("2:0:1", 20.0), ("1:0:-1", 90.0), Some(50.0)),
+        (("1:0:1", 90.0), ("2:0:-1", 20.0), None),
+    ] {
+        let [from, to] = [from, to].map(|(key, s)| place(map, key, s));
+        let car = VehicleClass::PassengerCar;
+        let cost = ShortestLength::default();
+        let route = map.route(from, to, car, &cost, &mut scratch, &mut steps).expect("an answer");
+        assert_eq!(route.map(|route| route.length), length);
+    }
+}
+
 /// A broken map, the rule that must find it, how bad it is, and the tag where it stands.
 type Broken = (&'static str, String, &'static str, Severity, &'static str);
 
@@ -181,6 +208,27 @@ fn broken() -> Vec<Broken> {
             "mapd:compile.orphan_link",
             Severity::Warning,
             "<successor elementType=\"road\" elementId=\"9\"",
+        ),
+        (
+            "a virtual connection to a road that is not there",
+            side_road("elementId=\"9\" elementS=\"0\" elementDir=\"+\""),
+            "mapd:graph.no_place",
+            Severity::Warning,
+            "<successor elementType=\"road\" elementId=\"9\"",
+        ),
+        (
+            "a virtual connection behind a road's end",
+            side_road("elementId=\"2\" elementS=\"51\" elementDir=\"+\""),
+            "mapd:graph.no_place",
+            Severity::Warning,
+            "<successor elementType=\"road\" elementId=\"2\" elementS=\"51\"",
+        ),
+        (
+            "a virtual connection against the traffic",
+            side_road("elementId=\"2\" elementS=\"0\" elementDir=\"-\""),
+            "mapd:graph.direction",
+            Severity::Warning,
+            "<laneLink from=\"-1\" to=\"-1\"",
         ),
         (
             "a loop without length",

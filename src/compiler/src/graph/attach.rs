@@ -6,23 +6,24 @@
 use super::cuts::Cuts;
 use super::findings::{Problem, Problems};
 use super::nodes::{first_node, pieces};
-use super::walk::{connection_written, lane_of, written_links};
+use super::virtual_connections;
+use super::walk::{Edge, connection_written, lane_of, written_links};
 use crate::lower::Lowering;
-use mapd_archive::{ContactPoint, LinkKind, node_flags};
+use mapd_archive::{ContactPoint, EdgeKind, LinkKind, node_flags};
 use mapd_xodr::{ElementDir, LinkedElement, Span, Value as _};
 
 /// Edges over places inside a road, by the node that is left.
 #[derive(Default)]
 pub(crate) struct Attachments {
-    edges: Vec<(u32, u32, Span)>,
+    edges: Vec<Edge>,
 }
 
 /// A place inside a road, travelled through in one direction.
 #[derive(Clone, Copy)]
-struct Place {
-    road: u32,
-    s: f64,
-    forward: bool,
+pub(crate) struct Place {
+    pub(crate) road: u32,
+    pub(crate) s: f64,
+    pub(crate) forward: bool,
 }
 
 impl Attachments {
@@ -38,16 +39,21 @@ impl Attachments {
                 into_road(lowering, cuts, (junction as u32, connection), problems, &mut edges);
             }
         }
-        edges.sort_by_key(|(from, ..)| *from);
+        virtual_connections::edges(lowering, cuts, problems, &mut edges);
+        edges.sort_by_key(|edge| edge.from);
         Self { edges }
     }
 
     /// Nodes that are entered from a node over a place inside a road.
-    pub(crate) fn leaving(&self, node: u32) -> impl Iterator<Item = (u32, Span)> + '_ {
-        let from = self.edges.partition_point(|(from, ..)| *from < node);
+    pub(crate) fn leaving(&self, node: u32) -> impl Iterator<Item = Edge> + '_ {
+        let from = self.edges.partition_point(|edge| edge.from < node);
         let rest = self.edges.get(from..).unwrap_or(&[]).iter();
-        rest.take_while(move |(from, ..)| *from == node).map(|(_, to, span)| (*to, *span))
+        rest.take_while(move |edge| edge.from == node).copied()
     }
+}
+
+fn at_place(from: u32, to: u32, span: Span) -> Edge {
+    Edge { from, to, kind: EdgeKind::Virtual, span }
 }
 
 /// A road's link at one end, if it names a place inside another road.
@@ -70,7 +76,7 @@ fn out_of_road(
     cuts: &Cuts,
     (road, successor): (u32, bool),
     problems: &mut Problems,
-    edges: &mut Vec<(u32, u32, Span)>,
+    edges: &mut Vec<Edge>,
 ) {
     let Some((_, mut place)) = link_inside(lowering, road, successor) else { return };
     // Who leaves over the predecessor travels against +s of both.
@@ -86,7 +92,7 @@ fn out_of_road(
         let from = first + pieces(leaving) - 1;
         for link in written_links(lowering, lane, successor) {
             match node_at(lowering, cuts, place, link.number, true) {
-                Ok(to) => edges.push((from, to, link.span)),
+                Ok(to) => edges.push(at_place(from, to, link.span)),
                 Err(missing) => problems.add(missing.problem(from, link.number, link.span)),
             }
         }
@@ -99,7 +105,7 @@ fn into_road(
     cuts: &Cuts,
     (junction, connection): (u32, u32),
     problems: &mut Problems,
-    edges: &mut Vec<(u32, u32, Span)>,
+    edges: &mut Vec<Edge>,
 ) {
     let rows = &lowering.rows;
     let Some(row) = rows.connections.get(connection as usize) else { return };
@@ -133,14 +139,14 @@ fn into_road(
             continue;
         };
         match rows.lanes.get(lane as usize).and_then(|row| first_node(row, start)) {
-            Some(to) => edges.push((from, to, link.span)),
+            Some(to) => edges.push(at_place(from, to, link.span)),
             None => problems.add(Problem::Direction { from, lane, span: link.span }),
         }
     }
 }
 
 /// Why there is no node at a place.
-enum Missing {
+pub(crate) enum Missing {
     /// No section has a lane of that number there.
     Lane(u32),
     /// The lane travels the other way.
@@ -148,7 +154,7 @@ enum Missing {
 }
 
 impl Missing {
-    fn problem(self, from: u32, number: i32, span: Span) -> Problem {
+    pub(crate) fn problem(self, from: u32, number: i32, span: Span) -> Problem {
         match self {
             Self::Lane(section) => Problem::MissingLane { from, section, number, span },
             Self::Direction(lane) => Problem::Direction { from, lane, span },
@@ -157,7 +163,7 @@ impl Missing {
 }
 
 /// The node of a lane that begins (`entering`) or ends at a place, in its direction of travel.
-fn node_at(
+pub(crate) fn node_at(
     lowering: &Lowering,
     cuts: &Cuts,
     place: Place,

@@ -3,6 +3,7 @@
 //! All lanes of a section are cut at the same places, so that the pieces beside each other are known by their number and
 //! a change of lane is allowed over a whole piece or not at all. Cuts never show in a `LaneKey`.
 
+use super::virtual_connections;
 use crate::lower::{Lowering, between};
 use mapd_archive::{CubicRow, LaneType, Range, VehicleClass, lane_flags};
 use mapd_xodr::{ElementType, Value as _};
@@ -58,7 +59,7 @@ impl Cuts {
     }
 }
 
-/// Places on roads to which roads of virtual junctions are linked: (road row, s), sorted.
+/// Places on roads to which virtual junctions link roads and lanes: (road row, s), sorted.
 fn attachments(lowering: &Lowering) -> Vec<(u32, f64)> {
     let mut places = Vec::new();
     for (row, links) in lowering.rows.roads.iter().zip(&lowering.links.roads) {
@@ -72,6 +73,7 @@ fn attachments(lowering: &Lowering) -> Vec<(u32, f64)> {
             }
         }
     }
+    places.extend(virtual_connections::places(lowering));
     places.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
     places
 }

@@ -14,6 +14,7 @@ mod measure;
 mod nodes;
 mod permissions;
 mod report;
+mod virtual_connections;
 mod walk;
 mod zones;
 

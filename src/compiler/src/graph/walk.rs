@@ -60,9 +60,7 @@ impl Walk<'_> {
         let Some(own) = rows.lane_nodes.get(node as usize) else { return };
         let Some(row) = rows.lanes.get(own.lane as usize) else { return };
         let forward = own.flags & node_flags::FORWARD != 0;
-        for (to, span) in self.attachments.leaving(node) {
-            self.edges.push(Edge { from: node, to, kind: EdgeKind::Virtual, span });
-        }
+        self.edges.extend(self.attachments.leaving(node));
         if (node - row.nodes.first) % pieces(row) + 1 < pieces(row) {
             let span = Span::default();
             self.edges.push(Edge { from: node, to: node + 1, kind: EdgeKind::Within, span });

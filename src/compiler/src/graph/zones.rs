@@ -77,7 +77,8 @@ fn touch(stretches: &mut Vec<Stretch>, road: u32, s: f64) {
     }
 }
 
-fn road_of(lowering: &Lowering, id: &str) -> Option<u32> {
+/// The road of an id.
+pub(crate) fn road_of(lowering: &Lowering, id: &str) -> Option<u32> {
     let rows = &lowering.rows;
     let id_of = |row: &u32| {
         rows.roads.get(*row as usize).map_or(&[][..], |road| lowering.strings.bytes_of(road.id))
