@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [39, 14, 92, 90, 120, 103, 243, 136, 137, 149, 123, 251, 252, 84, 235, 86];
+    [51, 98, 128, 195, 244, 46, 230, 21, 141, 250, 62, 48, 190, 69, 56, 10];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -588,7 +588,7 @@ impl<'a> Tables<'a> {
         }
         for (i, row) in self.edges.iter().enumerate() {
             let check = Check { table: "edges", row: i };
-            check.code("kind", row.kind(), 6)?;
+            check.code("kind", row.kind(), 7)?;
         }
         for (i, row) in self.predecessors.iter().enumerate() {
             let check = Check { table: "predecessors", row: i };

@@ -3,11 +3,11 @@
 //! The main road is not cut in the file. A connecting road names it with `elementS` and `elementDir`; `+` says that +s of
 //! both roads run on into each other.
 
-use super::cuts::Cuts;
+use super::cuts::{Cuts, SHORTEST_PIECE};
 use super::findings::{Problem, Problems};
 use super::nodes::{first_node, pieces};
-use super::virtual_connections;
 use super::walk::{Edge, connection_written, lane_of, written_links};
+use super::{cross_paths, virtual_connections};
 use crate::lower::Lowering;
 use mapd_archive::{ContactPoint, EdgeKind, LinkKind, node_flags};
 use mapd_xodr::{ElementDir, LinkedElement, Span, Value as _};
@@ -39,6 +39,7 @@ impl Attachments {
                 into_road(lowering, cuts, (junction as u32, connection), problems, &mut edges);
             }
         }
+        cross_paths::edges(lowering, cuts, problems, &mut edges);
         virtual_connections::edges(lowering, cuts, problems, &mut edges);
         edges.sort_by_key(|edge| edge.from);
         Self { edges }
@@ -151,6 +152,8 @@ pub(crate) enum Missing {
     Lane(u32),
     /// The lane travels the other way.
     Direction(u32),
+    /// The road has no stretch before or behind the place.
+    Stretch,
 }
 
 impl Missing {
@@ -158,6 +161,13 @@ impl Missing {
         match self {
             Self::Lane(section) => Problem::MissingLane { from, section, number, span },
             Self::Direction(lane) => Problem::Direction { from, lane, span },
+            Self::Stretch => Problem::NoPlace {
+                path: "OpenDRIVE/junction/connection/laneLink",
+                message:
+                    "expected a place with more of the road ahead, found the road's end; not linked"
+                        .to_owned(),
+                span,
+            },
         }
     }
 }
@@ -175,8 +185,17 @@ pub(crate) fn node_at(
     let sections = range.of(&rows.sections);
     // The piece lies beyond the place towards +s just if one enters towards +s or leaves towards −s.
     let beyond = place.forward == entering;
+    let end = sections.last().map_or(0.0, |section| section.s_end);
+    if if beyond { place.s > end - SHORTEST_PIECE } else { place.s < SHORTEST_PIECE } {
+        return Err(Missing::Stretch);
+    }
+    // Nearer to a section's end than a cut may be, that end is the place.
     let after = sections.partition_point(|section| {
-        if beyond { section.s_start <= place.s } else { section.s_start < place.s }
+        if beyond {
+            section.s_start <= place.s + SHORTEST_PIECE
+        } else {
+            section.s_start <= place.s - SHORTEST_PIECE
+        }
     });
     let at = range.first + after.saturating_sub(1) as u32;
     let lane = lane_of(lowering, at, number).ok_or(Missing::Lane(at))?;
@@ -185,10 +204,8 @@ pub(crate) fn node_at(
     let offset = rows.sections.get(at as usize).map_or(0.0, |section| place.s - section.s_start);
     let offsets = cuts.of(at);
     // The cut nearest to the place; too near to an end there is none, and the whole of the next piece stands in.
-    let before =
-        offsets.partition_point(|cut| f64::from(*cut) < offset - super::cuts::SHORTEST_PIECE);
-    let through =
-        offsets.partition_point(|cut| f64::from(*cut) <= offset + super::cuts::SHORTEST_PIECE);
+    let before = offsets.partition_point(|cut| f64::from(*cut) < offset - SHORTEST_PIECE);
+    let through = offsets.partition_point(|cut| f64::from(*cut) <= offset + SHORTEST_PIECE);
     let piece = if beyond { through } else { before };
     let in_order = if place.forward { piece } else { offsets.len() - piece };
     let node = first + in_order as u32;

@@ -3,6 +3,7 @@
 mod attach;
 mod components;
 mod conflicts;
+mod cross_paths;
 mod csr;
 mod cuts;
 mod cycles;
