@@ -33,6 +33,7 @@ mod profile;
 mod quarantine;
 mod region;
 mod road;
+mod road_mark;
 mod route;
 mod section;
 mod surface;
@@ -49,14 +50,15 @@ pub use key::{LaneKey, ParseLaneKeyError};
 pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
 pub use mapd_archive::{
-    ConflictKind, ContactPoint, EdgeKind, LaneType, QuarantinedKind, RoadType, SpeedKind,
-    VehicleClass,
+    ConflictKind, ContactPoint, EdgeKind, LaneType, MarkLaneChange, QuarantinedKind, RoadMarkColor,
+    RoadMarkKind, RoadMarkRule, RoadMarkWeight, RoadType, SpeedKind, VehicleClass,
 };
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
 pub use polyline::Polyline;
 pub use quarantine::Quarantined;
 pub use region::{BoundarySegment, Region};
 pub use road::{Road, RoadLink, RoadTypeRecord};
+pub use road_mark::{RoadMark, RoadMarkLine, RoadMarkSegment};
 pub use route::{
     CostBound, Enter, LaneChangeAhead, LanePlace, LaneSequences, NextJunction, Reached, Route,
     RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime, next_lane_change,

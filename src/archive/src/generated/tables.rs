@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [51, 98, 128, 195, 244, 46, 230, 21, 141, 250, 62, 48, 190, 69, 56, 10];
+    [72, 132, 60, 77, 92, 194, 120, 106, 114, 106, 199, 194, 93, 49, 148, 101];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -74,6 +74,12 @@ pub struct Rows {
     pub grid_heights: Table<f64>,
     /// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
     pub grid_transitions: Table<GridTransitionRow>,
+    /// lane/roadMark records, by lane and s: what lies on the lane's outer border, on lane 0's own line for lane 0, until the next record of the lane.
+    pub road_marks: Table<RoadMarkRow>,
+    /// How road marks look, each once, in the order of their first use.
+    pub road_mark_styles: Table<RoadMarkStyleRow>,
+    /// Lines of road marks: of a pattern (roadMark/type/line), repeated every `length` + `space`, or explicit (roadMark/explicit/line), once.
+    pub road_mark_lines: Table<RoadMarkLineRow>,
     /// Exactly one row: what concerns the whole lane graph.
     pub graph: Table<GraphRow>,
     /// Nodes of the lane graph: a lane, or a piece of one, travelled in one direction. Lane by lane.
@@ -131,6 +137,9 @@ impl Rows {
             grid_rows: bytemuck::cast_slice(self.grid_rows.as_slice()),
             grid_heights: (self.grid_heights.as_slice()),
             grid_transitions: bytemuck::cast_slice(self.grid_transitions.as_slice()),
+            road_marks: bytemuck::cast_slice(self.road_marks.as_slice()),
+            road_mark_styles: bytemuck::cast_slice(self.road_mark_styles.as_slice()),
+            road_mark_lines: bytemuck::cast_slice(self.road_mark_lines.as_slice()),
             graph: bytemuck::cast_slice(self.graph.as_slice()),
             lane_nodes: bytemuck::cast_slice(self.lane_nodes.as_slice()),
             successor_offsets: (self.successor_offsets.as_slice()),
@@ -208,6 +217,12 @@ pub struct Tables<'a> {
     pub grid_heights: &'a [f64],
     /// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
     pub grid_transitions: &'a [ArchivedGridTransitionRow],
+    /// lane/roadMark records, by lane and s: what lies on the lane's outer border, on lane 0's own line for lane 0, until the next record of the lane.
+    pub road_marks: &'a [ArchivedRoadMarkRow],
+    /// How road marks look, each once, in the order of their first use.
+    pub road_mark_styles: &'a [ArchivedRoadMarkStyleRow],
+    /// Lines of road marks: of a pattern (roadMark/type/line), repeated every `length` + `space`, or explicit (roadMark/explicit/line), once.
+    pub road_mark_lines: &'a [ArchivedRoadMarkLineRow],
     /// Exactly one row: what concerns the whole lane graph.
     pub graph: &'a [ArchivedGraphRow],
     /// Nodes of the lane graph: a lane, or a piece of one, travelled in one direction. Lane by lane.
@@ -267,6 +282,9 @@ impl<'a> Tables<'a> {
             grid_rows: root.grid_rows.view(body, "grid_rows")?,
             grid_heights: root.grid_heights.view_numbers(body, "grid_heights")?,
             grid_transitions: root.grid_transitions.view(body, "grid_transitions")?,
+            road_marks: root.road_marks.view(body, "road_marks")?,
+            road_mark_styles: root.road_mark_styles.view(body, "road_mark_styles")?,
+            road_mark_lines: root.road_mark_lines.view(body, "road_mark_lines")?,
             graph: root.graph.view(body, "graph")?,
             lane_nodes: root.lane_nodes.view(body, "lane_nodes")?,
             successor_offsets: root.successor_offsets.view_numbers(body, "successor_offsets")?,
@@ -284,7 +302,7 @@ impl<'a> Tables<'a> {
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 40] {
+    pub fn infos(&self) -> [TableInfo; 43] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -315,6 +333,9 @@ impl<'a> Tables<'a> {
             TableInfo::of("grid_rows", self.grid_rows),
             TableInfo::of("grid_heights", self.grid_heights),
             TableInfo::of("grid_transitions", self.grid_transitions),
+            TableInfo::of("road_marks", self.road_marks),
+            TableInfo::of("road_mark_styles", self.road_mark_styles),
+            TableInfo::of("road_mark_lines", self.road_mark_lines),
             TableInfo::of("graph", self.graph),
             TableInfo::of("lane_nodes", self.lane_nodes),
             TableInfo::of("successor_offsets", self.successor_offsets),
@@ -565,6 +586,35 @@ impl<'a> Tables<'a> {
             check.finite("end_x", row.end_x())?;
             check.finite("end_y", row.end_y())?;
             check.finite("length", row.length())?;
+        }
+        for (i, row) in self.road_marks.iter().enumerate() {
+            let check = Check { table: "road_marks", row: i };
+            check.finite("s", row.s())?;
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+            check.reference("style", row.style(), self.road_mark_styles.len(), false)?;
+        }
+        for (i, row) in self.road_mark_styles.iter().enumerate() {
+            let check = Check { table: "road_mark_styles", row: i };
+            check.finite("width", row.width())?;
+            check.finite("height", row.height())?;
+            check.reference("material", row.material(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.range("lines", row.lines(), self.road_mark_lines.len())?;
+            check.range("sway", row.sway(), self.cubics.len())?;
+            check.code("kind", row.kind(), 13)?;
+            check.code("weight", row.weight(), 3)?;
+            check.code("color", row.color(), 10)?;
+            check.code("lane_change", row.lane_change(), 5)?;
+        }
+        for (i, row) in self.road_mark_lines.iter().enumerate() {
+            let check = Check { table: "road_mark_lines", row: i };
+            check.finite("length", row.length())?;
+            check.finite("space", row.space())?;
+            check.finite("t_offset", row.t_offset())?;
+            check.finite("s_offset", row.s_offset())?;
+            check.finite("width", row.width())?;
+            check.code("rule", row.rule(), 4)?;
+            check.code("color", row.color(), 10)?;
         }
         for (i, row) in self.graph.iter().enumerate() {
             let check = Check { table: "graph", row: i };

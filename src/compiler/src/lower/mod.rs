@@ -1,6 +1,7 @@
 //! One element after the other, from what the file says to flat rows.
 
 mod grid;
+mod marks;
 mod need;
 mod reference_line;
 mod sections;
@@ -58,6 +59,7 @@ pub(crate) struct Lowering {
     pub(crate) strings: StringTable,
     pub(crate) links: Links,
     pub(crate) permissions: Permissions,
+    styles: marks::Styles,
     map: Option<MapRow>,
 }
 

@@ -234,6 +234,7 @@ impl Lowering {
     ) {
         let section_s = side.s;
         self.lane_surface(lane.height, lane.material, section_s, road, findings);
+        self.lane_marks(lane.road_mark, section_s, road, findings);
         // Width and border both present: width wins (OpenDRIVE 1.8.1, 11.6.2).
         let by_border = lane.width.is_empty() && !lane.border.is_empty();
         let widths = if lane.id == 0 {
