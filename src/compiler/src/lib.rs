@@ -233,6 +233,7 @@ impl Document {
             self.collector.add(long, &self.places);
             return Ok(None);
         }
+        progress(Progress::Graph { nodes: rows.lane_nodes.len() });
         let findings = graph::complete(&mut rows, &self.graph, options);
         self.collector.add(findings, &self.places);
         Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
@@ -292,6 +293,7 @@ fn read(
         let stated = reader.stated_version().to_owned();
         (places, Version { stated, checked: reader.checked_version() })
     };
+    progress(Progress::Linking { roads: lowering.roads() });
     let mut late = Vec::new();
     lowering.finish_reading(&mut late);
     links::resolve(&mut lowering, without, &mut late);

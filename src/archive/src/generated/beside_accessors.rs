@@ -449,7 +449,7 @@ impl ArchivedEdgeRow {
     pub fn file(&self) -> u16 {
         self.file.to_native()
     }
-    /// 0 within a lane, 1 link inside a road, 2 link over a road's end, 3 lane link of a connection, 4 implied by a connection without lane links, 5 at a virtual junction.
+    /// 0 within a lane, 1 link inside a road, 2 link over a road's end, 3 lane link of a connection, 4 implied by a connection without lane links, 5 at a virtual junction, 6 end of a path across a road.
     #[inline]
     pub fn kind(&self) -> u8 {
         self.kind

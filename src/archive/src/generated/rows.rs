@@ -220,7 +220,7 @@ pub struct LaneRow {
     pub number: i32,
     /// Lane type code.
     pub kind: u8,
-    /// 1 travels towards +s, 2 level, 4 `widths` hold borders, 8 also travels the other way.
+    /// 1 travels towards +s, 2 level, 4 `widths` hold borders, 8 also travels the other way, 16 for walking alone: walked both ways.
     pub flags: u8,
     /// Sections of the road since the one that the lane is written in: not 0 where it goes on beside a section of the other side alone.
     pub continues: u16,
@@ -661,7 +661,7 @@ pub struct EdgeRow {
     pub column: u32,
     /// 0 for the document itself, else the number of the included file.
     pub file: u16,
-    /// 0 within a lane, 1 link inside a road, 2 link over a road's end, 3 lane link of a connection, 4 implied by a connection without lane links, 5 at a virtual junction.
+    /// 0 within a lane, 1 link inside a road, 2 link over a road's end, 3 lane link of a connection, 4 implied by a connection without lane links, 5 at a virtual junction, 6 end of a path across a road.
     pub kind: u8,
     /// 1 closes a loop: without these edges the graph has no cycle.
     pub flags: u8,

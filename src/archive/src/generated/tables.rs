@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [120, 130, 122, 98, 82, 141, 250, 11, 11, 25, 242, 106, 60, 34, 57, 107];
+    [165, 9, 68, 158, 43, 18, 100, 50, 64, 117, 56, 15, 55, 190, 238, 203];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -638,7 +638,7 @@ impl<'a> Tables<'a> {
         }
         for (i, row) in self.edges.iter().enumerate() {
             let check = Check { table: "edges", row: i };
-            check.code("kind", row.kind(), 6)?;
+            check.code("kind", row.kind(), 7)?;
         }
         for (i, row) in self.predecessors.iter().enumerate() {
             let check = Check { table: "predecessors", row: i };
