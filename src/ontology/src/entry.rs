@@ -56,7 +56,7 @@ impl Ready {
             subtype: entry.subtype.as_deref().map(Pattern::new),
             name: entry.name.as_deref().map(Pattern::new),
             class,
-            sources: sources(&entry.value, file)?,
+            sources: sources(entry, file)?,
             unit: unit.cloned(),
             light,
         })

@@ -1,6 +1,6 @@
 //! Values: where they are written, and in what unit.
 
-use crate::file::{File, Wrong};
+use crate::file::{Entry, File, Wrong};
 use std::collections::HashMap;
 
 /// What a number is multiplied with to be in SI units (m/s, m, kg). Units as in OpenDRIVE 1.4 to 1.9 (e_unit).
@@ -24,18 +24,18 @@ pub(crate) enum Source {
     Written(Option<HashMap<String, f64>>),
     /// The subtype, likewise.
     Subtype(Option<HashMap<String, f64>>),
-    /// The last number in the name.
-    Name,
+    /// The number behind the text of this pattern in the name.
+    Name(String),
     /// A number.
     Fixed(f64),
 }
 
-/// Reads `written subtype:speed 30`.
-pub(crate) fn sources(text: &str, file: &File) -> Result<Vec<Source>, Wrong> {
-    text.split_whitespace().map(|word| source(word, file)).collect()
+/// Reads `written subtype:speed 30` of an entry.
+pub(crate) fn sources(entry: &Entry, file: &File) -> Result<Vec<Source>, Wrong> {
+    entry.value.split_whitespace().map(|word| source(word, entry, file)).collect()
 }
 
-fn source(word: &str, file: &File) -> Result<Source, Wrong> {
+fn source(word: &str, entry: &Entry, file: &File) -> Result<Source, Wrong> {
     let (from, table) = match word.split_once(':') {
         Some((from, name)) => {
             let table = file.tables.get(name).ok_or_else(|| Wrong::Table(name.to_owned()))?;
@@ -46,7 +46,7 @@ fn source(word: &str, file: &File) -> Result<Source, Wrong> {
     match (from, table) {
         ("written", table) => Ok(Source::Written(table)),
         ("subtype", table) => Ok(Source::Subtype(table)),
-        ("name", None) => Ok(Source::Name),
+        ("name", None) => Ok(Source::Name(entry.name.clone().unwrap_or_default())),
         (number, None) => {
             let number = number.parse().map_err(|_| Wrong::Word(number.to_owned()))?;
             Ok(Source::Fixed(number))
@@ -69,18 +69,20 @@ impl Source {
             }
             Self::Subtype(Some(table)) => *table.get(subtype)?,
             Self::Subtype(None) => subtype.parse().ok()?,
-            Self::Name => number_in(name)?,
+            Self::Name(pattern) => number_in(name, pattern)?,
             Self::Fixed(value) => *value,
         };
         (value.is_finite() && value > 0.0).then_some(value)
     }
 }
 
-/// The first whole number in a text that no other number's letters join: `speed_30_2` gives 30, `de_274-50` 50 after the dash.
-fn number_in(name: &str) -> Option<f64> {
-    let text = name.rsplit_once('-').map_or(name, |(_, after)| after);
-    let digits = text.split(|c: char| !c.is_ascii_digit()).find(|part| !part.is_empty())?;
-    digits.parse().ok()
+/// The whole number behind the longest text of the pattern that the name fits: `Speed_*` reads 30 from `Speed_30_2`.
+fn number_in(name: &str, pattern: &str) -> Option<f64> {
+    let (name, pattern) = (name.to_lowercase(), pattern.to_lowercase());
+    let text = pattern.split(['*', '?']).max_by_key(|part| part.len())?;
+    let behind = name.get(name.find(text)? + text.len()..)?;
+    let end = behind.find(|c: char| !c.is_ascii_digit()).unwrap_or(behind.len());
+    behind.get(..end)?.parse().ok()
 }
 
 #[cfg(test)]
@@ -89,13 +91,14 @@ mod tests {
 
     #[test]
     fn numbers_in_names() {
-        for (name, expected) in [
-            ("Speed_30", Some(30.0)),
-            ("speed_50_4", Some(50.0)),
-            ("de_274-50", Some(50.0)),
-            ("stop", None),
+        for (name, pattern, expected) in [
+            ("Speed_30", "Speed_*", Some(30.0)),
+            ("speed_50_4", "Speed_*", Some(50.0)),
+            ("de_274-50", "de_274-*", Some(50.0)),
+            ("Plan_1_3_Signs_SpeedLimit25_Inner", "*_SpeedLimit*", Some(25.0)),
+            ("Speed_", "Speed_*", None),
         ] {
-            assert_eq!(number_in(name), expected, "{name}");
+            assert_eq!(number_in(name, pattern), expected, "{name}");
         }
     }
 }

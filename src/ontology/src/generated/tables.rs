@@ -767,6 +767,7 @@ signals = [
   { name = "Signal_5Light*", class = "traffic_light", light = "three_direct", arrows = ["left", "straight"] },
   { name = "Signal_Pedestrian*", class = "pedestrian_light", light = "walk" },
   { name = "Speed_*", class = "speed_limit", value = "name", unit = "mph" },
+  { name = "*_Signs_SpeedLimit*", class = "speed_limit", value = "name", unit = "mph" },
   { name = "*_Signs_RoadWorkAhead*", class = "warning_road_works" },
   { name = "*_Signs_*ReverseCurve*", class = "warning_curve" },
   { name = "*Sign_RoadWork*", class = "warning_road_works" },
