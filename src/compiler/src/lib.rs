@@ -30,6 +30,7 @@ mod origin;
 mod quarantine;
 mod report;
 mod rounds;
+mod signals;
 
 pub use options::{CompileOptions, CyclePolicy, OptionsError};
 pub use quarantine::{OnError, PartKind, Policy, QuarantinedPart, Treatment};
@@ -207,6 +208,8 @@ struct Document {
     lowering: Lowering,
     /// What the file says about the lane graph.
     graph: graph::Written,
+    /// What the file says about signals.
+    signals: signals::Resolved,
     collector: Collector,
     places: Places,
     provenance: Provenance,
@@ -234,6 +237,8 @@ impl Document {
         }
         let findings = graph::complete(&mut rows, &self.graph, options);
         self.collector.add(findings, &self.places);
+        let findings = signals::complete(&mut rows, &self.signals);
+        self.collector.add(findings, &self.places);
         Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
     }
 }
@@ -246,7 +251,7 @@ fn read(
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Document> {
     let mut hashing = HashingReader::new(input);
-    let mut lowering = Lowering::default();
+    let mut lowering = Lowering::new(reading.ontology.clone());
     let mut collector = Collector::default();
     let mut quarantined = Vec::new();
     let (places, version) = {
@@ -277,6 +282,8 @@ fn read(
                     let position = reader.position(junction.span.start);
                     lowering.junction(*junction, position, &mut checked);
                 }
+                Item::Controller(controller) => lowering.controller(&controller),
+                Item::VmsGroup(group) => lowering.board_group(&group),
                 _ => {}
             }
             collector.add_read(read, std::mem::take(&mut checked), &places, without);
@@ -290,6 +297,7 @@ fn read(
     let mut late = Vec::new();
     lowering.finish_reading(&mut late);
     links::resolve(&mut lowering, &mut late);
+    let signals = signals::resolve(&mut lowering, &places, &mut late);
     collector.add(late, &places);
     let mut graph = graph::Written::default();
     if !collector.is_rejected() {
@@ -303,7 +311,7 @@ fn read(
         compiler_version: crate::version(),
     };
     lowering.quarantine(&quarantined);
-    Ok(Document { lowering, graph, collector, places, provenance, version, quarantined })
+    Ok(Document { lowering, graph, signals, collector, places, provenance, version, quarantined })
 }
 
 /// The files that the document included, in the order in which it did.

@@ -35,6 +35,7 @@ mod region;
 mod road;
 mod route;
 mod section;
+mod signals;
 mod surface;
 mod types;
 mod waypoints;
@@ -42,15 +43,15 @@ mod waypoints;
 pub use error::QueryError;
 pub use glam;
 pub use graph::{Conflict, LaneEdge, LaneNode};
-pub use ids::{JunctionId, LaneId, LaneSectionId, NodeId, RoadId};
+pub use ids::{ControllerId, JunctionId, LaneId, LaneSectionId, NodeId, RoadId, SignalId};
 pub use index::{SegmentHit, nearest_segment};
 pub use junction::{Connection, Junction};
 pub use key::{LaneKey, ParseLaneKeyError};
 pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
 pub use mapd_archive::{
-    ConflictKind, ContactPoint, EdgeKind, LaneType, QuarantinedKind, RoadType, SpeedKind,
-    VehicleClass,
+    Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind, LaneMethod, LaneType, Orientation,
+    QuarantinedKind, Relation, RelationReason, RoadType, SignalPosition, SpeedKind, VehicleClass,
 };
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
 pub use polyline::Polyline;
@@ -62,6 +63,10 @@ pub use route::{
     RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime, next_lane_change,
 };
 pub use section::LaneSection;
+pub use signals::{
+    Controller, JunctionController, LaneSignal, LightStates, RightOfWay, Signal, SignalAhead,
+    SignalLink, SignalPlace, SignalSemantics, SignalsAhead, SpeedOrigin, SpeedRule, Turn,
+};
 pub use surface::{Material, Surface};
 pub use types::{LaneEdges, LanePosition, Point, Pose, Track, TrackPosition};
 pub use waypoints::Waypoint;
