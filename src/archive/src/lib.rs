@@ -34,6 +34,7 @@ mod error;
 mod generated;
 mod graph_codes;
 mod header;
+mod object_codes;
 mod open;
 mod strings;
 mod table;
@@ -48,6 +49,9 @@ pub use error::{OpenError, VerifyError, WriteError};
 pub use generated::{rows::*, tables::*};
 pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_flags};
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
+pub use object_codes::{
+    AttachMethod, ObjectShape, Orientation, OutlineFill, copy_flags, object_flags, outline_flags,
+};
 pub use open::{Archive, open, string};
 pub use strings::StringTable;
 pub use table::{ArchivedRange, ArchivedTable, Range, Table, TableInfo};

@@ -25,6 +25,7 @@ mod index;
 mod lanes;
 mod links;
 mod lower;
+mod objects;
 mod options;
 mod origin;
 mod quarantine;
@@ -36,11 +37,11 @@ pub use quarantine::{OnError, PartKind, Policy, QuarantinedPart, Treatment};
 pub use report::{Compilation, Diagnostic, Progress, Verdict, Version};
 
 use hashing::HashingReader;
-use lower::Lowering;
+use lower::{Lowering, Owner};
 use mapd_archive::{NONE, Provenance, Rows};
 use mapd_rules::Checker;
 use mapd_xodr::source::{Inputs, Places};
-use mapd_xodr::{Finding, Item, Limits, Reader, Severity};
+use mapd_xodr::{Finding, Item, Limits, Reader, Severity, Span, Text as _};
 use quarantine::{Exclusions, Units};
 use report::Collector;
 use std::io::{self, Read};
@@ -218,8 +219,9 @@ impl Document {
         if self.collector.is_rejected() {
             return Ok(None);
         }
-        let lowering = std::mem::take(&mut self.lowering);
+        let mut lowering = std::mem::take(&mut self.lowering);
         progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
+        let written = std::mem::take(&mut lowering.objects);
         let mut rows = lowering.into_rows(options);
         if let Err(error) = lanes::sample(&mut rows, options) {
             self.collector.add(vec![too_large(&error)], &self.places);
@@ -227,6 +229,10 @@ impl Document {
         }
         let findings = graph::complete(&mut rows, &self.graph, options);
         self.collector.add(findings, &self.places);
+        match objects::build(&mut rows, written, options) {
+            Ok(findings) => self.collector.add(findings, &self.places),
+            Err(error) => self.collector.add(vec![too_large(&error)], &self.places),
+        }
         Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
     }
 }
@@ -264,9 +270,20 @@ fn read(
             match item {
                 Item::Header(header) => lowering.header(&header),
                 Item::Road(road) => {
+                    let number = lowering.rows.roads.len();
                     lowering.road(&road, reader.position(road.span.start), &mut checked);
+                    if let Some(objects) = road.objects.as_deref()
+                        && lowering.rows.roads.len() > number
+                    {
+                        let owner = Owner::Road(number as u32, road.id.text());
+                        let position = |span: Span| reader.position(span.start);
+                        lowering.objects(owner, objects, position, &mut checked);
+                    }
                 }
                 Item::Junction(junction) => {
+                    let number = lowering.rows.junctions.len();
+                    let position = |span: Span| reader.position(span.start);
+                    lowering.junction_objects(&junction, number as u32, position, &mut checked);
                     let position = reader.position(junction.span.start);
                     lowering.junction(*junction, position, &mut checked);
                 }

@@ -40,4 +40,6 @@ ids! {
     JunctionId;
     /// A node of the lane graph.
     NodeId;
+    /// An object.
+    ObjectId;
 }

@@ -1,6 +1,6 @@
 //! What planners and localisers ask of an HD map, answered in place on a borrowed mapd archive.
 //!
-//! [`Map`] is a small `Copy` view; [`Road`], [`LaneSection`], [`Lane`] and [`Junction`] are cursors into it.
+//! [`Map`] is a small `Copy` view; [`Road`], [`LaneSection`], [`Lane`], [`Junction`] and [`Object`] are cursors into it.
 //!
 //! Invariants: a query never allocates, locks, prints, panics or does I/O, also on a damaged archive; there is no global
 //! state; the compiler evaluates geometry through the same functions, bit for bit. Deliberately absent: how the bytes
@@ -28,6 +28,7 @@ mod lane_length;
 mod map;
 mod near;
 mod nearest;
+mod objects;
 mod polyline;
 mod profile;
 mod quarantine;
@@ -42,17 +43,18 @@ mod waypoints;
 pub use error::QueryError;
 pub use glam;
 pub use graph::{Conflict, LaneEdge, LaneNode};
-pub use ids::{JunctionId, LaneId, LaneSectionId, NodeId, RoadId};
+pub use ids::{JunctionId, LaneId, LaneSectionId, NodeId, ObjectId, RoadId};
 pub use index::{SegmentHit, nearest_segment};
 pub use junction::{Connection, Junction};
 pub use key::{LaneKey, ParseLaneKeyError};
 pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
 pub use mapd_archive::{
-    ConflictKind, ContactPoint, EdgeKind, LaneType, QuarantinedKind, RoadType, SpeedKind,
-    VehicleClass,
+    AttachMethod, ConflictKind, ContactPoint, EdgeKind, LaneType, ObjectShape, Orientation,
+    OutlineFill, QuarantinedKind, RoadType, SpeedKind, VehicleClass,
 };
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
+pub use objects::{Object, ObjectOutline, ObjectPlacement, PlacementId};
 pub use polyline::Polyline;
 pub use quarantine::Quarantined;
 pub use region::{BoundarySegment, Region};

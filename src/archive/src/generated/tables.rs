@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [39, 14, 92, 90, 120, 103, 243, 136, 137, 149, 123, 251, 252, 84, 235, 86];
+    [12, 11, 47, 98, 190, 190, 220, 99, 188, 20, 181, 122, 239, 196, 129, 54];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -96,6 +96,22 @@ pub struct Rows {
     pub landmark_times: Table<u16>,
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: Table<QuarantinedRow>,
+    /// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
+    pub objects: Table<ObjectRow>,
+    /// Outlines of objects, and of what a continuous repetition sweeps over.
+    pub object_outlines: Table<ObjectOutlineRow>,
+    /// Corners in the frame of the object or copy that they belong to: u ahead, v to the left, z upwards.
+    pub object_points: Table<ObjectPointRow>,
+    /// Places of repeated objects, object by object, in the order of the repetitions and of s.
+    pub object_copies: Table<ObjectCopyRow>,
+    /// validity elements: lane numbers from the lower to the higher one.
+    pub lane_ranges: Table<LaneRangeRow>,
+    /// Which lanes objects belong to, object by object, nearer lanes first.
+    pub object_lanes: Table<ObjectLaneRow>,
+    /// Rows of `object_lanes` by lane, then by where they begin: what belongs to a lane.
+    pub lane_objects: Table<u32>,
+    /// Rows of `objects` in byte order of their ids.
+    pub objects_by_id: Table<u32>,
 }
 
 impl Rows {
@@ -142,6 +158,14 @@ impl Rows {
             landmark_lengths: (self.landmark_lengths.as_slice()),
             landmark_times: (self.landmark_times.as_slice()),
             quarantined: bytemuck::cast_slice(self.quarantined.as_slice()),
+            objects: bytemuck::cast_slice(self.objects.as_slice()),
+            object_outlines: bytemuck::cast_slice(self.object_outlines.as_slice()),
+            object_points: bytemuck::cast_slice(self.object_points.as_slice()),
+            object_copies: bytemuck::cast_slice(self.object_copies.as_slice()),
+            lane_ranges: bytemuck::cast_slice(self.lane_ranges.as_slice()),
+            object_lanes: bytemuck::cast_slice(self.object_lanes.as_slice()),
+            lane_objects: (self.lane_objects.as_slice()),
+            objects_by_id: (self.objects_by_id.as_slice()),
         }
     }
 }
@@ -230,6 +254,22 @@ pub struct Tables<'a> {
     pub landmark_times: &'a [u16],
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: &'a [ArchivedQuarantinedRow],
+    /// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
+    pub objects: &'a [ArchivedObjectRow],
+    /// Outlines of objects, and of what a continuous repetition sweeps over.
+    pub object_outlines: &'a [ArchivedObjectOutlineRow],
+    /// Corners in the frame of the object or copy that they belong to: u ahead, v to the left, z upwards.
+    pub object_points: &'a [ArchivedObjectPointRow],
+    /// Places of repeated objects, object by object, in the order of the repetitions and of s.
+    pub object_copies: &'a [ArchivedObjectCopyRow],
+    /// validity elements: lane numbers from the lower to the higher one.
+    pub lane_ranges: &'a [ArchivedLaneRangeRow],
+    /// Which lanes objects belong to, object by object, nearer lanes first.
+    pub object_lanes: &'a [ArchivedObjectLaneRow],
+    /// Rows of `object_lanes` by lane, then by where they begin: what belongs to a lane.
+    pub lane_objects: &'a [u32],
+    /// Rows of `objects` in byte order of their ids.
+    pub objects_by_id: &'a [u32],
 }
 
 impl<'a> Tables<'a> {
@@ -280,11 +320,19 @@ impl<'a> Tables<'a> {
             landmark_lengths: root.landmark_lengths.view_numbers(body, "landmark_lengths")?,
             landmark_times: root.landmark_times.view_numbers(body, "landmark_times")?,
             quarantined: root.quarantined.view(body, "quarantined")?,
+            objects: root.objects.view(body, "objects")?,
+            object_outlines: root.object_outlines.view(body, "object_outlines")?,
+            object_points: root.object_points.view(body, "object_points")?,
+            object_copies: root.object_copies.view(body, "object_copies")?,
+            lane_ranges: root.lane_ranges.view(body, "lane_ranges")?,
+            object_lanes: root.object_lanes.view(body, "object_lanes")?,
+            lane_objects: root.lane_objects.view_numbers(body, "lane_objects")?,
+            objects_by_id: root.objects_by_id.view_numbers(body, "objects_by_id")?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 40] {
+    pub fn infos(&self) -> [TableInfo; 48] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -326,6 +374,14 @@ impl<'a> Tables<'a> {
             TableInfo::of("landmark_lengths", self.landmark_lengths),
             TableInfo::of("landmark_times", self.landmark_times),
             TableInfo::of("quarantined", self.quarantined),
+            TableInfo::of("objects", self.objects),
+            TableInfo::of("object_outlines", self.object_outlines),
+            TableInfo::of("object_points", self.object_points),
+            TableInfo::of("object_copies", self.object_copies),
+            TableInfo::of("lane_ranges", self.lane_ranges),
+            TableInfo::of("object_lanes", self.object_lanes),
+            TableInfo::of("lane_objects", self.lane_objects),
+            TableInfo::of("objects_by_id", self.objects_by_id),
         ]
     }
 
@@ -619,6 +675,82 @@ impl<'a> Tables<'a> {
             check.code("treatment", row.treatment(), 2)?;
             check.code("has_extent", row.has_extent(), 2)?;
         }
+        for (i, row) in self.objects.iter().enumerate() {
+            let check = Check { table: "objects", row: i };
+            check.finite("x", row.x())?;
+            check.finite("y", row.y())?;
+            check.finite("z", row.z())?;
+            check.finite("s", row.s())?;
+            check.finite("t", row.t())?;
+            check.finite("heading", row.heading())?;
+            check.finite("pitch", f64::from(row.pitch()))?;
+            check.finite("roll", f64::from(row.roll()))?;
+            check.finite("z_offset", f64::from(row.z_offset()))?;
+            check.finite("length", f64::from(row.length()))?;
+            check.finite("width", f64::from(row.width()))?;
+            check.finite("height", f64::from(row.height()))?;
+            check.finite("radius", f64::from(row.radius()))?;
+            check.finite("valid_length", f64::from(row.valid_length()))?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("kind", row.kind(), strings, false)?;
+            check.reference("subtype", row.subtype(), strings, false)?;
+            check.reference("road", row.road(), self.roads.len(), true)?;
+            check.reference("junction", row.junction(), self.junctions.len(), true)?;
+            check.range("outlines", row.outlines(), self.object_outlines.len())?;
+            check.range("copies", row.copies(), self.object_copies.len())?;
+            check.range("lanes", row.lanes(), self.object_lanes.len())?;
+            check.range("validities", row.validities(), self.lane_ranges.len())?;
+            check.code("shape", row.shape(), 4)?;
+            check.code("orientation", row.orientation(), 3)?;
+        }
+        for (i, row) in self.object_outlines.iter().enumerate() {
+            let check = Check { table: "object_outlines", row: i };
+            check.range("points", row.points(), self.object_points.len())?;
+            check.code("fill", row.fill(), 9)?;
+        }
+        for (i, row) in self.object_points.iter().enumerate() {
+            let check = Check { table: "object_points", row: i };
+            check.finite("u", f64::from(row.u()))?;
+            check.finite("v", f64::from(row.v()))?;
+            check.finite("z", f64::from(row.z()))?;
+            check.finite("height", f64::from(row.height()))?;
+        }
+        for (i, row) in self.object_copies.iter().enumerate() {
+            let check = Check { table: "object_copies", row: i };
+            check.finite("x", row.x())?;
+            check.finite("y", row.y())?;
+            check.finite("z", row.z())?;
+            check.finite("s", row.s())?;
+            check.finite("t", row.t())?;
+            check.finite("heading", row.heading())?;
+            check.finite("pitch", f64::from(row.pitch()))?;
+            check.finite("roll", f64::from(row.roll()))?;
+            check.finite("length", f64::from(row.length()))?;
+            check.finite("width", f64::from(row.width()))?;
+            check.finite("height", f64::from(row.height()))?;
+            check.finite("radius", f64::from(row.radius()))?;
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.range("outlines", row.outlines(), self.object_outlines.len())?;
+            check.code("shape", row.shape(), 4)?;
+        }
+        for (i, row) in self.object_lanes.iter().enumerate() {
+            let check = Check { table: "object_lanes", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+            check.finite("s_from", f64::from(row.s_from()))?;
+            check.finite("s_to", f64::from(row.s_to()))?;
+            check.finite("distance", f64::from(row.distance()))?;
+            check.code("method", row.method(), 3)?;
+        }
+        for (i, row) in self.lane_objects.iter().enumerate() {
+            let check = Check { table: "lane_objects", row: i };
+            check.reference("", *row, self.object_lanes.len(), false)?;
+        }
+        for (i, row) in self.objects_by_id.iter().enumerate() {
+            let check = Check { table: "objects_by_id", row: i };
+            check.reference("", *row, self.objects.len(), false)?;
+        }
         Ok(())
     }
 }
@@ -636,3 +768,5 @@ const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());

@@ -2,11 +2,15 @@
 
 mod grid;
 mod need;
+mod object_outlines;
+mod object_repeats;
+mod objects;
 mod reference_line;
 mod sections;
 mod surface;
 
 use crate::graph::Permissions;
+use crate::objects::written::Objects;
 use crate::options::CompileOptions;
 use crate::quarantine::{QuarantinedPart, Treatment};
 use crate::{finding, origin};
@@ -20,6 +24,7 @@ use mapd_xodr::{
     SpeedLimit, Text as _, TrafficRule, UnitSpeed, Value as _,
 };
 pub(crate) use need::{Part, UNUSABLE};
+pub(crate) use objects::Owner;
 
 /// Value of `road/@junction` that means none.
 const NO_JUNCTION: &str = "-1";
@@ -58,6 +63,7 @@ pub(crate) struct Lowering {
     pub(crate) strings: StringTable,
     pub(crate) links: Links,
     pub(crate) permissions: Permissions,
+    pub(crate) objects: Objects,
     map: Option<MapRow>,
 }
 
