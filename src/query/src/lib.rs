@@ -54,7 +54,7 @@ pub use mapd_archive::{
     OutlineFill, QuarantinedKind, RoadType, SpeedKind, VehicleClass,
 };
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
-pub use objects::{Object, ObjectOutline, ObjectPlacement, PlacementId};
+pub use objects::{Object, ObjectLane, ObjectOutline, ObjectPlacement, PlacementId};
 pub use polyline::Polyline;
 pub use quarantine::Quarantined;
 pub use region::{BoundarySegment, Region};

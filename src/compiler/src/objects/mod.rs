@@ -1,9 +1,12 @@
 //! Places objects (docs/objects.md): their origins, axes and shapes in space, by the functions that queries use.
 
+mod attach;
 mod line;
+mod near_lanes;
 mod outline;
 mod place;
 mod repeat;
+mod track_area;
 pub(crate) mod written;
 
 use crate::TooLarge;
@@ -81,7 +84,22 @@ pub(crate) fn build(
             append(rows, object, placed, &mut copies_left, &mut findings)?;
         }
     }
+    if rows.objects.is_empty() {
+        return Ok(findings);
+    }
     rows.objects_by_id = by_id(rows).into();
+    let unattached = attach::attach(rows, &[])?;
+    let archive = view(rows);
+    let map = Map::new(&archive, 0);
+    findings.extend(unattached.iter().filter_map(|number| {
+        let object = written.objects.get(*number)?;
+        let message = format!(
+            "no lane that it may belong to lies within {} m; it stays with its road alone",
+            attach::REACH
+        );
+        let finding = finding(map, object, object.span, Severity::Info, message);
+        Some(Finding { rule: "mapd:compile.object_lane", ..finding })
+    }));
     Ok(findings)
 }
 

@@ -44,6 +44,22 @@ impl<'a> ObjectPlacement<'a> {
         [at(u, -v), at(u, v), at(-u, v), at(-u, -v)]
     }
 
+    /// Points along the edge of the area, at most `step` `[m]` apart but for no more than `most` of them, and its origin:
+    /// enough to see what it lies on. `out` is emptied first.
+    pub fn probes(&self, step: f64, most: usize, out: &mut Vec<DVec2>) {
+        out.clear();
+        if self.shape() != ObjectShape::Outlines {
+            out.push(self.position().truncate());
+        }
+        let mut around = 0.0;
+        self.edges(|a, b, _| around += a.distance(b));
+        let step = step.max(around / most.max(1) as f64);
+        self.edges(|a, b, _| {
+            let parts = (a.distance(b) / step).ceil().max(1.0) as u32;
+            out.extend((0..parts).map(|i| a.lerp(b, f64::from(i) / f64::from(parts))));
+        });
+    }
+
     /// Every edge of the outlines or box, in plan view; whether it belongs to something that encloses an area.
     fn edges(&self, mut visit: impl FnMut(DVec2, DVec2, bool)) {
         if self.shape() == ObjectShape::Box {

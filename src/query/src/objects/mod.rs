@@ -1,10 +1,12 @@
 //! Objects beside and on the road (docs/objects.md).
 
 mod footprint;
+mod lanes;
 mod object;
 mod outline;
 mod placement;
 
+pub use lanes::ObjectLane;
 pub use object::Object;
 pub use outline::ObjectOutline;
 pub use placement::{ObjectPlacement, PlacementId};
