@@ -15,6 +15,7 @@
 mod archive;
 mod archive_code;
 mod archive_doc;
+mod ontology;
 pub mod opendrive;
 
 use anyhow::{Context, Result};
@@ -40,6 +41,7 @@ pub fn outputs(root: &Path) -> Result<Vec<Output>> {
         (format!("{folder}/tables.rs"), archive_code::tables(&layout)),
         ("docs/format.md".to_owned(), archive_doc::splice(&page, &layout)?),
     ];
+    outputs.extend(ontology::outputs(root)?);
     let table = opendrive::Table::read(&root.join("schemas/opendrive"))?;
     outputs.extend(opendrive::outputs(&table)?);
     Ok(outputs)

@@ -46,7 +46,11 @@ pub use codes::{
     ContactPoint, LaneType, LinkKind, NONE, QuarantinedKind, RoadType, SpeedKind, lane_flags,
 };
 pub use error::{OpenError, VerifyError, WriteError};
-pub use generated::{rows::*, tables::*};
+pub use generated::{
+    classes::{Class, ClassGroup},
+    rows::*,
+    tables::*,
+};
 pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_flags};
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
 pub use object_codes::{

@@ -58,18 +58,25 @@ pub struct ReadOptions {
     pub rules: mapd_rules::Settings,
     /// What becomes of a map with errors.
     pub policy: Policy,
+    /// What signals and objects mean.
+    pub ontology: mapd_ontology::Ontology,
 }
 
 impl ReadOptions {
     /// First bytes of the BLAKE3 of all that shapes an archive, as its header carries them.
     fn hash(&self, options: &CompileOptions) -> [u8; 8] {
-        if self.rules == mapd_rules::Settings::default() && self.policy == Policy::default() {
+        let tables = self.ontology.user_texts();
+        let plain = self.rules == mapd_rules::Settings::default();
+        if plain && self.policy == Policy::default() && tables.is_empty() {
             return options.hash();
         }
         let mut hasher = blake3::Hasher::new();
         hasher.update(&options.hash());
         // Both are plain values with names, the same in every build of one version.
         hasher.update(format!("{:?} {:?}", self.rules, self.policy).as_bytes());
+        for text in tables {
+            hasher.update(blake3::hash(text.as_bytes()).as_bytes());
+        }
         let mut out = [0; 8];
         out.copy_from_slice(&hasher.finalize().as_bytes()[..8]);
         out
