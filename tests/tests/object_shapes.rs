@@ -1,6 +1,6 @@
 //! Shapes of objects: each kind once, with corners worked out by hand.
 
-use mapd_client::glam::DVec3;
+use mapd_client::glam::{DVec2, DVec3};
 use mapd_query::{Object, ObjectShape};
 use mapd_tests::object_maps::{ObjectRoad, PLAIN, document, open};
 use std::f64::consts::FRAC_PI_2;
@@ -97,12 +97,12 @@ fn a_cylinder_is_round() {
     let centre = DVec3::new(30.0, 4.0, 0.0);
     assert!(corners.iter().all(|c| (c.distance(centre) - 0.25).abs() < SINGLE));
     let placement = pole.template();
-    assert!((placement.distance(glam_xy(31.0, 4.0)) - 0.75).abs() < SINGLE);
-    assert_eq!(placement.distance(glam_xy(30.1, 4.0)), 0.0);
+    assert!((placement.distance(xy(31.0, 4.0)) - 0.75).abs() < SINGLE);
+    assert_eq!(placement.distance(xy(30.1, 4.0)), 0.0);
 }
 
-fn glam_xy(x: f64, y: f64) -> mapd_client::glam::DVec2 {
-    mapd_client::glam::DVec2::new(x, y)
+fn xy(x: f64, y: f64) -> DVec2 {
+    DVec2::new(x, y)
 }
 
 #[test]
@@ -143,8 +143,8 @@ fn curves_of_an_outline_stay_within_the_tolerance() {
     assert!(corners.iter().all(|c| (c.distance(centre) - 2.0).abs() < SINGLE), "{corners:?}");
     let sagitta = corners.windows(2).map(|pair| 2.0 - ((pair[0] + pair[1]) / 2.0).distance(centre));
     assert!(sagitta.fold(0.0, f64::max) <= 0.01);
-    assert_eq!(island.template().distance(glam_xy(31.0, 0.5)), 0.0);
-    assert!((island.template().distance(glam_xy(28.5, 0.0)) - 1.5).abs() < SINGLE);
+    assert_eq!(island.template().distance(xy(31.0, 0.5)), 0.0);
+    assert!((island.template().distance(xy(28.5, 0.0)) - 1.5).abs() < SINGLE);
 }
 
 #[test]
@@ -158,7 +158,7 @@ fn a_hole_is_not_covered() {
     );
     let snapshot = open(&document(&PLAIN, &object));
     let island = snapshot.map().objects().next().expect("an object").template();
-    assert_eq!(island.distance(glam_xy(32.0, 0.0)), 0.0);
-    assert!((island.distance(glam_xy(30.0, 0.25)) - 0.75).abs() < SINGLE);
+    assert_eq!(island.distance(xy(32.0, 0.0)), 0.0);
+    assert!((island.distance(xy(30.0, 0.25)) - 0.75).abs() < SINGLE);
     assert_eq!(island.outlines().filter(|outline| outline.is_outer()).count(), 1);
 }

@@ -40,6 +40,7 @@ mod strings;
 mod table;
 mod verify;
 mod verify_graph;
+mod verify_objects;
 mod write;
 
 pub use codes::{

@@ -158,6 +158,7 @@ fn build(
     compiled.provenance.options_hash = reading.hash(options);
     if let Some(mut rows) = rows.filter(|_| compiled.verdict != Verdict::Rejected) {
         progress(Progress::Indexing { segments: rows.points.len() });
+        objects::index(&mut rows);
         match index::build(&mut rows, options) {
             Ok(()) => compiled.rows = Some(rows),
             Err(error) => {
@@ -284,13 +285,15 @@ fn read(
                     {
                         let owner = Owner::Road(number as u32, road.id.text());
                         let position = |span: Span| reader.position(span.start);
-                        lowering.objects(owner, objects, position, &mut checked);
+                        let with = (&reading.ontology, position);
+                        lowering.objects(owner, objects, with, &mut checked);
                     }
                 }
                 Item::Junction(junction) => {
                     let number = lowering.rows.junctions.len();
                     let position = |span: Span| reader.position(span.start);
-                    lowering.junction_objects(&junction, number as u32, position, &mut checked);
+                    let with = (&reading.ontology, position);
+                    lowering.junction_objects(&junction, number as u32, with, &mut checked);
                     let position = reader.position(junction.span.start);
                     lowering.junction(*junction, position, &mut checked);
                 }

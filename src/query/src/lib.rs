@@ -50,11 +50,11 @@ pub use key::{LaneKey, ParseLaneKeyError};
 pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
 pub use mapd_archive::{
-    AttachMethod, ConflictKind, ContactPoint, EdgeKind, LaneType, ObjectShape, Orientation,
-    OutlineFill, QuarantinedKind, RoadType, SpeedKind, VehicleClass,
+    AttachMethod, Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind, LaneType, ObjectShape,
+    Orientation, OutlineFill, QuarantinedKind, RoadType, SpeedKind, VehicleClass,
 };
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
-pub use objects::{Object, ObjectLane, ObjectOutline, ObjectPlacement, PlacementId};
+pub use objects::{NearObject, Object, ObjectLane, ObjectOutline, ObjectPlacement, PlacementId};
 pub use polyline::Polyline;
 pub use quarantine::Quarantined;
 pub use region::{BoundarySegment, Region};

@@ -3,6 +3,7 @@
 
 use super::rows::*;
 use crate::table::Range;
+use rkyv::rend;
 
 impl ArchivedSurfaceRow {
     /// The road.
@@ -793,5 +794,28 @@ impl ArchivedObjectLaneRow {
     #[inline]
     pub fn method(&self) -> u8 {
         self.method
+    }
+}
+
+impl ArchivedObjectIndexNodeRow {
+    /// `[m]` Smallest x of each child.
+    #[inline]
+    pub fn min_x(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.min_x)
+    }
+    /// `[m]` Smallest y of each child.
+    #[inline]
+    pub fn min_y(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.min_y)
+    }
+    /// `[m]` Largest x of each child.
+    #[inline]
+    pub fn max_x(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.max_x)
+    }
+    /// `[m]` Largest y of each child.
+    #[inline]
+    pub fn max_y(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.max_y)
     }
 }

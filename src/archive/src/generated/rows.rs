@@ -844,3 +844,21 @@ pub struct ObjectLaneRow {
     pub reserved: [u8; 3],
 }
 const _: () = assert!(size_of::<ObjectLaneRow>() == 24 && size_of::<ArchivedObjectLaneRow>() == 24);
+
+/// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie `object_index_items`. Boxes hold what objects cover in plan view, are relative to the local origin and rounded outwards; unused places are empty boxes.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ObjectIndexNodeRow {
+    /// `[m]` Smallest x of each child.
+    pub min_x: [f32; 16],
+    /// `[m]` Smallest y of each child.
+    pub min_y: [f32; 16],
+    /// `[m]` Largest x of each child.
+    pub max_x: [f32; 16],
+    /// `[m]` Largest y of each child.
+    pub max_y: [f32; 16],
+}
+const _: () = assert!(
+    size_of::<ObjectIndexNodeRow>() == 256 && size_of::<ArchivedObjectIndexNodeRow>() == 256
+);

@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [12, 11, 47, 98, 190, 190, 220, 99, 188, 20, 181, 122, 239, 196, 129, 54];
+    [95, 177, 61, 104, 189, 74, 217, 96, 238, 1, 64, 224, 133, 233, 146, 162];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -112,6 +112,12 @@ pub struct Rows {
     pub lane_objects: Table<u32>,
     /// Rows of `objects` in byte order of their ids.
     pub objects_by_id: Table<u32>,
+    /// First node of each level of the objects' index, root first, then the number of nodes. Empty if the map has no objects.
+    pub object_index_levels: Table<u32>,
+    /// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie `object_index_items`. Boxes hold what objects cover in plan view, are relative to the local origin and rounded outwards; unused places are empty boxes.
+    pub object_index_nodes: Table<ObjectIndexNodeRow>,
+    /// What lies below the last level: below the number of objects an object's row, above it that number plus the row of a copy. Each place of an object once.
+    pub object_index_items: Table<u32>,
 }
 
 impl Rows {
@@ -166,6 +172,9 @@ impl Rows {
             object_lanes: bytemuck::cast_slice(self.object_lanes.as_slice()),
             lane_objects: (self.lane_objects.as_slice()),
             objects_by_id: (self.objects_by_id.as_slice()),
+            object_index_levels: (self.object_index_levels.as_slice()),
+            object_index_nodes: bytemuck::cast_slice(self.object_index_nodes.as_slice()),
+            object_index_items: (self.object_index_items.as_slice()),
         }
     }
 }
@@ -270,6 +279,12 @@ pub struct Tables<'a> {
     pub lane_objects: &'a [u32],
     /// Rows of `objects` in byte order of their ids.
     pub objects_by_id: &'a [u32],
+    /// First node of each level of the objects' index, root first, then the number of nodes. Empty if the map has no objects.
+    pub object_index_levels: &'a [u32],
+    /// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie `object_index_items`. Boxes hold what objects cover in plan view, are relative to the local origin and rounded outwards; unused places are empty boxes.
+    pub object_index_nodes: &'a [ArchivedObjectIndexNodeRow],
+    /// What lies below the last level: below the number of objects an object's row, above it that number plus the row of a copy. Each place of an object once.
+    pub object_index_items: &'a [u32],
 }
 
 impl<'a> Tables<'a> {
@@ -328,11 +343,16 @@ impl<'a> Tables<'a> {
             object_lanes: root.object_lanes.view(body, "object_lanes")?,
             lane_objects: root.lane_objects.view_numbers(body, "lane_objects")?,
             objects_by_id: root.objects_by_id.view_numbers(body, "objects_by_id")?,
+            object_index_levels: root
+                .object_index_levels
+                .view_numbers(body, "object_index_levels")?,
+            object_index_nodes: root.object_index_nodes.view(body, "object_index_nodes")?,
+            object_index_items: root.object_index_items.view_numbers(body, "object_index_items")?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 48] {
+    pub fn infos(&self) -> [TableInfo; 51] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -382,6 +402,9 @@ impl<'a> Tables<'a> {
             TableInfo::of("object_lanes", self.object_lanes),
             TableInfo::of("lane_objects", self.lane_objects),
             TableInfo::of("objects_by_id", self.objects_by_id),
+            TableInfo::of("object_index_levels", self.object_index_levels),
+            TableInfo::of("object_index_nodes", self.object_index_nodes),
+            TableInfo::of("object_index_items", self.object_index_items),
         ]
     }
 
@@ -751,6 +774,21 @@ impl<'a> Tables<'a> {
             let check = Check { table: "objects_by_id", row: i };
             check.reference("", *row, self.objects.len(), false)?;
         }
+        for (i, row) in self.object_index_nodes.iter().enumerate() {
+            let check = Check { table: "object_index_nodes", row: i };
+            for value in row.min_x() {
+                check.finite("min_x", f64::from(*value))?;
+            }
+            for value in row.min_y() {
+                check.finite("min_y", f64::from(*value))?;
+            }
+            for value in row.max_x() {
+                check.finite("max_x", f64::from(*value))?;
+            }
+            for value in row.max_y() {
+                check.finite("max_y", f64::from(*value))?;
+            }
+        }
         Ok(())
     }
 }
@@ -768,5 +806,7 @@ const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());

@@ -5,6 +5,7 @@ use super::need::Part;
 use crate::objects::single;
 use crate::objects::written::{Object, Repeat};
 use mapd_archive::{NONE, ObjectRow, ObjectShape, Orientation, Range, object_flags};
+use mapd_ontology::{Class, ObjectCode, Ontology};
 use mapd_xodr::{self as xodr, Finding, Position, Severity, Span, Text as _, Value as _};
 
 /// What objects are written in.
@@ -40,7 +41,7 @@ impl Lowering {
         &mut self,
         owner: Owner<'_>,
         objects: &xodr::Objects,
-        position: impl Fn(Span) -> Position,
+        (ontology, position): (&Ontology, impl Fn(Span) -> Position),
         findings: &mut Vec<Finding>,
     ) {
         let base = owner.path();
@@ -50,7 +51,8 @@ impl Lowering {
             let place =
                 [("s", &object.s), ("t", &object.t)].map(|(name, at)| part.need(at.value(), name));
             let [Some(s), Some(t)] = place else { continue };
-            let row = self.object_row(owner, object, [s, t], position(object.span));
+            let mut row = self.object_row(owner, object, [s, t], position(object.span));
+            row.class = class(ontology, object).code();
             let outlines = self.outlines(object, &mut part);
             let of = self.repeats(object, &mut part);
             let angles = [&object.hdg, &object.pitch, &object.roll];
@@ -71,7 +73,7 @@ impl Lowering {
         &mut self,
         junction: &xodr::Junction,
         number: u32,
-        position: impl Fn(Span) -> Position,
+        (ontology, position): (&Ontology, impl Fn(Span) -> Position),
         findings: &mut Vec<Finding>,
     ) {
         let Some(objects) = junction.objects.as_deref().filter(|all| !all.object.is_empty()) else {
@@ -94,7 +96,8 @@ impl Lowering {
                 return;
             }
         }
-        self.objects(Owner::Junction(number, junction.id.text()), objects, position, findings);
+        let owner = Owner::Junction(number, junction.id.text());
+        self.objects(owner, objects, (ontology, position), findings);
     }
 
     fn object_row(
@@ -159,6 +162,19 @@ impl Lowering {
             repeats.extend(super::object_repeats::repeat(object, repeat, &mut part));
         }
         repeats
+    }
+}
+
+/// What an object means. An element `parkingSpace` says it whatever the type.
+fn class(ontology: &Ontology, object: &xodr::Object) -> Class {
+    let code = ObjectCode {
+        r#type: object.r#type.text(),
+        subtype: object.subtype.text(),
+        name: object.name.text(),
+    };
+    match ontology.object(&code) {
+        Class::Unknown | Class::None if object.parking_space.is_some() => Class::ParkingSpace,
+        class => class,
     }
 }
 

@@ -106,7 +106,7 @@ fn lanes_of<'a>(
 ) -> Vec<ObjectLaneRow> {
     let mut places = Places::default();
     let validities: Vec<(i32, i32)> = object.validities().collect();
-    let mut scratch = Scratch::default();
+    let mut probes = Vec::new();
     for placement in object.placements() {
         let area = object.road().and_then(|road| Some((road, area(&road, &placement)?)));
         let mut is_named = false;
@@ -118,7 +118,7 @@ fn lanes_of<'a>(
             }
         }
         if !is_named {
-            on_other_roads(map, near, &placement, &mut scratch, &mut places);
+            on_other_roads(map, near, &placement, &mut probes, &mut places);
         }
     }
     for reference in references {
@@ -132,7 +132,7 @@ fn lanes_of<'a>(
     }
     if places.0.is_empty() {
         for placement in object.placements() {
-            nearest(map, near, &placement, &mut scratch, &mut places);
+            nearest(map, near, &placement, &mut probes, &mut places);
         }
     }
     let number = object.object_id().row();
@@ -221,22 +221,6 @@ fn by_position(road: &Road<'_>, area: &TrackArea, orientation: Orientation, plac
     }
 }
 
-/// Buffers that are used again.
-#[derive(Default)]
-struct Scratch {
-    probes: Vec<DVec2>,
-    lanes: Vec<u32>,
-}
-
-impl Scratch {
-    /// Finds lanes that come as near to the probes as `reach`.
-    fn lanes_near(&mut self, near: &NearLanes, reach: f64) {
-        let low = self.probes.iter().copied().fold(DVec2::INFINITY, DVec2::min) - reach;
-        let high = self.probes.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max) + reach;
-        near.within(low, high, &mut self.lanes);
-    }
-}
-
 /// Height of the road at an object's place `[m]`: what lanes of other roads are compared with.
 fn ground(placement: &ObjectPlacement<'_>) -> f64 {
     let object = placement.object();
@@ -254,19 +238,15 @@ fn on_other_roads(
     map: Map<'_>,
     near: &NearLanes,
     placement: &ObjectPlacement<'_>,
-    scratch: &mut Scratch,
+    probes: &mut Vec<DVec2>,
     places: &mut Places,
 ) {
-    placement.probes(PROBES.0, PROBES.1, &mut scratch.probes);
-    scratch.lanes_near(near, 0.0);
+    placement.probes(PROBES.0, PROBES.1, probes);
     let own = placement.object().road().map_or(NONE, |road| road.road_id().row());
     let ground = ground(placement);
-    for lane in scratch.lanes.iter().filter_map(|row| map.lane_by_row(*row)) {
-        if lane.road().road_id().row() == own {
-            continue;
-        }
-        for probe in &scratch.probes {
-            let Ok(at) = lane.position_of(*probe) else { continue };
+    for probe in probes.iter() {
+        let other = |lane: &Lane<'_>| lane.road().road_id().row() != own;
+        for (lane, at) in near.around(map, *probe, 0.0, other) {
             if at.distance == 0.0 && is_level(&at, ground) {
                 let stretch = Stretch { s: [at.s; 2], distance: 0.0 };
                 places.add(&lane, stretch, AttachMethod::Position);
@@ -300,13 +280,12 @@ fn nearest(
     map: Map<'_>,
     near: &NearLanes,
     placement: &ObjectPlacement<'_>,
-    scratch: &mut Scratch,
+    probes: &mut Vec<DVec2>,
     places: &mut Places,
 ) {
     let object = placement.object();
     let most = if placement.is_swept() { SWEPT_PROBES } else { PROBES.1 };
-    placement.probes(PROBES.0, most, &mut scratch.probes);
-    scratch.lanes_near(near, REACH);
+    placement.probes(PROBES.0, most, probes);
     let own = object.road();
     let own_row = own.map_or(NONE, |road| road.road_id().row());
     let track = mapd_query::Track { s: placement.s(), t: 0.0, h: 0.0 };
@@ -331,10 +310,10 @@ fn nearest(
         parallel && leads(lane, orientation)
     };
     let mut best: Option<Candidate> = None;
-    for probe in &scratch.probes {
+    for probe in probes.iter() {
         let mut of_probe: Option<Candidate> = None;
-        for lane in scratch.lanes.iter().filter_map(|row| map.lane_by_row(*row)) {
-            let Ok(at) = lane.position_of(*probe) else { continue };
+        let reach = REACH.min(best.map_or(REACH, |best| best.distance));
+        for (lane, at) in near.around(map, *probe, reach, |_| true) {
             let is_other = lane.road().road_id().row() != own_row;
             let row = lane.lane_id().row();
             let distance = (at.distance - round).max(0.0);

@@ -1,6 +1,7 @@
 //! Places objects (docs/objects.md): their origins, axes and shapes in space, by the functions that queries use.
 
 mod attach;
+mod index;
 mod line;
 mod near_lanes;
 mod outline;
@@ -12,6 +13,7 @@ pub(crate) mod written;
 use crate::TooLarge;
 use crate::lanes::view;
 use crate::options::CompileOptions;
+pub(crate) use index::build as index;
 use line::Line;
 use mapd_archive::{
     LaneRangeRow, NONE, ObjectCopyRow, ObjectOutlineRow, ObjectPointRow, ObjectRow, ObjectShape,

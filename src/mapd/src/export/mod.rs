@@ -1,6 +1,7 @@
 //! `mapd export`: a map drawn or converted.
 
 mod index_boxes;
+mod objects;
 mod style;
 mod svg;
 

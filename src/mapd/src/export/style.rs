@@ -10,6 +10,7 @@ pub(super) const SHEET: &str = "\
 .park{fill:#8fa5c4}.rail{fill:#7a6a58}.green{fill:#a9c48f}.works{fill:#d8a24a}\
 .bound{fill:none;stroke:#fff;stroke-width:.12;stroke-linejoin:round}\
 .reference{fill:none;stroke:#d9822b;stroke-width:.15;stroke-linejoin:round}\
+.object{fill:#6b4fa0;fill-opacity:.45;stroke:#4b2f80;stroke-width:.08;stroke-linejoin:round}.line{fill:none}\
 .way{fill:#fff;fill-opacity:.8}\
 .node{fill:none;stroke:#2b6cd9;stroke-width:.25;stroke-opacity:.6}\
 .leaf{fill:#2bd98a;fill-opacity:.08;stroke:#0a8f52;stroke-width:.04}";

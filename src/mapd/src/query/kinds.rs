@@ -26,6 +26,8 @@ pub enum Kind {
     Successors,
     /// `from_road,from_s,from_lane,to_road,to_s,to_lane` → length,lane_changes,lanes
     Route,
+    /// `x,y,radius` → a row for each object there: id,class,distance,road_id,s,t,x,y,z
+    Objects,
 }
 
 impl Kind {
@@ -38,6 +40,7 @@ impl Kind {
             Self::Track => "track",
             Self::Successors => "successors",
             Self::Route => "route",
+            Self::Objects => "objects",
         }
     }
 
@@ -49,6 +52,7 @@ impl Kind {
             Self::Nearest => &["x", "y"],
             Self::Track => &["road_id", "x", "y"],
             Self::Route => &["from_road", "from_s", "from_lane", "to_road", "to_s", "to_lane"],
+            Self::Objects => &["x", "y", "radius"],
         }
     }
 
@@ -62,10 +66,16 @@ impl Kind {
             Self::Track => &["s", "t", "h"],
             Self::Successors => &["successors"],
             Self::Route => &["length", "lane_changes", "lanes"],
+            Self::Objects => &["id", "class", "distance", "road_id", "s", "t", "x", "y", "z"],
         }
     }
 
-    /// Answers one row; the error says why there is no answer.
+    /// Whether a row of the input has any number of answers, each in a row of its own.
+    pub(crate) fn is_list(self) -> bool {
+        self == Self::Objects
+    }
+
+    /// Answers one row, of a list with the columns of all its answers one after the other; the error says why there is no answer.
     pub(crate) fn answer(
         self,
         map: Map<'_>,
@@ -118,6 +128,7 @@ impl Kind {
                 out.push(keys.join(";"));
             }
             Self::Route => router.answer(map, row, out)?,
+            Self::Objects => super::objects::answer(map, row, out)?,
         }
         Ok(())
     }
@@ -180,7 +191,7 @@ pub(super) fn number(value: f64) -> String {
     format!("{value:?}")
 }
 
-fn numbers(out: &mut Vec<String>, values: &[f64]) {
+pub(super) fn numbers(out: &mut Vec<String>, values: &[f64]) {
     out.extend(values.iter().map(|value| number(*value)));
 }
 

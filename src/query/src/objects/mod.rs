@@ -2,11 +2,13 @@
 
 mod footprint;
 mod lanes;
+mod near;
 mod object;
 mod outline;
 mod placement;
 
 pub use lanes::ObjectLane;
+pub use near::NearObject;
 pub use object::Object;
 pub use outline::ObjectOutline;
 pub use placement::{ObjectPlacement, PlacementId};

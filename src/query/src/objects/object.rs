@@ -8,7 +8,9 @@ use crate::junction::Junction;
 use crate::map::Map;
 use crate::road::Road;
 use glam::DVec3;
-use mapd_archive::{ArchivedObjectRow, NONE, ObjectShape, Orientation, object_flags, string};
+use mapd_archive::{
+    ArchivedObjectRow, Class, NONE, ObjectShape, Orientation, object_flags, string,
+};
 
 /// An object (OpenDRIVE 1.8.1, 13).
 #[derive(Clone, Copy)]
@@ -36,6 +38,11 @@ impl<'a> Object<'a> {
     /// Name for people.
     pub fn name(&self) -> &'a str {
         string(self.map.tables(), self.row.name())
+    }
+
+    /// What it means, in mapd's vocabulary (docs/ontology.md); `Unknown` where no table knows its type and name.
+    pub fn class(&self) -> Class {
+        Class::from_code(self.row.class())
     }
 
     /// `type` as written, whether the standard lists it or not; empty if absent.
@@ -207,6 +214,13 @@ impl<'a> Object<'a> {
         let own = (copies.count == 0).then(|| object.template());
         let rows = copies.rows(self.map.tables().object_copies.len());
         own.into_iter().chain(rows.filter_map(move |row| ObjectPlacement::of_copy(object, row)))
+    }
+
+    /// A copy by its number, from 0.
+    pub fn copy(&self, number: u32) -> Option<ObjectPlacement<'a>> {
+        let copies = self.row.copies();
+        let row = copies.first.checked_add(number).filter(|_| number < copies.count)?;
+        ObjectPlacement::of_copy(*self, row)
     }
 
     /// Place of the object in its file: line and column of the start tag, from 1.

@@ -79,6 +79,17 @@ impl<'a> ObjectPlacement<'a> {
         PlacementId { object: self.object.object_id(), copy: self.copy }
     }
 
+    /// The place's number in the objects' index: the object's row, or the number of objects plus the copy's row.
+    pub fn item(&self) -> u32 {
+        match self.copy {
+            None => self.object.object_id().row(),
+            Some(copy) => {
+                let objects = self.object.map.tables().objects.len() as u32;
+                objects.wrapping_add(self.object.row.copies().first).wrapping_add(copy)
+            }
+        }
+    }
+
     /// Inertial position of the origin `[m]`.
     pub fn position(&self) -> DVec3 {
         self.position
