@@ -9,8 +9,8 @@ use crate::section::LaneSection;
 use crate::types::{Point, Pose, Track, TrackPosition};
 use glam::{DVec2, DVec3};
 use mapd_archive::{
-    ArchivedCubicRow, ArchivedGeometryRow, ArchivedRoadRow, ContactPoint, LinkKind, NONE, Range,
-    RoadType, SpeedKind, string,
+    ArchivedCubicRow, ArchivedGeometryRow, ArchivedLaneLayerRow, ArchivedRoadRow, ContactPoint,
+    LinkKind, NONE, Range, RoadType, SpeedKind, string,
 };
 use mapd_geometry::{Curve, CurveKind, CurvePoint, Start, clamp, normalize_angle};
 
@@ -148,6 +148,24 @@ impl<'a> Road<'a> {
         let map = self.map;
         let rows = self.row.sections().rows(map.tables().sections.len());
         rows.filter_map(move |row| LaneSection::new(map, row))
+    }
+
+    /// Sections of the road's temporary lanes in ascending s (OpenDRIVE 1.9); most roads have none. There may be gaps.
+    pub fn temporary_sections(&self) -> impl Iterator<Item = LaneSection<'a>> + use<'a> {
+        let map = self.map;
+        let layer = self.temporary_layer();
+        let rows = layer.map_or(0..0, |row| row.sections().rows(map.tables().sections.len()));
+        rows.filter_map(move |row| LaneSection::new(map, row))
+    }
+
+    fn temporary_layer(&self) -> Option<&'a ArchivedLaneLayerRow> {
+        let rows = self.map.tables().lane_layers;
+        rows.binary_search_by(|row| row.road().cmp(&self.number)).ok().and_then(|i| rows.get(i))
+    }
+
+    /// Lane offset records of the temporary layer.
+    pub(crate) fn temporary_lane_offsets(&self) -> &'a [ArchivedCubicRow] {
+        self.temporary_layer().map_or(&[], |row| self.cubics(row.lane_offsets()))
     }
 
     /// Section by its number, from 0.
