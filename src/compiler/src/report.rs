@@ -162,16 +162,19 @@ impl Collector {
             built.into_iter().partition(|finding| finding.rule == UNUSABLE);
         unusable.sort_by_key(|finding| finding.span.start);
         let mut explained = vec![false; unusable.len()];
-        for finding in read {
+        for mut finding in read {
             let unit = self.units.of(finding.span.start);
             if !without.is_empty() && unit.is_some_and(|unit| without.covers(unit)) {
                 continue;
             }
-            let is_error = finding.severity == Severity::Error;
-            let mut rejects = is_error && !rule_ids::is_structural(finding.rule);
             // Objects and signals are small enough to be left out where one of their values cannot be read.
             let is_small =
                 unit.is_some_and(|u| matches!(u.kind, PartKind::Object | PartKind::Signal));
+            if is_small && finding.rule == rule_ids::EMPTY && is_place(&finding) {
+                finding.severity = Severity::Error;
+            }
+            let is_error = finding.severity == Severity::Error;
+            let mut rejects = is_error && !rule_ids::is_structural(finding.rule);
             rejects |= is_error && is_small && is_unreadable(&finding);
             // Start tags do not overlap: it can only be about the one that begins last before it.
             let after = unusable.partition_point(|one| one.span.start <= finding.span.start);
@@ -259,9 +262,14 @@ impl Collector {
 fn is_unreadable(read: &Finding) -> bool {
     match read.rule {
         rule_ids::VALUE | rule_ids::FINITE => true,
-        rule_ids::MISSING => matches!(&*read.subject, "id" | "s" | "t"),
+        rule_ids::MISSING | rule_ids::EMPTY => &*read.subject == "id" || is_place(read),
         _ => false,
     }
+}
+
+/// Whether a finding is about a place along a road.
+fn is_place(read: &Finding) -> bool {
+    matches!(&*read.subject, "s" | "t")
 }
 
 /// Whether a finding of the reader's is about what the compiler finds unusable.
