@@ -4,8 +4,11 @@ use mapd_compiler::{ReadOptions, check_from};
 use mapd_xodr::Severity;
 use std::collections::BTreeMap;
 
-/// Maps with errors: rule, how many, whether they take out a part.
-const JUSTIFIED: [(&str, &[(&str, usize, bool)]); 3] = [
+/// Errors: rule, how many, whether they take out a part.
+type Errors = &'static [(&'static str, usize, bool)];
+
+/// Maps with errors.
+const JUSTIFIED: [(&str, Errors); 3] = [
     ("ad_map_access/TownEmpty", &[("mapd:structure.missing_element", 1, false)]),
     (
         "drone_dataset/rdb2",

@@ -30,6 +30,7 @@ mod origin;
 mod quarantine;
 mod report;
 mod rounds;
+mod signals;
 
 pub use options::{CompileOptions, CyclePolicy, OptionsError};
 pub use quarantine::{OnError, PartKind, Policy, QuarantinedPart, Treatment};
@@ -57,18 +58,25 @@ pub struct ReadOptions {
     pub rules: mapd_rules::Settings,
     /// What becomes of a map with errors.
     pub policy: Policy,
+    /// What signals and objects mean.
+    pub ontology: mapd_ontology::Ontology,
 }
 
 impl ReadOptions {
     /// First bytes of the BLAKE3 of all that shapes an archive, as its header carries them.
     fn hash(&self, options: &CompileOptions) -> [u8; 8] {
-        if self.rules == mapd_rules::Settings::default() && self.policy == Policy::default() {
+        let tables = self.ontology.user_texts();
+        let plain = self.rules == mapd_rules::Settings::default();
+        if plain && self.policy == Policy::default() && tables.is_empty() {
             return options.hash();
         }
         let mut hasher = blake3::Hasher::new();
         hasher.update(&options.hash());
         // Both are plain values with names, the same in every build of one version.
         hasher.update(format!("{:?} {:?}", self.rules, self.policy).as_bytes());
+        for text in tables {
+            hasher.update(blake3::hash(text.as_bytes()).as_bytes());
+        }
         let mut out = [0; 8];
         out.copy_from_slice(&hasher.finalize().as_bytes()[..8]);
         out
@@ -200,6 +208,8 @@ struct Document {
     lowering: Lowering,
     /// What the file says about the lane graph.
     graph: graph::Written,
+    /// What the file says about signals.
+    signals: signals::Resolved,
     collector: Collector,
     places: Places,
     provenance: Provenance,
@@ -233,7 +243,10 @@ impl Document {
             self.collector.add(long, &self.places);
             return Ok(None);
         }
+        progress(Progress::Graph { nodes: rows.lane_nodes.len() });
         let findings = graph::complete(&mut rows, &self.graph, options);
+        self.collector.add(findings, &self.places);
+        let findings = signals::complete(&mut rows, &self.signals);
         self.collector.add(findings, &self.places);
         Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
     }
@@ -247,7 +260,7 @@ fn read(
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Document> {
     let mut hashing = HashingReader::new(input);
-    let mut lowering = Lowering::default();
+    let mut lowering = Lowering::new(reading.ontology.clone());
     let mut collector = Collector::new(without);
     let mut quarantined = Vec::new();
     let (places, version) = {
@@ -282,6 +295,8 @@ fn read(
                     let position = reader.position(junction.span.start);
                     lowering.junction(*junction, position, &mut checked);
                 }
+                Item::Controller(controller) => lowering.controller(&controller),
+                Item::VmsGroup(group) => lowering.board_group(&group),
                 _ => {}
             }
             collector.add_read(read, std::mem::take(&mut checked), &places, without);
@@ -292,9 +307,11 @@ fn read(
         let stated = reader.stated_version().to_owned();
         (places, Version { stated, checked: reader.checked_version() })
     };
+    progress(Progress::Linking { roads: lowering.roads() });
     let mut late = Vec::new();
     lowering.finish_reading(&mut late);
     links::resolve(&mut lowering, without, &mut late);
+    let signals = signals::resolve(&mut lowering, &places, &mut late);
     collector.add(late, &places);
     let mut graph = graph::Written::default();
     if !collector.is_rejected() {
@@ -308,7 +325,7 @@ fn read(
         compiler_version: crate::version(),
     };
     lowering.quarantine(&quarantined);
-    Ok(Document { lowering, graph, collector, places, provenance, version, quarantined })
+    Ok(Document { lowering, graph, signals, collector, places, provenance, version, quarantined })
 }
 
 /// The files that the document included, in the order in which it did.

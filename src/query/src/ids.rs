@@ -40,4 +40,8 @@ ids! {
     JunctionId;
     /// A node of the lane graph.
     NodeId;
+    /// A signal.
+    SignalId;
+    /// A controller.
+    ControllerId;
 }

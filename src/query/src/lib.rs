@@ -36,6 +36,7 @@ mod road;
 mod road_mark;
 mod route;
 mod section;
+mod signals;
 mod surface;
 mod types;
 mod waypoints;
@@ -43,15 +44,16 @@ mod waypoints;
 pub use error::QueryError;
 pub use glam;
 pub use graph::{Conflict, LaneEdge, LaneNode};
-pub use ids::{JunctionId, LaneId, LaneSectionId, NodeId, RoadId};
+pub use ids::{ControllerId, JunctionId, LaneId, LaneSectionId, NodeId, RoadId, SignalId};
 pub use index::{SegmentHit, nearest_segment};
 pub use junction::{Connection, Junction};
 pub use key::{LaneKey, ParseLaneKeyError};
 pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
 pub use mapd_archive::{
-    ConflictKind, ContactPoint, EdgeKind, LaneType, MarkLaneChange, QuarantinedKind, RoadMarkColor,
-    RoadMarkKind, RoadMarkRule, RoadMarkWeight, RoadType, SpeedKind, VehicleClass,
+    Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind, LaneMethod, LaneType, MarkLaneChange,
+    Orientation, QuarantinedKind, Relation, RelationReason, RoadMarkColor, RoadMarkKind,
+    RoadMarkRule, RoadMarkWeight, RoadType, SignalPosition, SpeedKind, VehicleClass,
 };
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
 pub use polyline::Polyline;
@@ -64,6 +66,10 @@ pub use route::{
     RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime, next_lane_change,
 };
 pub use section::LaneSection;
+pub use signals::{
+    Controller, JunctionController, LaneSignal, LightStates, RightOfWay, Signal, SignalAhead,
+    SignalLink, SignalPlace, SignalSemantics, SignalsAhead, SpeedOrigin, SpeedRule, Turn,
+};
 pub use surface::{Material, Surface};
 pub use types::{LaneEdges, LanePosition, Point, Pose, Track, TrackPosition};
 pub use waypoints::Waypoint;

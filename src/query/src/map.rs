@@ -168,7 +168,11 @@ impl<'a> Map<'a> {
 }
 
 /// Row with an id, from rows in byte order of their ids.
-fn find<'a>(rows: &[u32], id: &str, name: impl Fn(u32) -> Option<&'a str>) -> Option<u32> {
+pub(crate) fn find<'a>(
+    rows: &[u32],
+    id: &str,
+    name: impl Fn(u32) -> Option<&'a str>,
+) -> Option<u32> {
     let at =
         rows.binary_search_by(|row| name(*row).unwrap_or("").as_bytes().cmp(id.as_bytes())).ok()?;
     rows.get(at).copied()

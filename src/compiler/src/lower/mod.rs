@@ -10,6 +10,7 @@ mod surface;
 use crate::graph::Permissions;
 use crate::options::CompileOptions;
 use crate::quarantine::{QuarantinedPart, Treatment};
+use crate::signals::Pending;
 use crate::{finding, origin};
 pub(crate) use grid::{Joint, transitions};
 use mapd_archive::{
@@ -60,10 +61,16 @@ pub(crate) struct Lowering {
     pub(crate) links: Links,
     pub(crate) permissions: Permissions,
     styles: marks::Styles,
+    pub(crate) signals: Pending,
     map: Option<MapRow>,
 }
 
 impl Lowering {
+    /// Nothing yet; `ontology` says what signals mean.
+    pub(crate) fn new(ontology: mapd_ontology::Ontology) -> Self {
+        Self { signals: Pending::new(ontology), ..Self::default() }
+    }
+
     pub(crate) fn roads(&self) -> usize {
         self.rows.roads.len()
     }
@@ -84,6 +91,7 @@ impl Lowering {
         row.rev_major = revision(header.rev_major.value());
         row.rev_minor = revision(header.rev_minor.value());
         self.map = Some(row);
+        self.default_speeds(header);
     }
 
     /// Appends a road. Its links are resolved later; whatever makes it unusable is an error finding.
@@ -130,6 +138,7 @@ impl Lowering {
         self.links.road_junctions.push(junction.map(str::to_owned));
         self.links.road_spans.push(road.span);
         self.surface(road, number, &path, findings);
+        self.signals(road, number, &path, findings);
         let row = RoadRow {
             length,
             id: self.strings.add(road.id.text()),

@@ -2,6 +2,7 @@
 
 use super::route::Router;
 use super::row::Row;
+use super::signals;
 use clap::ValueEnum;
 use mapd_client::{Lane, Map, NearestOptions, Point, QueryError, Road, Track};
 use mapd_query::glam::DVec2;
@@ -26,6 +27,8 @@ pub enum Kind {
     Successors,
     /// `from_road,from_s,from_lane,to_road,to_s,to_lane` → length,lane_changes,lanes
     Route,
+    /// `road_id,s,lane_id,distance` → a row for each signal ahead: id,class,distance,road_id,s,t,x,y,z,state_machine
+    Signals,
 }
 
 impl Kind {
@@ -38,6 +41,7 @@ impl Kind {
             Self::Track => "track",
             Self::Successors => "successors",
             Self::Route => "route",
+            Self::Signals => "signals",
         }
     }
 
@@ -49,6 +53,7 @@ impl Kind {
             Self::Nearest => &["x", "y"],
             Self::Track => &["road_id", "x", "y"],
             Self::Route => &["from_road", "from_s", "from_lane", "to_road", "to_s", "to_lane"],
+            Self::Signals => &["road_id", "s", "lane_id", "distance"],
         }
     }
 
@@ -62,7 +67,13 @@ impl Kind {
             Self::Track => &["s", "t", "h"],
             Self::Successors => &["successors"],
             Self::Route => &["length", "lane_changes", "lanes"],
+            Self::Signals => signals::COLUMNS,
         }
+    }
+
+    /// Whether it answers with any number of rows.
+    pub(crate) fn lists(self) -> bool {
+        self == Self::Signals
     }
 
     /// Answers one row; the error says why there is no answer.
@@ -118,6 +129,10 @@ impl Kind {
                 out.push(keys.join(";"));
             }
             Self::Route => router.answer(map, row, out)?,
+            Self::Signals => {
+                let (lane, s) = lane(map, row)?;
+                signals::answer(map, (&lane, s), row.number("distance")?, router.vehicle(), out)?;
+            }
         }
         Ok(())
     }
@@ -179,7 +194,7 @@ pub(super) fn number(value: f64) -> String {
     format!("{value:?}")
 }
 
-fn numbers(out: &mut Vec<String>, values: &[f64]) {
+pub(super) fn numbers(out: &mut Vec<String>, values: &[f64]) {
     out.extend(values.iter().map(|value| number(*value)));
 }
 
