@@ -1,6 +1,5 @@
 //! What a compilation yields besides rows.
 
-use crate::TOO_LARGE;
 use crate::lower::UNUSABLE;
 use crate::quarantine::{Exclusions, PartKind, QuarantinedPart, Units};
 use mapd_archive::{Provenance, Rows};
@@ -147,11 +146,10 @@ impl Collector {
         Self { errors: without.errors(), ..Self::default() }
     }
 
-    /// Whether a finding is there only because something else is left out, as where a link leads to a road that is gone. The
-    /// document without anything left out shows all its errors but those of the lane graph, which is built of sound parts.
+    /// Whether an error is there only because something else is left out, as where a link leads to a road that is gone: the
+    /// document without anything left out shows all its errors but those of the late stages.
     fn is_consequence(&self, finding: &Finding) -> bool {
-        let is_late = finding.rule.starts_with("mapd:graph.") || finding.rule == TOO_LARGE;
-        let errors = self.errors.as_ref().filter(|_| !is_late);
+        let errors = self.errors.as_ref();
         errors.is_some_and(|errors| !errors.contains(&(finding.span.start, finding.rule)))
     }
 
@@ -214,8 +212,21 @@ impl Collector {
         }
     }
 
+    /// As [`Collector::add`], for stages that only a document without errors so far reaches: the lane graph and what comes
+    /// after it.
+    pub(crate) fn add_late(&mut self, findings: Vec<Finding>, places: &Places) {
+        for finding in findings {
+            let rejects = finding.severity == Severity::Error;
+            self.keep(finding, rejects, places);
+        }
+    }
+
     fn push(&mut self, finding: Finding, rejects: bool, places: &Places) {
         let rejects = rejects && !self.is_consequence(&finding);
+        self.keep(finding, rejects, places);
+    }
+
+    fn keep(&mut self, finding: Finding, rejects: bool, places: &Places) {
         let count = &mut self.counts[rank(finding.severity)];
         // Those that say why there is no archive are kept beyond the others.
         let kept = *count < KEPT || (rejects && self.rejecting < KEPT);
