@@ -36,12 +36,14 @@ mod generated;
 mod graph_codes;
 mod header;
 mod mark_codes;
+mod object_codes;
 mod open;
 mod signal_codes;
 mod strings;
 mod table;
 mod verify;
 mod verify_graph;
+mod verify_objects;
 mod write;
 
 pub use codes::{
@@ -57,6 +59,9 @@ pub use generated::{
 pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_flags};
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
 pub use mark_codes::{MarkLaneChange, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight};
+pub use object_codes::{
+    AttachMethod, ObjectShape, OutlineFill, copy_flags, object_flags, outline_flags,
+};
 pub use open::{Archive, open, string};
 pub use signal_codes::{
     LaneMethod, Orientation, Relation, RelationReason, SignalPosition, signal_flags, signal_values,

@@ -3,6 +3,7 @@
 
 use super::signal_rows::*;
 use crate::table::Range;
+use rkyv::rend;
 
 impl ArchivedSignalRow {
     /// `[m]` Where it stands, inertial: by `positionInertial` or `positionRoad` where given, else by s, t and zOffset.
@@ -626,5 +627,361 @@ impl ArchivedQuarantinedRow {
     #[inline]
     pub fn owner_kind(&self) -> u8 {
         self.owner_kind
+    }
+}
+
+impl ArchivedObjectRow {
+    /// `[m]` x of the object's origin relative to the local origin.
+    #[inline]
+    pub fn x(&self) -> f64 {
+        self.x.to_native()
+    }
+    /// `[m]` y of the object's origin relative to the local origin.
+    #[inline]
+    pub fn y(&self) -> f64 {
+        self.y.to_native()
+    }
+    /// `[m]` z of the object's origin: elevation of the reference line at s plus zOffset.
+    #[inline]
+    pub fn z(&self) -> f64 {
+        self.z.to_native()
+    }
+    /// `[m]` object/@s as written.
+    #[inline]
+    pub fn s(&self) -> f64 {
+        self.s.to_native()
+    }
+    /// `[m]` object/@t as written.
+    #[inline]
+    pub fn t(&self) -> f64 {
+        self.t.to_native()
+    }
+    /// `[rad]` Inertial heading of the object's u axis, in (−π, π].
+    #[inline]
+    pub fn heading(&self) -> f64 {
+        self.heading.to_native()
+    }
+    /// `[rad]` Inertial pitch, turned after the heading; positive lowers the front.
+    #[inline]
+    pub fn pitch(&self) -> f32 {
+        self.pitch.to_native()
+    }
+    /// `[rad]` Inertial roll, turned last; positive lifts the left side.
+    #[inline]
+    pub fn roll(&self) -> f32 {
+        self.roll.to_native()
+    }
+    /// `[m]` object/@zOffset.
+    #[inline]
+    pub fn z_offset(&self) -> f32 {
+        self.z_offset.to_native()
+    }
+    /// `[m]` object/@length; 0 if absent.
+    #[inline]
+    pub fn length(&self) -> f32 {
+        self.length.to_native()
+    }
+    /// `[m]` object/@width; 0 if absent.
+    #[inline]
+    pub fn width(&self) -> f32 {
+        self.width.to_native()
+    }
+    /// `[m]` object/@height; 0 if absent.
+    #[inline]
+    pub fn height(&self) -> f32 {
+        self.height.to_native()
+    }
+    /// `[m]` object/@radius; 0 if absent.
+    #[inline]
+    pub fn radius(&self) -> f32 {
+        self.radius.to_native()
+    }
+    /// `[m]` object/@validLength; 0 if absent.
+    #[inline]
+    pub fn valid_length(&self) -> f32 {
+        self.valid_length.to_native()
+    }
+    /// object/@id verbatim.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// object/@name.
+    #[inline]
+    pub fn name(&self) -> u32 {
+        self.name.to_native()
+    }
+    /// object/@type verbatim.
+    #[inline]
+    pub fn kind(&self) -> u32 {
+        self.kind.to_native()
+    }
+    /// object/@subtype.
+    #[inline]
+    pub fn subtype(&self) -> u32 {
+        self.subtype.to_native()
+    }
+    /// Road that it is written in; none for an object of a junction.
+    #[inline]
+    pub fn road(&self) -> u32 {
+        self.road.to_native()
+    }
+    /// Junction that it is written in.
+    #[inline]
+    pub fn junction(&self) -> u32 {
+        self.junction.to_native()
+    }
+    /// Outlines in file order.
+    #[inline]
+    pub fn outlines(&self) -> Range {
+        self.outlines.to_native()
+    }
+    /// Where the object stands if it is repeated; empty if it stands at its own place.
+    #[inline]
+    pub fn copies(&self) -> Range {
+        self.copies.to_native()
+    }
+    /// Lanes that it belongs to.
+    #[inline]
+    pub fn lanes(&self) -> Range {
+        self.lanes.to_native()
+    }
+    /// Lane numbers that it is written to hold for.
+    #[inline]
+    pub fn validities(&self) -> Range {
+        self.validities.to_native()
+    }
+    /// Line of the start tag, from 1.
+    #[inline]
+    pub fn line(&self) -> u32 {
+        self.line.to_native()
+    }
+    /// Column of the start tag in bytes, from 1.
+    #[inline]
+    pub fn column(&self) -> u32 {
+        self.column.to_native()
+    }
+    /// Class in mapd's vocabulary.
+    #[inline]
+    pub fn class(&self) -> u16 {
+        self.class.to_native()
+    }
+    /// 0 point, 1 box, 2 cylinder, 3 outlines.
+    #[inline]
+    pub fn shape(&self) -> u8 {
+        self.shape
+    }
+    /// Direction of travel that it is for: 0 both or not given, 1 along s, 2 against s.
+    #[inline]
+    pub fn orientation(&self) -> u8 {
+        self.orientation
+    }
+    /// 1 dynamic, 2 perpendicular to the road, 4 temporary, 8 invalidated, 16 s beyond the road and moved to its end.
+    #[inline]
+    pub fn flags(&self) -> u8 {
+        self.flags
+    }
+}
+
+impl ArchivedObjectOutlineRow {
+    /// Corners in order; a closed outline leads from the last to the first.
+    #[inline]
+    pub fn points(&self) -> Range {
+        self.points.to_native()
+    }
+    /// outline/@id; u32::MAX if absent.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// What fills it: 0 not given, 1 grass, 2 concrete, 3 cobble, 4 asphalt, 5 pavement, 6 gravel, 7 soil, 8 paint.
+    #[inline]
+    pub fn fill(&self) -> u8 {
+        self.fill
+    }
+    /// Lane type code that it stands for; 0 if none.
+    #[inline]
+    pub fn lane_type(&self) -> u8 {
+        self.lane_type
+    }
+    /// 1 outer, 2 closed.
+    #[inline]
+    pub fn flags(&self) -> u8 {
+        self.flags
+    }
+}
+
+impl ArchivedObjectPointRow {
+    /// `[m]` Ahead of the origin.
+    #[inline]
+    pub fn u(&self) -> f32 {
+        self.u.to_native()
+    }
+    /// `[m]` Left of the origin.
+    #[inline]
+    pub fn v(&self) -> f32 {
+        self.v.to_native()
+    }
+    /// `[m]` Above the origin.
+    #[inline]
+    pub fn z(&self) -> f32 {
+        self.z.to_native()
+    }
+    /// `[m]` Height of the object at this corner.
+    #[inline]
+    pub fn height(&self) -> f32 {
+        self.height.to_native()
+    }
+}
+
+impl ArchivedObjectCopyRow {
+    /// `[m]` x of the origin relative to the local origin.
+    #[inline]
+    pub fn x(&self) -> f64 {
+        self.x.to_native()
+    }
+    /// `[m]` y of the origin relative to the local origin.
+    #[inline]
+    pub fn y(&self) -> f64 {
+        self.y.to_native()
+    }
+    /// `[m]` z of the origin.
+    #[inline]
+    pub fn z(&self) -> f64 {
+        self.z.to_native()
+    }
+    /// `[m]` Place on the road; of a swept copy its start.
+    #[inline]
+    pub fn s(&self) -> f64 {
+        self.s.to_native()
+    }
+    /// `[m]` Lateral place; of a swept copy at its start.
+    #[inline]
+    pub fn t(&self) -> f64 {
+        self.t.to_native()
+    }
+    /// `[rad]` Inertial heading of the u axis; 0 for a swept copy.
+    #[inline]
+    pub fn heading(&self) -> f64 {
+        self.heading.to_native()
+    }
+    /// `[rad]` As in `objects`.
+    #[inline]
+    pub fn pitch(&self) -> f32 {
+        self.pitch.to_native()
+    }
+    /// `[rad]` As in `objects`.
+    #[inline]
+    pub fn roll(&self) -> f32 {
+        self.roll.to_native()
+    }
+    /// `[m]` Length; of a swept copy along the road.
+    #[inline]
+    pub fn length(&self) -> f32 {
+        self.length.to_native()
+    }
+    /// `[m]` Width; of a swept copy at its start.
+    #[inline]
+    pub fn width(&self) -> f32 {
+        self.width.to_native()
+    }
+    /// `[m]` Height; of a swept copy at its start.
+    #[inline]
+    pub fn height(&self) -> f32 {
+        self.height.to_native()
+    }
+    /// `[m]` Radius; 0 if it has none.
+    #[inline]
+    pub fn radius(&self) -> f32 {
+        self.radius.to_native()
+    }
+    /// The object.
+    #[inline]
+    pub fn object(&self) -> u32 {
+        self.object.to_native()
+    }
+    /// What a swept copy covers; empty for the others, which have the object's own outlines.
+    #[inline]
+    pub fn outlines(&self) -> Range {
+        self.outlines.to_native()
+    }
+    /// As in `objects`.
+    #[inline]
+    pub fn shape(&self) -> u8 {
+        self.shape
+    }
+    /// 1 swept.
+    #[inline]
+    pub fn flags(&self) -> u8 {
+        self.flags
+    }
+}
+
+impl ArchivedLaneRangeRow {
+    /// Lowest lane number.
+    #[inline]
+    pub fn from(&self) -> i32 {
+        self.from.to_native()
+    }
+    /// Highest lane number.
+    #[inline]
+    pub fn to(&self) -> i32 {
+        self.to.to_native()
+    }
+}
+
+impl ArchivedObjectLaneRow {
+    /// The object.
+    #[inline]
+    pub fn object(&self) -> u32 {
+        self.object.to_native()
+    }
+    /// The lane.
+    #[inline]
+    pub fn lane(&self) -> u32 {
+        self.lane.to_native()
+    }
+    /// `[m]` Where the object begins along the lane, from its section's start.
+    #[inline]
+    pub fn s_from(&self) -> f32 {
+        self.s_from.to_native()
+    }
+    /// `[m]` Where it ends along the lane.
+    #[inline]
+    pub fn s_to(&self) -> f32 {
+        self.s_to.to_native()
+    }
+    /// `[m]` Plan-view distance of the object from the lane's area; 0 on it.
+    #[inline]
+    pub fn distance(&self) -> f32 {
+        self.distance.to_native()
+    }
+    /// 0 by validity, 1 by s and t, 2 as the nearest lane.
+    #[inline]
+    pub fn method(&self) -> u8 {
+        self.method
+    }
+}
+
+impl ArchivedObjectIndexNodeRow {
+    /// `[m]` Smallest x of each child.
+    #[inline]
+    pub fn min_x(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.min_x)
+    }
+    /// `[m]` Smallest y of each child.
+    #[inline]
+    pub fn min_y(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.min_y)
+    }
+    /// `[m]` Largest x of each child.
+    #[inline]
+    pub fn max_x(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.max_x)
+    }
+    /// `[m]` Largest y of each child.
+    #[inline]
+    pub fn max_y(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.max_y)
     }
 }

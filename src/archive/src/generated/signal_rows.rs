@@ -385,3 +385,205 @@ pub struct QuarantinedRow {
 }
 const _: () =
     assert!(size_of::<QuarantinedRow>() == 72 && size_of::<ArchivedQuarantinedRow>() == 72);
+
+/// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ObjectRow {
+    /// `[m]` x of the object's origin relative to the local origin.
+    pub x: f64,
+    /// `[m]` y of the object's origin relative to the local origin.
+    pub y: f64,
+    /// `[m]` z of the object's origin: elevation of the reference line at s plus zOffset.
+    pub z: f64,
+    /// `[m]` object/@s as written.
+    pub s: f64,
+    /// `[m]` object/@t as written.
+    pub t: f64,
+    /// `[rad]` Inertial heading of the object's u axis, in (−π, π].
+    pub heading: f64,
+    /// `[rad]` Inertial pitch, turned after the heading; positive lowers the front.
+    pub pitch: f32,
+    /// `[rad]` Inertial roll, turned last; positive lifts the left side.
+    pub roll: f32,
+    /// `[m]` object/@zOffset.
+    pub z_offset: f32,
+    /// `[m]` object/@length; 0 if absent.
+    pub length: f32,
+    /// `[m]` object/@width; 0 if absent.
+    pub width: f32,
+    /// `[m]` object/@height; 0 if absent.
+    pub height: f32,
+    /// `[m]` object/@radius; 0 if absent.
+    pub radius: f32,
+    /// `[m]` object/@validLength; 0 if absent.
+    pub valid_length: f32,
+    /// object/@id verbatim.
+    pub id: u32,
+    /// object/@name.
+    pub name: u32,
+    /// object/@type verbatim.
+    pub kind: u32,
+    /// object/@subtype.
+    pub subtype: u32,
+    /// Road that it is written in; none for an object of a junction.
+    pub road: u32,
+    /// Junction that it is written in.
+    pub junction: u32,
+    /// Outlines in file order.
+    pub outlines: Range,
+    /// Where the object stands if it is repeated; empty if it stands at its own place.
+    pub copies: Range,
+    /// Lanes that it belongs to.
+    pub lanes: Range,
+    /// Lane numbers that it is written to hold for.
+    pub validities: Range,
+    /// Line of the start tag, from 1.
+    pub line: u32,
+    /// Column of the start tag in bytes, from 1.
+    pub column: u32,
+    /// Class in mapd's vocabulary.
+    pub class: u16,
+    /// 0 point, 1 box, 2 cylinder, 3 outlines.
+    pub shape: u8,
+    /// Direction of travel that it is for: 0 both or not given, 1 along s, 2 against s.
+    pub orientation: u8,
+    /// 1 dynamic, 2 perpendicular to the road, 4 temporary, 8 invalidated, 16 s beyond the road and moved to its end.
+    pub flags: u8,
+    /// 0.
+    pub reserved: [u8; 3],
+}
+const _: () = assert!(size_of::<ObjectRow>() == 152 && size_of::<ArchivedObjectRow>() == 152);
+
+/// Outlines of objects, and of what a continuous repetition sweeps over.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ObjectOutlineRow {
+    /// Corners in order; a closed outline leads from the last to the first.
+    pub points: Range,
+    /// outline/@id; u32::MAX if absent.
+    pub id: u32,
+    /// What fills it: 0 not given, 1 grass, 2 concrete, 3 cobble, 4 asphalt, 5 pavement, 6 gravel, 7 soil, 8 paint.
+    pub fill: u8,
+    /// Lane type code that it stands for; 0 if none.
+    pub lane_type: u8,
+    /// 1 outer, 2 closed.
+    pub flags: u8,
+    /// 0.
+    pub reserved: u8,
+}
+const _: () =
+    assert!(size_of::<ObjectOutlineRow>() == 16 && size_of::<ArchivedObjectOutlineRow>() == 16);
+
+/// Corners in the frame of the object or copy that they belong to: u ahead, v to the left, z upwards.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ObjectPointRow {
+    /// `[m]` Ahead of the origin.
+    pub u: f32,
+    /// `[m]` Left of the origin.
+    pub v: f32,
+    /// `[m]` Above the origin.
+    pub z: f32,
+    /// `[m]` Height of the object at this corner.
+    pub height: f32,
+}
+const _: () =
+    assert!(size_of::<ObjectPointRow>() == 16 && size_of::<ArchivedObjectPointRow>() == 16);
+
+/// Places of repeated objects, object by object, in the order of the repetitions and of s.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ObjectCopyRow {
+    /// `[m]` x of the origin relative to the local origin.
+    pub x: f64,
+    /// `[m]` y of the origin relative to the local origin.
+    pub y: f64,
+    /// `[m]` z of the origin.
+    pub z: f64,
+    /// `[m]` Place on the road; of a swept copy its start.
+    pub s: f64,
+    /// `[m]` Lateral place; of a swept copy at its start.
+    pub t: f64,
+    /// `[rad]` Inertial heading of the u axis; 0 for a swept copy.
+    pub heading: f64,
+    /// `[rad]` As in `objects`.
+    pub pitch: f32,
+    /// `[rad]` As in `objects`.
+    pub roll: f32,
+    /// `[m]` Length; of a swept copy along the road.
+    pub length: f32,
+    /// `[m]` Width; of a swept copy at its start.
+    pub width: f32,
+    /// `[m]` Height; of a swept copy at its start.
+    pub height: f32,
+    /// `[m]` Radius; 0 if it has none.
+    pub radius: f32,
+    /// The object.
+    pub object: u32,
+    /// What a swept copy covers; empty for the others, which have the object's own outlines.
+    pub outlines: Range,
+    /// As in `objects`.
+    pub shape: u8,
+    /// 1 swept.
+    pub flags: u8,
+    /// 0.
+    pub reserved: u16,
+}
+const _: () = assert!(size_of::<ObjectCopyRow>() == 88 && size_of::<ArchivedObjectCopyRow>() == 88);
+
+/// validity elements: lane numbers from the lower to the higher one.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct LaneRangeRow {
+    /// Lowest lane number.
+    pub from: i32,
+    /// Highest lane number.
+    pub to: i32,
+}
+const _: () = assert!(size_of::<LaneRangeRow>() == 8 && size_of::<ArchivedLaneRangeRow>() == 8);
+
+/// Which lanes objects belong to, object by object, nearer lanes first.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ObjectLaneRow {
+    /// The object.
+    pub object: u32,
+    /// The lane.
+    pub lane: u32,
+    /// `[m]` Where the object begins along the lane, from its section's start.
+    pub s_from: f32,
+    /// `[m]` Where it ends along the lane.
+    pub s_to: f32,
+    /// `[m]` Plan-view distance of the object from the lane's area; 0 on it.
+    pub distance: f32,
+    /// 0 by validity, 1 by s and t, 2 as the nearest lane.
+    pub method: u8,
+    /// 0.
+    pub reserved: [u8; 3],
+}
+const _: () = assert!(size_of::<ObjectLaneRow>() == 24 && size_of::<ArchivedObjectLaneRow>() == 24);
+
+/// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie `object_index_items`. Boxes hold what objects cover in plan view, are relative to the local origin and rounded outwards; unused places are empty boxes.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ObjectIndexNodeRow {
+    /// `[m]` Smallest x of each child.
+    pub min_x: [f32; 16],
+    /// `[m]` Smallest y of each child.
+    pub min_y: [f32; 16],
+    /// `[m]` Largest x of each child.
+    pub max_x: [f32; 16],
+    /// `[m]` Largest y of each child.
+    pub max_y: [f32; 16],
+}
+const _: () = assert!(
+    size_of::<ObjectIndexNodeRow>() == 256 && size_of::<ArchivedObjectIndexNodeRow>() == 256
+);

@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [38, 150, 65, 14, 220, 239, 21, 39, 165, 30, 79, 207, 62, 192, 164, 183];
+    [104, 187, 211, 152, 21, 191, 218, 33, 89, 234, 247, 167, 44, 239, 94, 117];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -136,6 +136,28 @@ pub struct Rows {
     pub default_speeds: Table<DefaultSpeedRow>,
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: Table<QuarantinedRow>,
+    /// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
+    pub objects: Table<ObjectRow>,
+    /// Outlines of objects, and of what a continuous repetition sweeps over.
+    pub object_outlines: Table<ObjectOutlineRow>,
+    /// Corners in the frame of the object or copy that they belong to: u ahead, v to the left, z upwards.
+    pub object_points: Table<ObjectPointRow>,
+    /// Places of repeated objects, object by object, in the order of the repetitions and of s.
+    pub object_copies: Table<ObjectCopyRow>,
+    /// validity elements: lane numbers from the lower to the higher one.
+    pub lane_ranges: Table<LaneRangeRow>,
+    /// Which lanes objects belong to, object by object, nearer lanes first.
+    pub object_lanes: Table<ObjectLaneRow>,
+    /// Rows of `object_lanes` by lane, then by where they begin: what belongs to a lane.
+    pub lane_objects: Table<u32>,
+    /// Rows of `objects` in byte order of their ids.
+    pub objects_by_id: Table<u32>,
+    /// First node of each level of the objects' index, root first, then the number of nodes. Empty if the map has no objects.
+    pub object_index_levels: Table<u32>,
+    /// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie `object_index_items`. Boxes hold what objects cover in plan view, are relative to the local origin and rounded outwards; unused places are empty boxes.
+    pub object_index_nodes: Table<ObjectIndexNodeRow>,
+    /// What lies below the last level: below the number of objects an object's row, above it that number plus the row of a copy. Each place of an object once.
+    pub object_index_items: Table<u32>,
 }
 
 impl Rows {
@@ -202,6 +224,17 @@ impl Rows {
             right_of_way: bytemuck::cast_slice(self.right_of_way.as_slice()),
             default_speeds: bytemuck::cast_slice(self.default_speeds.as_slice()),
             quarantined: bytemuck::cast_slice(self.quarantined.as_slice()),
+            objects: bytemuck::cast_slice(self.objects.as_slice()),
+            object_outlines: bytemuck::cast_slice(self.object_outlines.as_slice()),
+            object_points: bytemuck::cast_slice(self.object_points.as_slice()),
+            object_copies: bytemuck::cast_slice(self.object_copies.as_slice()),
+            lane_ranges: bytemuck::cast_slice(self.lane_ranges.as_slice()),
+            object_lanes: bytemuck::cast_slice(self.object_lanes.as_slice()),
+            lane_objects: (self.lane_objects.as_slice()),
+            objects_by_id: (self.objects_by_id.as_slice()),
+            object_index_levels: (self.object_index_levels.as_slice()),
+            object_index_nodes: bytemuck::cast_slice(self.object_index_nodes.as_slice()),
+            object_index_items: (self.object_index_items.as_slice()),
         }
     }
 }
@@ -330,6 +363,28 @@ pub struct Tables<'a> {
     pub default_speeds: &'a [ArchivedDefaultSpeedRow],
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: &'a [ArchivedQuarantinedRow],
+    /// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
+    pub objects: &'a [ArchivedObjectRow],
+    /// Outlines of objects, and of what a continuous repetition sweeps over.
+    pub object_outlines: &'a [ArchivedObjectOutlineRow],
+    /// Corners in the frame of the object or copy that they belong to: u ahead, v to the left, z upwards.
+    pub object_points: &'a [ArchivedObjectPointRow],
+    /// Places of repeated objects, object by object, in the order of the repetitions and of s.
+    pub object_copies: &'a [ArchivedObjectCopyRow],
+    /// validity elements: lane numbers from the lower to the higher one.
+    pub lane_ranges: &'a [ArchivedLaneRangeRow],
+    /// Which lanes objects belong to, object by object, nearer lanes first.
+    pub object_lanes: &'a [ArchivedObjectLaneRow],
+    /// Rows of `object_lanes` by lane, then by where they begin: what belongs to a lane.
+    pub lane_objects: &'a [u32],
+    /// Rows of `objects` in byte order of their ids.
+    pub objects_by_id: &'a [u32],
+    /// First node of each level of the objects' index, root first, then the number of nodes. Empty if the map has no objects.
+    pub object_index_levels: &'a [u32],
+    /// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie `object_index_items`. Boxes hold what objects cover in plan view, are relative to the local origin and rounded outwards; unused places are empty boxes.
+    pub object_index_nodes: &'a [ArchivedObjectIndexNodeRow],
+    /// What lies below the last level: below the number of objects an object's row, above it that number plus the row of a copy. Each place of an object once.
+    pub object_index_items: &'a [u32],
 }
 
 impl<'a> Tables<'a> {
@@ -400,11 +455,24 @@ impl<'a> Tables<'a> {
             right_of_way: root.right_of_way.view(body, "right_of_way")?,
             default_speeds: root.default_speeds.view(body, "default_speeds")?,
             quarantined: root.quarantined.view(body, "quarantined")?,
+            objects: root.objects.view(body, "objects")?,
+            object_outlines: root.object_outlines.view(body, "object_outlines")?,
+            object_points: root.object_points.view(body, "object_points")?,
+            object_copies: root.object_copies.view(body, "object_copies")?,
+            lane_ranges: root.lane_ranges.view(body, "lane_ranges")?,
+            object_lanes: root.object_lanes.view(body, "object_lanes")?,
+            lane_objects: root.lane_objects.view_numbers(body, "lane_objects")?,
+            objects_by_id: root.objects_by_id.view_numbers(body, "objects_by_id")?,
+            object_index_levels: root
+                .object_index_levels
+                .view_numbers(body, "object_index_levels")?,
+            object_index_nodes: root.object_index_nodes.view(body, "object_index_nodes")?,
+            object_index_items: root.object_index_items.view_numbers(body, "object_index_items")?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 60] {
+    pub fn infos(&self) -> [TableInfo; 71] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -466,6 +534,17 @@ impl<'a> Tables<'a> {
             TableInfo::of("right_of_way", self.right_of_way),
             TableInfo::of("default_speeds", self.default_speeds),
             TableInfo::of("quarantined", self.quarantined),
+            TableInfo::of("objects", self.objects),
+            TableInfo::of("object_outlines", self.object_outlines),
+            TableInfo::of("object_points", self.object_points),
+            TableInfo::of("object_copies", self.object_copies),
+            TableInfo::of("lane_ranges", self.lane_ranges),
+            TableInfo::of("object_lanes", self.object_lanes),
+            TableInfo::of("lane_objects", self.lane_objects),
+            TableInfo::of("objects_by_id", self.objects_by_id),
+            TableInfo::of("object_index_levels", self.object_index_levels),
+            TableInfo::of("object_index_nodes", self.object_index_nodes),
+            TableInfo::of("object_index_items", self.object_index_items),
         ]
     }
 }
@@ -483,6 +562,10 @@ const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());

@@ -462,6 +462,97 @@ impl Tables<'_> {
             check.code("has_extent", row.has_extent(), 2)?;
             check.code("owner_kind", row.owner_kind(), 7)?;
         }
+        for (i, row) in self.objects.iter().enumerate() {
+            let check = Check { table: "objects", row: i };
+            check.finite("x", row.x())?;
+            check.finite("y", row.y())?;
+            check.finite("z", row.z())?;
+            check.finite("s", row.s())?;
+            check.finite("t", row.t())?;
+            check.finite("heading", row.heading())?;
+            check.finite("pitch", f64::from(row.pitch()))?;
+            check.finite("roll", f64::from(row.roll()))?;
+            check.finite("z_offset", f64::from(row.z_offset()))?;
+            check.finite("length", f64::from(row.length()))?;
+            check.finite("width", f64::from(row.width()))?;
+            check.finite("height", f64::from(row.height()))?;
+            check.finite("radius", f64::from(row.radius()))?;
+            check.finite("valid_length", f64::from(row.valid_length()))?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("kind", row.kind(), strings, false)?;
+            check.reference("subtype", row.subtype(), strings, false)?;
+            check.reference("road", row.road(), self.roads.len(), true)?;
+            check.reference("junction", row.junction(), self.junctions.len(), true)?;
+            check.range("outlines", row.outlines(), self.object_outlines.len())?;
+            check.range("copies", row.copies(), self.object_copies.len())?;
+            check.range("lanes", row.lanes(), self.object_lanes.len())?;
+            check.range("validities", row.validities(), self.lane_ranges.len())?;
+            check.code("shape", row.shape(), 4)?;
+            check.code("orientation", row.orientation(), 3)?;
+        }
+        for (i, row) in self.object_outlines.iter().enumerate() {
+            let check = Check { table: "object_outlines", row: i };
+            check.range("points", row.points(), self.object_points.len())?;
+            check.code("fill", row.fill(), 9)?;
+        }
+        for (i, row) in self.object_points.iter().enumerate() {
+            let check = Check { table: "object_points", row: i };
+            check.finite("u", f64::from(row.u()))?;
+            check.finite("v", f64::from(row.v()))?;
+            check.finite("z", f64::from(row.z()))?;
+            check.finite("height", f64::from(row.height()))?;
+        }
+        for (i, row) in self.object_copies.iter().enumerate() {
+            let check = Check { table: "object_copies", row: i };
+            check.finite("x", row.x())?;
+            check.finite("y", row.y())?;
+            check.finite("z", row.z())?;
+            check.finite("s", row.s())?;
+            check.finite("t", row.t())?;
+            check.finite("heading", row.heading())?;
+            check.finite("pitch", f64::from(row.pitch()))?;
+            check.finite("roll", f64::from(row.roll()))?;
+            check.finite("length", f64::from(row.length()))?;
+            check.finite("width", f64::from(row.width()))?;
+            check.finite("height", f64::from(row.height()))?;
+            check.finite("radius", f64::from(row.radius()))?;
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.range("outlines", row.outlines(), self.object_outlines.len())?;
+            check.code("shape", row.shape(), 4)?;
+        }
+        for (i, row) in self.object_lanes.iter().enumerate() {
+            let check = Check { table: "object_lanes", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+            check.finite("s_from", f64::from(row.s_from()))?;
+            check.finite("s_to", f64::from(row.s_to()))?;
+            check.finite("distance", f64::from(row.distance()))?;
+            check.code("method", row.method(), 3)?;
+        }
+        for (i, row) in self.lane_objects.iter().enumerate() {
+            let check = Check { table: "lane_objects", row: i };
+            check.reference("", *row, self.object_lanes.len(), false)?;
+        }
+        for (i, row) in self.objects_by_id.iter().enumerate() {
+            let check = Check { table: "objects_by_id", row: i };
+            check.reference("", *row, self.objects.len(), false)?;
+        }
+        for (i, row) in self.object_index_nodes.iter().enumerate() {
+            let check = Check { table: "object_index_nodes", row: i };
+            for value in row.min_x() {
+                check.finite("min_x", f64::from(*value))?;
+            }
+            for value in row.min_y() {
+                check.finite("min_y", f64::from(*value))?;
+            }
+            for value in row.max_x() {
+                check.finite("max_x", f64::from(*value))?;
+            }
+            for value in row.max_y() {
+                check.finite("max_y", f64::from(*value))?;
+            }
+        }
         Ok(())
     }
 }

@@ -1,9 +1,11 @@
 //! `mapd query`: CSV in, CSV out.
 //!
 //! Columns are found by name. The input's columns are echoed first, except those that the answer itself has; then come
-//! the answer's columns and `error`, which is empty where the row has an answer. Numbers are in shortest round-trip form.
+//! the answer's columns and `error`, which is empty where the row has an answer. Kinds that list things give a row for each of
+//! them, none where there are none. Numbers are in shortest round-trip form.
 
 mod kinds;
+mod objects;
 mod route;
 mod row;
 mod signals;
