@@ -78,13 +78,12 @@ struct Candidate {
     leads_to: Vec<LaneId>,
 }
 
-/// Fills `conflicts`; names the junctions that are passed over.
-pub(crate) fn build(rows: &mut Rows, zones: &[Zone]) -> Vec<Finding> {
+/// Finds all conflicts, by lane; names the junctions that are passed over.
+pub(crate) fn find(rows: &Rows, zones: &[Zone]) -> (Vec<ConflictRow>, Vec<Finding>) {
     let mut passed_over = Vec::new();
     let mut found: Vec<ConflictRow> = {
         let archive = view(rows);
         let map = Map::new(&archive, 0);
-        let rows = &*rows;
         let of_zones: Vec<Option<Vec<ConflictRow>>> =
             zones.par_iter().map(|zone| of_zone(rows, map, zone)).collect();
         for (zone, _) in zones.iter().zip(&of_zones).filter(|(_, found)| found.is_none()) {
@@ -99,8 +98,7 @@ pub(crate) fn build(rows: &mut Rows, zones: &[Zone]) -> Vec<Finding> {
     // Of a pair that meets in two zones the first place counts.
     found.sort_by_key(|row| (row.lane, row.other, row.s_from.to_bits(), row.kind));
     found.dedup_by_key(|row| (row.lane, row.other));
-    rows.conflicts = found.into();
-    passed_over
+    (found, passed_over)
 }
 
 fn of_zone(rows: &Rows, map: Map<'_>, zone: &Zone) -> Option<Vec<ConflictRow>> {

@@ -5,7 +5,7 @@ use crate::lanes::view;
 use glam::DVec3;
 use mapd_archive::{EdgeKind, Rows};
 use mapd_query::{LaneNode, Map, Track};
-use mapd_xodr::Severity;
+use mapd_xodr::{Finding, Severity};
 use rayon::prelude::*;
 
 /// Largest distance between two linked lanes' ends that is no finding `[m]`: files round to centimetres, and tools
@@ -15,7 +15,7 @@ const JOINT_TOLERANCE: f64 = 0.1;
 const NODES_PER_TASK: usize = 256;
 
 /// Names the edges that join ends farther apart than the tolerance. They stay: the file links them.
-pub(crate) fn check(rows: &Rows, report: &mut Report<'_>) {
+pub(crate) fn check(rows: &Rows, mut report: Report<'_>) -> Vec<Finding> {
     let archive = view(rows);
     let map = Map::new(&archive, 0);
     let nodes: Vec<LaneNode<'_>> = map.lane_nodes().collect();
@@ -28,6 +28,7 @@ pub(crate) fn check(rows: &Rows, report: &mut Report<'_>) {
         );
         report.at_edge("mapd:graph.gap", Severity::Warning, edge, message);
     }
+    report.finish()
 }
 
 fn of_nodes(rows: &Rows, nodes: &[LaneNode<'_>]) -> Vec<(u32, f64)> {
