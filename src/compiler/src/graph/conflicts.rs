@@ -11,7 +11,7 @@ use crate::finding;
 use crate::lanes::view;
 use glam::DVec2;
 use mapd_archive::{ConflictKind, ConflictRow, Rows};
-use mapd_query::{Lane, LaneId, Map, Track};
+use mapd_query::{Lane, LaneId, Map};
 use mapd_xodr::{Finding, Severity};
 use rayon::prelude::*;
 
@@ -177,9 +177,7 @@ fn candidate(lane: &Lane<'_>, Stretch { road, s_from, s_to }: Stretch) -> Option
 
 /// s, both edges and the height of a cross-section.
 fn end(lane: &Lane<'_>, s: f64) -> Option<(f64, [DVec2; 2], f64)> {
-    let edges = lane.edges_at(s);
-    let at = |t: f64| lane.road().to_inertial(Track { s, t, h: 0.0 }).ok().map(|p| p.position);
-    let (inner, outer) = (at(edges.inner)?, at(edges.outer)?);
+    let [inner, outer] = lane.edge_points_at(s)?;
     Some((s, [inner.truncate(), outer.truncate()], 0.5 * (inner.z + outer.z)))
 }
 
@@ -195,21 +193,28 @@ fn meet(
         return None;
     }
     let none = (f32::INFINITY, f32::NEG_INFINITY);
-    let (mut own, mut other, mut cross) = (none, none, false);
-    let blocks = a.cells.chunks(BLOCK).zip(&a.blocks);
-    for (ours, own_bounds) in blocks.filter(|(_, bounds)| bounds.meets(&b.bounds)) {
+    let (mut own, mut other) = (none, none);
+    // Whether the kind does not depend on where the lanes meet.
+    let settled = merge || part || zone == ZoneKind::Crossing;
+    let mut cross = false;
+    for one in from_both_ends(&a.cells).filter(|one| one.bounds.meets(&b.bounds)) {
         let blocks = b.cells.chunks(BLOCK).zip(&b.blocks);
-        for (theirs, _) in blocks.filter(|(_, bounds)| bounds.meets(own_bounds)) {
-            for (one, two) in ours.iter().flat_map(|one| theirs.iter().map(move |two| (one, two))) {
-                if one.bounds.meets(&two.bounds)
-                    && (one.z - two.z).abs() <= CLEARANCE
-                    && overlap(&one.corners, &two.corners)
-                {
-                    own = (own.0.min(one.s_from), own.1.max(one.s_to));
-                    other = (other.0.min(two.s_from), other.1.max(two.s_to));
-                    cross |= centers_cross(one, two);
-                }
+        let near = blocks.filter(|(_, bounds)| bounds.meets(&one.bounds));
+        for two in near.flat_map(|(cells, _)| cells).filter(|two| one.bounds.meets(&two.bounds)) {
+            let known = own.0 <= one.s_from
+                && own.1 >= one.s_to
+                && other.0 <= two.s_from
+                && other.1 >= two.s_to;
+            // Within what is known to be common, only a crossing could be news.
+            if (known && (settled || cross))
+                || (one.z - two.z).abs() > CLEARANCE
+                || !overlap(&one.corners, &two.corners)
+            {
+                continue;
             }
+            own = (own.0.min(one.s_from), own.1.max(one.s_to));
+            other = (other.0.min(two.s_from), other.1.max(two.s_to));
+            cross |= !settled && centers_cross(one, two);
         }
     }
     if own.0 > own.1 {
@@ -219,12 +224,22 @@ fn meet(
         ConflictKind::Crossing
     } else if merge {
         ConflictKind::Merge
-    } else if cross && !part {
+    } else if cross {
         ConflictKind::Cross
     } else {
         ConflictKind::Overlap
     };
     Some((kind, own, other))
+}
+
+/// Cells from the first and the last one inwards, in turns: what lies between two that are common is soon known.
+fn from_both_ends(cells: &[Cell]) -> impl Iterator<Item = &Cell> {
+    let mut rest = cells.iter();
+    let mut front = false;
+    std::iter::from_fn(move || {
+        front = !front;
+        if front { rest.next() } else { rest.next_back() }
+    })
 }
 
 /// Whether two convex quadrangles share more than a strip: no edge's normal keeps them apart.

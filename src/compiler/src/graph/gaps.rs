@@ -4,7 +4,7 @@ use super::report::Report;
 use crate::lanes::view;
 use glam::DVec3;
 use mapd_archive::{EdgeKind, Rows};
-use mapd_query::{LaneNode, Map, Track};
+use mapd_query::{LaneNode, Map};
 use mapd_xodr::{Finding, Severity};
 use rayon::prelude::*;
 
@@ -65,10 +65,7 @@ fn end(node: &LaneNode<'_>, exit: bool) -> Option<[DVec3; 2]> {
     let lane = node.lane()?;
     let (from, to) = node.s_range();
     let s = if node.is_forward() == exit { to } else { from };
-    let edges = lane.edges_at(s);
-    let at =
-        |t: f64| lane.road().to_inertial(Track { s, t, h: 0.0 }).ok().map(|pose| pose.position);
-    Some([at(edges.inner)?, at(edges.outer)?])
+    lane.edge_points_at(s)
 }
 
 /// Distance between two short segments that should lie in one line: the least from an end of one to the other.
