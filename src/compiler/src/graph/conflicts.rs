@@ -56,9 +56,18 @@ impl Bounds {
     }
 }
 
+/// A side of a quadrangle: the direction across it, and from where to where the quadrangle reaches in that direction.
+#[derive(Clone, Copy)]
+struct Side {
+    normal: DVec2,
+    reach: (f64, f64),
+}
+
 /// A quadrangle of a lane's area.
 struct Cell {
     corners: [DVec2; 4],
+    /// Its sides but those that are too short to have a direction.
+    sides: [Option<Side>; 4],
     bounds: Bounds,
     z: f64,
     /// From the section's start.
@@ -160,7 +169,8 @@ fn candidate(lane: &Lane<'_>, Stretch { road, s_from, s_to }: Stretch) -> Option
             let bounds = Bounds::of(corners.into_iter());
             let offset = |s: f64| (s - section.s_start()) as f32;
             let (s_from, s_to) = (offset(pair[0].0), offset(pair[1].0));
-            Cell { corners, bounds, z: 0.5 * (pair[0].2 + pair[1].2), s_from, s_to }
+            let sides = sides(&corners);
+            Cell { corners, sides, bounds, z: 0.5 * (pair[0].2 + pair[1].2), s_from, s_to }
         })
         .collect();
     let around = |cells: &[Cell]| Bounds::of(cells.iter().flat_map(|cell| cell.corners));
@@ -208,7 +218,7 @@ fn meet(
             // Within what is known to be common, only a crossing could be news.
             if (known && (settled || cross))
                 || (one.z - two.z).abs() > CLEARANCE
-                || !overlap(&one.corners, &two.corners)
+                || !overlap(one, two)
             {
                 continue;
             }
@@ -243,24 +253,30 @@ fn from_both_ends(cells: &[Cell]) -> impl Iterator<Item = &Cell> {
 }
 
 /// Whether two convex quadrangles share more than a strip: no edge's normal keeps them apart.
-fn overlap(a: &[DVec2; 4], b: &[DVec2; 4]) -> bool {
-    let range = |corners: &[DVec2; 4], axis: DVec2| {
-        corners
-            .iter()
-            .map(|p| p.dot(axis))
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), d| (low.min(d), high.max(d)))
+fn overlap(a: &Cell, b: &Cell) -> bool {
+    let apart = |side: &Side, corners: &[DVec2; 4]| {
+        let other = reach(corners, side.normal);
+        side.reach.1.min(other.1) - side.reach.0.max(other.0) <= STRIP
     };
-    [a, b].into_iter().all(|corners| {
-        (0..4).all(|i| {
-            let edge = corners[(i + 1) % 4] - corners[i];
-            let length = edge.length();
-            if length < STRIP {
-                return true;
-            }
-            let normal = DVec2::new(-edge.y, edge.x) / length;
-            let (own, other) = (range(a, normal), range(b, normal));
-            own.1.min(other.1) - own.0.max(other.0) > STRIP
-        })
+    !a.sides.iter().flatten().any(|side| apart(side, &b.corners))
+        && !b.sides.iter().flatten().any(|side| apart(side, &a.corners))
+}
+
+fn sides(corners: &[DVec2; 4]) -> [Option<Side>; 4] {
+    std::array::from_fn(|i| {
+        let edge = corners[(i + 1) % 4] - corners[i];
+        let length = edge.length();
+        let normal = DVec2::new(-edge.y, edge.x) / length;
+        (length >= STRIP).then(|| Side { normal, reach: reach(corners, normal) })
+    })
+}
+
+/// From where to where a quadrangle reaches along an axis.
+fn reach(corners: &[DVec2; 4], axis: DVec2) -> (f64, f64) {
+    let along = corners.map(|corner| corner.dot(axis));
+    let (low, high) = (f64::INFINITY, f64::NEG_INFINITY);
+    along.into_iter().fold((low, high), |(low, high), d| {
+        (if d < low { d } else { low }, if d > high { d } else { high })
     })
 }
 
