@@ -254,7 +254,7 @@ fn broken() -> Vec<Broken> {
                 &link("s road 9 start"),
                 &section(0.0, "", &lane(-1, "s-1")),
             )),
-            "mapd:compile.orphan_link",
+            "asam.net:xodr:1.4.0:ids.only_ref_defined_ids",
             Severity::Warning,
             "<successor elementType=\"road\" elementId=\"9\"",
         ),

@@ -1,6 +1,7 @@
 //! `mapd inspect`.
 
 use crate::graph_facts::{GraphFacts, lane_links};
+use crate::object_facts::ObjectFacts;
 use crate::report::hex;
 use anyhow::Result;
 use mapd_client::Snapshot;
@@ -22,6 +23,7 @@ struct Inspection {
     verified: Option<bool>,
     map: MapFacts,
     graph: GraphFacts,
+    objects: ObjectFacts,
     quarantined: Vec<QuarantinedFacts>,
     tables: Vec<TableFacts>,
 }
@@ -47,6 +49,7 @@ struct QuarantinedFacts {
     kind: &'static str,
     id: String,
     owner: String,
+    owner_kind: &'static str,
     reference_line: bool,
     min: Option<[f64; 2]>,
     max: Option<[f64; 2]>,
@@ -96,6 +99,7 @@ pub(crate) fn run(
     )?;
     writeln!(out, "lanes         {} in {} sections, {} links", m.lanes, m.sections, m.lane_links)?;
     i.graph.print(out)?;
+    i.objects.print(out)?;
     writeln!(out, "bounds [m]    {:?} to {:?}", m.min, m.max)?;
     writeln!(out, "geoReference  {}", m.geo_reference)?;
     writeln!(out, "archive       {} bytes, {:.0} per km of road", i.bytes, m.bytes_per_road_km)?;
@@ -109,11 +113,15 @@ pub(crate) fn run(
         writeln!(out, "verified      content hash and every row")?;
     }
     for part in &i.quarantined {
-        let kept = if part.reference_line { ", kept as reference line" } else { "" };
+        let kept = if part.reference_line { ", kept as its reference line" } else { "" };
+        let owner = match part.owner_kind == part.kind {
+            true => String::new(),
+            false => format!(" of {} {}", part.owner_kind, part.owner),
+        };
         writeln!(
             out,
-            "quarantined   {} {} of {}{kept}, by line {}, column {}: {}: {}",
-            part.kind, part.id, part.owner, part.line, part.column, part.rule, part.message
+            "quarantined   {} {}{owner}{kept}, by line {}, column {}: {}: {}",
+            part.kind, part.id, part.line, part.column, part.rule, part.message
         )?;
     }
     writeln!(out, "\n{:<24}{:>12}{:>8}{:>14}", "table", "elements", "bytes", "total")?;
@@ -158,6 +166,7 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
             bytes_per_road_km: if length > 0.0 { bytes as f64 / (length / 1000.0) } else { 0.0 },
         },
         graph: GraphFacts::of(map),
+        objects: ObjectFacts::of(map),
         quarantined: map.quarantined().map(|part| quarantined(&part)).collect(),
         tables: tables
             .infos()
@@ -179,6 +188,7 @@ fn quarantined(part: &Quarantined<'_>) -> QuarantinedFacts {
         kind: part.kind().name(),
         id: part.id().to_owned(),
         owner: part.owner().to_owned(),
+        owner_kind: part.owner_kind().name(),
         reference_line: part.is_reference_line(),
         min: extent.map(|(min, _)| min.to_array()),
         max: extent.map(|(_, max)| max.to_array()),

@@ -5,7 +5,8 @@ use crate::lower::Lowering;
 use mapd_archive::Rows;
 use mapd_xodr::{Finding, Severity, Span};
 
-/// Problems of one kind that are named one by one; more are counted.
+/// Problems of one kind that are named one by one where they are no errors; more are counted. Errors are all named: each says
+/// which part to leave out, and a number would be in no part.
 const NAMED: usize = 100;
 
 /// Something wrong with a lane link.
@@ -41,12 +42,13 @@ impl Problems {
             ("mapd:graph.no_place", Severity::Warning, "links name places that no road has"),
         ] {
             let of_kind = || self.0.iter().filter(|problem| problem.rule() == rule);
-            for problem in of_kind().take(NAMED) {
+            let named = if severity == Severity::Error { usize::MAX } else { NAMED };
+            for problem in of_kind().take(named) {
                 let (path, message) = problem.text(lowering);
                 let span = problem.span();
                 findings.push(finding(rule, severity, span, path, message, ""));
             }
-            if let Some(more) = of_kind().count().checked_sub(NAMED).filter(|more| *more > 0) {
+            if let Some(more) = of_kind().count().checked_sub(named).filter(|more| *more > 0) {
                 let path = "OpenDRIVE".to_owned();
                 let message = format!("{more} more {what}");
                 findings.push(finding(rule, severity, Span::default(), path, message, ""));

@@ -13,7 +13,7 @@ pub(crate) fn build(lowering: &mut Lowering, cuts: &Cuts) -> Result<(), TooLarge
         add(lowering, cuts, lane);
     }
     if lowering.rows.lane_nodes.len() >= NONE as usize {
-        return Err(TooLarge("lane_nodes"));
+        return Err(TooLarge::new("lane_nodes"));
     }
     for node in 0..lowering.rows.lane_nodes.len() {
         join(lowering, node as u32);
