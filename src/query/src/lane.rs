@@ -134,6 +134,13 @@ impl<'a> Lane<'a> {
         LaneEdges { inner: edges.inner.value, outer: edges.outer.value }
     }
 
+    /// Both edges at s in inertial coordinates, on the plane h = 0: the inner one first. None for a damaged archive or an s
+    /// that is not finite.
+    pub fn edge_points_at(&self, s: f64) -> Option<[DVec3; 2]> {
+        let edges = self.edges_at(s);
+        self.road.points_across(s, [edges.inner, edges.outer])
+    }
+
     /// A place on the lane: at its end with what holds in its section, whatever begins with the next one.
     #[inline]
     pub(crate) fn at(&self, s: f64) -> At {

@@ -323,6 +323,25 @@ impl<'a> Road<'a> {
         })
     }
 
+    /// Inertial positions of two places beside each other on the plane h = 0; none for a damaged archive or s and t that are
+    /// not finite.
+    pub(crate) fn points_across(&self, s: f64, t: [f64; 2]) -> Option<[DVec3; 2]> {
+        if !(s.is_finite() && t[0].is_finite() && t[1].is_finite()) {
+            return None;
+        }
+        let at = At::new(clamp(s, 0.0, self.reference_end().max(0.0)));
+        let point = self.reference_at(at)?;
+        let z = profile::slope(self.cubics(self.row.elevations()), at).value;
+        let (roll_cos, roll_sin, _) = self.roll_angle(at);
+        let origin = self.map.origin();
+        Some(t.map(|t| {
+            let lateral = t * roll_cos;
+            let x = origin.x + (point.x - point.sin * lateral);
+            let y = origin.y + (point.y + point.cos * lateral);
+            DVec3::new(x, y, z + t * roll_sin)
+        }))
+    }
+
     /// Track position of a point: the foot on the nearest place of the whole reference line. Without z in plan view
     /// (t then lies on the rolled plane below or above the point, h stays unknown).
     ///
