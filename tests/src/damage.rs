@@ -3,8 +3,8 @@
 use mapd_archive::{AlignedBytes, HEADER_LENGTH};
 use mapd_client::{LaneTypes, Map, NearestOptions, Region, Snapshot, Track, glam::DVec2};
 use mapd_query::{
-    LanePlace, LaneSequences, RouteScratch, ShortestLength, ShortestTime, VehicleClass,
-    next_lane_change,
+    LanePlace, LaneSequences, RouteScratch, ShortestLength, ShortestTime, SignalsAhead,
+    VehicleClass, next_lane_change,
 };
 
 /// Lanes for questions that take long.
@@ -58,11 +58,40 @@ pub fn ask_everything(bytes: AlignedBytes) {
         (Region::around(DVec2::new(20.0, 1.0), 30.0), vec![], vec![]);
     let _ = map.boundary_segments(region, LaneTypes::drivable(), &mut lanes, &mut segments);
     ask_graph(map);
+    ask_signals(map);
     for junction in map.junctions() {
         let _ = junction.connections().map(|c| c.lane_links().count()).sum::<usize>();
     }
     let _ = map.road_by_id("1");
     let _ = snapshot.verify();
+}
+
+fn ask_signals(map: Map<'_>) {
+    for signal in map.signals() {
+        let _ = (signal.id(), signal.code(), signal.class(), signal.value(), signal.position());
+        let _ = (signal.dependencies().map(|link| link.id.len()).sum::<usize>(), signal.boards());
+        let _ = (signal.links().filter_map(|link| link.signal).count(), signal.size());
+        let _ = (signal.semantics().count(), signal.controllers().count(), signal.light());
+        let _ = (signal.road().is_some(), signal.carrier().is_some(), signal.places().count());
+        let _ = map.signal_by_id(signal.id()).is_some();
+    }
+    for place in map.signal_places() {
+        let _ = place.lanes().map(|one| (one.distance(), one.method())).count();
+    }
+    for controller in map.controllers() {
+        let _ = (controller.id(), controller.signals().count(), controller.junctions().count());
+    }
+    for junction in map.junctions() {
+        let _ = junction.controllers().filter_map(|one| one.controller()).count();
+    }
+    let mut ahead = SignalsAhead::default();
+    for lane in map.lanes() {
+        let _ = (lane.speed_rule_at(1.0), lane.turn(), lane.movement_stop_line().is_some());
+        let _ = (lane.movement_lights().count(), lane.yields_to().count(), lane.entries().count());
+        let _ = (lane.stop_lines().count(), lane.crosswalks().count(), lane.access_at(1.0).count());
+        let from = LanePlace { lane: lane.lane_id(), s: 1.0 };
+        let _ = map.signals_ahead(from, 50.0, VehicleClass::PassengerCar, &mut ahead);
+    }
 }
 
 fn ask_graph(map: Map<'_>) {
@@ -87,6 +116,7 @@ fn ask_graph(map: Map<'_>) {
         let _ = map.lane_sequences_ahead(from, 60.0, car, &mut sequences);
         let _ = map.lane_sequences_behind(from, 60.0, car, &mut sequences);
         let _ = map.next_junction(from, 60.0, car);
+        let _ = map.signals_along(&steps, &mut SignalsAhead::default());
     }
 }
 

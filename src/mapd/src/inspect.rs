@@ -2,6 +2,7 @@
 
 use crate::graph_facts::{GraphFacts, lane_links};
 use crate::report::hex;
+use crate::signal_facts::SignalFacts;
 use anyhow::Result;
 use mapd_client::Snapshot;
 use mapd_query::Quarantined;
@@ -22,6 +23,7 @@ struct Inspection {
     verified: Option<bool>,
     map: MapFacts,
     graph: GraphFacts,
+    signals: SignalFacts,
     quarantined: Vec<QuarantinedFacts>,
     tables: Vec<TableFacts>,
 }
@@ -96,6 +98,7 @@ pub(crate) fn run(
     )?;
     writeln!(out, "lanes         {} in {} sections, {} links", m.lanes, m.sections, m.lane_links)?;
     i.graph.print(out)?;
+    i.signals.print(out)?;
     writeln!(out, "bounds [m]    {:?} to {:?}", m.min, m.max)?;
     writeln!(out, "geoReference  {}", m.geo_reference)?;
     writeln!(out, "archive       {} bytes, {:.0} per km of road", i.bytes, m.bytes_per_road_km)?;
@@ -158,6 +161,7 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
             bytes_per_road_km: if length > 0.0 { bytes as f64 / (length / 1000.0) } else { 0.0 },
         },
         graph: GraphFacts::of(map),
+        signals: SignalFacts::of(map),
         quarantined: map.quarantined().map(|part| quarantined(&part)).collect(),
         tables: tables
             .infos()

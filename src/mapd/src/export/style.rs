@@ -11,6 +11,7 @@ pub(super) const SHEET: &str = "\
 .bound{fill:none;stroke:#fff;stroke-width:.12;stroke-linejoin:round}\
 .reference{fill:none;stroke:#d9822b;stroke-width:.15;stroke-linejoin:round}\
 .way{fill:#fff;fill-opacity:.8}\
+.signal{fill:none;stroke:#c0272d;stroke-width:.35;stroke-linecap:round}\
 .node{fill:none;stroke:#2b6cd9;stroke-width:.25;stroke-opacity:.6}\
 .leaf{fill:#2bd98a;fill-opacity:.08;stroke:#0a8f52;stroke-width:.04}";
 
