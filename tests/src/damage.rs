@@ -76,7 +76,7 @@ fn ask_signals(map: Map<'_>) {
         let _ = map.signal_by_id(signal.id()).is_some();
     }
     for place in map.signal_places() {
-        let _ = place.lanes().map(|one| (one.distance(), one.method())).count();
+        let _ = place.lanes().filter(|one| one.distance() > 1.0).map(|one| one.method()).last();
     }
     for controller in map.controllers() {
         let _ = (controller.id(), controller.signals().count(), controller.junctions().count());
