@@ -35,6 +35,7 @@ mod error;
 mod generated;
 mod graph_codes;
 mod header;
+mod mark_codes;
 mod open;
 mod signal_codes;
 mod strings;
@@ -55,6 +56,7 @@ pub use generated::{
 };
 pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_flags};
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
+pub use mark_codes::{MarkLaneChange, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight};
 pub use open::{Archive, open, string};
 pub use signal_codes::{
     LaneMethod, Orientation, Relation, RelationReason, SignalPosition, signal_flags, signal_values,

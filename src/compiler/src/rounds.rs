@@ -23,8 +23,8 @@ pub(crate) fn read<R: Read + Send>(
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<(Option<Rows>, Compilation)> {
-    let mut without = Exclusions::default();
-    let mut round = crate::round(open()?, reading, &without, options, progress)?;
+    let mut round = crate::round(open()?, reading, &Exclusions::default(), options, progress)?;
+    let mut without = Exclusions::with_errors(errors(&round.compilation));
     let mut told = Told::new(&round.compilation);
     for _ in 1..ROUNDS {
         if round.compilation.verdict != Verdict::Rejected {
@@ -46,6 +46,13 @@ pub(crate) fn read<R: Read + Send>(
     told.finish(&mut compilation);
     judge(&mut compilation, (round.roads, round.length), reading);
     Ok((round.rows, compilation))
+}
+
+/// Errors by place and rule; none where there are more than are kept.
+fn errors(whole: &Compilation) -> Option<BTreeSet<(u64, &'static str)>> {
+    let errors = whole.diagnostics.iter().filter(|d| d.rejects);
+    (whole.dropped[2] == 0)
+        .then(|| errors.map(|d| (d.finding.span.start, d.finding.rule)).collect())
 }
 
 /// Leaves out every part that has an error. False where something has one that is no part.

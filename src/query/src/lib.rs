@@ -33,6 +33,7 @@ mod profile;
 mod quarantine;
 mod region;
 mod road;
+mod road_mark;
 mod route;
 mod section;
 mod signals;
@@ -50,14 +51,16 @@ pub use key::{LaneKey, ParseLaneKeyError};
 pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
 pub use mapd_archive::{
-    Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind, LaneMethod, LaneType, Orientation,
-    QuarantinedKind, Relation, RelationReason, RoadType, SignalPosition, SpeedKind, VehicleClass,
+    Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind, LaneMethod, LaneType, MarkLaneChange,
+    Orientation, QuarantinedKind, Relation, RelationReason, RoadMarkColor, RoadMarkKind,
+    RoadMarkRule, RoadMarkWeight, RoadType, SignalPosition, SpeedKind, VehicleClass,
 };
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
 pub use polyline::Polyline;
 pub use quarantine::Quarantined;
 pub use region::{BoundarySegment, Region};
 pub use road::{Road, RoadLink, RoadTypeRecord};
+pub use road_mark::{RoadMark, RoadMarkLine, RoadMarkSegment};
 pub use route::{
     CostBound, Enter, LaneChangeAhead, LanePlace, LaneSequences, NextJunction, Reached, Route,
     RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime, next_lane_change,

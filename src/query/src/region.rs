@@ -49,7 +49,7 @@ impl Region {
     }
 
     /// Whether a segment and the rectangle have a point in common (Liang and Barsky's clipping).
-    fn meets(&self, a: DVec2, b: DVec2) -> bool {
+    pub(crate) fn meets(&self, a: DVec2, b: DVec2) -> bool {
         let d = b - a;
         let (mut from, mut to) = (0f64, 1f64);
         for axis in 0..2 {

@@ -233,6 +233,115 @@ impl ArchivedGridTransitionRow {
     }
 }
 
+impl ArchivedRoadMarkRow {
+    /// `[m]` Start on the road.
+    #[inline]
+    pub fn s(&self) -> f64 {
+        self.s.to_native()
+    }
+    /// The lane.
+    #[inline]
+    pub fn lane(&self) -> u32 {
+        self.lane.to_native()
+    }
+    /// How it looks.
+    #[inline]
+    pub fn style(&self) -> u32 {
+        self.style.to_native()
+    }
+}
+
+impl ArchivedRoadMarkStyleRow {
+    /// `[m]` roadMark/@width; −1 if not given.
+    #[inline]
+    pub fn width(&self) -> f64 {
+        self.width.to_native()
+    }
+    /// `[m]` roadMark/@height; −1 if not given.
+    #[inline]
+    pub fn height(&self) -> f64 {
+        self.height.to_native()
+    }
+    /// roadMark/@material.
+    #[inline]
+    pub fn material(&self) -> u32 {
+        self.material.to_native()
+    }
+    /// roadMark/type/@name.
+    #[inline]
+    pub fn name(&self) -> u32 {
+        self.name.to_native()
+    }
+    /// Lines of the pattern or the explicit mark, in file order.
+    #[inline]
+    pub fn lines(&self) -> Range {
+        self.lines.to_native()
+    }
+    /// Lateral shift `[m]` of the mark's middle over s (OpenDRIVE 1.8.1, 11.10.4); a style with sway belongs to one mark.
+    #[inline]
+    pub fn sway(&self) -> Range {
+        self.sway.to_native()
+    }
+    /// Kind: 0 not given, 1 none, 2 solid, 3 broken, 4 solid solid, 5 solid broken, 6 broken solid, 7 broken broken, 8 botts dots, 9 grass, 10 curb, 11 custom, 12 edge.
+    #[inline]
+    pub fn kind(&self) -> u8 {
+        self.kind
+    }
+    /// 0 not given, 1 standard, 2 bold.
+    #[inline]
+    pub fn weight(&self) -> u8 {
+        self.weight
+    }
+    /// 0 not given, 1 standard, 2 blue, 3 green, 4 red, 5 white, 6 yellow, 7 black, 8 orange, 9 violet.
+    #[inline]
+    pub fn color(&self) -> u8 {
+        self.color
+    }
+    /// 0 not given, 1 increase, 2 decrease, 3 both, 4 none.
+    #[inline]
+    pub fn lane_change(&self) -> u8 {
+        self.lane_change
+    }
+}
+
+impl ArchivedRoadMarkLineRow {
+    /// `[m]` Length of a line.
+    #[inline]
+    pub fn length(&self) -> f64 {
+        self.length.to_native()
+    }
+    /// `[m]` Gap to the next one; −1 for an explicit line.
+    #[inline]
+    pub fn space(&self) -> f64 {
+        self.space.to_native()
+    }
+    /// `[m]` Of the line's middle from the lane's border.
+    #[inline]
+    pub fn t_offset(&self) -> f64 {
+        self.t_offset.to_native()
+    }
+    /// `[m]` Start of the first line after the mark's start.
+    #[inline]
+    pub fn s_offset(&self) -> f64 {
+        self.s_offset.to_native()
+    }
+    /// `[m]` Width; −1 if not given.
+    #[inline]
+    pub fn width(&self) -> f64 {
+        self.width.to_native()
+    }
+    /// Who may cross, seen from inside: 0 not given, 1 no passing, 2 caution, 3 none.
+    #[inline]
+    pub fn rule(&self) -> u8 {
+        self.rule
+    }
+    /// As that of a style.
+    #[inline]
+    pub fn color(&self) -> u8 {
+        self.color
+    }
+}
+
 impl ArchivedGraphRow {
     /// `[m]` Unit of `landmark_lengths`.
     #[inline]
@@ -340,7 +449,7 @@ impl ArchivedEdgeRow {
     pub fn file(&self) -> u16 {
         self.file.to_native()
     }
-    /// 0 within a lane, 1 link inside a road, 2 link over a road's end, 3 lane link of a connection, 4 implied by a connection without lane links, 5 at a virtual junction.
+    /// 0 within a lane, 1 link inside a road, 2 link over a road's end, 3 lane link of a connection, 4 implied by a connection without lane links, 5 at a virtual junction, 6 end of a path across a road.
     #[inline]
     pub fn kind(&self) -> u8 {
         self.kind

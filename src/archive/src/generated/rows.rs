@@ -220,7 +220,7 @@ pub struct LaneRow {
     pub number: i32,
     /// Lane type code.
     pub kind: u8,
-    /// 1 travels towards +s, 2 level, 4 `widths` hold borders, 8 also travels the other way.
+    /// 1 travels towards +s, 2 level, 4 `widths` hold borders, 8 also travels the other way, 16 for walking alone: walked both ways.
     pub flags: u8,
     /// Sections of the road since the one that the lane is written in: not 0 where it goes on beside a section of the other side alone.
     pub continues: u16,
@@ -526,6 +526,76 @@ pub struct GridTransitionRow {
 const _: () =
     assert!(size_of::<GridTransitionRow>() == 40 && size_of::<ArchivedGridTransitionRow>() == 40);
 
+/// lane/roadMark records, by lane and s: what lies on the lane's outer border, on lane 0's own line for lane 0, until the next record of the lane.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct RoadMarkRow {
+    /// `[m]` Start on the road.
+    pub s: f64,
+    /// The lane.
+    pub lane: u32,
+    /// How it looks.
+    pub style: u32,
+}
+const _: () = assert!(size_of::<RoadMarkRow>() == 16 && size_of::<ArchivedRoadMarkRow>() == 16);
+
+/// How road marks look, each once, in the order of their first use.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct RoadMarkStyleRow {
+    /// `[m]` roadMark/@width; −1 if not given.
+    pub width: f64,
+    /// `[m]` roadMark/@height; −1 if not given.
+    pub height: f64,
+    /// roadMark/@material.
+    pub material: u32,
+    /// roadMark/type/@name.
+    pub name: u32,
+    /// Lines of the pattern or the explicit mark, in file order.
+    pub lines: Range,
+    /// Lateral shift `[m]` of the mark's middle over s (OpenDRIVE 1.8.1, 11.10.4); a style with sway belongs to one mark.
+    pub sway: Range,
+    /// Kind: 0 not given, 1 none, 2 solid, 3 broken, 4 solid solid, 5 solid broken, 6 broken solid, 7 broken broken, 8 botts dots, 9 grass, 10 curb, 11 custom, 12 edge.
+    pub kind: u8,
+    /// 0 not given, 1 standard, 2 bold.
+    pub weight: u8,
+    /// 0 not given, 1 standard, 2 blue, 3 green, 4 red, 5 white, 6 yellow, 7 black, 8 orange, 9 violet.
+    pub color: u8,
+    /// 0 not given, 1 increase, 2 decrease, 3 both, 4 none.
+    pub lane_change: u8,
+    /// 0.
+    pub reserved: [u8; 4],
+}
+const _: () =
+    assert!(size_of::<RoadMarkStyleRow>() == 48 && size_of::<ArchivedRoadMarkStyleRow>() == 48);
+
+/// Lines of road marks: of a pattern (roadMark/type/line), repeated every `length` + `space`, or explicit (roadMark/explicit/line), once.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct RoadMarkLineRow {
+    /// `[m]` Length of a line.
+    pub length: f64,
+    /// `[m]` Gap to the next one; −1 for an explicit line.
+    pub space: f64,
+    /// `[m]` Of the line's middle from the lane's border.
+    pub t_offset: f64,
+    /// `[m]` Start of the first line after the mark's start.
+    pub s_offset: f64,
+    /// `[m]` Width; −1 if not given.
+    pub width: f64,
+    /// Who may cross, seen from inside: 0 not given, 1 no passing, 2 caution, 3 none.
+    pub rule: u8,
+    /// As that of a style.
+    pub color: u8,
+    /// 0.
+    pub reserved: [u8; 6],
+}
+const _: () =
+    assert!(size_of::<RoadMarkLineRow>() == 48 && size_of::<ArchivedRoadMarkLineRow>() == 48);
+
 /// Exactly one row: what concerns the whole lane graph.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
@@ -591,7 +661,7 @@ pub struct EdgeRow {
     pub column: u32,
     /// 0 for the document itself, else the number of the included file.
     pub file: u16,
-    /// 0 within a lane, 1 link inside a road, 2 link over a road's end, 3 lane link of a connection, 4 implied by a connection without lane links, 5 at a virtual junction.
+    /// 0 within a lane, 1 link inside a road, 2 link over a road's end, 3 lane link of a connection, 4 implied by a connection without lane links, 5 at a virtual junction, 6 end of a path across a road.
     pub kind: u8,
     /// 1 closes a loop: without these edges the graph has no cycle.
     pub flags: u8,

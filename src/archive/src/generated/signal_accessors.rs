@@ -622,4 +622,9 @@ impl ArchivedQuarantinedRow {
     pub fn has_extent(&self) -> u8 {
         self.has_extent
     }
+    /// What the owner is, as `kind`.
+    #[inline]
+    pub fn owner_kind(&self) -> u8 {
+        self.owner_kind
+    }
 }

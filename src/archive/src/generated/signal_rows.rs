@@ -378,8 +378,10 @@ pub struct QuarantinedRow {
     pub treatment: u8,
     /// 1 if the extent is known.
     pub has_extent: u8,
+    /// What the owner is, as `kind`.
+    pub owner_kind: u8,
     /// 0.
-    pub reserved: [u8; 5],
+    pub reserved: [u8; 4],
 }
 const _: () =
     assert!(size_of::<QuarantinedRow>() == 72 && size_of::<ArchivedQuarantinedRow>() == 72);

@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [220, 155, 141, 80, 134, 82, 44, 239, 196, 98, 123, 118, 158, 231, 250, 135];
+    [38, 150, 65, 14, 220, 239, 21, 39, 165, 30, 79, 207, 62, 192, 164, 183];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -74,6 +74,12 @@ pub struct Rows {
     pub grid_heights: Table<f64>,
     /// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
     pub grid_transitions: Table<GridTransitionRow>,
+    /// lane/roadMark records, by lane and s: what lies on the lane's outer border, on lane 0's own line for lane 0, until the next record of the lane.
+    pub road_marks: Table<RoadMarkRow>,
+    /// How road marks look, each once, in the order of their first use.
+    pub road_mark_styles: Table<RoadMarkStyleRow>,
+    /// Lines of road marks: of a pattern (roadMark/type/line), repeated every `length` + `space`, or explicit (roadMark/explicit/line), once.
+    pub road_mark_lines: Table<RoadMarkLineRow>,
     /// Exactly one row: what concerns the whole lane graph.
     pub graph: Table<GraphRow>,
     /// Nodes of the lane graph: a lane, or a piece of one, travelled in one direction. Lane by lane.
@@ -165,6 +171,9 @@ impl Rows {
             grid_rows: bytemuck::cast_slice(self.grid_rows.as_slice()),
             grid_heights: (self.grid_heights.as_slice()),
             grid_transitions: bytemuck::cast_slice(self.grid_transitions.as_slice()),
+            road_marks: bytemuck::cast_slice(self.road_marks.as_slice()),
+            road_mark_styles: bytemuck::cast_slice(self.road_mark_styles.as_slice()),
+            road_mark_lines: bytemuck::cast_slice(self.road_mark_lines.as_slice()),
             graph: bytemuck::cast_slice(self.graph.as_slice()),
             lane_nodes: bytemuck::cast_slice(self.lane_nodes.as_slice()),
             successor_offsets: (self.successor_offsets.as_slice()),
@@ -259,6 +268,12 @@ pub struct Tables<'a> {
     pub grid_heights: &'a [f64],
     /// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
     pub grid_transitions: &'a [ArchivedGridTransitionRow],
+    /// lane/roadMark records, by lane and s: what lies on the lane's outer border, on lane 0's own line for lane 0, until the next record of the lane.
+    pub road_marks: &'a [ArchivedRoadMarkRow],
+    /// How road marks look, each once, in the order of their first use.
+    pub road_mark_styles: &'a [ArchivedRoadMarkStyleRow],
+    /// Lines of road marks: of a pattern (roadMark/type/line), repeated every `length` + `space`, or explicit (roadMark/explicit/line), once.
+    pub road_mark_lines: &'a [ArchivedRoadMarkLineRow],
     /// Exactly one row: what concerns the whole lane graph.
     pub graph: &'a [ArchivedGraphRow],
     /// Nodes of the lane graph: a lane, or a piece of one, travelled in one direction. Lane by lane.
@@ -352,6 +367,9 @@ impl<'a> Tables<'a> {
             grid_rows: root.grid_rows.view(body, "grid_rows")?,
             grid_heights: root.grid_heights.view_numbers(body, "grid_heights")?,
             grid_transitions: root.grid_transitions.view(body, "grid_transitions")?,
+            road_marks: root.road_marks.view(body, "road_marks")?,
+            road_mark_styles: root.road_mark_styles.view(body, "road_mark_styles")?,
+            road_mark_lines: root.road_mark_lines.view(body, "road_mark_lines")?,
             graph: root.graph.view(body, "graph")?,
             lane_nodes: root.lane_nodes.view(body, "lane_nodes")?,
             successor_offsets: root.successor_offsets.view_numbers(body, "successor_offsets")?,
@@ -386,7 +404,7 @@ impl<'a> Tables<'a> {
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 57] {
+    pub fn infos(&self) -> [TableInfo; 60] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -417,6 +435,9 @@ impl<'a> Tables<'a> {
             TableInfo::of("grid_rows", self.grid_rows),
             TableInfo::of("grid_heights", self.grid_heights),
             TableInfo::of("grid_transitions", self.grid_transitions),
+            TableInfo::of("road_marks", self.road_marks),
+            TableInfo::of("road_mark_styles", self.road_mark_styles),
+            TableInfo::of("road_mark_lines", self.road_mark_lines),
             TableInfo::of("graph", self.graph),
             TableInfo::of("lane_nodes", self.lane_nodes),
             TableInfo::of("successor_offsets", self.successor_offsets),

@@ -243,6 +243,35 @@ impl Tables<'_> {
             check.finite("end_y", row.end_y())?;
             check.finite("length", row.length())?;
         }
+        for (i, row) in self.road_marks.iter().enumerate() {
+            let check = Check { table: "road_marks", row: i };
+            check.finite("s", row.s())?;
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+            check.reference("style", row.style(), self.road_mark_styles.len(), false)?;
+        }
+        for (i, row) in self.road_mark_styles.iter().enumerate() {
+            let check = Check { table: "road_mark_styles", row: i };
+            check.finite("width", row.width())?;
+            check.finite("height", row.height())?;
+            check.reference("material", row.material(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.range("lines", row.lines(), self.road_mark_lines.len())?;
+            check.range("sway", row.sway(), self.cubics.len())?;
+            check.code("kind", row.kind(), 13)?;
+            check.code("weight", row.weight(), 3)?;
+            check.code("color", row.color(), 10)?;
+            check.code("lane_change", row.lane_change(), 5)?;
+        }
+        for (i, row) in self.road_mark_lines.iter().enumerate() {
+            let check = Check { table: "road_mark_lines", row: i };
+            check.finite("length", row.length())?;
+            check.finite("space", row.space())?;
+            check.finite("t_offset", row.t_offset())?;
+            check.finite("s_offset", row.s_offset())?;
+            check.finite("width", row.width())?;
+            check.code("rule", row.rule(), 4)?;
+            check.code("color", row.color(), 10)?;
+        }
         for (i, row) in self.graph.iter().enumerate() {
             let check = Check { table: "graph", row: i };
             check.finite("length_step", row.length_step())?;
@@ -265,7 +294,7 @@ impl Tables<'_> {
         }
         for (i, row) in self.edges.iter().enumerate() {
             let check = Check { table: "edges", row: i };
-            check.code("kind", row.kind(), 6)?;
+            check.code("kind", row.kind(), 7)?;
         }
         for (i, row) in self.predecessors.iter().enumerate() {
             let check = Check { table: "predecessors", row: i };
@@ -431,6 +460,7 @@ impl Tables<'_> {
             check.code("kind", row.kind(), 7)?;
             check.code("treatment", row.treatment(), 2)?;
             check.code("has_extent", row.has_extent(), 2)?;
+            check.code("owner_kind", row.owner_kind(), 7)?;
         }
         Ok(())
     }

@@ -1,6 +1,7 @@
 //! One element after the other, from what the file says to flat rows.
 
 mod grid;
+mod marks;
 mod need;
 mod reference_line;
 mod sections;
@@ -60,6 +61,7 @@ pub(crate) struct Lowering {
     pub(crate) links: Links,
     pub(crate) permissions: Permissions,
     pub(crate) signals: Pending,
+    styles: marks::Styles,
     map: Option<MapRow>,
 }
 
@@ -296,7 +298,8 @@ impl Lowering {
                 kind: part.kind.code(),
                 treatment: u8::from(part.treatment == Treatment::ReferenceLine),
                 has_extent: u8::from(part.extent.is_some()),
-                reserved: [0; 5],
+                owner_kind: part.owner_kind.code(),
+                reserved: [0; 4],
             };
             self.rows.quarantined.push(row);
         }

@@ -1,6 +1,6 @@
 //! A map as a drawing: x to the right, y up, one unit a metre.
 
-use super::{Options, index_boxes, style};
+use super::{Options, index_boxes, marks, style};
 use mapd_client::glam::{DVec2, DVec3};
 use mapd_client::{Lane, LaneSection, LaneType, Map, Polyline};
 use mapd_query::Signal;
@@ -71,6 +71,9 @@ pub(super) fn write(map: Map<'_>, options: Options, out: &mut dyn Write) -> Resu
         for center in level.iter().filter_map(|(_, section)| section.lane(0)) {
             line(center.border(), "reference", paper, out)?;
         }
+        for lane in level.iter().flat_map(|(_, section)| section.lanes()) {
+            marks::write(&lane, paper, out)?;
+        }
         for lane in lanes() {
             way(&lane, paper, out)?;
         }
@@ -117,7 +120,7 @@ fn line(line: Polyline<'_>, class: &str, paper: Paper, out: &mut dyn Write) -> R
 }
 
 /// Points of a path, the first one after `first`.
-fn points(
+pub(super) fn points(
     points: impl Iterator<Item = DVec3>,
     paper: Paper,
     first: char,
