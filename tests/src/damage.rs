@@ -87,6 +87,30 @@ fn ask_objects(map: Map<'_>) {
         }
         let _ = object.placements().take(200).map(|place| place.outlines().len()).sum::<usize>();
     }
+    for place in map.objects().take(200).map(|object| object.template()) {
+        for marking in place.markings() {
+            let _ = (marking.corners().count(), marking.outline().is_some(), marking.color());
+        }
+        for border in place.borders() {
+            let _ = (border.corners().count(), border.outline().is_some(), border.kind());
+        }
+        let _ = place.skeletons().map(|line| line.vertices().count()).sum::<usize>();
+        let _ =
+            (place.object().parking_space().map(|p| p.access()), place.object().materials().len());
+    }
+    for reference in map.object_references().take(200) {
+        let _ = (reference.object().is_some(), reference.road().is_some(), reference.id());
+        let _ = reference.validities().count();
+    }
+    for structure in map.structures().take(200) {
+        let _ = (structure.kind(), structure.road().is_some(), structure.validities().count());
+    }
+    for switch in map.switches().take(200) {
+        let _ = (switch.main_track().road.is_some(), switch.partner().is_some(), switch.position());
+    }
+    for platform in map.stations().take(200).flat_map(|station| station.platforms().take(200)) {
+        let _ = (platform.segments().take(200).count(), platform.id());
+    }
     let _ = map.lanes().map(|lane| lane.objects().count()).sum::<usize>();
     let _ = map.roads().map(|road| road.objects().count()).sum::<usize>();
     let _ = map.junctions().map(|junction| junction.objects().count()).sum::<usize>();

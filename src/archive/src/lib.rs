@@ -55,7 +55,8 @@ pub use generated::{
 pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_flags};
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
 pub use object_codes::{
-    AttachMethod, ObjectShape, Orientation, OutlineFill, copy_flags, object_flags, outline_flags,
+    AttachMethod, ObjectShape, ObjectSide, Orientation, OutlineFill, PlatformSide, StructureKind,
+    SwitchPosition, copy_flags, object_flags, outline_flags,
 };
 pub use open::{Archive, open, string};
 pub use strings::StringTable;

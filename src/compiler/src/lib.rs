@@ -280,15 +280,18 @@ fn read(
                 Item::Road(road) => {
                     let number = lowering.rows.roads.len();
                     lowering.road(&road, reader.position(road.span.start), &mut checked);
-                    if let Some(objects) = road.objects.as_deref()
-                        && lowering.rows.roads.len() > number
-                    {
+                    let is_there = lowering.rows.roads.len() > number;
+                    if let Some(railroad) = road.railroad.as_deref().filter(|_| is_there) {
+                        lowering.switches(number as u32, railroad);
+                    }
+                    if let Some(objects) = road.objects.as_deref().filter(|_| is_there) {
                         let owner = Owner::Road(number as u32, road.id.text());
                         let position = |span: Span| reader.position(span.start);
                         let with = (&reading.ontology, position);
                         lowering.objects(owner, objects, with, &mut checked);
                     }
                 }
+                Item::Station(station) => lowering.station(&station),
                 Item::Junction(junction) => {
                     let number = lowering.rows.junctions.len();
                     let position = |span: Span| reader.position(span.start);

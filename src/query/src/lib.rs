@@ -32,10 +32,12 @@ mod objects;
 mod polyline;
 mod profile;
 mod quarantine;
+mod railway;
 mod region;
 mod road;
 mod route;
 mod section;
+mod structures;
 mod surface;
 mod types;
 mod waypoints;
@@ -51,12 +53,17 @@ pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
 pub use mapd_archive::{
     AttachMethod, Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind, LaneType, ObjectShape,
-    Orientation, OutlineFill, QuarantinedKind, RoadType, SpeedKind, VehicleClass,
+    ObjectSide, Orientation, OutlineFill, PlatformSide, QuarantinedKind, RoadType, SpeedKind,
+    StructureKind, SwitchPosition, VehicleClass,
 };
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
-pub use objects::{NearObject, Object, ObjectLane, ObjectOutline, ObjectPlacement, PlacementId};
+pub use objects::{
+    NearObject, Object, ObjectBorder, ObjectLane, ObjectMarking, ObjectMaterial, ObjectOutline,
+    ObjectPlacement, ParkingSpace, PlacementId, Skeleton, SkeletonVertex,
+};
 pub use polyline::Polyline;
 pub use quarantine::Quarantined;
+pub use railway::{Platform, PlatformSegment, Station, Switch, SwitchTrack};
 pub use region::{BoundarySegment, Region};
 pub use road::{Road, RoadLink, RoadTypeRecord};
 pub use route::{
@@ -64,6 +71,7 @@ pub use route::{
     RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime, next_lane_change,
 };
 pub use section::LaneSection;
+pub use structures::{ObjectReference, Structure};
 pub use surface::{Material, Surface};
 pub use types::{LaneEdges, LanePosition, Point, Pose, Track, TrackPosition};
 pub use waypoints::Waypoint;

@@ -819,3 +819,419 @@ impl ArchivedObjectIndexNodeRow {
         bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.max_y)
     }
 }
+
+impl ArchivedObjectMarkingRow {
+    /// The object.
+    #[inline]
+    pub fn object(&self) -> u32 {
+        self.object.to_native()
+    }
+    /// Outline that the corners are of; none where none is meant.
+    #[inline]
+    pub fn outline(&self) -> u32 {
+        self.outline.to_native()
+    }
+    /// Corners that the line runs along, in order; empty: the whole outline, or the side.
+    #[inline]
+    pub fn corners(&self) -> Range {
+        self.corners.to_native()
+    }
+    /// marking/@color.
+    #[inline]
+    pub fn color(&self) -> u32 {
+        self.color.to_native()
+    }
+    /// marking/@weight.
+    #[inline]
+    pub fn weight(&self) -> u32 {
+        self.weight.to_native()
+    }
+    /// parkingSpace/marking/@type of OpenDRIVE 1.4; empty elsewhere.
+    #[inline]
+    pub fn kind(&self) -> u32 {
+        self.kind.to_native()
+    }
+    /// `[m]` Width of the line; 0 if not given.
+    #[inline]
+    pub fn width(&self) -> f32 {
+        self.width.to_native()
+    }
+    /// `[m]` Height of the line above the object's foot.
+    #[inline]
+    pub fn z_offset(&self) -> f32 {
+        self.z_offset.to_native()
+    }
+    /// `[m]` Length of a stroke; 0 if not given.
+    #[inline]
+    pub fn line_length(&self) -> f32 {
+        self.line_length.to_native()
+    }
+    /// `[m]` Length of the gap between two strokes; 0: none.
+    #[inline]
+    pub fn space_length(&self) -> f32 {
+        self.space_length.to_native()
+    }
+    /// `[m]` How far after its first corner the line begins.
+    #[inline]
+    pub fn start_offset(&self) -> f32 {
+        self.start_offset.to_native()
+    }
+    /// `[m]` How far before its last corner the line ends.
+    #[inline]
+    pub fn stop_offset(&self) -> f32 {
+        self.stop_offset.to_native()
+    }
+    /// 0 not given, 1 left, 2 right, 3 front, 4 rear.
+    #[inline]
+    pub fn side(&self) -> u8 {
+        self.side
+    }
+}
+
+impl ArchivedObjectBorderRow {
+    /// The object.
+    #[inline]
+    pub fn object(&self) -> u32 {
+        self.object.to_native()
+    }
+    /// The outline; none where the object has none of that id.
+    #[inline]
+    pub fn outline(&self) -> u32 {
+        self.outline.to_native()
+    }
+    /// Corners that the border runs along; empty: the whole outline.
+    #[inline]
+    pub fn corners(&self) -> Range {
+        self.corners.to_native()
+    }
+    /// border/@type.
+    #[inline]
+    pub fn kind(&self) -> u32 {
+        self.kind.to_native()
+    }
+    /// `[m]` Width.
+    #[inline]
+    pub fn width(&self) -> f32 {
+        self.width.to_native()
+    }
+}
+
+impl ArchivedObjectSkeletonRow {
+    /// The object.
+    #[inline]
+    pub fn object(&self) -> u32 {
+        self.object.to_native()
+    }
+    /// Vertices in order.
+    #[inline]
+    pub fn vertices(&self) -> Range {
+        self.vertices.to_native()
+    }
+}
+
+impl ArchivedSkeletonVertexRow {
+    /// `[m]` Ahead of the origin.
+    #[inline]
+    pub fn u(&self) -> f32 {
+        self.u.to_native()
+    }
+    /// `[m]` Left of the origin.
+    #[inline]
+    pub fn v(&self) -> f32 {
+        self.v.to_native()
+    }
+    /// `[m]` Above the origin.
+    #[inline]
+    pub fn z(&self) -> f32 {
+        self.z.to_native()
+    }
+    /// `[m]` Radius of the tube around the line; 0 if not given.
+    #[inline]
+    pub fn radius(&self) -> f32 {
+        self.radius.to_native()
+    }
+    /// 1 the object meets the ground here.
+    #[inline]
+    pub fn flags(&self) -> u32 {
+        self.flags.to_native()
+    }
+}
+
+impl ArchivedParkingSpaceRow {
+    /// The object.
+    #[inline]
+    pub fn object(&self) -> u32 {
+        self.object.to_native()
+    }
+    /// parkingSpace/@restrictions.
+    #[inline]
+    pub fn restrictions(&self) -> u32 {
+        self.restrictions.to_native()
+    }
+    /// parkingSpace/@access.
+    #[inline]
+    pub fn access(&self) -> u32 {
+        self.access.to_native()
+    }
+}
+
+impl ArchivedObjectMaterialRow {
+    /// The object.
+    #[inline]
+    pub fn object(&self) -> u32 {
+        self.object.to_native()
+    }
+    /// material/@surface.
+    #[inline]
+    pub fn surface(&self) -> u32 {
+        self.surface.to_native()
+    }
+    /// material/@roadMarkColor.
+    #[inline]
+    pub fn color(&self) -> u32 {
+        self.color.to_native()
+    }
+    /// Friction coefficient; −1 if not given.
+    #[inline]
+    pub fn friction(&self) -> f32 {
+        self.friction.to_native()
+    }
+    /// Roughness as written; −1 if not given.
+    #[inline]
+    pub fn roughness(&self) -> f32 {
+        self.roughness.to_native()
+    }
+}
+
+impl ArchivedObjectReferenceRow {
+    /// `[m]` Place on the referring road.
+    #[inline]
+    pub fn s(&self) -> f64 {
+        self.s.to_native()
+    }
+    /// `[m]` Lateral place on the referring road.
+    #[inline]
+    pub fn t(&self) -> f64 {
+        self.t.to_native()
+    }
+    /// The referring road.
+    #[inline]
+    pub fn road(&self) -> u32 {
+        self.road.to_native()
+    }
+    /// The object; none if the map has none of this id.
+    #[inline]
+    pub fn object(&self) -> u32 {
+        self.object.to_native()
+    }
+    /// Id of the object as written.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// Lane numbers of the referring road that it holds for.
+    #[inline]
+    pub fn validities(&self) -> Range {
+        self.validities.to_native()
+    }
+    /// `[m]` objectReference/@zOffset.
+    #[inline]
+    pub fn z_offset(&self) -> f32 {
+        self.z_offset.to_native()
+    }
+    /// `[m]` Length along s over which it holds; 0 if absent.
+    #[inline]
+    pub fn valid_length(&self) -> f32 {
+        self.valid_length.to_native()
+    }
+    /// As in `objects`.
+    #[inline]
+    pub fn orientation(&self) -> u8 {
+        self.orientation
+    }
+}
+
+impl ArchivedStructureRow {
+    /// `[m]` Start on the road.
+    #[inline]
+    pub fn s(&self) -> f64 {
+        self.s.to_native()
+    }
+    /// `[m]` Length along s.
+    #[inline]
+    pub fn length(&self) -> f64 {
+        self.length.to_native()
+    }
+    /// The road.
+    #[inline]
+    pub fn road(&self) -> u32 {
+        self.road.to_native()
+    }
+    /// Id verbatim.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// Name.
+    #[inline]
+    pub fn name(&self) -> u32 {
+        self.name.to_native()
+    }
+    /// bridge/@type or tunnel/@type.
+    #[inline]
+    pub fn material(&self) -> u32 {
+        self.material.to_native()
+    }
+    /// Lane numbers that it is written to hold for.
+    #[inline]
+    pub fn validities(&self) -> Range {
+        self.validities.to_native()
+    }
+    /// Degree of artificial light in a tunnel; −1 if not given.
+    #[inline]
+    pub fn lighting(&self) -> f32 {
+        self.lighting.to_native()
+    }
+    /// Degree of daylight in a tunnel; −1 if not given.
+    #[inline]
+    pub fn daylight(&self) -> f32 {
+        self.daylight.to_native()
+    }
+    /// Line of the start tag, from 1.
+    #[inline]
+    pub fn line(&self) -> u32 {
+        self.line.to_native()
+    }
+    /// Column of the start tag in bytes, from 1.
+    #[inline]
+    pub fn column(&self) -> u32 {
+        self.column.to_native()
+    }
+    /// 0 bridge, 1 tunnel.
+    #[inline]
+    pub fn kind(&self) -> u8 {
+        self.kind
+    }
+}
+
+impl ArchivedSwitchRow {
+    /// `[m]` Place on the main track.
+    #[inline]
+    pub fn main_s(&self) -> f64 {
+        self.main_s.to_native()
+    }
+    /// `[m]` Place on the side track.
+    #[inline]
+    pub fn side_s(&self) -> f64 {
+        self.side_s.to_native()
+    }
+    /// The road that it is written in.
+    #[inline]
+    pub fn road(&self) -> u32 {
+        self.road.to_native()
+    }
+    /// switch/@id.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// switch/@name.
+    #[inline]
+    pub fn name(&self) -> u32 {
+        self.name.to_native()
+    }
+    /// Main track; none if the map does not have it.
+    #[inline]
+    pub fn main(&self) -> u32 {
+        self.main.to_native()
+    }
+    /// Side track; none if the map does not have it.
+    #[inline]
+    pub fn side(&self) -> u32 {
+        self.side.to_native()
+    }
+    /// Switch at the other end of the side track.
+    #[inline]
+    pub fn partner(&self) -> u32 {
+        self.partner.to_native()
+    }
+    /// 0 not given, 1 dynamic, 2 straight, 3 turn.
+    #[inline]
+    pub fn position(&self) -> u8 {
+        self.position
+    }
+    /// 0 not given, 1 along s, 2 against s.
+    #[inline]
+    pub fn main_direction(&self) -> u8 {
+        self.main_direction
+    }
+    /// As `main_direction`.
+    #[inline]
+    pub fn side_direction(&self) -> u8 {
+        self.side_direction
+    }
+}
+
+impl ArchivedStationRow {
+    /// station/@id.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// station/@name.
+    #[inline]
+    pub fn name(&self) -> u32 {
+        self.name.to_native()
+    }
+    /// station/@type.
+    #[inline]
+    pub fn kind(&self) -> u32 {
+        self.kind.to_native()
+    }
+    /// Platforms in file order.
+    #[inline]
+    pub fn platforms(&self) -> Range {
+        self.platforms.to_native()
+    }
+}
+
+impl ArchivedPlatformRow {
+    /// platform/@id.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// platform/@name.
+    #[inline]
+    pub fn name(&self) -> u32 {
+        self.name.to_native()
+    }
+    /// Stretches of track beside it.
+    #[inline]
+    pub fn segments(&self) -> Range {
+        self.segments.to_native()
+    }
+}
+
+impl ArchivedPlatformSegmentRow {
+    /// `[m]` Start on the road.
+    #[inline]
+    pub fn s_start(&self) -> f64 {
+        self.s_start.to_native()
+    }
+    /// `[m]` End on the road.
+    #[inline]
+    pub fn s_end(&self) -> f64 {
+        self.s_end.to_native()
+    }
+    /// The road; none if the map does not have it.
+    #[inline]
+    pub fn road(&self) -> u32 {
+        self.road.to_native()
+    }
+    /// Side of the road that the platform is on: 0 not given, 1 left, 2 right.
+    #[inline]
+    pub fn side(&self) -> u8 {
+        self.side
+    }
+}

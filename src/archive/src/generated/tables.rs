@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [95, 177, 61, 104, 189, 74, 217, 96, 238, 1, 64, 224, 133, 233, 146, 162];
+    [183, 45, 137, 68, 124, 74, 140, 220, 54, 184, 121, 12, 102, 238, 186, 236];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -118,6 +118,32 @@ pub struct Rows {
     pub object_index_nodes: Table<ObjectIndexNodeRow>,
     /// What lies below the last level: below the number of objects an object's row, above it that number plus the row of a copy. Each place of an object once.
     pub object_index_items: Table<u32>,
+    /// Painted lines along objects, by object: along corners of an outline, or along a side.
+    pub object_markings: Table<ObjectMarkingRow>,
+    /// Corners that markings and borders name.
+    pub object_corners: Table<u32>,
+    /// Frames along outlines of objects, by object.
+    pub object_borders: Table<ObjectBorderRow>,
+    /// Lines that describe objects from inside, by object (OpenDRIVE 1.8.1, 13.8).
+    pub object_skeletons: Table<ObjectSkeletonRow>,
+    /// Vertices of skeletons in the object's frame.
+    pub skeleton_vertices: Table<SkeletonVertexRow>,
+    /// Objects that are parking spaces, by object.
+    pub parking_spaces: Table<ParkingSpaceRow>,
+    /// What objects are made of, by object.
+    pub object_materials: Table<ObjectMaterialRow>,
+    /// Objects of one road that concern another, by road, in file order.
+    pub object_references: Table<ObjectReferenceRow>,
+    /// Bridges and tunnels, by road, in file order.
+    pub structures: Table<StructureRow>,
+    /// Railway switches, by road, in file order.
+    pub switches: Table<SwitchRow>,
+    /// Stations in file order.
+    pub stations: Table<StationRow>,
+    /// Platforms of stations.
+    pub platforms: Table<PlatformRow>,
+    /// Stretches of track beside platforms.
+    pub platform_segments: Table<PlatformSegmentRow>,
 }
 
 impl Rows {
@@ -175,6 +201,19 @@ impl Rows {
             object_index_levels: (self.object_index_levels.as_slice()),
             object_index_nodes: bytemuck::cast_slice(self.object_index_nodes.as_slice()),
             object_index_items: (self.object_index_items.as_slice()),
+            object_markings: bytemuck::cast_slice(self.object_markings.as_slice()),
+            object_corners: (self.object_corners.as_slice()),
+            object_borders: bytemuck::cast_slice(self.object_borders.as_slice()),
+            object_skeletons: bytemuck::cast_slice(self.object_skeletons.as_slice()),
+            skeleton_vertices: bytemuck::cast_slice(self.skeleton_vertices.as_slice()),
+            parking_spaces: bytemuck::cast_slice(self.parking_spaces.as_slice()),
+            object_materials: bytemuck::cast_slice(self.object_materials.as_slice()),
+            object_references: bytemuck::cast_slice(self.object_references.as_slice()),
+            structures: bytemuck::cast_slice(self.structures.as_slice()),
+            switches: bytemuck::cast_slice(self.switches.as_slice()),
+            stations: bytemuck::cast_slice(self.stations.as_slice()),
+            platforms: bytemuck::cast_slice(self.platforms.as_slice()),
+            platform_segments: bytemuck::cast_slice(self.platform_segments.as_slice()),
         }
     }
 }
@@ -285,6 +324,32 @@ pub struct Tables<'a> {
     pub object_index_nodes: &'a [ArchivedObjectIndexNodeRow],
     /// What lies below the last level: below the number of objects an object's row, above it that number plus the row of a copy. Each place of an object once.
     pub object_index_items: &'a [u32],
+    /// Painted lines along objects, by object: along corners of an outline, or along a side.
+    pub object_markings: &'a [ArchivedObjectMarkingRow],
+    /// Corners that markings and borders name.
+    pub object_corners: &'a [u32],
+    /// Frames along outlines of objects, by object.
+    pub object_borders: &'a [ArchivedObjectBorderRow],
+    /// Lines that describe objects from inside, by object (OpenDRIVE 1.8.1, 13.8).
+    pub object_skeletons: &'a [ArchivedObjectSkeletonRow],
+    /// Vertices of skeletons in the object's frame.
+    pub skeleton_vertices: &'a [ArchivedSkeletonVertexRow],
+    /// Objects that are parking spaces, by object.
+    pub parking_spaces: &'a [ArchivedParkingSpaceRow],
+    /// What objects are made of, by object.
+    pub object_materials: &'a [ArchivedObjectMaterialRow],
+    /// Objects of one road that concern another, by road, in file order.
+    pub object_references: &'a [ArchivedObjectReferenceRow],
+    /// Bridges and tunnels, by road, in file order.
+    pub structures: &'a [ArchivedStructureRow],
+    /// Railway switches, by road, in file order.
+    pub switches: &'a [ArchivedSwitchRow],
+    /// Stations in file order.
+    pub stations: &'a [ArchivedStationRow],
+    /// Platforms of stations.
+    pub platforms: &'a [ArchivedPlatformRow],
+    /// Stretches of track beside platforms.
+    pub platform_segments: &'a [ArchivedPlatformSegmentRow],
 }
 
 impl<'a> Tables<'a> {
@@ -348,11 +413,24 @@ impl<'a> Tables<'a> {
                 .view_numbers(body, "object_index_levels")?,
             object_index_nodes: root.object_index_nodes.view(body, "object_index_nodes")?,
             object_index_items: root.object_index_items.view_numbers(body, "object_index_items")?,
+            object_markings: root.object_markings.view(body, "object_markings")?,
+            object_corners: root.object_corners.view_numbers(body, "object_corners")?,
+            object_borders: root.object_borders.view(body, "object_borders")?,
+            object_skeletons: root.object_skeletons.view(body, "object_skeletons")?,
+            skeleton_vertices: root.skeleton_vertices.view(body, "skeleton_vertices")?,
+            parking_spaces: root.parking_spaces.view(body, "parking_spaces")?,
+            object_materials: root.object_materials.view(body, "object_materials")?,
+            object_references: root.object_references.view(body, "object_references")?,
+            structures: root.structures.view(body, "structures")?,
+            switches: root.switches.view(body, "switches")?,
+            stations: root.stations.view(body, "stations")?,
+            platforms: root.platforms.view(body, "platforms")?,
+            platform_segments: root.platform_segments.view(body, "platform_segments")?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 51] {
+    pub fn infos(&self) -> [TableInfo; 64] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -405,6 +483,19 @@ impl<'a> Tables<'a> {
             TableInfo::of("object_index_levels", self.object_index_levels),
             TableInfo::of("object_index_nodes", self.object_index_nodes),
             TableInfo::of("object_index_items", self.object_index_items),
+            TableInfo::of("object_markings", self.object_markings),
+            TableInfo::of("object_corners", self.object_corners),
+            TableInfo::of("object_borders", self.object_borders),
+            TableInfo::of("object_skeletons", self.object_skeletons),
+            TableInfo::of("skeleton_vertices", self.skeleton_vertices),
+            TableInfo::of("parking_spaces", self.parking_spaces),
+            TableInfo::of("object_materials", self.object_materials),
+            TableInfo::of("object_references", self.object_references),
+            TableInfo::of("structures", self.structures),
+            TableInfo::of("switches", self.switches),
+            TableInfo::of("stations", self.stations),
+            TableInfo::of("platforms", self.platforms),
+            TableInfo::of("platform_segments", self.platform_segments),
         ]
     }
 
@@ -789,6 +880,119 @@ impl<'a> Tables<'a> {
                 check.finite("max_y", f64::from(*value))?;
             }
         }
+        for (i, row) in self.object_markings.iter().enumerate() {
+            let check = Check { table: "object_markings", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.reference("outline", row.outline(), self.object_outlines.len(), true)?;
+            check.range("corners", row.corners(), self.object_corners.len())?;
+            check.reference("color", row.color(), strings, false)?;
+            check.reference("weight", row.weight(), strings, false)?;
+            check.reference("kind", row.kind(), strings, false)?;
+            check.finite("width", f64::from(row.width()))?;
+            check.finite("z_offset", f64::from(row.z_offset()))?;
+            check.finite("line_length", f64::from(row.line_length()))?;
+            check.finite("space_length", f64::from(row.space_length()))?;
+            check.finite("start_offset", f64::from(row.start_offset()))?;
+            check.finite("stop_offset", f64::from(row.stop_offset()))?;
+            check.code("side", row.side(), 5)?;
+        }
+        for (i, row) in self.object_corners.iter().enumerate() {
+            let check = Check { table: "object_corners", row: i };
+            check.reference("", *row, self.object_points.len(), false)?;
+        }
+        for (i, row) in self.object_borders.iter().enumerate() {
+            let check = Check { table: "object_borders", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.reference("outline", row.outline(), self.object_outlines.len(), true)?;
+            check.range("corners", row.corners(), self.object_corners.len())?;
+            check.reference("kind", row.kind(), strings, false)?;
+            check.finite("width", f64::from(row.width()))?;
+        }
+        for (i, row) in self.object_skeletons.iter().enumerate() {
+            let check = Check { table: "object_skeletons", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.range("vertices", row.vertices(), self.skeleton_vertices.len())?;
+        }
+        for (i, row) in self.skeleton_vertices.iter().enumerate() {
+            let check = Check { table: "skeleton_vertices", row: i };
+            check.finite("u", f64::from(row.u()))?;
+            check.finite("v", f64::from(row.v()))?;
+            check.finite("z", f64::from(row.z()))?;
+            check.finite("radius", f64::from(row.radius()))?;
+        }
+        for (i, row) in self.parking_spaces.iter().enumerate() {
+            let check = Check { table: "parking_spaces", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.reference("restrictions", row.restrictions(), strings, false)?;
+            check.reference("access", row.access(), strings, false)?;
+        }
+        for (i, row) in self.object_materials.iter().enumerate() {
+            let check = Check { table: "object_materials", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.reference("surface", row.surface(), strings, false)?;
+            check.reference("color", row.color(), strings, false)?;
+            check.finite("friction", f64::from(row.friction()))?;
+            check.finite("roughness", f64::from(row.roughness()))?;
+        }
+        for (i, row) in self.object_references.iter().enumerate() {
+            let check = Check { table: "object_references", row: i };
+            check.finite("s", row.s())?;
+            check.finite("t", row.t())?;
+            check.reference("road", row.road(), self.roads.len(), false)?;
+            check.reference("object", row.object(), self.objects.len(), true)?;
+            check.reference("id", row.id(), strings, false)?;
+            check.range("validities", row.validities(), self.lane_ranges.len())?;
+            check.finite("z_offset", f64::from(row.z_offset()))?;
+            check.finite("valid_length", f64::from(row.valid_length()))?;
+            check.code("orientation", row.orientation(), 3)?;
+        }
+        for (i, row) in self.structures.iter().enumerate() {
+            let check = Check { table: "structures", row: i };
+            check.finite("s", row.s())?;
+            check.finite("length", row.length())?;
+            check.reference("road", row.road(), self.roads.len(), false)?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("material", row.material(), strings, false)?;
+            check.range("validities", row.validities(), self.lane_ranges.len())?;
+            check.finite("lighting", f64::from(row.lighting()))?;
+            check.finite("daylight", f64::from(row.daylight()))?;
+            check.code("kind", row.kind(), 2)?;
+        }
+        for (i, row) in self.switches.iter().enumerate() {
+            let check = Check { table: "switches", row: i };
+            check.finite("main_s", row.main_s())?;
+            check.finite("side_s", row.side_s())?;
+            check.reference("road", row.road(), self.roads.len(), false)?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("main", row.main(), self.roads.len(), true)?;
+            check.reference("side", row.side(), self.roads.len(), true)?;
+            check.reference("partner", row.partner(), self.switches.len(), true)?;
+            check.code("position", row.position(), 4)?;
+            check.code("main_direction", row.main_direction(), 3)?;
+            check.code("side_direction", row.side_direction(), 3)?;
+        }
+        for (i, row) in self.stations.iter().enumerate() {
+            let check = Check { table: "stations", row: i };
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("kind", row.kind(), strings, false)?;
+            check.range("platforms", row.platforms(), self.platforms.len())?;
+        }
+        for (i, row) in self.platforms.iter().enumerate() {
+            let check = Check { table: "platforms", row: i };
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.range("segments", row.segments(), self.platform_segments.len())?;
+        }
+        for (i, row) in self.platform_segments.iter().enumerate() {
+            let check = Check { table: "platform_segments", row: i };
+            check.finite("s_start", row.s_start())?;
+            check.finite("s_end", row.s_end())?;
+            check.reference("road", row.road(), self.roads.len(), true)?;
+            check.code("side", row.side(), 3)?;
+        }
         Ok(())
     }
 }
@@ -806,6 +1010,7 @@ const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());

@@ -2,11 +2,14 @@
 
 mod grid;
 mod need;
+mod object_details;
 mod object_outlines;
 mod object_repeats;
 mod objects;
+mod railway;
 mod reference_line;
 mod sections;
+mod structures;
 mod surface;
 
 use crate::graph::Permissions;
