@@ -63,6 +63,7 @@ pub fn ask_everything(bytes: AlignedBytes) {
     let _ = map.road_mark_segments(region, LaneTypes::ALL, &mut lanes, &mut segments, &mut vec![]);
     ask_graph(map);
     ask_signals(map);
+    ask_objects(map);
     for junction in map.junctions() {
         let _ = junction.connections().map(|c| c.lane_links().count()).sum::<usize>();
     }
@@ -96,6 +97,57 @@ fn ask_signals(map: Map<'_>) {
         let from = LanePlace { lane: lane.lane_id(), s: 1.0 };
         let _ = map.signals_ahead(from, 50.0, VehicleClass::PassengerCar, &mut ahead);
     }
+}
+
+fn ask_objects(map: Map<'_>) {
+    let (mut near, mut inside, mut corners) = (Vec::new(), Vec::new(), Vec::new());
+    let point = DVec2::new(20.0, 1.0);
+    let _ = map.objects_near(point, 30.0, &mut near);
+    let _ = map.objects_in(Region::around(point, 30.0), &mut inside);
+    for id in inside.iter().chain(near.iter().map(|found| &found.place)).take(200) {
+        let Ok(place) = map.placement(*id) else { continue };
+        place.footprint(&mut corners);
+        let _ = (place.height(), place.bounds(), place.distance(point), place.item());
+    }
+    for object in map.objects().take(200) {
+        let _ = (object.id(), object.class().name(), object.type_name(), object.validities().len());
+        let _ = (object.position_on_surface().is_ok(), object.is_repeated(), object.height());
+        for outline in object.outlines() {
+            let _ = (outline.positions().count(), outline.heights().count(), outline.fill());
+        }
+        for at in object.lanes() {
+            let _ = (at.lane().is_some(), at.object().is_some(), at.s_range(), at.method());
+        }
+        let _ = object.placements().take(200).map(|place| place.outlines().len()).sum::<usize>();
+    }
+    for place in map.objects().take(200).map(|object| object.template()) {
+        for marking in place.markings() {
+            let _ = (marking.corners().count(), marking.outline().is_some(), marking.color());
+        }
+        for border in place.borders() {
+            let _ = (border.corners().count(), border.outline().is_some(), border.kind());
+        }
+        let _ = place.skeletons().map(|line| line.vertices().count()).sum::<usize>();
+        let _ =
+            (place.object().parking_space().map(|p| p.access()), place.object().materials().len());
+    }
+    for reference in map.object_references().take(200) {
+        let _ = (reference.object().is_some(), reference.road().is_some(), reference.id());
+        let _ = reference.validities().count();
+    }
+    for structure in map.structures().take(200) {
+        let _ = (structure.kind(), structure.road().is_some(), structure.validities().count());
+    }
+    for switch in map.switches().take(200) {
+        let _ = (switch.main_track().road.is_some(), switch.partner().is_some(), switch.position());
+    }
+    for platform in map.stations().take(200).flat_map(|station| station.platforms().take(200)) {
+        let _ = (platform.segments().take(200).count(), platform.id());
+    }
+    let _ = map.lanes().map(|lane| lane.objects().count()).sum::<usize>();
+    let _ = map.roads().map(|road| road.objects().count()).sum::<usize>();
+    let _ = map.junctions().map(|junction| junction.objects().count()).sum::<usize>();
+    let _ = map.object_by_id("1").map(|object| object.source_position());
 }
 
 fn ask_graph(map: Map<'_>) {

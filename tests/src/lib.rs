@@ -13,6 +13,7 @@ pub mod damage;
 pub mod graph_maps;
 pub mod literal;
 pub mod maps;
+pub mod object_maps;
 pub mod place;
 pub mod plain_route;
 pub mod small;

@@ -36,12 +36,14 @@ mod generated;
 mod graph_codes;
 mod header;
 mod mark_codes;
+mod object_codes;
 mod open;
 mod signal_codes;
 mod strings;
 mod table;
 mod verify;
 mod verify_graph;
+mod verify_objects;
 mod write;
 
 pub use codes::{
@@ -49,17 +51,23 @@ pub use codes::{
 };
 pub use error::{OpenError, VerifyError, WriteError};
 pub use generated::{
+    beside_rows::*,
     classes::{Class, ClassGroup},
-    rows::*,
+    network_rows::*,
+    object_rows::*,
     signal_rows::*,
     tables::*,
 };
 pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_flags};
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
 pub use mark_codes::{MarkLaneChange, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight};
+pub use object_codes::{
+    AttachMethod, ObjectShape, ObjectSide, Orientation, OutlineFill, PlatformSide, StructureKind,
+    SwitchPosition, copy_flags, object_flags, outline_flags,
+};
 pub use open::{Archive, open, string};
 pub use signal_codes::{
-    LaneMethod, Orientation, Relation, RelationReason, SignalPosition, signal_flags, signal_values,
+    LaneMethod, Relation, RelationReason, SignalPosition, signal_flags, signal_values,
 };
 pub use strings::StringTable;
 pub use table::{ArchivedRange, ArchivedTable, Range, Table, TableInfo};

@@ -25,6 +25,7 @@ mod index;
 mod lanes;
 mod links;
 mod lower;
+mod objects;
 mod options;
 mod origin;
 mod quarantine;
@@ -37,11 +38,11 @@ pub use quarantine::{OnError, PartKind, Policy, QuarantinedPart, Treatment};
 pub use report::{Compilation, Diagnostic, Progress, Verdict, Version};
 
 use hashing::HashingReader;
-use lower::Lowering;
+use lower::{Lowering, Owner};
 use mapd_archive::{NONE, Provenance, Rows};
 use mapd_rules::Checker;
 use mapd_xodr::source::{Inputs, Places};
-use mapd_xodr::{Finding, Item, Limits, Reader, Severity};
+use mapd_xodr::{Finding, Item, Limits, Reader, Severity, Span, Text as _};
 use quarantine::{Exclusions, Units};
 use report::Collector;
 use std::io::{self, Read};
@@ -158,6 +159,7 @@ fn build(
     compiled.provenance.options_hash = reading.hash(options);
     if let Some(mut rows) = rows.filter(|_| compiled.verdict != Verdict::Rejected) {
         progress(Progress::Indexing { segments: rows.points.len() });
+        objects::index(&mut rows);
         match index::build(&mut rows, options) {
             Ok(()) => compiled.rows = Some(rows),
             Err(error) => {
@@ -228,9 +230,10 @@ impl Document {
         if self.collector.is_rejected() {
             return Ok(None);
         }
-        let lowering = std::mem::take(&mut self.lowering);
+        let mut lowering = std::mem::take(&mut self.lowering);
         progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
         let road_spans = lowering.links.road_spans.clone();
+        let written = std::mem::take(&mut lowering.objects);
         let mut rows = lowering.into_rows(options);
         if let Err(error) = lanes::sample(&mut rows, options) {
             self.collector.add(vec![too_large(&error)], &self.places);
@@ -248,6 +251,10 @@ impl Document {
         self.collector.add(findings, &self.places);
         let findings = signals::complete(&mut rows, &self.signals);
         self.collector.add(findings, &self.places);
+        match objects::build(&mut rows, written, options) {
+            Ok(findings) => self.collector.add(findings, &self.places),
+            Err(error) => self.collector.add(vec![too_large(&error)], &self.places),
+        }
         Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
     }
 }
@@ -289,9 +296,25 @@ fn read(
             match item {
                 Item::Header(header) => lowering.header(&header),
                 Item::Road(road) => {
+                    let number = lowering.rows.roads.len();
                     lowering.road(&road, reader.position(road.span.start), &mut checked);
+                    let is_there = lowering.rows.roads.len() > number;
+                    if let Some(railroad) = road.railroad.as_deref().filter(|_| is_there) {
+                        lowering.switches(number as u32, railroad);
+                    }
+                    if let Some(objects) = road.objects.as_deref().filter(|_| is_there) {
+                        let owner = Owner::Road(number as u32, road.id.text());
+                        let position = |span: Span| reader.position(span.start);
+                        let with = (&reading.ontology, position);
+                        lowering.objects(owner, objects, with, &mut checked);
+                    }
                 }
+                Item::Station(station) => lowering.station(&station),
                 Item::Junction(junction) => {
+                    let number = lowering.rows.junctions.len();
+                    let position = |span: Span| reader.position(span.start);
+                    let with = (&reading.ontology, position);
+                    lowering.junction_objects(&junction, number as u32, with, &mut checked);
                     let position = reader.position(junction.span.start);
                     lowering.junction(*junction, position, &mut checked);
                 }

@@ -1,6 +1,7 @@
 //! `mapd inspect`.
 
 use crate::graph_facts::{GraphFacts, lane_links};
+use crate::object_facts::ObjectFacts;
 use crate::report::hex;
 use crate::signal_facts::SignalFacts;
 use anyhow::Result;
@@ -24,6 +25,7 @@ struct Inspection {
     map: MapFacts,
     graph: GraphFacts,
     signals: SignalFacts,
+    objects: ObjectFacts,
     quarantined: Vec<QuarantinedFacts>,
     tables: Vec<TableFacts>,
 }
@@ -100,6 +102,7 @@ pub(crate) fn run(
     writeln!(out, "lanes         {} in {} sections, {} links", m.lanes, m.sections, m.lane_links)?;
     i.graph.print(out)?;
     i.signals.print(out)?;
+    i.objects.print(out)?;
     writeln!(out, "bounds [m]    {:?} to {:?}", m.min, m.max)?;
     writeln!(out, "geoReference  {}", m.geo_reference)?;
     writeln!(out, "archive       {} bytes, {:.0} per km of road", i.bytes, m.bytes_per_road_km)?;
@@ -167,6 +170,7 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
         },
         graph: GraphFacts::of(map),
         signals: SignalFacts::of(map),
+        objects: ObjectFacts::of(map),
         quarantined: map.quarantined().map(|part| quarantined(&part)).collect(),
         tables: tables
             .infos()

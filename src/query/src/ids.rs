@@ -44,4 +44,6 @@ ids! {
     SignalId;
     /// A controller.
     ControllerId;
+    /// An object.
+    ObjectId;
 }

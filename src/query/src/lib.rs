@@ -1,6 +1,6 @@
 //! What planners and localisers ask of an HD map, answered in place on a borrowed mapd archive.
 //!
-//! [`Map`] is a small `Copy` view; [`Road`], [`LaneSection`], [`Lane`] and [`Junction`] are cursors into it.
+//! [`Map`] is a small `Copy` view; [`Road`], [`LaneSection`], [`Lane`], [`Junction`] and [`Object`] are cursors into it.
 //!
 //! Invariants: a query never allocates, locks, prints, panics or does I/O, also on a damaged archive; there is no global
 //! state; the compiler evaluates geometry through the same functions, bit for bit. Deliberately absent: how the bytes
@@ -28,15 +28,18 @@ mod lane_length;
 mod map;
 mod near;
 mod nearest;
+mod objects;
 mod polyline;
 mod profile;
 mod quarantine;
+mod railway;
 mod region;
 mod road;
 mod road_mark;
 mod route;
 mod section;
 mod signals;
+mod structures;
 mod surface;
 mod types;
 mod waypoints;
@@ -44,20 +47,29 @@ mod waypoints;
 pub use error::QueryError;
 pub use glam;
 pub use graph::{Conflict, LaneEdge, LaneNode};
-pub use ids::{ControllerId, JunctionId, LaneId, LaneSectionId, NodeId, RoadId, SignalId};
+pub use ids::{
+    ControllerId, JunctionId, LaneId, LaneSectionId, NodeId, ObjectId, RoadId, SignalId,
+};
 pub use index::{SegmentHit, nearest_segment};
 pub use junction::{Connection, Junction};
 pub use key::{LaneKey, ParseLaneKeyError};
 pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
 pub use mapd_archive::{
-    Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind, LaneMethod, LaneType, MarkLaneChange,
-    Orientation, QuarantinedKind, Relation, RelationReason, RoadMarkColor, RoadMarkKind,
-    RoadMarkRule, RoadMarkWeight, RoadType, SignalPosition, SpeedKind, VehicleClass,
+    AttachMethod, Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind, LaneMethod, LaneType,
+    MarkLaneChange, ObjectShape, ObjectSide, Orientation, OutlineFill, PlatformSide,
+    QuarantinedKind, Relation, RelationReason, RoadMarkColor, RoadMarkKind, RoadMarkRule,
+    RoadMarkWeight, RoadType, SignalPosition, SpeedKind, StructureKind, SwitchPosition,
+    VehicleClass,
 };
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
+pub use objects::{
+    NearObject, Object, ObjectBorder, ObjectLane, ObjectMarking, ObjectMaterial, ObjectOutline,
+    ObjectPlacement, ParkingSpace, PlacementId, Skeleton, SkeletonVertex,
+};
 pub use polyline::Polyline;
 pub use quarantine::Quarantined;
+pub use railway::{Platform, PlatformSegment, Station, Switch, SwitchTrack};
 pub use region::{BoundarySegment, Region};
 pub use road::{Road, RoadLink, RoadTypeRecord};
 pub use road_mark::{RoadMark, RoadMarkLine, RoadMarkSegment};
@@ -70,6 +82,7 @@ pub use signals::{
     Controller, JunctionController, LaneSignal, LightStates, RightOfWay, Signal, SignalAhead,
     SignalLink, SignalPlace, SignalSemantics, SignalsAhead, SpeedOrigin, SpeedRule, Turn,
 };
+pub use structures::{ObjectReference, Structure};
 pub use surface::{Material, Surface};
 pub use types::{LaneEdges, LanePosition, Point, Pose, Track, TrackPosition};
 pub use waypoints::Waypoint;

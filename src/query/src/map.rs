@@ -95,12 +95,17 @@ impl<'a> Map<'a> {
         Lane::new(*self, row)
     }
 
+    /// The road in a row of the archive's table.
+    pub fn road_by_row(&self, row: u32) -> Option<Road<'a>> {
+        Road::new(*self, row)
+    }
+
     #[inline]
     pub(crate) fn origin(&self) -> DVec2 {
         self.row().map_or(DVec2::ZERO, |row| DVec2::new(row.origin_x(), row.origin_y()))
     }
 
-    fn known(&self, content: u32) -> Result<(), QueryError> {
+    pub(crate) fn known(&self, content: u32) -> Result<(), QueryError> {
         if content == self.content() { Ok(()) } else { Err(QueryError::ForeignId) }
     }
 

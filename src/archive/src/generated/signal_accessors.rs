@@ -1,4 +1,4 @@
-//! Reading the rows of signals and of what lies behind them.
+//! Reading the rows of signals and of what is left out.
 // Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
 
 use super::signal_rows::*;

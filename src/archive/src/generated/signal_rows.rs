@@ -1,4 +1,4 @@
-//! Row types of the tables of signals and of what lies behind them.
+//! Row types of the tables of signals and of what is left out.
 // Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
 
 use crate::table::Range;

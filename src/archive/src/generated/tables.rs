@@ -1,7 +1,9 @@
 //! The archive's tables in the order in which they lie.
 // Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
 
-use super::rows::*;
+use super::beside_rows::*;
+use super::network_rows::*;
+use super::object_rows::*;
 use super::signal_rows::*;
 use crate::error::OpenError;
 use crate::table::{Table, TableInfo};
@@ -11,7 +13,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [38, 150, 65, 14, 220, 239, 21, 39, 165, 30, 79, 207, 62, 192, 164, 183];
+    [213, 231, 33, 255, 220, 54, 138, 136, 247, 111, 1, 102, 199, 63, 120, 10];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -136,6 +138,54 @@ pub struct Rows {
     pub default_speeds: Table<DefaultSpeedRow>,
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: Table<QuarantinedRow>,
+    /// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
+    pub objects: Table<ObjectRow>,
+    /// Outlines of objects, and of what a continuous repetition sweeps over.
+    pub object_outlines: Table<ObjectOutlineRow>,
+    /// Corners in the frame of the object or copy that they belong to: u ahead, v to the left, z upwards.
+    pub object_points: Table<ObjectPointRow>,
+    /// Places of repeated objects, object by object, in the order of the repetitions and of s.
+    pub object_copies: Table<ObjectCopyRow>,
+    /// validity elements: lane numbers from the lower to the higher one.
+    pub lane_ranges: Table<LaneRangeRow>,
+    /// Which lanes objects belong to, object by object, nearer lanes first.
+    pub object_lanes: Table<ObjectLaneRow>,
+    /// Rows of `object_lanes` by lane, then by where they begin: what belongs to a lane.
+    pub lane_objects: Table<u32>,
+    /// Rows of `objects` in byte order of their ids.
+    pub objects_by_id: Table<u32>,
+    /// First node of each level of the objects' index, root first, then the number of nodes. Empty if the map has no objects.
+    pub object_index_levels: Table<u32>,
+    /// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie `object_index_items`. Boxes hold what objects cover in plan view, are relative to the local origin and rounded outwards; unused places are empty boxes.
+    pub object_index_nodes: Table<ObjectIndexNodeRow>,
+    /// What lies below the last level: below the number of objects an object's row, above it that number plus the row of a copy. Each place of an object once.
+    pub object_index_items: Table<u32>,
+    /// Painted lines along objects, by object: along corners of an outline, or along a side.
+    pub object_markings: Table<ObjectMarkingRow>,
+    /// Corners that markings and borders name.
+    pub object_corners: Table<u32>,
+    /// Frames along outlines of objects, by object.
+    pub object_borders: Table<ObjectBorderRow>,
+    /// Lines that describe objects from inside, by object (OpenDRIVE 1.8.1, 13.8).
+    pub object_skeletons: Table<ObjectSkeletonRow>,
+    /// Vertices of skeletons in the object's frame.
+    pub skeleton_vertices: Table<SkeletonVertexRow>,
+    /// Objects that are parking spaces, by object.
+    pub parking_spaces: Table<ParkingSpaceRow>,
+    /// What objects are made of, by object.
+    pub object_materials: Table<ObjectMaterialRow>,
+    /// Objects of one road that concern another, by road, in file order.
+    pub object_references: Table<ObjectReferenceRow>,
+    /// Bridges and tunnels, by road, in file order.
+    pub structures: Table<StructureRow>,
+    /// Railway switches, by road, in file order.
+    pub switches: Table<SwitchRow>,
+    /// Stations in file order.
+    pub stations: Table<StationRow>,
+    /// Platforms of stations.
+    pub platforms: Table<PlatformRow>,
+    /// Stretches of track beside platforms.
+    pub platform_segments: Table<PlatformSegmentRow>,
 }
 
 impl Rows {
@@ -202,6 +252,30 @@ impl Rows {
             right_of_way: bytemuck::cast_slice(self.right_of_way.as_slice()),
             default_speeds: bytemuck::cast_slice(self.default_speeds.as_slice()),
             quarantined: bytemuck::cast_slice(self.quarantined.as_slice()),
+            objects: bytemuck::cast_slice(self.objects.as_slice()),
+            object_outlines: bytemuck::cast_slice(self.object_outlines.as_slice()),
+            object_points: bytemuck::cast_slice(self.object_points.as_slice()),
+            object_copies: bytemuck::cast_slice(self.object_copies.as_slice()),
+            lane_ranges: bytemuck::cast_slice(self.lane_ranges.as_slice()),
+            object_lanes: bytemuck::cast_slice(self.object_lanes.as_slice()),
+            lane_objects: (self.lane_objects.as_slice()),
+            objects_by_id: (self.objects_by_id.as_slice()),
+            object_index_levels: (self.object_index_levels.as_slice()),
+            object_index_nodes: bytemuck::cast_slice(self.object_index_nodes.as_slice()),
+            object_index_items: (self.object_index_items.as_slice()),
+            object_markings: bytemuck::cast_slice(self.object_markings.as_slice()),
+            object_corners: (self.object_corners.as_slice()),
+            object_borders: bytemuck::cast_slice(self.object_borders.as_slice()),
+            object_skeletons: bytemuck::cast_slice(self.object_skeletons.as_slice()),
+            skeleton_vertices: bytemuck::cast_slice(self.skeleton_vertices.as_slice()),
+            parking_spaces: bytemuck::cast_slice(self.parking_spaces.as_slice()),
+            object_materials: bytemuck::cast_slice(self.object_materials.as_slice()),
+            object_references: bytemuck::cast_slice(self.object_references.as_slice()),
+            structures: bytemuck::cast_slice(self.structures.as_slice()),
+            switches: bytemuck::cast_slice(self.switches.as_slice()),
+            stations: bytemuck::cast_slice(self.stations.as_slice()),
+            platforms: bytemuck::cast_slice(self.platforms.as_slice()),
+            platform_segments: bytemuck::cast_slice(self.platform_segments.as_slice()),
         }
     }
 }
@@ -330,6 +404,54 @@ pub struct Tables<'a> {
     pub default_speeds: &'a [ArchivedDefaultSpeedRow],
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: &'a [ArchivedQuarantinedRow],
+    /// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
+    pub objects: &'a [ArchivedObjectRow],
+    /// Outlines of objects, and of what a continuous repetition sweeps over.
+    pub object_outlines: &'a [ArchivedObjectOutlineRow],
+    /// Corners in the frame of the object or copy that they belong to: u ahead, v to the left, z upwards.
+    pub object_points: &'a [ArchivedObjectPointRow],
+    /// Places of repeated objects, object by object, in the order of the repetitions and of s.
+    pub object_copies: &'a [ArchivedObjectCopyRow],
+    /// validity elements: lane numbers from the lower to the higher one.
+    pub lane_ranges: &'a [ArchivedLaneRangeRow],
+    /// Which lanes objects belong to, object by object, nearer lanes first.
+    pub object_lanes: &'a [ArchivedObjectLaneRow],
+    /// Rows of `object_lanes` by lane, then by where they begin: what belongs to a lane.
+    pub lane_objects: &'a [u32],
+    /// Rows of `objects` in byte order of their ids.
+    pub objects_by_id: &'a [u32],
+    /// First node of each level of the objects' index, root first, then the number of nodes. Empty if the map has no objects.
+    pub object_index_levels: &'a [u32],
+    /// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie `object_index_items`. Boxes hold what objects cover in plan view, are relative to the local origin and rounded outwards; unused places are empty boxes.
+    pub object_index_nodes: &'a [ArchivedObjectIndexNodeRow],
+    /// What lies below the last level: below the number of objects an object's row, above it that number plus the row of a copy. Each place of an object once.
+    pub object_index_items: &'a [u32],
+    /// Painted lines along objects, by object: along corners of an outline, or along a side.
+    pub object_markings: &'a [ArchivedObjectMarkingRow],
+    /// Corners that markings and borders name.
+    pub object_corners: &'a [u32],
+    /// Frames along outlines of objects, by object.
+    pub object_borders: &'a [ArchivedObjectBorderRow],
+    /// Lines that describe objects from inside, by object (OpenDRIVE 1.8.1, 13.8).
+    pub object_skeletons: &'a [ArchivedObjectSkeletonRow],
+    /// Vertices of skeletons in the object's frame.
+    pub skeleton_vertices: &'a [ArchivedSkeletonVertexRow],
+    /// Objects that are parking spaces, by object.
+    pub parking_spaces: &'a [ArchivedParkingSpaceRow],
+    /// What objects are made of, by object.
+    pub object_materials: &'a [ArchivedObjectMaterialRow],
+    /// Objects of one road that concern another, by road, in file order.
+    pub object_references: &'a [ArchivedObjectReferenceRow],
+    /// Bridges and tunnels, by road, in file order.
+    pub structures: &'a [ArchivedStructureRow],
+    /// Railway switches, by road, in file order.
+    pub switches: &'a [ArchivedSwitchRow],
+    /// Stations in file order.
+    pub stations: &'a [ArchivedStationRow],
+    /// Platforms of stations.
+    pub platforms: &'a [ArchivedPlatformRow],
+    /// Stretches of track beside platforms.
+    pub platform_segments: &'a [ArchivedPlatformSegmentRow],
 }
 
 impl<'a> Tables<'a> {
@@ -400,11 +522,37 @@ impl<'a> Tables<'a> {
             right_of_way: root.right_of_way.view(body, "right_of_way")?,
             default_speeds: root.default_speeds.view(body, "default_speeds")?,
             quarantined: root.quarantined.view(body, "quarantined")?,
+            objects: root.objects.view(body, "objects")?,
+            object_outlines: root.object_outlines.view(body, "object_outlines")?,
+            object_points: root.object_points.view(body, "object_points")?,
+            object_copies: root.object_copies.view(body, "object_copies")?,
+            lane_ranges: root.lane_ranges.view(body, "lane_ranges")?,
+            object_lanes: root.object_lanes.view(body, "object_lanes")?,
+            lane_objects: root.lane_objects.view_numbers(body, "lane_objects")?,
+            objects_by_id: root.objects_by_id.view_numbers(body, "objects_by_id")?,
+            object_index_levels: root
+                .object_index_levels
+                .view_numbers(body, "object_index_levels")?,
+            object_index_nodes: root.object_index_nodes.view(body, "object_index_nodes")?,
+            object_index_items: root.object_index_items.view_numbers(body, "object_index_items")?,
+            object_markings: root.object_markings.view(body, "object_markings")?,
+            object_corners: root.object_corners.view_numbers(body, "object_corners")?,
+            object_borders: root.object_borders.view(body, "object_borders")?,
+            object_skeletons: root.object_skeletons.view(body, "object_skeletons")?,
+            skeleton_vertices: root.skeleton_vertices.view(body, "skeleton_vertices")?,
+            parking_spaces: root.parking_spaces.view(body, "parking_spaces")?,
+            object_materials: root.object_materials.view(body, "object_materials")?,
+            object_references: root.object_references.view(body, "object_references")?,
+            structures: root.structures.view(body, "structures")?,
+            switches: root.switches.view(body, "switches")?,
+            stations: root.stations.view(body, "stations")?,
+            platforms: root.platforms.view(body, "platforms")?,
+            platform_segments: root.platform_segments.view(body, "platform_segments")?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 60] {
+    pub fn infos(&self) -> [TableInfo; 84] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -466,6 +614,30 @@ impl<'a> Tables<'a> {
             TableInfo::of("right_of_way", self.right_of_way),
             TableInfo::of("default_speeds", self.default_speeds),
             TableInfo::of("quarantined", self.quarantined),
+            TableInfo::of("objects", self.objects),
+            TableInfo::of("object_outlines", self.object_outlines),
+            TableInfo::of("object_points", self.object_points),
+            TableInfo::of("object_copies", self.object_copies),
+            TableInfo::of("lane_ranges", self.lane_ranges),
+            TableInfo::of("object_lanes", self.object_lanes),
+            TableInfo::of("lane_objects", self.lane_objects),
+            TableInfo::of("objects_by_id", self.objects_by_id),
+            TableInfo::of("object_index_levels", self.object_index_levels),
+            TableInfo::of("object_index_nodes", self.object_index_nodes),
+            TableInfo::of("object_index_items", self.object_index_items),
+            TableInfo::of("object_markings", self.object_markings),
+            TableInfo::of("object_corners", self.object_corners),
+            TableInfo::of("object_borders", self.object_borders),
+            TableInfo::of("object_skeletons", self.object_skeletons),
+            TableInfo::of("skeleton_vertices", self.skeleton_vertices),
+            TableInfo::of("parking_spaces", self.parking_spaces),
+            TableInfo::of("object_materials", self.object_materials),
+            TableInfo::of("object_references", self.object_references),
+            TableInfo::of("structures", self.structures),
+            TableInfo::of("switches", self.switches),
+            TableInfo::of("stations", self.stations),
+            TableInfo::of("platforms", self.platforms),
+            TableInfo::of("platform_segments", self.platform_segments),
         ]
     }
 }
@@ -483,6 +655,11 @@ const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());

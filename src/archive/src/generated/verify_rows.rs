@@ -462,6 +462,210 @@ impl Tables<'_> {
             check.code("has_extent", row.has_extent(), 2)?;
             check.code("owner_kind", row.owner_kind(), 7)?;
         }
+        for (i, row) in self.objects.iter().enumerate() {
+            let check = Check { table: "objects", row: i };
+            check.finite("x", row.x())?;
+            check.finite("y", row.y())?;
+            check.finite("z", row.z())?;
+            check.finite("s", row.s())?;
+            check.finite("t", row.t())?;
+            check.finite("heading", row.heading())?;
+            check.finite("pitch", f64::from(row.pitch()))?;
+            check.finite("roll", f64::from(row.roll()))?;
+            check.finite("z_offset", f64::from(row.z_offset()))?;
+            check.finite("length", f64::from(row.length()))?;
+            check.finite("width", f64::from(row.width()))?;
+            check.finite("height", f64::from(row.height()))?;
+            check.finite("radius", f64::from(row.radius()))?;
+            check.finite("valid_length", f64::from(row.valid_length()))?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("kind", row.kind(), strings, false)?;
+            check.reference("subtype", row.subtype(), strings, false)?;
+            check.reference("road", row.road(), self.roads.len(), true)?;
+            check.reference("junction", row.junction(), self.junctions.len(), true)?;
+            check.range("outlines", row.outlines(), self.object_outlines.len())?;
+            check.range("copies", row.copies(), self.object_copies.len())?;
+            check.range("lanes", row.lanes(), self.object_lanes.len())?;
+            check.range("validities", row.validities(), self.lane_ranges.len())?;
+            check.code("shape", row.shape(), 4)?;
+            check.code("orientation", row.orientation(), 3)?;
+        }
+        for (i, row) in self.object_outlines.iter().enumerate() {
+            let check = Check { table: "object_outlines", row: i };
+            check.range("points", row.points(), self.object_points.len())?;
+            check.code("fill", row.fill(), 9)?;
+        }
+        for (i, row) in self.object_points.iter().enumerate() {
+            let check = Check { table: "object_points", row: i };
+            check.finite("u", f64::from(row.u()))?;
+            check.finite("v", f64::from(row.v()))?;
+            check.finite("z", f64::from(row.z()))?;
+            check.finite("height", f64::from(row.height()))?;
+        }
+        for (i, row) in self.object_copies.iter().enumerate() {
+            let check = Check { table: "object_copies", row: i };
+            check.finite("x", row.x())?;
+            check.finite("y", row.y())?;
+            check.finite("z", row.z())?;
+            check.finite("s", row.s())?;
+            check.finite("t", row.t())?;
+            check.finite("heading", row.heading())?;
+            check.finite("pitch", f64::from(row.pitch()))?;
+            check.finite("roll", f64::from(row.roll()))?;
+            check.finite("length", f64::from(row.length()))?;
+            check.finite("width", f64::from(row.width()))?;
+            check.finite("height", f64::from(row.height()))?;
+            check.finite("radius", f64::from(row.radius()))?;
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.range("outlines", row.outlines(), self.object_outlines.len())?;
+            check.code("shape", row.shape(), 4)?;
+        }
+        for (i, row) in self.object_lanes.iter().enumerate() {
+            let check = Check { table: "object_lanes", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+            check.finite("s_from", f64::from(row.s_from()))?;
+            check.finite("s_to", f64::from(row.s_to()))?;
+            check.finite("distance", f64::from(row.distance()))?;
+            check.code("method", row.method(), 3)?;
+        }
+        for (i, row) in self.lane_objects.iter().enumerate() {
+            let check = Check { table: "lane_objects", row: i };
+            check.reference("", *row, self.object_lanes.len(), false)?;
+        }
+        for (i, row) in self.objects_by_id.iter().enumerate() {
+            let check = Check { table: "objects_by_id", row: i };
+            check.reference("", *row, self.objects.len(), false)?;
+        }
+        for (i, row) in self.object_index_nodes.iter().enumerate() {
+            let check = Check { table: "object_index_nodes", row: i };
+            for value in row.min_x() {
+                check.finite("min_x", f64::from(*value))?;
+            }
+            for value in row.min_y() {
+                check.finite("min_y", f64::from(*value))?;
+            }
+            for value in row.max_x() {
+                check.finite("max_x", f64::from(*value))?;
+            }
+            for value in row.max_y() {
+                check.finite("max_y", f64::from(*value))?;
+            }
+        }
+        for (i, row) in self.object_markings.iter().enumerate() {
+            let check = Check { table: "object_markings", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.reference("outline", row.outline(), self.object_outlines.len(), true)?;
+            check.range("corners", row.corners(), self.object_corners.len())?;
+            check.reference("color", row.color(), strings, false)?;
+            check.reference("weight", row.weight(), strings, false)?;
+            check.reference("kind", row.kind(), strings, false)?;
+            check.finite("width", f64::from(row.width()))?;
+            check.finite("z_offset", f64::from(row.z_offset()))?;
+            check.finite("line_length", f64::from(row.line_length()))?;
+            check.finite("space_length", f64::from(row.space_length()))?;
+            check.finite("start_offset", f64::from(row.start_offset()))?;
+            check.finite("stop_offset", f64::from(row.stop_offset()))?;
+            check.code("side", row.side(), 5)?;
+        }
+        for (i, row) in self.object_corners.iter().enumerate() {
+            let check = Check { table: "object_corners", row: i };
+            check.reference("", *row, self.object_points.len(), false)?;
+        }
+        for (i, row) in self.object_borders.iter().enumerate() {
+            let check = Check { table: "object_borders", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.reference("outline", row.outline(), self.object_outlines.len(), true)?;
+            check.range("corners", row.corners(), self.object_corners.len())?;
+            check.reference("kind", row.kind(), strings, false)?;
+            check.finite("width", f64::from(row.width()))?;
+        }
+        for (i, row) in self.object_skeletons.iter().enumerate() {
+            let check = Check { table: "object_skeletons", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.range("vertices", row.vertices(), self.skeleton_vertices.len())?;
+        }
+        for (i, row) in self.skeleton_vertices.iter().enumerate() {
+            let check = Check { table: "skeleton_vertices", row: i };
+            check.finite("u", f64::from(row.u()))?;
+            check.finite("v", f64::from(row.v()))?;
+            check.finite("z", f64::from(row.z()))?;
+            check.finite("radius", f64::from(row.radius()))?;
+        }
+        for (i, row) in self.parking_spaces.iter().enumerate() {
+            let check = Check { table: "parking_spaces", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.reference("restrictions", row.restrictions(), strings, false)?;
+            check.reference("access", row.access(), strings, false)?;
+        }
+        for (i, row) in self.object_materials.iter().enumerate() {
+            let check = Check { table: "object_materials", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.reference("surface", row.surface(), strings, false)?;
+            check.reference("color", row.color(), strings, false)?;
+            check.finite("friction", f64::from(row.friction()))?;
+            check.finite("roughness", f64::from(row.roughness()))?;
+        }
+        for (i, row) in self.object_references.iter().enumerate() {
+            let check = Check { table: "object_references", row: i };
+            check.finite("s", row.s())?;
+            check.finite("t", row.t())?;
+            check.reference("road", row.road(), self.roads.len(), false)?;
+            check.reference("object", row.object(), self.objects.len(), true)?;
+            check.reference("id", row.id(), strings, false)?;
+            check.range("validities", row.validities(), self.lane_ranges.len())?;
+            check.finite("z_offset", f64::from(row.z_offset()))?;
+            check.finite("valid_length", f64::from(row.valid_length()))?;
+            check.code("orientation", row.orientation(), 3)?;
+        }
+        for (i, row) in self.structures.iter().enumerate() {
+            let check = Check { table: "structures", row: i };
+            check.finite("s", row.s())?;
+            check.finite("length", row.length())?;
+            check.reference("road", row.road(), self.roads.len(), false)?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("material", row.material(), strings, false)?;
+            check.range("validities", row.validities(), self.lane_ranges.len())?;
+            check.finite("lighting", f64::from(row.lighting()))?;
+            check.finite("daylight", f64::from(row.daylight()))?;
+            check.code("kind", row.kind(), 2)?;
+        }
+        for (i, row) in self.switches.iter().enumerate() {
+            let check = Check { table: "switches", row: i };
+            check.finite("main_s", row.main_s())?;
+            check.finite("side_s", row.side_s())?;
+            check.reference("road", row.road(), self.roads.len(), false)?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("main", row.main(), self.roads.len(), true)?;
+            check.reference("side", row.side(), self.roads.len(), true)?;
+            check.reference("partner", row.partner(), self.switches.len(), true)?;
+            check.code("position", row.position(), 4)?;
+            check.code("main_direction", row.main_direction(), 3)?;
+            check.code("side_direction", row.side_direction(), 3)?;
+        }
+        for (i, row) in self.stations.iter().enumerate() {
+            let check = Check { table: "stations", row: i };
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("kind", row.kind(), strings, false)?;
+            check.range("platforms", row.platforms(), self.platforms.len())?;
+        }
+        for (i, row) in self.platforms.iter().enumerate() {
+            let check = Check { table: "platforms", row: i };
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.range("segments", row.segments(), self.platform_segments.len())?;
+        }
+        for (i, row) in self.platform_segments.iter().enumerate() {
+            let check = Check { table: "platform_segments", row: i };
+            check.finite("s_start", row.s_start())?;
+            check.finite("s_end", row.s_end())?;
+            check.reference("road", row.road(), self.roads.len(), true)?;
+            check.code("side", row.side(), 3)?;
+        }
         Ok(())
     }
 }

@@ -3,11 +3,18 @@
 mod grid;
 mod marks;
 mod need;
+mod object_details;
+mod object_outlines;
+mod object_repeats;
+mod objects;
+mod railway;
 mod reference_line;
 mod sections;
+mod structures;
 mod surface;
 
 use crate::graph::Permissions;
+use crate::objects::written::Objects;
 use crate::options::CompileOptions;
 use crate::quarantine::{QuarantinedPart, Treatment};
 use crate::signals::Pending;
@@ -22,6 +29,7 @@ use mapd_xodr::{
     SpeedLimit, Text as _, TrafficRule, UnitSpeed, Value as _,
 };
 pub(crate) use need::{Part, UNUSABLE};
+pub(crate) use objects::Owner;
 
 /// Value of `road/@junction` that means none.
 const NO_JUNCTION: &str = "-1";
@@ -62,6 +70,7 @@ pub(crate) struct Lowering {
     pub(crate) permissions: Permissions,
     pub(crate) signals: Pending,
     styles: marks::Styles,
+    pub(crate) objects: Objects,
     map: Option<MapRow>,
 }
 

@@ -29,6 +29,8 @@ pub enum Kind {
     Route,
     /// `road_id,s,lane_id,distance` → a row for each signal ahead: id,class,distance,road_id,s,t,x,y,z,state_machine
     Signals,
+    /// `x,y,radius` → a row for each object there: id,class,distance,road_id,s,t,x,y,z
+    Objects,
 }
 
 impl Kind {
@@ -42,6 +44,7 @@ impl Kind {
             Self::Successors => "successors",
             Self::Route => "route",
             Self::Signals => "signals",
+            Self::Objects => "objects",
         }
     }
 
@@ -54,6 +57,7 @@ impl Kind {
             Self::Track => &["road_id", "x", "y"],
             Self::Route => &["from_road", "from_s", "from_lane", "to_road", "to_s", "to_lane"],
             Self::Signals => &["road_id", "s", "lane_id", "distance"],
+            Self::Objects => &["x", "y", "radius"],
         }
     }
 
@@ -68,15 +72,16 @@ impl Kind {
             Self::Successors => &["successors"],
             Self::Route => &["length", "lane_changes", "lanes"],
             Self::Signals => signals::COLUMNS,
+            Self::Objects => &["id", "class", "distance", "road_id", "s", "t", "x", "y", "z"],
         }
     }
 
-    /// Whether it answers with any number of rows.
-    pub(crate) fn lists(self) -> bool {
-        self == Self::Signals
+    /// Whether a row of the input has any number of answers, each in a row of its own.
+    pub(crate) fn is_list(self) -> bool {
+        matches!(self, Self::Objects | Self::Signals)
     }
 
-    /// Answers one row; the error says why there is no answer.
+    /// Answers one row, of a list with the columns of all its answers one after the other; the error says why there is no answer.
     pub(crate) fn answer(
         self,
         map: Map<'_>,
@@ -133,6 +138,7 @@ impl Kind {
                 let (lane, s) = lane(map, row)?;
                 signals::answer(map, (&lane, s), row.number("distance")?, router.vehicle(), out)?;
             }
+            Self::Objects => super::objects::answer(map, row, out)?,
         }
         Ok(())
     }

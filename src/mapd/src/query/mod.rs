@@ -1,9 +1,11 @@
 //! `mapd query`: CSV in, CSV out.
 //!
 //! Columns are found by name. The input's columns are echoed first, except those that the answer itself has; then come
-//! the answer's columns and `error`, which is empty where the row has an answer. Numbers are in shortest round-trip form.
+//! the answer's columns and `error`, which is empty where the row has an answer. Kinds that list things give a row for each of
+//! them, none where there are none. Numbers are in shortest round-trip form.
 
 mod kinds;
+mod objects;
 mod route;
 mod row;
 mod signals;
@@ -83,20 +85,23 @@ pub fn run(
         if error.is_some() {
             answer.clear();
         }
-        // Kinds that list things answer with as many rows as there are, none where there is nothing.
-        let columns = kind.answers().len();
-        if error.is_some() || !kind.lists() {
-            answer.resize(columns, String::new());
+        let width = kind.answers().len();
+        let echo = || echoed.iter().map(|i| record.get(*i).unwrap_or(""));
+        if kind.is_list() && error.is_none() {
+            // As many rows as there are answers.
+            for one in answer.chunks(width) {
+                writer.write_record(echo().chain(one.iter().map(String::as_str)).chain([""]))?;
+            }
+            continue;
         }
+        answer.resize(width, String::new());
         if tells_holes {
             answer.push(kinds::holes(map, options, &Row::new(&headers, &record)));
         }
         let error = error.unwrap_or_default();
-        for one in answer.chunks(answers.len()) {
-            let echo = echoed.iter().map(|i| record.get(*i).unwrap_or(""));
-            writer
-                .write_record(echo.chain(one.iter().map(String::as_str)).chain([error.as_str()]))?;
-        }
+        writer.write_record(
+            echo().chain(answer.iter().map(String::as_str)).chain([error.as_str()]),
+        )?;
     }
     writer.flush()?;
     Ok(())

@@ -31,6 +31,12 @@ pub struct RouteArgs {
     vehicle: VehicleClass,
 }
 
+impl Default for RouteArgs {
+    fn default() -> Self {
+        Self { by: RouteBy::Length, lane_change: None, vehicle: VehicleClass::PassengerCar }
+    }
+}
+
 fn vehicle(name: &str) -> Result<VehicleClass, String> {
     match VehicleClass::from_name(name) {
         VehicleClass::Unknown => {
