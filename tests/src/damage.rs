@@ -93,6 +93,7 @@ fn ask_signals(map: Map<'_>) {
     for lane in map.lanes() {
         let _ = (lane.speed_rule_at(1.0), lane.turn(), lane.movement_stop_line().is_some());
         let _ = (lane.movement_lights().count(), lane.yields_to().count(), lane.entries().count());
+        let _ = (lane.lines_to_stop_at().count(), lane.crossings().count(), lane.movement_stop());
         let _ = (lane.stop_lines().count(), lane.crosswalks().count(), lane.access_at(1.0).count());
         let from = LanePlace { lane: lane.lane_id(), s: 1.0 };
         let _ = map.signals_ahead(from, 50.0, VehicleClass::PassengerCar, &mut ahead);
