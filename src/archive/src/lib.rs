@@ -62,12 +62,12 @@ pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_fla
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
 pub use mark_codes::{MarkLaneChange, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight};
 pub use object_codes::{
-    AttachMethod, ObjectShape, ObjectSide, Orientation, OutlineFill, PlatformSide, StructureKind,
+    AttachMethod, ObjectShape, ObjectSide, OutlineFill, PlatformSide, StructureKind,
     SwitchPosition, copy_flags, object_flags, outline_flags,
 };
 pub use open::{Archive, open, string};
 pub use signal_codes::{
-    LaneMethod, Relation, RelationReason, SignalPosition, signal_flags, signal_values,
+    LaneMethod, Orientation, Relation, RelationReason, SignalPosition, signal_flags, signal_values,
 };
 pub use strings::StringTable;
 pub use table::{ArchivedRange, ArchivedTable, Range, Table, TableInfo};

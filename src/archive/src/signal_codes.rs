@@ -21,6 +21,18 @@ pub mod signal_values {
 }
 
 codes! {
+    /// Direction of travel that a signal or object is for (OpenDRIVE 1.8.1, 13 and 14; e_orientation).
+    Orientation {
+        /// Both, or not given.
+        Both = 0, "none";
+        /// Along s.
+        Along = 1, "+";
+        /// Against s.
+        Against = 2, "-";
+    }
+}
+
+codes! {
     /// Where a signal's place in space comes from.
     SignalPosition {
         /// s, t and zOffset.

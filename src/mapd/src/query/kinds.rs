@@ -77,8 +77,8 @@ impl Kind {
     }
 
     /// Whether a row of the input has any number of answers, each in a row of its own.
-    pub(crate) fn is_list(self) -> bool {
-        matches!(self, Self::Objects | Self::Signals)
+    pub(crate) fn lists(self) -> bool {
+        matches!(self, Self::Signals | Self::Objects)
     }
 
     /// Answers one row, of a list with the columns of all its answers one after the other; the error says why there is no answer.
