@@ -13,9 +13,9 @@ const RUNS: [usize; 2] = [500, 2_500];
 /// Kinds of [`query_probe`](../src/bin/query_probe.rs) and the instructions that one query may take on the carried town:
 /// what it took when the bound was set, and a tenth.
 const BOUNDS: [(&str, u64); 5] = [
-    ("nearest", 4_750),
-    ("trajectory", 4_230),
-    ("hinted", 4_340),
+    ("nearest", 4_430),
+    ("trajectory", 3_920),
+    ("hinted", 3_840),
     ("inertial", 535),
     ("inertial-trajectory", 515),
 ];

@@ -11,7 +11,7 @@ const NOTE: &str = "// Written by `cargo run -p mapd-schemas` from schemas/ontol
 const START: &str = "<!-- classes: written from schemas/ontology/classes.toml -->\n";
 const END: &str = "<!-- end of classes -->\n";
 
-/// Code of the class that stands for what has no mapping.
+/// Code of the class that stands for what has no mapping, as in `src/archive/src/classes.rs`.
 const UNKNOWN: u16 = u16::MAX;
 
 #[derive(Deserialize)]
@@ -87,53 +87,22 @@ impl Vocabulary {
     }
 
     fn code(&self) -> String {
-        let mut out = format!("//! What signals and objects mean.\n{NOTE}");
-        out += "/// What a signal or object means (`docs/ontology.md`).\n";
-        out += "#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]\n";
-        out += "#[repr(u16)]\n#[non_exhaustive]\npub enum Class {\n";
-        for class in self.classes() {
-            let _ = writeln!(out, "/// {}\n{} = {},", class.doc, variant(&class.name), class.code);
-        }
-        let _ = writeln!(out, "/// A code that no table maps.\nUnknown = {UNKNOWN},\n}}\n");
-        out += "/// Kind of classes.\n#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]\n#[non_exhaustive]\npub enum ClassGroup {\n";
+        let mut out =
+            format!("//! What signals and objects mean.\n{NOTE}use crate::classes::classes;\n\n");
+        out += "classes! {\n";
         for group in &self.groups {
-            let _ = writeln!(out, "/// {}.\n{},", group.doc, variant(&group.name));
+            let _ = writeln!(out, "    /// {}.\n    {} {{", group.doc, variant(&group.name));
+            for class in &group.classes {
+                let (name, code) = (variant(&class.name), class.code);
+                let _ = writeln!(
+                    out,
+                    "        /// {}\n        {name} = {code}, {:?};",
+                    class.doc, class.name
+                );
+            }
+            out += "    }\n";
         }
-        out += "/// Not known.\nUnknown,\n}\n\n";
-        out += "impl Class {\n/// All classes, by code.\npub const ALL: &[Self] = &[";
-        let mut sorted: Vec<_> = self.classes().collect();
-        sorted.sort_by_key(|class| class.code);
-        for class in &sorted {
-            let _ = write!(out, "Self::{},", variant(&class.name));
-        }
-        out += "];\n\n/// The class of a code; codes that this version does not know give `Unknown`.\n";
-        out += "pub const fn from_code(code: u16) -> Self {\nmatch code {\n";
-        for class in self.classes() {
-            let _ = writeln!(out, "{} => Self::{},", class.code, variant(&class.name));
-        }
-        out += "_ => Self::Unknown,\n}\n}\n\n";
-        out += "/// The code.\npub const fn code(self) -> u16 {\nself as u16\n}\n\n";
-        out += "/// The class of a name; names that this version does not know give `Unknown`.\n";
-        out += "pub fn from_name(name: &str) -> Self {\nmatch name {\n";
-        for class in self.classes() {
-            let _ = writeln!(out, "{:?} => Self::{},", class.name, variant(&class.name));
-        }
-        out += "_ => Self::Unknown,\n}\n}\n\n";
-        out += "/// The name.\npub const fn name(self) -> &'static str {\nmatch self {\n";
-        for class in self.classes() {
-            let _ = writeln!(out, "Self::{} => {:?},", variant(&class.name), class.name);
-        }
-        out += "Self::Unknown => \"unknown\",\n}\n}\n\n";
-        out += "/// The kind of class.\npub const fn group(self) -> ClassGroup {\nmatch self {\n";
-        for group in &self.groups {
-            let of: Vec<_> = group
-                .classes
-                .iter()
-                .map(|class| format!("Self::{}", variant(&class.name)))
-                .collect();
-            let _ = writeln!(out, "{} => ClassGroup::{},", of.join("|"), variant(&group.name));
-        }
-        out += "Self::Unknown => ClassGroup::Unknown,\n}\n}\n}\n";
+        out += "}\n";
         out
     }
 

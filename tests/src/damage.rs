@@ -45,6 +45,9 @@ pub fn ask_everything(bytes: AlignedBytes) {
         let _ = lane.pose_at(1.0, 0.0);
         let _ =
             (lane.opposite().is_some(), lane.length_between(0.0, 9.0), lane.speed_limit_at(1.0));
+        for mark in lane.road_marks() {
+            let _ = (mark.kind(), mark.material(), mark.lines().count(), mark.t_at(mark.s()));
+        }
         for conflict in lane.conflicts() {
             let _ = (conflict.other().is_some(), conflict.other_range(), conflict.s_range());
         }
@@ -57,6 +60,7 @@ pub fn ask_everything(bytes: AlignedBytes) {
     let (region, mut lanes, mut segments) =
         (Region::around(DVec2::new(20.0, 1.0), 30.0), vec![], vec![]);
     let _ = map.boundary_segments(region, LaneTypes::drivable(), &mut lanes, &mut segments);
+    let _ = map.road_mark_segments(region, LaneTypes::ALL, &mut lanes, &mut segments, &mut vec![]);
     ask_graph(map);
     ask_objects(map);
     for junction in map.junctions() {

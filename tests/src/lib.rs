@@ -8,6 +8,7 @@
 //! assert!(mapd_tests::carried("one_road.xodr").exists());
 //! ```
 
+pub mod crossroads;
 pub mod damage;
 pub mod graph_maps;
 pub mod literal;

@@ -87,7 +87,7 @@ const FLIPS: usize = 10;
 
 #[test]
 fn flips_in_every_table_are_found_and_survived_even_with_fitting_hashes() {
-    for map in ["town.xodr", "surfaces.xodr"] {
+    for map in ["town.xodr", "surfaces.xodr", "marks.xodr"] {
         flip_every_table(&archive(map));
     }
 }

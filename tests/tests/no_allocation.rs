@@ -45,7 +45,8 @@ fn queries_do_not_allocate() {
         Snapshot::from_bytes(encode(&rows, &compiled.provenance).expect("encodes")).expect("opens");
     let key: LaneKey<'_> = "1:0:-1".parse().expect("a key");
     // Lists go into the caller's buffers, which need room.
-    let (mut near, mut lanes, mut work, mut borders) = (
+    let (mut near, mut lanes, mut work, mut borders, mut marks) = (
+        Vec::with_capacity(ROOM),
         Vec::with_capacity(ROOM),
         Vec::with_capacity(ROOM),
         Vec::with_capacity(ROOM),
@@ -93,6 +94,8 @@ fn queries_do_not_allocate() {
         map.lanes_near(point, &NearestOptions::default(), &mut near).expect("an answer");
         map.lanes_in(region, LaneTypes::ALL, &mut lanes).expect("an answer");
         map.boundary_segments(region, LaneTypes::ALL, &mut work, &mut borders).expect("an answer");
+        map.road_mark_segments(region, LaneTypes::ALL, &mut work, &mut borders, &mut marks)
+            .expect("an answer");
         seen += near.len() + lanes.len() + borders.len();
         let first = map.lanes().nth(i as usize).expect("a lane");
         seen += first.waypoints(0.5).expect("a step").count();

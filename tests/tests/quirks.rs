@@ -20,9 +20,9 @@ const FOUND: [(&str, &str); 19] = [
     ("unknown-elems:ODrive", rule_ids::ROOT),
     ("non-int-road-ids e.g. 'None'", rule_ids::MISSING),
     ("non-int-road-ids e.g. '12 '", rule_ids::SPACE),
-    ("road@junction-dangling", "mapd:compile.orphan_junction"),
-    ("dangling-road-links", "mapd:compile.orphan_link"),
-    ("connection-dangling", "mapd:compile.orphan_connection"),
+    ("road@junction-dangling", "asam.net:xodr:1.4.0:ids.only_ref_defined_ids"),
+    ("dangling-road-links", "asam.net:xodr:1.4.0:ids.only_ref_defined_ids"),
+    ("connection-dangling", "asam.net:xodr:1.4.0:ids.only_ref_defined_ids"),
     ("road-length!=sum(geom)", "asam.net:xodr:1.9.0:road.length_sum_geometries"),
     ("pRange:None", "mapd:compile.p_range"),
 ];

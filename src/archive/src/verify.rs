@@ -163,6 +163,28 @@ fn ascending(tables: &Tables<'_>) -> Result<(), VerifyError> {
         check("points", tables.points, lane.center(), |r| f64::from(r.s()))?;
         check("points", tables.points, lane.border(), |r| f64::from(r.s()))?;
     }
+    by_lane("lane_heights", tables.lane_heights, |r| (r.lane(), r.s()))?;
+    by_lane("lane_materials", tables.lane_materials, |r| (r.lane(), r.s()))?;
+    by_lane("road_marks", tables.road_marks, |r| (r.lane(), r.s()))
+}
+
+/// Records of lanes are in the order of their lanes, and of s within one.
+fn by_lane<T>(
+    table: &'static str,
+    rows: &[T],
+    key: impl Fn(&T) -> (u32, f64),
+) -> Result<(), VerifyError> {
+    for (i, pair) in rows.windows(2).enumerate() {
+        let (before, after) = (key(&pair[0]), key(&pair[1]));
+        if after < before {
+            let row = i + 1;
+            return Check { table, row }.fail(
+                "lane",
+                format!("at least {before:?}"),
+                format!("{after:?}"),
+            );
+        }
+    }
     Ok(())
 }
 

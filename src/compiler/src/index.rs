@@ -14,7 +14,7 @@ const WIDTH: usize = 16;
 /// Added to every reach, overshoot and height `[m]`, besides the tolerances: single precision within a leaf.
 const REACH_MARGIN: f64 = 1e-4;
 /// Points of one lane's centre line: segments are numbered with 16 bits.
-const MAX_POINTS: u32 = 1 << 16;
+pub(crate) const MAX_POINTS: u32 = 1 << 16;
 /// Units of `reach` and `overshoot` in a metre.
 const REACH_UNITS: f64 = 128.0;
 /// Units of `z_low` and `z_high` in a metre.
@@ -60,10 +60,7 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
     if entries.is_empty() {
         return Ok(());
     }
-    u32::try_from(entries.len()).map_err(|_| TooLarge("index_leaves"))?;
-    if rows.lanes.iter().any(|lane| lane.center.count > MAX_POINTS) {
-        return Err(TooLarge("points of one lane"));
-    }
+    u32::try_from(entries.len()).map_err(|_| TooLarge::new("index_leaves"))?;
     order(&mut entries);
     let (leaves, boxes): (Vec<_>, Vec<_>) = entries.par_chunks(WIDTH).map(leaf).unzip();
     let mut levels = Vec::new();

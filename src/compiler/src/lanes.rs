@@ -33,9 +33,13 @@ pub(crate) fn sample(rows: &mut Rows, options: &CompileOptions) -> Result<(), To
     let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     for (lane, lines) in lines.into_iter().flatten().enumerate() {
         let Some(lines) = lines else { continue };
+        let (Some(center), Some(border)) =
+            (append(&mut rows.points, &lines.center), append(&mut rows.points, &lines.border))
+        else {
+            return Err(TooLarge::at_lane("points", rows, lane as u32));
+        };
         let row: &mut LaneRow = &mut rows.lanes[lane];
-        row.center = append(&mut rows.points, &lines.center).ok_or(TooLarge("points"))?;
-        row.border = append(&mut rows.points, &lines.border).ok_or(TooLarge("points"))?;
+        (row.center, row.border) = (center, border);
         (row.x, row.y, row.z) = lines.origin.into();
         low = low.min(lines.bounds[0]);
         high = high.max(lines.bounds[1]);

@@ -31,6 +31,7 @@ mod origin;
 mod quarantine;
 mod report;
 mod rounds;
+mod signals;
 
 pub use options::{CompileOptions, CyclePolicy, OptionsError};
 pub use quarantine::{OnError, PartKind, Policy, QuarantinedPart, Treatment};
@@ -209,6 +210,8 @@ struct Document {
     lowering: Lowering,
     /// What the file says about the lane graph.
     graph: graph::Written,
+    /// What the file says about signals.
+    signals: signals::Resolved,
     collector: Collector,
     places: Places,
     provenance: Provenance,
@@ -230,17 +233,28 @@ impl Document {
         let mut lowering = std::mem::take(&mut self.lowering);
         progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
         let written = std::mem::take(&mut lowering.objects);
+        let road_spans = lowering.links.road_spans.clone();
         let mut rows = lowering.into_rows(options);
         if let Err(error) = lanes::sample(&mut rows, options) {
             self.collector.add(vec![too_large(&error)], &self.places);
             return Ok(None);
         }
+        let is_long = |lane: &u32| rows.lanes[*lane as usize].center.count > index::MAX_POINTS;
+        let long = (0..rows.lanes.len() as u32).filter(is_long);
+        let long = long.map(|lane| too_long(&rows, lane, &road_spans)).collect::<Vec<_>>();
+        if !long.is_empty() {
+            self.collector.add(long, &self.places);
+            return Ok(None);
+        }
+        progress(Progress::Graph { nodes: rows.lane_nodes.len() });
         let findings = graph::complete(&mut rows, &self.graph, options);
         self.collector.add(findings, &self.places);
         match objects::build(&mut rows, written, options) {
             Ok(findings) => self.collector.add(findings, &self.places),
             Err(error) => self.collector.add(vec![too_large(&error)], &self.places),
         }
+        let findings = signals::complete(&mut rows, &self.signals);
+        self.collector.add(findings, &self.places);
         Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
     }
 }
@@ -253,8 +267,8 @@ fn read(
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Document> {
     let mut hashing = HashingReader::new(input);
-    let mut lowering = Lowering::default();
-    let mut collector = Collector::default();
+    let mut lowering = Lowering::new(reading.ontology.clone());
+    let mut collector = Collector::new(without);
     let mut quarantined = Vec::new();
     let (places, version) = {
         let mut inputs = Inputs::new(reading.limits.source);
@@ -273,7 +287,11 @@ fn read(
                 collector.add_read(read, Vec::new(), &places, without);
                 continue;
             };
-            checker.item(&item);
+            match &item {
+                // What refers to its lanes and links is seen as if it were not there.
+                Item::Road(road) if without.is_bare(road.span.start) => checker.item_apart(&item),
+                _ => checker.item(&item),
+            }
             checked.append(&mut checker.take_findings());
             match item {
                 Item::Header(header) => lowering.header(&header),
@@ -300,6 +318,8 @@ fn read(
                     let position = reader.position(junction.span.start);
                     lowering.junction(*junction, position, &mut checked);
                 }
+                Item::Controller(controller) => lowering.controller(&controller),
+                Item::VmsGroup(group) => lowering.board_group(&group),
                 _ => {}
             }
             collector.add_read(read, std::mem::take(&mut checked), &places, without);
@@ -310,9 +330,11 @@ fn read(
         let stated = reader.stated_version().to_owned();
         (places, Version { stated, checked: reader.checked_version() })
     };
+    progress(Progress::Linking { roads: lowering.roads() });
     let mut late = Vec::new();
     lowering.finish_reading(&mut late);
-    links::resolve(&mut lowering, &mut late);
+    links::resolve(&mut lowering, without, &mut late);
+    let signals = signals::resolve(&mut lowering, &places, &mut late);
     collector.add(late, &places);
     let mut graph = graph::Written::default();
     if !collector.is_rejected() {
@@ -326,7 +348,7 @@ fn read(
         compiler_version: crate::version(),
     };
     lowering.quarantine(&quarantined);
-    Ok(Document { lowering, graph, collector, places, provenance, version, quarantined })
+    Ok(Document { lowering, graph, signals, collector, places, provenance, version, quarantined })
 }
 
 /// The files that the document included, in the order in which it did.
@@ -335,15 +357,67 @@ fn included(places: &Places) -> impl Iterator<Item = PathBuf> {
     (1..places.files()).map(move |file| PathBuf::from(&*places.place(start(file)).file))
 }
 
+/// Rule of maps and lanes that do not fit the tables.
+const TOO_LARGE: &str = "mapd:compile.too_large";
+
 /// A table outgrew 32-bit row numbers.
-#[derive(Debug, thiserror::Error)]
-#[error("table `{0}` would need more than {max} rows; compile the map in smaller tiles", max = NONE)]
-pub(crate) struct TooLarge(pub(crate) &'static str);
+#[derive(Debug)]
+pub(crate) struct TooLarge {
+    table: &'static str,
+    /// Id of the road whose rows no longer fit, where rows come road by road.
+    road: Option<String>,
+}
+
+impl TooLarge {
+    pub(crate) fn new(table: &'static str) -> Self {
+        Self { table, road: None }
+    }
+
+    /// The rows of a lane no longer fit.
+    pub(crate) fn at_lane(table: &'static str, rows: &Rows, lane: u32) -> Self {
+        Self { table, road: road_of(rows, lane).map(|(_, id)| id) }
+    }
+}
+
+impl std::fmt::Display for TooLarge {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "expected at most {NONE} rows in the table `{}`, found more", self.table)?;
+        match &self.road {
+            Some(road) => write!(f, " from road {road} on"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl std::error::Error for TooLarge {}
+
+/// Row and id of the road that a lane lies on.
+fn road_of(rows: &Rows, lane: u32) -> Option<(u32, String)> {
+    let section = rows.sections.get(rows.lanes.get(lane as usize)?.section as usize)?;
+    let road = rows.roads.get(section.road as usize)?;
+    Some((section.road, mapd_archive::string(&rows.as_tables(), road.id).to_owned()))
+}
 
 /// What the document asks for does not fit the tables.
 fn too_large(error: &TooLarge) -> Finding {
     let (span, path) = (mapd_xodr::Span::default(), "OpenDRIVE".to_owned());
-    finding("mapd:compile.too_large", Severity::Error, span, path, error.to_string(), "")
+    let hint = "compile the map in smaller tiles";
+    finding(TOO_LARGE, Severity::Error, span, path, error.to_string(), hint)
+}
+
+/// A lane bends so often that its polyline outgrows what the index can name.
+fn too_long(rows: &Rows, lane: u32, road_spans: &[mapd_xodr::Span]) -> Finding {
+    let (row, id) = road_of(rows, lane).unwrap_or_default();
+    let (number, points) =
+        rows.lanes.get(lane as usize).map_or((0, 0), |lane| (lane.number, lane.center.count));
+    let span = road_spans.get(row as usize).copied().unwrap_or_default();
+    let path = format!("OpenDRIVE/road[@id={id}]");
+    let message = format!(
+        "expected lanes of at most {} points, found {points} for lane {number} of road {id}",
+        index::MAX_POINTS
+    );
+    let hint = "split the road, or compile with a larger index tolerance";
+    finding(TOO_LARGE, Severity::Error, span, path, message, hint)
 }
 
 /// This crate's version as numbers.

@@ -2,6 +2,7 @@
 
 use crate::finding;
 use crate::lower::{Lowering, between};
+use crate::quarantine::Exclusions;
 use mapd_archive::{
     ConnectionLaneLinkRow, ConnectionRow, ContactPoint, LinkKind, NONE, RoadRow, StringTable,
 };
@@ -11,14 +12,20 @@ use std::collections::HashMap;
 /// Rows by the number of their id's string.
 type ById = HashMap<u32, u32>;
 
-/// Resolves every id and sorts the look-up tables. What is not found is named and kept as unresolved.
-pub(crate) fn resolve(lowering: &mut Lowering, findings: &mut Vec<Finding>) {
-    let roads = by_id(
+/// Resolves every id and sorts the look-up tables. What is not found is kept as unresolved; the rules say so.
+///
+/// Nothing leads to a road that is kept as its reference line alone: it has no lanes that could be entered.
+pub(crate) fn resolve(lowering: &mut Lowering, without: &Exclusions, findings: &mut Vec<Finding>) {
+    let mut roads = by_id(
         lowering.rows.roads.iter().map(|road| road.id),
         &lowering.links.road_spans,
         ("road", "mapd:compile.duplicate_road"),
         findings,
     );
+    roads.retain(|_, row| {
+        let span = lowering.links.road_spans.get(*row as usize);
+        !span.is_some_and(|span| without.is_bare(span.start))
+    });
     let junction_spans: Vec<Span> =
         lowering.links.junctions.iter().map(|junction| junction.span).collect();
     let junctions = by_id(
@@ -30,7 +37,7 @@ pub(crate) fn resolve(lowering: &mut Lowering, findings: &mut Vec<Finding>) {
     for number in 0..lowering.rows.roads.len() {
         resolve_road(lowering, number, &roads, &junctions, findings);
     }
-    resolve_connections(lowering, &roads, findings);
+    resolve_connections(lowering, &roads);
     sort_by_id(lowering);
 }
 
@@ -63,6 +70,11 @@ fn find(rows: &ById, strings: &StringTable, id: &str) -> Option<u32> {
     strings.number(id).and_then(|number| rows.get(&number)).copied()
 }
 
+fn road_path(lowering: &Lowering, number: usize) -> String {
+    let id = lowering.rows.roads.get(number).map_or(0, |road| road.id);
+    format!("OpenDRIVE/road[@id={}]", String::from_utf8_lossy(lowering.strings.bytes_of(id)))
+}
+
 fn resolve_road(
     lowering: &mut Lowering,
     number: usize,
@@ -70,24 +82,9 @@ fn resolve_road(
     junctions: &ById,
     findings: &mut Vec<Finding>,
 ) {
-    let span = lowering.links.road_spans.get(number).copied().unwrap_or_default();
-    if let Some(id) = lowering.links.road_junctions.get(number).cloned().flatten() {
-        match find(junctions, &lowering.strings, &id) {
-            Some(junction) => lowering.rows.roads[number].junction = junction,
-            None => {
-                let message =
-                    format!("expected a junction of the map, found {id:?}, which it does not have");
-                let path = "OpenDRIVE/road/@junction".to_owned();
-                findings.push(finding(
-                    "mapd:compile.orphan_junction",
-                    Severity::Warning,
-                    span,
-                    path,
-                    message,
-                    "",
-                ));
-            }
-        }
+    let junction = lowering.links.road_junctions.get(number).cloned().flatten();
+    if let Some(junction) = junction.and_then(|id| find(junctions, &lowering.strings, &id)) {
+        lowering.rows.roads[number].junction = junction;
     }
     let links = lowering.links.roads.get(number).cloned().unwrap_or_default();
     for (i, link) in links.iter().enumerate() {
@@ -102,22 +99,6 @@ fn resolve_road(
             (LinkKind::Road, find(roads, &lowering.strings, id), LinkKind::UnresolvedRoad)
         };
         let end = if i == 0 { "predecessor" } else { "successor" };
-        if found.is_none() {
-            let message = format!(
-                "expected a {} of the map, found {:?}, which it does not have",
-                known.name(),
-                id
-            );
-            let path = format!("OpenDRIVE/road/link/{end}");
-            findings.push(finding(
-                "mapd:compile.orphan_link",
-                Severity::Warning,
-                link.span,
-                path,
-                message,
-                "",
-            ));
-        }
         let mut contact = contact_code(link.contact_point.value());
         if let Some(target) = found
             && !to_junction
@@ -129,7 +110,7 @@ fn resolve_road(
                 "expected @contactPoint, found none; read as {} because that end is nearer",
                 ContactPoint::from_code(contact).name()
             );
-            let path = format!("OpenDRIVE/road/link/{end}");
+            let path = format!("{}/link/{end}", road_path(lowering, number));
             findings.push(finding(
                 "mapd:compile.contact_point",
                 Severity::Warning,
@@ -181,40 +162,19 @@ fn nearer_end(lowering: &Lowering, road: usize, at_end: bool, target: usize) -> 
     if squared(start) <= squared(end) { ContactPoint::Start } else { ContactPoint::End }.code()
 }
 
-fn resolve_connections(lowering: &mut Lowering, roads: &ById, findings: &mut Vec<Finding>) {
+fn resolve_connections(lowering: &mut Lowering, roads: &ById) {
     let junctions = std::mem::take(&mut lowering.links.junctions);
     for (number, junction) in junctions.iter().enumerate() {
         let before = lowering.rows.connections.len();
         for connection in &junction.connection {
-            let mut resolve = |id: Option<&str>, what: &str| {
-                let id = id?;
-                let row = find(roads, &lowering.strings, id);
-                if row.is_none() && id != "-1" {
-                    let message =
-                        format!("expected a road of the map, found {id:?}, which it does not have");
-                    let path = format!(
-                        "OpenDRIVE/junction[@id={}]/connection/@{what}",
-                        junction.id.text()
-                    );
-                    let rule = "mapd:compile.orphan_connection";
-                    findings.push(finding(
-                        rule,
-                        Severity::Warning,
-                        connection.span,
-                        path,
-                        message,
-                        "",
-                    ));
-                }
-                row
-            };
+            let resolve = |id: Option<&str>| find(roads, &lowering.strings, id?);
             let [incoming, linked, connecting] =
                 [&connection.incoming_road, &connection.linked_road, &connection.connecting_road]
                     .map(|id| Some(id.text()).filter(|id| !id.is_empty()));
-            let incoming = resolve(incoming, "incomingRoad");
+            let incoming = resolve(incoming);
             let connecting = match linked {
-                Some(linked) => resolve(Some(linked), "linkedRoad"),
-                None => resolve(connecting, "connectingRoad"),
+                Some(linked) => resolve(Some(linked)),
+                None => resolve(connecting),
             };
             let links = lowering.rows.connection_lane_links.len();
             let written = connection.lane_link.iter().filter_map(|link| {

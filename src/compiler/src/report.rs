@@ -1,10 +1,12 @@
 //! What a compilation yields besides rows.
 
+use crate::TOO_LARGE;
 use crate::lower::UNUSABLE;
 use crate::quarantine::{Exclusions, PartKind, QuarantinedPart, Units};
 use mapd_archive::{Provenance, Rows};
 use mapd_xodr::source::Places;
 use mapd_xodr::{Finding, Item, Severity, rule_ids};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// What becomes of a map.
@@ -28,10 +30,20 @@ pub enum Progress {
         /// Roads so far.
         roads: usize,
     },
+    /// Resolving links.
+    Linking {
+        /// Roads in all.
+        roads: usize,
+    },
     /// Sampling lanes.
     Sampling {
         /// Lanes in all.
         lanes: usize,
+    },
+    /// Completing the lane graph: lengths, components, conflicts, landmarks, and what is wrong with it.
+    Graph {
+        /// Nodes in all.
+        nodes: usize,
     },
     /// Building the index.
     Indexing {
@@ -118,6 +130,8 @@ pub(crate) struct Collector {
     rejecting: usize,
     causes: Vec<Cause>,
     units: Units,
+    /// Errors of the whole document, where parts of it are left out: others come of that.
+    errors: Option<Arc<BTreeSet<(u64, &'static str)>>>,
 }
 
 fn rank(severity: Severity) -> usize {
@@ -129,6 +143,18 @@ fn rank(severity: Severity) -> usize {
 }
 
 impl Collector {
+    pub(crate) fn new(without: &Exclusions) -> Self {
+        Self { errors: without.errors(), ..Self::default() }
+    }
+
+    /// Whether a finding is there only because something else is left out, as where a link leads to a road that is gone. The
+    /// document without anything left out shows all its errors but those of the lane graph, which is built of sound parts.
+    fn is_consequence(&self, finding: &Finding) -> bool {
+        let is_late = finding.rule.starts_with("mapd:graph.") || finding.rule == TOO_LARGE;
+        let errors = self.errors.as_ref().filter(|_| !is_late);
+        errors.is_some_and(|errors| !errors.contains(&(finding.span.start, finding.rule)))
+    }
+
     /// Adds the reader's findings about an element, and those of checking and building it.
     ///
     /// An error of the reader's says that the file violates the standard. It rejects the map only if the document cannot be
@@ -186,6 +212,7 @@ impl Collector {
     }
 
     fn push(&mut self, finding: Finding, rejects: bool, places: &Places) {
+        let rejects = rejects && !self.is_consequence(&finding);
         let count = &mut self.counts[rank(finding.severity)];
         // Those that say why there is no archive are kept beyond the others.
         let kept = *count < KEPT || (rejects && self.rejecting < KEPT);

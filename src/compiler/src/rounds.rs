@@ -3,6 +3,7 @@
 use crate::options::CompileOptions;
 use crate::quarantine::{Exclusions, OnError, Treatment};
 use crate::report::{Compilation, Diagnostic, Progress, Verdict};
+use crate::signals::SIGNAL_LANES;
 use crate::{ReadOptions, finding};
 use mapd_archive::Rows;
 use mapd_xodr::{Severity, Span};
@@ -22,8 +23,8 @@ pub(crate) fn read<R: Read + Send>(
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<(Option<Rows>, Compilation)> {
-    let mut without = Exclusions::default();
-    let mut round = crate::round(open()?, reading, &without, options, progress)?;
+    let mut round = crate::round(open()?, reading, &Exclusions::default(), options, progress)?;
+    let mut without = Exclusions::with_errors(errors(&round.compilation));
     let mut told = Told::new(&round.compilation);
     for _ in 1..ROUNDS {
         if round.compilation.verdict != Verdict::Rejected {
@@ -45,6 +46,13 @@ pub(crate) fn read<R: Read + Send>(
     told.finish(&mut compilation);
     judge(&mut compilation, (round.roads, round.length), reading);
     Ok((round.rows, compilation))
+}
+
+/// Errors by place and rule; none where there are more than are kept.
+fn errors(whole: &Compilation) -> Option<BTreeSet<(u64, &'static str)>> {
+    let errors = whole.diagnostics.iter().filter(|d| d.rejects);
+    (whole.dropped[2] == 0)
+        .then(|| errors.map(|d| (d.finding.span.start, d.finding.rule)).collect())
 }
 
 /// Leaves out every part that has an error. False where something has one that is no part.
@@ -79,10 +87,12 @@ impl Told {
         Self { diagnostics: first.diagnostics.clone(), dropped: first.dropped, seen }
     }
 
-    /// Adds what only shows without the parts left out, and takes something out itself. That links lead to what is left out
+    /// Adds what only shows without the parts left out, and takes something out itself, and signals without lanes: lanes are
+    /// only looked at where nothing more is wrong. That links lead to what is left out
     /// is no matter of the document's.
     fn add(&mut self, later: &Compilation) {
-        for d in later.diagnostics.iter().filter(|d| d.rejects) {
+        let counts = |d: &&Diagnostic| d.rejects || d.finding.rule == SIGNAL_LANES;
+        for d in later.diagnostics.iter().filter(counts) {
             if self.seen.insert((d.finding.span.start, d.finding.rule)) {
                 self.diagnostics.push(d.clone());
             }

@@ -210,6 +210,9 @@ Columns:
   successors  road_id,s,lane_id    successors in driving direction, joined by ;
   route       from_road,from_s,from_lane,to_road,to_s,to_lane
                                    length,lane_changes,lanes (keys in driving order, joined by ;)
+  signals     road_id,s,lane_id,distance
+                                   a row for each signal ahead, the nearest first, none where there is none:
+                                   id,class,distance,road_id,s,t,x,y,z,state_machine (lamps:phases[:movements])
 Metres and radians. A row that has no answer says why in the column `error`; the command still ends with 0.
 
   printf 'x,y\\n12.5,-3\\n' | mapd query map.xodr nearest";

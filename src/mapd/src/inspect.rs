@@ -49,6 +49,7 @@ struct QuarantinedFacts {
     kind: &'static str,
     id: String,
     owner: String,
+    owner_kind: &'static str,
     reference_line: bool,
     min: Option<[f64; 2]>,
     max: Option<[f64; 2]>,
@@ -112,11 +113,15 @@ pub(crate) fn run(
         writeln!(out, "verified      content hash and every row")?;
     }
     for part in &i.quarantined {
-        let kept = if part.reference_line { ", kept as reference line" } else { "" };
+        let kept = if part.reference_line { ", kept as its reference line" } else { "" };
+        let owner = match part.owner_kind == part.kind {
+            true => String::new(),
+            false => format!(" of {} {}", part.owner_kind, part.owner),
+        };
         writeln!(
             out,
-            "quarantined   {} {} of {}{kept}, by line {}, column {}: {}: {}",
-            part.kind, part.id, part.owner, part.line, part.column, part.rule, part.message
+            "quarantined   {} {}{owner}{kept}, by line {}, column {}: {}: {}",
+            part.kind, part.id, part.line, part.column, part.rule, part.message
         )?;
     }
     writeln!(out, "\n{:<24}{:>12}{:>8}{:>14}", "table", "elements", "bytes", "total")?;
@@ -183,6 +188,7 @@ fn quarantined(part: &Quarantined<'_>) -> QuarantinedFacts {
         kind: part.kind().name(),
         id: part.id().to_owned(),
         owner: part.owner().to_owned(),
+        owner_kind: part.owner_kind().name(),
         reference_line: part.is_reference_line(),
         min: extent.map(|(min, _)| min.to_array()),
         max: extent.map(|(_, max)| max.to_array()),

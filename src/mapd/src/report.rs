@@ -52,6 +52,7 @@ pub(crate) struct ReportedPart<'a> {
     kind: &'static str,
     id: &'a str,
     owner: &'a str,
+    owner_kind: &'static str,
     treatment: &'static str,
     extent: Option<[f64; 4]>,
     rule: &'a str,
@@ -66,6 +67,7 @@ pub(crate) fn part(part: &QuarantinedPart) -> ReportedPart<'_> {
         kind: part.kind.name(),
         id: &part.id,
         owner: &part.owner,
+        owner_kind: part.owner_kind.name(),
         treatment: match part.treatment {
             Treatment::Dropped => "dropped",
             Treatment::ReferenceLine => "reference-line",
@@ -75,6 +77,14 @@ pub(crate) fn part(part: &QuarantinedPart) -> ReportedPart<'_> {
         line: part.line,
         column: part.column,
         message: &part.message,
+    }
+}
+
+/// What became of a part, for people.
+pub(crate) fn treated(treatment: Treatment) -> &'static str {
+    match treatment {
+        Treatment::Dropped => "left out",
+        Treatment::ReferenceLine => "kept as its reference line",
     }
 }
 
@@ -201,12 +211,14 @@ pub fn print(file: &str, compiled: &Compilation) {
         }
         Verdict::Quarantined => {
             for part in compiled.quarantined.iter().take(PRINTED) {
-                let (kind, id, owner) = (part.kind.name(), &part.id, &part.owner);
-                let of = if owner == id { String::new() } else { format!(" of {owner}") };
                 let _ = writeln!(
                     err,
-                    "{file}:{}:{}: {kind} {id}{of} is left out: {}",
-                    part.line, part.column, part.rule
+                    "{file}:{}:{}: {} is {}: {}",
+                    part.line,
+                    part.column,
+                    part.name(),
+                    treated(part.treatment),
+                    part.rule
                 );
             }
             let _ = writeln!(err, "{file}: accepted without {} parts", compiled.quarantined.len());

@@ -66,7 +66,7 @@ pub(crate) fn slab<'a>(lane: &Lane<'a>, segment: usize) -> Option<Slab<'a>> {
     let rows = lane.road.geometries();
     let at = rows.partition_point(|g| g.s() <= middle).saturating_sub(1);
     let geometry_start = if at == 0 { f64::NEG_INFINITY } else { rows.get(at)?.s() };
-    let geometry_end = rows.get(at + 1).map_or(lane.road.reference_end(), |g| g.s());
+    let geometry_end = rows.get(at + 1).map_or_else(|| lane.road.reference_end(), |g| g.s());
     let slack = (end - start) * f64::from(f32::EPSILON);
     let s_lo = if (lo - geometry_start).abs() <= slack { geometry_start } else { lo };
     let s_hi = if (hi - geometry_end).abs() <= slack { geometry_end } else { hi };

@@ -42,4 +42,8 @@ ids! {
     NodeId;
     /// An object.
     ObjectId;
+    /// A signal.
+    SignalId;
+    /// A controller.
+    ControllerId;
 }

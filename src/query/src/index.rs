@@ -1,6 +1,6 @@
 //! Search in the packed spatial index: an R-tree of 16 children a node, flattened level by level.
 
-use glam::DVec2;
+use glam::{DVec2, Vec4};
 use mapd_archive::{ArchivedIndexLeafRow, NONE, Tables};
 
 /// Children of a node, places of a leaf.
@@ -177,7 +177,10 @@ pub(crate) fn squared_distances(leaf: &ArchivedIndexLeafRow, qx: f32, qy: f32) -
 /// The places whose value is not above a limit, as bits.
 #[inline]
 pub(crate) fn places_within(values: &[f32; WIDTH], limit: f32) -> u32 {
-    values.iter().enumerate().fold(0, |bits, (k, value)| bits | u32::from(*value <= limit) << k)
+    let limit = Vec4::splat(limit);
+    let (fours, _) = values.as_chunks::<4>();
+    let bits = |four: &[f32; 4]| Vec4::from_array(*four).cmple(limit).bitmask();
+    fours.iter().enumerate().fold(0, |all, (i, four)| all | bits(four) << (4 * i))
 }
 
 /// The place with the least value among those whose bit is set.

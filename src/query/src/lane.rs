@@ -346,7 +346,7 @@ impl<'a> Lane<'a> {
         let list = map.tables().lane_nodes;
         let nodes = self.row.nodes();
         // Nodes of the other way come last; they are no part of the lane's own direction.
-        let ways = if self.is_bidirectional() { 2 } else { 1 };
+        let ways = if self.row.flags() & lane_flags::TWO_WAY != 0 { 2 } else { 1 };
         let own_way = Range { count: nodes.count / ways, ..nodes }.rows(list.len());
         own_way.clone().flat_map(move |node| {
             let edges = edges_of(offsets, targets, node);

@@ -35,8 +35,10 @@ mod quarantine;
 mod railway;
 mod region;
 mod road;
+mod road_mark;
 mod route;
 mod section;
+mod signals;
 mod structures;
 mod surface;
 mod types;
@@ -45,16 +47,19 @@ mod waypoints;
 pub use error::QueryError;
 pub use glam;
 pub use graph::{Conflict, LaneEdge, LaneNode};
-pub use ids::{JunctionId, LaneId, LaneSectionId, NodeId, ObjectId, RoadId};
+pub use ids::{
+    ControllerId, JunctionId, LaneId, LaneSectionId, NodeId, ObjectId, RoadId, SignalId,
+};
 pub use index::{SegmentHit, nearest_segment};
 pub use junction::{Connection, Junction};
 pub use key::{LaneKey, ParseLaneKeyError};
 pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
 pub use mapd_archive::{
-    AttachMethod, Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind, LaneType, ObjectShape,
-    ObjectSide, Orientation, OutlineFill, PlatformSide, QuarantinedKind, RoadType, SpeedKind,
-    StructureKind, SwitchPosition, VehicleClass,
+    Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind, LaneMethod, LaneType, MarkLaneChange,
+    ObjectShape, ObjectSide, Orientation, OutlineFill, PlatformSide, QuarantinedKind, Relation,
+    RelationReason, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight, RoadType,
+    SignalPosition, SpeedKind, StructureKind, SwitchPosition, VehicleClass,
 };
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
 pub use objects::{
@@ -66,11 +71,16 @@ pub use quarantine::Quarantined;
 pub use railway::{Platform, PlatformSegment, Station, Switch, SwitchTrack};
 pub use region::{BoundarySegment, Region};
 pub use road::{Road, RoadLink, RoadTypeRecord};
+pub use road_mark::{RoadMark, RoadMarkLine, RoadMarkSegment};
 pub use route::{
     CostBound, Enter, LaneChangeAhead, LanePlace, LaneSequences, NextJunction, Reached, Route,
     RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime, next_lane_change,
 };
 pub use section::LaneSection;
+pub use signals::{
+    Controller, JunctionController, LaneSignal, LightStates, RightOfWay, Signal, SignalAhead,
+    SignalLink, SignalPlace, SignalSemantics, SignalsAhead, SpeedOrigin, SpeedRule, Turn,
+};
 pub use structures::{ObjectReference, Structure};
 pub use surface::{Material, Surface};
 pub use types::{LaneEdges, LanePosition, Point, Pose, Track, TrackPosition};

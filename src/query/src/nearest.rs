@@ -188,22 +188,32 @@ impl<'a> Map<'a> {
             let (lanes, segments) = (leaf.lane(), leaf.segment());
             let lower = index::lower_bounds(leaf, qx, qy, heights);
             let mut open = index::places_within(&lower, bound);
-            // The most promising comes first: what it yields excludes most of the others before they cost a projection.
-            while let Some(k) = index::least(&lower, open) {
-                open &= !(1 << k);
+            let mut consider = |k: usize, limit: f64, bound: &mut f32| {
                 if place == Some((lanes[k], segments[k])) {
-                    continue;
+                    return;
                 }
-                let limit = best.as_ref().map_or(f64::INFINITY, |b| b.position.distance);
                 let found = self.candidate((lanes[k], segments[k]), point, local, options, limit);
-                let Some(candidate) = found else { continue };
-                if candidate.position.distance > options.radius {
-                    continue;
-                }
+                let Some(candidate) = found.filter(|c| c.position.distance <= options.radius)
+                else {
+                    return;
+                };
                 if best.as_ref().is_none_or(|b| candidate.order(b, *self) == Ordering::Less) {
-                    bound = bound.min(round_up(candidate.position.distance));
-                    open &= index::places_within(&lower, bound);
+                    *bound = bound.min(round_up(candidate.position.distance));
                     best = Some(candidate);
+                }
+            };
+            // Whether a lane holds the point is cheaper to tell than how far off it is, and mostly one does.
+            let mut around = open & index::places_within(&lower, 0.0);
+            while around != 0 {
+                consider(around.trailing_zeros() as usize, 0.0, &mut bound);
+                around &= around - 1;
+            }
+            if bound > 0.0 {
+                // The most promising comes first: what it yields excludes most of the others before they cost a projection.
+                while let Some(k) = index::least(&lower, open) {
+                    open &= !(1 << k);
+                    consider(k, f64::from(bound), &mut bound);
+                    open &= index::places_within(&lower, bound);
                 }
             }
             bound
@@ -211,7 +221,8 @@ impl<'a> Map<'a> {
         Ok(best.map(|b| b.nearest(*self)))
     }
 
-    /// The hint's lane at the hint's place, or past its end if the point has gone on; and which segment that is.
+    /// The hint's lane at the hint's place, if the point lies in it there, and which segment that is. How far off it is
+    /// otherwise would cost more than it saves.
     fn hinted(
         &self,
         point: Point,
@@ -222,8 +233,8 @@ impl<'a> Map<'a> {
         let lane = self.lane(hint.lane).ok()?;
         let segment = u16::try_from(area::segment_at(&lane, hint.position.s)?).ok()?;
         let place = (hint.lane.row(), segment);
-        let candidate = self.candidate(place, point, local, options, f64::INFINITY)?;
-        (candidate.position.distance <= options.radius).then_some((place, candidate))
+        let candidate = self.candidate(place, point, local, options, 0.0)?;
+        (candidate.position.distance == 0.0).then_some((place, candidate))
     }
 
     /// What a place on a lane has for ties.

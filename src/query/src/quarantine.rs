@@ -27,6 +27,11 @@ impl<'a> Quarantined<'a> {
         string(self.map.tables(), self.row.owner())
     }
 
+    /// What the owner is; its own kind for a part of its own.
+    pub fn owner_kind(&self) -> QuarantinedKind {
+        QuarantinedKind::from_code(self.row.owner_kind())
+    }
+
     /// Whether it is a road that is in the map as its bare reference line: it has no lanes and no way leads over it.
     pub fn is_reference_line(&self) -> bool {
         self.row.treatment() == 1

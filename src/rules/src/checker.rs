@@ -106,8 +106,19 @@ impl Checker {
         self.lists = Lists::new(&self.applied);
     }
 
-    /// Looks at a top-level element.
+    /// Looks at a top-level element, and keeps what the rules on the network need of it.
     pub fn item(&mut self, item: &Item) {
+        let line = self.look(item);
+        self.network.add(item, &line);
+    }
+
+    /// Looks at a top-level element by itself: to the rules on the network it is not there.
+    pub fn item_apart(&mut self, item: &Item) {
+        self.look(item);
+    }
+
+    /// Applies the rules on elements; yields a road's reference line.
+    fn look(&mut self, item: &Item) -> ReferenceLine {
         if let Item::Header(header) = item {
             let minor = header.rev_minor.map_or(i32::from(NEWEST), |minor| minor.value);
             self.version = Minor::try_from(minor.clamp(i32::from(OLDEST), i32::from(NEWEST)))
@@ -122,7 +133,7 @@ impl Checker {
         self.walk(item, &line);
         // Each element is walked once per kind of check; findings come in file order all the same.
         self.findings[before..].sort_by_key(|finding| finding.span.start);
-        self.network.add(item, &line);
+        line
     }
 
     /// Looks at the document as a whole, which has ended.
@@ -146,7 +157,7 @@ impl Checker {
                     rule: applied.rule.id,
                     severity,
                     span,
-                    path: String::new(),
+                    path: "OpenDRIVE".to_owned(),
                     subject: "".into(),
                     message,
                     hint: String::new(),

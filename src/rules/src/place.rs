@@ -121,6 +121,14 @@ pub struct SignalIn<'a> {
     pub signal: &'a Signal,
 }
 
+/// Path of a lane, or of something in it, from its section.
+pub(crate) fn lane_part(lane: &Lane, within: &str) -> String {
+    match lane.id {
+        Some(id) => format!("lane[@id={}]{within}", id.value),
+        None => format!("lane{within}"),
+    }
+}
+
 /// A number, or 0 where it is not there.
 pub(crate) fn number(value: &Option<mapd_xodr::Attribute<f64>>) -> f64 {
     value.map_or(0.0, |value| value.value)

@@ -273,6 +273,11 @@ pub static KEPT: &[(&str, &str)] = &[
         "the compiler makes links into junctions from connections alone",
     ),
     (
+        "mapd:xodr:1.4.0:topology.cycle",
+        "the lane graph, whose `mapd:graph.no_progress` and `mapd:graph.junction_cycle` name each step of the way around \
+         (graph.md); `mapd:xodr:1.4.0:topology.dependency_cycle`",
+    ),
+    (
         "mapd:xodr:1.4.0:object.nearest_lane",
         "the compiler, which says how it found the lanes of an object",
     ),

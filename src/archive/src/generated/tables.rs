@@ -2,16 +2,16 @@
 // Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
 
 use super::rows::*;
-use crate::error::{OpenError, VerifyError};
+use super::signal_rows::*;
+use crate::error::OpenError;
 use crate::table::{Table, TableInfo};
-use crate::verify::Check;
 use rkyv::{Archive, Serialize, rend};
 
 /// Number of the format, raised by hand when old archives can no longer be read.
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [183, 45, 137, 68, 124, 74, 140, 220, 54, 184, 121, 12, 102, 238, 186, 236];
+    [189, 11, 98, 242, 195, 71, 93, 100, 189, 63, 113, 255, 151, 188, 118, 129];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -74,6 +74,12 @@ pub struct Rows {
     pub grid_heights: Table<f64>,
     /// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
     pub grid_transitions: Table<GridTransitionRow>,
+    /// lane/roadMark records, by lane and s: what lies on the lane's outer border, on lane 0's own line for lane 0, until the next record of the lane.
+    pub road_marks: Table<RoadMarkRow>,
+    /// How road marks look, each once, in the order of their first use.
+    pub road_mark_styles: Table<RoadMarkStyleRow>,
+    /// Lines of road marks: of a pattern (roadMark/type/line), repeated every `length` + `space`, or explicit (roadMark/explicit/line), once.
+    pub road_mark_lines: Table<RoadMarkLineRow>,
     /// Exactly one row: what concerns the whole lane graph.
     pub graph: Table<GraphRow>,
     /// Nodes of the lane graph: a lane, or a piece of one, travelled in one direction. Lane by lane.
@@ -94,6 +100,40 @@ pub struct Rows {
     pub landmark_lengths: Table<u16>,
     /// As `landmark_lengths`, in `time_step`.
     pub landmark_times: Table<u16>,
+    /// One row per signal, in file order, signs on boards behind the signal that carries them. The row number is the SignalId.
+    pub signals: Table<SignalRow>,
+    /// Rows of `signals` in byte order of their ids.
+    pub signals_by_id: Table<u32>,
+    /// Where signals count: on their own road and on those that refer to them, by road and s.
+    pub signal_places: Table<SignalPlaceRow>,
+    /// Lanes of the signals' places, by place; lanes from left to right.
+    pub signal_lanes: Table<SignalLaneRow>,
+    /// Rows of `signal_lanes` by lane, then by place.
+    pub lane_signals: Table<u32>,
+    /// signal/dependency.
+    pub signal_dependencies: Table<SignalDependencyRow>,
+    /// signal/reference.
+    pub signal_links: Table<SignalLinkRow>,
+    /// Children of signal/semantics, and of the header's default regulations.
+    pub signal_semantics: Table<SignalSemanticsRow>,
+    /// signal/vmsBoard, by signal: variable message boards (OpenDRIVE 1.8).
+    pub signal_boards: Table<SignalBoardRow>,
+    /// vmsGroup/vmsBoardReference, by group: variable message boards that work together (OpenDRIVE 1.8).
+    pub board_groups: Table<BoardGroupRow>,
+    /// One row per controller, in file order: a signal group, whose signals switch together.
+    pub controllers: Table<ControllerRow>,
+    /// controller/control, by controller.
+    pub controls: Table<ControlRow>,
+    /// Controllers by signal: `controls` turned round.
+    pub signal_controllers: Table<u32>,
+    /// junction/controller, by junction: the controllers of a junction are its synchronisation group.
+    pub junction_controllers: Table<JunctionControllerRow>,
+    /// junction/priority, by junction.
+    pub junction_priorities: Table<JunctionPriorityRow>,
+    /// Who goes first, for each pair of lanes of `conflicts` that come from different entries, by `lane`; each pair stands twice, once from either side.
+    pub right_of_way: Table<RightOfWayRow>,
+    /// header/defaultRegulations: speeds by type of road (OpenDRIVE 1.8.1, 6.4).
+    pub default_speeds: Table<DefaultSpeedRow>,
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: Table<QuarantinedRow>,
     /// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
@@ -179,6 +219,9 @@ impl Rows {
             grid_rows: bytemuck::cast_slice(self.grid_rows.as_slice()),
             grid_heights: (self.grid_heights.as_slice()),
             grid_transitions: bytemuck::cast_slice(self.grid_transitions.as_slice()),
+            road_marks: bytemuck::cast_slice(self.road_marks.as_slice()),
+            road_mark_styles: bytemuck::cast_slice(self.road_mark_styles.as_slice()),
+            road_mark_lines: bytemuck::cast_slice(self.road_mark_lines.as_slice()),
             graph: bytemuck::cast_slice(self.graph.as_slice()),
             lane_nodes: bytemuck::cast_slice(self.lane_nodes.as_slice()),
             successor_offsets: (self.successor_offsets.as_slice()),
@@ -189,6 +232,23 @@ impl Rows {
             conflicts: bytemuck::cast_slice(self.conflicts.as_slice()),
             landmark_lengths: (self.landmark_lengths.as_slice()),
             landmark_times: (self.landmark_times.as_slice()),
+            signals: bytemuck::cast_slice(self.signals.as_slice()),
+            signals_by_id: (self.signals_by_id.as_slice()),
+            signal_places: bytemuck::cast_slice(self.signal_places.as_slice()),
+            signal_lanes: bytemuck::cast_slice(self.signal_lanes.as_slice()),
+            lane_signals: (self.lane_signals.as_slice()),
+            signal_dependencies: bytemuck::cast_slice(self.signal_dependencies.as_slice()),
+            signal_links: bytemuck::cast_slice(self.signal_links.as_slice()),
+            signal_semantics: bytemuck::cast_slice(self.signal_semantics.as_slice()),
+            signal_boards: bytemuck::cast_slice(self.signal_boards.as_slice()),
+            board_groups: bytemuck::cast_slice(self.board_groups.as_slice()),
+            controllers: bytemuck::cast_slice(self.controllers.as_slice()),
+            controls: bytemuck::cast_slice(self.controls.as_slice()),
+            signal_controllers: (self.signal_controllers.as_slice()),
+            junction_controllers: bytemuck::cast_slice(self.junction_controllers.as_slice()),
+            junction_priorities: bytemuck::cast_slice(self.junction_priorities.as_slice()),
+            right_of_way: bytemuck::cast_slice(self.right_of_way.as_slice()),
+            default_speeds: bytemuck::cast_slice(self.default_speeds.as_slice()),
             quarantined: bytemuck::cast_slice(self.quarantined.as_slice()),
             objects: bytemuck::cast_slice(self.objects.as_slice()),
             object_outlines: bytemuck::cast_slice(self.object_outlines.as_slice()),
@@ -280,6 +340,12 @@ pub struct Tables<'a> {
     pub grid_heights: &'a [f64],
     /// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
     pub grid_transitions: &'a [ArchivedGridTransitionRow],
+    /// lane/roadMark records, by lane and s: what lies on the lane's outer border, on lane 0's own line for lane 0, until the next record of the lane.
+    pub road_marks: &'a [ArchivedRoadMarkRow],
+    /// How road marks look, each once, in the order of their first use.
+    pub road_mark_styles: &'a [ArchivedRoadMarkStyleRow],
+    /// Lines of road marks: of a pattern (roadMark/type/line), repeated every `length` + `space`, or explicit (roadMark/explicit/line), once.
+    pub road_mark_lines: &'a [ArchivedRoadMarkLineRow],
     /// Exactly one row: what concerns the whole lane graph.
     pub graph: &'a [ArchivedGraphRow],
     /// Nodes of the lane graph: a lane, or a piece of one, travelled in one direction. Lane by lane.
@@ -300,6 +366,40 @@ pub struct Tables<'a> {
     pub landmark_lengths: &'a [u16],
     /// As `landmark_lengths`, in `time_step`.
     pub landmark_times: &'a [u16],
+    /// One row per signal, in file order, signs on boards behind the signal that carries them. The row number is the SignalId.
+    pub signals: &'a [ArchivedSignalRow],
+    /// Rows of `signals` in byte order of their ids.
+    pub signals_by_id: &'a [u32],
+    /// Where signals count: on their own road and on those that refer to them, by road and s.
+    pub signal_places: &'a [ArchivedSignalPlaceRow],
+    /// Lanes of the signals' places, by place; lanes from left to right.
+    pub signal_lanes: &'a [ArchivedSignalLaneRow],
+    /// Rows of `signal_lanes` by lane, then by place.
+    pub lane_signals: &'a [u32],
+    /// signal/dependency.
+    pub signal_dependencies: &'a [ArchivedSignalDependencyRow],
+    /// signal/reference.
+    pub signal_links: &'a [ArchivedSignalLinkRow],
+    /// Children of signal/semantics, and of the header's default regulations.
+    pub signal_semantics: &'a [ArchivedSignalSemanticsRow],
+    /// signal/vmsBoard, by signal: variable message boards (OpenDRIVE 1.8).
+    pub signal_boards: &'a [ArchivedSignalBoardRow],
+    /// vmsGroup/vmsBoardReference, by group: variable message boards that work together (OpenDRIVE 1.8).
+    pub board_groups: &'a [ArchivedBoardGroupRow],
+    /// One row per controller, in file order: a signal group, whose signals switch together.
+    pub controllers: &'a [ArchivedControllerRow],
+    /// controller/control, by controller.
+    pub controls: &'a [ArchivedControlRow],
+    /// Controllers by signal: `controls` turned round.
+    pub signal_controllers: &'a [u32],
+    /// junction/controller, by junction: the controllers of a junction are its synchronisation group.
+    pub junction_controllers: &'a [ArchivedJunctionControllerRow],
+    /// junction/priority, by junction.
+    pub junction_priorities: &'a [ArchivedJunctionPriorityRow],
+    /// Who goes first, for each pair of lanes of `conflicts` that come from different entries, by `lane`; each pair stands twice, once from either side.
+    pub right_of_way: &'a [ArchivedRightOfWayRow],
+    /// header/defaultRegulations: speeds by type of road (OpenDRIVE 1.8.1, 6.4).
+    pub default_speeds: &'a [ArchivedDefaultSpeedRow],
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: &'a [ArchivedQuarantinedRow],
     /// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
@@ -387,6 +487,9 @@ impl<'a> Tables<'a> {
             grid_rows: root.grid_rows.view(body, "grid_rows")?,
             grid_heights: root.grid_heights.view_numbers(body, "grid_heights")?,
             grid_transitions: root.grid_transitions.view(body, "grid_transitions")?,
+            road_marks: root.road_marks.view(body, "road_marks")?,
+            road_mark_styles: root.road_mark_styles.view(body, "road_mark_styles")?,
+            road_mark_lines: root.road_mark_lines.view(body, "road_mark_lines")?,
             graph: root.graph.view(body, "graph")?,
             lane_nodes: root.lane_nodes.view(body, "lane_nodes")?,
             successor_offsets: root.successor_offsets.view_numbers(body, "successor_offsets")?,
@@ -399,6 +502,23 @@ impl<'a> Tables<'a> {
             conflicts: root.conflicts.view(body, "conflicts")?,
             landmark_lengths: root.landmark_lengths.view_numbers(body, "landmark_lengths")?,
             landmark_times: root.landmark_times.view_numbers(body, "landmark_times")?,
+            signals: root.signals.view(body, "signals")?,
+            signals_by_id: root.signals_by_id.view_numbers(body, "signals_by_id")?,
+            signal_places: root.signal_places.view(body, "signal_places")?,
+            signal_lanes: root.signal_lanes.view(body, "signal_lanes")?,
+            lane_signals: root.lane_signals.view_numbers(body, "lane_signals")?,
+            signal_dependencies: root.signal_dependencies.view(body, "signal_dependencies")?,
+            signal_links: root.signal_links.view(body, "signal_links")?,
+            signal_semantics: root.signal_semantics.view(body, "signal_semantics")?,
+            signal_boards: root.signal_boards.view(body, "signal_boards")?,
+            board_groups: root.board_groups.view(body, "board_groups")?,
+            controllers: root.controllers.view(body, "controllers")?,
+            controls: root.controls.view(body, "controls")?,
+            signal_controllers: root.signal_controllers.view_numbers(body, "signal_controllers")?,
+            junction_controllers: root.junction_controllers.view(body, "junction_controllers")?,
+            junction_priorities: root.junction_priorities.view(body, "junction_priorities")?,
+            right_of_way: root.right_of_way.view(body, "right_of_way")?,
+            default_speeds: root.default_speeds.view(body, "default_speeds")?,
             quarantined: root.quarantined.view(body, "quarantined")?,
             objects: root.objects.view(body, "objects")?,
             object_outlines: root.object_outlines.view(body, "object_outlines")?,
@@ -430,7 +550,7 @@ impl<'a> Tables<'a> {
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 64] {
+    pub fn infos(&self) -> [TableInfo; 84] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -461,6 +581,9 @@ impl<'a> Tables<'a> {
             TableInfo::of("grid_rows", self.grid_rows),
             TableInfo::of("grid_heights", self.grid_heights),
             TableInfo::of("grid_transitions", self.grid_transitions),
+            TableInfo::of("road_marks", self.road_marks),
+            TableInfo::of("road_mark_styles", self.road_mark_styles),
+            TableInfo::of("road_mark_lines", self.road_mark_lines),
             TableInfo::of("graph", self.graph),
             TableInfo::of("lane_nodes", self.lane_nodes),
             TableInfo::of("successor_offsets", self.successor_offsets),
@@ -471,6 +594,23 @@ impl<'a> Tables<'a> {
             TableInfo::of("conflicts", self.conflicts),
             TableInfo::of("landmark_lengths", self.landmark_lengths),
             TableInfo::of("landmark_times", self.landmark_times),
+            TableInfo::of("signals", self.signals),
+            TableInfo::of("signals_by_id", self.signals_by_id),
+            TableInfo::of("signal_places", self.signal_places),
+            TableInfo::of("signal_lanes", self.signal_lanes),
+            TableInfo::of("lane_signals", self.lane_signals),
+            TableInfo::of("signal_dependencies", self.signal_dependencies),
+            TableInfo::of("signal_links", self.signal_links),
+            TableInfo::of("signal_semantics", self.signal_semantics),
+            TableInfo::of("signal_boards", self.signal_boards),
+            TableInfo::of("board_groups", self.board_groups),
+            TableInfo::of("controllers", self.controllers),
+            TableInfo::of("controls", self.controls),
+            TableInfo::of("signal_controllers", self.signal_controllers),
+            TableInfo::of("junction_controllers", self.junction_controllers),
+            TableInfo::of("junction_priorities", self.junction_priorities),
+            TableInfo::of("right_of_way", self.right_of_way),
+            TableInfo::of("default_speeds", self.default_speeds),
             TableInfo::of("quarantined", self.quarantined),
             TableInfo::of("objects", self.objects),
             TableInfo::of("object_outlines", self.object_outlines),
@@ -498,503 +638,6 @@ impl<'a> Tables<'a> {
             TableInfo::of("platform_segments", self.platform_segments),
         ]
     }
-
-    /// Proves every row: finite numbers, known codes, references and ranges inside their tables.
-    pub(crate) fn verify_rows(&self) -> Result<(), VerifyError> {
-        let strings = self.string_offsets.len().saturating_sub(1);
-        for (i, row) in self.map.iter().enumerate() {
-            let check = Check { table: "map", row: i };
-            check.finite("origin_x", row.origin_x())?;
-            check.finite("origin_y", row.origin_y())?;
-            check.finite("min_x", row.min_x())?;
-            check.finite("min_y", row.min_y())?;
-            check.finite("min_z", row.min_z())?;
-            check.finite("max_x", row.max_x())?;
-            check.finite("max_y", row.max_y())?;
-            check.finite("max_z", row.max_z())?;
-            check.finite("stated_north", row.stated_north())?;
-            check.finite("stated_south", row.stated_south())?;
-            check.finite("stated_east", row.stated_east())?;
-            check.finite("stated_west", row.stated_west())?;
-            check.finite("road_length", row.road_length())?;
-            check.finite("index_tolerance", row.index_tolerance())?;
-            check.finite("bound_tolerance", row.bound_tolerance())?;
-            check.reference("name", row.name(), strings, false)?;
-            check.reference("version", row.version(), strings, false)?;
-            check.reference("date", row.date(), strings, false)?;
-            check.reference("vendor", row.vendor(), strings, false)?;
-            check.reference("geo_reference", row.geo_reference(), strings, false)?;
-        }
-        for (i, row) in self.roads.iter().enumerate() {
-            let check = Check { table: "roads", row: i };
-            check.finite("length", row.length())?;
-            check.reference("id", row.id(), strings, false)?;
-            check.reference("name", row.name(), strings, false)?;
-            check.reference("junction", row.junction(), self.junctions.len(), true)?;
-            check.range("geometries", row.geometries(), self.geometries.len())?;
-            check.range("elevations", row.elevations(), self.cubics.len())?;
-            check.range("superelevations", row.superelevations(), self.cubics.len())?;
-            check.range("lane_offsets", row.lane_offsets(), self.cubics.len())?;
-            check.range("sections", row.sections(), self.sections.len())?;
-            check.range("types", row.types(), self.road_types.len())?;
-            check.code("predecessor_kind", row.predecessor_kind(), 5)?;
-            check.code("successor_kind", row.successor_kind(), 5)?;
-            check.code("predecessor_contact", row.predecessor_contact(), 3)?;
-            check.code("successor_contact", row.successor_contact(), 3)?;
-            check.code("rule", row.rule(), 2)?;
-        }
-        for (i, row) in self.geometries.iter().enumerate() {
-            let check = Check { table: "geometries", row: i };
-            check.finite("s", row.s())?;
-            check.finite("x", row.x())?;
-            check.finite("y", row.y())?;
-            check.finite("hdg", row.hdg())?;
-            check.finite("cos", row.cos())?;
-            check.finite("sin", row.sin())?;
-            check.finite("length", row.length())?;
-            check.range("coefficients", row.coefficients(), self.coefficients.len())?;
-            check.finite("error", f64::from(row.error()))?;
-            check.code("kind", row.kind(), 5)?;
-            check.code("parameter_range", row.parameter_range(), 3)?;
-        }
-        for (i, row) in self.coefficients.iter().enumerate() {
-            let check = Check { table: "coefficients", row: i };
-            check.finite("", *row)?;
-        }
-        for (i, row) in self.cubics.iter().enumerate() {
-            let check = Check { table: "cubics", row: i };
-            check.finite("s", row.s())?;
-            check.finite("a", row.a())?;
-            check.finite("b", row.b())?;
-            check.finite("c", row.c())?;
-            check.finite("d", row.d())?;
-        }
-        for (i, row) in self.road_types.iter().enumerate() {
-            let check = Check { table: "road_types", row: i };
-            check.finite("s", row.s())?;
-            check.finite("speed", row.speed())?;
-            check.reference("country", row.country(), strings, false)?;
-            check.code("speed_kind", row.speed_kind(), 4)?;
-        }
-        for (i, row) in self.sections.iter().enumerate() {
-            let check = Check { table: "sections", row: i };
-            check.finite("s_start", row.s_start())?;
-            check.finite("s_end", row.s_end())?;
-            check.reference("road", row.road(), self.roads.len(), false)?;
-            check.range("lanes", row.lanes(), self.lanes.len())?;
-        }
-        for (i, row) in self.lanes.iter().enumerate() {
-            let check = Check { table: "lanes", row: i };
-            check.finite("x", row.x())?;
-            check.finite("y", row.y())?;
-            check.finite("z", row.z())?;
-            check.reference("section", row.section(), self.sections.len(), false)?;
-            check.range("widths", row.widths(), self.cubics.len())?;
-            check.range("speeds", row.speeds(), self.lane_speeds.len())?;
-            check.range("nodes", row.nodes(), self.lane_nodes.len())?;
-            check.range("center", row.center(), self.points.len())?;
-            check.range("border", row.border(), self.points.len())?;
-        }
-        for (i, row) in self.lane_speeds.iter().enumerate() {
-            let check = Check { table: "lane_speeds", row: i };
-            check.finite("s", row.s())?;
-            check.finite("max", row.max())?;
-        }
-        for (i, row) in self.points.iter().enumerate() {
-            let check = Check { table: "points", row: i };
-            check.finite("x", f64::from(row.x()))?;
-            check.finite("y", f64::from(row.y()))?;
-            check.finite("z", f64::from(row.z()))?;
-            check.finite("s", f64::from(row.s()))?;
-        }
-        for (i, row) in self.junctions.iter().enumerate() {
-            let check = Check { table: "junctions", row: i };
-            check.reference("id", row.id(), strings, false)?;
-            check.reference("name", row.name(), strings, false)?;
-            check.range("connections", row.connections(), self.connections.len())?;
-            check.code("kind", row.kind(), 4)?;
-        }
-        for (i, row) in self.connections.iter().enumerate() {
-            let check = Check { table: "connections", row: i };
-            check.reference("id", row.id(), strings, false)?;
-            check.reference("incoming_road", row.incoming_road(), self.roads.len(), true)?;
-            check.reference("connecting_road", row.connecting_road(), self.roads.len(), true)?;
-            check.range("lane_links", row.lane_links(), self.connection_lane_links.len())?;
-            check.code("contact", row.contact(), 3)?;
-        }
-        for (i, row) in self.roads_by_id.iter().enumerate() {
-            let check = Check { table: "roads_by_id", row: i };
-            check.reference("", *row, self.roads.len(), false)?;
-        }
-        for (i, row) in self.junctions_by_id.iter().enumerate() {
-            let check = Check { table: "junctions_by_id", row: i };
-            check.reference("", *row, self.junctions.len(), false)?;
-        }
-        for (i, row) in self.index_nodes.iter().enumerate() {
-            let check = Check { table: "index_nodes", row: i };
-            for value in row.min_x() {
-                check.finite("min_x", f64::from(*value))?;
-            }
-            for value in row.min_y() {
-                check.finite("min_y", f64::from(*value))?;
-            }
-            for value in row.max_x() {
-                check.finite("max_x", f64::from(*value))?;
-            }
-            for value in row.max_y() {
-                check.finite("max_y", f64::from(*value))?;
-            }
-            for value in row.min_z() {
-                check.finite("min_z", f64::from(*value))?;
-            }
-            for value in row.max_z() {
-                check.finite("max_z", f64::from(*value))?;
-            }
-        }
-        for (i, row) in self.index_leaves.iter().enumerate() {
-            let check = Check { table: "index_leaves", row: i };
-            check.finite("x", row.x())?;
-            check.finite("y", row.y())?;
-            check.finite("z", row.z())?;
-            for value in row.start_x() {
-                check.finite("start_x", f64::from(*value))?;
-            }
-            for value in row.start_y() {
-                check.finite("start_y", f64::from(*value))?;
-            }
-            for value in row.delta_x() {
-                check.finite("delta_x", f64::from(*value))?;
-            }
-            for value in row.delta_y() {
-                check.finite("delta_y", f64::from(*value))?;
-            }
-        }
-        for (i, row) in self.surfaces.iter().enumerate() {
-            let check = Check { table: "surfaces", row: i };
-            check.reference("road", row.road(), self.roads.len(), false)?;
-            check.range("shapes", row.shapes(), self.shape_stations.len())?;
-            check.range("crossfall_left", row.crossfall_left(), self.cubics.len())?;
-            check.range("crossfall_right", row.crossfall_right(), self.cubics.len())?;
-            check.range("strip_offset", row.strip_offset(), self.cubics.len())?;
-            check.range("strips", row.strips(), self.surface_strips.len())?;
-        }
-        for (i, row) in self.shape_stations.iter().enumerate() {
-            let check = Check { table: "shape_stations", row: i };
-            check.finite("s", row.s())?;
-            check.range("records", row.records(), self.cubics.len())?;
-        }
-        for (i, row) in self.surface_strips.iter().enumerate() {
-            let check = Check { table: "surface_strips", row: i };
-            check.range("width", row.width(), self.cubics.len())?;
-            check.range("constant", row.constant(), self.cubics.len())?;
-            check.range("linear", row.linear(), self.cubics.len())?;
-            check.range("quadratic", row.quadratic(), self.cubics.len())?;
-            check.range("cubic", row.cubic(), self.cubics.len())?;
-        }
-        for (i, row) in self.lane_heights.iter().enumerate() {
-            let check = Check { table: "lane_heights", row: i };
-            check.finite("s", row.s())?;
-            check.finite("inner", row.inner())?;
-            check.finite("outer", row.outer())?;
-            check.reference("lane", row.lane(), self.lanes.len(), false)?;
-        }
-        for (i, row) in self.lane_materials.iter().enumerate() {
-            let check = Check { table: "lane_materials", row: i };
-            check.finite("s", row.s())?;
-            check.finite("friction", row.friction())?;
-            check.finite("roughness", row.roughness())?;
-            check.reference("lane", row.lane(), self.lanes.len(), false)?;
-            check.reference("surface", row.surface(), strings, false)?;
-        }
-        for (i, row) in self.elevation_grids.iter().enumerate() {
-            let check = Check { table: "elevation_grids", row: i };
-            check.finite("x", row.x())?;
-            check.finite("y", row.y())?;
-            check.finite("cos", row.cos())?;
-            check.finite("sin", row.sin())?;
-            check.finite("s_start", row.s_start())?;
-            check.finite("spacing", row.spacing())?;
-            check.reference("junction", row.junction(), self.junctions.len(), false)?;
-            check.range("rows", row.rows(), self.grid_rows.len())?;
-            check.range("transitions", row.transitions(), self.grid_transitions.len())?;
-        }
-        for (i, row) in self.grid_rows.iter().enumerate() {
-            let check = Check { table: "grid_rows", row: i };
-            check.finite("center", row.center())?;
-            check.range("left", row.left(), self.grid_heights.len())?;
-            check.range("right", row.right(), self.grid_heights.len())?;
-        }
-        for (i, row) in self.grid_heights.iter().enumerate() {
-            let check = Check { table: "grid_heights", row: i };
-            check.finite("", *row)?;
-        }
-        for (i, row) in self.grid_transitions.iter().enumerate() {
-            let check = Check { table: "grid_transitions", row: i };
-            check.finite("start_x", row.start_x())?;
-            check.finite("start_y", row.start_y())?;
-            check.finite("end_x", row.end_x())?;
-            check.finite("end_y", row.end_y())?;
-            check.finite("length", row.length())?;
-        }
-        for (i, row) in self.graph.iter().enumerate() {
-            let check = Check { table: "graph", row: i };
-            check.finite("length_step", row.length_step())?;
-            check.finite("time_step", row.time_step())?;
-            check.finite("change_length", row.change_length())?;
-            check.finite("change_time", row.change_time())?;
-        }
-        for (i, row) in self.lane_nodes.iter().enumerate() {
-            let check = Check { table: "lane_nodes", row: i };
-            check.reference("lane", row.lane(), self.lanes.len(), false)?;
-            check.reference("left", row.left(), self.lane_nodes.len(), true)?;
-            check.reference("right", row.right(), self.lane_nodes.len(), true)?;
-            check.finite("s_from", f64::from(row.s_from()))?;
-            check.finite("length", f64::from(row.length()))?;
-            check.finite("time", f64::from(row.time()))?;
-        }
-        for (i, row) in self.successors.iter().enumerate() {
-            let check = Check { table: "successors", row: i };
-            check.reference("", *row, self.lane_nodes.len(), false)?;
-        }
-        for (i, row) in self.edges.iter().enumerate() {
-            let check = Check { table: "edges", row: i };
-            check.code("kind", row.kind(), 6)?;
-        }
-        for (i, row) in self.predecessors.iter().enumerate() {
-            let check = Check { table: "predecessors", row: i };
-            check.reference("", *row, self.lane_nodes.len(), false)?;
-        }
-        for (i, row) in self.conflicts.iter().enumerate() {
-            let check = Check { table: "conflicts", row: i };
-            check.reference("lane", row.lane(), self.lanes.len(), false)?;
-            check.reference("other", row.other(), self.lanes.len(), false)?;
-            check.finite("s_from", f64::from(row.s_from()))?;
-            check.finite("s_to", f64::from(row.s_to()))?;
-            check.finite("other_from", f64::from(row.other_from()))?;
-            check.finite("other_to", f64::from(row.other_to()))?;
-            check.code("kind", row.kind(), 4)?;
-        }
-        for (i, row) in self.quarantined.iter().enumerate() {
-            let check = Check { table: "quarantined", row: i };
-            check.finite("min_x", row.min_x())?;
-            check.finite("min_y", row.min_y())?;
-            check.finite("max_x", row.max_x())?;
-            check.finite("max_y", row.max_y())?;
-            check.finite("length", row.length())?;
-            check.reference("id", row.id(), strings, false)?;
-            check.reference("owner", row.owner(), strings, false)?;
-            check.reference("rule", row.rule(), strings, false)?;
-            check.reference("message", row.message(), strings, false)?;
-            check.code("kind", row.kind(), 7)?;
-            check.code("treatment", row.treatment(), 2)?;
-            check.code("has_extent", row.has_extent(), 2)?;
-        }
-        for (i, row) in self.objects.iter().enumerate() {
-            let check = Check { table: "objects", row: i };
-            check.finite("x", row.x())?;
-            check.finite("y", row.y())?;
-            check.finite("z", row.z())?;
-            check.finite("s", row.s())?;
-            check.finite("t", row.t())?;
-            check.finite("heading", row.heading())?;
-            check.finite("pitch", f64::from(row.pitch()))?;
-            check.finite("roll", f64::from(row.roll()))?;
-            check.finite("z_offset", f64::from(row.z_offset()))?;
-            check.finite("length", f64::from(row.length()))?;
-            check.finite("width", f64::from(row.width()))?;
-            check.finite("height", f64::from(row.height()))?;
-            check.finite("radius", f64::from(row.radius()))?;
-            check.finite("valid_length", f64::from(row.valid_length()))?;
-            check.reference("id", row.id(), strings, false)?;
-            check.reference("name", row.name(), strings, false)?;
-            check.reference("kind", row.kind(), strings, false)?;
-            check.reference("subtype", row.subtype(), strings, false)?;
-            check.reference("road", row.road(), self.roads.len(), true)?;
-            check.reference("junction", row.junction(), self.junctions.len(), true)?;
-            check.range("outlines", row.outlines(), self.object_outlines.len())?;
-            check.range("copies", row.copies(), self.object_copies.len())?;
-            check.range("lanes", row.lanes(), self.object_lanes.len())?;
-            check.range("validities", row.validities(), self.lane_ranges.len())?;
-            check.code("shape", row.shape(), 4)?;
-            check.code("orientation", row.orientation(), 3)?;
-        }
-        for (i, row) in self.object_outlines.iter().enumerate() {
-            let check = Check { table: "object_outlines", row: i };
-            check.range("points", row.points(), self.object_points.len())?;
-            check.code("fill", row.fill(), 9)?;
-        }
-        for (i, row) in self.object_points.iter().enumerate() {
-            let check = Check { table: "object_points", row: i };
-            check.finite("u", f64::from(row.u()))?;
-            check.finite("v", f64::from(row.v()))?;
-            check.finite("z", f64::from(row.z()))?;
-            check.finite("height", f64::from(row.height()))?;
-        }
-        for (i, row) in self.object_copies.iter().enumerate() {
-            let check = Check { table: "object_copies", row: i };
-            check.finite("x", row.x())?;
-            check.finite("y", row.y())?;
-            check.finite("z", row.z())?;
-            check.finite("s", row.s())?;
-            check.finite("t", row.t())?;
-            check.finite("heading", row.heading())?;
-            check.finite("pitch", f64::from(row.pitch()))?;
-            check.finite("roll", f64::from(row.roll()))?;
-            check.finite("length", f64::from(row.length()))?;
-            check.finite("width", f64::from(row.width()))?;
-            check.finite("height", f64::from(row.height()))?;
-            check.finite("radius", f64::from(row.radius()))?;
-            check.reference("object", row.object(), self.objects.len(), false)?;
-            check.range("outlines", row.outlines(), self.object_outlines.len())?;
-            check.code("shape", row.shape(), 4)?;
-        }
-        for (i, row) in self.object_lanes.iter().enumerate() {
-            let check = Check { table: "object_lanes", row: i };
-            check.reference("object", row.object(), self.objects.len(), false)?;
-            check.reference("lane", row.lane(), self.lanes.len(), false)?;
-            check.finite("s_from", f64::from(row.s_from()))?;
-            check.finite("s_to", f64::from(row.s_to()))?;
-            check.finite("distance", f64::from(row.distance()))?;
-            check.code("method", row.method(), 3)?;
-        }
-        for (i, row) in self.lane_objects.iter().enumerate() {
-            let check = Check { table: "lane_objects", row: i };
-            check.reference("", *row, self.object_lanes.len(), false)?;
-        }
-        for (i, row) in self.objects_by_id.iter().enumerate() {
-            let check = Check { table: "objects_by_id", row: i };
-            check.reference("", *row, self.objects.len(), false)?;
-        }
-        for (i, row) in self.object_index_nodes.iter().enumerate() {
-            let check = Check { table: "object_index_nodes", row: i };
-            for value in row.min_x() {
-                check.finite("min_x", f64::from(*value))?;
-            }
-            for value in row.min_y() {
-                check.finite("min_y", f64::from(*value))?;
-            }
-            for value in row.max_x() {
-                check.finite("max_x", f64::from(*value))?;
-            }
-            for value in row.max_y() {
-                check.finite("max_y", f64::from(*value))?;
-            }
-        }
-        for (i, row) in self.object_markings.iter().enumerate() {
-            let check = Check { table: "object_markings", row: i };
-            check.reference("object", row.object(), self.objects.len(), false)?;
-            check.reference("outline", row.outline(), self.object_outlines.len(), true)?;
-            check.range("corners", row.corners(), self.object_corners.len())?;
-            check.reference("color", row.color(), strings, false)?;
-            check.reference("weight", row.weight(), strings, false)?;
-            check.reference("kind", row.kind(), strings, false)?;
-            check.finite("width", f64::from(row.width()))?;
-            check.finite("z_offset", f64::from(row.z_offset()))?;
-            check.finite("line_length", f64::from(row.line_length()))?;
-            check.finite("space_length", f64::from(row.space_length()))?;
-            check.finite("start_offset", f64::from(row.start_offset()))?;
-            check.finite("stop_offset", f64::from(row.stop_offset()))?;
-            check.code("side", row.side(), 5)?;
-        }
-        for (i, row) in self.object_corners.iter().enumerate() {
-            let check = Check { table: "object_corners", row: i };
-            check.reference("", *row, self.object_points.len(), false)?;
-        }
-        for (i, row) in self.object_borders.iter().enumerate() {
-            let check = Check { table: "object_borders", row: i };
-            check.reference("object", row.object(), self.objects.len(), false)?;
-            check.reference("outline", row.outline(), self.object_outlines.len(), true)?;
-            check.range("corners", row.corners(), self.object_corners.len())?;
-            check.reference("kind", row.kind(), strings, false)?;
-            check.finite("width", f64::from(row.width()))?;
-        }
-        for (i, row) in self.object_skeletons.iter().enumerate() {
-            let check = Check { table: "object_skeletons", row: i };
-            check.reference("object", row.object(), self.objects.len(), false)?;
-            check.range("vertices", row.vertices(), self.skeleton_vertices.len())?;
-        }
-        for (i, row) in self.skeleton_vertices.iter().enumerate() {
-            let check = Check { table: "skeleton_vertices", row: i };
-            check.finite("u", f64::from(row.u()))?;
-            check.finite("v", f64::from(row.v()))?;
-            check.finite("z", f64::from(row.z()))?;
-            check.finite("radius", f64::from(row.radius()))?;
-        }
-        for (i, row) in self.parking_spaces.iter().enumerate() {
-            let check = Check { table: "parking_spaces", row: i };
-            check.reference("object", row.object(), self.objects.len(), false)?;
-            check.reference("restrictions", row.restrictions(), strings, false)?;
-            check.reference("access", row.access(), strings, false)?;
-        }
-        for (i, row) in self.object_materials.iter().enumerate() {
-            let check = Check { table: "object_materials", row: i };
-            check.reference("object", row.object(), self.objects.len(), false)?;
-            check.reference("surface", row.surface(), strings, false)?;
-            check.reference("color", row.color(), strings, false)?;
-            check.finite("friction", f64::from(row.friction()))?;
-            check.finite("roughness", f64::from(row.roughness()))?;
-        }
-        for (i, row) in self.object_references.iter().enumerate() {
-            let check = Check { table: "object_references", row: i };
-            check.finite("s", row.s())?;
-            check.finite("t", row.t())?;
-            check.reference("road", row.road(), self.roads.len(), false)?;
-            check.reference("object", row.object(), self.objects.len(), true)?;
-            check.reference("id", row.id(), strings, false)?;
-            check.range("validities", row.validities(), self.lane_ranges.len())?;
-            check.finite("z_offset", f64::from(row.z_offset()))?;
-            check.finite("valid_length", f64::from(row.valid_length()))?;
-            check.code("orientation", row.orientation(), 3)?;
-        }
-        for (i, row) in self.structures.iter().enumerate() {
-            let check = Check { table: "structures", row: i };
-            check.finite("s", row.s())?;
-            check.finite("length", row.length())?;
-            check.reference("road", row.road(), self.roads.len(), false)?;
-            check.reference("id", row.id(), strings, false)?;
-            check.reference("name", row.name(), strings, false)?;
-            check.reference("material", row.material(), strings, false)?;
-            check.range("validities", row.validities(), self.lane_ranges.len())?;
-            check.finite("lighting", f64::from(row.lighting()))?;
-            check.finite("daylight", f64::from(row.daylight()))?;
-            check.code("kind", row.kind(), 2)?;
-        }
-        for (i, row) in self.switches.iter().enumerate() {
-            let check = Check { table: "switches", row: i };
-            check.finite("main_s", row.main_s())?;
-            check.finite("side_s", row.side_s())?;
-            check.reference("road", row.road(), self.roads.len(), false)?;
-            check.reference("id", row.id(), strings, false)?;
-            check.reference("name", row.name(), strings, false)?;
-            check.reference("main", row.main(), self.roads.len(), true)?;
-            check.reference("side", row.side(), self.roads.len(), true)?;
-            check.reference("partner", row.partner(), self.switches.len(), true)?;
-            check.code("position", row.position(), 4)?;
-            check.code("main_direction", row.main_direction(), 3)?;
-            check.code("side_direction", row.side_direction(), 3)?;
-        }
-        for (i, row) in self.stations.iter().enumerate() {
-            let check = Check { table: "stations", row: i };
-            check.reference("id", row.id(), strings, false)?;
-            check.reference("name", row.name(), strings, false)?;
-            check.reference("kind", row.kind(), strings, false)?;
-            check.range("platforms", row.platforms(), self.platforms.len())?;
-        }
-        for (i, row) in self.platforms.iter().enumerate() {
-            let check = Check { table: "platforms", row: i };
-            check.reference("id", row.id(), strings, false)?;
-            check.reference("name", row.name(), strings, false)?;
-            check.range("segments", row.segments(), self.platform_segments.len())?;
-        }
-        for (i, row) in self.platform_segments.iter().enumerate() {
-            let check = Check { table: "platform_segments", row: i };
-            check.finite("s_start", row.s_start())?;
-            check.finite("s_end", row.s_end())?;
-            check.reference("road", row.road(), self.roads.len(), true)?;
-            check.code("side", row.side(), 3)?;
-        }
-        Ok(())
-    }
 }
 
 // The element types as they lie in the bytes.
@@ -1010,6 +653,9 @@ const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());

@@ -15,7 +15,7 @@ pub(crate) fn store(
     places: &Places,
 ) -> Result<Vec<Span>, TooLarge> {
     if edges.len() >= NONE as usize {
-        return Err(TooLarge("successors"));
+        return Err(TooLarge::new("successors"));
     }
     let rank = ranks(&lowering.rows);
     let key = |node: u32| rank.get(node as usize).copied().unwrap_or(NONE);

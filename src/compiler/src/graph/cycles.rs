@@ -6,7 +6,7 @@
 use super::components::strong_components;
 use super::report::Report;
 use crate::options::CyclePolicy;
-use mapd_archive::{EdgeKind, NONE, Rows};
+use mapd_archive::{EdgeKind, LaneNodeRow, NONE, Rows, VehicleClass};
 use mapd_xodr::Severity;
 use std::collections::VecDeque;
 
@@ -54,9 +54,11 @@ pub(crate) fn check(rows: &Rows, policy: CyclePolicy, report: &mut Report<'_>) {
         CyclePolicy::All => Severity::Error,
         CyclePolicy::Report => Severity::Info,
     };
+    // Where they are errors, each is one that something has to be left out for.
+    let once = policy == CyclePolicy::Report;
     cycles(
         rows,
-        true,
+        once,
         |_, _| true,
         |path| {
             report_path(rows, report, ("mapd:graph.cycle", others), "no loop", path);
@@ -64,13 +66,18 @@ pub(crate) fn check(rows: &Rows, policy: CyclePolicy, report: &mut Report<'_>) {
     );
 }
 
-/// Per node the junction whose connecting road it lies on.
+/// Per node the junction whose connecting road it lies on; none where nobody drives: who walks may go round as they like.
 fn junctions(rows: &Rows) -> Vec<u32> {
+    let on_foot = VehicleClass::Pedestrian.bit() | VehicleClass::Bicycle.bit();
     let of = |lane: u32| {
         let section = rows.sections.get(rows.lanes.get(lane as usize)?.section as usize)?;
         Some(rows.roads.get(section.road as usize)?.junction)
     };
-    rows.lane_nodes.iter().map(|node| of(node.lane).unwrap_or(NONE)).collect()
+    let of_node = |node: &LaneNodeRow| {
+        let walked = node.access != 0 && node.access & !on_foot == 0;
+        of(node.lane).filter(|_| !walked).unwrap_or(NONE)
+    };
+    rows.lane_nodes.iter().map(of_node).collect()
 }
 
 fn edge_length(rows: &Rows, edge: u32) -> f64 {
@@ -158,6 +165,17 @@ fn left_by(rows: &Rows, edge: u32) -> u32 {
     rows.successor_offsets.partition_point(|first| *first <= edge).saturating_sub(1) as u32
 }
 
+/// Turns a cycle so that it begins with a link of a junction's connection, if it has one: that is the smallest part that can be
+/// left out to break it. Yields the edge that it begins with.
+fn start(rows: &Rows, path: &mut [u32]) -> Option<u32> {
+    let of_connection = [EdgeKind::Connection.code(), EdgeKind::Implied.code()];
+    let is_small = |edge: &u32| {
+        rows.edges.get(*edge as usize).is_some_and(|row| of_connection.contains(&row.kind))
+    };
+    path.rotate_left(path.iter().position(is_small).unwrap_or(0));
+    path.first().copied()
+}
+
 fn report_path(
     rows: &Rows,
     report: &mut Report<'_>,
@@ -167,12 +185,12 @@ fn report_path(
 ) {
     // Steps between pieces of one lane are none that the file could name.
     let within = EdgeKind::Within.code();
-    let named: Vec<u32> = path
+    let mut named: Vec<u32> = path
         .iter()
         .copied()
         .filter(|edge| rows.edges.get(*edge as usize).is_some_and(|row| row.kind != within))
         .collect();
-    let Some(first) = named.first().copied().or(path.first().copied()) else { return };
+    let Some(first) = start(rows, &mut named).or(path.first().copied()) else { return };
     let mut steps: Vec<String> = named
         .iter()
         .take(NAMED_STEPS)

@@ -5,16 +5,18 @@ use crate::lower::Lowering;
 use mapd_archive::Rows;
 use mapd_xodr::{Finding, Severity, Span};
 
-/// Problems of one kind that are named one by one; more are counted.
+/// Problems of one kind that are named one by one where they are no errors; more are counted. Errors are all named: each says
+/// which part to leave out, and a number would be in no part.
 const NAMED: usize = 100;
 
 /// Something wrong with a lane link.
-#[derive(Clone, Copy)]
 pub(crate) enum Problem {
     /// The link names a lane that the section does not have.
     MissingLane { from: u32, section: u32, number: i32, span: Span },
     /// The link leads into a lane that travels the other way.
     Direction { from: u32, lane: u32, span: Span },
+    /// The link names a place that no road of the map has.
+    NoPlace { path: &'static str, message: String, span: Span },
 }
 
 /// What is wrong with lane links, in the order in which it was found.
@@ -37,14 +39,16 @@ impl Problems {
                 Severity::Warning,
                 "links lead into lanes that travel the other way",
             ),
+            ("mapd:graph.no_place", Severity::Warning, "links name places that no road has"),
         ] {
             let of_kind = || self.0.iter().filter(|problem| problem.rule() == rule);
-            for problem in of_kind().take(NAMED) {
+            let named = if severity == Severity::Error { usize::MAX } else { NAMED };
+            for problem in of_kind().take(named) {
                 let (path, message) = problem.text(lowering);
                 let span = problem.span();
                 findings.push(finding(rule, severity, span, path, message, ""));
             }
-            if let Some(more) = of_kind().count().checked_sub(NAMED).filter(|more| *more > 0) {
+            if let Some(more) = of_kind().count().checked_sub(named).filter(|more| *more > 0) {
                 let path = "OpenDRIVE".to_owned();
                 let message = format!("{more} more {what}");
                 findings.push(finding(rule, severity, Span::default(), path, message, ""));
@@ -56,7 +60,9 @@ impl Problems {
 impl Problem {
     fn span(&self) -> Span {
         match *self {
-            Self::MissingLane { span, .. } | Self::Direction { span, .. } => span,
+            Self::MissingLane { span, .. }
+            | Self::Direction { span, .. }
+            | Self::NoPlace { span, .. } => span,
         }
     }
 
@@ -64,11 +70,13 @@ impl Problem {
         match self {
             Self::MissingLane { .. } => "mapd:graph.missing_lane",
             Self::Direction { .. } => "mapd:graph.direction",
+            Self::NoPlace { .. } => "mapd:graph.no_place",
         }
     }
 
     fn text(&self, lowering: &Lowering) -> (String, String) {
         match *self {
+            Self::NoPlace { path, ref message, .. } => (path.to_owned(), message.clone()),
             Self::MissingLane { from, section, number, .. } => {
                 let place = section_text(lowering, section);
                 let message =

@@ -1,11 +1,12 @@
 //! Findings about edges of the finished graph.
 
 use crate::finding;
-use mapd_archive::{Rows, string};
+use mapd_archive::{EdgeKind, LaneRow, NONE, RoadRow, Rows, SectionRow, string};
 use mapd_xodr::{Finding, Severity, Span};
 use std::collections::BTreeMap;
 
-/// Findings of one rule that are named one by one; more are counted.
+/// Findings of one rule that are named one by one where they are no errors; more are counted. Errors are all named: each says
+/// which part to leave out, and a number would be in no part.
 const NAMED: usize = 100;
 
 /// Collects findings, bounded per rule.
@@ -32,17 +33,52 @@ impl<'a> Report<'a> {
     ) {
         let count = self.counts.entry((rule, severity)).or_default();
         *count += 1;
-        if *count <= NAMED {
+        if *count <= NAMED || severity == Severity::Error {
             let span = self.spans.get(edge as usize).copied().unwrap_or_default();
-            let path = "OpenDRIVE/road/lanes/laneSection/lane/link".to_owned();
+            let path = self.edge_path(edge);
             self.findings.push(finding(rule, severity, span, path, message, ""));
         }
     }
 
+    /// The element that an edge's link stands in.
+    fn edge_path(&self, edge: u32) -> String {
+        let tables = self.rows.as_tables();
+        let to = self.rows.successors.get(edge as usize).copied().unwrap_or(NONE);
+        let kind = self.rows.edges.get(edge as usize).map(|row| EdgeKind::from_code(row.kind));
+        if matches!(kind, Some(EdgeKind::Connection | EdgeKind::Implied)) {
+            let entered = self.place_of(to).map_or(NONE, |(road, ..)| road.junction);
+            return match self.rows.junctions.get(entered as usize) {
+                Some(row) => {
+                    format!("OpenDRIVE/junction[@id={}]/connection", string(&tables, row.id))
+                }
+                // A direct junction's connections have no road of its own.
+                None => "OpenDRIVE/junction/connection".to_owned(),
+            };
+        }
+        let after = self.rows.successor_offsets.partition_point(|first| *first <= edge);
+        match self.place_of(after.saturating_sub(1) as u32) {
+            Some((road, section, lane)) => format!(
+                "OpenDRIVE/road[@id={}]/lanes/laneSection[@s={}]/lane[@id={}]/link",
+                string(&tables, road.id),
+                section.s_start,
+                lane.number
+            ),
+            None => "OpenDRIVE/road/lanes/laneSection/lane/link".to_owned(),
+        }
+    }
+
+    /// Road, section and lane of a node.
+    fn place_of(&self, node: u32) -> Option<(&'a RoadRow, &'a SectionRow, &'a LaneRow)> {
+        let lane = self.rows.lanes.get(self.rows.lane_nodes.get(node as usize)?.lane as usize)?;
+        let section = self.rows.sections.get(lane.section as usize)?;
+        Some((self.rows.roads.get(section.road as usize)?, section, lane))
+    }
+
     pub(crate) fn finish(mut self) -> Vec<Finding> {
-        let mut more: Vec<_> =
-            self.counts.into_iter().filter(|(_, count)| *count > NAMED).collect();
-        more.sort();
+        let is_more = |((_, severity), count): &((_, Severity), usize)| {
+            *count > NAMED && *severity < Severity::Error
+        };
+        let more: Vec<_> = self.counts.into_iter().filter(is_more).collect();
         for ((rule, severity), count) in more {
             let message = format!("{} more findings of this rule", count - NAMED);
             let path = "OpenDRIVE".to_owned();
@@ -54,14 +90,10 @@ impl<'a> Report<'a> {
     /// Key of a node's lane.
     pub(crate) fn node_text(&self, node: u32) -> String {
         let tables = self.rows.as_tables();
-        let text = || {
-            let lane =
-                self.rows.lanes.get(self.rows.lane_nodes.get(node as usize)?.lane as usize)?;
-            let section = self.rows.sections.get(lane.section as usize)?;
-            let road = self.rows.roads.get(section.road as usize)?;
-            Some(format!("{}:{}:{}", string(&tables, road.id), section.number, lane.number))
+        let text = |(road, section, lane): (&RoadRow, &SectionRow, &LaneRow)| {
+            format!("{}:{}:{}", string(&tables, road.id), section.number, lane.number)
         };
-        text().unwrap_or_default()
+        self.place_of(node).map(text).unwrap_or_default()
     }
 
     /// Keys of both lanes of an edge.

@@ -1,6 +1,7 @@
 //! One element after the other, from what the file says to flat rows.
 
 mod grid;
+mod marks;
 mod need;
 mod object_details;
 mod object_outlines;
@@ -16,6 +17,7 @@ use crate::graph::Permissions;
 use crate::objects::written::Objects;
 use crate::options::CompileOptions;
 use crate::quarantine::{QuarantinedPart, Treatment};
+use crate::signals::Pending;
 use crate::{finding, origin};
 pub(crate) use grid::{Joint, transitions};
 use mapd_archive::{
@@ -67,10 +69,17 @@ pub(crate) struct Lowering {
     pub(crate) links: Links,
     pub(crate) permissions: Permissions,
     pub(crate) objects: Objects,
+    styles: marks::Styles,
+    pub(crate) signals: Pending,
     map: Option<MapRow>,
 }
 
 impl Lowering {
+    /// Nothing yet; `ontology` says what signals mean.
+    pub(crate) fn new(ontology: mapd_ontology::Ontology) -> Self {
+        Self { signals: Pending::new(ontology), ..Self::default() }
+    }
+
     pub(crate) fn roads(&self) -> usize {
         self.rows.roads.len()
     }
@@ -91,6 +100,7 @@ impl Lowering {
         row.rev_major = revision(header.rev_major.value());
         row.rev_minor = revision(header.rev_minor.value());
         self.map = Some(row);
+        self.default_speeds(header);
     }
 
     /// Appends a road. Its links are resolved later; whatever makes it unusable is an error finding.
@@ -137,6 +147,7 @@ impl Lowering {
         self.links.road_junctions.push(junction.map(str::to_owned));
         self.links.road_spans.push(road.span);
         self.surface(road, number, &path, findings);
+        self.signals(road, number, &path, findings);
         let row = RoadRow {
             length,
             id: self.strings.add(road.id.text()),
@@ -296,7 +307,8 @@ impl Lowering {
                 kind: part.kind.code(),
                 treatment: u8::from(part.treatment == Treatment::ReferenceLine),
                 has_extent: u8::from(part.extent.is_some()),
-                reserved: [0; 5],
+                owner_kind: part.owner_kind.code(),
+                reserved: [0; 4],
             };
             self.rows.quarantined.push(row);
         }

@@ -175,7 +175,7 @@ impl Lowering {
 }
 
 /// Where a record begins that nothing else is built from: without it, the record alone is left out.
-fn place(s_offset: Option<f64>, part: &mut Part<'_>) -> Option<f64> {
+pub(super) fn place(s_offset: Option<f64>, part: &mut Part<'_>) -> Option<f64> {
     if s_offset.is_none() {
         let message = "expected @sOffset, found none that can be used; the record is left out";
         part.add("mapd:compile.record", Severity::Warning, message.to_owned());

@@ -5,6 +5,7 @@ use crate::report::Cause;
 use mapd_rules::line::ReferenceLine;
 use mapd_xodr::{Item, Junction, Objects, Road, Signals, Span, Text as _, Value as _};
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 /// Reach around an object or signal whose size is not told `[m]`.
 const SIZE: f64 = 1.0;
@@ -21,9 +22,21 @@ pub(crate) struct Exclusions {
     parts: BTreeMap<u64, Excluded>,
     /// Starts of top-level elements that have such a part within.
     owners: BTreeSet<u64>,
+    /// Errors of the whole document, by place and rule; none where they are not all known.
+    errors: Option<Arc<BTreeSet<(u64, &'static str)>>>,
 }
 
 impl Exclusions {
+    /// Takes the errors of the document as it is written.
+    pub(crate) fn with_errors(errors: Option<BTreeSet<(u64, &'static str)>>) -> Self {
+        Self { errors: errors.map(Arc::new), ..Self::default() }
+    }
+
+    /// Errors of the whole document.
+    pub(crate) fn errors(&self) -> Option<Arc<BTreeSet<(u64, &'static str)>>> {
+        self.errors.clone()
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         self.parts.is_empty()
     }
@@ -45,6 +58,11 @@ impl Exclusions {
     /// Whether a part, or the element that it is in, is left out already.
     pub(crate) fn covers(&self, unit: Unit) -> bool {
         self.dropped(unit.start) || self.dropped(unit.owner)
+    }
+
+    /// Whether the road that begins here is kept as its reference line alone.
+    pub(crate) fn is_bare(&self, start: u64) -> bool {
+        self.parts.get(&start).is_some_and(|part| part.treatment == Treatment::ReferenceLine)
     }
 
     fn dropped(&self, start: u64) -> bool {
@@ -78,7 +96,7 @@ impl Exclusions {
     fn tell(
         &self,
         (kind, span): (PartKind, Span),
-        (id, owner): (&str, &str),
+        (id, (owner_kind, owner)): (&str, (PartKind, &str)),
         place: impl FnOnce() -> (Option<[f64; 4]>, f64),
         out: &mut Vec<QuarantinedPart>,
     ) -> Option<Treatment> {
@@ -88,6 +106,7 @@ impl Exclusions {
             kind,
             id: id.to_owned(),
             owner: owner.to_owned(),
+            owner_kind,
             treatment: part.treatment,
             extent,
             length,
@@ -101,7 +120,7 @@ impl Exclusions {
 
     /// Whether an element without parts of its own stays.
     fn top(&self, kind: PartKind, span: Span, id: &str, out: &mut Vec<QuarantinedPart>) -> bool {
-        self.tell((kind, span), (id, id), || (None, 0.0), out).is_none()
+        self.tell((kind, span), (id, (kind, id)), || (None, 0.0), out).is_none()
     }
 
     fn road(&self, mut road: Road, out: &mut Vec<QuarantinedPart>) -> Option<Road> {
@@ -109,18 +128,19 @@ impl Exclusions {
             return Some(road);
         }
         let id = road.id.text().to_owned();
+        let own = (PartKind::Road, &*id);
         let place = || (mapd_rules::extent(&road), road.length.value().unwrap_or(0.0));
-        match self.tell((PartKind::Road, road.span), (&id, &id), place, out) {
+        match self.tell((PartKind::Road, road.span), (&id, own), place, out) {
             Some(Treatment::Dropped) => return None,
             Some(Treatment::ReferenceLine) => return bare(road),
             None => {}
         }
         let line = ReferenceLine::new(road.plan_view.as_deref());
         if let Some(objects) = &mut road.objects {
-            self.objects(objects, &id, Some(&line), out);
+            self.objects(objects, own, Some(&line), out);
         }
         if let Some(signals) = &mut road.signals {
-            self.signals(signals, &id, &line, out);
+            self.signals(signals, own, &line, out);
         }
         Some(road)
     }
@@ -128,7 +148,7 @@ impl Exclusions {
     fn objects(
         &self,
         objects: &mut Objects,
-        owner: &str,
+        owner: (PartKind, &str),
         line: Option<&ReferenceLine>,
         out: &mut Vec<QuarantinedPart>,
     ) {
@@ -157,7 +177,7 @@ impl Exclusions {
     fn signals(
         &self,
         signals: &mut Signals,
-        owner: &str,
+        owner: (PartKind, &str),
         line: &ReferenceLine,
         out: &mut Vec<QuarantinedPart>,
     ) {
@@ -180,12 +200,13 @@ impl Exclusions {
         if !self.top(PartKind::Junction, junction.span, &id, out) {
             return None;
         }
+        let own = (PartKind::Junction, &*id);
         junction.connection.retain(|c| {
             let kind = PartKind::Connection;
-            self.tell((kind, c.span), (c.id.text(), &id), || (None, 0.0), out).is_none()
+            self.tell((kind, c.span), (c.id.text(), own), || (None, 0.0), out).is_none()
         });
         if let Some(objects) = &mut junction.objects {
-            self.objects(objects, &id, None, out);
+            self.objects(objects, own, None, out);
         }
         Some(junction)
     }

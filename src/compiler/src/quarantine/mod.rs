@@ -31,6 +31,8 @@ pub struct QuarantinedPart {
     pub id: String,
     /// Id of the road or junction that it belongs to; its own for a road or junction.
     pub owner: String,
+    /// What that is; its own kind for a part of its own.
+    pub owner_kind: PartKind,
     /// What became of it.
     pub treatment: Treatment,
     /// Smallest x, smallest y, largest x, largest y `[m]`, where it could be told.
@@ -45,4 +47,15 @@ pub struct QuarantinedPart {
     pub line: u32,
     /// Column of the finding in bytes, from 1.
     pub column: u32,
+}
+
+impl QuarantinedPart {
+    /// What it is called in messages: `object 12 of road 7`.
+    pub fn name(&self) -> String {
+        let (kind, owner_kind) = (self.kind.name(), self.owner_kind.name());
+        match self.owner_kind == self.kind {
+            true => format!("{kind} {}", self.id),
+            false => format!("{kind} {} of {owner_kind} {}", self.id, self.owner),
+        }
+    }
 }

@@ -48,12 +48,14 @@ pub(super) fn write(file: &Path, checked: &Compilation, out: &mut dyn Write) -> 
         writeln!(out, "{count:7} {rule}")?;
     }
     for part in &checked.quarantined {
-        let (kind, id) = (part.kind.name(), &part.id);
-        let of = if part.owner == *id { String::new() } else { format!(" of {}", part.owner) };
         writeln!(
             out,
-            "{name}:{}:{}: {kind} {id}{of} is left out: {}",
-            part.line, part.column, part.rule
+            "{name}:{}:{}: {} is {}: {}",
+            part.line,
+            part.column,
+            part.name(),
+            crate::report::treated(part.treatment),
+            part.rule
         )?;
     }
     let counts = counts(checked);

@@ -1,6 +1,7 @@
 //! `mapd export`: a map drawn or converted.
 
 mod index_boxes;
+mod marks;
 mod objects;
 mod style;
 mod svg;
@@ -15,7 +16,7 @@ use std::path::Path;
 /// What a map is written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Format {
-    /// A drawing in plan view: lanes by type, bounds, reference lines.
+    /// A drawing in plan view: lanes by type, bounds, road marks, reference lines.
     Svg,
 }
 

@@ -8,8 +8,10 @@ pub(super) const SHEET: &str = "\
 .lane{stroke:none;fill:#c9c9c4}\
 .drive{fill:#8d9299}.slow{fill:#a9a3b5}.bike{fill:#b9745f}.walk{fill:#d9cfb8}.edge{fill:#b9bdb0}\
 .park{fill:#8fa5c4}.rail{fill:#7a6a58}.green{fill:#a9c48f}.works{fill:#d8a24a}\
-.bound{fill:none;stroke:#fff;stroke-width:.12;stroke-linejoin:round}\
-.reference{fill:none;stroke:#d9822b;stroke-width:.15;stroke-linejoin:round}\
+.bound{fill:none;stroke:#5d6168;stroke-width:.04;stroke-linejoin:round}\
+.reference{fill:none;stroke:#d9822b;stroke-width:.05;stroke-linejoin:round}\
+.mark{fill:none;stroke-linejoin:round}.white{stroke:#fff}.yellow{stroke:#f2c230}.blue{stroke:#2f6fd0}\
+.grass{stroke:#3f9a4a}.red{stroke:#cf3a34}.black{stroke:#222}.orange{stroke:#ee8a2a}.violet{stroke:#8a4fc0}\
 .object{fill:#6b4fa0;fill-opacity:.45;stroke:#4b2f80;stroke-width:.08;stroke-linejoin:round}.line{fill:none}\
 .way{fill:#fff;fill-opacity:.8}\
 .node{fill:none;stroke:#2b6cd9;stroke-width:.25;stroke-opacity:.6}\

@@ -1,6 +1,6 @@
 //! A map as a drawing: x to the right, y up, one unit a metre.
 
-use super::{Options, index_boxes, objects, style};
+use super::{Options, index_boxes, marks, objects, style};
 use mapd_client::glam::{DVec2, DVec3};
 use mapd_client::{Lane, LaneSection, LaneType, Map, Polyline};
 use std::io::{Result, Write};
@@ -67,6 +67,9 @@ pub(super) fn write(map: Map<'_>, options: Options, out: &mut dyn Write) -> Resu
         }
         for center in level.iter().filter_map(|(_, section)| section.lane(0)) {
             line(center.border(), "reference", paper, out)?;
+        }
+        for lane in level.iter().flat_map(|(_, section)| section.lanes()) {
+            marks::write(&lane, paper, out)?;
         }
         for lane in lanes() {
             way(&lane, paper, out)?;

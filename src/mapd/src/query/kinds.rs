@@ -2,6 +2,7 @@
 
 use super::route::Router;
 use super::row::Row;
+use super::signals;
 use clap::ValueEnum;
 use mapd_client::{Lane, Map, NearestOptions, Point, QueryError, Road, Track};
 use mapd_query::glam::DVec2;
@@ -28,6 +29,8 @@ pub enum Kind {
     Route,
     /// `x,y,radius` → a row for each object there: id,class,distance,road_id,s,t,x,y,z
     Objects,
+    /// `road_id,s,lane_id,distance` → a row for each signal ahead: id,class,distance,road_id,s,t,x,y,z,state_machine
+    Signals,
 }
 
 impl Kind {
@@ -41,6 +44,7 @@ impl Kind {
             Self::Successors => "successors",
             Self::Route => "route",
             Self::Objects => "objects",
+            Self::Signals => "signals",
         }
     }
 
@@ -53,6 +57,7 @@ impl Kind {
             Self::Track => &["road_id", "x", "y"],
             Self::Route => &["from_road", "from_s", "from_lane", "to_road", "to_s", "to_lane"],
             Self::Objects => &["x", "y", "radius"],
+            Self::Signals => &["road_id", "s", "lane_id", "distance"],
         }
     }
 
@@ -67,15 +72,16 @@ impl Kind {
             Self::Successors => &["successors"],
             Self::Route => &["length", "lane_changes", "lanes"],
             Self::Objects => &["id", "class", "distance", "road_id", "s", "t", "x", "y", "z"],
+            Self::Signals => signals::COLUMNS,
         }
     }
 
-    /// Whether a row of the input has any number of answers, each in a row of its own.
-    pub(crate) fn is_list(self) -> bool {
-        self == Self::Objects
+    /// Whether it answers with any number of rows.
+    pub(crate) fn lists(self) -> bool {
+        matches!(self, Self::Objects | Self::Signals)
     }
 
-    /// Answers one row, of a list with the columns of all its answers one after the other; the error says why there is no answer.
+    /// Answers one row; the error says why there is no answer.
     pub(crate) fn answer(
         self,
         map: Map<'_>,
@@ -129,6 +135,10 @@ impl Kind {
             }
             Self::Route => router.answer(map, row, out)?,
             Self::Objects => super::objects::answer(map, row, out)?,
+            Self::Signals => {
+                let (lane, s) = lane(map, row)?;
+                signals::answer(map, (&lane, s), row.number("distance")?, router.vehicle(), out)?;
+            }
         }
         Ok(())
     }

@@ -8,6 +8,7 @@ mod kinds;
 mod objects;
 mod route;
 mod row;
+mod signals;
 
 pub use kinds::Kind;
 use mapd_client::Map;
@@ -84,23 +85,20 @@ pub fn run(
         if error.is_some() {
             answer.clear();
         }
-        let width = kind.answers().len();
-        let echo = || echoed.iter().map(|i| record.get(*i).unwrap_or(""));
-        if kind.is_list() && error.is_none() {
-            // As many rows as there are answers.
-            for one in answer.chunks(width) {
-                writer.write_record(echo().chain(one.iter().map(String::as_str)).chain([""]))?;
-            }
-            continue;
+        // Kinds that list things answer with as many rows as there are, none where there is nothing.
+        let columns = kind.answers().len();
+        if error.is_some() || !kind.lists() {
+            answer.resize(columns, String::new());
         }
-        answer.resize(width, String::new());
         if tells_holes {
             answer.push(kinds::holes(map, options, &Row::new(&headers, &record)));
         }
         let error = error.unwrap_or_default();
-        writer.write_record(
-            echo().chain(answer.iter().map(String::as_str)).chain([error.as_str()]),
-        )?;
+        for one in answer.chunks(answers.len()) {
+            let echo = echoed.iter().map(|i| record.get(*i).unwrap_or(""));
+            writer
+                .write_record(echo.chain(one.iter().map(String::as_str)).chain([error.as_str()]))?;
+        }
     }
     writer.flush()?;
     Ok(())

@@ -44,7 +44,7 @@ impl Network {
                         &[PartKind::Signal],
                         &control.signal_id,
                         "control/@signalId",
-                        &controller.id,
+                        ("controller", &controller.id),
                         control.span,
                     );
                 }
@@ -56,7 +56,7 @@ impl Network {
                         &[PartKind::Junction],
                         &of.junction,
                         "junctionReference/@junction",
-                        &group.id,
+                        ("junctionGroup", &group.id),
                         of.span,
                     );
                 }
@@ -68,7 +68,7 @@ impl Network {
                         &[PartKind::Road],
                         &segment.road_id,
                         "segment/@roadId",
-                        &station.id,
+                        ("station", &station.id),
                         segment.span,
                     );
                 }
@@ -80,7 +80,7 @@ impl Network {
                         &[PartKind::Signal],
                         &board.signal_id,
                         "vmsBoardReference/@signalId",
-                        &group.id,
+                        ("vmsGroup", &group.id),
                         board.span,
                     );
                 }
@@ -99,18 +99,18 @@ impl Network {
         kinds: &'static [PartKind],
         id: &Text,
         what: &'static str,
-        from: &Text,
+        (element, from): (&'static str, &Text),
         span: Span,
     ) {
         if let Some(id) = id {
-            let from = text(from).into();
-            self.references.push(Reference { kinds, id: id.value.clone(), what, from, span });
+            let (id, from) = (id.value.clone(), text(from).into());
+            self.references.push(Reference { kinds, id, what, element, from, span });
         }
     }
 
     fn add_junction(&mut self, junction: &Junction) {
         self.part(PartKind::Junction, &junction.id, junction.span, None);
-        let from = &junction.id;
+        let from = ("junction", &junction.id);
         let road = &[PartKind::Road];
         if value(&junction.r#type) == Some(mapd_xodr::JunctionType::Virtual) {
             self.refer(road, &junction.main_road, "@mainRoad", from, junction.span);
@@ -153,7 +153,7 @@ impl Network {
         self.junctions.push(Junction { objects: None, ..junction.clone() });
     }
 
-    fn add_objects(&mut self, objects: &Objects, from: &Text, road: Option<usize>) {
+    fn add_objects(&mut self, objects: &Objects, from: (&'static str, &Text), road: Option<usize>) {
         for object in &objects.object {
             self.part(PartKind::Object, &object.id, object.span, road);
         }
@@ -182,7 +182,7 @@ impl Network {
                     &[PartKind::Signal],
                     &dependency.id,
                     "signal/dependency/@id",
-                    &signal.id,
+                    ("signal", &signal.id),
                     dependency.span,
                 );
             }
@@ -196,7 +196,7 @@ impl Network {
                     kinds,
                     &reference.element_id,
                     "signal/reference/@elementId",
-                    &signal.id,
+                    ("signal", &signal.id),
                     reference.span,
                 );
             }
@@ -205,7 +205,7 @@ impl Network {
                     &[PartKind::Road],
                     &position.road_id,
                     "signal/positionRoad/@roadId",
-                    &signal.id,
+                    ("signal", &signal.id),
                     position.span,
                 );
             }
@@ -215,7 +215,7 @@ impl Network {
                 &[PartKind::Signal],
                 &reference.id,
                 "signals/signalReference/@id",
-                from,
+                ("road", from),
                 reference.span,
             );
         }
@@ -230,7 +230,7 @@ impl Network {
                 &[PartKind::Road],
                 &neighbor.element_id,
                 "link/neighbor/@elementId",
-                &road.id,
+                ("road", &road.id),
                 neighbor.span,
             );
         }
@@ -241,6 +241,7 @@ impl Network {
                 kinds: &[PartKind::Junction],
                 id,
                 what,
+                element: "road",
                 from,
                 span: road.span,
             });
@@ -257,10 +258,10 @@ impl Network {
                 Some(ElementType::Junction) => &[PartKind::Junction],
                 _ => &[PartKind::Road],
             };
-            self.refer(kinds, &end.element_id, what, &road.id, end.span);
+            self.refer(kinds, &end.element_id, what, ("road", &road.id), end.span);
         }
         if let Some(objects) = &road.objects {
-            self.add_objects(objects, &road.id, Some(rank));
+            self.add_objects(objects, ("road", &road.id), Some(rank));
         }
         if let Some(signals) = &road.signals {
             self.add_signals(signals, &road.id, rank);
@@ -273,7 +274,7 @@ impl Network {
                 (switch.side_track.as_ref().map(|t| &t.id), "switch/sideTrack/@id", switch.span),
             ] {
                 if let Some(id) = track {
-                    self.refer(&[PartKind::Road], id, what, &switch.id, span);
+                    self.refer(&[PartKind::Road], id, what, ("switch", &switch.id), span);
                 }
             }
             if let Some(partner) = &switch.partner {
@@ -281,7 +282,7 @@ impl Network {
                     &[PartKind::Switch],
                     &partner.id,
                     "switch/partner/@id",
-                    &switch.id,
+                    ("switch", &switch.id),
                     partner.span,
                 );
             }

@@ -242,8 +242,25 @@ pub struct Reference {
     pub id: Box<str>,
     /// Element and attribute, as a path names them.
     pub what: &'static str,
-    /// The element that names it.
+    /// Name of the element that `what` is a path from.
+    pub element: &'static str,
+    /// Its id.
     pub from: Box<str>,
     /// The start tag.
     pub span: Span,
+}
+
+impl Reference {
+    /// Where it stands: elements from the root, with the id of the one that has one.
+    pub fn path(&self) -> String {
+        let Self { what, element, from, .. } = self;
+        // What stands along a road, by its kind alone.
+        let above = match *element {
+            "signal" => "road/signals/",
+            "switch" => "road/railroad/",
+            _ => "",
+        };
+        let within = what.strip_prefix(element).and_then(|rest| rest.strip_prefix('/'));
+        format!("OpenDRIVE/{above}{element}[@id={from}]/{}", within.unwrap_or(what))
+    }
 }

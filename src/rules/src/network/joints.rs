@@ -40,6 +40,14 @@ impl Contact {
     /// Both ends.
     pub const BOTH: [Self; 2] = [Self::Start, Self::End];
 
+    /// Its word in messages and in the file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Start => "start",
+            Self::End => "end",
+        }
+    }
+
     /// The other end.
     pub fn other(self) -> Self {
         match self {

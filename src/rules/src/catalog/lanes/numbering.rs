@@ -1,7 +1,7 @@
 //! Lane ids count from the center outwards.
 
 use crate::example::Example::Section as In;
-use crate::place::{LaneIn, RoadIn, SectionIn, Side, value};
+use crate::place::{LaneIn, RoadIn, SectionIn, Side, lane_part, value};
 use crate::rule::Check::{CenterLane, Lane, Road, Section};
 use crate::rule::Rule;
 use crate::sink::Sink;
@@ -104,7 +104,7 @@ fn unique(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
         let Some(id) = value(&lane.id) else { continue };
         if !ids.insert(id) {
             sink.add_within(
-                "lane",
+                &lane_part(lane, ""),
                 lane.span,
                 "a lane id that no other lane of the section has",
                 id,
@@ -131,7 +131,12 @@ fn gaps(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
             let Some(id) = value(&lane.id).filter(|id| id.signum() == sign) else { continue };
             if id != before && id != before.saturating_add(sign) {
                 let expected = format_args!("lane {}", before.saturating_add(sign));
-                sink.add_within("lane", lane.span, expected, format_args!("lane {id}"));
+                sink.add_within(
+                    &lane_part(lane, ""),
+                    lane.span,
+                    expected,
+                    format_args!("lane {id}"),
+                );
             }
             before = id;
         }
@@ -145,7 +150,7 @@ fn listing(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
                 && id > before
             {
                 let expected = format_args!("a lane id below {before}, that of the one before");
-                sink.add_within("lane", pair[1].span, expected, id);
+                sink.add_within(&lane_part(&pair[1], ""), pair[1].span, expected, id);
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Borders stand for widths and offsets, not beside them.
 
 use crate::example::Example::{Lanes, Section as In};
-use crate::place::{RoadIn, SectionIn, Side, number};
+use crate::place::{RoadIn, SectionIn, Side, lane_part, number};
 use crate::profile::borders_at;
 use crate::rule::Check::{Road, Section};
 use crate::rule::{Rule, Tolerance};
@@ -62,10 +62,10 @@ fn exclusive_width(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
     for side in [Side::Left, Side::Right] {
         let lanes = of.side(side);
         let width = lanes.iter().find_map(|lane| lane.width.first());
-        let border = lanes.iter().find_map(|lane| lane.border.first());
-        if let (Some(_), Some(border)) = (width, border) {
+        let border = lanes.iter().find_map(|lane| Some((lane, lane.border.first()?)));
+        if let (Some(_), Some((lane, border))) = (width, border) {
             sink.add_within(
-                "lane/border",
+                &lane_part(lane, "/border"),
                 border.span,
                 "either widths or borders on a side",
                 "both",
@@ -114,7 +114,7 @@ fn overlaps(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
         {
             let found = format_args!("lane {id} {crossing:.3} m inside it at s = {s:.3}");
             sink.add_within(
-                "lane/border",
+                &lane_part(lane, "/border"),
                 lane.span,
                 "a border outside of the lane before it",
                 found,

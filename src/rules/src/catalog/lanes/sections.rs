@@ -1,7 +1,7 @@
 //! Lane sections cover the road.
 
 use crate::example::Example::{Lanes, Road};
-use crate::place::{RoadIn, SectionIn, number, value};
+use crate::place::{RoadIn, SectionIn, lane_part, number, value};
 use crate::rule::Check::{self, Section};
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
@@ -117,7 +117,7 @@ fn boundaries(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
             let s_offset = number(s_offset);
             if s_offset > end {
                 let expected = format_args!("sOffset within the section's {} m", of.length());
-                sink.add_within("lane", span, expected, s_offset);
+                sink.add_within(&lane_part(lane, ""), span, expected, s_offset);
             }
         }
     }

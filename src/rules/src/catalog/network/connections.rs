@@ -170,8 +170,10 @@ fn linkage(network: &Network, end: Contact, sink: &mut Sink<'_>) {
                 Some(LinkTarget::Junction(id)) => format!("one to junction {id}"),
             };
             let expected = format_args!(
-                "a link from the {end:?} of road {} to road {}",
-                connecting.id, incoming.id
+                "a link from the {} of road {} to road {}",
+                end.name(),
+                connecting.id,
+                incoming.id
             );
             joined.add(sink, expected, found);
         }
@@ -206,7 +208,7 @@ fn lane_links(network: &Network, sink: &mut Sink<'_>) {
                 let (Some(road), Some(end), Some(id)) = (road, end, id) else { continue };
                 let Some(section) = network.section_at(road, *end) else { continue };
                 if network.lane(section, id).is_none() && id != 0 {
-                    let expected = format_args!("a lane at the {end:?} of road {}", road.id);
+                    let expected = format_args!("a lane at the {} of road {}", end.name(), road.id);
                     joined.add(sink, expected, format_args!("lane {id}, which is not there"));
                 }
             }

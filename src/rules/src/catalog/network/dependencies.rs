@@ -115,7 +115,7 @@ fn cycles(network: &Network, sink: &mut Sink<'_>) {
         path.push(from);
         path.reverse();
         told.extend(path.iter().copied());
-        let place = format!("OpenDRIVE//signal[@id={from}]/dependency");
+        let place = reference.path();
         sink.add_at(
             place,
             sink.severity,
@@ -154,7 +154,7 @@ fn partners(network: &Network, sink: &mut Sink<'_>) {
         of(network, "switch/partner/@id").map(|r| (&*r.from, &*r.id)).collect();
     for reference in of(network, "switch/partner/@id") {
         if !pairs.contains(&(&*reference.id, &*reference.from)) || reference.id == reference.from {
-            let place = format!("OpenDRIVE//switch[@id={}]/partner", reference.from);
+            let place = reference.path();
             let found = format_args!("switch {}, which does not", reference.id);
             sink.add_at(
                 place,
@@ -177,7 +177,7 @@ fn joined(network: &Network, sink: &mut Sink<'_>) {
         if let (Some(side), Some(main)) = (side.get(from), main.get(partner))
             && side == main
         {
-            let place = format!("OpenDRIVE//switch[@id={from}]/partner");
+            let place = reference.path();
             let found = format_args!("road {main}, the main track of switch {partner}");
             sink.add_at(
                 place,

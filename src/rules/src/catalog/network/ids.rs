@@ -66,12 +66,21 @@ fn unique(network: &Network, sink: &mut Sink<'_>) {
         };
         let severity = severity.min(sink.severity);
         let name = part.kind.name();
-        let path = format!("OpenDRIVE/{name}[@id={}]", part.id);
+        let path = |part: &Part| {
+            let road = part.road.and_then(|rank| network.roads.get(rank));
+            let above = match (road, part.kind) {
+                (Some(road), PartKind::Signal) => format!("road[@id={}]/signals/", road.id),
+                (Some(road), PartKind::Object) => format!("road[@id={}]/objects/", road.id),
+                (Some(road), PartKind::Switch) => format!("road[@id={}]/railroad/", road.id),
+                _ => String::new(),
+            };
+            format!("OpenDRIVE/{above}{name}[@id={}]", part.id)
+        };
         let expected = format!("an id that no other {name} has");
         if told.insert(key) && part.kind == PartKind::Road {
-            sink.add_at(path.clone(), severity, before.span, &expected, &part.id);
+            sink.add_at(path(before), severity, before.span, &expected, &part.id);
         }
-        sink.add_at(path, severity, part.span, &expected, &part.id);
+        sink.add_at(path(part), severity, part.span, &expected, &part.id);
     }
 }
 
@@ -87,9 +96,8 @@ fn defined(network: &Network, sink: &mut Sink<'_>) {
         }
         let kinds: Vec<&str> = reference.kinds.iter().map(|kind| kind.name()).collect();
         let expected = format!("the id of a {}", kinds.join(" or "));
-        let path = format!("OpenDRIVE//{} of {}", reference.what, reference.from);
         let found = format_args!("{}, which is not there", reference.id);
-        sink.add_at(path, sink.severity, reference.span, expected, found);
+        sink.add_at(reference.path(), sink.severity, reference.span, expected, found);
     }
 }
 

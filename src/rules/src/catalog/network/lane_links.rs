@@ -231,7 +231,7 @@ fn without_partner(network: &Network, sink: &mut Sink<'_>) {
             continue;
         }
         let found = match joint.road.link(joint.end).map(|link| &link.target) {
-            None => "one at the end of all roads".to_owned(),
+            None => "one at an end of the road that is linked to nothing".to_owned(),
             // In the middle of a main road, lanes link to its lanes.
             Some(LinkTarget::Road(_)) => continue,
             Some(LinkTarget::Junction(id)) => format!("one into junction {id}"),

@@ -132,7 +132,7 @@ fn consistent(network: &Network, sink: &mut Sink<'_>) {
             if !is_back {
                 let span = road.link(end).map_or(road.span, |link| link.span);
                 let expected =
-                    format_args!("a link back from the {contact:?} of road {}", target.id);
+                    format_args!("a link back from the {} of road {}", contact.name(), target.id);
                 let found = match back.map(|link| &link.target) {
                     None => "none".to_owned(),
                     Some(LinkTarget::Road(id)) => format!("one to road {id}"),
@@ -153,7 +153,8 @@ fn one_to_one(network: &Network, sink: &mut Sink<'_>) {
             if let Some(before) = before.filter(|before| **before != *road.id) {
                 let span = road.link(end).map_or(road.span, |link| link.span);
                 let expected = format_args!(
-                    "one road at the {contact:?} of road {}, or a junction",
+                    "one road at the {} of road {}, or a junction",
+                    contact.name(),
                     target.id
                 );
                 let found = format_args!("roads {before} and {}", road.id);

@@ -3,16 +3,13 @@
 use crate::catalog::junctions::kind;
 use crate::catalog::lanes::is_drivable;
 use crate::example::Example::Document;
-use crate::network::{Contact, LinkTarget, Network, contact};
+use crate::network::{Network, contact};
 use crate::place::{text, value};
 use crate::rule::Check::Network as All;
-use crate::rule::{Rule, Tolerance};
+use crate::rule::Rule;
 use crate::sink::Sink;
-use mapd_xodr::JunctionType as Kind;
+use mapd_xodr::{ConnectionEnd, JunctionLaneLink, JunctionType as Kind};
 use std::collections::BTreeMap;
-
-/// A way that comes back to where it began without having gone this far makes no progress.
-const PROGRESS: Tolerance = Tolerance { name: "length of a loop", value: 1.0, unit: "m" };
 
 /// Two roads; the second one's links and the first one's.
 macro_rules! pair {
@@ -41,7 +38,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "mapd:xodr:1.4.0:topology.dead_lane",
-        "A lane of the middle of a road leads to another or comes from one.",
+        "A lane for driving leads to another or comes from one, unless it lies at an end of a road that stands alone.",
         All(dead),
         [
             pair!(
@@ -56,26 +53,6 @@ pub(super) static RULES: &[Rule] = &[
                 r#"<predecessor elementType="road" elementId="1" contactPoint="end"/>"#,
                 ""
             ),
-        ],
-    ),
-    Rule::error(
-        "mapd:xodr:1.4.0:topology.cycle",
-        "A way that leads back to where it began has a length.",
-        All(no_progress),
-        [
-            Document(r#"<road id="1" length="100" junction="-1"><link><predecessor elementType="road" elementId="1" contactPoint="end"/><successor elementType="road" elementId="1" contactPoint="start"/></link><planView><geometry s="0" x="0" y="0" hdg="0" length="100"><arc curvature="0.06283185307179587"/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>"#),
-            Document(r#"<road id="1" length="0.1" junction="-1"><link><predecessor elementType="road" elementId="1" contactPoint="end"/><successor elementType="road" elementId="1" contactPoint="start"/></link><planView><geometry s="0" x="0" y="0" hdg="0" length="0.1"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>"#),
-        ],
-    )
-    .within(&[PROGRESS]),
-    Rule::warning(
-        "mapd:xodr:1.4.0:topology.junction_cycle",
-        "No way goes around within a junction.",
-        All(junction_cycle),
-        [
-            pair!("", "", "", ""),
-            Document(r#"<road id="1" length="50" junction="9"><link><predecessor elementType="road" elementId="2" contactPoint="end"/><successor elementType="road" elementId="2" contactPoint="start"/></link><planView><geometry s="0" x="0" y="0" hdg="0" length="50"><arc curvature="0.06283185307179587"/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
-<road id="2" length="50" junction="9"><link><predecessor elementType="road" elementId="1" contactPoint="end"/><successor elementType="road" elementId="1" contactPoint="start"/></link><planView><geometry s="0" x="0" y="31.8309886184" hdg="3.14159265359" length="50"><arc curvature="0.06283185307179587"/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road><junction id="9" name=""/>"#),
         ],
     ),
 ];
@@ -100,6 +77,10 @@ fn linked_lanes(network: &Network, mut show: impl FnMut(usize, usize)) {
     }
     for junction in &network.junctions {
         for connection in &junction.connection {
+            if let (Some(from), Some(to)) = (&connection.predecessor, &connection.successor) {
+                virtually_linked(network, [from, to], &connection.lane_link, &mut show);
+                continue;
+            }
             let incoming = network.road(text(&connection.incoming_road));
             let other = if kind(junction) == Kind::Direct {
                 &connection.linked_road
@@ -130,6 +111,26 @@ fn linked_lanes(network: &Network, mut show: impl FnMut(usize, usize)) {
                     show(a, b);
                 }
             }
+        }
+    }
+}
+
+/// The pairs of lanes that a virtual connection links: at places inside roads.
+fn virtually_linked(
+    network: &Network,
+    ends: [&ConnectionEnd; 2],
+    links: &[JunctionLaneLink],
+    show: &mut impl FnMut(usize, usize),
+) {
+    let [from, to] = ends.map(|end| {
+        let road = network.road(text(&end.element_id))?;
+        network.section_over(road, value(&end.element_s)?)
+    });
+    let (Some(from), Some(to)) = (from, to) else { return };
+    for (left, entered) in links.iter().filter_map(|l| value(&l.from).zip(value(&l.to))) {
+        if let (Some(a), Some(b)) = (network.lane_rank(from, left), network.lane_rank(to, entered))
+        {
+            show(a, b);
         }
     }
 }
@@ -166,13 +167,17 @@ fn disconnected(network: &Network, sink: &mut Sink<'_>) {
     else {
         return;
     };
+    let mut roads: BTreeMap<usize, &str> = BTreeMap::new();
+    for road in &network.roads {
+        for section in network.sections_of(road) {
+            roads.extend(parts.range(section.lanes.clone()).map(|(rank, _)| (*rank, &*road.id)));
+        }
+    }
     for (rank, count) in parts.iter().filter(|(rank, _)| **rank != largest) {
         let Some(lane) = network.lanes.get(*rank) else { continue };
-        let road = network.roads.iter().find(|road| {
-            network.sections_of(road).iter().any(|section| section.lanes.contains(rank))
-        });
-        let id = road.map_or("", |road| &*road.id);
-        let found = format_args!("a part of {count} lanes by itself, of {} parts", parts.len());
+        let id = roads.get(rank).copied().unwrap_or_default();
+        let lanes = if *count == 1 { "lane" } else { "lanes" };
+        let found = format_args!("a group of {count} {lanes} apart, one of {} groups", parts.len());
         sink.add_in(("road", id, "lanes"), lane.span, "lanes that are linked to the others", found);
     }
 }
@@ -187,11 +192,12 @@ fn dead(network: &Network, sink: &mut Sink<'_>) {
         }
     });
     for road in &network.roads {
-        // Where neither end goes on, the road stands alone.
-        if road.links.iter().all(Option::is_none) {
-            continue;
-        }
-        for section in network.sections_of(road) {
+        // Where neither end of a road goes on, a lane may begin or end with it.
+        let stands_alone = road.links.iter().all(Option::is_none);
+        let sections = network.sections_of(road);
+        let inside =
+            if stands_alone { 1..sections.len().saturating_sub(1) } else { 0..sections.len() };
+        for section in sections.get(inside).unwrap_or_default() {
             for (rank, lane) in section.lanes.clone().zip(network.lanes_of(section)) {
                 let has_width = lane.widths.iter().any(|width| *width > 0.0);
                 if is_drivable(lane.kind)
@@ -207,79 +213,6 @@ fn dead(network: &Network, sink: &mut Sink<'_>) {
                     );
                 }
             }
-        }
-    }
-}
-
-/// The roads that follow a road from end to end: for each end of the road that is left, the road and end that is entered.
-fn next_roads(network: &Network) -> Vec<[Option<(usize, Contact)>; 2]> {
-    network
-        .roads
-        .iter()
-        .map(|road| {
-            Contact::BOTH.map(|end| {
-                let (target, contact) = network.linked_road(road, end)?;
-                Some((network.road_rank(&target.id)?, contact))
-            })
-        })
-        .collect()
-}
-
-/// Walks from road to road until something is met again; yields the length of the loop and whether it is one.
-fn loop_from(
-    network: &Network,
-    next: &[[Option<(usize, Contact)>; 2]],
-    start: (usize, Contact),
-    mut may_enter: impl FnMut(usize) -> bool,
-) -> Option<f64> {
-    let (mut at, mut length) = (start, 0.0);
-    for _ in 0..=next.len() {
-        length += network.roads.get(at.0)?.length;
-        let (road, entered) = (*next.get(at.0)?)[at.1 as usize]?;
-        if !may_enter(road) {
-            return None;
-        }
-        // A road that is entered at an end is left at the other.
-        at = (road, entered.other());
-        if at == start {
-            return Some(length);
-        }
-        if length > 1e9 {
-            return None;
-        }
-    }
-    None
-}
-
-fn no_progress(network: &Network, sink: &mut Sink<'_>) {
-    let next = next_roads(network);
-    for (rank, road) in network.roads.iter().enumerate() {
-        // Longer roads alone make progress.
-        if road.length >= PROGRESS.value {
-            continue;
-        }
-        let is_short =
-            |road: usize| network.roads.get(road).is_some_and(|r| r.length < PROGRESS.value);
-        let length = loop_from(network, &next, (rank, Contact::End), is_short);
-        if let Some(length) = length.filter(|length| *length < PROGRESS.value) {
-            let found = format_args!("one of {length} m");
-            sink.add_in(("road", &road.id, "link"), road.span, "a loop with a length", found);
-        }
-    }
-}
-
-fn junction_cycle(network: &Network, sink: &mut Sink<'_>) {
-    let next = next_roads(network);
-    for (rank, road) in network.roads.iter().enumerate().filter(|(_, road)| road.junction.is_some())
-    {
-        let is_within =
-            |other: usize| network.roads.get(other).is_some_and(|o| o.junction == road.junction);
-        let leads_within = road.links.iter().flatten().any(|link| {
-            matches!(&link.target, LinkTarget::Road(id) if network.road_rank(id).is_some_and(is_within))
-        });
-        if leads_within && loop_from(network, &next, (rank, Contact::End), is_within).is_some() {
-            let expected = "a way out of the junction";
-            sink.add_in(("road", &road.id, "link"), road.span, expected, "a way around within it");
         }
     }
 }

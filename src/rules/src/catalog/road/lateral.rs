@@ -60,7 +60,8 @@ pub(super) static RULES: &[Rule] = &[
             In(r#"<lateralProfile><shape s="0" t="-5" a="0" b="0.01" c="0" d="0"/></lateralProfile>"#),
             In(r#"<lateralProfile><shape s="0" t="1" a="0" b="0.01" c="0" d="0"/></lateralProfile>"#),
         ],
-    ),
+    )
+    .within(&[COVER]),
     Rule::warning(
         "asam.net:xodr:1.4.0:road.shape.t_definition_coverage",
         "Shapes cover the road where it is widest to the right; the last one goes on to the left.",
@@ -165,7 +166,7 @@ fn first_shapes(of: &RoadIn<'_>) -> Vec<(f64, f64, Span)> {
 
 fn starts_right(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     for (s, t, span) in first_shapes(of) {
-        if t > 0.0 {
+        if t > COVER.value {
             let expected = format_args!("the first shape at s = {s} with t of at most 0");
             sink.add_within("lateralProfile/shape", span, expected, t);
         }

@@ -1,0 +1,235 @@
+//! Road marks along the lanes' borders.
+
+use crate::error::QueryError;
+use crate::ids::LaneId;
+use crate::lane::Lane;
+use crate::map::Map;
+use crate::nearest::LaneTypes;
+use crate::profile::{self, At};
+use crate::region::{BoundarySegment, Region};
+use mapd_archive::{
+    ArchivedRoadMarkLineRow, ArchivedRoadMarkRow, ArchivedRoadMarkStyleRow, MarkLaneChange,
+    RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight, string,
+};
+use mapd_geometry::clamp;
+
+/// Width of a mark for which the file gives none `[m]`: the standard says only that `bold` is wider than `standard`; these are
+/// usual on town roads.
+const DEFAULT_WIDTH: f64 = 0.12;
+/// As [`DEFAULT_WIDTH`], for bold marks `[m]`.
+const DEFAULT_BOLD_WIDTH: f64 = 0.25;
+
+/// A `roadMark` record of a lane: what lies on the lane's outer border (for lane 0 on its own line) from `s` to `s_end`
+/// (OpenDRIVE 1.8.1, 11.10).
+#[derive(Clone, Copy)]
+pub struct RoadMark<'a> {
+    map: Map<'a>,
+    lane: Lane<'a>,
+    style: &'a ArchivedRoadMarkStyleRow,
+    s: f64,
+    s_end: f64,
+}
+
+/// A line of a road mark's pattern, or an explicit one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RoadMarkLine {
+    /// Length of the line `[m]`.
+    pub length: f64,
+    /// Gap to the next one `[m]`; `None` for an explicit line, which is there once.
+    pub space: Option<f64>,
+    /// Of the line's middle from the lane's border `[m]`, positive to the left of the reference line.
+    pub t_offset: f64,
+    /// Start of the (first) line after the mark's start `[m]`.
+    pub s_offset: f64,
+    /// Width `[m]`, if given.
+    pub width: Option<f64>,
+    /// Who may cross it, seen from inside.
+    pub rule: RoadMarkRule,
+    /// Colour of its own, if given.
+    pub color: RoadMarkColor,
+}
+
+/// A straight piece of a road mark's course.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RoadMarkSegment {
+    /// The piece of the lane's border.
+    pub segment: BoundarySegment,
+    /// Kind of the mark.
+    pub kind: RoadMarkKind,
+    /// Its colour.
+    pub color: RoadMarkColor,
+    /// Its width `[m]`: as [`RoadMark::width_or_default`].
+    pub width: f64,
+}
+
+fn given(value: f64) -> Option<f64> {
+    (value >= 0.0).then_some(value)
+}
+
+impl<'a> RoadMark<'a> {
+    /// Where the mark begins: s on the road `[m]`, not before the lane's section.
+    pub fn s(&self) -> f64 {
+        self.s
+    }
+
+    /// Where the lane's next mark or the section's end takes over `[m]`.
+    pub fn s_end(&self) -> f64 {
+        self.s_end
+    }
+
+    /// Kind.
+    pub fn kind(&self) -> RoadMarkKind {
+        RoadMarkKind::from_code(self.style.kind())
+    }
+
+    /// Colour.
+    pub fn color(&self) -> RoadMarkColor {
+        RoadMarkColor::from_code(self.style.color())
+    }
+
+    /// Visual weight.
+    pub fn weight(&self) -> RoadMarkWeight {
+        RoadMarkWeight::from_code(self.style.weight())
+    }
+
+    /// Which lane changes the mark says it allows.
+    pub fn lane_change(&self) -> MarkLaneChange {
+        MarkLaneChange::from_code(self.style.lane_change())
+    }
+
+    /// Width `[m]`, if given; of marks of two lines, that of each.
+    pub fn width(&self) -> Option<f64> {
+        given(self.style.width())
+    }
+
+    /// Width `[m]`; where the file gives none, or 0, 0.12 m, for bold marks 0.25 m. 0 for the kind `none`.
+    pub fn width_or_default(&self) -> f64 {
+        if self.kind() == RoadMarkKind::None {
+            return 0.0;
+        }
+        let bold = self.weight() == RoadMarkWeight::Bold;
+        let default = if bold { DEFAULT_BOLD_WIDTH } else { DEFAULT_WIDTH };
+        self.width().filter(|width| *width > 0.0).unwrap_or(default)
+    }
+
+    /// Height above the road `[m]`, if given.
+    pub fn height(&self) -> Option<f64> {
+        given(self.style.height())
+    }
+
+    /// Material as written; empty if not given.
+    pub fn material(&self) -> &'a str {
+        string(self.map.tables(), self.style.material())
+    }
+
+    /// Name of the pattern (`roadMark/type/@name`); empty if not given.
+    pub fn pattern_name(&self) -> &'a str {
+        string(self.map.tables(), self.style.name())
+    }
+
+    /// Lines of the pattern and explicit ones, in file order; none where the kind says all.
+    pub fn lines(&self) -> impl ExactSizeIterator<Item = RoadMarkLine> + use<'a> {
+        self.style.lines().of(self.map.tables().road_mark_lines).iter().map(line)
+    }
+
+    /// Whether the mark leaves the lane's border anywhere (`sway`).
+    pub fn sways(&self) -> bool {
+        self.style.sway().count > 0
+    }
+
+    /// Lateral shift of the mark from the lane's border at s `[m]` (`sway`); 0 for most.
+    pub fn sway_at(&self, s: f64) -> f64 {
+        let records = self.style.sway().of(self.map.tables().cubics);
+        profile::value(records, At::within(s, self.s, self.s_end))
+    }
+
+    /// t of the mark's middle at s `[m]`: the border's plus the sway.
+    pub fn t_at(&self, s: f64) -> f64 {
+        let at = At::within(s, self.s, self.s_end);
+        self.lane.edge_slopes(at).outer.value + self.sway_at(s)
+    }
+}
+
+fn line(row: &ArchivedRoadMarkLineRow) -> RoadMarkLine {
+    RoadMarkLine {
+        length: row.length(),
+        space: given(row.space()),
+        t_offset: row.t_offset(),
+        s_offset: row.s_offset(),
+        width: given(row.width()),
+        rule: RoadMarkRule::from_code(row.rule()),
+        color: RoadMarkColor::from_code(row.color()),
+    }
+}
+
+impl<'a> Lane<'a> {
+    /// The lane's road marks in ascending s, those that hold somewhere in its section; they lie on its outer border, lane
+    /// 0's on its own line. The kind `none` is among them.
+    pub fn road_marks(&self) -> impl Iterator<Item = RoadMark<'a>> + use<'a> {
+        let (map, lane) = (self.map, *self);
+        let (start, end) = (self.section.s_start(), self.section.s_end());
+        let rows = rows_of(map, self.lane_id().row());
+        rows.iter().enumerate().filter_map(move |(i, row)| {
+            let s = row.s().max(start);
+            let s_end = rows.get(i + 1).map_or(end, |next| next.s().min(end));
+            let style = map.tables().road_mark_styles.get(row.style() as usize)?;
+            (s < s_end).then_some(RoadMark { map, lane, style, s, s_end })
+        })
+    }
+
+    /// The road mark that holds at s; at a boundary the later one. `None` before the first and beyond the section.
+    pub fn road_mark_at(&self, s: f64) -> Option<RoadMark<'a>> {
+        self.road_marks().find(|mark| mark.s <= s && (s < mark.s_end || s == self.section.s_end()))
+    }
+}
+
+fn rows_of<'a>(map: Map<'a>, lane: u32) -> &'a [ArchivedRoadMarkRow] {
+    let rows = map.tables().road_marks;
+    let first = rows.partition_point(|row| row.lane() < lane);
+    let rows = rows.get(first..).unwrap_or(&[]);
+    rows.get(..rows.partition_point(|row| row.lane() == lane)).unwrap_or(&[])
+}
+
+impl Map<'_> {
+    /// Every piece of the road marks on the borders of lanes of these types that meets a rectangle in plan view, in the
+    /// order of their lanes and of s; marks of the kind `none` are left out, and so is sway: a piece is one of the lane's
+    /// border, cut where a mark begins or ends. `out` is emptied first, `lanes` and `borders` are room to work in; all grow
+    /// only if their capacities are too small.
+    ///
+    /// Errors: a rectangle that is not finite.
+    pub fn road_mark_segments(
+        &self,
+        region: Region,
+        types: LaneTypes,
+        lanes: &mut Vec<LaneId>,
+        borders: &mut Vec<BoundarySegment>,
+        out: &mut Vec<RoadMarkSegment>,
+    ) -> Result<(), QueryError> {
+        out.clear();
+        self.boundary_segments(region, types, lanes, borders)?;
+        for border in borders.iter() {
+            let Ok(lane) = self.lane(border.lane) else { continue };
+            let [from, to] = border.s;
+            let along = |s: f64| {
+                let share = if to > from { clamp((s - from) / (to - from), 0.0, 1.0) } else { 0.0 };
+                border.ends[0].lerp(border.ends[1], share)
+            };
+            for mark in lane.road_marks().filter(|mark| mark.kind() != RoadMarkKind::None) {
+                let s = [from.max(mark.s), to.min(mark.s_end)];
+                let segment = BoundarySegment { lane: border.lane, s, ends: s.map(along) };
+                if s[0] < s[1]
+                    && region.meets(segment.ends[0].truncate(), segment.ends[1].truncate())
+                {
+                    let width = mark.width_or_default();
+                    out.push(RoadMarkSegment {
+                        segment,
+                        kind: mark.kind(),
+                        color: mark.color(),
+                        width,
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+}
