@@ -4,7 +4,7 @@
 use mapd_client::glam::DVec3;
 use mapd_compiler::{Compilation, Verdict};
 use mapd_query::{
-    AttachMethod, Object, ObjectShape, ObjectSide, Orientation, PlatformSide, StructureKind,
+    LaneMethod, Object, ObjectShape, ObjectSide, Orientation, PlatformSide, StructureKind,
     SwitchPosition,
 };
 use mapd_tests::object_maps::{ObjectRoad, PLAIN, compile, document, open};
@@ -160,8 +160,8 @@ fn bridges_tunnels_and_references_are_stored() {
         .lanes()
         .map(|at| (at.lane().expect("a lane").number(), at.method()))
         .collect();
-    let on = AttachMethod::Position;
-    assert_eq!(lanes, [(1, on), (-1, on), (-2, AttachMethod::Validity)]);
+    let on = LaneMethod::Track;
+    assert_eq!(lanes, [(1, on), (-1, on), (-2, LaneMethod::Validity)]);
 }
 
 #[test]

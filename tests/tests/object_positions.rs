@@ -127,7 +127,7 @@ const ALL: &[At] = &[
         road: "67",
         object: "68",
         position: [0.000000000, 0.000000000, 0.000000000],
-        heading: -1.570796327,
+        heading: -std::f64::consts::FRAC_PI_2,
         corner: [0.000000000, 0.000000000],
     },
     // Line from (151.936, -120.156), heading 6.9356, u = 2.2056;

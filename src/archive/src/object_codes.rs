@@ -45,18 +45,6 @@ codes! {
 }
 
 codes! {
-    /// How an object came to a lane, the surest way first.
-    AttachMethod {
-        /// The file says so: a `validity`.
-        Validity = 0, "validity";
-        /// Its extent lies on the lane.
-        Position = 1, "position";
-        /// No lane lies below it; this is the nearest that fits.
-        Nearest = 2, "nearest";
-    }
-}
-
-codes! {
     /// What fills an outline (OpenDRIVE 1.8.1, e_outlineFillType).
     OutlineFill {
         /// Not given.

@@ -232,8 +232,8 @@ impl Document {
         }
         let mut lowering = std::mem::take(&mut self.lowering);
         progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
-        let road_spans = lowering.links.road_spans.clone();
         let written = std::mem::take(&mut lowering.objects);
+        let road_spans = lowering.links.road_spans.clone();
         let mut rows = lowering.into_rows(options);
         if let Err(error) = lanes::sample(&mut rows, options) {
             self.collector.add(vec![too_large(&error)], &self.places);
@@ -249,12 +249,12 @@ impl Document {
         progress(Progress::Graph { nodes: rows.lane_nodes.len() });
         let findings = graph::complete(&mut rows, &self.graph, options);
         self.collector.add(findings, &self.places);
-        let findings = signals::complete(&mut rows, &self.signals);
-        self.collector.add(findings, &self.places);
         match objects::build(&mut rows, written, options) {
             Ok(findings) => self.collector.add(findings, &self.places),
             Err(error) => self.collector.add(vec![too_large(&error)], &self.places),
         }
+        let findings = signals::complete(&mut rows, &self.signals);
+        self.collector.add(findings, &self.places);
         Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
     }
 }

@@ -56,11 +56,10 @@ pub use key::{LaneKey, ParseLaneKeyError};
 pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
 pub use mapd_archive::{
-    AttachMethod, Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind, LaneMethod, LaneType,
-    MarkLaneChange, ObjectShape, ObjectSide, Orientation, OutlineFill, PlatformSide,
-    QuarantinedKind, Relation, RelationReason, RoadMarkColor, RoadMarkKind, RoadMarkRule,
-    RoadMarkWeight, RoadType, SignalPosition, SpeedKind, StructureKind, SwitchPosition,
-    VehicleClass,
+    Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind, LaneMethod, LaneType, MarkLaneChange,
+    ObjectShape, ObjectSide, Orientation, OutlineFill, PlatformSide, QuarantinedKind, Relation,
+    RelationReason, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight, RoadType,
+    SignalPosition, SpeedKind, StructureKind, SwitchPosition, VehicleClass,
 };
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
 pub use objects::{

@@ -331,7 +331,7 @@ impl ArchivedObjectLaneRow {
     pub fn distance(&self) -> f32 {
         self.distance.to_native()
     }
-    /// 0 by validity, 1 by s and t, 2 as the nearest lane.
+    /// 0 by validity, 2 the object's area lies on the lane, 3 as the nearest lane; 1 is not used for objects.
     #[inline]
     pub fn method(&self) -> u8 {
         self.method

@@ -182,7 +182,7 @@ pub struct ObjectLaneRow {
     pub s_to: f32,
     /// `[m]` Plan-view distance of the object from the lane's area; 0 on it.
     pub distance: f32,
-    /// 0 by validity, 1 by s and t, 2 as the nearest lane.
+    /// 0 by validity, 2 the object's area lies on the lane, 3 as the nearest lane; 1 is not used for objects.
     pub method: u8,
     /// 0.
     pub reserved: [u8; 3],

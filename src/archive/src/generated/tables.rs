@@ -13,7 +13,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [213, 231, 33, 255, 220, 54, 138, 136, 247, 111, 1, 102, 199, 63, 120, 10];
+    [189, 11, 98, 242, 195, 71, 93, 100, 189, 63, 113, 255, 151, 188, 118, 129];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]

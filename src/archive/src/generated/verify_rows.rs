@@ -528,7 +528,7 @@ impl Tables<'_> {
             check.finite("s_from", f64::from(row.s_from()))?;
             check.finite("s_to", f64::from(row.s_to()))?;
             check.finite("distance", f64::from(row.distance()))?;
-            check.code("method", row.method(), 3)?;
+            check.code("method", row.method(), 4)?;
         }
         for (i, row) in self.lane_objects.iter().enumerate() {
             let check = Check { table: "lane_objects", row: i };

@@ -16,7 +16,7 @@ pub(super) fn lane_ranges(rows: &mut Rows, validities: &[(i32, i32)]) -> Result<
     let before = rows.lane_ranges.len();
     rows.lane_ranges
         .extend(validities.iter().map(|(from, to)| LaneRangeRow { from: *from, to: *to }));
-    Range::between(before, rows.lane_ranges.len()).ok_or(TooLarge::new("lane_ranges"))
+    Range::between(before, rows.lane_ranges.len()).ok_or_else(|| TooLarge::new("lane_ranges"))
 }
 
 /// Appends bridges, tunnels and references; the references come back with their objects' rows, in that order.
@@ -92,11 +92,11 @@ fn railways(rows: &mut Rows, written: &Objects) -> Result<(), TooLarge> {
                 rows.platform_segments.push(PlatformSegmentRow { road, ..*row });
             }
             let segments = Range::between(before, rows.platform_segments.len());
-            let segments = segments.ok_or(TooLarge::new("platform_segments"))?;
+            let segments = segments.ok_or_else(|| TooLarge::new("platform_segments"))?;
             rows.platforms.push(PlatformRow { segments, ..platform.row });
         }
-        let platforms =
-            Range::between(first, rows.platforms.len()).ok_or(TooLarge::new("platforms"))?;
+        let platforms = Range::between(first, rows.platforms.len())
+            .ok_or_else(|| TooLarge::new("platforms"))?;
         rows.stations.push(StationRow { platforms, ..station.row });
     }
     Ok(())

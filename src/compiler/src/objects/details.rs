@@ -77,7 +77,7 @@ pub(super) fn append(
         let before = rows.object_corners.len();
         rows.object_corners.extend(points);
         let range = Range::between(before, rows.object_corners.len());
-        Ok::<_, TooLarge>((outline, range.ok_or(TooLarge::new("object_corners"))?))
+        Ok::<_, TooLarge>((outline, range.ok_or_else(|| TooLarge::new("object_corners"))?))
     };
     for marking in &details.markings {
         let (outline, corners) = named(&marking.along, rows)?;
@@ -91,7 +91,7 @@ pub(super) fn append(
         let before = rows.skeleton_vertices.len();
         rows.skeleton_vertices.extend(vertices);
         let vertices = Range::between(before, rows.skeleton_vertices.len());
-        let vertices = vertices.ok_or(TooLarge::new("skeleton_vertices"))?;
+        let vertices = vertices.ok_or_else(|| TooLarge::new("skeleton_vertices"))?;
         rows.object_skeletons.push(ObjectSkeletonRow { object, vertices });
     }
     rows.object_materials

@@ -166,7 +166,7 @@ fn append(
         append_shape(rows, shape)?;
     }
     row.outlines = Range::between(before, rows.object_outlines.len())
-        .ok_or(TooLarge::new("object_outlines"))?;
+        .ok_or_else(|| TooLarge::new("object_outlines"))?;
     let before = rows.object_copies.len();
     let kept = placed.copies.len().min(*copies_left);
     let lost = placed.copies.len() - kept;
@@ -176,13 +176,13 @@ fn append(
             let before = rows.object_outlines.len();
             append_shape(rows, shape)?;
             copy_row.outlines = Range::between(before, rows.object_outlines.len())
-                .ok_or(TooLarge::new("object_outlines"))?;
+                .ok_or_else(|| TooLarge::new("object_outlines"))?;
         }
         rows.object_copies.push(copy_row);
     }
     *copies_left -= kept;
-    row.copies =
-        Range::between(before, rows.object_copies.len()).ok_or(TooLarge::new("object_copies"))?;
+    row.copies = Range::between(before, rows.object_copies.len())
+        .ok_or_else(|| TooLarge::new("object_copies"))?;
     row.validities = beside::lane_ranges(rows, &object.validities)?;
     if let Some(details) = object.details.as_deref() {
         let of = (number, row.outlines);
@@ -206,8 +206,8 @@ fn append(
 fn append_shape(rows: &mut Rows, shape: Shape) -> Result<(), TooLarge> {
     let before = rows.object_points.len();
     rows.object_points.extend_from_slice(&shape.points);
-    let points =
-        Range::between(before, rows.object_points.len()).ok_or(TooLarge::new("object_points"))?;
+    let points = Range::between(before, rows.object_points.len())
+        .ok_or_else(|| TooLarge::new("object_points"))?;
     rows.object_outlines.push(ObjectOutlineRow { points, ..shape.row });
     Ok(())
 }
