@@ -219,3 +219,35 @@ fn signals_are_a_row_each() {
     assert!(text.contains("signals       2, 0 references, 0 controllers, 0 for no lane"), "{text}");
     assert!(text.contains("speed_limit"), "{text}");
 }
+
+#[test]
+fn a_table_of_ones_own_changes_what_signals_mean() {
+    use mapd_tests::crossroads::{crossroads, signal};
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let odd = signal("X", 60.0, 5.0, "-", "strange", "");
+    let signals = [odd, String::new(), String::new(), String::new()];
+    std::fs::write(at("map.xodr"), crossroads(signals, "", "")).expect("written");
+    let table = "name = \"own\"\ncountries = [\"DE\"]\nsignals = [{ type = \"strange\", class = \"CLASS\" }]\n";
+    for (file, class) in [("own.toml", "stop"), ("wrong.toml", "sotp")] {
+        std::fs::write(at(file), table.replace("CLASS", class)).expect("written");
+    }
+    let compile = |more: &[&str]| {
+        let (map, out) = (at("map.xodr"), at("map.mapd"));
+        let mut args = vec!["compile", map.as_str(), "-o", out.as_str()];
+        args.extend(more);
+        let code = run(&args, "").status.code();
+        let text = run(&["inspect", &out], "").stdout;
+        (code, String::from_utf8_lossy(&text).into_owned())
+    };
+    let (code, text) = compile(&[]);
+    assert_eq!(code, Some(0));
+    assert!(text.contains("no class for \"DE strange -1 \": 1"), "{text}");
+    let (code, text) = compile(&["--ontology", &at("own.toml")]);
+    assert_eq!(code, Some(0));
+    assert!(text.contains("  stop   ") && !text.contains("no class for"), "{text}");
+    let refused = run(&["compile", &at("map.xodr"), "--ontology", &at("wrong.toml")], "");
+    let told = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert_eq!(refused.status.code(), Some(2), "{told}");
+    assert!(told.contains("wrong.toml") && told.contains("class `sotp`"), "{told}");
+}
