@@ -232,8 +232,8 @@ impl Document {
         }
         let mut lowering = std::mem::take(&mut self.lowering);
         progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
-        let road_spans = lowering.links.road_spans.clone();
         let written = std::mem::take(&mut lowering.objects);
+        let road_spans = lowering.links.road_spans.clone();
         let mut rows = lowering.into_rows(options);
         if let Err(error) = lanes::sample(&mut rows, options) {
             self.collector.add_late(vec![too_large(&error)], &self.places);
@@ -249,12 +249,12 @@ impl Document {
         progress(Progress::Graph { nodes: rows.lane_nodes.len() });
         let findings = graph::complete(&mut rows, &self.graph, options);
         self.collector.add_late(findings, &self.places);
-        let findings = signals::complete(&mut rows, &self.signals);
-        self.collector.add_late(findings, &self.places);
         match objects::build(&mut rows, written, options) {
             Ok(findings) => self.collector.add_late(findings, &self.places),
             Err(error) => self.collector.add_late(vec![too_large(&error)], &self.places),
         }
+        let findings = signals::complete(&mut rows, &self.signals);
+        self.collector.add_late(findings, &self.places);
         Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
     }
 }
@@ -298,15 +298,18 @@ fn read(
                 Item::Road(road) => {
                     let number = lowering.rows.roads.len();
                     lowering.road(&road, reader.position(road.span.start), &mut checked);
-                    if let Some(objects) = road.objects.as_deref()
-                        && lowering.rows.roads.len() > number
-                    {
+                    let is_there = lowering.rows.roads.len() > number;
+                    if let Some(railroad) = road.railroad.as_deref().filter(|_| is_there) {
+                        lowering.switches(number as u32, railroad);
+                    }
+                    if let Some(objects) = road.objects.as_deref().filter(|_| is_there) {
                         let owner = Owner::Road(number as u32, road.id.text());
                         let position = |span: Span| reader.position(span.start);
                         let with = (&reading.ontology, position);
                         lowering.objects(owner, objects, with, &mut checked);
                     }
                 }
+                Item::Station(station) => lowering.station(&station),
                 Item::Junction(junction) => {
                     let number = lowering.rows.junctions.len();
                     let position = |span: Span| reader.position(span.start);

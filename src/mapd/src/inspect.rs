@@ -3,6 +3,7 @@
 use crate::graph_facts::{GraphFacts, lane_links};
 use crate::object_facts::ObjectFacts;
 use crate::report::hex;
+use crate::signal_facts::SignalFacts;
 use anyhow::Result;
 use mapd_client::Snapshot;
 use mapd_query::Quarantined;
@@ -23,6 +24,7 @@ struct Inspection {
     verified: Option<bool>,
     map: MapFacts,
     graph: GraphFacts,
+    signals: SignalFacts,
     objects: ObjectFacts,
     quarantined: Vec<QuarantinedFacts>,
     tables: Vec<TableFacts>,
@@ -102,6 +104,7 @@ pub(crate) fn run(
     )?;
     writeln!(out, "lanes         {} in {} sections, {} links", m.lanes, m.sections, m.lane_links)?;
     i.graph.print(out)?;
+    i.signals.print(out)?;
     i.objects.print(out)?;
     writeln!(out, "bounds [m]    {:?} to {:?}", m.min, m.max)?;
     writeln!(out, "geoReference  {}", m.geo_reference)?;
@@ -165,6 +168,7 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
             bytes_per_road_km: if length > 0.0 { bytes as f64 / (length / 1000.0) } else { 0.0 },
         },
         graph: GraphFacts::of(map),
+        signals: SignalFacts::of(map),
         objects: ObjectFacts::of(map),
         quarantined: map.quarantined().map(|part| quarantined(&part)).collect(),
         tables: tables

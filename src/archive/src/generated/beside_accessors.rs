@@ -1,7 +1,7 @@
-//! Reading the rows of what lies beside the network.
+//! Reading the rows of what is derived from the network and lies beside it.
 // Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
 
-use super::rows::*;
+use super::beside_rows::*;
 use crate::table::Range;
 
 impl ArchivedSurfaceRow {

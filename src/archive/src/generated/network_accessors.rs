@@ -1,7 +1,7 @@
 //! Reading the rows of the network and its index.
 // Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
 
-use super::rows::*;
+use super::network_rows::*;
 use crate::table::Range;
 use rkyv::rend;
 

@@ -3,11 +3,14 @@
 mod grid;
 mod marks;
 mod need;
+mod object_details;
 mod object_outlines;
 mod object_repeats;
 mod objects;
+mod railway;
 mod reference_line;
 mod sections;
+mod structures;
 mod surface;
 
 use crate::graph::Permissions;
@@ -66,9 +69,9 @@ pub(crate) struct Lowering {
     pub(crate) strings: StringTable,
     pub(crate) links: Links,
     pub(crate) permissions: Permissions,
+    pub(crate) objects: Objects,
     styles: marks::Styles,
     pub(crate) signals: Pending,
-    pub(crate) objects: Objects,
     map: Option<MapRow>,
 }
 
