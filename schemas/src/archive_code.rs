@@ -5,14 +5,25 @@ use std::fmt::Write as _;
 
 const NOTE: &str = "// Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.\n\n";
 
-/// Row types: of the network and what lies beside it, and of signals and everything behind.
-pub(crate) fn rows(layout: &Layout) -> [String; 2] {
-    let first = layout.tables.iter().position(|table| table.name == FIRST_OF_SIGNALS);
-    let (network, signals) = layout.tables.split_at(first.unwrap_or(layout.tables.len()));
+/// Row types: of the network and what lies beside it, of signals, of objects.
+pub(crate) fn rows(layout: &Layout) -> [String; 3] {
+    let [network, beside, signals, objects] = parts(layout);
+    let network = &layout.tables[..network.len() + beside.len()];
     [
         rows_of("Row types of the network's tables.", network),
-        rows_of("Row types of the tables of signals and of what lies behind them.", signals),
+        rows_of("Row types of the tables of signals and of what is left out.", signals),
+        rows_of("Row types of the tables of objects and railways.", objects),
     ]
+}
+
+/// The tables of the network and its index, of what is derived from it, of signals and what is left out, of objects.
+fn parts(layout: &Layout) -> [&[Table]; 4] {
+    let tables = &layout.tables;
+    let at = |name: &str| tables.iter().position(|table| table.name == name);
+    let signals = at(FIRST_OF_SIGNALS).unwrap_or(tables.len());
+    let objects = at(FIRST_OF_OBJECTS).unwrap_or(tables.len()).max(signals);
+    let beside = at(LAST_OF_THE_NETWORK).map_or(0, |last| last + 1).min(signals);
+    [&tables[..beside], &tables[beside..signals], &tables[signals..objects], &tables[objects..]]
 }
 
 fn rows_of(title: &str, tables: &[Table]) -> String {
@@ -51,18 +62,21 @@ const LAST_OF_THE_NETWORK: &str = "index_leaves";
 /// The first table of signals; those behind it lie beside the lanes.
 const FIRST_OF_SIGNALS: &str = "signals";
 
-/// Accessors of the rows as they lie in an archive: of the network and its index, of what is derived from it, and of signals
-/// and everything behind.
-pub(crate) fn accessors(layout: &Layout) -> [String; 3] {
-    let tables = &layout.tables;
-    let last = tables.iter().position(|table| table.name == LAST_OF_THE_NETWORK);
-    let first = tables.iter().position(|table| table.name == FIRST_OF_SIGNALS);
-    let (rest, signals) = tables.split_at(first.unwrap_or(tables.len()));
-    let (network, beside) = rest.split_at(last.map_or(0, |last| last + 1));
+/// The first table of objects; those behind it lie beside the lanes too.
+const FIRST_OF_OBJECTS: &str = "objects";
+
+/// Accessors of the rows as they lie in an archive, in the parts of the layout.
+pub(crate) fn accessors(layout: &Layout) -> [String; 4] {
+    let [network, beside, signals, objects] = parts(layout);
     [
-        accessors_of("Reading the rows of the network and its index.", network),
-        accessors_of("Reading the rows of what lies beside the network.", beside),
-        accessors_of("Reading the rows of signals and of what lies behind them.", signals),
+        accessors_of("Reading the rows of the network and its index.", "rows", network),
+        accessors_of("Reading the rows of what lies beside the network.", "rows", beside),
+        accessors_of(
+            "Reading the rows of signals and of what is left out.",
+            "signal_rows",
+            signals,
+        ),
+        accessors_of("Reading the rows of objects and railways.", "object_rows", objects),
     ]
 }
 
@@ -71,7 +85,7 @@ fn ident(field: &Field) -> &str {
     if field.name == "type" { "r#type" } else { &field.name }
 }
 
-fn accessors_of(title: &str, tables: &[Table]) -> String {
+fn accessors_of(title: &str, own: &str, tables: &[Table]) -> String {
     let mut out = String::new();
     for table in tables {
         let Some(row) = &table.row else { continue };
@@ -83,7 +97,6 @@ fn accessors_of(title: &str, tables: &[Table]) -> String {
         out += "}\n";
     }
     let mut head = format!("//! {title}\n{NOTE}");
-    let own = if title.contains("signals") { "signal_rows" } else { "rows" };
     let _ = writeln!(head, "use super::{own}::*;");
     for (used, import) in [("-> Range", "crate::table::Range"), ("rend::", "rkyv::rend")] {
         if out.contains(used) {
@@ -116,7 +129,7 @@ fn getter(field: &Field) -> String {
 /// The archive's root and the borrowed tables.
 pub(crate) fn tables(layout: &Layout) -> String {
     let mut out = format!("//! The archive's tables in the order in which they lie.\n{NOTE}");
-    out += "use super::rows::*;\nuse super::signal_rows::*;\nuse crate::error::OpenError;\n";
+    out += "use super::object_rows::*;\nuse super::rows::*;\nuse super::signal_rows::*;\nuse crate::error::OpenError;\n";
     out += "use crate::table::{Table, TableInfo};\nuse rkyv::{Archive, Serialize, rend};\n\n";
     let _ = writeln!(
         out,

@@ -33,12 +33,14 @@ pub fn outputs(root: &Path) -> Result<Vec<Output>> {
     let page = std::fs::read_to_string(&format_page)
         .with_context(|| format!("reading {}", format_page.display()))?;
     let folder = "src/archive/src/generated";
-    let [network, beside, signals] = archive_code::accessors(&layout);
-    let [rows, signal_rows] = archive_code::rows(&layout);
+    let [network, beside, signals, objects] = archive_code::accessors(&layout);
+    let [rows, signal_rows, object_rows] = archive_code::rows(&layout);
     let mut outputs = vec![
         (format!("{folder}/rows.rs"), rows),
         (format!("{folder}/signal_rows.rs"), signal_rows),
+        (format!("{folder}/object_rows.rs"), object_rows),
         (format!("{folder}/signal_accessors.rs"), signals),
+        (format!("{folder}/object_accessors.rs"), objects),
         (format!("{folder}/network_accessors.rs"), network),
         (format!("{folder}/beside_accessors.rs"), beside),
         (format!("{folder}/tables.rs"), archive_code::tables(&layout)),

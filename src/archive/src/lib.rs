@@ -52,6 +52,7 @@ pub use codes::{
 pub use error::{OpenError, VerifyError, WriteError};
 pub use generated::{
     classes::{Class, ClassGroup},
+    object_rows::*,
     rows::*,
     signal_rows::*,
     tables::*,

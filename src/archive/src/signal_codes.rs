@@ -21,9 +21,9 @@ pub mod signal_values {
 }
 
 codes! {
-    /// Direction of travel that a signal or object is for (OpenDRIVE 1.8.1, 14; e_orientation).
+    /// Direction of travel that a signal or object is for (OpenDRIVE 1.8.1, 13 and 14; e_orientation).
     Orientation {
-        /// Both.
+        /// Both, or not given.
         Both = 0, "none";
         /// Along s.
         Along = 1, "+";

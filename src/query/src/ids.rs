@@ -40,10 +40,10 @@ ids! {
     JunctionId;
     /// A node of the lane graph.
     NodeId;
-    /// An object.
-    ObjectId;
     /// A signal.
     SignalId;
     /// A controller.
     ControllerId;
+    /// An object.
+    ObjectId;
 }

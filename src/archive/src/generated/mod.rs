@@ -3,6 +3,8 @@
 mod beside_accessors;
 pub(crate) mod classes;
 mod network_accessors;
+mod object_accessors;
+pub(crate) mod object_rows;
 pub(crate) mod rows;
 mod signal_accessors;
 pub(crate) mod signal_rows;

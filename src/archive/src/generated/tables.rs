@@ -1,6 +1,7 @@
 //! The archive's tables in the order in which they lie.
 // Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
 
+use super::object_rows::*;
 use super::rows::*;
 use super::signal_rows::*;
 use crate::error::OpenError;

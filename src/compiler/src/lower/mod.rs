@@ -68,9 +68,9 @@ pub(crate) struct Lowering {
     pub(crate) strings: StringTable,
     pub(crate) links: Links,
     pub(crate) permissions: Permissions,
-    pub(crate) objects: Objects,
     styles: marks::Styles,
     pub(crate) signals: Pending,
+    pub(crate) objects: Objects,
     map: Option<MapRow>,
 }
 

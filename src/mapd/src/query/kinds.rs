@@ -27,10 +27,10 @@ pub enum Kind {
     Successors,
     /// `from_road,from_s,from_lane,to_road,to_s,to_lane` → length,lane_changes,lanes
     Route,
-    /// `x,y,radius` → a row for each object there: id,class,distance,road_id,s,t,x,y,z
-    Objects,
     /// `road_id,s,lane_id,distance` → a row for each signal ahead: id,class,distance,road_id,s,t,x,y,z,state_machine
     Signals,
+    /// `x,y,radius` → a row for each object there: id,class,distance,road_id,s,t,x,y,z
+    Objects,
 }
 
 impl Kind {
@@ -43,8 +43,8 @@ impl Kind {
             Self::Track => "track",
             Self::Successors => "successors",
             Self::Route => "route",
-            Self::Objects => "objects",
             Self::Signals => "signals",
+            Self::Objects => "objects",
         }
     }
 
@@ -56,8 +56,8 @@ impl Kind {
             Self::Nearest => &["x", "y"],
             Self::Track => &["road_id", "x", "y"],
             Self::Route => &["from_road", "from_s", "from_lane", "to_road", "to_s", "to_lane"],
-            Self::Objects => &["x", "y", "radius"],
             Self::Signals => &["road_id", "s", "lane_id", "distance"],
+            Self::Objects => &["x", "y", "radius"],
         }
     }
 
@@ -71,17 +71,17 @@ impl Kind {
             Self::Track => &["s", "t", "h"],
             Self::Successors => &["successors"],
             Self::Route => &["length", "lane_changes", "lanes"],
-            Self::Objects => &["id", "class", "distance", "road_id", "s", "t", "x", "y", "z"],
             Self::Signals => signals::COLUMNS,
+            Self::Objects => &["id", "class", "distance", "road_id", "s", "t", "x", "y", "z"],
         }
     }
 
-    /// Whether it answers with any number of rows.
+    /// Whether a row of the input has any number of answers, each in a row of its own.
     pub(crate) fn lists(self) -> bool {
-        matches!(self, Self::Objects | Self::Signals)
+        matches!(self, Self::Signals | Self::Objects)
     }
 
-    /// Answers one row; the error says why there is no answer.
+    /// Answers one row, of a list with the columns of all its answers one after the other; the error says why there is no answer.
     pub(crate) fn answer(
         self,
         map: Map<'_>,
@@ -134,11 +134,11 @@ impl Kind {
                 out.push(keys.join(";"));
             }
             Self::Route => router.answer(map, row, out)?,
-            Self::Objects => super::objects::answer(map, row, out)?,
             Self::Signals => {
                 let (lane, s) = lane(map, row)?;
                 signals::answer(map, (&lane, s), row.number("distance")?, router.vehicle(), out)?;
             }
+            Self::Objects => super::objects::answer(map, row, out)?,
         }
         Ok(())
     }
