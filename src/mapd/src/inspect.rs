@@ -50,6 +50,9 @@ struct QuarantinedFacts {
     id: String,
     owner: String,
     owner_kind: &'static str,
+    /// What people call it.
+    #[serde(skip)]
+    name: String,
     reference_line: bool,
     min: Option<[f64; 2]>,
     max: Option<[f64; 2]>,
@@ -114,14 +117,10 @@ pub(crate) fn run(
     }
     for part in &i.quarantined {
         let kept = if part.reference_line { ", kept as its reference line" } else { "" };
-        let owner = match part.owner_kind == part.kind {
-            true => String::new(),
-            false => format!(" of {} {}", part.owner_kind, part.owner),
-        };
         writeln!(
             out,
-            "quarantined   {} {}{owner}{kept}, by line {}, column {}: {}: {}",
-            part.kind, part.id, part.line, part.column, part.rule, part.message
+            "quarantined   {}{kept}, by line {}, column {}: {}: {}",
+            part.name, part.line, part.column, part.rule, part.message
         )?;
     }
     writeln!(out, "\n{:<24}{:>12}{:>8}{:>14}", "table", "elements", "bytes", "total")?;
@@ -181,6 +180,17 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
     }
 }
 
+/// What a part is called, with what it belongs to: `object 12 of road 7`.
+pub(crate) fn part_name(part: &Quarantined<'_>) -> String {
+    let (kind, owner_kind) = (part.kind(), part.owner_kind());
+    match owner_kind == kind {
+        true => format!("{} {}", kind.name(), part.id()),
+        false => {
+            format!("{} {} of {} {}", kind.name(), part.id(), owner_kind.name(), part.owner())
+        }
+    }
+}
+
 fn quarantined(part: &Quarantined<'_>) -> QuarantinedFacts {
     let (line, column) = part.source_position();
     let extent = part.extent();
@@ -189,6 +199,7 @@ fn quarantined(part: &Quarantined<'_>) -> QuarantinedFacts {
         id: part.id().to_owned(),
         owner: part.owner().to_owned(),
         owner_kind: part.owner_kind().name(),
+        name: part_name(part),
         reference_line: part.is_reference_line(),
         min: extent.map(|(min, _)| min.to_array()),
         max: extent.map(|(_, max)| max.to_array()),

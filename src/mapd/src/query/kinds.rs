@@ -165,8 +165,7 @@ fn nearest(
 pub(crate) fn holes(map: Map<'_>, options: &NearestOptions, row: &Row<'_>) -> String {
     let Ok(point) = point(row) else { return String::new() };
     let near = map.quarantined_near(point.xy, options.radius);
-    let names: Vec<String> =
-        near.map(|part| format!("{} {}", part.kind().name(), part.id())).collect();
+    let names: Vec<String> = near.map(|part| crate::inspect::part_name(&part)).collect();
     names.join(";")
 }
 
