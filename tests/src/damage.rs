@@ -28,6 +28,7 @@ pub fn ask_everything(bytes: AlignedBytes) {
         let _ = road.to_inertial(Track { s: 10.0, t: 1.0, h: 0.0 });
         let _ = road.to_track(DVec2::new(3.0, 4.0));
         let _ = (road.surface_at(10.0, 1.0), road.surface_at(100.0, -30.0));
+        let _ = road.temporary_sections().flat_map(|section| section.lanes()).count();
         let _ = (road.section_at(5.0).map(|s| s.lane_at(5.0, 1.0).is_some()), road.types().count());
     }
     for lane in map.lanes() {

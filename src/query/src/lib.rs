@@ -50,7 +50,7 @@ pub use ids::{
 };
 pub use index::{SegmentHit, nearest_segment};
 pub use junction::{Connection, Junction};
-pub use key::{LaneKey, ParseLaneKeyError};
+pub use key::{LaneKey, LaneLayer, ParseLaneKeyError};
 pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
 pub use mapd_archive::{

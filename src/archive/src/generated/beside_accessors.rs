@@ -342,6 +342,24 @@ impl ArchivedRoadMarkLineRow {
     }
 }
 
+impl ArchivedLaneLayerRow {
+    /// The road.
+    #[inline]
+    pub fn road(&self) -> u32 {
+        self.road.to_native()
+    }
+    /// Sections, ascending in s; there may be gaps between them.
+    #[inline]
+    pub fn sections(&self) -> Range {
+        self.sections.to_native()
+    }
+    /// Lane offset of the layer `[m]` over s.
+    #[inline]
+    pub fn lane_offsets(&self) -> Range {
+        self.lane_offsets.to_native()
+    }
+}
+
 impl ArchivedGraphRow {
     /// `[m]` Unit of `landmark_lengths`.
     #[inline]

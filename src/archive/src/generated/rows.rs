@@ -220,7 +220,7 @@ pub struct LaneRow {
     pub number: i32,
     /// Lane type code.
     pub kind: u8,
-    /// 1 travels towards +s, 2 level, 4 `widths` hold borders, 8 also travels the other way, 16 for walking alone: walked both ways.
+    /// 1 travels towards +s, 2 level, 4 `widths` hold borders, 8 also travels the other way, 16 for walking alone: walked both ways, 32 is of a temporary layer.
     pub flags: u8,
     /// Sections of the road since the one that the lane is written in: not 0 where it goes on beside a section of the other side alone.
     pub continues: u16,
@@ -595,6 +595,20 @@ pub struct RoadMarkLineRow {
 }
 const _: () =
     assert!(size_of::<RoadMarkLineRow>() == 48 && size_of::<ArchivedRoadMarkLineRow>() == 48);
+
+/// Temporary lanes of roads (OpenDRIVE 1.9), by road. Their sections and lanes are rows like others, which no road's own sections, no node of the lane graph and no leaf of the index names.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct LaneLayerRow {
+    /// The road.
+    pub road: u32,
+    /// Sections, ascending in s; there may be gaps between them.
+    pub sections: Range,
+    /// Lane offset of the layer `[m]` over s.
+    pub lane_offsets: Range,
+}
+const _: () = assert!(size_of::<LaneLayerRow>() == 20 && size_of::<ArchivedLaneLayerRow>() == 20);
 
 /// Exactly one row: what concerns the whole lane graph.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]

@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [104, 187, 211, 152, 21, 191, 218, 33, 89, 234, 247, 167, 44, 239, 94, 117];
+    [230, 154, 206, 73, 160, 100, 226, 249, 241, 117, 189, 19, 224, 146, 134, 70];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -80,6 +80,8 @@ pub struct Rows {
     pub road_mark_styles: Table<RoadMarkStyleRow>,
     /// Lines of road marks: of a pattern (roadMark/type/line), repeated every `length` + `space`, or explicit (roadMark/explicit/line), once.
     pub road_mark_lines: Table<RoadMarkLineRow>,
+    /// Temporary lanes of roads (OpenDRIVE 1.9), by road. Their sections and lanes are rows like others, which no road's own sections, no node of the lane graph and no leaf of the index names.
+    pub lane_layers: Table<LaneLayerRow>,
     /// Exactly one row: what concerns the whole lane graph.
     pub graph: Table<GraphRow>,
     /// Nodes of the lane graph: a lane, or a piece of one, travelled in one direction. Lane by lane.
@@ -196,6 +198,7 @@ impl Rows {
             road_marks: bytemuck::cast_slice(self.road_marks.as_slice()),
             road_mark_styles: bytemuck::cast_slice(self.road_mark_styles.as_slice()),
             road_mark_lines: bytemuck::cast_slice(self.road_mark_lines.as_slice()),
+            lane_layers: bytemuck::cast_slice(self.lane_layers.as_slice()),
             graph: bytemuck::cast_slice(self.graph.as_slice()),
             lane_nodes: bytemuck::cast_slice(self.lane_nodes.as_slice()),
             successor_offsets: (self.successor_offsets.as_slice()),
@@ -307,6 +310,8 @@ pub struct Tables<'a> {
     pub road_mark_styles: &'a [ArchivedRoadMarkStyleRow],
     /// Lines of road marks: of a pattern (roadMark/type/line), repeated every `length` + `space`, or explicit (roadMark/explicit/line), once.
     pub road_mark_lines: &'a [ArchivedRoadMarkLineRow],
+    /// Temporary lanes of roads (OpenDRIVE 1.9), by road. Their sections and lanes are rows like others, which no road's own sections, no node of the lane graph and no leaf of the index names.
+    pub lane_layers: &'a [ArchivedLaneLayerRow],
     /// Exactly one row: what concerns the whole lane graph.
     pub graph: &'a [ArchivedGraphRow],
     /// Nodes of the lane graph: a lane, or a piece of one, travelled in one direction. Lane by lane.
@@ -425,6 +430,7 @@ impl<'a> Tables<'a> {
             road_marks: root.road_marks.view(body, "road_marks")?,
             road_mark_styles: root.road_mark_styles.view(body, "road_mark_styles")?,
             road_mark_lines: root.road_mark_lines.view(body, "road_mark_lines")?,
+            lane_layers: root.lane_layers.view(body, "lane_layers")?,
             graph: root.graph.view(body, "graph")?,
             lane_nodes: root.lane_nodes.view(body, "lane_nodes")?,
             successor_offsets: root.successor_offsets.view_numbers(body, "successor_offsets")?,
@@ -472,7 +478,7 @@ impl<'a> Tables<'a> {
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 71] {
+    pub fn infos(&self) -> [TableInfo; 72] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -506,6 +512,7 @@ impl<'a> Tables<'a> {
             TableInfo::of("road_marks", self.road_marks),
             TableInfo::of("road_mark_styles", self.road_mark_styles),
             TableInfo::of("road_mark_lines", self.road_mark_lines),
+            TableInfo::of("lane_layers", self.lane_layers),
             TableInfo::of("graph", self.graph),
             TableInfo::of("lane_nodes", self.lane_nodes),
             TableInfo::of("successor_offsets", self.successor_offsets),

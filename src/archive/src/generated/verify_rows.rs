@@ -272,6 +272,12 @@ impl Tables<'_> {
             check.code("rule", row.rule(), 4)?;
             check.code("color", row.color(), 10)?;
         }
+        for (i, row) in self.lane_layers.iter().enumerate() {
+            let check = Check { table: "lane_layers", row: i };
+            check.reference("road", row.road(), self.roads.len(), false)?;
+            check.range("sections", row.sections(), self.sections.len())?;
+            check.range("lane_offsets", row.lane_offsets(), self.cubics.len())?;
+        }
         for (i, row) in self.graph.iter().enumerate() {
             let check = Check { table: "graph", row: i };
             check.finite("length_step", row.length_step())?;
