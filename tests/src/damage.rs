@@ -92,6 +92,7 @@ fn ask_signals(map: Map<'_>) {
     }
     let mut ahead = SignalsAhead::default();
     for lane in map.lanes() {
+        let _ = lane.overtaking_rule_at(1.0);
         let _ = (lane.speed_rule_at(1.0), lane.turn(), lane.movement_stop_line().is_some());
         let _ = (lane.movement_lights().count(), lane.yields_to().count(), lane.entries().count());
         let _ = (lane.lines_to_stop_at().count(), lane.crossings().count(), lane.movement_stop());

@@ -256,3 +256,28 @@ fn speed_signs_hold_from_their_place_on() {
     );
     assert!(incoming.allows_at(5.0, CAR) && incoming.access_at(5.0).any(|class| class == CAR));
 }
+
+#[test]
+fn bans_on_overtaking_hold_until_they_end() {
+    // Traffic comes in from s = 90 down to 0.
+    let signs = [("N", 80.0, "276"), ("T", 60.0, "277"), ("E", 40.0, "280"), ("F", 20.0, "282")];
+    let signs = signs.map(|(id, s, kind)| signal(id, s, 5.0, "-", kind, ""));
+    let arms = std::array::from_fn(|arm| if arm == 0 { signs.concat() } else { String::new() });
+    let snapshot = open(&crossroads(arms, "", ""));
+    let map = snapshot.map();
+    let banned = |lane: Lane<'_>, s: f64| {
+        let rule = lane.overtaking_rule_at(s);
+        [rule.all, rule.trucks].map(|sign| sign.map(|sign| map.signal(sign).expect("known").id()))
+    };
+    let incoming = lane(map, "0:0:1");
+    for (s, expected) in [
+        (85.0, [None, None]),
+        (70.0, [Some("N"), None]),
+        (50.0, [Some("N"), Some("T")]),
+        (30.0, [None, Some("T")]),
+        (10.0, [None, None]),
+    ] {
+        assert_eq!(banned(incoming, s), expected, "at {s}");
+    }
+    assert_eq!(banned(lane(map, "0:0:-1"), 50.0), [None, None], "the other way");
+}

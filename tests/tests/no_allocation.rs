@@ -61,6 +61,7 @@ fn queries_about_signals_do_not_allocate() {
         seen += ahead.iter().filter(|one| map.signal_of(one).is_some()).count();
         seen += lane.movement_lights().count() + lane.yields_to().count();
         seen += usize::from(lane.movement_stop().is_some()) + lane.crossings().count();
+        seen += usize::from(lane.overtaking_rule_at(5.0).all.is_some());
         seen += usize::from(lane.speed_rule_at(5.0).max.is_some()) + lane.access_at(5.0).count();
         seen += lane.traffic_lights().count() + usize::from(lane.movement_stop_line().is_some());
     }

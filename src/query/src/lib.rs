@@ -78,9 +78,9 @@ pub use route::{
 };
 pub use section::LaneSection;
 pub use signals::{
-    Controller, JunctionController, LaneLine, LaneSignal, LightStates, LineSource, RightOfWay,
-    Signal, SignalAhead, SignalLink, SignalPlace, SignalSemantics, SignalsAhead, SpeedOrigin,
-    SpeedRule, Turn,
+    Controller, JunctionController, LaneLine, LaneSignal, LightStates, LineSource, OvertakingRule,
+    RightOfWay, Signal, SignalAhead, SignalLink, SignalPlace, SignalSemantics, SignalsAhead,
+    SpeedOrigin, SpeedRule, Turn,
 };
 pub use structures::{ObjectReference, Structure};
 pub use surface::{Material, Surface};

@@ -3,8 +3,10 @@
 mod ahead;
 mod controller;
 mod lane;
+mod last_sign;
 mod lines;
 mod movement;
+mod overtaking;
 mod speed;
 
 pub use ahead::{SignalAhead, SignalsAhead};
@@ -12,6 +14,7 @@ pub use controller::{Controller, JunctionController};
 pub use lane::LaneSignal;
 pub use lines::{LaneLine, LineSource};
 pub use movement::{RightOfWay, Turn};
+pub use overtaking::OvertakingRule;
 pub use speed::{SpeedOrigin, SpeedRule};
 
 use crate::error::QueryError;
