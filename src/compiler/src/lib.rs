@@ -19,6 +19,7 @@
 //! ```
 
 mod flatten;
+mod georeference;
 mod graph;
 mod hashing;
 mod index;
@@ -31,7 +32,7 @@ mod quarantine;
 mod report;
 mod rounds;
 
-pub use options::{CompileOptions, CyclePolicy, OptionsError};
+pub use options::{CompileOptions, CyclePolicy, OffsetSign, OptionsError};
 pub use quarantine::{OnError, PartKind, Policy, QuarantinedPart, Treatment};
 pub use report::{Compilation, Diagnostic, Progress, Verdict, Version};
 
@@ -221,6 +222,7 @@ impl Document {
         let lowering = std::mem::take(&mut self.lowering);
         progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
         let road_spans = lowering.links.road_spans.clone();
+        let placed = lowering.placed.clone();
         let mut rows = lowering.into_rows(options);
         if let Err(error) = lanes::sample(&mut rows, options) {
             self.collector.add(vec![too_large(&error)], &self.places);
@@ -233,7 +235,8 @@ impl Document {
             self.collector.add(long, &self.places);
             return Ok(None);
         }
-        let findings = graph::complete(&mut rows, &self.graph, options);
+        let mut findings = graph::complete(&mut rows, &self.graph, options);
+        georeference::complete(&mut rows, &placed, options, &mut findings);
         self.collector.add(findings, &self.places);
         Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
     }
@@ -274,7 +277,7 @@ fn read(
             }
             checked.append(&mut checker.take_findings());
             match item {
-                Item::Header(header) => lowering.header(&header),
+                Item::Header(header) => lowering.header(&header, &mut checked),
                 Item::Road(road) => {
                     lowering.road(&road, reader.position(road.span.start), &mut checked);
                 }

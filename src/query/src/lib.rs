@@ -17,6 +17,8 @@
 
 mod area;
 mod error;
+#[cfg(feature = "geodesy")]
+mod geodetic;
 mod graph;
 mod grid;
 mod ids;
@@ -41,6 +43,8 @@ mod types;
 mod waypoints;
 
 pub use error::QueryError;
+#[cfg(feature = "geodesy")]
+pub use geodetic::GeodeticError;
 pub use glam;
 pub use graph::{Conflict, LaneEdge, LaneNode};
 pub use ids::{JunctionId, LaneId, LaneSectionId, NodeId, RoadId};
@@ -50,9 +54,12 @@ pub use key::{LaneKey, ParseLaneKeyError};
 pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
 pub use mapd_archive::{
-    ConflictKind, ContactPoint, EdgeKind, LaneType, MarkLaneChange, QuarantinedKind, RoadMarkColor,
-    RoadMarkKind, RoadMarkRule, RoadMarkWeight, RoadType, SpeedKind, VehicleClass,
+    ConflictKind, ContactPoint, EdgeKind, GeoReferenceForm, LaneType, MarkLaneChange,
+    QuarantinedKind, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight, RoadType,
+    SpeedKind, VehicleClass,
 };
+#[cfg(feature = "geodesy")]
+pub use mapd_geodesy::{DefinitionError, Geodetic, Offset, ProjectionError, Projector};
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
 pub use polyline::Polyline;
 pub use quarantine::Quarantined;

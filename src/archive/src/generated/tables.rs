@@ -11,7 +11,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [120, 130, 122, 98, 82, 141, 250, 11, 11, 25, 242, 106, 60, 34, 57, 107];
+    [191, 100, 15, 223, 54, 121, 229, 105, 123, 24, 177, 247, 34, 169, 57, 55];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -370,11 +370,18 @@ impl<'a> Tables<'a> {
             check.finite("road_length", row.road_length())?;
             check.finite("index_tolerance", row.index_tolerance())?;
             check.finite("bound_tolerance", row.bound_tolerance())?;
+            check.finite("offset_x", row.offset_x())?;
+            check.finite("offset_y", row.offset_y())?;
+            check.finite("offset_z", row.offset_z())?;
+            check.finite("offset_hdg", row.offset_hdg())?;
             check.reference("name", row.name(), strings, false)?;
             check.reference("version", row.version(), strings, false)?;
             check.reference("date", row.date(), strings, false)?;
             check.reference("vendor", row.vendor(), strings, false)?;
             check.reference("geo_reference", row.geo_reference(), strings, false)?;
+            check.reference("projection", row.projection(), strings, false)?;
+            check.code("geo_reference_form", row.geo_reference_form(), 7)?;
+            check.code("offset_sign", row.offset_sign(), 2)?;
         }
         for (i, row) in self.roads.iter().enumerate() {
             let check = Check { table: "roads", row: i };

@@ -7,6 +7,7 @@ mod reference_line;
 mod sections;
 mod surface;
 
+use crate::georeference::Placed;
 use crate::graph::Permissions;
 use crate::options::CompileOptions;
 use crate::quarantine::{QuarantinedPart, Treatment};
@@ -59,6 +60,8 @@ pub(crate) struct Lowering {
     pub(crate) strings: StringTable,
     pub(crate) links: Links,
     pub(crate) permissions: Permissions,
+    /// Where the map lies on Earth, as the header says it.
+    pub(crate) placed: Placed,
     styles: marks::Styles,
     map: Option<MapRow>,
 }
@@ -68,7 +71,7 @@ impl Lowering {
         self.rows.roads.len()
     }
 
-    pub(crate) fn header(&mut self, header: &Header) {
+    pub(crate) fn header(&mut self, header: &Header, findings: &mut Vec<Finding>) {
         let mut row: MapRow = bytemuck::Zeroable::zeroed();
         row.stated_north = header.north.value().unwrap_or(0.0);
         row.stated_south = header.south.value().unwrap_or(0.0);
@@ -80,6 +83,9 @@ impl Lowering {
         row.vendor = self.strings.add(header.vendor.text());
         let reference = header.geo_reference.as_ref().map_or("", |g| g.content.text());
         row.geo_reference = self.strings.add(reference);
+        self.placed = Placed::read(header, findings);
+        row.geo_reference_form = self.placed.form.code();
+        row.projection = self.strings.add(&self.placed.definition);
         let revision = |n: Option<i32>| n.and_then(|n| u16::try_from(n).ok()).unwrap_or(0);
         row.rev_major = revision(header.rev_major.value());
         row.rev_minor = revision(header.rev_minor.value());
