@@ -1,10 +1,11 @@
 //! Compile throughput against quick-xml's own loop over events, attributes and numbers.
 
 use mapd_benches::{best, maps, print};
-use mapd_compiler::{CompileOptions, compile};
+use mapd_compiler::{CompileOptions, Progress, compile};
 use quick_xml::events::Event;
 use std::hint::black_box;
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 /// The floor: every event, every attribute, every number.
 fn floor(path: &Path) -> f64 {
@@ -24,6 +25,44 @@ fn floor(path: &Path) -> f64 {
             _ => {}
         }
     }
+}
+
+/// Names and times of the stages of one compilation, and of writing and proving its archive.
+fn stages(path: &Path) -> Vec<(&'static str, Duration)> {
+    let file = std::fs::File::open(path).expect("the map opens");
+    let (mut begun, mut stage) = (Instant::now(), "reading");
+    let mut times = Vec::new();
+    let mut pass = |next: &'static str| {
+        if next != stage {
+            times.push((stage, begun.elapsed()));
+            (begun, stage) = (Instant::now(), next);
+        }
+    };
+    let compiled = compile(file, &CompileOptions::default(), &mut |progress| {
+        pass(match progress {
+            Progress::Linking { .. } => "linking",
+            Progress::Sampling { .. } => "sampling",
+            Progress::Graph { .. } => "lane graph",
+            Progress::Indexing { .. } => "index",
+            _ => "reading",
+        });
+    });
+    let compiled = compiled.expect("reading works");
+    pass("writing and proving");
+    let rows = compiled.rows.expect("accepted");
+    let archive = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes");
+    mapd_archive::verify(&archive).expect("proves");
+    pass("end");
+    times
+}
+
+/// The least time of each stage.
+fn best_stages(runs: usize, path: &Path) -> String {
+    let all: Vec<_> = (0..runs).map(|_| stages(path)).collect();
+    let least = |i: usize| all.iter().filter_map(|run| run.get(i)).map(|(_, time)| *time).min();
+    let first = all.first().into_iter().flatten().enumerate();
+    let texts = first.map(|(i, (name, time))| format!("{name} {:.1?}", least(i).unwrap_or(*time)));
+    texts.collect::<Vec<_>>().join(", ")
 }
 
 fn main() {
@@ -49,5 +88,6 @@ fn main() {
             "compile {name}: {bytes} B to a verified archive of {size} B in {whole:.1?} ({rate:.0} MB/s); bare quick-xml loop {bare:.1?}; ratio {:.2}",
             whole.as_secs_f64() / bare.as_secs_f64()
         ));
+        print(&format!("  {name} by stage: {}", best_stages(runs, &path)));
     }
 }

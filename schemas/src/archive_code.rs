@@ -5,12 +5,21 @@ use std::fmt::Write as _;
 
 const NOTE: &str = "// Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.\n\n";
 
-/// Row types.
-pub(crate) fn rows(layout: &Layout) -> String {
-    let mut out = format!("//! Row types of the archive's tables.\n{NOTE}");
+/// Row types: of the network and what lies beside it, and of signals and everything behind.
+pub(crate) fn rows(layout: &Layout) -> [String; 2] {
+    let first = layout.tables.iter().position(|table| table.name == FIRST_OF_SIGNALS);
+    let (network, signals) = layout.tables.split_at(first.unwrap_or(layout.tables.len()));
+    [
+        rows_of("Row types of the network's tables.", network),
+        rows_of("Row types of the tables of signals and of what lies behind them.", signals),
+    ]
+}
+
+fn rows_of(title: &str, tables: &[Table]) -> String {
+    let mut out = format!("//! {title}\n{NOTE}");
     out += "use crate::table::Range;\n";
     out += "use bytemuck::{Pod, Zeroable};\nuse rkyv::Archive;\n";
-    for table in &layout.tables {
+    for table in tables {
         let Some(row) = &table.row else { continue };
         let _ = write!(out, "\n/// {}\n", table.doc);
         out += "#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]\n";
@@ -22,7 +31,7 @@ pub(crate) fn rows(layout: &Layout) -> String {
                 "/// {}{}\npub {}: {},",
                 unit(field),
                 field.doc,
-                field.name,
+                ident(field),
                 native(&field.kind)
             );
         }
@@ -39,14 +48,27 @@ pub(crate) fn rows(layout: &Layout) -> String {
 /// The last table of the map as it is written; those behind it hold what is derived from it or lies beside it.
 const LAST_OF_THE_NETWORK: &str = "index_leaves";
 
-/// Accessors of the rows as they lie in an archive: of the network and its index, and of everything behind.
-pub(crate) fn accessors(layout: &Layout) -> [String; 2] {
-    let last = layout.tables.iter().position(|table| table.name == LAST_OF_THE_NETWORK);
-    let (network, beside) = layout.tables.split_at(last.map_or(0, |last| last + 1));
+/// The first table of signals; those behind it lie beside the lanes.
+const FIRST_OF_SIGNALS: &str = "signals";
+
+/// Accessors of the rows as they lie in an archive: of the network and its index, of what is derived from it, and of signals
+/// and everything behind.
+pub(crate) fn accessors(layout: &Layout) -> [String; 3] {
+    let tables = &layout.tables;
+    let last = tables.iter().position(|table| table.name == LAST_OF_THE_NETWORK);
+    let first = tables.iter().position(|table| table.name == FIRST_OF_SIGNALS);
+    let (rest, signals) = tables.split_at(first.unwrap_or(tables.len()));
+    let (network, beside) = rest.split_at(last.map_or(0, |last| last + 1));
     [
         accessors_of("Reading the rows of the network and its index.", network),
         accessors_of("Reading the rows of what lies beside the network.", beside),
+        accessors_of("Reading the rows of signals and of what lies behind them.", signals),
     ]
+}
+
+/// The field's name in Rust.
+fn ident(field: &Field) -> &str {
+    if field.name == "type" { "r#type" } else { &field.name }
 }
 
 fn accessors_of(title: &str, tables: &[Table]) -> String {
@@ -60,7 +82,9 @@ fn accessors_of(title: &str, tables: &[Table]) -> String {
         }
         out += "}\n";
     }
-    let mut head = format!("//! {title}\n{NOTE}use super::rows::*;\n");
+    let mut head = format!("//! {title}\n{NOTE}");
+    let own = if title.contains("signals") { "signal_rows" } else { "rows" };
+    let _ = writeln!(head, "use super::{own}::*;");
     for (used, import) in [("-> Range", "crate::table::Range"), ("rend::", "rkyv::rend")] {
         if out.contains(used) {
             let _ = writeln!(head, "use {import};");
@@ -78,7 +102,7 @@ fn native(kind: &str) -> &str {
 }
 
 fn getter(field: &Field) -> String {
-    let name = &field.name;
+    let name = ident(field);
     match (field.kind.as_str(), array_of(&field.kind)) {
         ("u8", _) => format!("pub fn {name}(&self) -> u8 {{ self.{name} }}\n"),
         ("range", _) => format!("pub fn {name}(&self) -> Range {{ self.{name}.to_native() }}\n"),
@@ -89,11 +113,11 @@ fn getter(field: &Field) -> String {
     }
 }
 
-/// The archive's root, the borrowed tables and the row part of `verify()`.
+/// The archive's root and the borrowed tables.
 pub(crate) fn tables(layout: &Layout) -> String {
     let mut out = format!("//! The archive's tables in the order in which they lie.\n{NOTE}");
-    out += "use super::rows::*;\nuse crate::error::{OpenError, VerifyError};\n";
-    out += "use crate::table::{Table, TableInfo};\nuse crate::verify::Check;\nuse rkyv::{Archive, Serialize, rend};\n\n";
+    out += "use super::rows::*;\nuse super::signal_rows::*;\nuse crate::error::OpenError;\n";
+    out += "use crate::table::{Table, TableInfo};\nuse rkyv::{Archive, Serialize, rend};\n\n";
     let _ = writeln!(
         out,
         "/// Number of the format, raised by hand when old archives can no longer be read.\npub const FORMAT: u32 = {};",
@@ -129,11 +153,7 @@ pub(crate) fn tables(layout: &Layout) -> String {
     for t in &layout.tables {
         let _ = writeln!(out, "TableInfo::of(\"{0}\", self.{0}),", t.name);
     }
-    out += "]\n}\n\n/// Proves every row: finite numbers, known codes, references and ranges inside their tables.\npub(crate) fn verify_rows(&self) -> Result<(), VerifyError> {\nlet strings = self.string_offsets.len().saturating_sub(1);\n";
-    for t in &layout.tables {
-        out += &verify_table(t);
-    }
-    out += "Ok(())\n}\n}\n";
+    out += "]\n}\n}\n";
     out += "\n// The element types as they lie in the bytes.\n";
     for t in &layout.tables {
         if let Some(s) = t.scalar.as_deref().filter(|s| *s != "u8") {
@@ -144,6 +164,18 @@ pub(crate) fn tables(layout: &Layout) -> String {
         }
     }
     out
+}
+
+/// The row part of `verify()`.
+pub(crate) fn verification(layout: &Layout) -> String {
+    let mut out = format!("//! Proving the archive's rows.\n{NOTE}");
+    out +=
+        "use super::tables::Tables;\nuse crate::error::VerifyError;\nuse crate::verify::Check;\n\n";
+    out += "impl Tables<'_> {\n/// Proves every row: finite numbers, known codes, references and ranges inside their tables.\npub(crate) fn verify_rows(&self) -> Result<(), VerifyError> {\nlet strings = self.string_offsets.len().saturating_sub(1);\n";
+    for t in &layout.tables {
+        out += &verify_table(t);
+    }
+    out + "Ok(())\n}\n}\n"
 }
 
 fn element(t: &Table) -> &str {
@@ -170,22 +202,22 @@ fn verify_table(t: &Table) -> String {
         let _ = writeln!(checks, "check.reference(\"\", *row, {}, false)?;", count(to));
     }
     for f in &t.fields {
-        let name = &f.name;
+        let (name, get) = (&f.name, ident(f));
         let array = array_of(&f.kind).map(|(element, _)| element);
         match (f.kind.as_str(), &f.to) {
             ("f64", _) => {
-                let _ = writeln!(checks, "check.finite(\"{name}\", row.{name}())?;");
+                let _ = writeln!(checks, "check.finite(\"{name}\", row.{get}())?;");
             }
             ("f32", _) => {
-                let _ = writeln!(checks, "check.finite(\"{name}\", f64::from(row.{name}()))?;");
+                let _ = writeln!(checks, "check.finite(\"{name}\", f64::from(row.{get}()))?;");
             }
             ("range", Some(to)) => {
-                let _ = writeln!(checks, "check.range(\"{name}\", row.{name}(), {})?;", count(to));
+                let _ = writeln!(checks, "check.range(\"{name}\", row.{get}(), {})?;", count(to));
             }
             ("u32", Some(to)) => {
                 let _ = writeln!(
                     checks,
-                    "check.reference(\"{name}\", row.{name}(), {}, {})?;",
+                    "check.reference(\"{name}\", row.{get}(), {}, {})?;",
                     count(to),
                     f.optional
                 );
@@ -193,14 +225,14 @@ fn verify_table(t: &Table) -> String {
             ("u8", _) if f.codes.is_some() => {
                 let _ = writeln!(
                     checks,
-                    "check.code(\"{name}\", row.{name}(), {})?;",
+                    "check.code(\"{name}\", row.{get}(), {})?;",
                     f.codes.unwrap_or_default()
                 );
             }
             _ if array == Some("f32") => {
                 let _ = writeln!(
                     checks,
-                    "for value in row.{name}() {{ check.finite(\"{name}\", f64::from(*value))?; }}"
+                    "for value in row.{get}() {{ check.finite(\"{name}\", f64::from(*value))?; }}"
                 );
             }
             _ => {}

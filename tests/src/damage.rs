@@ -62,11 +62,39 @@ pub fn ask_everything(bytes: AlignedBytes) {
     let _ = map.boundary_segments(region, LaneTypes::drivable(), &mut lanes, &mut segments);
     let _ = map.road_mark_segments(region, LaneTypes::ALL, &mut lanes, &mut segments, &mut vec![]);
     ask_graph(map);
+    ask_objects(map);
     for junction in map.junctions() {
         let _ = junction.connections().map(|c| c.lane_links().count()).sum::<usize>();
     }
     let _ = map.road_by_id("1");
     let _ = snapshot.verify();
+}
+
+fn ask_objects(map: Map<'_>) {
+    let (mut near, mut inside, mut corners) = (Vec::new(), Vec::new(), Vec::new());
+    let point = DVec2::new(20.0, 1.0);
+    let _ = map.objects_near(point, 30.0, &mut near);
+    let _ = map.objects_in(Region::around(point, 30.0), &mut inside);
+    for id in inside.iter().chain(near.iter().map(|found| &found.place)).take(200) {
+        let Ok(place) = map.placement(*id) else { continue };
+        place.footprint(&mut corners);
+        let _ = (place.height(), place.bounds(), place.distance(point), place.item());
+    }
+    for object in map.objects().take(200) {
+        let _ = (object.id(), object.class().name(), object.type_name(), object.validities().len());
+        let _ = (object.position_on_surface().is_ok(), object.is_repeated(), object.height());
+        for outline in object.outlines() {
+            let _ = (outline.positions().count(), outline.heights().count(), outline.fill());
+        }
+        for at in object.lanes() {
+            let _ = (at.lane().is_some(), at.object().is_some(), at.s_range(), at.method());
+        }
+        let _ = object.placements().take(200).map(|place| place.outlines().len()).sum::<usize>();
+    }
+    let _ = map.lanes().map(|lane| lane.objects().count()).sum::<usize>();
+    let _ = map.roads().map(|road| road.objects().count()).sum::<usize>();
+    let _ = map.junctions().map(|junction| junction.objects().count()).sum::<usize>();
+    let _ = map.object_by_id("1").map(|object| object.source_position());
 }
 
 fn ask_graph(map: Map<'_>) {

@@ -104,6 +104,8 @@ pub fn all() -> Vec<GraphMap> {
     vec![
         direct_junction(),
         virtual_junction(),
+        virtual_connections(),
+        path_across(),
         left_hand_traffic(),
         ring_road(),
         roundabout(),
@@ -193,6 +195,110 @@ fn virtual_junction() -> GraphMap {
         text: document(&(roads.concat() + &junction("555", attributes, &connections))),
         edges: &["1:0:-1+ > 5:0:-1+", "2:0:1- > 6:0:-1+", "5:0:-1+ > 2:0:-1+", "6:0:-1+ > 1:0:-1+"],
     }
+}
+
+/// A side road without connecting roads (OpenDRIVE 1.5 to 1.7): into it at `successor` from s = 60 m, and out of it again.
+pub fn side_road(successor: &str) -> String {
+    let two_way = section(0.0, &lane(1, ""), &lane(-1, ""));
+    let roads = road("1", PLAIN, Line(0.0, 0.0, 0.0, 120.0, 0.0), "", &two_way)
+        + &road("2", PLAIN, Line(60.0, -3.5, -FRAC_PI_2, 50.0, 0.0), "", &two_way);
+    let end = |name: &str, place: &str| format!("<{name} elementType=\"road\" {place}/>");
+    let main = "elementId=\"1\" elementS=\"60\" elementDir=\"+\"";
+    let out = "elementId=\"2\" elementS=\"0\" elementDir=\"-\"";
+    let one_way = |id: usize, from: &str, to: &str, links: &str| {
+        let ends = end("predecessor", from) + &end("successor", to);
+        let empty = connection(&format!("id=\"{id}\" type=\"virtual\""), links);
+        empty.replace("</connection>", &(ends + "</connection>"))
+    };
+    let connections = one_way(0, main, successor, "-1>-1") + &one_way(1, out, main, "1>-1");
+    let attributes = "type=\"virtual\" mainRoad=\"1\" sStart=\"55\" sEnd=\"65\" orientation=\"+\"";
+    document(&(roads + &junction("555", attributes, &connections)))
+        .replace("revMinor=\"8\"", "revMinor=\"7\"")
+}
+
+fn virtual_connections() -> GraphMap {
+    GraphMap {
+        name: "virtual connections of a side road",
+        text: side_road("elementId=\"2\" elementS=\"0\" elementDir=\"+\""),
+        edges: &["1:0:-1+ > 2:0:-1+", "2:0:1- > 1:0:-1+"],
+    }
+}
+
+/// A lane of 2 m for a class of travellers.
+fn narrow(id: i32, kind: &str) -> String {
+    wide(id, "", "", "a=\"2\" b=\"0\" c=\"0\" d=\"0\"", "")
+        .replace("type=\"driving\"", &format!("type=\"{kind}\""))
+}
+
+/// A road with ways for walking or cycling on both sides and a path across it at s = 54 m, to whose end `from` on the road
+/// leads.
+pub fn crossing_path(kind: &str, from: i32) -> String {
+    let left = narrow(2, kind) + &lane(1, "");
+    let right = lane(-1, "") + &narrow(-2, kind);
+    let roads = road("1", PLAIN, Line(0.0, 0.0, 0.0, 120.0, 0.0), "", &section(0.0, &left, &right))
+        + &road(
+            "2",
+            "junction=\"555\"",
+            Line(54.0, -4.5, FRAC_PI_2, 9.0, 0.0),
+            "",
+            &section(0.0, "", &narrow(-1, kind)),
+        );
+    let path = format!(
+        "<crossPath id=\"0\" crossingRoad=\"2\" roadAtStart=\"1\" roadAtEnd=\"1\">\n\
+         <startLaneLink s=\"54\" from=\"-2\" to=\"-1\"/>\n<endLaneLink s=\"54\" from=\"{from}\" to=\"-1\"/>\n</crossPath>\n"
+    );
+    let attributes =
+        "type=\"virtual\" mainRoad=\"1\" sStart=\"52\" sEnd=\"58\" orientation=\"none\"";
+    document(&(roads + &junction("555", attributes, &path)))
+}
+
+fn path_across() -> GraphMap {
+    GraphMap {
+        name: "path across a road",
+        text: crossing_path("walking", 2),
+        edges: &[
+            "1:0:-2+ > 2:0:-1+",
+            "1:0:-2- > 2:0:-1+",
+            "1:0:2+ > 2:0:-1-",
+            "1:0:2- > 2:0:-1-",
+            "2:0:-1+ > 1:0:2+ 1:0:2-",
+            "2:0:-1- > 1:0:-2+ 1:0:-2-",
+        ],
+    }
+}
+
+/// Two lanes of a ramp that leaves a road: both follow one lane and part slowly. `zone` goes to the lane links.
+pub fn slow_exit(zone: &str) -> String {
+    let roads = [
+        road(
+            "1",
+            PLAIN,
+            Line(0.0, 0.0, 0.0, 100.0, 0.0),
+            &link("s junction 100"),
+            &section(0.0, "", &lane(-1, "")),
+        ),
+        road(
+            "2",
+            PLAIN,
+            Line(100.0, 0.0, 0.0, 200.0, 0.0),
+            &link("p junction 100"),
+            &section(0.0, "", &lane(-1, "")),
+        ),
+        road(
+            "3",
+            PLAIN,
+            Line(100.0, 0.0, 0.0, 200.0, -0.001),
+            &link("p junction 100"),
+            &section(0.0, "", &lane(-1, "")),
+        ),
+    ];
+    let connection = |id: usize, road: usize| {
+        let attributes = "contactPoint=\"start\" incomingRoad=\"1\"";
+        connection(&format!("id=\"{id}\" linkedRoad=\"{road}\" {attributes}"), "-1>-1")
+            .replace("to=\"-1\"", &format!("to=\"-1\"{zone}"))
+    };
+    let connections = connection(0, 2) + &connection(1, 3);
+    document(&(roads.concat() + &junction("100", "type=\"direct\"", &connections)))
 }
 
 fn left_hand_traffic() -> GraphMap {

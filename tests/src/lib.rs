@@ -8,10 +8,12 @@
 //! assert!(mapd_tests::carried("one_road.xodr").exists());
 //! ```
 
+pub mod crossroads;
 pub mod damage;
 pub mod graph_maps;
 pub mod literal;
 pub mod maps;
+pub mod object_maps;
 pub mod place;
 pub mod plain_route;
 pub mod small;

@@ -105,6 +105,82 @@ fn a_virtual_junction_cuts_nodes_but_no_lane() {
     }
 }
 
+#[test]
+fn virtual_connections_cut_nodes_where_they_attach() {
+    let snapshot = named("virtual connections of a side road");
+    let map = snapshot.map();
+    let ranges = |key: &str| {
+        let lane = map.lane_by_key(&key.parse().expect("a key")).expect("a lane");
+        lane.nodes().map(|node| node.s_range()).collect::<Vec<_>>()
+    };
+    assert_eq!(ranges("1:0:-1"), [(0.0, 60.0), (60.0, 120.0)]);
+    assert_eq!(ranges("2:0:-1"), [(0.0, 50.0)]);
+    let kinds: BTreeSet<_> =
+        map.lane_nodes().flat_map(|node| node.edges()).map(|edge| edge.kind().name()).collect();
+    assert_eq!(kinds, [EdgeKind::Within.name(), EdgeKind::Virtual.name()].into());
+    let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
+    for (from, to, length) in [
+        (("1:0:-1", 10.0), ("2:0:-1", 20.0), Some(70.0)),
+        (("2:0:1", 20.0), ("1:0:-1", 90.0), Some(50.0)),
+        (("1:0:1", 90.0), ("2:0:-1", 20.0), None),
+    ] {
+        let [from, to] = [from, to].map(|(key, s)| place(map, key, s));
+        let car = VehicleClass::PassengerCar;
+        let cost = ShortestLength::default();
+        let route = map.route(from, to, car, &cost, &mut scratch, &mut steps).expect("an answer");
+        assert_eq!(route.map(|route| route.length), length);
+    }
+}
+
+#[test]
+fn paths_across_roads_are_for_those_who_walk_or_cycle() {
+    // Who walks goes either way; who cycles keeps to the traffic rule, so only the way from the start is there.
+    let cases = [
+        ("walking", VehicleClass::Pedestrian, Some(20.0 + 9.0 + 14.0), Some(14.0 + 9.0 + 20.0)),
+        ("biking", VehicleClass::Bicycle, Some(20.0 + 9.0 + 14.0), None),
+        ("biking", VehicleClass::Pedestrian, None, None),
+        ("walking", VehicleClass::PassengerCar, None, None),
+    ];
+    for (kind, vehicle, over, back) in cases {
+        let snapshot = open(kind, &crossing_path(kind, 2));
+        let map = snapshot.map();
+        let (near, far) = (place(map, "1:0:-2", 34.0), place(map, "1:0:2", 40.0));
+        let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
+        for (from, to, expected) in [(near, far, over), (far, near, back)] {
+            let cost = ShortestLength::default();
+            let route = map.route(from, to, vehicle, &cost, &mut scratch, &mut steps);
+            let length = route.expect("an answer").map(|route| route.length);
+            assert_eq!(length.map(|l| (l * 1e3).round() / 1e3), expected, "{kind} {vehicle:?}");
+        }
+        // Lanes for driving know where the path crosses them.
+        let main = map.lane_by_key(&"1:0:-1".parse().expect("a key")).expect("a lane");
+        let crossed: Vec<_> = main
+            .conflicts()
+            .map(|c| (c.kind(), c.other().expect("a lane").key().to_string(), c.other_range()))
+            .collect();
+        assert_eq!(crossed, [(ConflictKind::Cross, "2:0:-1".to_owned(), (1.0, 4.5))], "{kind}");
+    }
+}
+
+#[test]
+fn lanes_of_a_direct_junction_overlap_until_they_part() {
+    // The outer lane's left edge leaves the straight lane's right one where the arc has fallen by a lane's width.
+    let parted = (1000.0f64 * 1000.0 - 996.5 * 996.5).sqrt();
+    for (zone, end) in
+        [("", parted), (" overlapZone=\"150\"", parted), (" overlapZone=\"30\"", 30.0)]
+    {
+        let snapshot = open("exit", &slow_exit(zone));
+        let map = snapshot.map();
+        let lane = map.lane_by_key(&"2:0:-1".parse().expect("a key")).expect("a lane");
+        let found: Vec<_> = lane.conflicts().collect();
+        let [conflict] = found.as_slice() else { panic!("{zone}: {}", found.len()) };
+        assert_eq!(conflict.kind(), ConflictKind::Overlap);
+        assert_eq!(conflict.other().expect("a lane").key().to_string(), "3:0:-1");
+        let (from, to) = conflict.s_range();
+        assert!(from == 0.0 && (to - end).abs() < 1.5, "{zone}: {from} to {to}, not {end}");
+    }
+}
+
 /// A broken map, the rule that must find it, how bad it is, and the tag where it stands.
 type Broken = (&'static str, String, &'static str, Severity, &'static str);
 
@@ -181,6 +257,41 @@ fn broken() -> Vec<Broken> {
             "asam.net:xodr:1.4.0:ids.only_ref_defined_ids",
             Severity::Warning,
             "<successor elementType=\"road\" elementId=\"9\"",
+        ),
+        (
+            "a virtual connection to a road that is not there",
+            side_road("elementId=\"9\" elementS=\"0\" elementDir=\"+\""),
+            "mapd:graph.no_place",
+            Severity::Warning,
+            "<successor elementType=\"road\" elementId=\"9\"",
+        ),
+        (
+            "a virtual connection behind a road's end",
+            side_road("elementId=\"2\" elementS=\"51\" elementDir=\"+\""),
+            "mapd:graph.no_place",
+            Severity::Warning,
+            "<successor elementType=\"road\" elementId=\"2\" elementS=\"51\"",
+        ),
+        (
+            "a virtual connection against the traffic",
+            side_road("elementId=\"2\" elementS=\"25\" elementDir=\"-\""),
+            "mapd:graph.direction",
+            Severity::Warning,
+            "<laneLink from=\"-1\" to=\"-1\"",
+        ),
+        (
+            "a virtual connection out of a road's end",
+            side_road("elementId=\"2\" elementS=\"0\" elementDir=\"-\""),
+            "mapd:graph.no_place",
+            Severity::Warning,
+            "<laneLink from=\"-1\" to=\"-1\"",
+        ),
+        (
+            "a path across to a lane that is not there",
+            crossing_path("walking", 4),
+            "mapd:graph.no_place",
+            Severity::Warning,
+            "<endLaneLink",
         ),
         (
             "a loop without length",

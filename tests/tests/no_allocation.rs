@@ -61,6 +61,13 @@ fn queries_do_not_allocate() {
         Vec::with_capacity(ROOM),
         LaneSequences::with_capacity(ROOM),
     );
+    let objects = mapd_tests::object_maps::open(&mapd_tests::object_maps::document(
+        &mapd_tests::object_maps::PLAIN,
+        r#"<object id="1" type="tree" s="30" t="8" zOffset="0" radius="1" orientation="none"><repeat s="10" length="80" distance="10" tStart="8" tEnd="8" heightStart="2" heightEnd="2" zOffsetStart="0" zOffsetEnd="0"/></object>
+<object id="2" type="crosswalk" s="50" t="0" zOffset="0" orientation="none"><outlines><outline id="0"><cornerRoad s="48" t="-6" dz="0" height="0"/><cornerRoad s="52" t="-6" dz="0" height="0"/><cornerRoad s="52" t="3" dz="0" height="0"/></outline></outlines></object>"#,
+    ));
+    let (mut near_objects, mut places, mut corners) =
+        (Vec::with_capacity(ROOM), Vec::with_capacity(ROOM), Vec::with_capacity(ROOM));
     let before = COUNT.with(Cell::get);
     let copy = snapshot.clone();
     let map = copy.map();
@@ -103,6 +110,20 @@ fn queries_do_not_allocate() {
         seen += usize::from(route.is_some()) + reached.len() + sequences.iter().len();
         let lane = map.lane(from.lane).expect("known");
         seen += lane.conflicts().count() + usize::from(lane.opposite().is_some());
+    }
+    let objects = objects.map();
+    for i in 0..20 {
+        let point = DVec2::new(f64::from(i * 5), 0.0);
+        objects.objects_near(point, 20.0, &mut near_objects).expect("an answer");
+        objects.objects_in(Region::around(point, 10.0), &mut places).expect("an answer");
+        for place in &places {
+            let place = objects.placement(*place).expect("known");
+            place.footprint(&mut corners);
+            seen += corners.len() + place.object().lanes().len() + place.outlines().len();
+        }
+        seen +=
+            near_objects.len() + objects.lanes().map(|lane| lane.objects().count()).sum::<usize>();
+        seen += usize::from(objects.object_by_id("2").is_some());
     }
     let after = COUNT.with(Cell::get);
     assert!(seen > 100, "the queries found nothing to count");

@@ -102,6 +102,9 @@ pub struct Attribute {
     #[serde(default)]
     pub when: Vec<String>,
     pub mapd: Option<Use>,
+    /// Words are kept as the text that they are, also where the standard does not list them.
+    #[serde(default)]
+    pub as_text: bool,
     pub doc: String,
 }
 

@@ -42,7 +42,11 @@ fn reader(element: &Element) -> Result<String> {
         out += "fn attribute(&mut self, slot: usize, cursor: &mut Cursor<'_>) {\nmatch slot {\n";
         for (slot, attribute) in element.attributes.iter().enumerate() {
             let field = field(&attribute.name);
-            let _ = writeln!(out, "{slot} => self.{field} = {},", read(&attribute.value_type()?)?);
+            let mut code = read(&attribute.value_type()?)?;
+            if attribute.as_text {
+                code = code.replace("cursor.word::<", "cursor.word_as_text::<");
+            }
+            let _ = writeln!(out, "{slot} => self.{field} = {code},");
         }
         out += "_ => {}\n}\n}\n";
     }

@@ -54,12 +54,13 @@ fn element_struct(table: &Table, element: &Element) -> Result<String> {
         element.name
     );
     for attribute in &element.attributes {
+        let kind = if attribute.as_text { "text".to_owned() } else { attribute.value_type()? };
         let _ = writeln!(
             out,
             "/// {}\npub {}: Option<Attribute<{}>>,",
             attribute_doc(element, attribute),
             field(&attribute.name),
-            rust_type(&attribute.value_type()?)
+            rust_type(&kind)
         );
     }
     if let Some(content) = &element.content {

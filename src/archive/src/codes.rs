@@ -13,6 +13,10 @@ pub mod lane_flags {
     pub const BORDER: u8 = 4;
     /// May be travelled in both directions.
     pub const BOTH: u8 = 8;
+    /// Is for walking alone: whoever walks goes both ways, whatever the traffic rule says.
+    pub const WALKED: u8 = 16;
+    /// Has nodes in both directions.
+    pub const TWO_WAY: u8 = BOTH | WALKED;
 }
 
 macro_rules! codes {

@@ -33,6 +33,8 @@ codes! {
         Implied = 4, "implied by a connection";
         /// A place inside a road where a virtual junction attaches.
         Virtual = 5, "virtual junction";
+        /// An end of a path across a road (OpenDRIVE 1.8, `crossPath`).
+        CrossPath = 6, "crossing path";
     }
 }
 

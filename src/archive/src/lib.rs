@@ -29,17 +29,21 @@ compile_error!(
     "mapd archives are little-endian and read in place: big-endian machines are not supported"
 );
 
+mod classes;
 mod codes;
 mod error;
 mod generated;
 mod graph_codes;
 mod header;
 mod mark_codes;
+mod object_codes;
 mod open;
+mod signal_codes;
 mod strings;
 mod table;
 mod verify;
 mod verify_graph;
+mod verify_objects;
 mod write;
 
 pub use codes::{
@@ -47,11 +51,22 @@ pub use codes::{
     lane_flags,
 };
 pub use error::{OpenError, VerifyError, WriteError};
-pub use generated::{rows::*, tables::*};
+pub use generated::{
+    classes::{Class, ClassGroup},
+    rows::*,
+    signal_rows::*,
+    tables::*,
+};
 pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_flags};
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
 pub use mark_codes::{MarkLaneChange, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight};
+pub use object_codes::{
+    AttachMethod, ObjectShape, OutlineFill, copy_flags, object_flags, outline_flags,
+};
 pub use open::{Archive, open, string};
+pub use signal_codes::{
+    LaneMethod, Orientation, Relation, RelationReason, SignalPosition, signal_flags, signal_values,
+};
 pub use strings::StringTable;
 pub use table::{ArchivedRange, ArchivedTable, Range, Table, TableInfo};
 pub use verify::verify;

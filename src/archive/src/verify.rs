@@ -5,6 +5,7 @@ use crate::header::HEADER_LENGTH;
 use crate::open::{Archive, open};
 use crate::table::Range;
 use crate::verify_graph::graph;
+use crate::verify_objects::objects;
 use crate::{NONE, Tables};
 
 /// Places in a node or leaf of the index.
@@ -12,7 +13,8 @@ const WIDTH: usize = 16;
 
 /// Opens an archive and proves it: content hash, finite numbers, known codes, references and ranges inside their
 /// tables, strings that are UTF-8, ascending `s`, sections that meet, an index that is a complete tree, a lane graph whose edges
-/// are mirrored, whose components are ordered and whose loops are closed where it says so.
+/// are mirrored, whose components are ordered and whose loops are closed where it says so, objects in the order of
+/// their roads with copies and lanes that know them, each place of theirs once in their index.
 ///
 /// Errors: the first thing that is wrong, with table, row and field.
 pub fn verify(bytes: &[u8]) -> Result<Archive<'_>, VerifyError> {
@@ -29,6 +31,7 @@ pub fn verify(bytes: &[u8]) -> Result<Archive<'_>, VerifyError> {
     sections(tables)?;
     index(tables)?;
     graph(tables)?;
+    objects(tables)?;
     Ok(archive)
 }
 
@@ -220,37 +223,10 @@ fn sections(tables: &Tables<'_>) -> Result<(), VerifyError> {
     Ok(())
 }
 
-/// Each level has as many nodes as the next one's places need, and every used place names a lane and its points.
+/// The index over lanes is a complete tree, and every used place names a lane and its points.
 fn index(tables: &Tables<'_>) -> Result<(), VerifyError> {
-    let levels = tables.index_levels;
-    let at = |row| Check { table: "index_levels", row };
-    if levels.is_empty() != tables.index_leaves.is_empty() || levels.len() == 1 {
-        return at(0).fail("", "levels just where there are leaves", levels.len());
-    }
-    if let (Some(first), Some(last)) = (levels.first(), levels.last())
-        && (*first != 0 || *last as usize != tables.index_nodes.len())
-    {
-        return at(0).fail(
-            "",
-            "levels from 0 to the number of nodes",
-            format!("{first} to {last}"),
-        );
-    }
-    let mut below = tables.index_leaves.len();
-    for (row, pair) in levels.windows(2).enumerate().rev() {
-        let nodes = (pair[1] as usize).checked_sub(pair[0] as usize);
-        if nodes != Some(below.div_ceil(WIDTH)) {
-            return at(row).fail(
-                "",
-                format!("{} nodes", below.div_ceil(WIDTH)),
-                format!("{nodes:?}"),
-            );
-        }
-        below = below.div_ceil(WIDTH);
-    }
-    if !levels.is_empty() && below != 1 {
-        return at(0).fail("", "one root", below);
-    }
+    let places = tables.index_leaves.len();
+    tree("index_levels", tables.index_levels, tables.index_nodes.len(), places)?;
     for (row, leaf) in tables.index_leaves.iter().enumerate() {
         let check = Check { table: "index_leaves", row };
         for place in 0..WIDTH {
@@ -266,6 +242,44 @@ fn index(tables: &Tables<'_>) -> Result<(), VerifyError> {
                 return check.fail("segment", format!("a segment of {center:?}"), segment);
             }
         }
+    }
+    Ok(())
+}
+
+/// Each level of a packed R-tree has as many nodes as the next one's places need; below the last one lie `places`.
+pub(crate) fn tree(
+    table: &'static str,
+    levels: &[u32],
+    nodes: usize,
+    places: usize,
+) -> Result<(), VerifyError> {
+    let at = |row| Check { table, row };
+    if levels.is_empty() != (places == 0) || levels.len() == 1 {
+        return at(0).fail("", "levels just where there are leaves", levels.len());
+    }
+    if let (Some(first), Some(last)) = (levels.first(), levels.last())
+        && (*first != 0 || *last as usize != nodes)
+    {
+        return at(0).fail(
+            "",
+            "levels from 0 to the number of nodes",
+            format!("{first} to {last}"),
+        );
+    }
+    let mut below = places;
+    for (row, pair) in levels.windows(2).enumerate().rev() {
+        let nodes = (pair[1] as usize).checked_sub(pair[0] as usize);
+        if nodes != Some(below.div_ceil(WIDTH)) {
+            return at(row).fail(
+                "",
+                format!("{} nodes", below.div_ceil(WIDTH)),
+                format!("{nodes:?}"),
+            );
+        }
+        below = below.div_ceil(WIDTH);
+    }
+    if !levels.is_empty() && below != 1 {
+        return at(0).fail("", "one root", below);
     }
     Ok(())
 }

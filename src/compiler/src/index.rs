@@ -280,7 +280,7 @@ fn node(children: &[Bounds]) -> (IndexNodeRow, Bounds) {
 }
 
 /// To single precision, never smaller.
-fn round_up(value: f64) -> f32 {
+pub(crate) fn round_up(value: f64) -> f32 {
     let rounded = value as f32;
     if f64::from(rounded) < value { rounded.next_up() } else { rounded }
 }

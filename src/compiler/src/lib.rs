@@ -26,22 +26,24 @@ mod index;
 mod lanes;
 mod links;
 mod lower;
+mod objects;
 mod options;
 mod origin;
 mod quarantine;
 mod report;
 mod rounds;
+mod signals;
 
 pub use options::{CompileOptions, CyclePolicy, OffsetSign, OptionsError};
 pub use quarantine::{OnError, PartKind, Policy, QuarantinedPart, Treatment};
 pub use report::{Compilation, Diagnostic, Progress, Verdict, Version};
 
 use hashing::HashingReader;
-use lower::Lowering;
+use lower::{Lowering, Owner};
 use mapd_archive::{NONE, Provenance, Rows};
 use mapd_rules::Checker;
 use mapd_xodr::source::{Inputs, Places};
-use mapd_xodr::{Finding, Item, Limits, Reader, Severity};
+use mapd_xodr::{Finding, Item, Limits, Reader, Severity, Span, Text as _};
 use quarantine::{Exclusions, Units};
 use report::Collector;
 use std::io::{self, Read};
@@ -58,18 +60,25 @@ pub struct ReadOptions {
     pub rules: mapd_rules::Settings,
     /// What becomes of a map with errors.
     pub policy: Policy,
+    /// What signals and objects mean.
+    pub ontology: mapd_ontology::Ontology,
 }
 
 impl ReadOptions {
     /// First bytes of the BLAKE3 of all that shapes an archive, as its header carries them.
     fn hash(&self, options: &CompileOptions) -> [u8; 8] {
-        if self.rules == mapd_rules::Settings::default() && self.policy == Policy::default() {
+        let tables = self.ontology.user_texts();
+        let plain = self.rules == mapd_rules::Settings::default();
+        if plain && self.policy == Policy::default() && tables.is_empty() {
             return options.hash();
         }
         let mut hasher = blake3::Hasher::new();
         hasher.update(&options.hash());
         // Both are plain values with names, the same in every build of one version.
         hasher.update(format!("{:?} {:?}", self.rules, self.policy).as_bytes());
+        for text in tables {
+            hasher.update(blake3::hash(text.as_bytes()).as_bytes());
+        }
         let mut out = [0; 8];
         out.copy_from_slice(&hasher.finalize().as_bytes()[..8]);
         out
@@ -151,6 +160,7 @@ fn build(
     compiled.provenance.options_hash = reading.hash(options);
     if let Some(mut rows) = rows.filter(|_| compiled.verdict != Verdict::Rejected) {
         progress(Progress::Indexing { segments: rows.points.len() });
+        objects::index(&mut rows);
         match index::build(&mut rows, options) {
             Ok(()) => compiled.rows = Some(rows),
             Err(error) => {
@@ -201,6 +211,8 @@ struct Document {
     lowering: Lowering,
     /// What the file says about the lane graph.
     graph: graph::Written,
+    /// What the file says about signals.
+    signals: signals::Resolved,
     collector: Collector,
     places: Places,
     provenance: Provenance,
@@ -219,10 +231,11 @@ impl Document {
         if self.collector.is_rejected() {
             return Ok(None);
         }
-        let lowering = std::mem::take(&mut self.lowering);
+        let mut lowering = std::mem::take(&mut self.lowering);
         progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
         let road_spans = lowering.links.road_spans.clone();
         let placed = lowering.placed.clone();
+        let written = std::mem::take(&mut lowering.objects);
         let mut rows = lowering.into_rows(options);
         if let Err(error) = lanes::sample(&mut rows, options) {
             self.collector.add(vec![too_large(&error)], &self.places);
@@ -235,9 +248,16 @@ impl Document {
             self.collector.add(long, &self.places);
             return Ok(None);
         }
+        progress(Progress::Graph { nodes: rows.lane_nodes.len() });
         let mut findings = graph::complete(&mut rows, &self.graph, options);
         georeference::complete(&mut rows, &placed, options, &mut findings);
         self.collector.add(findings, &self.places);
+        let findings = signals::complete(&mut rows, &self.signals);
+        self.collector.add(findings, &self.places);
+        match objects::build(&mut rows, written, options) {
+            Ok(findings) => self.collector.add(findings, &self.places),
+            Err(error) => self.collector.add(vec![too_large(&error)], &self.places),
+        }
         Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
     }
 }
@@ -250,7 +270,7 @@ fn read(
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Document> {
     let mut hashing = HashingReader::new(input);
-    let mut lowering = Lowering::default();
+    let mut lowering = Lowering::new(reading.ontology.clone());
     let mut collector = Collector::new(without);
     let mut quarantined = Vec::new();
     let (places, version) = {
@@ -279,12 +299,27 @@ fn read(
             match item {
                 Item::Header(header) => lowering.header(&header, &mut checked),
                 Item::Road(road) => {
+                    let number = lowering.rows.roads.len();
                     lowering.road(&road, reader.position(road.span.start), &mut checked);
+                    if let Some(objects) = road.objects.as_deref()
+                        && lowering.rows.roads.len() > number
+                    {
+                        let owner = Owner::Road(number as u32, road.id.text());
+                        let position = |span: Span| reader.position(span.start);
+                        let with = (&reading.ontology, position);
+                        lowering.objects(owner, objects, with, &mut checked);
+                    }
                 }
                 Item::Junction(junction) => {
+                    let number = lowering.rows.junctions.len();
+                    let position = |span: Span| reader.position(span.start);
+                    let with = (&reading.ontology, position);
+                    lowering.junction_objects(&junction, number as u32, with, &mut checked);
                     let position = reader.position(junction.span.start);
                     lowering.junction(*junction, position, &mut checked);
                 }
+                Item::Controller(controller) => lowering.controller(&controller),
+                Item::VmsGroup(group) => lowering.board_group(&group),
                 _ => {}
             }
             collector.add_read(read, std::mem::take(&mut checked), &places, without);
@@ -295,9 +330,11 @@ fn read(
         let stated = reader.stated_version().to_owned();
         (places, Version { stated, checked: reader.checked_version() })
     };
+    progress(Progress::Linking { roads: lowering.roads() });
     let mut late = Vec::new();
     lowering.finish_reading(&mut late);
     links::resolve(&mut lowering, without, &mut late);
+    let signals = signals::resolve(&mut lowering, &places, &mut late);
     collector.add(late, &places);
     let mut graph = graph::Written::default();
     if !collector.is_rejected() {
@@ -311,7 +348,7 @@ fn read(
         compiler_version: crate::version(),
     };
     lowering.quarantine(&quarantined);
-    Ok(Document { lowering, graph, collector, places, provenance, version, quarantined })
+    Ok(Document { lowering, graph, signals, collector, places, provenance, version, quarantined })
 }
 
 /// The files that the document included, in the order in which it did.

@@ -30,10 +30,20 @@ pub enum Progress {
         /// Roads so far.
         roads: usize,
     },
+    /// Resolving links.
+    Linking {
+        /// Roads in all.
+        roads: usize,
+    },
     /// Sampling lanes.
     Sampling {
         /// Lanes in all.
         lanes: usize,
+    },
+    /// Completing the lane graph: lengths, components, conflicts, landmarks, and what is wrong with it.
+    Graph {
+        /// Nodes in all.
+        nodes: usize,
     },
     /// Building the index.
     Indexing {

@@ -3,6 +3,7 @@
 use crate::options::CompileOptions;
 use crate::quarantine::{Exclusions, OnError, Treatment};
 use crate::report::{Compilation, Diagnostic, Progress, Verdict};
+use crate::signals::SIGNAL_LANES;
 use crate::{ReadOptions, finding};
 use mapd_archive::Rows;
 use mapd_xodr::{Severity, Span};
@@ -86,10 +87,12 @@ impl Told {
         Self { diagnostics: first.diagnostics.clone(), dropped: first.dropped, seen }
     }
 
-    /// Adds what only shows without the parts left out, and takes something out itself. That links lead to what is left out
+    /// Adds what only shows without the parts left out, and takes something out itself, and signals without lanes: lanes are
+    /// only looked at where nothing more is wrong. That links lead to what is left out
     /// is no matter of the document's.
     fn add(&mut self, later: &Compilation) {
-        for d in later.diagnostics.iter().filter(|d| d.rejects) {
+        let counts = |d: &&Diagnostic| d.rejects || d.finding.rule == SIGNAL_LANES;
+        for d in later.diagnostics.iter().filter(counts) {
             if self.seen.insert((d.finding.span.start, d.finding.rule)) {
                 self.diagnostics.push(d.clone());
             }

@@ -30,6 +30,7 @@
 
 mod angle;
 mod arc;
+mod attitude;
 mod compile;
 mod cubic;
 mod curve;
@@ -42,6 +43,7 @@ mod spiral;
 pub mod surface;
 
 pub use angle::{atan2, cos_sin, normalize_angle};
+pub use attitude::Attitude;
 pub use compile::{CompileError, Compiled, MAX_LENGTH, MAX_PIECES, MAX_TURNING, compile};
 pub use cubic::Cubic;
 pub use curve::Curve;

@@ -65,6 +65,10 @@ struct Options {
     /// Sign of the header's offset
     #[arg(long, value_enum, default_value_t = Sign::Auto)]
     offset_sign: Sign,
+
+    /// Table of what signals and objects mean, read before mapd's own; may be repeated (docs/ontology.md)
+    #[arg(long, value_name = "FILE")]
+    ontology: Vec<PathBuf>,
 }
 
 /// As [`OffsetSign`].
@@ -224,6 +228,9 @@ Columns:
   successors  road_id,s,lane_id    successors in driving direction, joined by ;
   route       from_road,from_s,from_lane,to_road,to_s,to_lane
                                    length,lane_changes,lanes (keys in driving order, joined by ;)
+  signals     road_id,s,lane_id,distance
+                                   a row for each signal ahead, the nearest first, none where there is none:
+                                   id,class,distance,road_id,s,t,x,y,z,state_machine (lamps:phases[:movements])
 Metres and radians; latitudes and longitudes on WGS 84 in degrees. A row that has no answer says why in the column `error`; the command still ends with 0.
 
   printf 'x,y\\n12.5,-3\\n' | mapd query map.xodr nearest";
@@ -245,6 +252,20 @@ impl Options {
                 Sign::Negated => OffsetSign::Negated,
             },
         }
+    }
+}
+
+impl Options {
+    /// How a document is read, by these options and the rules that apply.
+    fn reading(&self, judging: &JudgingArgs) -> Result<ReadOptions> {
+        let mut reading = judging.apply(ReadOptions::default())?;
+        for path in &self.ontology {
+            let text = std::fs::read_to_string(path)
+                .with_context(|| format!("reading {}", path.display()))?;
+            let name = path.display().to_string();
+            reading.ontology.extend(&name, &text).map_err(|error| UsageError(error.to_string()))?;
+        }
+        Ok(reading)
     }
 }
 
@@ -301,13 +322,13 @@ fn execute(cli: Cli) -> Result<Exit> {
         return load::run(
             &cli.load,
             cli.name.as_deref(),
-            (&cli.judging.apply(ReadOptions::default())?, &validated(&cli.options)?),
+            (&cli.options.reading(&cli.judging)?, &validated(&cli.options)?),
             &cli.domain.domain()?,
         );
     };
     let exit = match command {
         Command::Compile { file, output, report, options, judging } => {
-            let reading = judging.apply(ReadOptions::default())?;
+            let reading = options.reading(&judging)?;
             compile(&file, output, report, (&reading, &validated(&options)?), out)?
         }
         Command::Check { file, format, reading } => {

@@ -1,6 +1,7 @@
 //! `mapd inspect`.
 
 use crate::graph_facts::{GraphFacts, lane_links};
+use crate::object_facts::ObjectFacts;
 use crate::query::earth;
 use crate::report::hex;
 use anyhow::Result;
@@ -23,6 +24,7 @@ struct Inspection {
     verified: Option<bool>,
     map: MapFacts,
     graph: GraphFacts,
+    objects: ObjectFacts,
     quarantined: Vec<QuarantinedFacts>,
     tables: Vec<TableFacts>,
 }
@@ -106,6 +108,7 @@ pub(crate) fn run(
     )?;
     writeln!(out, "lanes         {} in {} sections, {} links", m.lanes, m.sections, m.lane_links)?;
     i.graph.print(out)?;
+    i.objects.print(out)?;
     writeln!(out, "bounds [m]    {:?} to {:?}", m.min, m.max)?;
     writeln!(out, "geoReference  {} ({})", m.geo_reference.trim(), m.geo_reference_form)?;
     match (&m.projection, m.geodetic_bounds) {
@@ -192,6 +195,7 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
             bytes_per_road_km: if length > 0.0 { bytes as f64 / (length / 1000.0) } else { 0.0 },
         },
         graph: GraphFacts::of(map),
+        objects: ObjectFacts::of(map),
         quarantined: map.quarantined().map(|part| quarantined(&part)).collect(),
         tables: tables
             .infos()

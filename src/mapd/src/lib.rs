@@ -25,6 +25,7 @@ mod graph_facts;
 mod inspect;
 mod judging;
 mod load;
+mod object_facts;
 mod progress;
 pub mod query;
 pub mod report;

@@ -29,6 +29,8 @@ impl Bar {
                 self.0.set_position(bytes);
                 self.0.set_message(format!("reading, {roads} roads"));
             }
+            Progress::Linking { roads } => self.0.set_message(format!("linking {roads} roads")),
+            Progress::Graph { nodes } => self.0.set_message(format!("graph of {nodes} nodes")),
             Progress::Sampling { lanes } => self.0.set_message(format!("sampling {lanes} lanes")),
             Progress::Indexing { segments } => {
                 self.0.set_message(format!("indexing {segments} points"))

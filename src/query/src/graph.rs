@@ -221,6 +221,19 @@ impl<'a> Lane<'a> {
         found
     }
 
+    /// Whether a class of vehicles may use the lane at s in its own direction, by lane type and access records (OpenDRIVE
+    /// 1.8.1, 11.8.1).
+    pub fn allows_at(&self, s: f64, class: VehicleClass) -> bool {
+        self.node_at(s, self.is_forward()).is_some_and(|node| node.allows(class))
+    }
+
+    /// Classes of vehicles that may use the lane at s in its own direction.
+    pub fn access_at(&self, s: f64) -> impl Iterator<Item = VehicleClass> + use<'a> {
+        let node = self.node_at(s, self.is_forward());
+        let allowed = move |class: &VehicleClass| node.is_some_and(|node| node.allows(*class));
+        VehicleClass::ALL.iter().copied().filter(allowed)
+    }
+
     /// The nearest lane beside this one that is travelled the other way: across lane 0, or beside a reversed lane.
     pub fn opposite(&self) -> Option<Lane<'a>> {
         let other_way =

@@ -40,4 +40,10 @@ ids! {
     JunctionId;
     /// A node of the lane graph.
     NodeId;
+    /// A signal.
+    SignalId;
+    /// A controller.
+    ControllerId;
+    /// An object.
+    ObjectId;
 }

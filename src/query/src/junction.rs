@@ -8,7 +8,7 @@ use mapd_archive::{ArchivedConnectionRow, ArchivedJunctionRow, ContactPoint, str
 /// A junction.
 #[derive(Clone, Copy)]
 pub struct Junction<'a> {
-    map: Map<'a>,
+    pub(crate) map: Map<'a>,
     number: u32,
     row: &'a ArchivedJunctionRow,
 }

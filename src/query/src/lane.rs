@@ -10,7 +10,7 @@ use crate::profile::{self, At, Slope};
 use crate::road::Road;
 use crate::section::LaneSection;
 use crate::types::{LaneEdges, LanePosition, Point, Pose};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use mapd_archive::{ArchivedLaneRow, LaneType, Range, SpeedKind, lane_flags};
 use std::borrow::Cow;
 
@@ -216,6 +216,13 @@ impl<'a> Lane<'a> {
         area::position_in(self, point.xy - self.map.origin()).ok_or(QueryError::Corrupt)
     }
 
+    /// As [`Lane::position_of`], within the stretch of one segment of the centre line; for who has found the segment. None
+    /// for a segment without area, or where the point is farther than `limit` `[m]` and that is cheap to tell.
+    pub fn position_along(&self, segment: usize, point: DVec2, limit: f64) -> Option<LanePosition> {
+        let slab = area::slab(self, segment)?;
+        area::position_in_slab(self, &slab, point - self.map.origin(), limit)
+    }
+
     /// Whether a point lies in the lane's area, edges included, in plan view.
     ///
     /// Errors: as [`Lane::position_of`].
@@ -339,7 +346,7 @@ impl<'a> Lane<'a> {
         let list = map.tables().lane_nodes;
         let nodes = self.row.nodes();
         // Nodes of the other way come last; they are no part of the lane's own direction.
-        let ways = if self.is_bidirectional() { 2 } else { 1 };
+        let ways = if self.row.flags() & lane_flags::TWO_WAY != 0 { 2 } else { 1 };
         let own_way = Range { count: nodes.count / ways, ..nodes }.rows(list.len());
         own_way.clone().flat_map(move |node| {
             let edges = edges_of(offsets, targets, node);

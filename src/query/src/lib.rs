@@ -1,6 +1,6 @@
 //! What planners and localisers ask of an HD map, answered in place on a borrowed mapd archive.
 //!
-//! [`Map`] is a small `Copy` view; [`Road`], [`LaneSection`], [`Lane`] and [`Junction`] are cursors into it.
+//! [`Map`] is a small `Copy` view; [`Road`], [`LaneSection`], [`Lane`], [`Junction`] and [`Object`] are cursors into it.
 //!
 //! Invariants: a query never allocates, locks, prints, panics or does I/O, also on a damaged archive; there is no global
 //! state; the compiler evaluates geometry through the same functions, bit for bit. Deliberately absent: how the bytes
@@ -30,6 +30,7 @@ mod lane_length;
 mod map;
 mod near;
 mod nearest;
+mod objects;
 mod polyline;
 mod profile;
 mod quarantine;
@@ -38,6 +39,7 @@ mod road;
 mod road_mark;
 mod route;
 mod section;
+mod signals;
 mod surface;
 mod types;
 mod waypoints;
@@ -47,20 +49,24 @@ pub use error::QueryError;
 pub use geodetic::GeodeticError;
 pub use glam;
 pub use graph::{Conflict, LaneEdge, LaneNode};
-pub use ids::{JunctionId, LaneId, LaneSectionId, NodeId, RoadId};
+pub use ids::{
+    ControllerId, JunctionId, LaneId, LaneSectionId, NodeId, ObjectId, RoadId, SignalId,
+};
 pub use index::{SegmentHit, nearest_segment};
 pub use junction::{Connection, Junction};
 pub use key::{LaneKey, ParseLaneKeyError};
 pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
 pub use mapd_archive::{
-    ConflictKind, ContactPoint, EdgeKind, GeoReferenceForm, LaneType, MarkLaneChange,
-    QuarantinedKind, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight, RoadType,
-    SpeedKind, VehicleClass,
+    AttachMethod, Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind, GeoReferenceForm,
+    LaneMethod, LaneType, MarkLaneChange, ObjectShape, Orientation, OutlineFill, QuarantinedKind,
+    Relation, RelationReason, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight, RoadType,
+    SignalPosition, SpeedKind, VehicleClass,
 };
 #[cfg(feature = "geodesy")]
 pub use mapd_geodesy::{DefinitionError, Geodetic, Offset, ProjectionError, Projector};
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
+pub use objects::{NearObject, Object, ObjectLane, ObjectOutline, ObjectPlacement, PlacementId};
 pub use polyline::Polyline;
 pub use quarantine::Quarantined;
 pub use region::{BoundarySegment, Region};
@@ -71,6 +77,10 @@ pub use route::{
     RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime, next_lane_change,
 };
 pub use section::LaneSection;
+pub use signals::{
+    Controller, JunctionController, LaneSignal, LightStates, RightOfWay, Signal, SignalAhead,
+    SignalLink, SignalPlace, SignalSemantics, SignalsAhead, SpeedOrigin, SpeedRule, Turn,
+};
 pub use surface::{Material, Surface};
 pub use types::{LaneEdges, LanePosition, Point, Pose, Track, TrackPosition};
 pub use waypoints::Waypoint;

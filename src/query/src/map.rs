@@ -120,12 +120,17 @@ impl<'a> Map<'a> {
         Lane::new(*self, row)
     }
 
+    /// The road in a row of the archive's table.
+    pub fn road_by_row(&self, row: u32) -> Option<Road<'a>> {
+        Road::new(*self, row)
+    }
+
     #[inline]
     pub(crate) fn origin(&self) -> DVec2 {
         self.row().map_or(DVec2::ZERO, |row| DVec2::new(row.origin_x(), row.origin_y()))
     }
 
-    fn known(&self, content: u32) -> Result<(), QueryError> {
+    pub(crate) fn known(&self, content: u32) -> Result<(), QueryError> {
         if content == self.content() { Ok(()) } else { Err(QueryError::ForeignId) }
     }
 
@@ -193,7 +198,11 @@ impl<'a> Map<'a> {
 }
 
 /// Row with an id, from rows in byte order of their ids.
-fn find<'a>(rows: &[u32], id: &str, name: impl Fn(u32) -> Option<&'a str>) -> Option<u32> {
+pub(crate) fn find<'a>(
+    rows: &[u32],
+    id: &str,
+    name: impl Fn(u32) -> Option<&'a str>,
+) -> Option<u32> {
     let at =
         rows.binary_search_by(|row| name(*row).unwrap_or("").as_bytes().cmp(id.as_bytes())).ok()?;
     rows.get(at).copied()

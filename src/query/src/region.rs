@@ -39,12 +39,17 @@ impl Region {
         Self { low: middle - half, high: middle + half }
     }
 
-    fn check(&self) -> Result<(), QueryError> {
+    pub(crate) fn check(&self) -> Result<(), QueryError> {
         let finite = self.low.is_finite() && self.high.is_finite();
         if finite { Ok(()) } else { Err(QueryError::NotFinite) }
     }
 
-    fn holds(&self, p: DVec2) -> bool {
+    /// Distance of a point in plan view `[m]`; 0 inside.
+    pub(crate) fn distance(&self, p: DVec2) -> f64 {
+        (self.low - p).max(p - self.high).max(DVec2::ZERO).length()
+    }
+
+    pub(crate) fn holds(&self, p: DVec2) -> bool {
         p.cmpge(self.low).all() && p.cmple(self.high).all()
     }
 
@@ -150,6 +155,12 @@ impl Map<'_> {
     }
 }
 
+/// Whether an edge crosses the ray from a point towards +x: a polygon's edges do so an odd number of times around it.
+pub(crate) fn crosses(a: DVec2, b: DVec2, point: DVec2) -> bool {
+    (a.y > point.y) != (b.y > point.y)
+        && a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x) > point.x
+}
+
 /// Whether a lane's area, the polygon between its borders, meets a rectangle.
 fn area_meets(lane: &Lane<'_>, region: Region) -> bool {
     let (left, right) = (lane.left_bound(), lane.right_bound());
@@ -160,10 +171,7 @@ fn area_meets(lane: &Lane<'_>, region: Region) -> bool {
     let mut meets = false;
     edges(left, right, |a, b| {
         meets |= region.holds(a) || region.meets(a, b);
-        if (a.y > middle.y) != (b.y > middle.y) {
-            let x = a.x + (middle.y - a.y) / (b.y - a.y) * (b.x - a.x);
-            crossings += u32::from(x > middle.x);
-        }
+        crossings += u32::from(crosses(a, b, middle));
     });
     meets || crossings % 2 == 1
 }

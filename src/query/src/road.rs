@@ -247,7 +247,7 @@ impl<'a> Road<'a> {
     }
 
     /// Every s at which a geometry, elevation, superelevation or lane offset record begins, and the reference line's end.
-    pub(crate) fn shape_breaks(&self) -> impl Iterator<Item = f64> + use<'a> {
+    pub fn shape_breaks(&self) -> impl Iterator<Item = f64> + use<'a> {
         let profiles = [self.row.elevations(), self.row.superelevations(), self.row.lane_offsets()];
         let cubics = self.map.tables().cubics;
         self.geometries()

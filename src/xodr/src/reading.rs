@@ -289,6 +289,16 @@ impl Cursor<'_> {
         Some(self.placed(rank.map_or(T::UNLISTED, T::of_rank)))
     }
 
+    /// As [`Self::word`], as the text that is written: whoever needs the words that the standard does not list finds them.
+    pub(crate) fn word_as_text<T: Enumeration>(&mut self) -> Option<Attribute<Box<str>>> {
+        let rank = self.word_of(T::list())?;
+        let listed = rank.and_then(|rank| T::list().words.get(rank));
+        let text = listed.map(|word| word.text.into()).unwrap_or_else(|| {
+            values::text(std::str::from_utf8(self.raw()).unwrap_or_default()).trim().into()
+        });
+        Some(self.placed(text))
+    }
+
     /// The rank of a word; none within for one that is not known, none at all for an empty value.
     pub(crate) fn word_of(&mut self, list: &'static WordList) -> Option<Option<usize>> {
         let raw = self.raw();

@@ -449,7 +449,7 @@ impl ArchivedEdgeRow {
     pub fn file(&self) -> u16 {
         self.file.to_native()
     }
-    /// 0 within a lane, 1 link inside a road, 2 link over a road's end, 3 lane link of a connection, 4 implied by a connection without lane links, 5 at a virtual junction.
+    /// 0 within a lane, 1 link inside a road, 2 link over a road's end, 3 lane link of a connection, 4 implied by a connection without lane links, 5 at a virtual junction, 6 end of a path across a road.
     #[inline]
     pub fn kind(&self) -> u8 {
         self.kind
@@ -496,83 +496,5 @@ impl ArchivedConflictRow {
     #[inline]
     pub fn kind(&self) -> u8 {
         self.kind
-    }
-}
-
-impl ArchivedQuarantinedRow {
-    /// `[m]` Smallest x of the part, inertial; 0 if not known.
-    #[inline]
-    pub fn min_x(&self) -> f64 {
-        self.min_x.to_native()
-    }
-    /// `[m]` Smallest y of the part.
-    #[inline]
-    pub fn min_y(&self) -> f64 {
-        self.min_y.to_native()
-    }
-    /// `[m]` Largest x of the part.
-    #[inline]
-    pub fn max_x(&self) -> f64 {
-        self.max_x.to_native()
-    }
-    /// `[m]` Largest y of the part.
-    #[inline]
-    pub fn max_y(&self) -> f64 {
-        self.max_y.to_native()
-    }
-    /// `[m]` Length of a road as written; 0 for other parts.
-    #[inline]
-    pub fn length(&self) -> f64 {
-        self.length.to_native()
-    }
-    /// Id of the part.
-    #[inline]
-    pub fn id(&self) -> u32 {
-        self.id.to_native()
-    }
-    /// Id of the road or junction that it belongs to; its own for these.
-    #[inline]
-    pub fn owner(&self) -> u32 {
-        self.owner.to_native()
-    }
-    /// Id of the rule whose finding is the reason.
-    #[inline]
-    pub fn rule(&self) -> u32 {
-        self.rule.to_native()
-    }
-    /// What the finding says.
-    #[inline]
-    pub fn message(&self) -> u32 {
-        self.message.to_native()
-    }
-    /// Line of the finding, from 1.
-    #[inline]
-    pub fn line(&self) -> u32 {
-        self.line.to_native()
-    }
-    /// Column of the finding in bytes, from 1.
-    #[inline]
-    pub fn column(&self) -> u32 {
-        self.column.to_native()
-    }
-    /// 0 road, 1 junction, 2 connection, 3 object, 4 signal, 5 controller, 6 other group.
-    #[inline]
-    pub fn kind(&self) -> u8 {
-        self.kind
-    }
-    /// 0 left out, 1 kept as reference line.
-    #[inline]
-    pub fn treatment(&self) -> u8 {
-        self.treatment
-    }
-    /// 1 if the extent is known.
-    #[inline]
-    pub fn has_extent(&self) -> u8 {
-        self.has_extent
-    }
-    /// What the owner is, as `kind`.
-    #[inline]
-    pub fn owner_kind(&self) -> u8 {
-        self.owner_kind
     }
 }

@@ -449,7 +449,7 @@ impl ArchivedLaneRow {
     pub fn kind(&self) -> u8 {
         self.kind
     }
-    /// 1 travels towards +s, 2 level, 4 `widths` hold borders, 8 also travels the other way.
+    /// 1 travels towards +s, 2 level, 4 `widths` hold borders, 8 also travels the other way, 16 for walking alone: walked both ways.
     #[inline]
     pub fn flags(&self) -> u8 {
         self.flags

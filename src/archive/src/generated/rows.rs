@@ -1,4 +1,4 @@
-//! Row types of the archive's tables.
+//! Row types of the network's tables.
 // Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
 
 use crate::table::Range;
@@ -236,7 +236,7 @@ pub struct LaneRow {
     pub number: i32,
     /// Lane type code.
     pub kind: u8,
-    /// 1 travels towards +s, 2 level, 4 `widths` hold borders, 8 also travels the other way.
+    /// 1 travels towards +s, 2 level, 4 `widths` hold borders, 8 also travels the other way, 16 for walking alone: walked both ways.
     pub flags: u8,
     /// Sections of the road since the one that the lane is written in: not 0 where it goes on beside a section of the other side alone.
     pub continues: u16,
@@ -677,7 +677,7 @@ pub struct EdgeRow {
     pub column: u32,
     /// 0 for the document itself, else the number of the included file.
     pub file: u16,
-    /// 0 within a lane, 1 link inside a road, 2 link over a road's end, 3 lane link of a connection, 4 implied by a connection without lane links, 5 at a virtual junction.
+    /// 0 within a lane, 1 link inside a road, 2 link over a road's end, 3 lane link of a connection, 4 implied by a connection without lane links, 5 at a virtual junction, 6 end of a path across a road.
     pub kind: u8,
     /// 1 closes a loop: without these edges the graph has no cycle.
     pub flags: u8,
@@ -707,44 +707,3 @@ pub struct ConflictRow {
     pub reserved: [u8; 3],
 }
 const _: () = assert!(size_of::<ConflictRow>() == 28 && size_of::<ArchivedConflictRow>() == 28);
-
-/// Parts of the document that have errors and are not in the map as written, in the order of the document.
-#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
-#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
-#[repr(C)]
-pub struct QuarantinedRow {
-    /// `[m]` Smallest x of the part, inertial; 0 if not known.
-    pub min_x: f64,
-    /// `[m]` Smallest y of the part.
-    pub min_y: f64,
-    /// `[m]` Largest x of the part.
-    pub max_x: f64,
-    /// `[m]` Largest y of the part.
-    pub max_y: f64,
-    /// `[m]` Length of a road as written; 0 for other parts.
-    pub length: f64,
-    /// Id of the part.
-    pub id: u32,
-    /// Id of the road or junction that it belongs to; its own for these.
-    pub owner: u32,
-    /// Id of the rule whose finding is the reason.
-    pub rule: u32,
-    /// What the finding says.
-    pub message: u32,
-    /// Line of the finding, from 1.
-    pub line: u32,
-    /// Column of the finding in bytes, from 1.
-    pub column: u32,
-    /// 0 road, 1 junction, 2 connection, 3 object, 4 signal, 5 controller, 6 other group.
-    pub kind: u8,
-    /// 0 left out, 1 kept as reference line.
-    pub treatment: u8,
-    /// 1 if the extent is known.
-    pub has_extent: u8,
-    /// What the owner is, as `kind`.
-    pub owner_kind: u8,
-    /// 0.
-    pub reserved: [u8; 4],
-}
-const _: () =
-    assert!(size_of::<QuarantinedRow>() == 72 && size_of::<ArchivedQuarantinedRow>() == 72);

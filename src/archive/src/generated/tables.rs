@@ -2,16 +2,16 @@
 // Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
 
 use super::rows::*;
-use crate::error::{OpenError, VerifyError};
+use super::signal_rows::*;
+use crate::error::OpenError;
 use crate::table::{Table, TableInfo};
-use crate::verify::Check;
 use rkyv::{Archive, Serialize, rend};
 
 /// Number of the format, raised by hand when old archives can no longer be read.
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [191, 100, 15, 223, 54, 121, 229, 105, 123, 24, 177, 247, 34, 169, 57, 55];
+    [231, 86, 77, 233, 94, 17, 144, 235, 109, 104, 46, 184, 131, 188, 136, 213];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -100,8 +100,64 @@ pub struct Rows {
     pub landmark_lengths: Table<u16>,
     /// As `landmark_lengths`, in `time_step`.
     pub landmark_times: Table<u16>,
+    /// One row per signal, in file order, signs on boards behind the signal that carries them. The row number is the SignalId.
+    pub signals: Table<SignalRow>,
+    /// Rows of `signals` in byte order of their ids.
+    pub signals_by_id: Table<u32>,
+    /// Where signals count: on their own road and on those that refer to them, by road and s.
+    pub signal_places: Table<SignalPlaceRow>,
+    /// Lanes of the signals' places, by place; lanes from left to right.
+    pub signal_lanes: Table<SignalLaneRow>,
+    /// Rows of `signal_lanes` by lane, then by place.
+    pub lane_signals: Table<u32>,
+    /// signal/dependency.
+    pub signal_dependencies: Table<SignalDependencyRow>,
+    /// signal/reference.
+    pub signal_links: Table<SignalLinkRow>,
+    /// Children of signal/semantics, and of the header's default regulations.
+    pub signal_semantics: Table<SignalSemanticsRow>,
+    /// signal/vmsBoard, by signal: variable message boards (OpenDRIVE 1.8).
+    pub signal_boards: Table<SignalBoardRow>,
+    /// vmsGroup/vmsBoardReference, by group: variable message boards that work together (OpenDRIVE 1.8).
+    pub board_groups: Table<BoardGroupRow>,
+    /// One row per controller, in file order: a signal group, whose signals switch together.
+    pub controllers: Table<ControllerRow>,
+    /// controller/control, by controller.
+    pub controls: Table<ControlRow>,
+    /// Controllers by signal: `controls` turned round.
+    pub signal_controllers: Table<u32>,
+    /// junction/controller, by junction: the controllers of a junction are its synchronisation group.
+    pub junction_controllers: Table<JunctionControllerRow>,
+    /// junction/priority, by junction.
+    pub junction_priorities: Table<JunctionPriorityRow>,
+    /// Who goes first, for each pair of lanes of `conflicts` that come from different entries, by `lane`; each pair stands twice, once from either side.
+    pub right_of_way: Table<RightOfWayRow>,
+    /// header/defaultRegulations: speeds by type of road (OpenDRIVE 1.8.1, 6.4).
+    pub default_speeds: Table<DefaultSpeedRow>,
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: Table<QuarantinedRow>,
+    /// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
+    pub objects: Table<ObjectRow>,
+    /// Outlines of objects, and of what a continuous repetition sweeps over.
+    pub object_outlines: Table<ObjectOutlineRow>,
+    /// Corners in the frame of the object or copy that they belong to: u ahead, v to the left, z upwards.
+    pub object_points: Table<ObjectPointRow>,
+    /// Places of repeated objects, object by object, in the order of the repetitions and of s.
+    pub object_copies: Table<ObjectCopyRow>,
+    /// validity elements: lane numbers from the lower to the higher one.
+    pub lane_ranges: Table<LaneRangeRow>,
+    /// Which lanes objects belong to, object by object, nearer lanes first.
+    pub object_lanes: Table<ObjectLaneRow>,
+    /// Rows of `object_lanes` by lane, then by where they begin: what belongs to a lane.
+    pub lane_objects: Table<u32>,
+    /// Rows of `objects` in byte order of their ids.
+    pub objects_by_id: Table<u32>,
+    /// First node of each level of the objects' index, root first, then the number of nodes. Empty if the map has no objects.
+    pub object_index_levels: Table<u32>,
+    /// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie `object_index_items`. Boxes hold what objects cover in plan view, are relative to the local origin and rounded outwards; unused places are empty boxes.
+    pub object_index_nodes: Table<ObjectIndexNodeRow>,
+    /// What lies below the last level: below the number of objects an object's row, above it that number plus the row of a copy. Each place of an object once.
+    pub object_index_items: Table<u32>,
 }
 
 impl Rows {
@@ -150,7 +206,35 @@ impl Rows {
             conflicts: bytemuck::cast_slice(self.conflicts.as_slice()),
             landmark_lengths: (self.landmark_lengths.as_slice()),
             landmark_times: (self.landmark_times.as_slice()),
+            signals: bytemuck::cast_slice(self.signals.as_slice()),
+            signals_by_id: (self.signals_by_id.as_slice()),
+            signal_places: bytemuck::cast_slice(self.signal_places.as_slice()),
+            signal_lanes: bytemuck::cast_slice(self.signal_lanes.as_slice()),
+            lane_signals: (self.lane_signals.as_slice()),
+            signal_dependencies: bytemuck::cast_slice(self.signal_dependencies.as_slice()),
+            signal_links: bytemuck::cast_slice(self.signal_links.as_slice()),
+            signal_semantics: bytemuck::cast_slice(self.signal_semantics.as_slice()),
+            signal_boards: bytemuck::cast_slice(self.signal_boards.as_slice()),
+            board_groups: bytemuck::cast_slice(self.board_groups.as_slice()),
+            controllers: bytemuck::cast_slice(self.controllers.as_slice()),
+            controls: bytemuck::cast_slice(self.controls.as_slice()),
+            signal_controllers: (self.signal_controllers.as_slice()),
+            junction_controllers: bytemuck::cast_slice(self.junction_controllers.as_slice()),
+            junction_priorities: bytemuck::cast_slice(self.junction_priorities.as_slice()),
+            right_of_way: bytemuck::cast_slice(self.right_of_way.as_slice()),
+            default_speeds: bytemuck::cast_slice(self.default_speeds.as_slice()),
             quarantined: bytemuck::cast_slice(self.quarantined.as_slice()),
+            objects: bytemuck::cast_slice(self.objects.as_slice()),
+            object_outlines: bytemuck::cast_slice(self.object_outlines.as_slice()),
+            object_points: bytemuck::cast_slice(self.object_points.as_slice()),
+            object_copies: bytemuck::cast_slice(self.object_copies.as_slice()),
+            lane_ranges: bytemuck::cast_slice(self.lane_ranges.as_slice()),
+            object_lanes: bytemuck::cast_slice(self.object_lanes.as_slice()),
+            lane_objects: (self.lane_objects.as_slice()),
+            objects_by_id: (self.objects_by_id.as_slice()),
+            object_index_levels: (self.object_index_levels.as_slice()),
+            object_index_nodes: bytemuck::cast_slice(self.object_index_nodes.as_slice()),
+            object_index_items: (self.object_index_items.as_slice()),
         }
     }
 }
@@ -243,8 +327,64 @@ pub struct Tables<'a> {
     pub landmark_lengths: &'a [u16],
     /// As `landmark_lengths`, in `time_step`.
     pub landmark_times: &'a [u16],
+    /// One row per signal, in file order, signs on boards behind the signal that carries them. The row number is the SignalId.
+    pub signals: &'a [ArchivedSignalRow],
+    /// Rows of `signals` in byte order of their ids.
+    pub signals_by_id: &'a [u32],
+    /// Where signals count: on their own road and on those that refer to them, by road and s.
+    pub signal_places: &'a [ArchivedSignalPlaceRow],
+    /// Lanes of the signals' places, by place; lanes from left to right.
+    pub signal_lanes: &'a [ArchivedSignalLaneRow],
+    /// Rows of `signal_lanes` by lane, then by place.
+    pub lane_signals: &'a [u32],
+    /// signal/dependency.
+    pub signal_dependencies: &'a [ArchivedSignalDependencyRow],
+    /// signal/reference.
+    pub signal_links: &'a [ArchivedSignalLinkRow],
+    /// Children of signal/semantics, and of the header's default regulations.
+    pub signal_semantics: &'a [ArchivedSignalSemanticsRow],
+    /// signal/vmsBoard, by signal: variable message boards (OpenDRIVE 1.8).
+    pub signal_boards: &'a [ArchivedSignalBoardRow],
+    /// vmsGroup/vmsBoardReference, by group: variable message boards that work together (OpenDRIVE 1.8).
+    pub board_groups: &'a [ArchivedBoardGroupRow],
+    /// One row per controller, in file order: a signal group, whose signals switch together.
+    pub controllers: &'a [ArchivedControllerRow],
+    /// controller/control, by controller.
+    pub controls: &'a [ArchivedControlRow],
+    /// Controllers by signal: `controls` turned round.
+    pub signal_controllers: &'a [u32],
+    /// junction/controller, by junction: the controllers of a junction are its synchronisation group.
+    pub junction_controllers: &'a [ArchivedJunctionControllerRow],
+    /// junction/priority, by junction.
+    pub junction_priorities: &'a [ArchivedJunctionPriorityRow],
+    /// Who goes first, for each pair of lanes of `conflicts` that come from different entries, by `lane`; each pair stands twice, once from either side.
+    pub right_of_way: &'a [ArchivedRightOfWayRow],
+    /// header/defaultRegulations: speeds by type of road (OpenDRIVE 1.8.1, 6.4).
+    pub default_speeds: &'a [ArchivedDefaultSpeedRow],
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: &'a [ArchivedQuarantinedRow],
+    /// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
+    pub objects: &'a [ArchivedObjectRow],
+    /// Outlines of objects, and of what a continuous repetition sweeps over.
+    pub object_outlines: &'a [ArchivedObjectOutlineRow],
+    /// Corners in the frame of the object or copy that they belong to: u ahead, v to the left, z upwards.
+    pub object_points: &'a [ArchivedObjectPointRow],
+    /// Places of repeated objects, object by object, in the order of the repetitions and of s.
+    pub object_copies: &'a [ArchivedObjectCopyRow],
+    /// validity elements: lane numbers from the lower to the higher one.
+    pub lane_ranges: &'a [ArchivedLaneRangeRow],
+    /// Which lanes objects belong to, object by object, nearer lanes first.
+    pub object_lanes: &'a [ArchivedObjectLaneRow],
+    /// Rows of `object_lanes` by lane, then by where they begin: what belongs to a lane.
+    pub lane_objects: &'a [u32],
+    /// Rows of `objects` in byte order of their ids.
+    pub objects_by_id: &'a [u32],
+    /// First node of each level of the objects' index, root first, then the number of nodes. Empty if the map has no objects.
+    pub object_index_levels: &'a [u32],
+    /// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie `object_index_items`. Boxes hold what objects cover in plan view, are relative to the local origin and rounded outwards; unused places are empty boxes.
+    pub object_index_nodes: &'a [ArchivedObjectIndexNodeRow],
+    /// What lies below the last level: below the number of objects an object's row, above it that number plus the row of a copy. Each place of an object once.
+    pub object_index_items: &'a [u32],
 }
 
 impl<'a> Tables<'a> {
@@ -297,12 +437,42 @@ impl<'a> Tables<'a> {
             conflicts: root.conflicts.view(body, "conflicts")?,
             landmark_lengths: root.landmark_lengths.view_numbers(body, "landmark_lengths")?,
             landmark_times: root.landmark_times.view_numbers(body, "landmark_times")?,
+            signals: root.signals.view(body, "signals")?,
+            signals_by_id: root.signals_by_id.view_numbers(body, "signals_by_id")?,
+            signal_places: root.signal_places.view(body, "signal_places")?,
+            signal_lanes: root.signal_lanes.view(body, "signal_lanes")?,
+            lane_signals: root.lane_signals.view_numbers(body, "lane_signals")?,
+            signal_dependencies: root.signal_dependencies.view(body, "signal_dependencies")?,
+            signal_links: root.signal_links.view(body, "signal_links")?,
+            signal_semantics: root.signal_semantics.view(body, "signal_semantics")?,
+            signal_boards: root.signal_boards.view(body, "signal_boards")?,
+            board_groups: root.board_groups.view(body, "board_groups")?,
+            controllers: root.controllers.view(body, "controllers")?,
+            controls: root.controls.view(body, "controls")?,
+            signal_controllers: root.signal_controllers.view_numbers(body, "signal_controllers")?,
+            junction_controllers: root.junction_controllers.view(body, "junction_controllers")?,
+            junction_priorities: root.junction_priorities.view(body, "junction_priorities")?,
+            right_of_way: root.right_of_way.view(body, "right_of_way")?,
+            default_speeds: root.default_speeds.view(body, "default_speeds")?,
             quarantined: root.quarantined.view(body, "quarantined")?,
+            objects: root.objects.view(body, "objects")?,
+            object_outlines: root.object_outlines.view(body, "object_outlines")?,
+            object_points: root.object_points.view(body, "object_points")?,
+            object_copies: root.object_copies.view(body, "object_copies")?,
+            lane_ranges: root.lane_ranges.view(body, "lane_ranges")?,
+            object_lanes: root.object_lanes.view(body, "object_lanes")?,
+            lane_objects: root.lane_objects.view_numbers(body, "lane_objects")?,
+            objects_by_id: root.objects_by_id.view_numbers(body, "objects_by_id")?,
+            object_index_levels: root
+                .object_index_levels
+                .view_numbers(body, "object_index_levels")?,
+            object_index_nodes: root.object_index_nodes.view(body, "object_index_nodes")?,
+            object_index_items: root.object_index_items.view_numbers(body, "object_index_items")?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 43] {
+    pub fn infos(&self) -> [TableInfo; 71] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -346,338 +516,36 @@ impl<'a> Tables<'a> {
             TableInfo::of("conflicts", self.conflicts),
             TableInfo::of("landmark_lengths", self.landmark_lengths),
             TableInfo::of("landmark_times", self.landmark_times),
+            TableInfo::of("signals", self.signals),
+            TableInfo::of("signals_by_id", self.signals_by_id),
+            TableInfo::of("signal_places", self.signal_places),
+            TableInfo::of("signal_lanes", self.signal_lanes),
+            TableInfo::of("lane_signals", self.lane_signals),
+            TableInfo::of("signal_dependencies", self.signal_dependencies),
+            TableInfo::of("signal_links", self.signal_links),
+            TableInfo::of("signal_semantics", self.signal_semantics),
+            TableInfo::of("signal_boards", self.signal_boards),
+            TableInfo::of("board_groups", self.board_groups),
+            TableInfo::of("controllers", self.controllers),
+            TableInfo::of("controls", self.controls),
+            TableInfo::of("signal_controllers", self.signal_controllers),
+            TableInfo::of("junction_controllers", self.junction_controllers),
+            TableInfo::of("junction_priorities", self.junction_priorities),
+            TableInfo::of("right_of_way", self.right_of_way),
+            TableInfo::of("default_speeds", self.default_speeds),
             TableInfo::of("quarantined", self.quarantined),
+            TableInfo::of("objects", self.objects),
+            TableInfo::of("object_outlines", self.object_outlines),
+            TableInfo::of("object_points", self.object_points),
+            TableInfo::of("object_copies", self.object_copies),
+            TableInfo::of("lane_ranges", self.lane_ranges),
+            TableInfo::of("object_lanes", self.object_lanes),
+            TableInfo::of("lane_objects", self.lane_objects),
+            TableInfo::of("objects_by_id", self.objects_by_id),
+            TableInfo::of("object_index_levels", self.object_index_levels),
+            TableInfo::of("object_index_nodes", self.object_index_nodes),
+            TableInfo::of("object_index_items", self.object_index_items),
         ]
-    }
-
-    /// Proves every row: finite numbers, known codes, references and ranges inside their tables.
-    pub(crate) fn verify_rows(&self) -> Result<(), VerifyError> {
-        let strings = self.string_offsets.len().saturating_sub(1);
-        for (i, row) in self.map.iter().enumerate() {
-            let check = Check { table: "map", row: i };
-            check.finite("origin_x", row.origin_x())?;
-            check.finite("origin_y", row.origin_y())?;
-            check.finite("min_x", row.min_x())?;
-            check.finite("min_y", row.min_y())?;
-            check.finite("min_z", row.min_z())?;
-            check.finite("max_x", row.max_x())?;
-            check.finite("max_y", row.max_y())?;
-            check.finite("max_z", row.max_z())?;
-            check.finite("stated_north", row.stated_north())?;
-            check.finite("stated_south", row.stated_south())?;
-            check.finite("stated_east", row.stated_east())?;
-            check.finite("stated_west", row.stated_west())?;
-            check.finite("road_length", row.road_length())?;
-            check.finite("index_tolerance", row.index_tolerance())?;
-            check.finite("bound_tolerance", row.bound_tolerance())?;
-            check.finite("offset_x", row.offset_x())?;
-            check.finite("offset_y", row.offset_y())?;
-            check.finite("offset_z", row.offset_z())?;
-            check.finite("offset_hdg", row.offset_hdg())?;
-            check.reference("name", row.name(), strings, false)?;
-            check.reference("version", row.version(), strings, false)?;
-            check.reference("date", row.date(), strings, false)?;
-            check.reference("vendor", row.vendor(), strings, false)?;
-            check.reference("geo_reference", row.geo_reference(), strings, false)?;
-            check.reference("projection", row.projection(), strings, false)?;
-            check.code("geo_reference_form", row.geo_reference_form(), 7)?;
-            check.code("offset_sign", row.offset_sign(), 2)?;
-        }
-        for (i, row) in self.roads.iter().enumerate() {
-            let check = Check { table: "roads", row: i };
-            check.finite("length", row.length())?;
-            check.reference("id", row.id(), strings, false)?;
-            check.reference("name", row.name(), strings, false)?;
-            check.reference("junction", row.junction(), self.junctions.len(), true)?;
-            check.range("geometries", row.geometries(), self.geometries.len())?;
-            check.range("elevations", row.elevations(), self.cubics.len())?;
-            check.range("superelevations", row.superelevations(), self.cubics.len())?;
-            check.range("lane_offsets", row.lane_offsets(), self.cubics.len())?;
-            check.range("sections", row.sections(), self.sections.len())?;
-            check.range("types", row.types(), self.road_types.len())?;
-            check.code("predecessor_kind", row.predecessor_kind(), 5)?;
-            check.code("successor_kind", row.successor_kind(), 5)?;
-            check.code("predecessor_contact", row.predecessor_contact(), 3)?;
-            check.code("successor_contact", row.successor_contact(), 3)?;
-            check.code("rule", row.rule(), 2)?;
-        }
-        for (i, row) in self.geometries.iter().enumerate() {
-            let check = Check { table: "geometries", row: i };
-            check.finite("s", row.s())?;
-            check.finite("x", row.x())?;
-            check.finite("y", row.y())?;
-            check.finite("hdg", row.hdg())?;
-            check.finite("cos", row.cos())?;
-            check.finite("sin", row.sin())?;
-            check.finite("length", row.length())?;
-            check.range("coefficients", row.coefficients(), self.coefficients.len())?;
-            check.finite("error", f64::from(row.error()))?;
-            check.code("kind", row.kind(), 5)?;
-            check.code("parameter_range", row.parameter_range(), 3)?;
-        }
-        for (i, row) in self.coefficients.iter().enumerate() {
-            let check = Check { table: "coefficients", row: i };
-            check.finite("", *row)?;
-        }
-        for (i, row) in self.cubics.iter().enumerate() {
-            let check = Check { table: "cubics", row: i };
-            check.finite("s", row.s())?;
-            check.finite("a", row.a())?;
-            check.finite("b", row.b())?;
-            check.finite("c", row.c())?;
-            check.finite("d", row.d())?;
-        }
-        for (i, row) in self.road_types.iter().enumerate() {
-            let check = Check { table: "road_types", row: i };
-            check.finite("s", row.s())?;
-            check.finite("speed", row.speed())?;
-            check.reference("country", row.country(), strings, false)?;
-            check.code("speed_kind", row.speed_kind(), 4)?;
-        }
-        for (i, row) in self.sections.iter().enumerate() {
-            let check = Check { table: "sections", row: i };
-            check.finite("s_start", row.s_start())?;
-            check.finite("s_end", row.s_end())?;
-            check.reference("road", row.road(), self.roads.len(), false)?;
-            check.range("lanes", row.lanes(), self.lanes.len())?;
-        }
-        for (i, row) in self.lanes.iter().enumerate() {
-            let check = Check { table: "lanes", row: i };
-            check.finite("x", row.x())?;
-            check.finite("y", row.y())?;
-            check.finite("z", row.z())?;
-            check.reference("section", row.section(), self.sections.len(), false)?;
-            check.range("widths", row.widths(), self.cubics.len())?;
-            check.range("speeds", row.speeds(), self.lane_speeds.len())?;
-            check.range("nodes", row.nodes(), self.lane_nodes.len())?;
-            check.range("center", row.center(), self.points.len())?;
-            check.range("border", row.border(), self.points.len())?;
-        }
-        for (i, row) in self.lane_speeds.iter().enumerate() {
-            let check = Check { table: "lane_speeds", row: i };
-            check.finite("s", row.s())?;
-            check.finite("max", row.max())?;
-        }
-        for (i, row) in self.points.iter().enumerate() {
-            let check = Check { table: "points", row: i };
-            check.finite("x", f64::from(row.x()))?;
-            check.finite("y", f64::from(row.y()))?;
-            check.finite("z", f64::from(row.z()))?;
-            check.finite("s", f64::from(row.s()))?;
-        }
-        for (i, row) in self.junctions.iter().enumerate() {
-            let check = Check { table: "junctions", row: i };
-            check.reference("id", row.id(), strings, false)?;
-            check.reference("name", row.name(), strings, false)?;
-            check.range("connections", row.connections(), self.connections.len())?;
-            check.code("kind", row.kind(), 4)?;
-        }
-        for (i, row) in self.connections.iter().enumerate() {
-            let check = Check { table: "connections", row: i };
-            check.reference("id", row.id(), strings, false)?;
-            check.reference("incoming_road", row.incoming_road(), self.roads.len(), true)?;
-            check.reference("connecting_road", row.connecting_road(), self.roads.len(), true)?;
-            check.range("lane_links", row.lane_links(), self.connection_lane_links.len())?;
-            check.code("contact", row.contact(), 3)?;
-        }
-        for (i, row) in self.roads_by_id.iter().enumerate() {
-            let check = Check { table: "roads_by_id", row: i };
-            check.reference("", *row, self.roads.len(), false)?;
-        }
-        for (i, row) in self.junctions_by_id.iter().enumerate() {
-            let check = Check { table: "junctions_by_id", row: i };
-            check.reference("", *row, self.junctions.len(), false)?;
-        }
-        for (i, row) in self.index_nodes.iter().enumerate() {
-            let check = Check { table: "index_nodes", row: i };
-            for value in row.min_x() {
-                check.finite("min_x", f64::from(*value))?;
-            }
-            for value in row.min_y() {
-                check.finite("min_y", f64::from(*value))?;
-            }
-            for value in row.max_x() {
-                check.finite("max_x", f64::from(*value))?;
-            }
-            for value in row.max_y() {
-                check.finite("max_y", f64::from(*value))?;
-            }
-            for value in row.min_z() {
-                check.finite("min_z", f64::from(*value))?;
-            }
-            for value in row.max_z() {
-                check.finite("max_z", f64::from(*value))?;
-            }
-        }
-        for (i, row) in self.index_leaves.iter().enumerate() {
-            let check = Check { table: "index_leaves", row: i };
-            check.finite("x", row.x())?;
-            check.finite("y", row.y())?;
-            check.finite("z", row.z())?;
-            for value in row.start_x() {
-                check.finite("start_x", f64::from(*value))?;
-            }
-            for value in row.start_y() {
-                check.finite("start_y", f64::from(*value))?;
-            }
-            for value in row.delta_x() {
-                check.finite("delta_x", f64::from(*value))?;
-            }
-            for value in row.delta_y() {
-                check.finite("delta_y", f64::from(*value))?;
-            }
-        }
-        for (i, row) in self.surfaces.iter().enumerate() {
-            let check = Check { table: "surfaces", row: i };
-            check.reference("road", row.road(), self.roads.len(), false)?;
-            check.range("shapes", row.shapes(), self.shape_stations.len())?;
-            check.range("crossfall_left", row.crossfall_left(), self.cubics.len())?;
-            check.range("crossfall_right", row.crossfall_right(), self.cubics.len())?;
-            check.range("strip_offset", row.strip_offset(), self.cubics.len())?;
-            check.range("strips", row.strips(), self.surface_strips.len())?;
-        }
-        for (i, row) in self.shape_stations.iter().enumerate() {
-            let check = Check { table: "shape_stations", row: i };
-            check.finite("s", row.s())?;
-            check.range("records", row.records(), self.cubics.len())?;
-        }
-        for (i, row) in self.surface_strips.iter().enumerate() {
-            let check = Check { table: "surface_strips", row: i };
-            check.range("width", row.width(), self.cubics.len())?;
-            check.range("constant", row.constant(), self.cubics.len())?;
-            check.range("linear", row.linear(), self.cubics.len())?;
-            check.range("quadratic", row.quadratic(), self.cubics.len())?;
-            check.range("cubic", row.cubic(), self.cubics.len())?;
-        }
-        for (i, row) in self.lane_heights.iter().enumerate() {
-            let check = Check { table: "lane_heights", row: i };
-            check.finite("s", row.s())?;
-            check.finite("inner", row.inner())?;
-            check.finite("outer", row.outer())?;
-            check.reference("lane", row.lane(), self.lanes.len(), false)?;
-        }
-        for (i, row) in self.lane_materials.iter().enumerate() {
-            let check = Check { table: "lane_materials", row: i };
-            check.finite("s", row.s())?;
-            check.finite("friction", row.friction())?;
-            check.finite("roughness", row.roughness())?;
-            check.reference("lane", row.lane(), self.lanes.len(), false)?;
-            check.reference("surface", row.surface(), strings, false)?;
-        }
-        for (i, row) in self.elevation_grids.iter().enumerate() {
-            let check = Check { table: "elevation_grids", row: i };
-            check.finite("x", row.x())?;
-            check.finite("y", row.y())?;
-            check.finite("cos", row.cos())?;
-            check.finite("sin", row.sin())?;
-            check.finite("s_start", row.s_start())?;
-            check.finite("spacing", row.spacing())?;
-            check.reference("junction", row.junction(), self.junctions.len(), false)?;
-            check.range("rows", row.rows(), self.grid_rows.len())?;
-            check.range("transitions", row.transitions(), self.grid_transitions.len())?;
-        }
-        for (i, row) in self.grid_rows.iter().enumerate() {
-            let check = Check { table: "grid_rows", row: i };
-            check.finite("center", row.center())?;
-            check.range("left", row.left(), self.grid_heights.len())?;
-            check.range("right", row.right(), self.grid_heights.len())?;
-        }
-        for (i, row) in self.grid_heights.iter().enumerate() {
-            let check = Check { table: "grid_heights", row: i };
-            check.finite("", *row)?;
-        }
-        for (i, row) in self.grid_transitions.iter().enumerate() {
-            let check = Check { table: "grid_transitions", row: i };
-            check.finite("start_x", row.start_x())?;
-            check.finite("start_y", row.start_y())?;
-            check.finite("end_x", row.end_x())?;
-            check.finite("end_y", row.end_y())?;
-            check.finite("length", row.length())?;
-        }
-        for (i, row) in self.road_marks.iter().enumerate() {
-            let check = Check { table: "road_marks", row: i };
-            check.finite("s", row.s())?;
-            check.reference("lane", row.lane(), self.lanes.len(), false)?;
-            check.reference("style", row.style(), self.road_mark_styles.len(), false)?;
-        }
-        for (i, row) in self.road_mark_styles.iter().enumerate() {
-            let check = Check { table: "road_mark_styles", row: i };
-            check.finite("width", row.width())?;
-            check.finite("height", row.height())?;
-            check.reference("material", row.material(), strings, false)?;
-            check.reference("name", row.name(), strings, false)?;
-            check.range("lines", row.lines(), self.road_mark_lines.len())?;
-            check.range("sway", row.sway(), self.cubics.len())?;
-            check.code("kind", row.kind(), 13)?;
-            check.code("weight", row.weight(), 3)?;
-            check.code("color", row.color(), 10)?;
-            check.code("lane_change", row.lane_change(), 5)?;
-        }
-        for (i, row) in self.road_mark_lines.iter().enumerate() {
-            let check = Check { table: "road_mark_lines", row: i };
-            check.finite("length", row.length())?;
-            check.finite("space", row.space())?;
-            check.finite("t_offset", row.t_offset())?;
-            check.finite("s_offset", row.s_offset())?;
-            check.finite("width", row.width())?;
-            check.code("rule", row.rule(), 4)?;
-            check.code("color", row.color(), 10)?;
-        }
-        for (i, row) in self.graph.iter().enumerate() {
-            let check = Check { table: "graph", row: i };
-            check.finite("length_step", row.length_step())?;
-            check.finite("time_step", row.time_step())?;
-            check.finite("change_length", row.change_length())?;
-            check.finite("change_time", row.change_time())?;
-        }
-        for (i, row) in self.lane_nodes.iter().enumerate() {
-            let check = Check { table: "lane_nodes", row: i };
-            check.reference("lane", row.lane(), self.lanes.len(), false)?;
-            check.reference("left", row.left(), self.lane_nodes.len(), true)?;
-            check.reference("right", row.right(), self.lane_nodes.len(), true)?;
-            check.finite("s_from", f64::from(row.s_from()))?;
-            check.finite("length", f64::from(row.length()))?;
-            check.finite("time", f64::from(row.time()))?;
-        }
-        for (i, row) in self.successors.iter().enumerate() {
-            let check = Check { table: "successors", row: i };
-            check.reference("", *row, self.lane_nodes.len(), false)?;
-        }
-        for (i, row) in self.edges.iter().enumerate() {
-            let check = Check { table: "edges", row: i };
-            check.code("kind", row.kind(), 6)?;
-        }
-        for (i, row) in self.predecessors.iter().enumerate() {
-            let check = Check { table: "predecessors", row: i };
-            check.reference("", *row, self.lane_nodes.len(), false)?;
-        }
-        for (i, row) in self.conflicts.iter().enumerate() {
-            let check = Check { table: "conflicts", row: i };
-            check.reference("lane", row.lane(), self.lanes.len(), false)?;
-            check.reference("other", row.other(), self.lanes.len(), false)?;
-            check.finite("s_from", f64::from(row.s_from()))?;
-            check.finite("s_to", f64::from(row.s_to()))?;
-            check.finite("other_from", f64::from(row.other_from()))?;
-            check.finite("other_to", f64::from(row.other_to()))?;
-            check.code("kind", row.kind(), 4)?;
-        }
-        for (i, row) in self.quarantined.iter().enumerate() {
-            let check = Check { table: "quarantined", row: i };
-            check.finite("min_x", row.min_x())?;
-            check.finite("min_y", row.min_y())?;
-            check.finite("max_x", row.max_x())?;
-            check.finite("max_y", row.max_y())?;
-            check.finite("length", row.length())?;
-            check.reference("id", row.id(), strings, false)?;
-            check.reference("owner", row.owner(), strings, false)?;
-            check.reference("rule", row.rule(), strings, false)?;
-            check.reference("message", row.message(), strings, false)?;
-            check.code("kind", row.kind(), 7)?;
-            check.code("treatment", row.treatment(), 2)?;
-            check.code("has_extent", row.has_extent(), 2)?;
-            check.code("owner_kind", row.owner_kind(), 7)?;
-        }
-        Ok(())
     }
 }
 
@@ -694,3 +562,10 @@ const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());

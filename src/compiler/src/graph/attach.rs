@@ -3,26 +3,27 @@
 //! The main road is not cut in the file. A connecting road names it with `elementS` and `elementDir`; `+` says that +s of
 //! both roads run on into each other.
 
-use super::cuts::Cuts;
+use super::cuts::{Cuts, SHORTEST_PIECE};
 use super::findings::{Problem, Problems};
 use super::nodes::{first_node, pieces};
-use super::walk::{connection_written, lane_of, written_links};
+use super::walk::{Edge, connection_written, lane_of, written_links};
+use super::{cross_paths, virtual_connections};
 use crate::lower::Lowering;
-use mapd_archive::{ContactPoint, LinkKind, node_flags};
+use mapd_archive::{ContactPoint, EdgeKind, LinkKind, node_flags};
 use mapd_xodr::{ElementDir, LinkedElement, Span, Value as _};
 
 /// Edges over places inside a road, by the node that is left.
 #[derive(Default)]
 pub(crate) struct Attachments {
-    edges: Vec<(u32, u32, Span)>,
+    edges: Vec<Edge>,
 }
 
 /// A place inside a road, travelled through in one direction.
 #[derive(Clone, Copy)]
-struct Place {
-    road: u32,
-    s: f64,
-    forward: bool,
+pub(crate) struct Place {
+    pub(crate) road: u32,
+    pub(crate) s: f64,
+    pub(crate) forward: bool,
 }
 
 impl Attachments {
@@ -38,16 +39,22 @@ impl Attachments {
                 into_road(lowering, cuts, (junction as u32, connection), problems, &mut edges);
             }
         }
-        edges.sort_by_key(|(from, ..)| *from);
+        cross_paths::edges(lowering, cuts, problems, &mut edges);
+        virtual_connections::edges(lowering, cuts, problems, &mut edges);
+        edges.sort_by_key(|edge| edge.from);
         Self { edges }
     }
 
     /// Nodes that are entered from a node over a place inside a road.
-    pub(crate) fn leaving(&self, node: u32) -> impl Iterator<Item = (u32, Span)> + '_ {
-        let from = self.edges.partition_point(|(from, ..)| *from < node);
+    pub(crate) fn leaving(&self, node: u32) -> impl Iterator<Item = Edge> + '_ {
+        let from = self.edges.partition_point(|edge| edge.from < node);
         let rest = self.edges.get(from..).unwrap_or(&[]).iter();
-        rest.take_while(move |(from, ..)| *from == node).map(|(_, to, span)| (*to, *span))
+        rest.take_while(move |edge| edge.from == node).copied()
     }
+}
+
+fn at_place(from: u32, to: u32, span: Span) -> Edge {
+    Edge { from, to, kind: EdgeKind::Virtual, span }
 }
 
 /// A road's link at one end, if it names a place inside another road.
@@ -70,7 +77,7 @@ fn out_of_road(
     cuts: &Cuts,
     (road, successor): (u32, bool),
     problems: &mut Problems,
-    edges: &mut Vec<(u32, u32, Span)>,
+    edges: &mut Vec<Edge>,
 ) {
     let Some((_, mut place)) = link_inside(lowering, road, successor) else { return };
     // Who leaves over the predecessor travels against +s of both.
@@ -86,7 +93,7 @@ fn out_of_road(
         let from = first + pieces(leaving) - 1;
         for link in written_links(lowering, lane, successor) {
             match node_at(lowering, cuts, place, link.number, true) {
-                Ok(to) => edges.push((from, to, link.span)),
+                Ok(to) => edges.push(at_place(from, to, link.span)),
                 Err(missing) => problems.add(missing.problem(from, link.number, link.span)),
             }
         }
@@ -99,7 +106,7 @@ fn into_road(
     cuts: &Cuts,
     (junction, connection): (u32, u32),
     problems: &mut Problems,
-    edges: &mut Vec<(u32, u32, Span)>,
+    edges: &mut Vec<Edge>,
 ) {
     let rows = &lowering.rows;
     let Some(row) = rows.connections.get(connection as usize) else { return };
@@ -133,31 +140,40 @@ fn into_road(
             continue;
         };
         match rows.lanes.get(lane as usize).and_then(|row| first_node(row, start)) {
-            Some(to) => edges.push((from, to, link.span)),
+            Some(to) => edges.push(at_place(from, to, link.span)),
             None => problems.add(Problem::Direction { from, lane, span: link.span }),
         }
     }
 }
 
 /// Why there is no node at a place.
-enum Missing {
+pub(crate) enum Missing {
     /// No section has a lane of that number there.
     Lane(u32),
     /// The lane travels the other way.
     Direction(u32),
+    /// The road has no stretch before or behind the place.
+    Stretch,
 }
 
 impl Missing {
-    fn problem(self, from: u32, number: i32, span: Span) -> Problem {
+    pub(crate) fn problem(self, from: u32, number: i32, span: Span) -> Problem {
         match self {
             Self::Lane(section) => Problem::MissingLane { from, section, number, span },
             Self::Direction(lane) => Problem::Direction { from, lane, span },
+            Self::Stretch => Problem::NoPlace {
+                path: "OpenDRIVE/junction/connection/laneLink",
+                message:
+                    "expected a place with more of the road ahead, found the road's end; not linked"
+                        .to_owned(),
+                span,
+            },
         }
     }
 }
 
 /// The node of a lane that begins (`entering`) or ends at a place, in its direction of travel.
-fn node_at(
+pub(crate) fn node_at(
     lowering: &Lowering,
     cuts: &Cuts,
     place: Place,
@@ -169,8 +185,17 @@ fn node_at(
     let sections = range.of(&rows.sections);
     // The piece lies beyond the place towards +s just if one enters towards +s or leaves towards −s.
     let beyond = place.forward == entering;
+    let end = sections.last().map_or(0.0, |section| section.s_end);
+    if if beyond { place.s > end - SHORTEST_PIECE } else { place.s < SHORTEST_PIECE } {
+        return Err(Missing::Stretch);
+    }
+    // Nearer to a section's end than a cut may be, that end is the place.
     let after = sections.partition_point(|section| {
-        if beyond { section.s_start <= place.s } else { section.s_start < place.s }
+        if beyond {
+            section.s_start <= place.s + SHORTEST_PIECE
+        } else {
+            section.s_start <= place.s - SHORTEST_PIECE
+        }
     });
     let at = range.first + after.saturating_sub(1) as u32;
     let lane = lane_of(lowering, at, number).ok_or(Missing::Lane(at))?;
@@ -179,10 +204,8 @@ fn node_at(
     let offset = rows.sections.get(at as usize).map_or(0.0, |section| place.s - section.s_start);
     let offsets = cuts.of(at);
     // The cut nearest to the place; too near to an end there is none, and the whole of the next piece stands in.
-    let before =
-        offsets.partition_point(|cut| f64::from(*cut) < offset - super::cuts::SHORTEST_PIECE);
-    let through =
-        offsets.partition_point(|cut| f64::from(*cut) <= offset + super::cuts::SHORTEST_PIECE);
+    let before = offsets.partition_point(|cut| f64::from(*cut) < offset - SHORTEST_PIECE);
+    let through = offsets.partition_point(|cut| f64::from(*cut) <= offset + SHORTEST_PIECE);
     let piece = if beyond { through } else { before };
     let in_order = if place.forward { piece } else { offsets.len() - piece };
     let node = first + in_order as u32;

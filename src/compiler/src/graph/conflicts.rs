@@ -3,9 +3,10 @@
 //! Each lane is cut into short cells, quadrangles between its edges. Where cells of two lanes share more than a strip, the
 //! lanes conflict; the interval on each reaches from the first to the last such cell. So intervals are too long by
 //! at most a cell at either end, and never too short by more than what the chords cut off. Ways that only part from each
-//! other are no conflict: who follows one has left the other.
+//! other are no conflict: who follows one has left the other. At direct junctions they are: there, lanes that part lie on
+//! each other for a while.
 
-use super::zones::{Stretch, Zone};
+use super::zones::{Stretch, Zone, ZoneKind};
 use crate::finding;
 use crate::lanes::view;
 use glam::DVec2;
@@ -120,7 +121,7 @@ fn of_zone(rows: &Rows, map: Map<'_>, zone: &Zone) -> Option<Vec<ConflictRow>> {
     let mut out = Vec::new();
     for (i, a) in candidates.iter().enumerate() {
         for b in candidates.get(i + 1..).unwrap_or(&[]).iter().filter(|b| b.road != a.road) {
-            if let Some((kind, own, other)) = meet(a, b, zone.crossing) {
+            if let Some((kind, own, other)) = meet(a, b, zone.kind) {
                 let row =
                     |a: &Candidate, b: &Candidate, own: Interval, other: Interval| ConflictRow {
                         lane: a.row,
@@ -188,11 +189,11 @@ fn end(lane: &Lane<'_>, s: f64) -> Option<(f64, [DVec2; 2], f64)> {
 fn meet(
     a: &Candidate,
     b: &Candidate,
-    crossing: bool,
+    zone: ZoneKind,
 ) -> Option<(ConflictKind, Interval, Interval)> {
     let merge = a.leads_to.iter().any(|lane| b.leads_to.contains(lane));
     let part = a.entered_from.iter().any(|lane| b.entered_from.contains(lane));
-    if (part && !merge) || !a.bounds.meets(&b.bounds) {
+    if (part && !merge && zone != ZoneKind::Direct) || !a.bounds.meets(&b.bounds) {
         return None;
     }
     let none = (f32::INFINITY, f32::NEG_INFINITY);
@@ -216,11 +217,11 @@ fn meet(
     if own.0 > own.1 {
         return None;
     }
-    let kind = if crossing {
+    let kind = if zone == ZoneKind::Crossing {
         ConflictKind::Crossing
     } else if merge {
         ConflictKind::Merge
-    } else if cross {
+    } else if cross && !part {
         ConflictKind::Cross
     } else {
         ConflictKind::Overlap

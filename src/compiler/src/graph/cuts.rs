@@ -1,8 +1,10 @@
-//! Where sections are cut into pieces: wherever who may do what changes, and where virtual junctions attach.
+//! Where sections are cut into pieces: wherever who may do what changes, and where virtual junctions and paths
+//! across the road attach.
 //!
 //! All lanes of a section are cut at the same places, so that the pieces beside each other are known by their number and
 //! a change of lane is allowed over a whole piece or not at all. Cuts never show in a `LaneKey`.
 
+use super::{cross_paths, virtual_connections};
 use crate::lower::{Lowering, between};
 use mapd_archive::{CubicRow, LaneType, Range, VehicleClass, lane_flags};
 use mapd_xodr::{ElementType, Value as _};
@@ -58,7 +60,7 @@ impl Cuts {
     }
 }
 
-/// Places on roads to which roads of virtual junctions are linked: (road row, s), sorted.
+/// Places on roads to which virtual junctions and paths across link roads and lanes: (road row, s), sorted.
 fn attachments(lowering: &Lowering) -> Vec<(u32, f64)> {
     let mut places = Vec::new();
     for (row, links) in lowering.rows.roads.iter().zip(&lowering.links.roads) {
@@ -72,6 +74,8 @@ fn attachments(lowering: &Lowering) -> Vec<(u32, f64)> {
             }
         }
     }
+    places.extend(virtual_connections::places(lowering));
+    places.extend(cross_paths::places(lowering));
     places.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
     places
 }
@@ -120,6 +124,6 @@ fn one_way(lowering: &Lowering, a: u32, b: u32) -> bool {
     let row = |lane: u32| lowering.rows.lanes.get(lane as usize);
     let (Some(a), Some(b)) = (row(a), row(b)) else { return false };
     a.section == b.section
-        && ((a.flags | b.flags) & lane_flags::BOTH != 0
+        && ((a.flags | b.flags) & lane_flags::TWO_WAY != 0
             || (a.flags ^ b.flags) & lane_flags::FORWARD == 0)
 }

@@ -6,7 +6,7 @@
 use super::components::strong_components;
 use super::report::Report;
 use crate::options::CyclePolicy;
-use mapd_archive::{EdgeKind, NONE, Rows};
+use mapd_archive::{EdgeKind, LaneNodeRow, NONE, Rows, VehicleClass};
 use mapd_xodr::Severity;
 use std::collections::VecDeque;
 
@@ -66,13 +66,18 @@ pub(crate) fn check(rows: &Rows, policy: CyclePolicy, report: &mut Report<'_>) {
     );
 }
 
-/// Per node the junction whose connecting road it lies on.
+/// Per node the junction whose connecting road it lies on; none where nobody drives: who walks may go round as they like.
 fn junctions(rows: &Rows) -> Vec<u32> {
+    let on_foot = VehicleClass::Pedestrian.bit() | VehicleClass::Bicycle.bit();
     let of = |lane: u32| {
         let section = rows.sections.get(rows.lanes.get(lane as usize)?.section as usize)?;
         Some(rows.roads.get(section.road as usize)?.junction)
     };
-    rows.lane_nodes.iter().map(|node| of(node.lane).unwrap_or(NONE)).collect()
+    let of_node = |node: &LaneNodeRow| {
+        let walked = node.access != 0 && node.access & !on_foot == 0;
+        of(node.lane).filter(|_| !walked).unwrap_or(NONE)
+    };
+    rows.lane_nodes.iter().map(of_node).collect()
 }
 
 fn edge_length(rows: &Rows, edge: u32) -> f64 {

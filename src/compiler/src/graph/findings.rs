@@ -10,12 +10,13 @@ use mapd_xodr::{Finding, Severity, Span};
 const NAMED: usize = 100;
 
 /// Something wrong with a lane link.
-#[derive(Clone, Copy)]
 pub(crate) enum Problem {
     /// The link names a lane that the section does not have.
     MissingLane { from: u32, section: u32, number: i32, span: Span },
     /// The link leads into a lane that travels the other way.
     Direction { from: u32, lane: u32, span: Span },
+    /// The link names a place that no road of the map has.
+    NoPlace { path: &'static str, message: String, span: Span },
 }
 
 /// What is wrong with lane links, in the order in which it was found.
@@ -38,6 +39,7 @@ impl Problems {
                 Severity::Warning,
                 "links lead into lanes that travel the other way",
             ),
+            ("mapd:graph.no_place", Severity::Warning, "links name places that no road has"),
         ] {
             let of_kind = || self.0.iter().filter(|problem| problem.rule() == rule);
             let named = if severity == Severity::Error { usize::MAX } else { NAMED };
@@ -58,7 +60,9 @@ impl Problems {
 impl Problem {
     fn span(&self) -> Span {
         match *self {
-            Self::MissingLane { span, .. } | Self::Direction { span, .. } => span,
+            Self::MissingLane { span, .. }
+            | Self::Direction { span, .. }
+            | Self::NoPlace { span, .. } => span,
         }
     }
 
@@ -66,11 +70,13 @@ impl Problem {
         match self {
             Self::MissingLane { .. } => "mapd:graph.missing_lane",
             Self::Direction { .. } => "mapd:graph.direction",
+            Self::NoPlace { .. } => "mapd:graph.no_place",
         }
     }
 
     fn text(&self, lowering: &Lowering) -> (String, String) {
         match *self {
+            Self::NoPlace { path, ref message, .. } => (path.to_owned(), message.clone()),
             Self::MissingLane { from, section, number, .. } => {
                 let place = section_text(lowering, section);
                 let message =

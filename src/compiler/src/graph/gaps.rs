@@ -33,9 +33,14 @@ pub(crate) fn check(rows: &Rows, report: &mut Report<'_>) {
 fn of_nodes(rows: &Rows, nodes: &[LaneNode<'_>]) -> Vec<(u32, f64)> {
     let mut gaps = Vec::new();
     for node in nodes {
+        // Whoever walks against the traffic rule meets the same joint as those who walk with it.
+        if node.lane().is_some_and(|l| !l.is_bidirectional() && l.is_forward() != node.is_forward())
+        {
+            continue;
+        }
         let first = rows.successor_offsets[node.node_id().row() as usize];
         let mut exit = None;
-        for (i, edge) in node.edges().enumerate().filter(|(_, e)| e.kind() != EdgeKind::Within) {
+        for (i, edge) in node.edges().enumerate().filter(|(_, e)| is_joint(e.kind())) {
             let Some(target) = edge.target() else { continue };
             let exit = *exit.get_or_insert_with(|| end(node, true));
             let (Some(exit), Some(entry)) = (exit, end(&target, false)) else { continue };
@@ -46,6 +51,12 @@ fn of_nodes(rows: &Rows, nodes: &[LaneNode<'_>]) -> Vec<(u32, f64)> {
         }
     }
     gaps
+}
+
+/// Whether an edge leads over a joint. Paths across roads begin anywhere within the lane that they touch; rules on them look
+/// at that.
+fn is_joint(kind: EdgeKind) -> bool {
+    !matches!(kind, EdgeKind::Within | EdgeKind::CrossPath)
 }
 
 /// Both corners of a node's end: where it is left (`exit`) or entered.

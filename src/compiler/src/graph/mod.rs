@@ -3,6 +3,7 @@
 mod attach;
 mod components;
 mod conflicts;
+mod cross_paths;
 mod csr;
 mod cuts;
 mod cycles;
@@ -14,6 +15,7 @@ mod measure;
 mod nodes;
 mod permissions;
 mod report;
+mod virtual_connections;
 mod walk;
 mod zones;
 

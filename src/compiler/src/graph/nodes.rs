@@ -30,7 +30,7 @@ fn add(lowering: &mut Lowering, cuts: &Cuts, lane: usize) {
     let section = lowering.rows.sections.get(row.section as usize);
     let length = section.map_or(0.0, |section| section.s_end - section.s_start);
     let forward = row.flags & lane_flags::FORWARD != 0;
-    let ways = 1 + usize::from(row.flags & lane_flags::BOTH != 0);
+    let ways = 1 + usize::from(row.flags & lane_flags::TWO_WAY != 0);
     for way in [forward, !forward].into_iter().take(ways) {
         let pieces = offsets.len() + 1;
         for i in 0..pieces {
@@ -109,7 +109,7 @@ fn join(lowering: &mut Lowering, node: u32) {
 
 /// Pieces that a lane is cut into.
 pub(crate) fn pieces(lane: &LaneRow) -> u32 {
-    let ways = if lane.flags & lane_flags::BOTH != 0 { 2 } else { 1 };
+    let ways = if lane.flags & lane_flags::TWO_WAY != 0 { 2 } else { 1 };
     (lane.nodes.count / ways).max(1)
 }
 
@@ -121,7 +121,7 @@ pub(crate) fn first_node(lane: &LaneRow, forward: bool) -> Option<u32> {
     if (lane.flags & lane_flags::FORWARD != 0) == forward {
         return Some(lane.nodes.first);
     }
-    (lane.flags & lane_flags::BOTH != 0).then(|| lane.nodes.first + pieces(lane))
+    (lane.flags & lane_flags::TWO_WAY != 0).then(|| lane.nodes.first + pieces(lane))
 }
 
 /// Middle of a node's piece, from the section's start.

@@ -60,9 +60,7 @@ impl Walk<'_> {
         let Some(own) = rows.lane_nodes.get(node as usize) else { return };
         let Some(row) = rows.lanes.get(own.lane as usize) else { return };
         let forward = own.flags & node_flags::FORWARD != 0;
-        for (to, span) in self.attachments.leaving(node) {
-            self.edges.push(Edge { from: node, to, kind: EdgeKind::Virtual, span });
-        }
+        self.edges.extend(self.attachments.leaving(node));
         if (node - row.nodes.first) % pieces(row) + 1 < pieces(row) {
             let span = Span::default();
             self.edges.push(Edge { from: node, to: node + 1, kind: EdgeKind::Within, span });
@@ -197,7 +195,7 @@ impl Walk<'_> {
 
     fn travels(&self, lane: u32, entry: Entry) -> bool {
         self.lowering.rows.lanes.get(lane as usize).is_some_and(|row| {
-            row.flags & lane_flags::BOTH != 0
+            row.flags & lane_flags::TWO_WAY != 0
                 || (row.flags & lane_flags::FORWARD != 0) == entry.forward
         })
     }
@@ -206,14 +204,31 @@ impl Walk<'_> {
     fn enter(&mut self, (from, kind, span): (u32, EdgeKind, Span), entry: Entry, number: i32) {
         let rows = &self.lowering.rows;
         let Some(lane) = self.find(entry, number) else {
-            self.problems.add(Problem::MissingLane { from, section: entry.section, number, span });
+            if !self.only_walked(from) {
+                let section = entry.section;
+                self.problems.add(Problem::MissingLane { from, section, number, span });
+            }
             return;
         };
         let target = rows.lanes.get(lane as usize).and_then(|row| first_node(row, entry.forward));
         match target {
             Some(to) => self.edges.push(Edge { from, to, kind, span }),
+            None if self.only_walked(from) => {}
             None => self.problems.add(Problem::Direction { from, lane, span }),
         }
+    }
+
+    /// Whether a node goes against the traffic rule because who walks may: the file promises nothing about that way.
+    fn only_walked(&self, node: u32) -> bool {
+        let rows = &self.lowering.rows;
+        let node = rows.lane_nodes.get(node as usize);
+        node.and_then(|node| Some((node, rows.lanes.get(node.lane as usize)?))).is_some_and(
+            |(node, lane)| {
+                let forward = node.flags & node_flags::FORWARD != 0;
+                lane.flags & lane_flags::BOTH == 0
+                    && (lane.flags & lane_flags::FORWARD != 0) != forward
+            },
+        )
     }
 }
 

@@ -1,9 +1,15 @@
 //! Where lanes of different roads may meet: the connecting roads of a junction, with the stretch of the main road that a
-//! virtual one touches, and the sections of roads that a crossing names (OpenDRIVE 1.8.1, 12).
+//! virtual one or a path across touches, the sections of roads that a crossing names, and the roads of a direct junction as
+//! far as they may overlap (OpenDRIVE 1.8.1, 12).
 
 use crate::lower::Lowering;
-use mapd_archive::NONE;
+use mapd_archive::{ContactPoint, LinkKind, NONE};
 use mapd_xodr::{Junction, JunctionType, Span, Text as _, Value as _};
+
+/// How far `[m]` along a road the lanes are looked at that a path across it may meet: more than a path is wide.
+const CROSSING_REACH: f64 = 10.0;
+/// Length `[m]` over which lanes of a direct junction may overlap where the file states none (OpenDRIVE 1.8.1, 12.4.2).
+const OVERLAP_ZONE: f64 = 100.0;
 
 /// A stretch of a road.
 #[derive(Clone, Copy)]
@@ -18,8 +24,18 @@ pub(crate) struct Zone {
     pub(crate) stretches: Vec<Stretch>,
     /// The junction's start tag.
     pub(crate) span: Span,
+    pub(crate) kind: ZoneKind,
+}
+
+/// What is looked for in a zone.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum ZoneKind {
+    /// A common or virtual junction.
+    Common,
     /// A junction of type `crossing`.
-    pub(crate) crossing: bool,
+    Crossing,
+    /// A direct junction: lanes that part share their area for a while, and the file says for how long.
+    Direct,
 }
 
 /// The zones of all junctions in their order.
@@ -30,9 +46,13 @@ pub(crate) fn zones(lowering: &Lowering) -> Vec<Zone> {
         .junctions
         .iter()
         .map(|junction| Zone {
-            stretches: named(lowering, junction),
+            stretches: [named(lowering, junction), crossed(lowering, junction)].concat(),
             span: junction.span,
-            crossing: junction.r#type.value() == Some(JunctionType::Crossing),
+            kind: match junction.r#type.value() {
+                Some(JunctionType::Crossing) => ZoneKind::Crossing,
+                Some(JunctionType::Direct) => ZoneKind::Direct,
+                _ => ZoneKind::Common,
+            },
         })
         .collect();
     for (number, road) in rows.roads.iter().enumerate().filter(|(_, road)| road.junction != NONE) {
@@ -49,7 +69,64 @@ pub(crate) fn zones(lowering: &Lowering) -> Vec<Zone> {
             }
         }
     }
+    for (number, zone) in zones.iter_mut().enumerate().filter(|(_, z)| z.kind == ZoneKind::Direct) {
+        overlaps(lowering, number as u32, &mut zone.stretches);
+    }
     zones
+}
+
+/// Stretches of roads around the ends of paths across them.
+fn crossed(lowering: &Lowering, junction: &Junction) -> Vec<Stretch> {
+    let ends = junction.cross_path.iter().flat_map(|path| {
+        [
+            (path.road_at_start.text(), path.start_lane_link.as_deref()),
+            (path.road_at_end.text(), path.end_lane_link.as_deref()),
+        ]
+    });
+    let mut stretches = Vec::new();
+    for (id, link) in ends {
+        if let Some(road) = road_of(lowering, id)
+            && let Some(s) = link.and_then(|link| link.s.value())
+        {
+            touch(&mut stretches, road, s - CROSSING_REACH);
+            touch(&mut stretches, road, s + CROSSING_REACH);
+        }
+    }
+    stretches
+}
+
+/// Stretches of the roads of a direct junction along which their lanes may overlap: the longest of each road's lane links,
+/// from the joint.
+fn overlaps(lowering: &Lowering, junction: u32, stretches: &mut Vec<Stretch>) {
+    let rows = &lowering.rows;
+    let Some(written) = lowering.links.junctions.get(junction as usize) else { return };
+    let Some(row) = rows.junctions.get(junction as usize) else { return };
+    for (connection, written) in
+        row.connections.of(&rows.connections).iter().zip(&written.connection)
+    {
+        let zones = written.lane_link.iter().map(|link| link.overlap_zone.value());
+        let longest = zones.map(|zone| zone.unwrap_or(OVERLAP_ZONE)).reduce(f64::max);
+        let zone = longest.unwrap_or(OVERLAP_ZONE);
+        let mut from_joint = |road: u32, at_end: bool| {
+            let length = rows.roads.get(road as usize).map_or(0.0, |road| road.length);
+            let (near, far) = if at_end { (length, length - zone) } else { (0.0, zone) };
+            touch(stretches, road, near);
+            touch(stretches, road, far);
+        };
+        let contact = ContactPoint::from_code(connection.contact);
+        if matches!(contact, ContactPoint::Start | ContactPoint::End) {
+            from_joint(connection.connecting_road, contact == ContactPoint::End);
+        }
+        let Some(incoming) = rows.roads.get(connection.incoming_road as usize) else { continue };
+        for (kind, target, at_end) in [
+            (incoming.predecessor_kind, incoming.predecessor, false),
+            (incoming.successor_kind, incoming.successor, true),
+        ] {
+            if LinkKind::from_code(kind) == LinkKind::Junction && target == junction {
+                from_joint(connection.incoming_road, at_end);
+            }
+        }
+    }
 }
 
 /// Stretches that a junction names itself.
@@ -77,7 +154,8 @@ fn touch(stretches: &mut Vec<Stretch>, road: u32, s: f64) {
     }
 }
 
-fn road_of(lowering: &Lowering, id: &str) -> Option<u32> {
+/// The road of an id.
+pub(crate) fn road_of(lowering: &Lowering, id: &str) -> Option<u32> {
     let rows = &lowering.rows;
     let id_of = |row: &u32| {
         rows.roads.get(*row as usize).map_or(&[][..], |road| lowering.strings.bytes_of(road.id))

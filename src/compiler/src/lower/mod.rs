@@ -3,14 +3,19 @@
 mod grid;
 mod marks;
 mod need;
+mod object_outlines;
+mod object_repeats;
+mod objects;
 mod reference_line;
 mod sections;
 mod surface;
 
 use crate::georeference::Placed;
 use crate::graph::Permissions;
+use crate::objects::written::Objects;
 use crate::options::CompileOptions;
 use crate::quarantine::{QuarantinedPart, Treatment};
+use crate::signals::Pending;
 use crate::{finding, origin};
 pub(crate) use grid::{Joint, transitions};
 use mapd_archive::{
@@ -22,6 +27,7 @@ use mapd_xodr::{
     SpeedLimit, Text as _, TrafficRule, UnitSpeed, Value as _,
 };
 pub(crate) use need::{Part, UNUSABLE};
+pub(crate) use objects::Owner;
 
 /// Value of `road/@junction` that means none.
 const NO_JUNCTION: &str = "-1";
@@ -63,10 +69,17 @@ pub(crate) struct Lowering {
     /// Where the map lies on Earth, as the header says it.
     pub(crate) placed: Placed,
     styles: marks::Styles,
+    pub(crate) signals: Pending,
+    pub(crate) objects: Objects,
     map: Option<MapRow>,
 }
 
 impl Lowering {
+    /// Nothing yet; `ontology` says what signals mean.
+    pub(crate) fn new(ontology: mapd_ontology::Ontology) -> Self {
+        Self { signals: Pending::new(ontology), ..Self::default() }
+    }
+
     pub(crate) fn roads(&self) -> usize {
         self.rows.roads.len()
     }
@@ -90,6 +103,7 @@ impl Lowering {
         row.rev_major = revision(header.rev_major.value());
         row.rev_minor = revision(header.rev_minor.value());
         self.map = Some(row);
+        self.default_speeds(header);
     }
 
     /// Appends a road. Its links are resolved later; whatever makes it unusable is an error finding.
@@ -136,6 +150,7 @@ impl Lowering {
         self.links.road_junctions.push(junction.map(str::to_owned));
         self.links.road_spans.push(road.span);
         self.surface(road, number, &path, findings);
+        self.signals(road, number, &path, findings);
         let row = RoadRow {
             length,
             id: self.strings.add(road.id.text()),

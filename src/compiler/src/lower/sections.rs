@@ -2,7 +2,7 @@
 
 use super::need::Part;
 use super::{Lowering, WrittenLink, between, speed};
-use mapd_archive::{LaneRow, LaneSpeedRow, LaneType, Range, SectionRow, lane_flags};
+use mapd_archive::{LaneRow, LaneSpeedRow, LaneType, Range, SectionRow, VehicleClass, lane_flags};
 use mapd_xodr::{
     self as xodr, Finding, LaneDirection, Road, Severity, Span, TrafficRule, Value as _,
 };
@@ -272,6 +272,10 @@ impl Lowering {
             (lane.level, lane_flags::LEVEL),
             (by_border, lane_flags::BORDER),
             (kind == LaneType::Bidirectional, lane_flags::BOTH),
+            (
+                VehicleClass::of_lane_type(kind) == VehicleClass::Pedestrian.bit(),
+                lane_flags::WALKED,
+            ),
         ];
         flags |= set.iter().filter(|(on, _)| *on).fold(0, |all, (_, flag)| all | flag);
         // Lane 0 is always that of the stretch's own section.

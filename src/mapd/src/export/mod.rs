@@ -2,6 +2,7 @@
 
 mod index_boxes;
 mod marks;
+mod objects;
 mod style;
 mod svg;
 

@@ -1,6 +1,6 @@
 //! A map as a drawing: x to the right, y up, one unit a metre.
 
-use super::{Options, index_boxes, marks, style};
+use super::{Options, index_boxes, marks, objects, style};
 use mapd_client::glam::{DVec2, DVec3};
 use mapd_client::{Lane, LaneSection, LaneType, Map, Polyline};
 use std::io::{Result, Write};
@@ -75,6 +75,7 @@ pub(super) fn write(map: Map<'_>, options: Options, out: &mut dyn Write) -> Resu
             way(&lane, paper, out)?;
         }
     }
+    objects::write(map, paper, out)?;
     if options.index_boxes {
         index_boxes::write(map, paper, out)?;
     }
@@ -155,6 +156,6 @@ fn way(lane: &Lane<'_>, paper: Paper, out: &mut dyn Write) -> Result<()> {
 }
 
 /// Text that may stand between tags.
-fn escape(text: &str) -> String {
+pub(super) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

@@ -3,6 +3,7 @@
 use super::earth::Earth;
 use super::route::Router;
 use super::row::Row;
+use super::signals;
 use clap::ValueEnum;
 use mapd_client::{Lane, Map, NearestOptions, Point, QueryError, Road, Track};
 use mapd_query::glam::DVec2;
@@ -31,6 +32,10 @@ pub enum Kind {
     Successors,
     /// `from_road,from_s,from_lane,to_road,to_s,to_lane` → length,lane_changes,lanes
     Route,
+    /// `road_id,s,lane_id,distance` → a row for each signal ahead: id,class,distance,road_id,s,t,x,y,z,state_machine
+    Signals,
+    /// `x,y,radius` → a row for each object there: id,class,distance,road_id,s,t,x,y,z
+    Objects,
 }
 
 impl Kind {
@@ -45,6 +50,8 @@ impl Kind {
             Self::Track => "track",
             Self::Successors => "successors",
             Self::Route => "route",
+            Self::Signals => "signals",
+            Self::Objects => "objects",
         }
     }
 
@@ -58,6 +65,8 @@ impl Kind {
             Self::FromGeodetic => &[&["lat", "lon"]],
             Self::Track => &[&["road_id", "x", "y"]],
             Self::Route => &[&["from_road", "from_s", "from_lane", "to_road", "to_s", "to_lane"]],
+            Self::Signals => &[&["road_id", "s", "lane_id", "distance"]],
+            Self::Objects => &[&["x", "y", "radius"]],
         }
     }
 
@@ -73,10 +82,17 @@ impl Kind {
             Self::Track => &["s", "t", "h"],
             Self::Successors => &["successors"],
             Self::Route => &["length", "lane_changes", "lanes"],
+            Self::Signals => signals::COLUMNS,
+            Self::Objects => &["id", "class", "distance", "road_id", "s", "t", "x", "y", "z"],
         }
     }
 
-    /// Answers one row; the error says why there is no answer.
+    /// Whether a row of the input has any number of answers, each in a row of its own.
+    pub(crate) fn lists(self) -> bool {
+        matches!(self, Self::Signals | Self::Objects)
+    }
+
+    /// Answers one row, of a list with the columns of all its answers one after the other; the error says why there is no answer.
     pub(crate) fn answer(
         self,
         map: Map<'_>,
@@ -134,6 +150,11 @@ impl Kind {
                 out.push(keys.join(";"));
             }
             Self::Route => router.answer(map, row, out)?,
+            Self::Signals => {
+                let (lane, s) = lane(map, row)?;
+                signals::answer(map, (&lane, s), row.number("distance")?, router.vehicle(), out)?;
+            }
+            Self::Objects => super::objects::answer(map, row, out)?,
         }
         Ok(())
     }
@@ -202,7 +223,7 @@ pub(super) fn number(value: f64) -> String {
     format!("{value:?}")
 }
 
-fn numbers(out: &mut Vec<String>, values: &[f64]) {
+pub(super) fn numbers(out: &mut Vec<String>, values: &[f64]) {
     out.extend(values.iter().map(|value| number(*value)));
 }
 

@@ -1,12 +1,15 @@
 //! `mapd query`: CSV in, CSV out.
 //!
 //! Columns are found by name. The input's columns are echoed first, except those that the answer itself has; then come
-//! the answer's columns and `error`, which is empty where the row has an answer. Numbers are in shortest round-trip form.
+//! the answer's columns and `error`, which is empty where the row has an answer. Kinds that list things give a row for each of
+//! them, none where there are none. Numbers are in shortest round-trip form.
 
 pub(crate) mod earth;
 mod kinds;
+mod objects;
 mod route;
 mod row;
+mod signals;
 
 pub use kinds::Kind;
 use mapd_client::Map;
@@ -89,14 +92,20 @@ pub fn run(
         if error.is_some() {
             answer.clear();
         }
-        answer.resize(kind.answers().len(), String::new());
+        // Kinds that list things answer with as many rows as there are, none where there is nothing.
+        let columns = kind.answers().len();
+        if error.is_some() || !kind.lists() {
+            answer.resize(columns, String::new());
+        }
         if tells_holes {
             answer.push(kinds::holes(map, options, &row, &earth));
         }
-        let echo = echoed.iter().map(|i| record.get(*i).unwrap_or(""));
         let error = error.unwrap_or_default();
-        writer
-            .write_record(echo.chain(answer.iter().map(String::as_str)).chain([error.as_str()]))?;
+        for one in answer.chunks(answers.len()) {
+            let echo = echoed.iter().map(|i| record.get(*i).unwrap_or(""));
+            writer
+                .write_record(echo.chain(one.iter().map(String::as_str)).chain([error.as_str()]))?;
+        }
     }
     writer.flush()?;
     Ok(())

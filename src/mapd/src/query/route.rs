@@ -26,9 +26,15 @@ pub struct RouteArgs {
     /// route: what a change of lane costs, in metres or seconds [default: 20 m, 2 s]
     #[arg(long, value_name = "COST")]
     lane_change: Option<f64>,
-    /// route: who travels, in the words of access/restriction
+    /// route, signals: who travels, in the words of access/restriction
     #[arg(long, value_name = "CLASS", default_value = VehicleClass::PassengerCar.name(), value_parser = vehicle)]
     vehicle: VehicleClass,
+}
+
+impl Default for RouteArgs {
+    fn default() -> Self {
+        Self { by: RouteBy::Length, lane_change: None, vehicle: VehicleClass::PassengerCar }
+    }
 }
 
 fn vehicle(name: &str) -> Result<VehicleClass, String> {
@@ -51,6 +57,11 @@ pub(crate) struct Router<'a> {
 impl<'a> Router<'a> {
     pub(crate) fn new(args: &'a RouteArgs) -> Self {
         Self { args, scratch: RouteScratch::default(), steps: Vec::new() }
+    }
+
+    /// Who travels.
+    pub(crate) fn vehicle(&self) -> VehicleClass {
+        self.args.vehicle
     }
 
     /// Answers one row.

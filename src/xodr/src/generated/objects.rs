@@ -35,7 +35,7 @@ pub struct Object {
     /// `@zOffset` `[m]`: Height above the reference line. Required since 1.5.
     pub z_offset: Option<Attribute<f64>>,
     /// `@type`: Kind.
-    pub r#type: Option<Attribute<ObjectType>>,
+    pub r#type: Option<Attribute<Box<str>>>,
     /// `@validLength` `[m]`: Length along s over which it holds. At least 0 since 1.5. Required in 1.5.
     pub valid_length: Option<Attribute<f64>>,
     /// `@orientation`: Direction of travel that it is for: along s, against s, both. Required in 1.5.

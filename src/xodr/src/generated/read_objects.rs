@@ -44,7 +44,7 @@ impl Element for Object {
         match slot {
             0 => self.t = cursor.double(),
             1 => self.z_offset = cursor.double(),
-            2 => self.r#type = cursor.word::<super::words::ObjectType>(),
+            2 => self.r#type = cursor.word_as_text::<super::words::ObjectType>(),
             3 => self.valid_length = cursor.double(),
             4 => self.orientation = cursor.word::<super::words::Orientation>(),
             5 => self.subtype = cursor.text(),

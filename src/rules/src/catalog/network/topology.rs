@@ -8,7 +8,7 @@ use crate::place::{text, value};
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
 use crate::sink::Sink;
-use mapd_xodr::JunctionType as Kind;
+use mapd_xodr::{ConnectionEnd, JunctionLaneLink, JunctionType as Kind};
 use std::collections::BTreeMap;
 
 /// Two roads; the second one's links and the first one's.
@@ -38,7 +38,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "mapd:xodr:1.4.0:topology.dead_lane",
-        "A lane of the middle of a road leads to another or comes from one.",
+        "A lane for driving leads to another or comes from one, unless it lies at an end of a road that stands alone.",
         All(dead),
         [
             pair!(
@@ -77,6 +77,10 @@ fn linked_lanes(network: &Network, mut show: impl FnMut(usize, usize)) {
     }
     for junction in &network.junctions {
         for connection in &junction.connection {
+            if let (Some(from), Some(to)) = (&connection.predecessor, &connection.successor) {
+                virtually_linked(network, [from, to], &connection.lane_link, &mut show);
+                continue;
+            }
             let incoming = network.road(text(&connection.incoming_road));
             let other = if kind(junction) == Kind::Direct {
                 &connection.linked_road
@@ -107,6 +111,26 @@ fn linked_lanes(network: &Network, mut show: impl FnMut(usize, usize)) {
                     show(a, b);
                 }
             }
+        }
+    }
+}
+
+/// The pairs of lanes that a virtual connection links: at places inside roads.
+fn virtually_linked(
+    network: &Network,
+    ends: [&ConnectionEnd; 2],
+    links: &[JunctionLaneLink],
+    show: &mut impl FnMut(usize, usize),
+) {
+    let [from, to] = ends.map(|end| {
+        let road = network.road(text(&end.element_id))?;
+        network.section_over(road, value(&end.element_s)?)
+    });
+    let (Some(from), Some(to)) = (from, to) else { return };
+    for (left, entered) in links.iter().filter_map(|l| value(&l.from).zip(value(&l.to))) {
+        if let (Some(a), Some(b)) = (network.lane_rank(from, left), network.lane_rank(to, entered))
+        {
+            show(a, b);
         }
     }
 }
@@ -168,11 +192,12 @@ fn dead(network: &Network, sink: &mut Sink<'_>) {
         }
     });
     for road in &network.roads {
-        // Where neither end goes on, the road stands alone.
-        if road.links.iter().all(Option::is_none) {
-            continue;
-        }
-        for section in network.sections_of(road) {
+        // Where neither end of a road goes on, a lane may begin or end with it.
+        let stands_alone = road.links.iter().all(Option::is_none);
+        let sections = network.sections_of(road);
+        let inside =
+            if stands_alone { 1..sections.len().saturating_sub(1) } else { 0..sections.len() };
+        for section in sections.get(inside).unwrap_or_default() {
             for (rank, lane) in section.lanes.clone().zip(network.lanes_of(section)) {
                 let has_width = lane.widths.iter().any(|width| *width > 0.0);
                 if is_drivable(lane.kind)

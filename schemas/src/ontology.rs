@@ -1,0 +1,136 @@
+//! The vocabulary of signals and objects, and the tables that map what maps write to it.
+
+use crate::Output;
+use anyhow::{Context, Result, ensure};
+use serde::Deserialize;
+use std::collections::HashSet;
+use std::fmt::Write as _;
+use std::path::Path;
+
+const NOTE: &str = "// Written by `cargo run -p mapd-schemas` from schemas/ontology; change that folder instead.\n\n";
+const START: &str = "<!-- classes: written from schemas/ontology/classes.toml -->\n";
+const END: &str = "<!-- end of classes -->\n";
+
+/// Code of the class that stands for what has no mapping, as in `src/archive/src/classes.rs`.
+const UNKNOWN: u16 = u16::MAX;
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Vocabulary {
+    #[serde(rename = "group")]
+    groups: Vec<Group>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Group {
+    name: String,
+    doc: String,
+    classes: Vec<Class>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Class {
+    code: u16,
+    name: String,
+    doc: String,
+}
+
+/// Everything that follows from `schemas/ontology`.
+pub(crate) fn outputs(root: &Path) -> Result<Vec<Output>> {
+    let folder = root.join("schemas/ontology");
+    let read = |name: &str| {
+        let path = folder.join(name);
+        std::fs::read_to_string(&path).with_context(|| format!("reading {}", path.display()))
+    };
+    let vocabulary: Vocabulary = toml::from_str(&read("classes.toml")?)?;
+    vocabulary.check()?;
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(&folder)? {
+        let name = entry?.file_name().to_string_lossy().into_owned();
+        if name.ends_with(".toml") && name != "classes.toml" {
+            names.push(name);
+        }
+    }
+    names.sort();
+    let mut tables = format!("//! The tables of `schemas/ontology`.\n{NOTE}");
+    tables += "/// Name of a file and its text.\npub(crate) const TABLES: &[(&str, &str)] = &[\n";
+    for name in &names {
+        let text = read(name)?;
+        ensure!(!text.contains("\"##"), "{name} must not contain \"##");
+        let _ = writeln!(tables, "({name:?}, r##\"{text}\"##),");
+    }
+    tables += "];\n";
+    let page =
+        std::fs::read_to_string(root.join("docs/ontology.md")).context("docs/ontology.md")?;
+    Ok(vec![
+        ("src/archive/src/generated/classes.rs".to_owned(), vocabulary.code()),
+        ("src/ontology/src/generated/tables.rs".to_owned(), tables),
+        ("docs/ontology.md".to_owned(), vocabulary.splice(&page)?),
+    ])
+}
+
+impl Vocabulary {
+    fn classes(&self) -> impl Iterator<Item = &Class> {
+        self.groups.iter().flat_map(|group| &group.classes)
+    }
+
+    fn check(&self) -> Result<()> {
+        let (mut codes, mut names) = (HashSet::new(), HashSet::new());
+        for class in self.classes() {
+            ensure!(class.code != UNKNOWN, "code {UNKNOWN} stands for what has no mapping");
+            ensure!(codes.insert(class.code), "code {} stands twice", class.code);
+            ensure!(names.insert(&class.name), "class {} stands twice", class.name);
+        }
+        Ok(())
+    }
+
+    fn code(&self) -> String {
+        let mut out =
+            format!("//! What signals and objects mean.\n{NOTE}use crate::classes::classes;\n\n");
+        out += "classes! {\n";
+        for group in &self.groups {
+            let _ = writeln!(out, "    /// {}.\n    {} {{", group.doc, variant(&group.name));
+            for class in &group.classes {
+                let (name, code) = (variant(&class.name), class.code);
+                let _ = writeln!(
+                    out,
+                    "        /// {}\n        {name} = {code}, {:?};",
+                    class.doc, class.name
+                );
+            }
+            out += "    }\n";
+        }
+        out += "}\n";
+        out
+    }
+
+    /// Replaces what stands between the two marks of the page.
+    fn splice(&self, page: &str) -> Result<String> {
+        let start =
+            page.find(START).context("docs/ontology.md lacks the mark where classes start")?;
+        let start = start + START.len();
+        let end = page.find(END).context("docs/ontology.md lacks the mark where classes end")?;
+        let mut out = String::new();
+        for group in &self.groups {
+            let _ =
+                write!(out, "\n**{}**\n\n| code | class | meaning |\n|---|---|---|\n", group.doc);
+            for class in &group.classes {
+                let _ = writeln!(out, "| {} | `{}` | {} |", class.code, class.name, class.doc);
+            }
+        }
+        out.push('\n');
+        Ok(format!("{}{}{}", &page[..start], out, &page[end..]))
+    }
+}
+
+/// `speed_limit` as `SpeedLimit`.
+fn variant(name: &str) -> String {
+    name.split('_')
+        .flat_map(|word| {
+            let mut letters = word.chars();
+            letters.next().map(|first| first.to_ascii_uppercase()).into_iter().chain(letters)
+        })
+        .collect()
+}

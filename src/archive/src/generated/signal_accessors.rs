@@ -1,0 +1,987 @@
+//! Reading the rows of signals and of what lies behind them.
+// Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
+
+use super::signal_rows::*;
+use crate::table::Range;
+use rkyv::rend;
+
+impl ArchivedSignalRow {
+    /// `[m]` Where it stands, inertial: by `positionInertial` or `positionRoad` where given, else by s, t and zOffset.
+    #[inline]
+    pub fn x(&self) -> f64 {
+        self.x.to_native()
+    }
+    /// `[m]` Where it stands.
+    #[inline]
+    pub fn y(&self) -> f64 {
+        self.y.to_native()
+    }
+    /// `[m]` Where it stands.
+    #[inline]
+    pub fn z(&self) -> f64 {
+        self.z.to_native()
+    }
+    /// `[rad]` Direction of the face's normal in plan view, in (−π, π]: towards the traffic that it is for.
+    #[inline]
+    pub fn facing(&self) -> f64 {
+        self.facing.to_native()
+    }
+    /// `[m]` signal/@s.
+    #[inline]
+    pub fn s(&self) -> f64 {
+        self.s.to_native()
+    }
+    /// `[m]` signal/@t.
+    #[inline]
+    pub fn t(&self) -> f64 {
+        self.t.to_native()
+    }
+    /// `[m]` signal/@zOffset.
+    #[inline]
+    pub fn z_offset(&self) -> f64 {
+        self.z_offset.to_native()
+    }
+    /// `[rad]` signal/@hOffset.
+    #[inline]
+    pub fn h_offset(&self) -> f64 {
+        self.h_offset.to_native()
+    }
+    /// `[rad]` Pitch of what stands there.
+    #[inline]
+    pub fn pitch(&self) -> f64 {
+        self.pitch.to_native()
+    }
+    /// `[rad]` Roll of what stands there.
+    #[inline]
+    pub fn roll(&self) -> f64 {
+        self.roll.to_native()
+    }
+    /// `[m]` signal/@width; −1 if not given.
+    #[inline]
+    pub fn width(&self) -> f64 {
+        self.width.to_native()
+    }
+    /// `[m]` signal/@height; −1 if not given.
+    #[inline]
+    pub fn height(&self) -> f64 {
+        self.height.to_native()
+    }
+    /// `[m]` signal/@length; −1 if not given.
+    #[inline]
+    pub fn length(&self) -> f64 {
+        self.length.to_native()
+    }
+    /// signal/@value as written, if `has_value` has bit 1; else 0.
+    #[inline]
+    pub fn written_value(&self) -> f64 {
+        self.written_value.to_native()
+    }
+    /// `[m/s, m or kg]` What the class means by its value, if `has_value` has bit 2; else 0.
+    #[inline]
+    pub fn value(&self) -> f64 {
+        self.value.to_native()
+    }
+    /// signal/@id verbatim.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// signal/@name.
+    #[inline]
+    pub fn name(&self) -> u32 {
+        self.name.to_native()
+    }
+    /// signal/@type verbatim.
+    #[inline]
+    pub fn r#type(&self) -> u32 {
+        self.r#type.to_native()
+    }
+    /// signal/@subtype verbatim.
+    #[inline]
+    pub fn subtype(&self) -> u32 {
+        self.subtype.to_native()
+    }
+    /// signal/@country verbatim.
+    #[inline]
+    pub fn country(&self) -> u32 {
+        self.country.to_native()
+    }
+    /// signal/@countryRevision verbatim.
+    #[inline]
+    pub fn country_revision(&self) -> u32 {
+        self.country_revision.to_native()
+    }
+    /// signal/@text.
+    #[inline]
+    pub fn text(&self) -> u32 {
+        self.text.to_native()
+    }
+    /// signal/@unit.
+    #[inline]
+    pub fn unit(&self) -> u32 {
+        self.unit.to_native()
+    }
+    /// The road that it is written in.
+    #[inline]
+    pub fn road(&self) -> u32 {
+        self.road.to_native()
+    }
+    /// Of a sign on a board: the signal that carries the board.
+    #[inline]
+    pub fn carrier(&self) -> u32 {
+        self.carrier.to_native()
+    }
+    /// Signals that it controls or depends on.
+    #[inline]
+    pub fn dependencies(&self) -> Range {
+        self.dependencies.to_native()
+    }
+    /// Objects and signals that belong to it.
+    #[inline]
+    pub fn links(&self) -> Range {
+        self.links.to_native()
+    }
+    /// What it says itself that it means (1.8, 1.9).
+    #[inline]
+    pub fn semantics(&self) -> Range {
+        self.semantics.to_native()
+    }
+    /// Variable message boards.
+    #[inline]
+    pub fn boards(&self) -> Range {
+        self.boards.to_native()
+    }
+    /// Controllers that switch it.
+    #[inline]
+    pub fn controllers(&self) -> Range {
+        self.controllers.to_native()
+    }
+    /// Line of the start tag, from 1.
+    #[inline]
+    pub fn line(&self) -> u32 {
+        self.line.to_native()
+    }
+    /// Column of the start tag in bytes, from 1.
+    #[inline]
+    pub fn column(&self) -> u32 {
+        self.column.to_native()
+    }
+    /// What it means: code of a class of docs/ontology.md, 65535 if no table maps it.
+    #[inline]
+    pub fn class(&self) -> u16 {
+        self.class.to_native()
+    }
+    /// Direction of travel that it is for: 0 both, 1 along s, 2 against s.
+    #[inline]
+    pub fn orientation(&self) -> u8 {
+        self.orientation
+    }
+    /// 1 if its state changes.
+    #[inline]
+    pub fn dynamic(&self) -> u8 {
+        self.dynamic
+    }
+    /// Where x, y, z and facing come from: 0 s and t, 1 positionRoad, 2 positionInertial.
+    #[inline]
+    pub fn position(&self) -> u8 {
+        self.position
+    }
+    /// Lamps of a light: 1 red, 2 yellow, 4 green.
+    #[inline]
+    pub fn bulbs(&self) -> u8 {
+        self.bulbs
+    }
+    /// What a light can show: 1 red, 2 red and yellow, 4 yellow, 8 green, 16 flashing red, 32 flashing yellow, 64 flashing green, 128 off.
+    #[inline]
+    pub fn phases(&self) -> u8 {
+        self.phases
+    }
+    /// Movements that a light is for, 0 all: 1 left, 2 straight, 4 right, 8 back.
+    #[inline]
+    pub fn arrows(&self) -> u8 {
+        self.arrows
+    }
+    /// 1 a value is written, 2 the class has a value.
+    #[inline]
+    pub fn has_value(&self) -> u8 {
+        self.has_value
+    }
+    /// 1 temporary, 2 invalidated (1.9), 4 s was moved to the road's end.
+    #[inline]
+    pub fn flags(&self) -> u8 {
+        self.flags
+    }
+}
+
+impl ArchivedSignalPlaceRow {
+    /// `[m]` Place on the road.
+    #[inline]
+    pub fn s(&self) -> f64 {
+        self.s.to_native()
+    }
+    /// `[m]` Lateral place on the road.
+    #[inline]
+    pub fn t(&self) -> f64 {
+        self.t.to_native()
+    }
+    /// The signal.
+    #[inline]
+    pub fn signal(&self) -> u32 {
+        self.signal.to_native()
+    }
+    /// The road.
+    #[inline]
+    pub fn road(&self) -> u32 {
+        self.road.to_native()
+    }
+    /// Lanes that it is for.
+    #[inline]
+    pub fn lanes(&self) -> Range {
+        self.lanes.to_native()
+    }
+    /// Line of the start tag of signal or signalReference, from 1.
+    #[inline]
+    pub fn line(&self) -> u32 {
+        self.line.to_native()
+    }
+    /// Column of that start tag in bytes, from 1.
+    #[inline]
+    pub fn column(&self) -> u32 {
+        self.column.to_native()
+    }
+    /// Direction of travel that it is for here: 0 both, 1 along s, 2 against s.
+    #[inline]
+    pub fn orientation(&self) -> u8 {
+        self.orientation
+    }
+    /// 0 the signal itself, 1 a reference to it.
+    #[inline]
+    pub fn kind(&self) -> u8 {
+        self.kind
+    }
+}
+
+impl ArchivedSignalLaneRow {
+    /// The place.
+    #[inline]
+    pub fn place(&self) -> u32 {
+        self.place.to_native()
+    }
+    /// The lane.
+    #[inline]
+    pub fn lane(&self) -> u32 {
+        self.lane.to_native()
+    }
+    /// `[m]` Distance of the signal's s and t from the lane's area, in plan view.
+    #[inline]
+    pub fn distance(&self) -> f32 {
+        self.distance.to_native()
+    }
+    /// How they belong together: 0 validity, 1 orientation (no validity: all lanes that travel that way), 2 s and t, 3 nearest lane.
+    #[inline]
+    pub fn method(&self) -> u8 {
+        self.method
+    }
+}
+
+impl ArchivedSignalDependencyRow {
+    /// The signal that is named, where the map has it.
+    #[inline]
+    pub fn signal(&self) -> u32 {
+        self.signal.to_native()
+    }
+    /// dependency/@id verbatim.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// dependency/@type.
+    #[inline]
+    pub fn r#type(&self) -> u32 {
+        self.r#type.to_native()
+    }
+}
+
+impl ArchivedSignalLinkRow {
+    /// The signal that is named, where it is one and the map has it.
+    #[inline]
+    pub fn signal(&self) -> u32 {
+        self.signal.to_native()
+    }
+    /// reference/@elementId verbatim.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// reference/@type.
+    #[inline]
+    pub fn r#type(&self) -> u32 {
+        self.r#type.to_native()
+    }
+    /// 0 an object, 1 a signal.
+    #[inline]
+    pub fn kind(&self) -> u8 {
+        self.kind
+    }
+}
+
+impl ArchivedSignalSemanticsRow {
+    /// Value as written; 0 if none.
+    #[inline]
+    pub fn written_value(&self) -> f64 {
+        self.written_value.to_native()
+    }
+    /// Name of the element, such as `speed`.
+    #[inline]
+    pub fn element(&self) -> u32 {
+        self.element.to_native()
+    }
+    /// Its type, such as `maximum`.
+    #[inline]
+    pub fn kind(&self) -> u32 {
+        self.kind.to_native()
+    }
+    /// Unit as written.
+    #[inline]
+    pub fn unit(&self) -> u32 {
+        self.unit.to_native()
+    }
+    /// What it means, as in `signals`.
+    #[inline]
+    pub fn class(&self) -> u16 {
+        self.class.to_native()
+    }
+}
+
+impl ArchivedSignalBoardRow {
+    /// `[m]` vmsBoard/@displayWidth; −1 if not given.
+    #[inline]
+    pub fn width(&self) -> f64 {
+        self.width.to_native()
+    }
+    /// `[m]` vmsBoard/@displayHeight; −1 if not given.
+    #[inline]
+    pub fn height(&self) -> f64 {
+        self.height.to_native()
+    }
+    /// `[m]` Lateral place on the carrier.
+    #[inline]
+    pub fn v(&self) -> f64 {
+        self.v.to_native()
+    }
+    /// `[m]` Height on the carrier.
+    #[inline]
+    pub fn z(&self) -> f64 {
+        self.z.to_native()
+    }
+    /// The signal that carries it.
+    #[inline]
+    pub fn signal(&self) -> u32 {
+        self.signal.to_native()
+    }
+    /// vmsBoard/@displayType.
+    #[inline]
+    pub fn display(&self) -> u32 {
+        self.display.to_native()
+    }
+    /// Number of its display areas.
+    #[inline]
+    pub fn areas(&self) -> u32 {
+        self.areas.to_native()
+    }
+}
+
+impl ArchivedBoardGroupRow {
+    /// vmsGroup/@id.
+    #[inline]
+    pub fn group(&self) -> u32 {
+        self.group.to_native()
+    }
+    /// The signal that carries the board, where the map has it.
+    #[inline]
+    pub fn signal(&self) -> u32 {
+        self.signal.to_native()
+    }
+    /// vmsBoardReference/@signalId verbatim.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// Number of the board at the signal; −1 if not given.
+    #[inline]
+    pub fn board(&self) -> i32 {
+        self.board.to_native()
+    }
+    /// Rank in the group; −1 if not given.
+    #[inline]
+    pub fn rank(&self) -> i32 {
+        self.rank.to_native()
+    }
+}
+
+impl ArchivedControllerRow {
+    /// controller/@id verbatim.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// controller/@name.
+    #[inline]
+    pub fn name(&self) -> u32 {
+        self.name.to_native()
+    }
+    /// controller/@sequence; −1 if not given.
+    #[inline]
+    pub fn sequence(&self) -> i32 {
+        self.sequence.to_native()
+    }
+    /// Its signals, in file order.
+    #[inline]
+    pub fn controls(&self) -> Range {
+        self.controls.to_native()
+    }
+    /// Line of the start tag, from 1.
+    #[inline]
+    pub fn line(&self) -> u32 {
+        self.line.to_native()
+    }
+    /// Column of the start tag in bytes, from 1.
+    #[inline]
+    pub fn column(&self) -> u32 {
+        self.column.to_native()
+    }
+}
+
+impl ArchivedControlRow {
+    /// The signal, where the map has it.
+    #[inline]
+    pub fn signal(&self) -> u32 {
+        self.signal.to_native()
+    }
+    /// control/@signalId verbatim.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// control/@type.
+    #[inline]
+    pub fn r#type(&self) -> u32 {
+        self.r#type.to_native()
+    }
+}
+
+impl ArchivedJunctionControllerRow {
+    /// The junction.
+    #[inline]
+    pub fn junction(&self) -> u32 {
+        self.junction.to_native()
+    }
+    /// The controller, where the map has it.
+    #[inline]
+    pub fn controller(&self) -> u32 {
+        self.controller.to_native()
+    }
+    /// controller/@id verbatim.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// controller/@type.
+    #[inline]
+    pub fn r#type(&self) -> u32 {
+        self.r#type.to_native()
+    }
+    /// Rank in the junction's sequence; −1 if not given.
+    #[inline]
+    pub fn sequence(&self) -> i32 {
+        self.sequence.to_native()
+    }
+}
+
+impl ArchivedJunctionPriorityRow {
+    /// The junction.
+    #[inline]
+    pub fn junction(&self) -> u32 {
+        self.junction.to_native()
+    }
+    /// Road with priority, where the map has it.
+    #[inline]
+    pub fn high(&self) -> u32 {
+        self.high.to_native()
+    }
+    /// Road that gives way, where the map has it.
+    #[inline]
+    pub fn low(&self) -> u32 {
+        self.low.to_native()
+    }
+}
+
+impl ArchivedRightOfWayRow {
+    /// Lane of the junction.
+    #[inline]
+    pub fn lane(&self) -> u32 {
+        self.lane.to_native()
+    }
+    /// Lane that conflicts with it.
+    #[inline]
+    pub fn other(&self) -> u32 {
+        self.other.to_native()
+    }
+    /// 0 `lane` yields, 1 `lane` has priority, 2 lights decide, 3 nothing decides.
+    #[inline]
+    pub fn relation(&self) -> u8 {
+        self.relation
+    }
+    /// 0 none, 1 lights, 2 stop sign, 3 yield sign, 4 priority road, 5 junction priority, 6 turn across oncoming traffic, 7 from the right.
+    #[inline]
+    pub fn reason(&self) -> u8 {
+        self.reason
+    }
+}
+
+impl ArchivedDefaultSpeedRow {
+    /// `[m/s]` Speed limit.
+    #[inline]
+    pub fn max(&self) -> f64 {
+        self.max.to_native()
+    }
+    /// Road type code.
+    #[inline]
+    pub fn kind(&self) -> u8 {
+        self.kind
+    }
+}
+
+impl ArchivedQuarantinedRow {
+    /// `[m]` Smallest x of the part, inertial; 0 if not known.
+    #[inline]
+    pub fn min_x(&self) -> f64 {
+        self.min_x.to_native()
+    }
+    /// `[m]` Smallest y of the part.
+    #[inline]
+    pub fn min_y(&self) -> f64 {
+        self.min_y.to_native()
+    }
+    /// `[m]` Largest x of the part.
+    #[inline]
+    pub fn max_x(&self) -> f64 {
+        self.max_x.to_native()
+    }
+    /// `[m]` Largest y of the part.
+    #[inline]
+    pub fn max_y(&self) -> f64 {
+        self.max_y.to_native()
+    }
+    /// `[m]` Length of a road as written; 0 for other parts.
+    #[inline]
+    pub fn length(&self) -> f64 {
+        self.length.to_native()
+    }
+    /// Id of the part.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// Id of the road or junction that it belongs to; its own for these.
+    #[inline]
+    pub fn owner(&self) -> u32 {
+        self.owner.to_native()
+    }
+    /// Id of the rule whose finding is the reason.
+    #[inline]
+    pub fn rule(&self) -> u32 {
+        self.rule.to_native()
+    }
+    /// What the finding says.
+    #[inline]
+    pub fn message(&self) -> u32 {
+        self.message.to_native()
+    }
+    /// Line of the finding, from 1.
+    #[inline]
+    pub fn line(&self) -> u32 {
+        self.line.to_native()
+    }
+    /// Column of the finding in bytes, from 1.
+    #[inline]
+    pub fn column(&self) -> u32 {
+        self.column.to_native()
+    }
+    /// 0 road, 1 junction, 2 connection, 3 object, 4 signal, 5 controller, 6 other group.
+    #[inline]
+    pub fn kind(&self) -> u8 {
+        self.kind
+    }
+    /// 0 left out, 1 kept as reference line.
+    #[inline]
+    pub fn treatment(&self) -> u8 {
+        self.treatment
+    }
+    /// 1 if the extent is known.
+    #[inline]
+    pub fn has_extent(&self) -> u8 {
+        self.has_extent
+    }
+    /// What the owner is, as `kind`.
+    #[inline]
+    pub fn owner_kind(&self) -> u8 {
+        self.owner_kind
+    }
+}
+
+impl ArchivedObjectRow {
+    /// `[m]` x of the object's origin relative to the local origin.
+    #[inline]
+    pub fn x(&self) -> f64 {
+        self.x.to_native()
+    }
+    /// `[m]` y of the object's origin relative to the local origin.
+    #[inline]
+    pub fn y(&self) -> f64 {
+        self.y.to_native()
+    }
+    /// `[m]` z of the object's origin: elevation of the reference line at s plus zOffset.
+    #[inline]
+    pub fn z(&self) -> f64 {
+        self.z.to_native()
+    }
+    /// `[m]` object/@s as written.
+    #[inline]
+    pub fn s(&self) -> f64 {
+        self.s.to_native()
+    }
+    /// `[m]` object/@t as written.
+    #[inline]
+    pub fn t(&self) -> f64 {
+        self.t.to_native()
+    }
+    /// `[rad]` Inertial heading of the object's u axis, in (−π, π].
+    #[inline]
+    pub fn heading(&self) -> f64 {
+        self.heading.to_native()
+    }
+    /// `[rad]` Inertial pitch, turned after the heading; positive lowers the front.
+    #[inline]
+    pub fn pitch(&self) -> f32 {
+        self.pitch.to_native()
+    }
+    /// `[rad]` Inertial roll, turned last; positive lifts the left side.
+    #[inline]
+    pub fn roll(&self) -> f32 {
+        self.roll.to_native()
+    }
+    /// `[m]` object/@zOffset.
+    #[inline]
+    pub fn z_offset(&self) -> f32 {
+        self.z_offset.to_native()
+    }
+    /// `[m]` object/@length; 0 if absent.
+    #[inline]
+    pub fn length(&self) -> f32 {
+        self.length.to_native()
+    }
+    /// `[m]` object/@width; 0 if absent.
+    #[inline]
+    pub fn width(&self) -> f32 {
+        self.width.to_native()
+    }
+    /// `[m]` object/@height; 0 if absent.
+    #[inline]
+    pub fn height(&self) -> f32 {
+        self.height.to_native()
+    }
+    /// `[m]` object/@radius; 0 if absent.
+    #[inline]
+    pub fn radius(&self) -> f32 {
+        self.radius.to_native()
+    }
+    /// `[m]` object/@validLength; 0 if absent.
+    #[inline]
+    pub fn valid_length(&self) -> f32 {
+        self.valid_length.to_native()
+    }
+    /// object/@id verbatim.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// object/@name.
+    #[inline]
+    pub fn name(&self) -> u32 {
+        self.name.to_native()
+    }
+    /// object/@type verbatim.
+    #[inline]
+    pub fn kind(&self) -> u32 {
+        self.kind.to_native()
+    }
+    /// object/@subtype.
+    #[inline]
+    pub fn subtype(&self) -> u32 {
+        self.subtype.to_native()
+    }
+    /// Road that it is written in; none for an object of a junction.
+    #[inline]
+    pub fn road(&self) -> u32 {
+        self.road.to_native()
+    }
+    /// Junction that it is written in.
+    #[inline]
+    pub fn junction(&self) -> u32 {
+        self.junction.to_native()
+    }
+    /// Outlines in file order.
+    #[inline]
+    pub fn outlines(&self) -> Range {
+        self.outlines.to_native()
+    }
+    /// Where the object stands if it is repeated; empty if it stands at its own place.
+    #[inline]
+    pub fn copies(&self) -> Range {
+        self.copies.to_native()
+    }
+    /// Lanes that it belongs to.
+    #[inline]
+    pub fn lanes(&self) -> Range {
+        self.lanes.to_native()
+    }
+    /// Lane numbers that it is written to hold for.
+    #[inline]
+    pub fn validities(&self) -> Range {
+        self.validities.to_native()
+    }
+    /// Line of the start tag, from 1.
+    #[inline]
+    pub fn line(&self) -> u32 {
+        self.line.to_native()
+    }
+    /// Column of the start tag in bytes, from 1.
+    #[inline]
+    pub fn column(&self) -> u32 {
+        self.column.to_native()
+    }
+    /// Class in mapd's vocabulary.
+    #[inline]
+    pub fn class(&self) -> u16 {
+        self.class.to_native()
+    }
+    /// 0 point, 1 box, 2 cylinder, 3 outlines.
+    #[inline]
+    pub fn shape(&self) -> u8 {
+        self.shape
+    }
+    /// Direction of travel that it is for: 0 both or not given, 1 along s, 2 against s.
+    #[inline]
+    pub fn orientation(&self) -> u8 {
+        self.orientation
+    }
+    /// 1 dynamic, 2 perpendicular to the road, 4 temporary, 8 invalidated, 16 s beyond the road and moved to its end.
+    #[inline]
+    pub fn flags(&self) -> u8 {
+        self.flags
+    }
+}
+
+impl ArchivedObjectOutlineRow {
+    /// Corners in order; a closed outline leads from the last to the first.
+    #[inline]
+    pub fn points(&self) -> Range {
+        self.points.to_native()
+    }
+    /// outline/@id; u32::MAX if absent.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// What fills it: 0 not given, 1 grass, 2 concrete, 3 cobble, 4 asphalt, 5 pavement, 6 gravel, 7 soil, 8 paint.
+    #[inline]
+    pub fn fill(&self) -> u8 {
+        self.fill
+    }
+    /// Lane type code that it stands for; 0 if none.
+    #[inline]
+    pub fn lane_type(&self) -> u8 {
+        self.lane_type
+    }
+    /// 1 outer, 2 closed.
+    #[inline]
+    pub fn flags(&self) -> u8 {
+        self.flags
+    }
+}
+
+impl ArchivedObjectPointRow {
+    /// `[m]` Ahead of the origin.
+    #[inline]
+    pub fn u(&self) -> f32 {
+        self.u.to_native()
+    }
+    /// `[m]` Left of the origin.
+    #[inline]
+    pub fn v(&self) -> f32 {
+        self.v.to_native()
+    }
+    /// `[m]` Above the origin.
+    #[inline]
+    pub fn z(&self) -> f32 {
+        self.z.to_native()
+    }
+    /// `[m]` Height of the object at this corner.
+    #[inline]
+    pub fn height(&self) -> f32 {
+        self.height.to_native()
+    }
+}
+
+impl ArchivedObjectCopyRow {
+    /// `[m]` x of the origin relative to the local origin.
+    #[inline]
+    pub fn x(&self) -> f64 {
+        self.x.to_native()
+    }
+    /// `[m]` y of the origin relative to the local origin.
+    #[inline]
+    pub fn y(&self) -> f64 {
+        self.y.to_native()
+    }
+    /// `[m]` z of the origin.
+    #[inline]
+    pub fn z(&self) -> f64 {
+        self.z.to_native()
+    }
+    /// `[m]` Place on the road; of a swept copy its start.
+    #[inline]
+    pub fn s(&self) -> f64 {
+        self.s.to_native()
+    }
+    /// `[m]` Lateral place; of a swept copy at its start.
+    #[inline]
+    pub fn t(&self) -> f64 {
+        self.t.to_native()
+    }
+    /// `[rad]` Inertial heading of the u axis; 0 for a swept copy.
+    #[inline]
+    pub fn heading(&self) -> f64 {
+        self.heading.to_native()
+    }
+    /// `[rad]` As in `objects`.
+    #[inline]
+    pub fn pitch(&self) -> f32 {
+        self.pitch.to_native()
+    }
+    /// `[rad]` As in `objects`.
+    #[inline]
+    pub fn roll(&self) -> f32 {
+        self.roll.to_native()
+    }
+    /// `[m]` Length; of a swept copy along the road.
+    #[inline]
+    pub fn length(&self) -> f32 {
+        self.length.to_native()
+    }
+    /// `[m]` Width; of a swept copy at its start.
+    #[inline]
+    pub fn width(&self) -> f32 {
+        self.width.to_native()
+    }
+    /// `[m]` Height; of a swept copy at its start.
+    #[inline]
+    pub fn height(&self) -> f32 {
+        self.height.to_native()
+    }
+    /// `[m]` Radius; 0 if it has none.
+    #[inline]
+    pub fn radius(&self) -> f32 {
+        self.radius.to_native()
+    }
+    /// The object.
+    #[inline]
+    pub fn object(&self) -> u32 {
+        self.object.to_native()
+    }
+    /// What a swept copy covers; empty for the others, which have the object's own outlines.
+    #[inline]
+    pub fn outlines(&self) -> Range {
+        self.outlines.to_native()
+    }
+    /// As in `objects`.
+    #[inline]
+    pub fn shape(&self) -> u8 {
+        self.shape
+    }
+    /// 1 swept.
+    #[inline]
+    pub fn flags(&self) -> u8 {
+        self.flags
+    }
+}
+
+impl ArchivedLaneRangeRow {
+    /// Lowest lane number.
+    #[inline]
+    pub fn from(&self) -> i32 {
+        self.from.to_native()
+    }
+    /// Highest lane number.
+    #[inline]
+    pub fn to(&self) -> i32 {
+        self.to.to_native()
+    }
+}
+
+impl ArchivedObjectLaneRow {
+    /// The object.
+    #[inline]
+    pub fn object(&self) -> u32 {
+        self.object.to_native()
+    }
+    /// The lane.
+    #[inline]
+    pub fn lane(&self) -> u32 {
+        self.lane.to_native()
+    }
+    /// `[m]` Where the object begins along the lane, from its section's start.
+    #[inline]
+    pub fn s_from(&self) -> f32 {
+        self.s_from.to_native()
+    }
+    /// `[m]` Where it ends along the lane.
+    #[inline]
+    pub fn s_to(&self) -> f32 {
+        self.s_to.to_native()
+    }
+    /// `[m]` Plan-view distance of the object from the lane's area; 0 on it.
+    #[inline]
+    pub fn distance(&self) -> f32 {
+        self.distance.to_native()
+    }
+    /// 0 by validity, 1 by s and t, 2 as the nearest lane.
+    #[inline]
+    pub fn method(&self) -> u8 {
+        self.method
+    }
+}
+
+impl ArchivedObjectIndexNodeRow {
+    /// `[m]` Smallest x of each child.
+    #[inline]
+    pub fn min_x(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.min_x)
+    }
+    /// `[m]` Smallest y of each child.
+    #[inline]
+    pub fn min_y(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.min_y)
+    }
+    /// `[m]` Largest x of each child.
+    #[inline]
+    pub fn max_x(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.max_x)
+    }
+    /// `[m]` Largest y of each child.
+    #[inline]
+    pub fn max_y(&self) -> &[f32; 16] {
+        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.max_y)
+    }
+}

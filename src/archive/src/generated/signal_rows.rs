@@ -1,0 +1,589 @@
+//! Row types of the tables of signals and of what lies behind them.
+// Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
+
+use crate::table::Range;
+use bytemuck::{Pod, Zeroable};
+use rkyv::Archive;
+
+/// One row per signal, in file order, signs on boards behind the signal that carries them. The row number is the SignalId.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct SignalRow {
+    /// `[m]` Where it stands, inertial: by `positionInertial` or `positionRoad` where given, else by s, t and zOffset.
+    pub x: f64,
+    /// `[m]` Where it stands.
+    pub y: f64,
+    /// `[m]` Where it stands.
+    pub z: f64,
+    /// `[rad]` Direction of the face's normal in plan view, in (−π, π]: towards the traffic that it is for.
+    pub facing: f64,
+    /// `[m]` signal/@s.
+    pub s: f64,
+    /// `[m]` signal/@t.
+    pub t: f64,
+    /// `[m]` signal/@zOffset.
+    pub z_offset: f64,
+    /// `[rad]` signal/@hOffset.
+    pub h_offset: f64,
+    /// `[rad]` Pitch of what stands there.
+    pub pitch: f64,
+    /// `[rad]` Roll of what stands there.
+    pub roll: f64,
+    /// `[m]` signal/@width; −1 if not given.
+    pub width: f64,
+    /// `[m]` signal/@height; −1 if not given.
+    pub height: f64,
+    /// `[m]` signal/@length; −1 if not given.
+    pub length: f64,
+    /// signal/@value as written, if `has_value` has bit 1; else 0.
+    pub written_value: f64,
+    /// `[m/s, m or kg]` What the class means by its value, if `has_value` has bit 2; else 0.
+    pub value: f64,
+    /// signal/@id verbatim.
+    pub id: u32,
+    /// signal/@name.
+    pub name: u32,
+    /// signal/@type verbatim.
+    pub r#type: u32,
+    /// signal/@subtype verbatim.
+    pub subtype: u32,
+    /// signal/@country verbatim.
+    pub country: u32,
+    /// signal/@countryRevision verbatim.
+    pub country_revision: u32,
+    /// signal/@text.
+    pub text: u32,
+    /// signal/@unit.
+    pub unit: u32,
+    /// The road that it is written in.
+    pub road: u32,
+    /// Of a sign on a board: the signal that carries the board.
+    pub carrier: u32,
+    /// Signals that it controls or depends on.
+    pub dependencies: Range,
+    /// Objects and signals that belong to it.
+    pub links: Range,
+    /// What it says itself that it means (1.8, 1.9).
+    pub semantics: Range,
+    /// Variable message boards.
+    pub boards: Range,
+    /// Controllers that switch it.
+    pub controllers: Range,
+    /// Line of the start tag, from 1.
+    pub line: u32,
+    /// Column of the start tag in bytes, from 1.
+    pub column: u32,
+    /// What it means: code of a class of docs/ontology.md, 65535 if no table maps it.
+    pub class: u16,
+    /// Direction of travel that it is for: 0 both, 1 along s, 2 against s.
+    pub orientation: u8,
+    /// 1 if its state changes.
+    pub dynamic: u8,
+    /// Where x, y, z and facing come from: 0 s and t, 1 positionRoad, 2 positionInertial.
+    pub position: u8,
+    /// Lamps of a light: 1 red, 2 yellow, 4 green.
+    pub bulbs: u8,
+    /// What a light can show: 1 red, 2 red and yellow, 4 yellow, 8 green, 16 flashing red, 32 flashing yellow, 64 flashing green, 128 off.
+    pub phases: u8,
+    /// Movements that a light is for, 0 all: 1 left, 2 straight, 4 right, 8 back.
+    pub arrows: u8,
+    /// 1 a value is written, 2 the class has a value.
+    pub has_value: u8,
+    /// 1 temporary, 2 invalidated (1.9), 4 s was moved to the road's end.
+    pub flags: u8,
+    /// 0.
+    pub reserved: [u8; 6],
+}
+const _: () = assert!(size_of::<SignalRow>() == 224 && size_of::<ArchivedSignalRow>() == 224);
+
+/// Where signals count: on their own road and on those that refer to them, by road and s.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct SignalPlaceRow {
+    /// `[m]` Place on the road.
+    pub s: f64,
+    /// `[m]` Lateral place on the road.
+    pub t: f64,
+    /// The signal.
+    pub signal: u32,
+    /// The road.
+    pub road: u32,
+    /// Lanes that it is for.
+    pub lanes: Range,
+    /// Line of the start tag of signal or signalReference, from 1.
+    pub line: u32,
+    /// Column of that start tag in bytes, from 1.
+    pub column: u32,
+    /// Direction of travel that it is for here: 0 both, 1 along s, 2 against s.
+    pub orientation: u8,
+    /// 0 the signal itself, 1 a reference to it.
+    pub kind: u8,
+    /// 0.
+    pub reserved: [u8; 6],
+}
+const _: () =
+    assert!(size_of::<SignalPlaceRow>() == 48 && size_of::<ArchivedSignalPlaceRow>() == 48);
+
+/// Lanes of the signals' places, by place; lanes from left to right.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct SignalLaneRow {
+    /// The place.
+    pub place: u32,
+    /// The lane.
+    pub lane: u32,
+    /// `[m]` Distance of the signal's s and t from the lane's area, in plan view.
+    pub distance: f32,
+    /// How they belong together: 0 validity, 1 orientation (no validity: all lanes that travel that way), 2 s and t, 3 nearest lane.
+    pub method: u8,
+    /// 0.
+    pub reserved: [u8; 3],
+}
+const _: () = assert!(size_of::<SignalLaneRow>() == 16 && size_of::<ArchivedSignalLaneRow>() == 16);
+
+/// signal/dependency.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct SignalDependencyRow {
+    /// The signal that is named, where the map has it.
+    pub signal: u32,
+    /// dependency/@id verbatim.
+    pub id: u32,
+    /// dependency/@type.
+    pub r#type: u32,
+}
+const _: () = assert!(
+    size_of::<SignalDependencyRow>() == 12 && size_of::<ArchivedSignalDependencyRow>() == 12
+);
+
+/// signal/reference.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct SignalLinkRow {
+    /// The signal that is named, where it is one and the map has it.
+    pub signal: u32,
+    /// reference/@elementId verbatim.
+    pub id: u32,
+    /// reference/@type.
+    pub r#type: u32,
+    /// 0 an object, 1 a signal.
+    pub kind: u8,
+    /// 0.
+    pub reserved: [u8; 3],
+}
+const _: () = assert!(size_of::<SignalLinkRow>() == 16 && size_of::<ArchivedSignalLinkRow>() == 16);
+
+/// Children of signal/semantics, and of the header's default regulations.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct SignalSemanticsRow {
+    /// Value as written; 0 if none.
+    pub written_value: f64,
+    /// Name of the element, such as `speed`.
+    pub element: u32,
+    /// Its type, such as `maximum`.
+    pub kind: u32,
+    /// Unit as written.
+    pub unit: u32,
+    /// What it means, as in `signals`.
+    pub class: u16,
+    /// 0.
+    pub reserved: [u8; 2],
+}
+const _: () =
+    assert!(size_of::<SignalSemanticsRow>() == 24 && size_of::<ArchivedSignalSemanticsRow>() == 24);
+
+/// signal/vmsBoard, by signal: variable message boards (OpenDRIVE 1.8).
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct SignalBoardRow {
+    /// `[m]` vmsBoard/@displayWidth; −1 if not given.
+    pub width: f64,
+    /// `[m]` vmsBoard/@displayHeight; −1 if not given.
+    pub height: f64,
+    /// `[m]` Lateral place on the carrier.
+    pub v: f64,
+    /// `[m]` Height on the carrier.
+    pub z: f64,
+    /// The signal that carries it.
+    pub signal: u32,
+    /// vmsBoard/@displayType.
+    pub display: u32,
+    /// Number of its display areas.
+    pub areas: u32,
+    /// 0.
+    pub reserved: u32,
+}
+const _: () =
+    assert!(size_of::<SignalBoardRow>() == 48 && size_of::<ArchivedSignalBoardRow>() == 48);
+
+/// vmsGroup/vmsBoardReference, by group: variable message boards that work together (OpenDRIVE 1.8).
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct BoardGroupRow {
+    /// vmsGroup/@id.
+    pub group: u32,
+    /// The signal that carries the board, where the map has it.
+    pub signal: u32,
+    /// vmsBoardReference/@signalId verbatim.
+    pub id: u32,
+    /// Number of the board at the signal; −1 if not given.
+    pub board: i32,
+    /// Rank in the group; −1 if not given.
+    pub rank: i32,
+}
+const _: () = assert!(size_of::<BoardGroupRow>() == 20 && size_of::<ArchivedBoardGroupRow>() == 20);
+
+/// One row per controller, in file order: a signal group, whose signals switch together.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ControllerRow {
+    /// controller/@id verbatim.
+    pub id: u32,
+    /// controller/@name.
+    pub name: u32,
+    /// controller/@sequence; −1 if not given.
+    pub sequence: i32,
+    /// Its signals, in file order.
+    pub controls: Range,
+    /// Line of the start tag, from 1.
+    pub line: u32,
+    /// Column of the start tag in bytes, from 1.
+    pub column: u32,
+}
+const _: () = assert!(size_of::<ControllerRow>() == 28 && size_of::<ArchivedControllerRow>() == 28);
+
+/// controller/control, by controller.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ControlRow {
+    /// The signal, where the map has it.
+    pub signal: u32,
+    /// control/@signalId verbatim.
+    pub id: u32,
+    /// control/@type.
+    pub r#type: u32,
+}
+const _: () = assert!(size_of::<ControlRow>() == 12 && size_of::<ArchivedControlRow>() == 12);
+
+/// junction/controller, by junction: the controllers of a junction are its synchronisation group.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct JunctionControllerRow {
+    /// The junction.
+    pub junction: u32,
+    /// The controller, where the map has it.
+    pub controller: u32,
+    /// controller/@id verbatim.
+    pub id: u32,
+    /// controller/@type.
+    pub r#type: u32,
+    /// Rank in the junction's sequence; −1 if not given.
+    pub sequence: i32,
+}
+const _: () = assert!(
+    size_of::<JunctionControllerRow>() == 20 && size_of::<ArchivedJunctionControllerRow>() == 20
+);
+
+/// junction/priority, by junction.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct JunctionPriorityRow {
+    /// The junction.
+    pub junction: u32,
+    /// Road with priority, where the map has it.
+    pub high: u32,
+    /// Road that gives way, where the map has it.
+    pub low: u32,
+}
+const _: () = assert!(
+    size_of::<JunctionPriorityRow>() == 12 && size_of::<ArchivedJunctionPriorityRow>() == 12
+);
+
+/// Who goes first, for each pair of lanes of `conflicts` that come from different entries, by `lane`; each pair stands twice, once from either side.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct RightOfWayRow {
+    /// Lane of the junction.
+    pub lane: u32,
+    /// Lane that conflicts with it.
+    pub other: u32,
+    /// 0 `lane` yields, 1 `lane` has priority, 2 lights decide, 3 nothing decides.
+    pub relation: u8,
+    /// 0 none, 1 lights, 2 stop sign, 3 yield sign, 4 priority road, 5 junction priority, 6 turn across oncoming traffic, 7 from the right.
+    pub reason: u8,
+    /// 0.
+    pub reserved: [u8; 2],
+}
+const _: () = assert!(size_of::<RightOfWayRow>() == 12 && size_of::<ArchivedRightOfWayRow>() == 12);
+
+/// header/defaultRegulations: speeds by type of road (OpenDRIVE 1.8.1, 6.4).
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct DefaultSpeedRow {
+    /// `[m/s]` Speed limit.
+    pub max: f64,
+    /// Road type code.
+    pub kind: u8,
+    /// 0.
+    pub reserved: [u8; 7],
+}
+const _: () =
+    assert!(size_of::<DefaultSpeedRow>() == 16 && size_of::<ArchivedDefaultSpeedRow>() == 16);
+
+/// Parts of the document that have errors and are not in the map as written, in the order of the document.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct QuarantinedRow {
+    /// `[m]` Smallest x of the part, inertial; 0 if not known.
+    pub min_x: f64,
+    /// `[m]` Smallest y of the part.
+    pub min_y: f64,
+    /// `[m]` Largest x of the part.
+    pub max_x: f64,
+    /// `[m]` Largest y of the part.
+    pub max_y: f64,
+    /// `[m]` Length of a road as written; 0 for other parts.
+    pub length: f64,
+    /// Id of the part.
+    pub id: u32,
+    /// Id of the road or junction that it belongs to; its own for these.
+    pub owner: u32,
+    /// Id of the rule whose finding is the reason.
+    pub rule: u32,
+    /// What the finding says.
+    pub message: u32,
+    /// Line of the finding, from 1.
+    pub line: u32,
+    /// Column of the finding in bytes, from 1.
+    pub column: u32,
+    /// 0 road, 1 junction, 2 connection, 3 object, 4 signal, 5 controller, 6 other group.
+    pub kind: u8,
+    /// 0 left out, 1 kept as reference line.
+    pub treatment: u8,
+    /// 1 if the extent is known.
+    pub has_extent: u8,
+    /// What the owner is, as `kind`.
+    pub owner_kind: u8,
+    /// 0.
+    pub reserved: [u8; 4],
+}
+const _: () =
+    assert!(size_of::<QuarantinedRow>() == 72 && size_of::<ArchivedQuarantinedRow>() == 72);
+
+/// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ObjectRow {
+    /// `[m]` x of the object's origin relative to the local origin.
+    pub x: f64,
+    /// `[m]` y of the object's origin relative to the local origin.
+    pub y: f64,
+    /// `[m]` z of the object's origin: elevation of the reference line at s plus zOffset.
+    pub z: f64,
+    /// `[m]` object/@s as written.
+    pub s: f64,
+    /// `[m]` object/@t as written.
+    pub t: f64,
+    /// `[rad]` Inertial heading of the object's u axis, in (−π, π].
+    pub heading: f64,
+    /// `[rad]` Inertial pitch, turned after the heading; positive lowers the front.
+    pub pitch: f32,
+    /// `[rad]` Inertial roll, turned last; positive lifts the left side.
+    pub roll: f32,
+    /// `[m]` object/@zOffset.
+    pub z_offset: f32,
+    /// `[m]` object/@length; 0 if absent.
+    pub length: f32,
+    /// `[m]` object/@width; 0 if absent.
+    pub width: f32,
+    /// `[m]` object/@height; 0 if absent.
+    pub height: f32,
+    /// `[m]` object/@radius; 0 if absent.
+    pub radius: f32,
+    /// `[m]` object/@validLength; 0 if absent.
+    pub valid_length: f32,
+    /// object/@id verbatim.
+    pub id: u32,
+    /// object/@name.
+    pub name: u32,
+    /// object/@type verbatim.
+    pub kind: u32,
+    /// object/@subtype.
+    pub subtype: u32,
+    /// Road that it is written in; none for an object of a junction.
+    pub road: u32,
+    /// Junction that it is written in.
+    pub junction: u32,
+    /// Outlines in file order.
+    pub outlines: Range,
+    /// Where the object stands if it is repeated; empty if it stands at its own place.
+    pub copies: Range,
+    /// Lanes that it belongs to.
+    pub lanes: Range,
+    /// Lane numbers that it is written to hold for.
+    pub validities: Range,
+    /// Line of the start tag, from 1.
+    pub line: u32,
+    /// Column of the start tag in bytes, from 1.
+    pub column: u32,
+    /// Class in mapd's vocabulary.
+    pub class: u16,
+    /// 0 point, 1 box, 2 cylinder, 3 outlines.
+    pub shape: u8,
+    /// Direction of travel that it is for: 0 both or not given, 1 along s, 2 against s.
+    pub orientation: u8,
+    /// 1 dynamic, 2 perpendicular to the road, 4 temporary, 8 invalidated, 16 s beyond the road and moved to its end.
+    pub flags: u8,
+    /// 0.
+    pub reserved: [u8; 3],
+}
+const _: () = assert!(size_of::<ObjectRow>() == 152 && size_of::<ArchivedObjectRow>() == 152);
+
+/// Outlines of objects, and of what a continuous repetition sweeps over.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ObjectOutlineRow {
+    /// Corners in order; a closed outline leads from the last to the first.
+    pub points: Range,
+    /// outline/@id; u32::MAX if absent.
+    pub id: u32,
+    /// What fills it: 0 not given, 1 grass, 2 concrete, 3 cobble, 4 asphalt, 5 pavement, 6 gravel, 7 soil, 8 paint.
+    pub fill: u8,
+    /// Lane type code that it stands for; 0 if none.
+    pub lane_type: u8,
+    /// 1 outer, 2 closed.
+    pub flags: u8,
+    /// 0.
+    pub reserved: u8,
+}
+const _: () =
+    assert!(size_of::<ObjectOutlineRow>() == 16 && size_of::<ArchivedObjectOutlineRow>() == 16);
+
+/// Corners in the frame of the object or copy that they belong to: u ahead, v to the left, z upwards.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ObjectPointRow {
+    /// `[m]` Ahead of the origin.
+    pub u: f32,
+    /// `[m]` Left of the origin.
+    pub v: f32,
+    /// `[m]` Above the origin.
+    pub z: f32,
+    /// `[m]` Height of the object at this corner.
+    pub height: f32,
+}
+const _: () =
+    assert!(size_of::<ObjectPointRow>() == 16 && size_of::<ArchivedObjectPointRow>() == 16);
+
+/// Places of repeated objects, object by object, in the order of the repetitions and of s.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ObjectCopyRow {
+    /// `[m]` x of the origin relative to the local origin.
+    pub x: f64,
+    /// `[m]` y of the origin relative to the local origin.
+    pub y: f64,
+    /// `[m]` z of the origin.
+    pub z: f64,
+    /// `[m]` Place on the road; of a swept copy its start.
+    pub s: f64,
+    /// `[m]` Lateral place; of a swept copy at its start.
+    pub t: f64,
+    /// `[rad]` Inertial heading of the u axis; 0 for a swept copy.
+    pub heading: f64,
+    /// `[rad]` As in `objects`.
+    pub pitch: f32,
+    /// `[rad]` As in `objects`.
+    pub roll: f32,
+    /// `[m]` Length; of a swept copy along the road.
+    pub length: f32,
+    /// `[m]` Width; of a swept copy at its start.
+    pub width: f32,
+    /// `[m]` Height; of a swept copy at its start.
+    pub height: f32,
+    /// `[m]` Radius; 0 if it has none.
+    pub radius: f32,
+    /// The object.
+    pub object: u32,
+    /// What a swept copy covers; empty for the others, which have the object's own outlines.
+    pub outlines: Range,
+    /// As in `objects`.
+    pub shape: u8,
+    /// 1 swept.
+    pub flags: u8,
+    /// 0.
+    pub reserved: u16,
+}
+const _: () = assert!(size_of::<ObjectCopyRow>() == 88 && size_of::<ArchivedObjectCopyRow>() == 88);
+
+/// validity elements: lane numbers from the lower to the higher one.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct LaneRangeRow {
+    /// Lowest lane number.
+    pub from: i32,
+    /// Highest lane number.
+    pub to: i32,
+}
+const _: () = assert!(size_of::<LaneRangeRow>() == 8 && size_of::<ArchivedLaneRangeRow>() == 8);
+
+/// Which lanes objects belong to, object by object, nearer lanes first.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ObjectLaneRow {
+    /// The object.
+    pub object: u32,
+    /// The lane.
+    pub lane: u32,
+    /// `[m]` Where the object begins along the lane, from its section's start.
+    pub s_from: f32,
+    /// `[m]` Where it ends along the lane.
+    pub s_to: f32,
+    /// `[m]` Plan-view distance of the object from the lane's area; 0 on it.
+    pub distance: f32,
+    /// 0 by validity, 1 by s and t, 2 as the nearest lane.
+    pub method: u8,
+    /// 0.
+    pub reserved: [u8; 3],
+}
+const _: () = assert!(size_of::<ObjectLaneRow>() == 24 && size_of::<ArchivedObjectLaneRow>() == 24);
+
+/// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie `object_index_items`. Boxes hold what objects cover in plan view, are relative to the local origin and rounded outwards; unused places are empty boxes.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ObjectIndexNodeRow {
+    /// `[m]` Smallest x of each child.
+    pub min_x: [f32; 16],
+    /// `[m]` Smallest y of each child.
+    pub min_y: [f32; 16],
+    /// `[m]` Largest x of each child.
+    pub max_x: [f32; 16],
+    /// `[m]` Largest y of each child.
+    pub max_y: [f32; 16],
+}
+const _: () = assert!(
+    size_of::<ObjectIndexNodeRow>() == 256 && size_of::<ArchivedObjectIndexNodeRow>() == 256
+);

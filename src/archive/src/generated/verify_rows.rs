@@ -1,0 +1,565 @@
+//! Proving the archive's rows.
+// Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
+
+use super::tables::Tables;
+use crate::error::VerifyError;
+use crate::verify::Check;
+
+impl Tables<'_> {
+    /// Proves every row: finite numbers, known codes, references and ranges inside their tables.
+    pub(crate) fn verify_rows(&self) -> Result<(), VerifyError> {
+        let strings = self.string_offsets.len().saturating_sub(1);
+        for (i, row) in self.map.iter().enumerate() {
+            let check = Check { table: "map", row: i };
+            check.finite("origin_x", row.origin_x())?;
+            check.finite("origin_y", row.origin_y())?;
+            check.finite("min_x", row.min_x())?;
+            check.finite("min_y", row.min_y())?;
+            check.finite("min_z", row.min_z())?;
+            check.finite("max_x", row.max_x())?;
+            check.finite("max_y", row.max_y())?;
+            check.finite("max_z", row.max_z())?;
+            check.finite("stated_north", row.stated_north())?;
+            check.finite("stated_south", row.stated_south())?;
+            check.finite("stated_east", row.stated_east())?;
+            check.finite("stated_west", row.stated_west())?;
+            check.finite("road_length", row.road_length())?;
+            check.finite("index_tolerance", row.index_tolerance())?;
+            check.finite("bound_tolerance", row.bound_tolerance())?;
+            check.finite("offset_x", row.offset_x())?;
+            check.finite("offset_y", row.offset_y())?;
+            check.finite("offset_z", row.offset_z())?;
+            check.finite("offset_hdg", row.offset_hdg())?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("version", row.version(), strings, false)?;
+            check.reference("date", row.date(), strings, false)?;
+            check.reference("vendor", row.vendor(), strings, false)?;
+            check.reference("geo_reference", row.geo_reference(), strings, false)?;
+            check.reference("projection", row.projection(), strings, false)?;
+            check.code("geo_reference_form", row.geo_reference_form(), 7)?;
+            check.code("offset_sign", row.offset_sign(), 2)?;
+        }
+        for (i, row) in self.roads.iter().enumerate() {
+            let check = Check { table: "roads", row: i };
+            check.finite("length", row.length())?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("junction", row.junction(), self.junctions.len(), true)?;
+            check.range("geometries", row.geometries(), self.geometries.len())?;
+            check.range("elevations", row.elevations(), self.cubics.len())?;
+            check.range("superelevations", row.superelevations(), self.cubics.len())?;
+            check.range("lane_offsets", row.lane_offsets(), self.cubics.len())?;
+            check.range("sections", row.sections(), self.sections.len())?;
+            check.range("types", row.types(), self.road_types.len())?;
+            check.code("predecessor_kind", row.predecessor_kind(), 5)?;
+            check.code("successor_kind", row.successor_kind(), 5)?;
+            check.code("predecessor_contact", row.predecessor_contact(), 3)?;
+            check.code("successor_contact", row.successor_contact(), 3)?;
+            check.code("rule", row.rule(), 2)?;
+        }
+        for (i, row) in self.geometries.iter().enumerate() {
+            let check = Check { table: "geometries", row: i };
+            check.finite("s", row.s())?;
+            check.finite("x", row.x())?;
+            check.finite("y", row.y())?;
+            check.finite("hdg", row.hdg())?;
+            check.finite("cos", row.cos())?;
+            check.finite("sin", row.sin())?;
+            check.finite("length", row.length())?;
+            check.range("coefficients", row.coefficients(), self.coefficients.len())?;
+            check.finite("error", f64::from(row.error()))?;
+            check.code("kind", row.kind(), 5)?;
+            check.code("parameter_range", row.parameter_range(), 3)?;
+        }
+        for (i, row) in self.coefficients.iter().enumerate() {
+            let check = Check { table: "coefficients", row: i };
+            check.finite("", *row)?;
+        }
+        for (i, row) in self.cubics.iter().enumerate() {
+            let check = Check { table: "cubics", row: i };
+            check.finite("s", row.s())?;
+            check.finite("a", row.a())?;
+            check.finite("b", row.b())?;
+            check.finite("c", row.c())?;
+            check.finite("d", row.d())?;
+        }
+        for (i, row) in self.road_types.iter().enumerate() {
+            let check = Check { table: "road_types", row: i };
+            check.finite("s", row.s())?;
+            check.finite("speed", row.speed())?;
+            check.reference("country", row.country(), strings, false)?;
+            check.code("speed_kind", row.speed_kind(), 4)?;
+        }
+        for (i, row) in self.sections.iter().enumerate() {
+            let check = Check { table: "sections", row: i };
+            check.finite("s_start", row.s_start())?;
+            check.finite("s_end", row.s_end())?;
+            check.reference("road", row.road(), self.roads.len(), false)?;
+            check.range("lanes", row.lanes(), self.lanes.len())?;
+        }
+        for (i, row) in self.lanes.iter().enumerate() {
+            let check = Check { table: "lanes", row: i };
+            check.finite("x", row.x())?;
+            check.finite("y", row.y())?;
+            check.finite("z", row.z())?;
+            check.reference("section", row.section(), self.sections.len(), false)?;
+            check.range("widths", row.widths(), self.cubics.len())?;
+            check.range("speeds", row.speeds(), self.lane_speeds.len())?;
+            check.range("nodes", row.nodes(), self.lane_nodes.len())?;
+            check.range("center", row.center(), self.points.len())?;
+            check.range("border", row.border(), self.points.len())?;
+        }
+        for (i, row) in self.lane_speeds.iter().enumerate() {
+            let check = Check { table: "lane_speeds", row: i };
+            check.finite("s", row.s())?;
+            check.finite("max", row.max())?;
+        }
+        for (i, row) in self.points.iter().enumerate() {
+            let check = Check { table: "points", row: i };
+            check.finite("x", f64::from(row.x()))?;
+            check.finite("y", f64::from(row.y()))?;
+            check.finite("z", f64::from(row.z()))?;
+            check.finite("s", f64::from(row.s()))?;
+        }
+        for (i, row) in self.junctions.iter().enumerate() {
+            let check = Check { table: "junctions", row: i };
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.range("connections", row.connections(), self.connections.len())?;
+            check.code("kind", row.kind(), 4)?;
+        }
+        for (i, row) in self.connections.iter().enumerate() {
+            let check = Check { table: "connections", row: i };
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("incoming_road", row.incoming_road(), self.roads.len(), true)?;
+            check.reference("connecting_road", row.connecting_road(), self.roads.len(), true)?;
+            check.range("lane_links", row.lane_links(), self.connection_lane_links.len())?;
+            check.code("contact", row.contact(), 3)?;
+        }
+        for (i, row) in self.roads_by_id.iter().enumerate() {
+            let check = Check { table: "roads_by_id", row: i };
+            check.reference("", *row, self.roads.len(), false)?;
+        }
+        for (i, row) in self.junctions_by_id.iter().enumerate() {
+            let check = Check { table: "junctions_by_id", row: i };
+            check.reference("", *row, self.junctions.len(), false)?;
+        }
+        for (i, row) in self.index_nodes.iter().enumerate() {
+            let check = Check { table: "index_nodes", row: i };
+            for value in row.min_x() {
+                check.finite("min_x", f64::from(*value))?;
+            }
+            for value in row.min_y() {
+                check.finite("min_y", f64::from(*value))?;
+            }
+            for value in row.max_x() {
+                check.finite("max_x", f64::from(*value))?;
+            }
+            for value in row.max_y() {
+                check.finite("max_y", f64::from(*value))?;
+            }
+            for value in row.min_z() {
+                check.finite("min_z", f64::from(*value))?;
+            }
+            for value in row.max_z() {
+                check.finite("max_z", f64::from(*value))?;
+            }
+        }
+        for (i, row) in self.index_leaves.iter().enumerate() {
+            let check = Check { table: "index_leaves", row: i };
+            check.finite("x", row.x())?;
+            check.finite("y", row.y())?;
+            check.finite("z", row.z())?;
+            for value in row.start_x() {
+                check.finite("start_x", f64::from(*value))?;
+            }
+            for value in row.start_y() {
+                check.finite("start_y", f64::from(*value))?;
+            }
+            for value in row.delta_x() {
+                check.finite("delta_x", f64::from(*value))?;
+            }
+            for value in row.delta_y() {
+                check.finite("delta_y", f64::from(*value))?;
+            }
+        }
+        for (i, row) in self.surfaces.iter().enumerate() {
+            let check = Check { table: "surfaces", row: i };
+            check.reference("road", row.road(), self.roads.len(), false)?;
+            check.range("shapes", row.shapes(), self.shape_stations.len())?;
+            check.range("crossfall_left", row.crossfall_left(), self.cubics.len())?;
+            check.range("crossfall_right", row.crossfall_right(), self.cubics.len())?;
+            check.range("strip_offset", row.strip_offset(), self.cubics.len())?;
+            check.range("strips", row.strips(), self.surface_strips.len())?;
+        }
+        for (i, row) in self.shape_stations.iter().enumerate() {
+            let check = Check { table: "shape_stations", row: i };
+            check.finite("s", row.s())?;
+            check.range("records", row.records(), self.cubics.len())?;
+        }
+        for (i, row) in self.surface_strips.iter().enumerate() {
+            let check = Check { table: "surface_strips", row: i };
+            check.range("width", row.width(), self.cubics.len())?;
+            check.range("constant", row.constant(), self.cubics.len())?;
+            check.range("linear", row.linear(), self.cubics.len())?;
+            check.range("quadratic", row.quadratic(), self.cubics.len())?;
+            check.range("cubic", row.cubic(), self.cubics.len())?;
+        }
+        for (i, row) in self.lane_heights.iter().enumerate() {
+            let check = Check { table: "lane_heights", row: i };
+            check.finite("s", row.s())?;
+            check.finite("inner", row.inner())?;
+            check.finite("outer", row.outer())?;
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+        }
+        for (i, row) in self.lane_materials.iter().enumerate() {
+            let check = Check { table: "lane_materials", row: i };
+            check.finite("s", row.s())?;
+            check.finite("friction", row.friction())?;
+            check.finite("roughness", row.roughness())?;
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+            check.reference("surface", row.surface(), strings, false)?;
+        }
+        for (i, row) in self.elevation_grids.iter().enumerate() {
+            let check = Check { table: "elevation_grids", row: i };
+            check.finite("x", row.x())?;
+            check.finite("y", row.y())?;
+            check.finite("cos", row.cos())?;
+            check.finite("sin", row.sin())?;
+            check.finite("s_start", row.s_start())?;
+            check.finite("spacing", row.spacing())?;
+            check.reference("junction", row.junction(), self.junctions.len(), false)?;
+            check.range("rows", row.rows(), self.grid_rows.len())?;
+            check.range("transitions", row.transitions(), self.grid_transitions.len())?;
+        }
+        for (i, row) in self.grid_rows.iter().enumerate() {
+            let check = Check { table: "grid_rows", row: i };
+            check.finite("center", row.center())?;
+            check.range("left", row.left(), self.grid_heights.len())?;
+            check.range("right", row.right(), self.grid_heights.len())?;
+        }
+        for (i, row) in self.grid_heights.iter().enumerate() {
+            let check = Check { table: "grid_heights", row: i };
+            check.finite("", *row)?;
+        }
+        for (i, row) in self.grid_transitions.iter().enumerate() {
+            let check = Check { table: "grid_transitions", row: i };
+            check.finite("start_x", row.start_x())?;
+            check.finite("start_y", row.start_y())?;
+            check.finite("end_x", row.end_x())?;
+            check.finite("end_y", row.end_y())?;
+            check.finite("length", row.length())?;
+        }
+        for (i, row) in self.road_marks.iter().enumerate() {
+            let check = Check { table: "road_marks", row: i };
+            check.finite("s", row.s())?;
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+            check.reference("style", row.style(), self.road_mark_styles.len(), false)?;
+        }
+        for (i, row) in self.road_mark_styles.iter().enumerate() {
+            let check = Check { table: "road_mark_styles", row: i };
+            check.finite("width", row.width())?;
+            check.finite("height", row.height())?;
+            check.reference("material", row.material(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.range("lines", row.lines(), self.road_mark_lines.len())?;
+            check.range("sway", row.sway(), self.cubics.len())?;
+            check.code("kind", row.kind(), 13)?;
+            check.code("weight", row.weight(), 3)?;
+            check.code("color", row.color(), 10)?;
+            check.code("lane_change", row.lane_change(), 5)?;
+        }
+        for (i, row) in self.road_mark_lines.iter().enumerate() {
+            let check = Check { table: "road_mark_lines", row: i };
+            check.finite("length", row.length())?;
+            check.finite("space", row.space())?;
+            check.finite("t_offset", row.t_offset())?;
+            check.finite("s_offset", row.s_offset())?;
+            check.finite("width", row.width())?;
+            check.code("rule", row.rule(), 4)?;
+            check.code("color", row.color(), 10)?;
+        }
+        for (i, row) in self.graph.iter().enumerate() {
+            let check = Check { table: "graph", row: i };
+            check.finite("length_step", row.length_step())?;
+            check.finite("time_step", row.time_step())?;
+            check.finite("change_length", row.change_length())?;
+            check.finite("change_time", row.change_time())?;
+        }
+        for (i, row) in self.lane_nodes.iter().enumerate() {
+            let check = Check { table: "lane_nodes", row: i };
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+            check.reference("left", row.left(), self.lane_nodes.len(), true)?;
+            check.reference("right", row.right(), self.lane_nodes.len(), true)?;
+            check.finite("s_from", f64::from(row.s_from()))?;
+            check.finite("length", f64::from(row.length()))?;
+            check.finite("time", f64::from(row.time()))?;
+        }
+        for (i, row) in self.successors.iter().enumerate() {
+            let check = Check { table: "successors", row: i };
+            check.reference("", *row, self.lane_nodes.len(), false)?;
+        }
+        for (i, row) in self.edges.iter().enumerate() {
+            let check = Check { table: "edges", row: i };
+            check.code("kind", row.kind(), 7)?;
+        }
+        for (i, row) in self.predecessors.iter().enumerate() {
+            let check = Check { table: "predecessors", row: i };
+            check.reference("", *row, self.lane_nodes.len(), false)?;
+        }
+        for (i, row) in self.conflicts.iter().enumerate() {
+            let check = Check { table: "conflicts", row: i };
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+            check.reference("other", row.other(), self.lanes.len(), false)?;
+            check.finite("s_from", f64::from(row.s_from()))?;
+            check.finite("s_to", f64::from(row.s_to()))?;
+            check.finite("other_from", f64::from(row.other_from()))?;
+            check.finite("other_to", f64::from(row.other_to()))?;
+            check.code("kind", row.kind(), 4)?;
+        }
+        for (i, row) in self.signals.iter().enumerate() {
+            let check = Check { table: "signals", row: i };
+            check.finite("x", row.x())?;
+            check.finite("y", row.y())?;
+            check.finite("z", row.z())?;
+            check.finite("facing", row.facing())?;
+            check.finite("s", row.s())?;
+            check.finite("t", row.t())?;
+            check.finite("z_offset", row.z_offset())?;
+            check.finite("h_offset", row.h_offset())?;
+            check.finite("pitch", row.pitch())?;
+            check.finite("roll", row.roll())?;
+            check.finite("width", row.width())?;
+            check.finite("height", row.height())?;
+            check.finite("length", row.length())?;
+            check.finite("written_value", row.written_value())?;
+            check.finite("value", row.value())?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("type", row.r#type(), strings, false)?;
+            check.reference("subtype", row.subtype(), strings, false)?;
+            check.reference("country", row.country(), strings, false)?;
+            check.reference("country_revision", row.country_revision(), strings, false)?;
+            check.reference("text", row.text(), strings, false)?;
+            check.reference("unit", row.unit(), strings, false)?;
+            check.reference("road", row.road(), self.roads.len(), false)?;
+            check.reference("carrier", row.carrier(), self.signals.len(), true)?;
+            check.range("dependencies", row.dependencies(), self.signal_dependencies.len())?;
+            check.range("links", row.links(), self.signal_links.len())?;
+            check.range("semantics", row.semantics(), self.signal_semantics.len())?;
+            check.range("boards", row.boards(), self.signal_boards.len())?;
+            check.range("controllers", row.controllers(), self.signal_controllers.len())?;
+            check.code("orientation", row.orientation(), 3)?;
+            check.code("dynamic", row.dynamic(), 2)?;
+            check.code("position", row.position(), 3)?;
+        }
+        for (i, row) in self.signals_by_id.iter().enumerate() {
+            let check = Check { table: "signals_by_id", row: i };
+            check.reference("", *row, self.signals.len(), false)?;
+        }
+        for (i, row) in self.signal_places.iter().enumerate() {
+            let check = Check { table: "signal_places", row: i };
+            check.finite("s", row.s())?;
+            check.finite("t", row.t())?;
+            check.reference("signal", row.signal(), self.signals.len(), false)?;
+            check.reference("road", row.road(), self.roads.len(), false)?;
+            check.range("lanes", row.lanes(), self.signal_lanes.len())?;
+            check.code("orientation", row.orientation(), 3)?;
+            check.code("kind", row.kind(), 2)?;
+        }
+        for (i, row) in self.signal_lanes.iter().enumerate() {
+            let check = Check { table: "signal_lanes", row: i };
+            check.reference("place", row.place(), self.signal_places.len(), false)?;
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+            check.finite("distance", f64::from(row.distance()))?;
+            check.code("method", row.method(), 4)?;
+        }
+        for (i, row) in self.lane_signals.iter().enumerate() {
+            let check = Check { table: "lane_signals", row: i };
+            check.reference("", *row, self.signal_lanes.len(), false)?;
+        }
+        for (i, row) in self.signal_dependencies.iter().enumerate() {
+            let check = Check { table: "signal_dependencies", row: i };
+            check.reference("signal", row.signal(), self.signals.len(), true)?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("type", row.r#type(), strings, false)?;
+        }
+        for (i, row) in self.signal_links.iter().enumerate() {
+            let check = Check { table: "signal_links", row: i };
+            check.reference("signal", row.signal(), self.signals.len(), true)?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("type", row.r#type(), strings, false)?;
+            check.code("kind", row.kind(), 2)?;
+        }
+        for (i, row) in self.signal_semantics.iter().enumerate() {
+            let check = Check { table: "signal_semantics", row: i };
+            check.finite("written_value", row.written_value())?;
+            check.reference("element", row.element(), strings, false)?;
+            check.reference("kind", row.kind(), strings, false)?;
+            check.reference("unit", row.unit(), strings, false)?;
+        }
+        for (i, row) in self.signal_boards.iter().enumerate() {
+            let check = Check { table: "signal_boards", row: i };
+            check.finite("width", row.width())?;
+            check.finite("height", row.height())?;
+            check.finite("v", row.v())?;
+            check.finite("z", row.z())?;
+            check.reference("signal", row.signal(), self.signals.len(), false)?;
+            check.reference("display", row.display(), strings, false)?;
+        }
+        for (i, row) in self.board_groups.iter().enumerate() {
+            let check = Check { table: "board_groups", row: i };
+            check.reference("group", row.group(), strings, false)?;
+            check.reference("signal", row.signal(), self.signals.len(), true)?;
+            check.reference("id", row.id(), strings, false)?;
+        }
+        for (i, row) in self.controllers.iter().enumerate() {
+            let check = Check { table: "controllers", row: i };
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.range("controls", row.controls(), self.controls.len())?;
+        }
+        for (i, row) in self.controls.iter().enumerate() {
+            let check = Check { table: "controls", row: i };
+            check.reference("signal", row.signal(), self.signals.len(), true)?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("type", row.r#type(), strings, false)?;
+        }
+        for (i, row) in self.signal_controllers.iter().enumerate() {
+            let check = Check { table: "signal_controllers", row: i };
+            check.reference("", *row, self.controllers.len(), false)?;
+        }
+        for (i, row) in self.junction_controllers.iter().enumerate() {
+            let check = Check { table: "junction_controllers", row: i };
+            check.reference("junction", row.junction(), self.junctions.len(), false)?;
+            check.reference("controller", row.controller(), self.controllers.len(), true)?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("type", row.r#type(), strings, false)?;
+        }
+        for (i, row) in self.junction_priorities.iter().enumerate() {
+            let check = Check { table: "junction_priorities", row: i };
+            check.reference("junction", row.junction(), self.junctions.len(), false)?;
+            check.reference("high", row.high(), self.roads.len(), true)?;
+            check.reference("low", row.low(), self.roads.len(), true)?;
+        }
+        for (i, row) in self.right_of_way.iter().enumerate() {
+            let check = Check { table: "right_of_way", row: i };
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+            check.reference("other", row.other(), self.lanes.len(), false)?;
+            check.code("relation", row.relation(), 4)?;
+            check.code("reason", row.reason(), 8)?;
+        }
+        for (i, row) in self.default_speeds.iter().enumerate() {
+            let check = Check { table: "default_speeds", row: i };
+            check.finite("max", row.max())?;
+        }
+        for (i, row) in self.quarantined.iter().enumerate() {
+            let check = Check { table: "quarantined", row: i };
+            check.finite("min_x", row.min_x())?;
+            check.finite("min_y", row.min_y())?;
+            check.finite("max_x", row.max_x())?;
+            check.finite("max_y", row.max_y())?;
+            check.finite("length", row.length())?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("owner", row.owner(), strings, false)?;
+            check.reference("rule", row.rule(), strings, false)?;
+            check.reference("message", row.message(), strings, false)?;
+            check.code("kind", row.kind(), 7)?;
+            check.code("treatment", row.treatment(), 2)?;
+            check.code("has_extent", row.has_extent(), 2)?;
+            check.code("owner_kind", row.owner_kind(), 7)?;
+        }
+        for (i, row) in self.objects.iter().enumerate() {
+            let check = Check { table: "objects", row: i };
+            check.finite("x", row.x())?;
+            check.finite("y", row.y())?;
+            check.finite("z", row.z())?;
+            check.finite("s", row.s())?;
+            check.finite("t", row.t())?;
+            check.finite("heading", row.heading())?;
+            check.finite("pitch", f64::from(row.pitch()))?;
+            check.finite("roll", f64::from(row.roll()))?;
+            check.finite("z_offset", f64::from(row.z_offset()))?;
+            check.finite("length", f64::from(row.length()))?;
+            check.finite("width", f64::from(row.width()))?;
+            check.finite("height", f64::from(row.height()))?;
+            check.finite("radius", f64::from(row.radius()))?;
+            check.finite("valid_length", f64::from(row.valid_length()))?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("kind", row.kind(), strings, false)?;
+            check.reference("subtype", row.subtype(), strings, false)?;
+            check.reference("road", row.road(), self.roads.len(), true)?;
+            check.reference("junction", row.junction(), self.junctions.len(), true)?;
+            check.range("outlines", row.outlines(), self.object_outlines.len())?;
+            check.range("copies", row.copies(), self.object_copies.len())?;
+            check.range("lanes", row.lanes(), self.object_lanes.len())?;
+            check.range("validities", row.validities(), self.lane_ranges.len())?;
+            check.code("shape", row.shape(), 4)?;
+            check.code("orientation", row.orientation(), 3)?;
+        }
+        for (i, row) in self.object_outlines.iter().enumerate() {
+            let check = Check { table: "object_outlines", row: i };
+            check.range("points", row.points(), self.object_points.len())?;
+            check.code("fill", row.fill(), 9)?;
+        }
+        for (i, row) in self.object_points.iter().enumerate() {
+            let check = Check { table: "object_points", row: i };
+            check.finite("u", f64::from(row.u()))?;
+            check.finite("v", f64::from(row.v()))?;
+            check.finite("z", f64::from(row.z()))?;
+            check.finite("height", f64::from(row.height()))?;
+        }
+        for (i, row) in self.object_copies.iter().enumerate() {
+            let check = Check { table: "object_copies", row: i };
+            check.finite("x", row.x())?;
+            check.finite("y", row.y())?;
+            check.finite("z", row.z())?;
+            check.finite("s", row.s())?;
+            check.finite("t", row.t())?;
+            check.finite("heading", row.heading())?;
+            check.finite("pitch", f64::from(row.pitch()))?;
+            check.finite("roll", f64::from(row.roll()))?;
+            check.finite("length", f64::from(row.length()))?;
+            check.finite("width", f64::from(row.width()))?;
+            check.finite("height", f64::from(row.height()))?;
+            check.finite("radius", f64::from(row.radius()))?;
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.range("outlines", row.outlines(), self.object_outlines.len())?;
+            check.code("shape", row.shape(), 4)?;
+        }
+        for (i, row) in self.object_lanes.iter().enumerate() {
+            let check = Check { table: "object_lanes", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+            check.finite("s_from", f64::from(row.s_from()))?;
+            check.finite("s_to", f64::from(row.s_to()))?;
+            check.finite("distance", f64::from(row.distance()))?;
+            check.code("method", row.method(), 3)?;
+        }
+        for (i, row) in self.lane_objects.iter().enumerate() {
+            let check = Check { table: "lane_objects", row: i };
+            check.reference("", *row, self.object_lanes.len(), false)?;
+        }
+        for (i, row) in self.objects_by_id.iter().enumerate() {
+            let check = Check { table: "objects_by_id", row: i };
+            check.reference("", *row, self.objects.len(), false)?;
+        }
+        for (i, row) in self.object_index_nodes.iter().enumerate() {
+            let check = Check { table: "object_index_nodes", row: i };
+            for value in row.min_x() {
+                check.finite("min_x", f64::from(*value))?;
+            }
+            for value in row.min_y() {
+                check.finite("min_y", f64::from(*value))?;
+            }
+            for value in row.max_x() {
+                check.finite("max_x", f64::from(*value))?;
+            }
+            for value in row.max_y() {
+                check.finite("max_y", f64::from(*value))?;
+            }
+        }
+        Ok(())
+    }
+}

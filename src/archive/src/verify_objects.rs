@@ -1,0 +1,90 @@
+//! Proving what the tables of objects say about each other.
+
+use crate::error::VerifyError;
+use crate::verify::{Check, tree};
+use crate::{NONE, Tables};
+
+/// Objects lie in the order of their roads and own their copies and lanes; the index is a complete tree over every place of
+/// theirs; what belongs to a lane is listed by lane and s.
+pub(crate) fn objects(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    let mut before = (0, 0);
+    let (mut copies, mut lanes) = (0u64, 0u64);
+    for (row, object) in tables.objects.iter().enumerate() {
+        let check = Check { table: "objects", row };
+        let owner = (object.road(), object.junction());
+        if owner < before || (owner.0 == NONE) == (owner.1 == NONE) {
+            return check.fail("road", format!("after {before:?}"), format!("{owner:?}"));
+        }
+        before = owner;
+        for (field, range, end) in
+            [("copies", object.copies(), &mut copies), ("lanes", object.lanes(), &mut lanes)]
+        {
+            if range.count > 0 && u64::from(range.first) != *end {
+                return check.fail(field, format!("rows from {end}"), format!("{range:?}"));
+            }
+            *end = (*end).max(range.end());
+        }
+        if object.copies().of(tables.object_copies).iter().any(|copy| copy.object() as usize != row)
+        {
+            return check.fail("copies", "copies of this object", format!("{:?}", object.copies()));
+        }
+        if object.lanes().of(tables.object_lanes).iter().any(|lane| lane.object() as usize != row) {
+            return check.fail("lanes", "lanes of this object", format!("{:?}", object.lanes()));
+        }
+    }
+    for (table, found, owned) in [
+        ("object_copies", tables.object_copies.len(), copies),
+        ("object_lanes", tables.object_lanes.len(), lanes),
+    ] {
+        if found as u64 != owned {
+            return Check { table, row: 0 }.fail("", format!("{owned} rows of objects"), found);
+        }
+    }
+    by_lane(tables)?;
+    index(tables)
+}
+
+/// `lane_objects` lists each row of `object_lanes` once, by lane and s.
+fn by_lane(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    let at = |row| Check { table: "lane_objects", row };
+    if tables.lane_objects.len() != tables.object_lanes.len() {
+        let expected = format!("{} rows", tables.object_lanes.len());
+        return at(0).fail("", expected, tables.lane_objects.len());
+    }
+    let key =
+        |row: u32| tables.object_lanes.get(row as usize).map(|of| (of.lane(), of.s_from(), row));
+    for (row, pair) in tables.lane_objects.windows(2).enumerate() {
+        if key(pair[0]) >= key(pair[1]) {
+            return at(row + 1).fail("", format!("after {}", pair[0]), pair[1]);
+        }
+    }
+    Ok(())
+}
+
+/// The index holds every place once: of an object that is not repeated itself, of others their copies.
+fn index(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    let items = tables.object_index_items;
+    tree(
+        "object_index_levels",
+        tables.object_index_levels,
+        tables.object_index_nodes.len(),
+        items.len(),
+    )?;
+    let objects = tables.objects.len();
+    let mut seen = vec![false; objects + tables.object_copies.len()];
+    for (row, item) in items.iter().enumerate() {
+        let check = Check { table: "object_index_items", row };
+        let is_template =
+            tables.objects.get(*item as usize).is_some_and(|object| object.copies().count > 0);
+        match seen.get_mut(*item as usize) {
+            Some(seen) if !*seen && !is_template => *seen = true,
+            _ => return check.fail("", "a place, each once", item),
+        }
+    }
+    let templates = tables.objects.iter().filter(|object| object.copies().count > 0).count();
+    if items.len() + templates != seen.len() {
+        let expected = format!("{} places", seen.len() - templates);
+        return Check { table: "object_index_items", row: 0 }.fail("", expected, items.len());
+    }
+    Ok(())
+}

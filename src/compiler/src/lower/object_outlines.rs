@@ -1,0 +1,106 @@
+//! Outlines of objects as written.
+
+use super::Lowering;
+use super::need::Part;
+use super::objects::left_out;
+use crate::objects::written::{Corner, Curve, Outline};
+use mapd_archive::{LaneType, NONE, ObjectOutlineRow, OutlineFill, Range, outline_flags};
+use mapd_geometry::{ParameterRange, Primitive};
+use mapd_xodr::{self as xodr, Attribute, ParamPoly3Range, Text as _, Value as _};
+
+/// Fewest corners of an outline that encloses something.
+const CLOSED_CORNERS: usize = 3;
+/// Types of objects whose outlines are lines unless they say that they are closed.
+const LINEAR: [&str; 3] = ["barrier", "railing", "soundBarrier"];
+
+impl Lowering {
+    /// The outlines of an object in the old form (a child of its own) and the new one. One without two corners or a
+    /// curve is left out.
+    pub(super) fn outlines(&self, object: &xodr::Object, part: &mut Part<'_>) -> Vec<Outline> {
+        let new = object.outlines.iter().flat_map(|outlines| &outlines.outline);
+        let is_linear = LINEAR.contains(&object.r#type.text());
+        let mut all = Vec::new();
+        for outline in object.outline.iter().map(|outline| &**outline).chain(new) {
+            let tail = format!("{}/outline", part.path.1);
+            let mut part =
+                Part { span: outline.span, path: (part.path.0, &tail), findings: part.findings };
+            all.extend(self::outline(outline, is_linear, &mut part));
+        }
+        all
+    }
+}
+
+fn outline(outline: &xodr::Outline, is_linear: bool, part: &mut Part<'_>) -> Option<Outline> {
+    let mut corners = Vec::new();
+    let mut add = |corner: Option<Corner>| match corner {
+        Some(corner) => corners.push(corner),
+        None => left_out(part, "a corner lacks a number; the corner is left out".to_owned()),
+    };
+    outline
+        .corner_road
+        .iter()
+        .for_each(|c| add(numbers([&c.s, &c.t, &c.dz, &c.height]).map(Corner::Road)));
+    outline
+        .corner_local
+        .iter()
+        .for_each(|c| add(numbers([&c.u, &c.v, &c.z, &c.height]).map(Corner::Local)));
+    outline.curve_local.iter().for_each(|c| add(curve(c).map(|c| Corner::Curve(Box::new(c)))));
+    let has_curve = corners.iter().any(|corner| matches!(corner, Corner::Curve(_)));
+    if corners.len() < 2 && !has_curve {
+        let message = format!(
+            "expected at least two corners or a curve, found {}; the outline is left out",
+            corners.len()
+        );
+        left_out(part, message);
+        return None;
+    }
+    let can_close = corners.len() >= CLOSED_CORNERS || has_curve;
+    let is_closed = can_close && outline.closed.value().unwrap_or(!is_linear);
+    let flags = [
+        (outline.outer.value().unwrap_or(true), outline_flags::OUTER),
+        (is_closed, outline_flags::CLOSED),
+    ];
+    let lane_type = outline.lane_type.value().map_or("none", xodr::LaneType::name);
+    let fill = outline.fill_type.value().map_or("", xodr::OutlineFillType::name);
+    let fill = match OutlineFill::from_name(fill) {
+        OutlineFill::Unknown => OutlineFill::None,
+        known => known,
+    };
+    let row = ObjectOutlineRow {
+        points: Range::default(),
+        id: outline.id.value().unwrap_or(NONE),
+        fill: fill.code(),
+        lane_type: LaneType::from_name(lane_type).code(),
+        flags: flags.iter().filter(|(on, _)| *on).fold(0, |all, (_, flag)| all | flag),
+        reserved: 0,
+    };
+    Some(Outline { row, corners })
+}
+
+/// Place and height of a corner. A height that is not given is 0, and so is a z: files of 1.4 leave them out.
+fn numbers([a, b, z, height]: [&Option<Attribute<f64>>; 4]) -> Option<[f64; 4]> {
+    Some([a.value()?, b.value()?, z.value().unwrap_or(0.0), height.value().unwrap_or(0.0)])
+}
+
+fn curve(written: &xodr::CurveLocal) -> Option<Curve> {
+    let start = numbers([&written.u, &written.v, &written.z, &written.height])?;
+    let primitive = if let Some(arc) = &written.arc {
+        Primitive::Arc { curvature: arc.curvature.value()? }
+    } else if let Some(p) = &written.param_poly3 {
+        let [u, v] = [[&p.a_u, &p.b_u, &p.c_u, &p.d_u], [&p.a_v, &p.b_v, &p.c_v, &p.d_v]];
+        let number = |c: &Option<Attribute<f64>>| c.value().unwrap_or(0.0);
+        let range = match p.p_range.value() {
+            Some(ParamPoly3Range::ArcLength) => ParameterRange::ArcLength,
+            _ => ParameterRange::Normalized,
+        };
+        Primitive::ParamPoly3 { u: u.map(number), v: v.map(number), range }
+    } else {
+        Primitive::Line
+    };
+    Some(Curve {
+        start,
+        heading: written.hdg.value().unwrap_or(0.0),
+        length: written.length.value()?,
+        primitive,
+    })
+}

@@ -1,0 +1,339 @@
+//! Which lanes an object belongs to (docs/objects.md): those that the file names, else those that its area lies on, else
+//! the nearest one that fits.
+
+use super::near_lanes::NearLanes;
+use super::track_area::{Stretch, TrackArea};
+use crate::TooLarge;
+use crate::lanes::view;
+use glam::DVec2;
+use mapd_archive::{AttachMethod, NONE, ObjectLaneRow, Orientation, Range, Rows};
+use mapd_query::{Lane, LanePosition, Map, Object, ObjectPlacement, ObjectShape, Road};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::f64::consts::FRAC_PI_4;
+
+/// Distance `[m]` within which an object that lies on no lane belongs to the nearest one.
+pub(crate) const REACH: f64 = 25.0;
+/// A lane that lies farther above or below the road at the object's place than this `[m]` is on another level.
+const LEVEL: f64 = 3.0;
+/// The nearest lane must run along the object's road up to this angle `[rad]`.
+const MOST_TURNED: f64 = FRAC_PI_4;
+/// Distance of points along an object's edge that are looked for on lanes of other roads `[m]`, and their greatest number.
+const PROBES: (f64, usize) = (1.0, 400);
+/// Points of a swept object's edge that look for their nearest lane.
+const SWEPT_PROBES: usize = 64;
+
+/// Where an object lies on a lane, or beside it.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    stretch: Stretch,
+    method: AttachMethod,
+}
+
+/// Places by row of the lane.
+#[derive(Default)]
+struct Places(BTreeMap<u32, Place>);
+
+impl Places {
+    fn add(&mut self, lane: &Lane<'_>, stretch: Stretch, method: AttachMethod) {
+        let place = self.0.entry(lane.lane_id().row()).or_insert(Place { stretch, method });
+        place.stretch.s[0] = place.stretch.s[0].min(stretch.s[0]);
+        place.stretch.s[1] = place.stretch.s[1].max(stretch.s[1]);
+        place.stretch.distance = place.stretch.distance.min(stretch.distance);
+        if method.code() < place.method.code() {
+            place.method = method;
+        }
+    }
+}
+
+/// A reference to an object from another road (`objectReference`).
+pub(super) struct Reference {
+    /// Row of the referring road.
+    pub(super) road: u32,
+    pub(super) s: f64,
+    pub(super) t: f64,
+    pub(super) valid_length: f64,
+    pub(super) orientation: Orientation,
+    pub(super) validities: Vec<(i32, i32)>,
+}
+
+/// Fills `object_lanes`, `lane_objects` and the objects' ranges. Returns the rows of objects that belong to no lane.
+/// `references` are sorted by the row of their object, which stands beside them.
+pub(super) fn attach(
+    rows: &mut Rows,
+    references: &[(u32, Reference)],
+) -> Result<Vec<usize>, TooLarge> {
+    let found: Vec<Vec<ObjectLaneRow>> = {
+        let archive = view(rows);
+        let map = Map::new(&archive, 0);
+        let near = NearLanes::new(map);
+        let one = |row: u32| {
+            map.object_by_row(row).map_or_else(Vec::new, |object| {
+                let first = references.partition_point(|(of, _)| *of < row);
+                let own = references[first..].iter().take_while(|(of, _)| *of == row);
+                lanes_of(map, &near, &object, own.map(|(_, reference)| reference))
+            })
+        };
+        (0..rows.objects.len() as u32).into_par_iter().map(one).collect()
+    };
+    let mut unattached = Vec::new();
+    for (number, lanes) in found.into_iter().enumerate() {
+        if lanes.is_empty() {
+            unattached.push(number);
+        }
+        let before = rows.object_lanes.len();
+        rows.object_lanes.extend(lanes);
+        let after = rows.object_lanes.len();
+        rows.objects[number].lanes =
+            Range::between(before, after).ok_or(TooLarge::new("object_lanes"))?;
+    }
+    let mut order: Vec<u32> = (0..rows.object_lanes.len() as u32).collect();
+    order.sort_by(|a, b| {
+        let row = |i: u32| &rows.object_lanes[i as usize];
+        let (a_row, b_row) = (row(*a), row(*b));
+        a_row.lane.cmp(&b_row.lane).then(a_row.s_from.total_cmp(&b_row.s_from)).then(a.cmp(b))
+    });
+    rows.lane_objects = order.into();
+    Ok(unattached)
+}
+
+/// Rows of an object's lanes, nearer ones first.
+fn lanes_of<'a>(
+    map: Map<'_>,
+    near: &NearLanes,
+    object: &Object<'_>,
+    references: impl Iterator<Item = &'a Reference>,
+) -> Vec<ObjectLaneRow> {
+    let mut places = Places::default();
+    let validities: Vec<(i32, i32)> = object.validities().collect();
+    let mut probes = Vec::new();
+    for placement in object.placements() {
+        let area = object.road().and_then(|road| Some((road, area(&road, &placement)?)));
+        let mut is_named = false;
+        if let Some((road, area)) = area {
+            let area = area.lengthened((placement.s() + object.valid_length()).min(road.length()));
+            is_named = by_validity(&road, &area, &validities, &mut places);
+            if !is_named {
+                by_position(&road, &area, object.orientation(), &mut places);
+            }
+        }
+        if !is_named {
+            on_other_roads(map, near, &placement, &mut probes, &mut places);
+        }
+    }
+    for reference in references {
+        let Some(road) = map.road_by_row(reference.road) else { continue };
+        let corner = vec![DVec2::new(reference.s, reference.t)];
+        let Some(area) = TrackArea::new(corner) else { continue };
+        let area = area.lengthened((reference.s + reference.valid_length).min(road.length()));
+        if !by_validity(&road, &area, &reference.validities, &mut places) {
+            by_position(&road, &area, reference.orientation, &mut places);
+        }
+    }
+    if places.0.is_empty() {
+        for placement in object.placements() {
+            nearest(map, near, &placement, &mut probes, &mut places);
+        }
+    }
+    let number = object.object_id().row();
+    let row = |(lane, place): (u32, Place)| {
+        let start = map.lane_by_row(lane).map_or(0.0, |lane| lane.section().s_start());
+        ObjectLaneRow {
+            object: number,
+            lane,
+            s_from: (place.stretch.s[0] - start) as f32,
+            s_to: (place.stretch.s[1] - start) as f32,
+            distance: place.stretch.distance as f32,
+            method: place.method.code(),
+            reserved: [0; 3],
+        }
+    };
+    let mut rows: Vec<ObjectLaneRow> = places.0.into_iter().map(row).collect();
+    rows.sort_by(|a, b| a.distance.total_cmp(&b.distance).then(a.lane.cmp(&b.lane)));
+    rows
+}
+
+/// The area of an object where it stands, in its road's coordinates.
+fn area(road: &Road<'_>, placement: &ObjectPlacement<'_>) -> Option<TrackArea> {
+    let center = DVec2::new(placement.s(), placement.t());
+    match placement.shape() {
+        ObjectShape::Point => return TrackArea::new(vec![center]),
+        ObjectShape::Cylinder => {
+            let around = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y];
+            return TrackArea::new(around.map(|axis| center + axis * placement.radius()).to_vec());
+        }
+        _ => {}
+    }
+    let mut corners = Vec::new();
+    placement.footprint(&mut corners);
+    let track = |corner: &glam::DVec3| {
+        let track = road.to_track(corner.truncate()).ok()?;
+        Some(DVec2::new(track.s, track.t))
+    };
+    TrackArea::new(corners.iter().map(track).collect::<Option<Vec<_>>>()?)
+}
+
+/// Lanes that the file names. False where it names none that the road has there.
+fn by_validity(
+    road: &Road<'_>,
+    area: &TrackArea,
+    validities: &[(i32, i32)],
+    places: &mut Places,
+) -> bool {
+    let is_meant = |number: i32| {
+        number != 0 && validities.iter().any(|(from, to)| *from <= number && number <= *to)
+    };
+    let mut any = false;
+    for lane in area.sections(road).flat_map(|section| section.lanes()) {
+        if !is_meant(lane.number()) {
+            continue;
+        }
+        if let Some(stretch) = area.on(&lane, true) {
+            places.add(&lane, stretch, AttachMethod::Validity);
+            any = true;
+        }
+    }
+    any
+}
+
+/// Whether a lane leads where something is for. What nobody drives on leads everywhere.
+fn leads(lane: &Lane<'_>, orientation: Orientation) -> bool {
+    let free = lane.is_bidirectional() || !lane.kind().is_drivable();
+    match orientation {
+        Orientation::Along => free || lane.is_forward(),
+        Orientation::Against => free || !lane.is_forward(),
+        _ => true,
+    }
+}
+
+/// Lanes of the object's own road that its area lies on; those that lead where it is for, if any does.
+fn by_position(road: &Road<'_>, area: &TrackArea, orientation: Orientation, places: &mut Places) {
+    let lanes = area.sections(road).flat_map(|section| section.lanes());
+    let on: Vec<(Lane<'_>, Stretch)> = lanes
+        .filter(|lane| lane.number() != 0)
+        .filter_map(|lane| Some((lane, area.on(&lane, false)?)))
+        .collect();
+    let any_leads = on.iter().any(|(lane, _)| leads(lane, orientation));
+    for (lane, stretch) in on {
+        if !any_leads || leads(&lane, orientation) {
+            places.add(&lane, stretch, AttachMethod::Position);
+        }
+    }
+}
+
+/// Height of the road at an object's place `[m]`: what lanes of other roads are compared with.
+fn ground(placement: &ObjectPlacement<'_>) -> f64 {
+    let object = placement.object();
+    let road = object.road().map(|road| road.elevation_at(placement.s()));
+    road.unwrap_or(placement.position().z - object.z_offset())
+}
+
+/// Whether a place on a lane is on the level of the object's.
+fn is_level(at: &LanePosition, ground: f64) -> bool {
+    (at.z - ground).abs() <= LEVEL
+}
+
+/// Lanes of other roads that the object's area lies on, as in a junction, where one road's crosswalk crosses many.
+fn on_other_roads(
+    map: Map<'_>,
+    near: &NearLanes,
+    placement: &ObjectPlacement<'_>,
+    probes: &mut Vec<DVec2>,
+    places: &mut Places,
+) {
+    placement.probes(PROBES.0, PROBES.1, probes);
+    let own = placement.object().road().map_or(NONE, |road| road.road_id().row());
+    let ground = ground(placement);
+    for probe in probes.iter() {
+        let other = |lane: &Lane<'_>| lane.road().road_id().row() != own;
+        for (lane, at) in near.around(map, *probe, 0.0, other) {
+            if at.distance == 0.0 && is_level(&at, ground) {
+                let stretch = Stretch { s: [at.s; 2], distance: 0.0 };
+                places.add(&lane, stretch, AttachMethod::Position);
+            }
+        }
+    }
+}
+
+/// A lane that may be the nearest.
+#[derive(Clone, Copy)]
+struct Candidate {
+    distance: f64,
+    /// Of another road than the object: of two equally near lanes, its own road's is meant.
+    is_other: bool,
+    row: u32,
+    s: f64,
+}
+
+impl Candidate {
+    fn wins_over(&self, best: Option<Self>) -> bool {
+        best.is_none_or(|best| {
+            let rest = (self.is_other, self.row).cmp(&(best.is_other, best.row));
+            self.distance.total_cmp(&best.distance).then(rest).is_lt()
+        })
+    }
+}
+
+/// The nearest lane that runs along the object's road and leads where the object is for; of what is swept along a road,
+/// the nearest to each of some points.
+fn nearest(
+    map: Map<'_>,
+    near: &NearLanes,
+    placement: &ObjectPlacement<'_>,
+    probes: &mut Vec<DVec2>,
+    places: &mut Places,
+) {
+    let object = placement.object();
+    let most = if placement.is_swept() { SWEPT_PROBES } else { PROBES.1 };
+    placement.probes(PROBES.0, most, probes);
+    let own = object.road();
+    let own_row = own.map_or(NONE, |road| road.road_id().row());
+    let track = mapd_query::Track { s: placement.s(), t: 0.0, h: 0.0 };
+    let road_heading = own.and_then(|road| Some(road.to_inertial(track).ok()?.heading));
+    let ground = ground(placement);
+    // Of a round object, the centre alone is probed.
+    let round = if placement.shape() == ObjectShape::Cylinder { placement.radius() } else { 0.0 };
+    let fits = |lane: &Lane<'_>, at: &LanePosition| {
+        if !is_level(at, ground) {
+            return false;
+        }
+        let Some(mine) = road_heading else { return true };
+        let turned = mapd_geometry::normalize_angle(at.heading - mine).abs();
+        let is_opposed = turned > std::f64::consts::FRAC_PI_2;
+        let parallel = turned.min(std::f64::consts::PI - turned) <= MOST_TURNED;
+        // Along one road may be against the s of another.
+        let orientation = match (object.orientation(), is_opposed) {
+            (Orientation::Along, true) => Orientation::Against,
+            (Orientation::Against, true) => Orientation::Along,
+            (same, _) => same,
+        };
+        parallel && leads(lane, orientation)
+    };
+    let mut best: Option<Candidate> = None;
+    for probe in probes.iter() {
+        let mut of_probe: Option<Candidate> = None;
+        let reach = REACH.min(best.map_or(REACH, |best| best.distance));
+        for (lane, at) in near.around(map, *probe, reach, |_| true) {
+            let is_other = lane.road().road_id().row() != own_row;
+            let row = lane.lane_id().row();
+            let distance = (at.distance - round).max(0.0);
+            let new = Candidate { distance, is_other, row, s: at.s };
+            if at.distance <= REACH && new.wins_over(of_probe) && fits(&lane, &at) {
+                of_probe = Some(new);
+            }
+        }
+        if placement.is_swept() {
+            add_nearest(map, of_probe, places);
+        } else if of_probe.is_some_and(|new| new.wins_over(best)) {
+            best = of_probe;
+        }
+    }
+    add_nearest(map, best, places);
+}
+
+fn add_nearest(map: Map<'_>, found: Option<Candidate>, places: &mut Places) {
+    let Some(Candidate { distance, row, s, .. }) = found else { return };
+    if let Some(lane) = map.lane_by_row(row) {
+        places.add(&lane, Stretch { s: [s; 2], distance }, AttachMethod::Nearest);
+    }
+}

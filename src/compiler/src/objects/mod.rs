@@ -1,0 +1,228 @@
+//! Places objects (docs/objects.md): their origins, axes and shapes in space, by the functions that queries use.
+
+mod attach;
+mod index;
+mod line;
+mod near_lanes;
+mod outline;
+mod place;
+mod repeat;
+mod track_area;
+pub(crate) mod written;
+
+use crate::TooLarge;
+use crate::lanes::view;
+use crate::options::CompileOptions;
+pub(crate) use index::build as index;
+use line::Line;
+use mapd_archive::{
+    LaneRangeRow, NONE, ObjectCopyRow, ObjectOutlineRow, ObjectPointRow, ObjectRow, ObjectShape,
+    Range, Rows, string,
+};
+use mapd_query::Map;
+use mapd_xodr::{Finding, Severity};
+use rayon::prelude::*;
+use written::{Object, Objects};
+
+/// Objects that one task places.
+const OBJECTS_PER_TASK: usize = 256;
+
+/// To single precision; what does not fit becomes the largest number that does, so that tables stay finite.
+pub(crate) fn single(value: f64) -> f32 {
+    if value.is_nan() {
+        return 0.0;
+    }
+    mapd_geometry::clamp(value, f64::from(f32::MIN), f64::from(f32::MAX)) as f32
+}
+
+/// The shape that length, width and radius make. Both written is against the standard; a box tells more.
+pub(crate) fn shape([length, width, radius]: [f32; 3]) -> ObjectShape {
+    let is_box = length > 0.0 && width > 0.0;
+    match (radius > 0.0, length > 0.0 || width > 0.0) {
+        (true, _) if !is_box => ObjectShape::Cylinder,
+        (_, true) => ObjectShape::Box,
+        _ => ObjectShape::Point,
+    }
+}
+
+/// An outline with its corners in the frame of what it belongs to.
+pub(crate) struct Shape {
+    row: ObjectOutlineRow,
+    points: Vec<ObjectPointRow>,
+}
+
+/// A place of a repeated object; a swept one has an outline of its own.
+pub(crate) struct Copy {
+    row: ObjectCopyRow,
+    shape: Option<Shape>,
+}
+
+/// What is known of an object once it is placed.
+struct Placed {
+    row: ObjectRow,
+    shapes: Vec<Shape>,
+    copies: Vec<Copy>,
+    findings: Vec<Finding>,
+}
+
+/// Fills the tables of objects but for their lanes.
+pub(crate) fn build(
+    rows: &mut Rows,
+    mut written: Objects,
+    options: &CompileOptions,
+) -> Result<Vec<Finding>, TooLarge> {
+    // Those of junctions have no road, whose number is the largest.
+    written.objects.sort_by_key(|object| object.row.road);
+    let mut findings = Vec::new();
+    let mut copies_left = repeat::MOST_COPIES_OF_A_MAP;
+    for objects in written.objects.chunks(OBJECTS_PER_TASK * rayon::current_num_threads().max(1)) {
+        let placed: Vec<Placed> = {
+            let archive = view(rows);
+            let map = Map::new(&archive, 0);
+            let one = |object: &Object| place(map, &written, object, options);
+            objects.par_iter().map(one).collect()
+        };
+        for (object, placed) in objects.iter().zip(placed) {
+            append(rows, object, placed, &mut copies_left, &mut findings)?;
+        }
+    }
+    if rows.objects.is_empty() {
+        return Ok(findings);
+    }
+    rows.objects_by_id = by_id(rows).into();
+    let unattached = attach::attach(rows, &[])?;
+    let archive = view(rows);
+    let map = Map::new(&archive, 0);
+    findings.extend(unattached.iter().filter_map(|number| {
+        let object = written.objects.get(*number)?;
+        let message = format!(
+            "no lane that it may belong to lies within {} m; it stays with its road alone",
+            attach::REACH
+        );
+        let finding = finding(map, object, object.span, Severity::Info, message);
+        Some(Finding { rule: "mapd:compile.object_lane", ..finding })
+    }));
+    Ok(findings)
+}
+
+/// Rows in byte order of their ids, then of the rows themselves.
+fn by_id(rows: &Rows) -> Vec<u32> {
+    let tables = rows.as_tables();
+    let text = |row: u32| string(&tables, rows.objects[row as usize].id).as_bytes();
+    let mut order: Vec<u32> = (0..rows.objects.len() as u32).collect();
+    order.sort_by(|a, b| text(*a).cmp(text(*b)).then(a.cmp(b)));
+    order
+}
+
+fn place(map: Map<'_>, written: &Objects, object: &Object, options: &CompileOptions) -> Placed {
+    let line = Line::of(map, written, &object.row);
+    let mut row = object.row;
+    let mut findings = Vec::new();
+    let standing = line.as_ref().and_then(|line| place::stand(line, object, &mut row));
+    let Some((line, standing)) = line.as_ref().zip(standing) else {
+        let message = "expected a place along a reference line, found one that no number can hold";
+        findings.push(finding(map, object, object.span, Severity::Error, message.to_owned()));
+        return Placed { row, shapes: Vec::new(), copies: Vec::new(), findings };
+    };
+    let shapes = object
+        .outlines
+        .iter()
+        .filter_map(|outline| outline::shape(line, &standing, outline, options.bound_tolerance))
+        .collect();
+    let mut copies = Vec::new();
+    for repeat in &object.repeats {
+        match repeat::copies(line, object, repeat, options.bound_tolerance, &mut copies) {
+            Ok(()) => {}
+            Err(message) => {
+                findings.push(finding(map, object, repeat.span, Severity::Warning, message));
+            }
+        }
+    }
+    Placed { row, shapes, copies, findings }
+}
+
+fn append(
+    rows: &mut Rows,
+    object: &Object,
+    placed: Placed,
+    copies_left: &mut usize,
+    findings: &mut Vec<Finding>,
+) -> Result<(), TooLarge> {
+    let number = u32::try_from(rows.objects.len()).map_err(|_| TooLarge::new("objects"))?;
+    let mut row = placed.row;
+    let before = rows.object_outlines.len();
+    for shape in placed.shapes {
+        append_shape(rows, shape)?;
+    }
+    row.outlines = Range::between(before, rows.object_outlines.len())
+        .ok_or(TooLarge::new("object_outlines"))?;
+    let before = rows.object_copies.len();
+    let kept = placed.copies.len().min(*copies_left);
+    let lost = placed.copies.len() - kept;
+    for copy in placed.copies.into_iter().take(kept) {
+        let mut copy_row = ObjectCopyRow { object: number, ..copy.row };
+        if let Some(shape) = copy.shape {
+            let before = rows.object_outlines.len();
+            append_shape(rows, shape)?;
+            copy_row.outlines = Range::between(before, rows.object_outlines.len())
+                .ok_or(TooLarge::new("object_outlines"))?;
+        }
+        rows.object_copies.push(copy_row);
+    }
+    *copies_left -= kept;
+    row.copies =
+        Range::between(before, rows.object_copies.len()).ok_or(TooLarge::new("object_copies"))?;
+    let before = rows.lane_ranges.len();
+    rows.lane_ranges
+        .extend(object.validities.iter().map(|(from, to)| LaneRangeRow { from: *from, to: *to }));
+    row.validities =
+        Range::between(before, rows.lane_ranges.len()).ok_or(TooLarge::new("lane_ranges"))?;
+    rows.objects.push(row);
+    findings.extend(placed.findings);
+    if lost > 0 {
+        let message = format!(
+            "the map's objects are repeated more than {} times; {lost} repetitions are left out",
+            repeat::MOST_COPIES_OF_A_MAP
+        );
+        let span = object.repeats.first().map_or(object.span, |repeat| repeat.span);
+        let path = "OpenDRIVE/road/objects/object/repeat".to_owned();
+        let rule = "mapd:compile.object_repeat";
+        findings.push(crate::finding(rule, Severity::Warning, span, path, message, ""));
+    }
+    Ok(())
+}
+
+fn append_shape(rows: &mut Rows, shape: Shape) -> Result<(), TooLarge> {
+    let before = rows.object_points.len();
+    rows.object_points.extend_from_slice(&shape.points);
+    let points =
+        Range::between(before, rows.object_points.len()).ok_or(TooLarge::new("object_points"))?;
+    rows.object_outlines.push(ObjectOutlineRow { points, ..shape.row });
+    Ok(())
+}
+
+/// A finding about an object or one of its repetitions.
+fn finding(
+    map: Map<'_>,
+    object: &Object,
+    span: mapd_xodr::Span,
+    severity: Severity,
+    message: String,
+) -> Finding {
+    let text = |number: u32| string(map.tables(), number);
+    let tables = map.tables();
+    let (owner, id) = if object.row.road == NONE {
+        let row = tables.junctions.get(object.row.junction as usize);
+        ("junction", row.map_or(0, |row| row.id()))
+    } else {
+        ("road", tables.roads.get(object.row.road as usize).map_or(0, |row| row.id()))
+    };
+    let path =
+        format!("OpenDRIVE/{owner}[@id={}]/objects/object[@id={}]", text(id), text(object.row.id));
+    let rule = if span == object.span {
+        "mapd:compile.object_place"
+    } else {
+        "mapd:compile.object_repeat"
+    };
+    crate::finding(rule, severity, span, path, message, "")
+}

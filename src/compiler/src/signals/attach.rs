@@ -1,0 +1,118 @@
+//! Which lanes signals are for.
+
+use super::{PlaceWritten, Resolved, SIGNAL_LANES};
+use crate::finding;
+use crate::lanes::view;
+use mapd_archive::{LaneMethod, Orientation, Rows, SignalLaneRow, SignalPlaceRow};
+use mapd_geometry::clamp;
+use mapd_query::{Lane, Map, Road};
+use mapd_xodr::{Finding, Severity};
+
+/// A signal that names no lane belongs to none that lies farther away `[m]`: wider than any road's half with its verge.
+const FARTHEST_LANE: f64 = 30.0;
+
+/// Lanes of a place: row of the lane and its distance `[m]`.
+type Found = (LaneMethod, Vec<(u32, f64)>);
+
+/// Fills the signals' places, their lanes and the lanes' signals.
+pub(super) fn attach(rows: &mut Rows, resolved: &Resolved) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    let found: Vec<Option<Found>> = {
+        let archive = view(rows);
+        let map = Map::new(&archive, 0);
+        let roads: Vec<Road<'_>> = map.roads().collect();
+        let lanes = |place: &PlaceWritten| lanes_of(roads.get(place.road as usize)?, place);
+        resolved.places.iter().map(lanes).collect()
+    };
+    for (place, found) in resolved.places.iter().zip(found) {
+        let number = rows.signal_places.len() as u32;
+        let before = rows.signal_lanes.len();
+        match found {
+            Some((method, lanes)) => {
+                for (lane, distance) in lanes {
+                    let (distance, method) = (distance as f32, method.code());
+                    let row =
+                        SignalLaneRow { place: number, lane, distance, method, reserved: [0; 3] };
+                    rows.signal_lanes.push(row);
+                }
+            }
+            None => findings.push(finding(
+                SIGNAL_LANES,
+                Severity::Warning,
+                place.span,
+                "OpenDRIVE/road/signals".to_owned(),
+                "no lane travels the way that it is for; it is kept on the road".to_owned(),
+                "give it the validity and orientation of the lanes that it is for",
+            )),
+        }
+        rows.signal_places.push(SignalPlaceRow {
+            s: place.s,
+            t: place.t,
+            signal: place.signal,
+            road: place.road,
+            lanes: crate::lower::between(before, rows.signal_lanes.len()),
+            line: place.line,
+            column: place.column,
+            orientation: place.orientation,
+            kind: place.kind,
+            reserved: [0; 6],
+        });
+    }
+    let mut by_lane: Vec<u32> = (0..rows.signal_lanes.len() as u32).collect();
+    by_lane
+        .sort_by_key(|row| (rows.signal_lanes.get(*row as usize).map_or(0, |one| one.lane), *row));
+    rows.lane_signals = by_lane.into();
+    findings
+}
+
+/// By validity; without any, all lanes that travel the way the signal is for (OpenDRIVE 1.8.1, 14.2); if there are none, the
+/// lane that it stands on; else the nearest that travels that way.
+fn lanes_of(road: &Road<'_>, place: &PlaceWritten) -> Option<Found> {
+    let s = clamp(place.s, 0.0, road.length());
+    let section = road.section_at(s)?;
+    let far = |lane: &Lane<'_>| {
+        let edges = lane.edges_at(s);
+        let (low, high) = (edges.inner.min(edges.outer), edges.inner.max(edges.outer));
+        (low - place.t).max(place.t - high).max(0.0)
+    };
+    let row = |lane: Lane<'_>| (lane.lane_id().row(), far(&lane));
+    let lanes = || section.lanes().filter(|lane| lane.number() != 0);
+    let fits = |lane: &Lane<'_>| travels(lane, place.orientation);
+    let named = |lane: &Lane<'_>| {
+        let number = lane.number();
+        place.validity.iter().any(|(a, b)| (*a.min(b)..=*a.max(b)).contains(&number))
+    };
+    // Lane 0 alone is nobody's lane: exporters write it for "not known".
+    let says = place.validity.iter().any(|range| *range != (0, 0));
+    if says {
+        let both: Vec<_> = lanes().filter(named).filter(fits).map(row).collect();
+        let named: Vec<_> =
+            if both.is_empty() { lanes().filter(named).map(row).collect() } else { both };
+        if !named.is_empty() {
+            return Some((LaneMethod::Validity, named));
+        }
+    } else {
+        let drivable = |lane: &Lane<'_>| lane.kind().is_drivable() && lane.width_at(s) > 0.0;
+        let all: Vec<_> = lanes().filter(fits).filter(drivable).map(row).collect();
+        if !all.is_empty() {
+            return Some((LaneMethod::Orientation, all));
+        }
+    }
+    let on = section.lane_at(s, place.t).filter(fits);
+    if let Some(lane) = on {
+        return Some((LaneMethod::Track, vec![row(lane)]));
+    }
+    let nearest = lanes().filter(fits).filter(|lane| lane.width_at(s) > 0.0).map(row);
+    let nearest = nearest.filter(|(_, distance)| *distance <= FARTHEST_LANE);
+    let nearest = nearest.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    Some((LaneMethod::Nearest, vec![nearest]))
+}
+
+/// Whether a lane travels a way.
+fn travels(lane: &Lane<'_>, orientation: u8) -> bool {
+    match Orientation::from_code(orientation) {
+        Orientation::Along => lane.is_forward() || lane.is_bidirectional(),
+        Orientation::Against => !lane.is_forward() || lane.is_bidirectional(),
+        _ => true,
+    }
+}

@@ -1,0 +1,104 @@
+//! Signals, controllers and right of way (docs/signals.md): first as written, then ids become rows, then places become
+//! coordinates and lanes.
+
+mod attach;
+mod place;
+mod read;
+mod resolve;
+mod right_of_way;
+mod semantics;
+
+use mapd_archive::{BoardGroupRow, ControlRow, ControllerRow, Rows, SignalRow};
+use mapd_ontology::Ontology;
+use mapd_xodr::source::Places;
+use mapd_xodr::{Finding, Span};
+
+pub(crate) use resolve::resolve;
+
+/// Rule of signals that are for no lane.
+pub(crate) const SIGNAL_LANES: &str = "mapd:compile.signal_lanes";
+
+/// What is known of signals until every id and lane is.
+#[derive(Default)]
+pub(crate) struct Pending {
+    /// What signals mean.
+    pub(crate) ontology: Ontology,
+    signals: Vec<Written>,
+    references: Vec<Reference>,
+    controllers: Vec<(ControllerRow, Vec<ControlRow>, Span)>,
+    board_groups: Vec<BoardGroupRow>,
+}
+
+/// A signal whose row stands in the table already.
+struct Written {
+    span: Span,
+    /// Lanes as written: from, to.
+    validity: Vec<(i32, i32)>,
+    position: Position,
+    /// Lateral and upward place on the board's carrier `[m]`.
+    on_carrier: Option<(f64, f64)>,
+}
+
+/// Where a signal stands.
+enum Position {
+    Track,
+    /// Id of the road; s, t, zOffset, hOffset.
+    Road(u32, [f64; 4]),
+    /// x, y, z, hdg.
+    Inertial([f64; 4]),
+}
+
+/// A `signalReference`.
+struct Reference {
+    road: u32,
+    /// The signal's id.
+    id: u32,
+    s: f64,
+    t: f64,
+    orientation: u8,
+    validity: Vec<(i32, i32)>,
+    span: Span,
+}
+
+/// A place where a signal counts, before its lanes are known.
+struct PlaceWritten {
+    signal: u32,
+    road: u32,
+    s: f64,
+    t: f64,
+    orientation: u8,
+    kind: u8,
+    validity: Vec<(i32, i32)>,
+    span: Span,
+    line: u32,
+    column: u32,
+}
+
+/// What `complete` needs besides rows.
+#[derive(Default)]
+pub(crate) struct Resolved {
+    places: Vec<PlaceWritten>,
+    /// Per signal row: where it stands.
+    positions: Vec<(Position, Option<(f64, f64)>)>,
+    /// Rows of roads by the numbers of their ids.
+    roads: Vec<(u32, u32)>,
+}
+
+/// Fills positions, lanes and right of way of a map whose lane graph is complete. What belongs to no lane is a finding.
+pub(crate) fn complete(rows: &mut Rows, resolved: &Resolved) -> Vec<Finding> {
+    place::place(rows, resolved);
+    let findings = attach::attach(rows, resolved);
+    right_of_way::build(rows);
+    findings
+}
+
+/// Line and column of a place.
+fn line_of(places: &Places, span: Span) -> (u32, u32) {
+    let position = places.place(span.start).position;
+    (position.line, position.column)
+}
+
+/// A row in which nothing is known.
+fn empty_row() -> SignalRow {
+    bytemuck::Zeroable::zeroed()
+}

@@ -1,0 +1,80 @@
+//! Where signals stand, and where they face.
+
+use super::{Position, Resolved};
+use crate::lanes::view;
+use glam::DVec3;
+use mapd_archive::{Orientation, Rows, SignalRow, signal_flags};
+use mapd_geometry::{clamp, cos_sin, normalize_angle};
+use mapd_query::{Map, Road, Track};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// A place in space and the direction of the face's normal.
+type Standing = (DVec3, f64);
+
+/// Fills x, y, z and facing of all signals. Carriers of boards come before what they carry.
+pub(super) fn place(rows: &mut Rows, resolved: &Resolved) {
+    let mut found: Vec<Option<Standing>> = Vec::with_capacity(rows.signals.len());
+    {
+        let archive = view(rows);
+        let map = Map::new(&archive, 0);
+        let roads: Vec<Road<'_>> = map.roads().collect();
+        for (row, (position, on_carrier)) in rows.signals.iter().zip(&resolved.positions) {
+            let own = standing(&roads, row, position, &resolved.roads);
+            let carrier = found.get(row.carrier as usize).copied().flatten();
+            found.push(match (on_carrier, carrier) {
+                (Some(shift), Some(carrier)) => Some(on(carrier, *shift, own)),
+                _ => own,
+            });
+        }
+    }
+    for (row, found) in rows.signals.iter_mut().zip(found) {
+        if let Some((p, facing)) = found {
+            (row.x, row.y, row.z, row.facing) = (p.x, p.y, p.z, facing);
+        }
+        let length = rows.roads.get(row.road as usize).map_or(0.0, |road| road.length);
+        if row.s != clamp(row.s, 0.0, length) {
+            row.flags |= signal_flags::CLAMPED;
+        }
+    }
+}
+
+fn standing(
+    roads: &[Road<'_>],
+    row: &SignalRow,
+    position: &Position,
+    by_id: &[(u32, u32)],
+) -> Option<Standing> {
+    let own = roads.get(row.road as usize)?;
+    match position {
+        Position::Track => {
+            let (s, t) = (row.s, row.t);
+            on_road(own, [s, t, row.z_offset, row.h_offset], row.orientation)
+        }
+        Position::Road(id, at) => {
+            let named = by_id.binary_search_by_key(id, |(id, _)| *id).ok();
+            let named = named.and_then(|at| by_id.get(at)).map(|(_, row)| *row);
+            let road = named.and_then(|row| roads.get(row as usize)).unwrap_or(own);
+            on_road(road, *at, row.orientation)
+        }
+        Position::Inertial([x, y, z, heading]) => {
+            Some((DVec3::new(*x, *y, *z), normalize_angle(*heading)))
+        }
+    }
+}
+
+/// The point (s, t) of the road's plane in plan view, zOffset above the reference line; the normal of a face points against
+/// the traffic that it is for (OpenDRIVE 1.8.1, 14.1).
+fn on_road(road: &Road<'_>, [s, t, z, h]: [f64; 4], orientation: u8) -> Option<Standing> {
+    let pose = road.to_inertial(Track { s, t, h: 0.0 }).ok()?;
+    let s = clamp(s, 0.0, road.reference_end().max(0.0));
+    let turned = if Orientation::from_code(orientation) == Orientation::Along { PI } else { 0.0 };
+    let p = DVec3::new(pose.position.x, pose.position.y, road.elevation_at(s) + z);
+    Some((p, normalize_angle(pose.heading + turned + h)))
+}
+
+/// On a board: v to the left of the carrier's face, z above the carrier.
+fn on((origin, facing): Standing, (v, z): (f64, f64), own: Option<Standing>) -> Standing {
+    let (cos, sin) = cos_sin(facing + FRAC_PI_2);
+    let own = own.map_or(facing, |(_, own)| own);
+    (origin + DVec3::new(v * cos, v * sin, z), own)
+}

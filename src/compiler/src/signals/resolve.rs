@@ -1,0 +1,209 @@
+//! Ids become rows: signals, controllers, groups, priorities.
+
+use super::semantics::meant;
+use super::{Pending, PlaceWritten, Resolved, line_of};
+use crate::finding;
+use crate::lower::{Lowering, between};
+use mapd_archive::{
+    DefaultSpeedRow, JunctionControllerRow, JunctionPriorityRow, NONE, Range, RoadType, Rows,
+};
+use mapd_ontology::Class;
+use mapd_xodr::source::Places;
+use mapd_xodr::{self as xodr, Finding, Header, Severity, Text as _, Value as _};
+use std::collections::HashMap;
+
+/// Rows by the number of their id's string.
+type ById = HashMap<u32, u32>;
+
+/// Resolves every id of signals. What is named but not there is a finding where something is lost by it.
+pub(crate) fn resolve(
+    lowering: &mut Lowering,
+    places: &Places,
+    findings: &mut Vec<Finding>,
+) -> Resolved {
+    let pending = std::mem::take(&mut lowering.signals);
+    // Of signals with one id, the first is meant.
+    let mut signals = ById::new();
+    for (row, signal) in lowering.rows.signals.iter().enumerate() {
+        signals.entry(signal.id).or_insert(row as u32);
+    }
+    let found = |id: u32| signals.get(&id).copied().unwrap_or(NONE);
+    for row in lowering.rows.signal_dependencies.iter_mut() {
+        row.signal = found(row.id);
+    }
+    for row in lowering.rows.signal_links.iter_mut().filter(|row| row.kind == 1) {
+        row.signal = found(row.id);
+    }
+    for (row, written) in lowering.rows.signals.iter_mut().zip(&pending.signals) {
+        (row.line, row.column) = line_of(places, written.span);
+    }
+    let found_places = signal_places(lowering, &pending, &signals, places, findings);
+    controllers(lowering, &pending, &signals, places);
+    for group in &pending.board_groups {
+        lowering
+            .rows
+            .board_groups
+            .push(mapd_archive::BoardGroupRow { signal: found(group.id), ..*group });
+    }
+    junctions(lowering);
+    sort_by_id(lowering);
+    let roads = lowering.rows.roads.iter().enumerate().map(|(row, road)| (road.id, row as u32));
+    let mut roads: Vec<(u32, u32)> = roads.collect();
+    roads.sort_unstable();
+    let positions = pending.signals.into_iter().map(|one| (one.position, one.on_carrier));
+    Resolved { places: found_places, positions: positions.collect(), roads }
+}
+
+/// Places of signals and of references to them, by road and s.
+fn signal_places(
+    lowering: &Lowering,
+    pending: &Pending,
+    signals: &ById,
+    places: &Places,
+    findings: &mut Vec<Finding>,
+) -> Vec<PlaceWritten> {
+    let rows = lowering.rows.signals.iter().zip(&pending.signals).enumerate();
+    let mut out: Vec<PlaceWritten> = rows
+        .map(|(number, (row, written))| {
+            // A sign on a board is for the lanes that the board's carrier is for, unless it says otherwise.
+            let carrier = pending.signals.get(row.carrier as usize);
+            let inherited = carrier.filter(|_| written.validity.is_empty());
+            PlaceWritten {
+                signal: number as u32,
+                road: row.road,
+                s: row.s,
+                t: row.t,
+                orientation: row.orientation,
+                kind: 0,
+                validity: inherited.unwrap_or(written).validity.clone(),
+                span: written.span,
+                line: row.line,
+                column: row.column,
+            }
+        })
+        .collect();
+    for reference in &pending.references {
+        let Some(signal) = signals.get(&reference.id).copied() else {
+            let id = String::from_utf8_lossy(lowering.strings.bytes_of(reference.id)).into_owned();
+            findings.push(finding(
+                "mapd:compile.signal_reference",
+                Severity::Warning,
+                reference.span,
+                "OpenDRIVE/road/signals/signalReference/@id".to_owned(),
+                format!("expected a signal of the map, found {id:?}, which it does not have"),
+                "",
+            ));
+            continue;
+        };
+        let (line, column) = line_of(places, reference.span);
+        out.push(PlaceWritten {
+            signal,
+            road: reference.road,
+            s: reference.s,
+            t: reference.t,
+            orientation: reference.orientation,
+            kind: 1,
+            validity: reference.validity.clone(),
+            span: reference.span,
+            line,
+            column,
+        });
+    }
+    out.sort_by(|a, b| a.road.cmp(&b.road).then(a.s.total_cmp(&b.s)).then(a.signal.cmp(&b.signal)));
+    out
+}
+
+/// Controllers with their signals, and signals with their controllers.
+fn controllers(lowering: &mut Lowering, pending: &Pending, signals: &ById, places: &Places) {
+    let rows: &mut Rows = &mut lowering.rows;
+    let mut turned: Vec<(u32, u32)> = Vec::new();
+    for (row, controls, span) in &pending.controllers {
+        let before = rows.controls.len();
+        for control in controls {
+            let signal = signals.get(&control.id).copied().unwrap_or(NONE);
+            if signal != NONE {
+                turned.push((signal, rows.controllers.len() as u32));
+            }
+            rows.controls.push(mapd_archive::ControlRow { signal, ..*control });
+        }
+        let (line, column) = line_of(places, *span);
+        let controls = between(before, rows.controls.len());
+        rows.controllers.push(mapd_archive::ControllerRow { controls, line, column, ..*row });
+    }
+    turned.sort_unstable();
+    turned.dedup();
+    for of_signal in turned.chunk_by(|a, b| a.0 == b.0) {
+        let before = rows.signal_controllers.len();
+        rows.signal_controllers.extend(of_signal.iter().map(|(_, controller)| *controller));
+        let range: Range = between(before, rows.signal_controllers.len());
+        if let Some(row) = of_signal.first().and_then(|(s, _)| rows.signals.get_mut(*s as usize)) {
+            row.controllers = range;
+        }
+    }
+}
+
+/// Synchronisation groups and priorities of junctions.
+fn junctions(lowering: &mut Lowering) {
+    let Lowering { rows, strings, links, .. } = lowering;
+    let by_id = |ids: Vec<u32>| -> ById {
+        // Of those with one id, the first is meant.
+        ids.into_iter().enumerate().rev().map(|(row, id)| (id, row as u32)).collect()
+    };
+    let controllers = by_id(rows.controllers.iter().map(|row| row.id).collect());
+    let roads = by_id(rows.roads.iter().map(|row| row.id).collect());
+    for (number, junction) in links.junctions.iter().enumerate() {
+        let junction_row = number as u32;
+        for controller in &junction.controller {
+            let id = strings.add(controller.id.text());
+            let sequence = controller.sequence.value().and_then(|s| i32::try_from(s).ok());
+            rows.junction_controllers.push(JunctionControllerRow {
+                junction: junction_row,
+                controller: controllers.get(&id).copied().unwrap_or(NONE),
+                id,
+                r#type: strings.add(controller.r#type.text()),
+                sequence: sequence.unwrap_or(-1),
+            });
+        }
+        for priority in &junction.priority {
+            let road = |text: &str| {
+                let id = strings.number(text);
+                id.and_then(|id| roads.get(&id)).copied().unwrap_or(NONE)
+            };
+            let (high, low) = (road(priority.high.text()), road(priority.low.text()));
+            rows.junction_priorities.push(JunctionPriorityRow {
+                junction: junction_row,
+                high,
+                low,
+            });
+        }
+    }
+}
+
+fn sort_by_id(lowering: &mut Lowering) {
+    let Lowering { rows, strings, .. } = lowering;
+    let mut by_id: Vec<u32> = (0..rows.signals.len() as u32).collect();
+    by_id.sort_by_key(|row| {
+        let id = rows.signals.get(*row as usize).map_or(0, |signal| signal.id);
+        (strings.bytes_of(id).to_vec(), *row)
+    });
+    rows.signals_by_id = by_id.into();
+}
+
+impl Lowering {
+    /// Speeds that the header's regulations give to types of roads (OpenDRIVE 1.8.1, 6.4).
+    pub(crate) fn default_speeds(&mut self, header: &Header) {
+        let Some(regulations) = header.default_regulations.as_deref() else { return };
+        for rule in &regulations.road_regulations {
+            let word = rule.r#type.value().map_or("", xodr::RoadType::name);
+            let stated = rule.semantics.as_deref().map(meant).unwrap_or_default();
+            let meanings = stated.iter().map(|one| one.meaning(&self.signals.ontology));
+            let limit = meanings
+                .filter(|m| matches!(m.class, Class::SpeedLimit | Class::SpeedLimitZone))
+                .find_map(|meaning| meaning.value);
+            if let Some(max) = limit {
+                let kind = RoadType::from_name(word).code();
+                self.rows.default_speeds.push(DefaultSpeedRow { max, kind, reserved: [0; 7] });
+            }
+        }
+    }
+}

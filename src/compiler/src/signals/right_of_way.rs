@@ -1,0 +1,190 @@
+//! Who goes first where lanes of a junction meet.
+//!
+//! Looked at in this order: lights, signs at the entry, `junction/priority`, turns across oncoming traffic, traffic from the
+//! right. The first that tells the two apart decides.
+
+use crate::lanes::view;
+use mapd_archive::{
+    Class, ConflictKind, JunctionPriorityRow, Relation, RelationReason, RightOfWayRow, Rows,
+};
+use mapd_geometry::normalize_angle;
+use mapd_query::{Lane, Map, RoadId, Turn};
+use rayon::prelude::*;
+use std::collections::HashMap;
+use std::f64::consts::FRAC_PI_4;
+
+/// Who enters against each other's way by at least this much is oncoming `[rad]`: three eighths of a turn.
+const ONCOMING: f64 = 3.0 * FRAC_PI_4;
+/// Who enters across by more than this and less than oncoming comes from the side `[rad]`.
+const BESIDE: f64 = FRAC_PI_4;
+
+/// What counts of a movement.
+struct Movement {
+    /// Road and direction by which the junction is entered, the first of several.
+    entry: Option<(RoadId, bool)>,
+    connecting: RoadId,
+    junction: Option<u32>,
+    heading: f64,
+    turn: Turn,
+    /// Turning to this side crosses oncoming traffic.
+    across: Turn,
+    /// Controllers of its lights, by row; a light without any stands for itself.
+    lights: Vec<LightGroup>,
+    sign: Sign,
+}
+
+/// Lights that switch together.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum LightGroup {
+    Controller(u32),
+    Light(u32),
+}
+
+/// The sign at the entry, the weakest right first.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Sign {
+    Stop,
+    Yield,
+    None,
+    Priority,
+}
+
+/// Fills `right_of_way` from `conflicts`.
+pub(super) fn build(rows: &mut Rows) {
+    let found: Vec<RightOfWayRow> = {
+        let archive = view(rows);
+        let map = Map::new(&archive, 0);
+        let mut numbers: Vec<u32> = rows.conflicts.iter().map(|row| row.lane).collect();
+        numbers.dedup();
+        let read = |number: &u32| Some((*number, movement(&map.lane_by_row(*number)?)));
+        let movements: HashMap<u32, Movement> = numbers.par_iter().filter_map(read).collect();
+        let pairs = rows.conflicts.iter().filter_map(|row| {
+            // Where roads cross on another level of meaning (crossings of 1.8), no rule of junctions applies.
+            if row.kind == ConflictKind::Crossing.code() {
+                return None;
+            }
+            let (own, other) = (movements.get(&row.lane)?, movements.get(&row.other)?);
+            if own.entry.is_some() && own.entry == other.entry {
+                return None;
+            }
+            let (relation, reason) = relation(own, other, &rows.junction_priorities);
+            let (relation, reason) = (relation.code(), reason.code());
+            Some(RightOfWayRow {
+                lane: row.lane,
+                other: row.other,
+                relation,
+                reason,
+                reserved: [0; 2],
+            })
+        });
+        pairs.collect()
+    };
+    rows.right_of_way = found.into();
+}
+
+fn movement(lane: &Lane<'_>) -> Movement {
+    let start = lane.movement_start();
+    let entry = start.entries().next().map(|lane| (lane.road().road_id(), lane.is_forward()));
+    let mut lights: Vec<LightGroup> = Vec::new();
+    for light in lane.movement_lights() {
+        let signal = light.signal();
+        let before = lights.len();
+        let groups = signal.controllers().map(|c| LightGroup::Controller(c.controller_id().row()));
+        lights.extend(groups);
+        if lights.len() == before {
+            lights.push(LightGroup::Light(signal.signal_id().row()));
+        }
+    }
+    let signs = lane.entry_signals().map(|(one, _)| sign(one.signal().class()));
+    // Of several signs the one that takes most counts; a priority sign only where none takes any.
+    let sign = signs.filter(|sign| *sign != Sign::None).min().unwrap_or(Sign::None);
+    let across = if lane.road().is_left_hand_traffic() { Turn::Right } else { Turn::Left };
+    Movement {
+        entry,
+        connecting: lane.road().road_id(),
+        junction: lane.road().junction().map(|junction| junction.junction_id().row()),
+        heading: start.driving_heading(false),
+        turn: lane.turn(),
+        across,
+        lights,
+        sign,
+    }
+}
+
+fn sign(class: Class) -> Sign {
+    match class {
+        Class::Stop => Sign::Stop,
+        Class::Yield => Sign::Yield,
+        Class::PriorityRoad | Class::PriorityAtNextJunction => Sign::Priority,
+        _ => Sign::None,
+    }
+}
+
+fn relation(
+    own: &Movement,
+    other: &Movement,
+    priorities: &[JunctionPriorityRow],
+) -> (Relation, RelationReason) {
+    let both_lit = !own.lights.is_empty() && !other.lights.is_empty();
+    let together = own.lights.iter().any(|light| other.lights.contains(light));
+    let angle = normalize_angle(other.heading - own.heading);
+    // Oncoming lights are green together more often than not, whether or not one controller has both.
+    if both_lit && !together && angle.abs() < ONCOMING {
+        return (Relation::Lights, RelationReason::Lights);
+    }
+    if !both_lit {
+        if let Some(found) = by_sign(own, other).or_else(|| by_priority(own, other, priorities)) {
+            return found;
+        }
+    }
+    by_direction(own, other, angle)
+}
+
+fn by_sign(own: &Movement, other: &Movement) -> Option<(Relation, RelationReason)> {
+    let reason = match own.sign.min(other.sign) {
+        _ if own.sign == other.sign => return None,
+        Sign::Stop => RelationReason::StopSign,
+        Sign::Yield => RelationReason::YieldSign,
+        Sign::None | Sign::Priority => RelationReason::PriorityRoad,
+    };
+    Some((yields_if(own.sign < other.sign), reason))
+}
+
+fn by_priority(
+    own: &Movement,
+    other: &Movement,
+    priorities: &[JunctionPriorityRow],
+) -> Option<(Relation, RelationReason)> {
+    let has = |movement: &Movement, road: u32| {
+        movement.connecting.row() == road
+            || movement.entry.is_some_and(|(entry, _)| entry.row() == road)
+    };
+    let of_junction = priorities.iter().filter(|row| Some(row.junction) == own.junction);
+    let mut found = of_junction.filter_map(|row| {
+        let wins = has(own, row.high) && has(other, row.low);
+        let loses = has(own, row.low) && has(other, row.high);
+        (wins != loses).then_some(loses)
+    });
+    found.next().map(|loses| (yields_if(loses), RelationReason::JunctionPriority))
+}
+
+fn by_direction(own: &Movement, other: &Movement, angle: f64) -> (Relation, RelationReason) {
+    if angle.abs() >= ONCOMING {
+        let across =
+            |movement: &Movement| movement.turn == movement.across || movement.turn == Turn::Back;
+        return match (across(own), across(other)) {
+            (true, false) => (Relation::Yields, RelationReason::Turn),
+            (false, true) => (Relation::Priority, RelationReason::Turn),
+            _ => (Relation::Open, RelationReason::None),
+        };
+    }
+    if angle.abs() > BESIDE {
+        // Who drives to one's left comes from the right.
+        return (yields_if(angle > 0.0), RelationReason::FromTheRight);
+    }
+    (Relation::Open, RelationReason::None)
+}
+
+fn yields_if(yields: bool) -> Relation {
+    if yields { Relation::Yields } else { Relation::Priority }
+}

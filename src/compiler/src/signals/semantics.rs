@@ -1,0 +1,84 @@
+//! What a signal says itself that it means (OpenDRIVE 1.8.1, 14.5).
+
+use mapd_ontology::{Meaning, Ontology};
+use mapd_xodr::{self as xodr, Semantics, Value as _};
+
+/// A child of `semantics`.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Meant {
+    /// The element's name.
+    pub(super) element: &'static str,
+    /// Its type.
+    pub(super) kind: &'static str,
+    pub(super) value: Option<f64>,
+    pub(super) unit: &'static str,
+}
+
+impl Meant {
+    pub(super) fn meaning(&self, ontology: &Ontology) -> Meaning {
+        ontology.semantics(self.element, self.kind, self.value, self.unit)
+    }
+}
+
+/// Everything that `semantics` says, in the order of the schema.
+pub(super) fn meant(semantics: &Semantics) -> Vec<Meant> {
+    let mut out = Vec::new();
+    // 1.8.0 writes type, unit and value as elements.
+    out.extend(semantics.speed.iter().map(|speed| {
+        let old_kind = speed.type_element.as_ref().and_then(|e| e.content.value());
+        let old_unit = speed.unit_element.as_ref().and_then(|e| e.content.value());
+        let old_value = speed.value_element.as_ref().and_then(|e| e.content.value());
+        Meant {
+            element: "speed",
+            kind: speed.r#type.value().or(old_kind).map_or("", xodr::SpeedSemanticsKind::name),
+            value: speed.value.value().or(old_value),
+            unit: speed.unit.value().or(old_unit).map_or("", xodr::UnitSpeed::name),
+        }
+    }));
+    let kind = |element, kind| Meant { element, kind, ..Meant::default() };
+    out.extend(
+        semantics
+            .lane
+            .iter()
+            .map(|one| kind("lane", one.r#type.value().map_or("", xodr::LaneSemanticsType::name))),
+    );
+    out.extend(semantics.priority.iter().map(|one| {
+        kind("priority", one.r#type.value().map_or("", xodr::PrioritySemanticsType::name))
+    }));
+    let plain = [
+        ("prohibited", semantics.prohibited.len()),
+        ("warning", semantics.warning.len()),
+        ("routing", semantics.routing.len()),
+        ("streetname", semantics.streetname.len()),
+        ("parking", semantics.parking.len()),
+        ("tourist", semantics.tourist.len()),
+    ];
+    for (element, count) in plain {
+        out.extend(std::iter::repeat_n(kind(element, ""), count));
+    }
+    out.extend(semantics.supplementary_time.iter().map(|one| Meant {
+        element: "supplementaryTime",
+        kind: one.r#type.value().map_or("", xodr::TimeSemanticsType::name),
+        value: one.value.value(),
+        unit: "",
+    }));
+    out.extend(semantics.supplementary_distance.iter().map(|one| Meant {
+        element: "supplementaryDistance",
+        kind: one.r#type.value().map_or("", xodr::DistanceSemanticsType::name),
+        value: one.value.value(),
+        unit: one.unit.value().map_or("", xodr::UnitDistance::name),
+    }));
+    out.extend(semantics.supplementary_environment.iter().map(|one| {
+        let name = one.r#type.value().map_or("", xodr::EnvironmentSemanticsType::name);
+        kind("supplementaryEnvironment", name)
+    }));
+    let plates = [
+        ("supplementaryAllows", semantics.supplementary_allows.len()),
+        ("supplementaryProhibits", semantics.supplementary_prohibits.len()),
+        ("supplementaryExplanatory", semantics.supplementary_explanatory.len()),
+    ];
+    for (element, count) in plates {
+        out.extend(std::iter::repeat_n(kind(element, ""), count));
+    }
+    out
+}

@@ -1,0 +1,56 @@
+//! `mapd query … signals`.
+
+use super::kinds::{number, numbers, text};
+use mapd_client::{Lane, Map};
+use mapd_query::{LanePlace, LightStates, SignalsAhead, VehicleClass};
+
+/// Columns of the answer.
+pub(super) const COLUMNS: &[&str] =
+    &["id", "class", "distance", "road_id", "s", "t", "x", "y", "z", "state_machine"];
+
+/// Signals ahead of a place, a row of columns each, the nearest first. A signal that counts for several lanes ahead stands
+/// once, where it is met first.
+pub(super) fn answer(
+    map: Map<'_>,
+    (lane, s): (&Lane<'_>, f64),
+    distance: f64,
+    vehicle: VehicleClass,
+    out: &mut Vec<String>,
+) -> Result<(), String> {
+    let mut ahead = SignalsAhead::default();
+    let from = LanePlace { lane: lane.lane_id(), s };
+    map.signals_ahead(from, distance, vehicle, &mut ahead).map_err(text)?;
+    let mut seen = std::collections::HashSet::new();
+    for one in ahead.iter().filter(|one| seen.insert(one.signal)) {
+        let signal = map.signal(one.signal).map_err(text)?;
+        let own = map.lane(one.lane).map_err(text)?;
+        let place = own
+            .signals()
+            .find(|on| on.signal().signal_id() == one.signal && on.s_on(&own) == one.s);
+        out.push(signal.id().to_owned());
+        out.push(signal.class().name().to_owned());
+        out.push(number(one.distance));
+        out.push(own.road().id().to_owned());
+        let p = signal.position();
+        let t = place.map_or(signal.track()[1], |on| on.place().t());
+        numbers(out, &[one.s, t, p.x, p.y, p.z]);
+        out.push(signal.light().map(states).unwrap_or_default());
+    }
+    Ok(())
+}
+
+/// `red yellow green:red,red_yellow,…:left`: lamps, phases and, for lights with arrows, movements.
+fn states(light: LightStates) -> String {
+    let names = |bits: u8, names: &[&str], between: &str| {
+        let set = names.iter().enumerate().filter(|(i, _)| bits >> i & 1 == 1);
+        set.map(|(_, name)| *name).collect::<Vec<_>>().join(between)
+    };
+    let mut out = names(light.bulbs, &LightStates::BULBS, " ");
+    out.push(':');
+    out.push_str(&names(light.phases, &LightStates::PHASES, " "));
+    if light.arrows != 0 {
+        out.push(':');
+        out.push_str(&names(light.arrows, &LightStates::ARROWS, " "));
+    }
+    out
+}

@@ -1,0 +1,3 @@
+//! The tables of `schemas/ontology`, as text.
+
+pub(crate) mod tables;

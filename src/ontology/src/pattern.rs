@@ -1,0 +1,67 @@
+//! Patterns of types and names: `*` stands for any text, `?` for any character, capital letters do not count.
+
+/// A pattern in lower case.
+#[derive(Clone, Debug)]
+pub(crate) struct Pattern(Box<str>);
+
+impl Pattern {
+    pub(crate) fn new(text: &str) -> Self {
+        Self(text.to_lowercase().into())
+    }
+
+    /// Whether a text, already in lower case, fits.
+    pub(crate) fn fits(&self, text: &str) -> bool {
+        let (pattern, text) = (self.0.as_bytes(), text.as_bytes());
+        // Where the last star stood, and where in the text the try after it began.
+        let (mut p, mut t) = (0, 0);
+        let mut star: Option<(usize, usize)> = None;
+        while t < text.len() {
+            match pattern.get(p) {
+                Some(b'*') => {
+                    star = Some((p, t));
+                    p += 1;
+                }
+                Some(&letter) if letter == b'?' || letter == text[t] => {
+                    p += 1;
+                    t += 1;
+                }
+                _ => match star {
+                    Some((at, from)) => {
+                        star = Some((at, from + 1));
+                        (p, t) = (at + 1, from + 1);
+                    }
+                    None => return false,
+                },
+            }
+        }
+        pattern[p..].iter().all(|&letter| letter == b'*')
+    }
+
+    /// Whether the pattern is one text.
+    pub(crate) fn is_exact(&self) -> bool {
+        !self.0.contains(['*', '?'])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Pattern;
+
+    #[test]
+    fn patterns_fit() {
+        for (pattern, text, expected) in [
+            ("274", "274", true),
+            ("274", "2741", false),
+            ("274.*", "274.1", true),
+            ("44?", "449", true),
+            ("44?", "44", false),
+            ("*cone*", "trafficcone01", true),
+            ("a*b*c", "axxbyyc", true),
+            ("a*b*c", "axxbyy", false),
+            ("", "", true),
+            ("*", "", true),
+        ] {
+            assert_eq!(Pattern::new(pattern).fits(text), expected, "{pattern} {text}");
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! Signals of a lane.
+
+use super::{Signal, SignalPlace};
+use crate::lane::Lane;
+use crate::map::Map;
+use mapd_archive::{ArchivedSignalLaneRow, Class, LaneMethod, Orientation};
+
+/// A signal at a place, for a lane.
+#[derive(Clone, Copy)]
+pub struct LaneSignal<'a> {
+    map: Map<'a>,
+    row: &'a ArchivedSignalLaneRow,
+    place: SignalPlace<'a>,
+    signal: Signal<'a>,
+}
+
+impl<'a> LaneSignal<'a> {
+    pub(crate) fn new(map: Map<'a>, number: u32) -> Option<Self> {
+        let row = map.tables().signal_lanes.get(number as usize)?;
+        let place = SignalPlace::new(map, row.place())?;
+        Some(Self { map, row, place, signal: place.signal()? })
+    }
+
+    /// The signal.
+    #[inline]
+    pub fn signal(&self) -> Signal<'a> {
+        self.signal
+    }
+
+    /// Where it counts.
+    #[inline]
+    pub fn place(&self) -> SignalPlace<'a> {
+        self.place
+    }
+
+    /// The lane.
+    pub fn lane(&self) -> Option<Lane<'a>> {
+        Lane::new(self.map, self.row.lane())
+    }
+
+    /// How signal and lane belong together.
+    pub fn method(&self) -> LaneMethod {
+        LaneMethod::from_code(self.row.method())
+    }
+
+    /// Distance of the signal's s and t from the lane's area, in plan view `[m]`.
+    pub fn distance(&self) -> f64 {
+        f64::from(self.row.distance())
+    }
+
+    /// s on the lane `[m]`: within its section.
+    pub fn s_on(&self, lane: &Lane<'_>) -> f64 {
+        let section = lane.section();
+        let start = section.s_start();
+        mapd_geometry::clamp(self.place.s(), start, section.s_end().max(start))
+    }
+
+    /// Whether it is for traffic that travels towards +s, or for that towards −s.
+    pub fn is_for(&self, forward: bool) -> bool {
+        match self.place.orientation() {
+            Orientation::Along => forward,
+            Orientation::Against => !forward,
+            _ => true,
+        }
+    }
+
+    /// Its number among all places of signals.
+    pub(super) fn place_number(&self) -> u32 {
+        self.place.number
+    }
+}
+
+impl<'a> Lane<'a> {
+    /// Signals that are for the lane, ascending in s.
+    pub fn signals(&self) -> impl Iterator<Item = LaneSignal<'a>> + use<'a> {
+        let (map, own) = (self.map, self.row_number());
+        let (order, rows) = (map.tables().lane_signals, map.tables().signal_lanes);
+        let lane = move |at: &u32| rows.get(*at as usize).map_or(u32::MAX, |row| row.lane());
+        let from = order.partition_point(|at| lane(at) < own);
+        let rest = order.get(from..).unwrap_or(&[]).iter();
+        rest.take_while(move |at| lane(at) == own).filter_map(move |at| LaneSignal::new(map, *at))
+    }
+
+    fn of_classes(
+        &self,
+        classes: &'static [Class],
+    ) -> impl Iterator<Item = LaneSignal<'a>> + use<'a> {
+        self.signals().filter(move |one| classes.contains(&one.signal().class()))
+    }
+
+    /// Lights for the lane's traffic, ascending in s.
+    pub fn traffic_lights(&self) -> impl Iterator<Item = LaneSignal<'a>> + use<'a> {
+        const LIGHTS: &[Class] = &[
+            Class::TrafficLight,
+            Class::BicycleLight,
+            Class::PublicTransportLight,
+            Class::LaneLight,
+            Class::LevelCrossingLight,
+        ];
+        self.of_classes(LIGHTS)
+    }
+
+    /// Lines at which the lane's traffic stops or gives way, ascending in s.
+    pub fn stop_lines(&self) -> impl Iterator<Item = LaneSignal<'a>> + use<'a> {
+        self.of_classes(&[Class::StopLine, Class::WaitingLine])
+    }
+
+    /// Crosswalks over the lane that are written as signals, ascending in s.
+    pub fn crosswalks(&self) -> impl Iterator<Item = LaneSignal<'a>> + use<'a> {
+        self.of_classes(&[Class::Crosswalk, Class::BicycleCrossing])
+    }
+}

@@ -1,0 +1,172 @@
+//! Movements through a junction: a movement is a lane of a connecting road, seen from its entry.
+
+use super::lane::LaneSignal;
+use crate::lane::Lane;
+use crate::map::Map;
+use mapd_archive::{ArchivedRightOfWayRow, Class, Relation, RelationReason};
+use std::f64::consts::{FRAC_PI_4, PI};
+
+/// Signals this far before a junction are its entry's `[m]`: beyond it they belong to something else more often than not.
+const ENTRY_REACH: f64 = 30.0;
+/// Pieces that a movement has at most; a damaged archive might lead round in a circle.
+const MOST_PIECES: usize = 64;
+/// A movement that turns by less goes straight on `[rad]`.
+const STRAIGHT: f64 = FRAC_PI_4;
+/// A movement that turns by more goes back `[rad]`.
+const BACK: f64 = PI - FRAC_PI_4 / 2.0;
+
+/// Where a movement leads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Turn {
+    /// To the left.
+    Left,
+    /// Straight on.
+    Straight,
+    /// To the right.
+    Right,
+    /// Back.
+    Back,
+}
+
+impl Turn {
+    /// Its bit in `LightStates::arrows`.
+    pub fn bit(self) -> u8 {
+        match self {
+            Self::Left => 1,
+            Self::Straight => 2,
+            Self::Right => 4,
+            Self::Back => 8,
+        }
+    }
+}
+
+/// Who goes first where two lanes of a junction meet.
+#[derive(Clone, Copy)]
+pub struct RightOfWay<'a> {
+    map: Map<'a>,
+    row: &'a ArchivedRightOfWayRow,
+}
+
+impl<'a> RightOfWay<'a> {
+    /// The other lane.
+    pub fn other(&self) -> Option<Lane<'a>> {
+        Lane::new(self.map, self.row.other())
+    }
+
+    /// Who goes first.
+    pub fn relation(&self) -> Relation {
+        Relation::from_code(self.row.relation())
+    }
+
+    /// Why.
+    pub fn reason(&self) -> RelationReason {
+        RelationReason::from_code(self.row.reason())
+    }
+}
+
+impl<'a> Lane<'a> {
+    /// Heading of the lane's traffic `[rad]`, in (−π, π], at its beginning or end in driving direction.
+    pub fn driving_heading(&self, at_end: bool) -> f64 {
+        let section = self.section();
+        let forward = self.is_forward();
+        let s = if forward == at_end { section.s_end() } else { section.s_start() };
+        let heading = self.pose_at(s, 0.0).map_or(0.0, |pose| pose.heading);
+        mapd_geometry::normalize_angle(if forward { heading } else { heading + PI })
+    }
+
+    /// Lanes of the same junction before (or behind) this one, itself first: one movement in pieces.
+    fn pieces(&self, before: bool) -> impl Iterator<Item = Lane<'a>> + use<'a> {
+        let junction = self.road().junction_row();
+        let step = move |lane: &Lane<'a>| {
+            let own =
+                |other: &Lane<'a>| junction.is_some() && other.road().junction_row() == junction;
+            let map = lane.map;
+            let lane_of = |id: crate::ids::LaneId| Lane::new(map, id.row());
+            if before {
+                lane.predecessors().filter_map(lane_of).find(own)
+            } else {
+                lane.successors().filter_map(lane_of).find(own)
+            }
+        };
+        std::iter::successors(Some(*self), step).take(MOST_PIECES)
+    }
+
+    /// First lane of the junction on the way through this one; itself where it is in no junction.
+    pub fn movement_start(&self) -> Lane<'a> {
+        self.pieces(true).last().unwrap_or(*self)
+    }
+
+    /// Where the movement through this lane of a junction leads.
+    pub fn turn(&self) -> Turn {
+        let from = self.movement_start().driving_heading(false);
+        let to = self.pieces(false).last().unwrap_or(*self).driving_heading(true);
+        let turned = mapd_geometry::normalize_angle(to - from);
+        match turned.abs() {
+            angle if angle <= STRAIGHT => Turn::Straight,
+            angle if angle >= BACK => Turn::Back,
+            _ if turned > 0.0 => Turn::Left,
+            _ => Turn::Right,
+        }
+    }
+
+    /// Lanes from which the junction is entered on the way through this one.
+    pub fn entries(&self) -> impl Iterator<Item = Lane<'a>> + use<'a> {
+        let map = self.map;
+        self.movement_start().predecessors().filter_map(move |id| Lane::new(map, id.row()))
+    }
+
+    /// Signals at the entry of the movement through this lane of a junction: those of its first lane, then those of the lanes
+    /// that lead in, up to 30 m before. Lights with arrows only where they are for the movement. With each comes its
+    /// distance before the junction `[m]`, negative inside.
+    pub fn entry_signals(&self) -> impl Iterator<Item = (LaneSignal<'a>, f64)> + use<'a> {
+        let (start, turn) = (self.movement_start(), self.turn());
+        let forward = start.is_forward();
+        let own = start.signals().filter(move |one| one.is_for(forward)).map(move |one| {
+            let section = start.section();
+            let begin = if forward { section.s_start() } else { section.s_end() };
+            (one, -start.length_between(begin, one.s_on(&start)))
+        });
+        let leading = self.entries().flat_map(move |lane| {
+            let section = lane.section();
+            let end = if lane.is_forward() { section.s_end() } else { section.s_start() };
+            lane.signals()
+                .filter(move |one| one.is_for(lane.is_forward()))
+                .map(move |one| (one, lane.length_between(one.s_on(&lane), end)))
+        });
+        own.chain(leading.filter(|(_, before)| *before <= ENTRY_REACH)).filter(move |(one, _)| {
+            let signal = one.signal();
+            !signal.is_invalidated() && signal.light().is_none_or(|light| light.governs(turn))
+        })
+    }
+
+    /// Lights that govern the movement through this lane of a junction.
+    pub fn movement_lights(&self) -> impl Iterator<Item = LaneSignal<'a>> + use<'a> {
+        let of_vehicles = |one: &LaneSignal<'a>| {
+            matches!(one.signal().class(), Class::TrafficLight | Class::PublicTransportLight)
+        };
+        self.entry_signals().map(|(one, _)| one).filter(of_vehicles)
+    }
+
+    /// The line at which the movement through this lane of a junction stops: the marked one nearest to the junction.
+    pub fn movement_stop_line(&self) -> Option<LaneSignal<'a>> {
+        let lines = self.entry_signals().filter(|(one, _)| {
+            matches!(one.signal().class(), Class::StopLine | Class::WaitingLine)
+        });
+        lines.min_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map(|(one, _)| one)
+    }
+
+    /// Who goes first where this lane of a junction meets others.
+    pub fn right_of_way(&self) -> impl Iterator<Item = RightOfWay<'a>> + use<'a> {
+        let (map, own) = (self.map, self.row_number());
+        let rows = map.tables().right_of_way;
+        let from = rows.partition_point(|row| row.lane() < own);
+        let rest = rows.get(from..).unwrap_or(&[]).iter();
+        rest.take_while(move |row| row.lane() == own).map(move |row| RightOfWay { map, row })
+    }
+
+    /// Lanes to which this lane of a junction gives way, with the reason.
+    pub fn yields_to(&self) -> impl Iterator<Item = (Lane<'a>, RelationReason)> + use<'a> {
+        let yields = self.right_of_way().filter(|one| one.relation() == Relation::Yields);
+        yields.filter_map(|one| Some((one.other()?, one.reason())))
+    }
+}

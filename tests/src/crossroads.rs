@@ -1,0 +1,63 @@
+//! A crossing of four arms, made by hand, with signs or lights as a test wants them.
+//!
+//! Arm k (0 to 3) leads away from the middle at k quarter turns, from 10 m to 100 m. Its lane −1 leads out, its lane 1
+//! leads in and ends at s = 0. The road `ab` leads from arm a to arm b: 20 m straight on, or a quarter turn with a
+//! reference line of radius 10 m; its lane −1 is 3.5 m wide.
+
+use crate::graph_maps::{Line, connection, document, junction, lane, link, road, section};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Number of arms.
+pub const ARMS: usize = 4;
+
+/// A signal of an arm: id, s, t, orientation, type, more attributes.
+pub fn signal(id: &str, s: f64, t: f64, orientation: &str, kind: &str, more: &str) -> String {
+    format!(
+        "<signal id=\"{id}\" s=\"{s}\" t=\"{t}\" zOffset=\"2\" orientation=\"{orientation}\" dynamic=\"no\" country=\"DE\" type=\"{kind}\" subtype=\"-1\" {more}/>\n"
+    )
+}
+
+/// A light of an arm for the traffic that comes in.
+pub fn light(id: &str) -> String {
+    format!(
+        "<signal id=\"{id}\" s=\"1\" t=\"5\" zOffset=\"3\" orientation=\"-\" dynamic=\"yes\" country=\"OpenDRIVE\" type=\"1000001\" subtype=\"-1\"/>\n"
+    )
+}
+
+/// The map: signals of each arm, what the junction holds beside its connections, what stands beside roads and junction.
+pub fn crossroads(signals: [String; ARMS], of_junction: &str, beside: &str) -> String {
+    let mut elements = String::new();
+    let mut connections = String::new();
+    for (arm, signals) in signals.iter().enumerate() {
+        let angle = arm as f64 * FRAC_PI_2;
+        let line = Line(10.0 * angle.cos(), 10.0 * angle.sin(), angle, 90.0, 0.0);
+        let lanes = section(0.0, &lane(1, ""), &lane(-1, ""));
+        let plain =
+            road(&arm.to_string(), "junction=\"-1\"", line, &link("p junction 100"), &lanes);
+        elements += &plain.replace("</road>", &format!("<signals>\n{signals}</signals>\n</road>"));
+    }
+    for from in 0..ARMS {
+        for to in (0..ARMS).filter(|to| *to != from) {
+            let id = format!("{from}{to}");
+            let angle = from as f64 * FRAC_PI_2;
+            let quarter = 10.0 * FRAC_PI_2;
+            let (length, curvature) = match (to + ARMS - from) % ARMS {
+                1 => (quarter, -0.1),
+                2 => (20.0, 0.0),
+                _ => (quarter, 0.1),
+            };
+            let start = (10.0 * angle.cos(), 10.0 * angle.sin());
+            let line = Line(start.0, start.1, angle + PI, length, curvature);
+            let links =
+                link(&format!("p road {from} start")) + &link(&format!("s road {to} start"));
+            let lanes = section(0.0, "", &lane(-1, "p1 s-1"));
+            elements += &road(&id, "junction=\"100\"", line, &links, &lanes);
+            let attributes = format!(
+                "id=\"{id}\" incomingRoad=\"{from}\" connectingRoad=\"{id}\" contactPoint=\"start\""
+            );
+            connections += &connection(&attributes, "1>-1");
+        }
+    }
+    elements += &junction("100", "name=\"crossing\"", &format!("{connections}{of_junction}"));
+    document(&format!("{elements}{beside}"))
+}

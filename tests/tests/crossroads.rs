@@ -1,0 +1,225 @@
+//! A crossing of four arms: each movement knows its light, its stop line and whom it yields to, and a route meets signals in
+//! their order.
+
+use mapd_archive::encode;
+use mapd_client::Snapshot;
+use mapd_compiler::{CompileOptions, ReadOptions, compile_from};
+use mapd_query::{
+    Class, Lane, LanePlace, Map, Relation, RouteScratch, ShortestLength, SignalsAhead, SpeedOrigin,
+    Turn, VehicleClass,
+};
+use mapd_tests::crossroads::{ARMS, crossroads, light, signal};
+use std::f64::consts::FRAC_PI_2;
+
+const CAR: VehicleClass = VehicleClass::PassengerCar;
+
+fn open(text: &str) -> Snapshot {
+    let (reading, options) = (ReadOptions::default(), CompileOptions::default());
+    let compiled = compile_from(|| Ok(text.as_bytes()), &reading, &options, &mut |_| {})
+        .expect("reading works");
+    let findings = &compiled.diagnostics;
+    let rows = compiled.rows.as_ref().unwrap_or_else(|| panic!("{findings:?}"));
+    let bytes = encode(rows, &compiled.provenance).expect("encodes");
+    mapd_archive::verify(&bytes).expect("the archive proves");
+    Snapshot::from_bytes(bytes).expect("opens")
+}
+
+fn lane<'a>(map: Map<'a>, key: &str) -> Lane<'a> {
+    let key = key.parse().expect("a key");
+    map.lane_by_key(&key).unwrap_or_else(|| panic!("no lane {key}"))
+}
+
+fn movement<'a>(map: Map<'a>, road: &str) -> Lane<'a> {
+    lane(map, &format!("{road}:0:-1"))
+}
+
+/// Whom a movement yields to, and why.
+fn yields(map: Map<'_>, road: &str) -> Vec<String> {
+    let of = movement(map, road);
+    let told = of.yields_to().map(|(lane, why)| format!("{} {}", lane.road().id(), why.name()));
+    let mut told: Vec<String> = told.collect();
+    told.sort();
+    told
+}
+
+/// The relation of two movements is seen alike from both sides.
+fn check_symmetry(map: Map<'_>) {
+    for row in map.lanes().flat_map(|lane| lane.right_of_way().map(move |row| (lane, row))) {
+        let (lane, row) = row;
+        let other = row.other().expect("a lane");
+        let back = other
+            .right_of_way()
+            .find(|back| back.other().is_some_and(|back| back.lane_id() == lane.lane_id()));
+        let back = back.expect("each pair stands twice");
+        let expected = match row.relation() {
+            Relation::Yields => Relation::Priority,
+            Relation::Priority => Relation::Yields,
+            same => same,
+        };
+        assert_eq!((back.relation(), back.reason()), (expected, row.reason()));
+    }
+}
+
+fn lit() -> Snapshot {
+    let signals = std::array::from_fn(|arm| {
+        light(&format!("L{arm}"))
+            + &signal(&format!("S{arm}"), 2.0, 1.75, "-", "294", "")
+            + &signal(&format!("C{arm}"), 4.0, 0.0, "none", "293", "")
+            + &signal(&format!("V{arm}"), 60.0, 5.0, "-", "274", "value=\"50\" unit=\"km/h\"")
+    });
+    let group = |id: &str, arms: [usize; 2]| {
+        let controls: String =
+            arms.iter().map(|arm| format!("<control signalId=\"L{arm}\" type=\"0\"/>")).collect();
+        format!("<controller id=\"{id}\" name=\"group {id}\">{controls}</controller>\n")
+    };
+    let beside = group("A", [0, 2]) + &group("B", [1, 3]);
+    let synchronised =
+        "<controller id=\"A\" sequence=\"0\"/><controller id=\"B\" sequence=\"1\"/>\n";
+    open(&crossroads(signals, synchronised, &beside))
+}
+
+#[test]
+fn each_movement_knows_its_light_line_and_group() {
+    let snapshot = lit();
+    let map = snapshot.map();
+    for from in 0..ARMS {
+        for (step, turn) in [(1, Turn::Right), (2, Turn::Straight), (3, Turn::Left)] {
+            let to = (from + step) % ARMS;
+            let of = movement(map, &format!("{from}{to}"));
+            assert_eq!(of.turn(), turn, "{from}{to}");
+            let lights: Vec<&str> = of.movement_lights().map(|one| one.signal().id()).collect();
+            assert_eq!(lights, [format!("L{from}")], "{from}{to}");
+            let line = of.movement_stop_line().expect("a stop line");
+            assert_eq!(line.signal().id(), format!("S{from}"));
+            let light = of.movement_lights().next().expect("a light").signal();
+            let states = light.light().expect("lamps and phases");
+            assert_eq!((states.bulbs, states.arrows), (7, 0));
+            let group = light.controllers().next().expect("a controller");
+            assert_eq!(group.id(), if from % 2 == 0 { "A" } else { "B" });
+            assert_eq!(group.junctions().next().map(|junction| junction.id()), Some("100"));
+            let incoming = of.entries().next().expect("a lane leads in");
+            let crossing = incoming.crosswalks().next().expect("a crosswalk").signal();
+            assert_eq!(crossing.id(), format!("C{from}"));
+        }
+    }
+    let junction = map.junction_by_id("100").expect("the junction");
+    let order: Vec<_> = junction.controllers().map(|c| (c.id(), c.sequence())).collect();
+    assert_eq!(order, [("A", Some(0)), ("B", Some(1))]);
+}
+
+#[test]
+fn lights_decide_between_groups_and_turns_within_one() {
+    let snapshot = lit();
+    let map = snapshot.map();
+    check_symmetry(map);
+    let straight = movement(map, "02");
+    let relations: Vec<(&str, Relation)> = straight
+        .right_of_way()
+        .map(|row| (row.other().expect("a lane").road().id(), row.relation()))
+        .collect();
+    assert!(relations.contains(&("13", Relation::Lights)), "{relations:?}");
+    assert!(relations.contains(&("21", Relation::Priority)), "{relations:?}");
+    assert!(!relations.iter().any(|(_, relation)| *relation == Relation::Yields));
+    // Who turns left yields to who comes straight on and to who turns right into the same arm.
+    assert_eq!(
+        yields(map, "03"),
+        ["20 turn across oncoming traffic", "23 turn across oncoming traffic"]
+    );
+}
+
+#[test]
+fn signs_decide_where_there_are_no_lights() {
+    let sign = |arm: usize, kind| signal(&format!("R{arm}"), 3.0, 5.0, "-", kind, "");
+    let signals = [sign(0, "306"), sign(1, "205"), sign(2, "306"), sign(3, "206")];
+    let snapshot = open(&crossroads(signals, "", ""));
+    let map = snapshot.map();
+    check_symmetry(map);
+    assert_eq!(yields(map, "02"), [""; 0]);
+    let told = yields(map, "13");
+    for expected in ["02 yield sign", "20 yield sign"] {
+        assert!(told.contains(&expected.to_owned()), "{told:?}");
+    }
+    // A stop sign stands below a yield sign.
+    let told = yields(map, "31");
+    assert!(told.contains(&"02 stop sign".to_owned()), "{told:?}");
+    assert!(told.contains(&"12 stop sign".to_owned()) || !told.iter().any(|t| t.starts_with("12")));
+}
+
+#[test]
+fn junction_priority_decides_where_there_are_no_signs() {
+    let priority = "<priority high=\"0\" low=\"1\"/><priority high=\"0\" low=\"3\"/>\n";
+    let snapshot = open(&crossroads(Default::default(), priority, ""));
+    let map = snapshot.map();
+    check_symmetry(map);
+    assert!(yields(map, "13").contains(&"02 junction priority".to_owned()));
+    assert!(yields(map, "31").contains(&"02 junction priority".to_owned()));
+    // The other arm is named nowhere: from the right.
+    assert!(yields(map, "13").contains(&"20 from the right".to_owned()), "{:?}", yields(map, "13"));
+}
+
+#[test]
+fn without_anything_traffic_from_the_right_goes_first() {
+    let snapshot = open(&crossroads(Default::default(), "", ""));
+    let map = snapshot.map();
+    check_symmetry(map);
+    // Arm 0 drives west: from its right, the north, comes arm 1.
+    assert!(yields(map, "02").contains(&"13 from the right".to_owned()));
+    assert!(!yields(map, "02").iter().any(|told| told.starts_with("31 ")));
+}
+
+/// What is met, with distances rounded to a centimetre.
+fn met(map: Map<'_>, ahead: &SignalsAhead) -> Vec<(String, f64)> {
+    let rounded = |x: f64| (x * 100.0).round() / 100.0;
+    let name = |one: &mapd_query::SignalAhead| map.signal_of(one).expect("known").id().to_owned();
+    ahead.iter().map(|one| (name(one), rounded(one.distance))).collect()
+}
+
+#[test]
+fn a_route_meets_signals_in_their_order() {
+    let snapshot = lit();
+    let map = snapshot.map();
+    let from = LanePlace { lane: lane(map, "0:0:1").lane_id(), s: 80.0 };
+    let to = LanePlace { lane: lane(map, "2:0:-1").lane_id(), s: 80.0 };
+    let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
+    let route = map.route(from, to, CAR, &ShortestLength::default(), &mut scratch, &mut steps);
+    assert!(route.expect("an answer").is_some());
+    let mut ahead = SignalsAhead::default();
+    map.signals_along(&steps, &mut ahead).expect("an answer");
+    // In along arm 0 from s = 80: the sign at 60, crosswalk at 4, line at 2, light at 1; 20 m across; then arm 2's
+    // crosswalk at 4, while its line and light are for those who come in.
+    let straight = [("V0", 20.0), ("C0", 76.0), ("S0", 78.0), ("L0", 79.0), ("C2", 104.0)];
+    let straight = straight.map(|(id, distance)| (id.to_owned(), distance));
+    assert_eq!(met(map, &ahead), straight);
+
+    // All ways: a right turn's centre line has radius 10 − 1.75, a left turn's 10 + 1.75.
+    map.signals_ahead(from, 110.0, CAR, &mut ahead).expect("an answer");
+    let mut all = straight.to_vec();
+    let turned = |id: &str, radius: f64| {
+        (id.to_owned(), ((80.0 + radius * FRAC_PI_2 + 4.0) * 100.0).round() / 100.0)
+    };
+    all.extend([turned("C1", 8.25), turned("C3", 11.75)]);
+    all.sort_by(|a, b| a.1.total_cmp(&b.1));
+    assert_eq!(met(map, &ahead), all);
+    map.signals_ahead(from, 77.0, CAR, &mut ahead).expect("an answer");
+    assert_eq!(met(map, &ahead), straight[..2]);
+}
+
+#[test]
+fn speed_signs_hold_from_their_place_on() {
+    let snapshot = lit();
+    let map = snapshot.map();
+    let incoming = lane(map, "0:0:1");
+    assert_eq!(incoming.speed_rule_at(70.0).origin, SpeedOrigin::None);
+    let rule = incoming.speed_rule_at(30.0);
+    assert_eq!(rule.origin, SpeedOrigin::Signal);
+    assert!((rule.max.expect("a limit") - 50.0 / 3.6).abs() < 1e-12);
+    let sign = map.signal(rule.signal.expect("a sign")).expect("known");
+    assert_eq!((sign.id(), sign.class()), ("V0", Class::SpeedLimit));
+    assert_eq!(lane(map, "0:0:-1").speed_rule_at(30.0).origin, SpeedOrigin::None, "the other way");
+    assert_eq!(
+        movement(map, "02").speed_rule_at(5.0).origin,
+        SpeedOrigin::None,
+        "a junction ends it"
+    );
+    assert!(incoming.allows_at(5.0, CAR) && incoming.access_at(5.0).any(|class| class == CAR));
+}

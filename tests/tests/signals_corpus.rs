@@ -1,0 +1,78 @@
+//! Signals of every map of the corpus: as many as the manifest says, each placed and either for lanes or named in a finding.
+
+use mapd_archive::{Archive, Header, Provenance, Rows};
+use mapd_compiler::{Compilation, CompileOptions, ReadOptions, Verdict, compile_from};
+use mapd_query::Map;
+use std::collections::HashMap;
+
+/// Counts of one map: signals, references to signals, controllers.
+type Counts = [usize; 3];
+
+fn manifest() -> HashMap<String, Counts> {
+    let path = mapd_tests::shared("maps").expect("asked before").join("manifest.tsv");
+    let text = std::fs::read_to_string(path).expect("the manifest can be read");
+    let mut lines = text.lines().map(|line| line.split('\t').collect::<Vec<_>>());
+    let head = lines.next().expect("a head");
+    let column = |name: &str| head.iter().position(|one| *one == name).expect("a column");
+    let (map, wanted) = (column("map"), ["signals", "signalRefs", "controllers"].map(column));
+    let number = |line: &[&str], at: usize| line.get(at).and_then(|n| n.parse().ok()).unwrap_or(0);
+    lines
+        .map(|line| {
+            let name = line[map].trim_end_matches(".xodr").to_owned();
+            (name, wanted.map(|at| number(&line, at)))
+        })
+        .collect()
+}
+
+fn view(rows: &Rows) -> Archive<'_> {
+    let header =
+        Header { body_length: 0, content_hash: [0; 32], provenance: Provenance::default() };
+    Archive { header, tables: rows.as_tables() }
+}
+
+fn check(name: &str, compiled: &Compilation, expected: Counts) {
+    let rows = compiled.rows.as_ref().expect("accepted maps have rows");
+    let archive = view(rows);
+    let map = Map::new(&archive, 0);
+    let references = map.signal_places().filter(|place| place.is_reference()).count();
+    // Signs on boards are rows of their own, which the manifest does not count.
+    let own = map.signals().filter(|signal| signal.carrier().is_none()).count();
+    let lost = |rule: &str| compiled.diagnostics.iter().filter(|d| d.finding.rule == rule).count();
+    let missing = lost("mapd:compile.signal_reference");
+    let found = [own, references + missing, map.controllers().len()];
+    assert_eq!(found, expected, "{name}: signals, references, controllers");
+    for signal in map.signals() {
+        let p = signal.position();
+        assert!(p.is_finite() && p != mapd_query::glam::DVec3::ZERO, "{name}: {}", signal.id());
+    }
+    let without = map.signal_places().filter(|place| place.lanes().count() == 0).count();
+    let told = lost("mapd:compile.signal_lanes");
+    assert_eq!(without, told, "{name}: places without lanes");
+    for one in map.signal_places().flat_map(|place| place.lanes()) {
+        let lane = one.lane().expect("a lane");
+        assert!(lane.signals().any(|own| own.place().s() == one.place().s()), "{name}");
+        assert!(one.place().road().map(|road| road.id()) == Some(lane.road().id()), "{name}");
+    }
+}
+
+#[test]
+fn every_signal_of_the_corpus_is_placed() {
+    let Some(corpus) = mapd_tests::corpus() else {
+        mapd_tests::say("SKIPPED: no shared corpus beside the workspace");
+        return;
+    };
+    let manifest = manifest();
+    let mut all = 0;
+    for (name, path) in corpus {
+        let open = || std::fs::File::open(&path);
+        let (reading, options) = (ReadOptions::default(), CompileOptions::default());
+        let compiled = compile_from(open, &reading, &options, &mut |_| {}).expect("reading works");
+        if compiled.verdict == Verdict::Rejected {
+            continue;
+        }
+        let expected = manifest.get(&name).copied().unwrap_or_default();
+        all += expected[0];
+        check(&name, &compiled, expected);
+    }
+    assert!(all > 600, "the corpus has {all} signals");
+}
