@@ -125,7 +125,9 @@ def georeferences():
     rows = []
     for path in sorted(SHARED.glob("*/*.xodr")):
         try:
-            root = ElementTree.parse(path).getroot()
+            text = path.read_text(encoding="utf-8-sig", errors="replace")
+            # Some have comments before their XML declaration.
+            root = ElementTree.fromstring(text[max(0, text.find("<OpenDRIVE")) :])
         except ElementTree.ParseError:
             continue
         for element in root.iter():
