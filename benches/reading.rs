@@ -1,9 +1,10 @@
-//! Reading with all structural checks against quick-xml's own loop over events, attributes and numbers: in instructions by
-//! callgrind, where valgrind is installed, and in time.
+//! Reading with all structural checks, and the rules beyond, against quick-xml's own loop over events, attributes and numbers: in
+//! instructions by callgrind, where valgrind is installed, and in time.
 //!
-//! `reading [FILE…]` compares both on each file; without files on Town05 of the corpus.
+//! `reading [FILE…]` compares them on each file; without files on Town05 of the corpus.
 
 use mapd_benches::{best, print, small_map};
+use mapd_rules::{Checker, Settings};
 use mapd_xodr::{Limits, Reader};
 use quick_xml::events::Event;
 use std::hint::black_box;
@@ -12,6 +13,9 @@ use std::process::Command;
 
 /// Reading may cost this many times the instructions of the bare loop.
 const GOAL: f64 = 2.0;
+
+/// All rules together may cost this many times the instructions of the bare loop.
+const RULES_GOAL: f64 = 1.0;
 
 /// Runs of which the best counts.
 const RUNS: usize = 20;
@@ -47,6 +51,19 @@ fn read(path: &Path) -> usize {
     count
 }
 
+/// As [`read`], and every element shown to the rules, and the network at the end.
+fn check(path: &Path) -> usize {
+    let mut reader = Reader::open(path, Limits::default()).expect("the map opens");
+    let mut checker = Checker::new(&Settings::default());
+    let mut count = 0;
+    while let Some(item) = reader.next().expect("reading works") {
+        checker.item(&item);
+        count += reader.take_findings().len() + checker.take_findings().len();
+    }
+    checker.finish();
+    count + checker.take_findings().len()
+}
+
 /// Instructions of one loop over a file, in a process of its own; none without valgrind.
 fn instructions(which: &str, path: &Path) -> Option<f64> {
     let program = std::env::current_exe().ok()?;
@@ -69,15 +86,22 @@ fn compare(path: &Path) {
     let whole = best(RUNS, || {
         black_box(read(path));
     });
+    let checked = best(RUNS, || {
+        black_box(check(path));
+    });
     let ratio = whole.as_secs_f64() / bare.as_secs_f64();
+    let rules = (checked.as_secs_f64() - whole.as_secs_f64()) / bare.as_secs_f64();
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
     print(&format!(
-        "reading {name}: {bytes} B in {whole:.1?}, bare loop {bare:.1?}; time ratio {ratio:.2}"
+        "reading {name}: {bytes} B in {whole:.1?}, bare loop {bare:.1?}; time ratio {ratio:.2}, of the rules {rules:.2}"
     ));
-    match (instructions("bare", path), instructions("read", path)) {
-        (Some(bare), Some(whole)) => print(&format!(
-            "reading {name}: {whole} instructions, bare loop {bare}; ratio {:.2}, goal {GOAL}",
-            whole / bare
+    match ["bare", "read", "check"].map(|which| instructions(which, path)) {
+        [Some(bare), Some(whole), Some(checked)] => print(&format!(
+            "reading {name}: {whole} instructions, bare loop {bare}; ratio {:.2}, goal {GOAL}; rules {}, ratio {:.2}, goal \
+             {RULES_GOAL}",
+            whole / bare,
+            checked - whole,
+            (checked - whole) / bare
         )),
         _ => print("reading: no instruction counts, valgrind is not installed"),
     }
@@ -91,6 +115,9 @@ fn main() {
         }
         ["--only", "read", path] => {
             black_box(read(Path::new(path)));
+        }
+        ["--only", "check", path] => {
+            black_box(check(Path::new(path)));
         }
         [] => compare(&small_map().1),
         files => files.iter().map(PathBuf::from).for_each(|path| compare(&path)),

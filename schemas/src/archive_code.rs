@@ -5,14 +5,36 @@ use std::fmt::Write as _;
 
 const NOTE: &str = "// Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.\n\n";
 
-/// Row types: of the network and what lies beside it, and of signals and everything behind.
-pub(crate) fn rows(layout: &Layout) -> [String; 2] {
-    let first = layout.tables.iter().position(|table| table.name == FIRST_OF_SIGNALS);
-    let (network, signals) = layout.tables.split_at(first.unwrap_or(layout.tables.len()));
-    [
-        rows_of("Row types of the network's tables.", network),
-        rows_of("Row types of the tables of signals and of what lies behind them.", signals),
-    ]
+/// Parts of the generated code, so that no file grows too long: name, first table, what the tables hold.
+const PARTS: [(&str, &str, &str); 4] = [
+    ("network", "", "the network and its index"),
+    ("beside", "surfaces", "what is derived from the network and lies beside it"),
+    ("signal", "signals", "signals and of what is left out"),
+    ("object", "objects", "objects"),
+];
+
+/// Tables by the part that they are in.
+fn parts(layout: &Layout) -> Vec<(&'static str, &'static str, &[Table])> {
+    let first = |name: &str| layout.tables.iter().position(|table| table.name == name);
+    let starts: Vec<usize> = PARTS.iter().map(|(_, table, _)| first(table).unwrap_or(0)).collect();
+    let ends = starts.iter().skip(1).copied().chain([layout.tables.len()]);
+    let ranges = starts.iter().copied().zip(ends);
+    PARTS
+        .iter()
+        .zip(ranges)
+        .map(|((name, _, what), (from, to))| (*name, *what, &layout.tables[from..to]))
+        .collect()
+}
+
+/// Row types and accessors of the rows as they lie in an archive: name of each file and its code.
+pub(crate) fn row_files(layout: &Layout) -> Vec<(String, String)> {
+    let parts = parts(layout).into_iter();
+    let files = parts.flat_map(|(name, what, tables)| {
+        let rows = rows_of(&format!("Row types of the tables of {what}."), tables);
+        let accessors = accessors_of(&format!("Reading the rows of {what}."), name, tables);
+        [(format!("{name}_rows.rs"), rows), (format!("{name}_accessors.rs"), accessors)]
+    });
+    files.collect()
 }
 
 fn rows_of(title: &str, tables: &[Table]) -> String {
@@ -45,33 +67,12 @@ fn rows_of(title: &str, tables: &[Table]) -> String {
     out
 }
 
-/// The last table of the map as it is written; those behind it hold what is derived from it or lies beside it.
-const LAST_OF_THE_NETWORK: &str = "index_leaves";
-
-/// The first table of signals; those behind it lie beside the lanes.
-const FIRST_OF_SIGNALS: &str = "signals";
-
-/// Accessors of the rows as they lie in an archive: of the network and its index, of what is derived from it, and of signals
-/// and everything behind.
-pub(crate) fn accessors(layout: &Layout) -> [String; 3] {
-    let tables = &layout.tables;
-    let last = tables.iter().position(|table| table.name == LAST_OF_THE_NETWORK);
-    let first = tables.iter().position(|table| table.name == FIRST_OF_SIGNALS);
-    let (rest, signals) = tables.split_at(first.unwrap_or(tables.len()));
-    let (network, beside) = rest.split_at(last.map_or(0, |last| last + 1));
-    [
-        accessors_of("Reading the rows of the network and its index.", network),
-        accessors_of("Reading the rows of what lies beside the network.", beside),
-        accessors_of("Reading the rows of signals and of what lies behind them.", signals),
-    ]
-}
-
 /// The field's name in Rust.
 fn ident(field: &Field) -> &str {
     if field.name == "type" { "r#type" } else { &field.name }
 }
 
-fn accessors_of(title: &str, tables: &[Table]) -> String {
+fn accessors_of(title: &str, part: &str, tables: &[Table]) -> String {
     let mut out = String::new();
     for table in tables {
         let Some(row) = &table.row else { continue };
@@ -83,8 +84,7 @@ fn accessors_of(title: &str, tables: &[Table]) -> String {
         out += "}\n";
     }
     let mut head = format!("//! {title}\n{NOTE}");
-    let own = if title.contains("signals") { "signal_rows" } else { "rows" };
-    let _ = writeln!(head, "use super::{own}::*;");
+    let _ = writeln!(head, "use super::{part}_rows::*;");
     for (used, import) in [("-> Range", "crate::table::Range"), ("rend::", "rkyv::rend")] {
         if out.contains(used) {
             let _ = writeln!(head, "use {import};");
@@ -116,7 +116,10 @@ fn getter(field: &Field) -> String {
 /// The archive's root and the borrowed tables.
 pub(crate) fn tables(layout: &Layout) -> String {
     let mut out = format!("//! The archive's tables in the order in which they lie.\n{NOTE}");
-    out += "use super::rows::*;\nuse super::signal_rows::*;\nuse crate::error::OpenError;\n";
+    for (part, ..) in PARTS {
+        let _ = writeln!(out, "use super::{part}_rows::*;");
+    }
+    out += "use crate::error::OpenError;\n";
     out += "use crate::table::{Table, TableInfo};\nuse rkyv::{Archive, Serialize, rend};\n\n";
     let _ = writeln!(
         out,

@@ -33,18 +33,13 @@ pub fn outputs(root: &Path) -> Result<Vec<Output>> {
     let page = std::fs::read_to_string(&format_page)
         .with_context(|| format!("reading {}", format_page.display()))?;
     let folder = "src/archive/src/generated";
-    let [network, beside, signals] = archive_code::accessors(&layout);
-    let [rows, signal_rows] = archive_code::rows(&layout);
     let mut outputs = vec![
-        (format!("{folder}/rows.rs"), rows),
-        (format!("{folder}/signal_rows.rs"), signal_rows),
-        (format!("{folder}/signal_accessors.rs"), signals),
-        (format!("{folder}/network_accessors.rs"), network),
-        (format!("{folder}/beside_accessors.rs"), beside),
         (format!("{folder}/tables.rs"), archive_code::tables(&layout)),
         (format!("{folder}/verify_rows.rs"), archive_code::verification(&layout)),
         ("docs/format.md".to_owned(), archive_doc::splice(&page, &layout)?),
     ];
+    let rows = archive_code::row_files(&layout).into_iter();
+    outputs.extend(rows.map(|(name, code)| (format!("{folder}/{name}"), code)));
     outputs.extend(ontology::outputs(root)?);
     let table = opendrive::Table::read(&root.join("schemas/opendrive"))?;
     outputs.extend(opendrive::outputs(&table)?);

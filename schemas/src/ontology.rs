@@ -54,21 +54,27 @@ pub(crate) fn outputs(root: &Path) -> Result<Vec<Output>> {
         }
     }
     names.sort();
-    let mut tables = format!("//! The tables of `schemas/ontology`.\n{NOTE}");
-    tables += "/// Name of a file and its text.\npub(crate) const TABLES: &[(&str, &str)] = &[\n";
+    let generated = "src/ontology/src/generated";
+    let mut outputs = Vec::new();
+    let mut modules = format!("//! The tables of `schemas/ontology`, as text.\n{NOTE}");
+    let mut tables = "/// Name of each file and its text.\n".to_owned();
+    tables += "pub(crate) const TABLES: &[(&str, &str)] = &[\n";
     for name in &names {
         let text = read(name)?;
         ensure!(!text.contains("\"##"), "{name} must not contain \"##");
-        let _ = writeln!(tables, "({name:?}, r##\"{text}\"##),");
+        let module = name.trim_end_matches(".toml").replace('-', "_");
+        let _ = writeln!(modules, "mod {module};");
+        let _ = writeln!(tables, "({name:?}, {module}::TEXT),");
+        let code = format!("pub(super) const TEXT: &str = r##\"{text}\"##;\n");
+        let code = format!("//! `{name}`.\n{NOTE}/// The file.\n{code}");
+        outputs.push((format!("{generated}/{module}.rs"), code));
     }
-    tables += "];\n";
+    outputs.push((format!("{generated}/mod.rs"), format!("{modules}\n{tables}];\n")));
     let page =
         std::fs::read_to_string(root.join("docs/ontology.md")).context("docs/ontology.md")?;
-    Ok(vec![
-        ("src/archive/src/generated/classes.rs".to_owned(), vocabulary.code()),
-        ("src/ontology/src/generated/tables.rs".to_owned(), tables),
-        ("docs/ontology.md".to_owned(), vocabulary.splice(&page)?),
-    ])
+    outputs.push(("src/archive/src/generated/classes.rs".to_owned(), vocabulary.code()));
+    outputs.push(("docs/ontology.md".to_owned(), vocabulary.splice(&page)?));
+    Ok(outputs)
 }
 
 impl Vocabulary {

@@ -3,8 +3,8 @@
 use mapd_archive::{AlignedBytes, HEADER_LENGTH};
 use mapd_client::{LaneTypes, Map, NearestOptions, Region, Snapshot, Track, glam::DVec2};
 use mapd_query::{
-    LanePlace, LaneSequences, RouteScratch, ShortestLength, ShortestTime, VehicleClass,
-    next_lane_change,
+    LanePlace, LaneSequences, RouteScratch, ShortestLength, ShortestTime, SignalsAhead,
+    VehicleClass, next_lane_change,
 };
 
 /// Lanes for questions that take long.
@@ -28,6 +28,7 @@ pub fn ask_everything(bytes: AlignedBytes) {
         let _ = road.to_inertial(Track { s: 10.0, t: 1.0, h: 0.0 });
         let _ = road.to_track(DVec2::new(3.0, 4.0));
         let _ = (road.surface_at(10.0, 1.0), road.surface_at(100.0, -30.0));
+        let _ = road.temporary_sections().flat_map(|section| section.lanes()).count();
         let _ = (road.section_at(5.0).map(|s| s.lane_at(5.0, 1.0).is_some()), road.types().count());
     }
     for lane in map.lanes() {
@@ -62,12 +63,42 @@ pub fn ask_everything(bytes: AlignedBytes) {
     let _ = map.boundary_segments(region, LaneTypes::drivable(), &mut lanes, &mut segments);
     let _ = map.road_mark_segments(region, LaneTypes::ALL, &mut lanes, &mut segments, &mut vec![]);
     ask_graph(map);
+    ask_signals(map);
     ask_objects(map);
     for junction in map.junctions() {
         let _ = junction.connections().map(|c| c.lane_links().count()).sum::<usize>();
     }
     let _ = map.road_by_id("1");
     let _ = snapshot.verify();
+}
+
+fn ask_signals(map: Map<'_>) {
+    for signal in map.signals() {
+        let _ = (signal.id(), signal.code(), signal.class(), signal.value(), signal.position());
+        let _ = (signal.dependencies().map(|link| link.id.len()).sum::<usize>(), signal.boards());
+        let _ = (signal.links().filter_map(|link| link.signal).count(), signal.size());
+        let _ = (signal.semantics().count(), signal.controllers().count(), signal.light());
+        let _ = (signal.road().is_some(), signal.carrier().is_some(), signal.places().count());
+        let _ = map.signal_by_id(signal.id()).is_some();
+    }
+    for place in map.signal_places() {
+        let _ = place.lanes().filter(|one| one.distance() > 1.0).map(|one| one.method()).last();
+    }
+    for controller in map.controllers() {
+        let _ = (controller.id(), controller.signals().count(), controller.junctions().count());
+    }
+    for junction in map.junctions() {
+        let _ = junction.controllers().filter_map(|one| one.controller()).count();
+    }
+    let mut ahead = SignalsAhead::default();
+    for lane in map.lanes() {
+        let _ = (lane.speed_rule_at(1.0), lane.turn(), lane.movement_stop_line().is_some());
+        let _ = (lane.movement_lights().count(), lane.yields_to().count(), lane.entries().count());
+        let _ = (lane.lines_to_stop_at().count(), lane.crossings().count(), lane.movement_stop());
+        let _ = (lane.stop_lines().count(), lane.crosswalks().count(), lane.access_at(1.0).count());
+        let from = LanePlace { lane: lane.lane_id(), s: 1.0 };
+        let _ = map.signals_ahead(from, 50.0, VehicleClass::PassengerCar, &mut ahead);
+    }
 }
 
 fn ask_objects(map: Map<'_>) {
@@ -90,6 +121,30 @@ fn ask_objects(map: Map<'_>) {
             let _ = (at.lane().is_some(), at.object().is_some(), at.s_range(), at.method());
         }
         let _ = object.placements().take(200).map(|place| place.outlines().len()).sum::<usize>();
+    }
+    for place in map.objects().take(200).map(|object| object.template()) {
+        for marking in place.markings() {
+            let _ = (marking.corners().count(), marking.outline().is_some(), marking.color());
+        }
+        for border in place.borders() {
+            let _ = (border.corners().count(), border.outline().is_some(), border.kind());
+        }
+        let _ = place.skeletons().map(|line| line.vertices().count()).sum::<usize>();
+        let _ =
+            (place.object().parking_space().map(|p| p.access()), place.object().materials().len());
+    }
+    for reference in map.object_references().take(200) {
+        let _ = (reference.object().is_some(), reference.road().is_some(), reference.id());
+        let _ = reference.validities().count();
+    }
+    for structure in map.structures().take(200) {
+        let _ = (structure.kind(), structure.road().is_some(), structure.validities().count());
+    }
+    for switch in map.switches().take(200) {
+        let _ = (switch.main_track().road.is_some(), switch.partner().is_some(), switch.position());
+    }
+    for platform in map.stations().take(200).flat_map(|station| station.platforms().take(200)) {
+        let _ = (platform.segments().take(200).count(), platform.id());
     }
     let _ = map.lanes().map(|lane| lane.objects().count()).sum::<usize>();
     let _ = map.roads().map(|road| road.objects().count()).sum::<usize>();
@@ -119,6 +174,7 @@ fn ask_graph(map: Map<'_>) {
         let _ = map.lane_sequences_ahead(from, 60.0, car, &mut sequences);
         let _ = map.lane_sequences_behind(from, 60.0, car, &mut sequences);
         let _ = map.next_junction(from, 60.0, car);
+        let _ = map.signals_along(&steps, &mut SignalsAhead::default());
     }
 }
 

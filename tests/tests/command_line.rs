@@ -270,3 +270,58 @@ fn surfaces_have_a_normal() {
         "road_id,s,t,x,y,z,nx,ny,nz,friction,roughness,error\n1,20,-1,20.0,-1.0,10.0,0.0,0.0,1.0,,,\n",
     );
 }
+
+#[test]
+fn signals_are_a_row_each() {
+    use mapd_tests::crossroads::{crossroads, light, signal};
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("crossing.xodr");
+    let arm = light("L") + &signal("V", 60.0, 5.0, "-", "274", "value=\"50\" unit=\"km/h\"");
+    let signals = [arm, String::new(), String::new(), String::new()];
+    std::fs::write(&path, crossroads(signals, "", "")).expect("written");
+    let source = path.display().to_string();
+    let input = "road_id,s,lane_id,distance\n0,80,1,100\n0,30,-1,100\n0,80,1,x\n";
+    let output = run(&["query", &source, "signals"], input);
+    let errors = String::from_utf8_lossy(&output.stderr);
+    let expected = "lane_id,id,class,distance,road_id,s,t,x,y,z,state_machine,error\n\
+        1,V,speed_limit,20.0,0,60.0,5.0,70.0,5.0,2.0,,\n\
+        1,L,traffic_light,79.0,0,1.0,5.0,11.0,5.0,3.0,red yellow green:red red_yellow yellow green flashing_yellow off,\n\
+        1,,,,,,,,,,,\"expected a finite number in column distance, found \"\"x\"\"\"\n";
+    assert_eq!(String::from_utf8_lossy(&output.stdout), expected, "{errors}");
+    let output = run(&["inspect", &source], "");
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(text.contains("signals       2, 0 references, 0 controllers, 0 for no lane"), "{text}");
+    assert!(text.contains("speed_limit"), "{text}");
+}
+
+#[test]
+fn a_table_of_ones_own_changes_what_signals_mean() {
+    use mapd_tests::crossroads::{crossroads, signal};
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let odd = signal("X", 60.0, 5.0, "-", "strange", "");
+    let signals = [odd, String::new(), String::new(), String::new()];
+    std::fs::write(at("map.xodr"), crossroads(signals, "", "")).expect("written");
+    let table = "name = \"own\"\ncountries = [\"DE\"]\nsignals = [{ type = \"strange\", class = \"CLASS\" }]\n";
+    for (file, class) in [("own.toml", "stop"), ("wrong.toml", "sotp")] {
+        std::fs::write(at(file), table.replace("CLASS", class)).expect("written");
+    }
+    let compile = |more: &[&str]| {
+        let (map, out) = (at("map.xodr"), at("map.mapd"));
+        let mut args = vec!["compile", map.as_str(), "-o", out.as_str()];
+        args.extend(more);
+        let code = run(&args, "").status.code();
+        let text = run(&["inspect", &out], "").stdout;
+        (code, String::from_utf8_lossy(&text).into_owned())
+    };
+    let (code, text) = compile(&[]);
+    assert_eq!(code, Some(0));
+    assert!(text.contains("no class for \"DE strange -1 \": 1"), "{text}");
+    let (code, text) = compile(&["--ontology", &at("own.toml")]);
+    assert_eq!(code, Some(0));
+    assert!(text.contains("  stop   ") && !text.contains("no class for"), "{text}");
+    let refused = run(&["compile", &at("map.xodr"), "--ontology", &at("wrong.toml")], "");
+    let told = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert_eq!(refused.status.code(), Some(2), "{told}");
+    assert!(told.contains("wrong.toml") && told.contains("class `sotp`"), "{told}");
+}

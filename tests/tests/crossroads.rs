@@ -5,8 +5,8 @@ use mapd_archive::encode;
 use mapd_client::Snapshot;
 use mapd_compiler::{CompileOptions, ReadOptions, compile_from};
 use mapd_query::{
-    Class, Lane, LanePlace, Map, Relation, RouteScratch, ShortestLength, SignalsAhead, SpeedOrigin,
-    Turn, VehicleClass,
+    Class, Lane, LanePlace, LineSource, Map, Relation, RouteScratch, ShortestLength, SignalsAhead,
+    SpeedOrigin, Turn, VehicleClass,
 };
 use mapd_tests::crossroads::{ARMS, crossroads, light, signal};
 use std::f64::consts::FRAC_PI_2;
@@ -165,6 +165,39 @@ fn without_anything_traffic_from_the_right_goes_first() {
     // Arm 0 drives west: from its right, the north, comes arm 1.
     assert!(yields(map, "02").contains(&"13 from the right".to_owned()));
     assert!(!yields(map, "02").iter().any(|told| told.starts_with("31 ")));
+}
+
+#[test]
+fn lines_and_crosswalks_may_be_objects() {
+    let light_alone = [light("L0"), light("L1"), String::new(), String::new()];
+    let text = crossroads(light_alone, "", "");
+    let (before, arm) = text.split_once("<road id=\"1\"").expect("arm 1");
+    let object = |id: &str, kind: &str, s: f64, length: f64| {
+        format!(
+            "<object id=\"{id}\" {kind} s=\"{s}\" t=\"1.75\" zOffset=\"0\" orientation=\"-\" length=\"{length}\" width=\"3\" height=\"0.01\" hdg=\"0\" pitch=\"0\" roll=\"0\"/>"
+        )
+    };
+    let objects = object("line", "type=\"roadMark\" name=\"StopLine\"", 2.0, 0.5)
+        + &object("zebra", "type=\"crosswalk\" name=\"\"", 5.0, 4.0);
+    let arm = arm.replacen("</lanes>", &format!("</lanes><objects>{objects}</objects>"), 1);
+    let snapshot = open(&format!("{before}<road id=\"1\"{arm}"));
+    let map = snapshot.map();
+    let id = |line: &mapd_query::LaneLine| match line.source {
+        LineSource::Signal(id) => map.signal(id).expect("known").id(),
+        LineSource::Object(id) => map.object(id).expect("known").id(),
+    };
+    // Traffic comes in against s: it meets the line's far side at 2 + 0.25, the crosswalk's at 5 + 2.
+    let stop = movement(map, "13").movement_stop().expect("a line");
+    assert_eq!((id(&stop), stop.class), ("line", Class::StopLine));
+    assert!((stop.s - 2.25).abs() < 1e-4, "{stop:?}");
+    let incoming = lane(map, "1:0:1");
+    let crossings: Vec<_> = incoming.crossings().collect();
+    assert_eq!(crossings.iter().map(id).collect::<Vec<_>>(), ["zebra"]);
+    assert!((crossings[0].s - 7.0).abs() < 1e-4, "{crossings:?}");
+    // Without a line, at the light.
+    let stop = movement(map, "02").movement_stop().expect("a light");
+    assert_eq!((id(&stop), stop.class, stop.s), ("L0", Class::TrafficLight, 1.0));
+    assert_eq!(movement(map, "20").movement_stop(), None);
 }
 
 /// What is met, with distances rounded to a centimetre.

@@ -1,19 +1,29 @@
 //! The lane graph against a slow, literal reader of the links; its own mirror; independence of the file's order.
 
+use mapd_client::glam::DVec3;
 use mapd_client::{Map, Snapshot};
-use mapd_compiler::{CompileOptions, compile};
-use mapd_query::{EdgeKind, LaneNode, NodeId};
+use mapd_compiler::{CompileOptions, Diagnostic, compile};
+use mapd_query::{EdgeKind, LaneNode, NodeId, Track, VehicleClass};
 use mapd_tests::literal::{Element, Node, successors};
 use mapd_tests::maps::Random;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
+/// Distance of linked lanes that is a finding `[m]`.
+const GAP: f64 = 0.1;
+/// Findings of one rule that are told one by one.
+const NAMED: usize = 100;
+
 fn open(text: &str) -> Option<Snapshot> {
+    open_with_findings(text).map(|(snapshot, _)| snapshot)
+}
+
+fn open_with_findings(text: &str) -> Option<(Snapshot, Vec<Diagnostic>)> {
     let compiled =
         compile(text.as_bytes(), &CompileOptions::default(), &mut |_| {}).expect("reading works");
     let archive = mapd_archive::encode(&compiled.rows?, &compiled.provenance).expect("encodes");
     mapd_archive::verify(&archive).expect("verifies");
-    Some(Snapshot::from_bytes(archive).expect("opens"))
+    Some((Snapshot::from_bytes(archive).expect("opens"), compiled.diagnostics))
 }
 
 fn name(node: &LaneNode<'_>) -> Node {
@@ -80,6 +90,98 @@ fn check_mirror(what: &str, map: Map<'_>) {
                 e.target().and_then(|n| n.lane()).map(|l| l.lane_id()) == Some(lane.lane_id())
             });
             assert!(leads, "{what}: {} before {}", before.key(), lane.key());
+        }
+    }
+}
+
+/// Without the edges that close loops the graph can be put in order, and components ascend along every edge.
+fn check_order_of_travel(what: &str, map: Map<'_>) {
+    let edges = || map.lane_nodes().flat_map(|node| node.edges());
+    let row = |node: Option<LaneNode<'_>>| node.expect("a node").node_id().row() as usize;
+    let mut waiting = vec![0usize; map.lane_nodes().len()];
+    for edge in edges() {
+        let (from, to) = (edge.source().expect("a node"), edge.target().expect("a node"));
+        assert!(from.component() <= to.component(), "{what}: {:?}", name(&from));
+        waiting[row(Some(to))] += usize::from(!edge.closes_loop());
+    }
+    let all: Vec<LaneNode<'_>> = map.lane_nodes().collect();
+    let mut open: Vec<usize> = (0..all.len()).filter(|node| waiting[*node] == 0).collect();
+    let mut done = 0;
+    while let Some(node) = open.pop() {
+        done += 1;
+        for edge in all[node].edges().filter(|edge| !edge.closes_loop()) {
+            let to = row(edge.target());
+            waiting[to] -= 1;
+            if waiting[to] == 0 {
+                open.push(to);
+            }
+        }
+    }
+    assert_eq!(done, all.len(), "{what}: a cycle without an edge that closes it");
+}
+
+/// What an edge says of itself is what its node and lane say.
+fn check_edges(what: &str, map: Map<'_>) {
+    for node in map.lane_nodes() {
+        let (lane, (from, to)) = (node.lane().expect("a lane"), node.s_range());
+        let end = if node.is_forward() { to } else { from };
+        for edge in node.edges() {
+            let target = edge.target().expect("a node");
+            assert_eq!(edge.source().map(|n| n.node_id()), Some(node.node_id()), "{what}");
+            assert_eq!(edge.length(), node.length(), "{what}");
+            assert_eq!(edge.speed_limit(), lane.speed_limit_at(end), "{what}");
+            let classes = VehicleClass::ALL.iter();
+            for class in classes {
+                let both = node.allows(*class) && target.allows(*class);
+                assert_eq!(edge.allows(*class), both, "{what}");
+            }
+            assert_eq!(
+                edge.source_position().is_none(),
+                is_within(&edge),
+                "{what}: {:?}",
+                name(&node)
+            );
+        }
+    }
+}
+
+/// Distance of the nearest corners of two cross-sections from each other, seen from the corners of either.
+fn gap(a: [DVec3; 2], b: [DVec3; 2]) -> f64 {
+    // The nearest of many places on one to many on the other: slow, and not how the compiler does it.
+    let places = |[from, to]: [DVec3; 2]| (0..=200).map(move |i| from.lerp(to, i as f64 / 200.0));
+    places(a).flat_map(|p| places(b).map(move |q| p.distance(q))).fold(f64::INFINITY, f64::min)
+}
+
+/// Lanes that are linked meet, or there is a finding at the link.
+fn check_gaps(what: &str, map: Map<'_>, findings: &[Diagnostic]) {
+    let told: BTreeSet<(u32, u32)> = findings
+        .iter()
+        .filter(|d| d.finding.rule == "mapd:graph.gap")
+        .map(|d| (d.line, d.column))
+        .collect();
+    let end = |node: &LaneNode<'_>, exit: bool| {
+        let (lane, (from, to)) = (node.lane()?, node.s_range());
+        let s = if node.is_forward() == exit { to } else { from };
+        let edges = lane.edges_at(s);
+        let at = |t| Some(lane.road().to_inertial(Track { s, t, h: 0.0 }).ok()?.position);
+        Some([at(edges.inner)?, at(edges.outer)?])
+    };
+    for node in map.lane_nodes() {
+        let joints =
+            node.edges().filter(|e| !matches!(e.kind(), EdgeKind::Within | EdgeKind::CrossPath));
+        for edge in joints {
+            let target = edge.target().expect("a node");
+            let (Some(a), Some(b)) = (end(&node, true), end(&target, false)) else { continue };
+            // Corners that meet are the rule; only others are worth a closer look.
+            let corners = a.iter().flat_map(|p| b.iter().map(move |q| p.distance(*q)));
+            let near = corners.fold(f64::INFINITY, f64::min) <= GAP;
+            let lane = node.lane().expect("a lane");
+            let walks_back = !lane.is_bidirectional() && lane.is_forward() != node.is_forward();
+            if near || walks_back || told.len() >= NAMED || gap(a, b) <= GAP {
+                continue;
+            }
+            let place = edge.source_position().expect("a place");
+            assert!(told.contains(&place), "{what}: {:?} to {:?}", name(&node), name(&target));
         }
     }
 }
@@ -184,7 +286,10 @@ fn all_maps(mut check: impl FnMut(&str, &str)) {
 fn as_a_literal_reader_finds_it_mirrored_and_in_any_order() {
     all_maps(|what, text| {
         // Maps that are rejected have no graph.
-        if let Some(snapshot) = open(text) {
+        if let Some((snapshot, findings)) = open_with_findings(text) {
+            check_order_of_travel(what, snapshot.map());
+            check_edges(what, snapshot.map());
+            check_gaps(what, snapshot.map(), &findings);
             check_literal(what, text, snapshot.map());
             check_mirror(what, snapshot.map());
             check_order(what, text, snapshot.map());

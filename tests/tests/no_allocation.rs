@@ -4,9 +4,11 @@
 use mapd_archive::encode;
 use mapd_client::{LaneKey, LaneTypes, NearestOptions, Region, Snapshot, Track, glam::DVec2};
 use mapd_client::{
-    LanePlace, LaneSequences, RouteScratch, ShortestTime, VehicleClass, next_lane_change,
+    LanePlace, LaneSequences, RouteScratch, ShortestTime, SignalsAhead, VehicleClass,
+    next_lane_change,
 };
 use mapd_compiler::{CompileOptions, compile};
+use mapd_tests::crossroads::{crossroads, light, signal};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
@@ -35,6 +37,40 @@ static ALLOCATOR: Counting = Counting;
 
 /// Places in each buffer.
 const ROOM: usize = 4096;
+
+/// Signals at the crossing that the tests carry as code.
+#[test]
+fn queries_about_signals_do_not_allocate() {
+    let signals = std::array::from_fn(|arm| {
+        light(&format!("L{arm}"))
+            + &signal(&format!("V{arm}"), 60.0, 5.0, "-", "274", "value=\"50\" unit=\"km/h\"")
+    });
+    let text = crossroads(signals, "", "");
+    let compiled = compile(text.as_bytes(), &CompileOptions::default(), &mut |_| {});
+    let compiled = compiled.expect("reading works");
+    let rows = compiled.rows.expect("accepted");
+    let snapshot =
+        Snapshot::from_bytes(encode(&rows, &compiled.provenance).expect("encodes")).expect("opens");
+    let map = snapshot.map();
+    let mut ahead = SignalsAhead::with_capacity(ROOM);
+    let before = COUNT.with(Cell::get);
+    let mut seen = 0;
+    for lane in map.lanes() {
+        let from = LanePlace { lane: lane.lane_id(), s: 80.0 };
+        map.signals_ahead(from, 200.0, VehicleClass::PassengerCar, &mut ahead).expect("an answer");
+        seen += ahead.iter().filter(|one| map.signal_of(one).is_some()).count();
+        seen += lane.movement_lights().count() + lane.yields_to().count();
+        seen += usize::from(lane.movement_stop().is_some()) + lane.crossings().count();
+        seen += usize::from(lane.speed_rule_at(5.0).max.is_some()) + lane.access_at(5.0).count();
+        seen += lane.traffic_lights().count() + usize::from(lane.movement_stop_line().is_some());
+    }
+    seen +=
+        map.signals().map(|signal| signal.controllers().count() + signal.id().len()).sum::<usize>();
+    seen += usize::from(map.signal_by_id("L1").is_some());
+    let after = COUNT.with(Cell::get);
+    assert!(seen > 100, "the queries found nothing to count");
+    assert_eq!(after - before, 0, "queries allocated");
+}
 
 #[test]
 fn queries_do_not_allocate() {

@@ -1,11 +1,11 @@
 //! Which lanes objects belong to: by what the file names, by place, as the nearest.
 
-use mapd_query::{AttachMethod, Map, Object};
+use mapd_query::{LaneMethod, Map, Object};
 use mapd_tests::maps;
 use mapd_tests::object_maps::{PLAIN, compile, document, open};
 
 /// Lanes of the first object: number, method, distance to the centimetre.
-fn lanes(map: Map<'_>) -> Vec<(i32, AttachMethod, i64)> {
+fn lanes(map: Map<'_>) -> Vec<(i32, LaneMethod, i64)> {
     let object: Object<'_> = map.objects().next().expect("an object");
     let row = |at: mapd_query::ObjectLane<'_>| {
         let lane = at.lane().expect("a lane").number();
@@ -14,12 +14,12 @@ fn lanes(map: Map<'_>) -> Vec<(i32, AttachMethod, i64)> {
     object.lanes().map(row).collect()
 }
 
-fn check(object: &str, expected: &[(i32, AttachMethod, i64)]) {
+fn check(object: &str, expected: &[(i32, LaneMethod, i64)]) {
     let snapshot = open(&document(&PLAIN, object));
     assert_eq!(lanes(snapshot.map()), expected, "{object}");
 }
 
-use AttachMethod::{Nearest, Position, Validity};
+use LaneMethod::{Nearest, Track, Validity};
 
 #[test]
 fn a_validity_names_lanes_whatever_lies_below() {
@@ -46,16 +46,16 @@ fn a_validity_names_lanes_whatever_lies_below() {
 fn what_lies_on_lanes_belongs_to_them() {
     // A stop line across lane −1.
     let line = r#"<object id="1" type="roadMark" s="90" t="-1.75" zOffset="0" length="0.3" width="3.4" orientation="+"/>"#;
-    check(line, &[(-1, Position, 0)]);
+    check(line, &[(-1, Track, 0)]);
     // A crosswalk over everything that is driven on, from t = −6 to 3.5.
     let crosswalk = r#"<object id="1" type="crosswalk" s="50" t="0" zOffset="0" orientation="none"><outlines><outline id="0"><cornerRoad s="48" t="-6" dz="0" height="0"/><cornerRoad s="52" t="-6" dz="0" height="0"/><cornerRoad s="52" t="3.5" dz="0" height="0"/><cornerRoad s="48" t="3.5" dz="0" height="0"/></outline></outlines></object>"#;
-    check(crosswalk, &[(1, Position, 0), (-1, Position, 0), (-2, Position, 0)]);
+    check(crosswalk, &[(1, Track, 0), (-1, Track, 0), (-2, Track, 0)]);
     // The same for one direction.
     let forward = crosswalk.replace(r#"orientation="none""#, r#"orientation="+""#);
-    check(&forward, &[(-1, Position, 0), (-2, Position, 0)]);
+    check(&forward, &[(-1, Track, 0), (-2, Track, 0)]);
     // A slanted line over lanes 1 and −1: its box in s and t would reach lane 2 too.
     let slanted = r#"<object id="1" type="roadMark" s="50" t="0" zOffset="0" orientation="none"><outlines><outline id="0" closed="false"><cornerRoad s="45" t="-3" dz="0" height="0"/><cornerRoad s="55" t="3" dz="0" height="0"/></outline></outlines></object>"#;
-    check(slanted, &[(1, Position, 0), (-1, Position, 0)]);
+    check(slanted, &[(1, Track, 0), (-1, Track, 0)]);
     let snapshot = open(&document(&PLAIN, slanted));
     let object = snapshot.map().objects().next().expect("an object");
     for at in object.lanes() {
@@ -88,7 +88,7 @@ fn what_lies_on_none_belongs_to_the_nearest() {
 #[test]
 fn repeated_parking_spaces_belong_to_the_parking_lane() {
     let spaces = r#"<object id="1" type="parkingSpace" s="10" t="-4.75" zOffset="0" length="5" width="2.4" orientation="none"><repeat s="20" length="30" distance="6" tStart="-4.75" tEnd="-4.75" heightStart="0" heightEnd="0" zOffsetStart="0" zOffsetEnd="0"/><parkingSpace access="all"/></object>"#;
-    check(spaces, &[(-2, Position, 0)]);
+    check(spaces, &[(-2, Track, 0)]);
     let snapshot = open(&document(&PLAIN, spaces));
     let map = snapshot.map();
     let lane = map.lane_by_key(&"1:0:-2".parse().expect("a key")).expect("a lane");
@@ -109,7 +109,7 @@ fn both_directions_agree() {
         "ivsg/workzone_100m_Lane_Offset",
         "Scenic/Town07",
     ];
-    let mut counts = [0usize; 3];
+    let mut counts = [0usize; 4];
     for path in maps::carried_and(&names) {
         let snapshot = maps::open(&path);
         let map = snapshot.map();
@@ -124,7 +124,7 @@ fn both_directions_agree() {
                 assert!(
                     from <= to && from > section.s_start() - 1e-3 && to < section.s_end() + 1e-3
                 );
-                assert!((at.distance() == 0.0) || at.method() != Position);
+                assert!((at.distance() == 0.0) || at.method() != Track);
             }
         }
         let back = |lane: mapd_query::Lane<'_>| {
@@ -139,5 +139,5 @@ fn both_directions_agree() {
         there.sort();
         assert_eq!(here, there, "{}", path.display());
     }
-    mapd_tests::say(&format!("by validity, position, as nearest: {counts:?}"));
+    mapd_tests::say(&format!("by validity, -, s and t, as nearest: {counts:?}"));
 }

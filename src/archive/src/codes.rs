@@ -15,6 +15,8 @@ pub mod lane_flags {
     pub const BOTH: u8 = 8;
     /// Is for walking alone: whoever walks goes both ways, whatever the traffic rule says.
     pub const WALKED: u8 = 16;
+    /// Is of the temporary layer (1.9).
+    pub const TEMPORARY: u8 = 32;
     /// Has nodes in both directions.
     pub const TWO_WAY: u8 = BOTH | WALKED;
 }

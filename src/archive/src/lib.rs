@@ -52,8 +52,10 @@ pub use codes::{
 };
 pub use error::{OpenError, VerifyError, WriteError};
 pub use generated::{
+    beside_rows::*,
     classes::{Class, ClassGroup},
-    rows::*,
+    network_rows::*,
+    object_rows::*,
     signal_rows::*,
     tables::*,
 };
@@ -61,7 +63,8 @@ pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_fla
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
 pub use mark_codes::{MarkLaneChange, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight};
 pub use object_codes::{
-    AttachMethod, ObjectShape, OutlineFill, copy_flags, object_flags, outline_flags,
+    ObjectShape, ObjectSide, OutlineFill, PlatformSide, StructureKind, SwitchPosition, copy_flags,
+    object_flags, outline_flags,
 };
 pub use open::{Archive, open, string};
 pub use signal_codes::{

@@ -45,18 +45,6 @@ codes! {
 }
 
 codes! {
-    /// How an object came to a lane, the surest way first.
-    AttachMethod {
-        /// The file says so: a `validity`.
-        Validity = 0, "validity";
-        /// Its extent lies on the lane.
-        Position = 1, "position";
-        /// No lane lies below it; this is the nearest that fits.
-        Nearest = 2, "nearest";
-    }
-}
-
-codes! {
     /// What fills an outline (OpenDRIVE 1.8.1, e_outlineFillType).
     OutlineFill {
         /// Not given.
@@ -77,5 +65,57 @@ codes! {
         Soil = 7, "soil";
         /// `paint`
         Paint = 8, "paint";
+    }
+}
+
+codes! {
+    /// Side of an object (OpenDRIVE 1.8.1, e_sideType).
+    ObjectSide {
+        /// Not given.
+        None = 0, "";
+        /// `left`
+        Left = 1, "left";
+        /// `right`
+        Right = 2, "right";
+        /// `front`
+        Front = 3, "front";
+        /// `rear`
+        Rear = 4, "rear";
+    }
+}
+
+codes! {
+    /// What carries or covers a stretch of road.
+    StructureKind {
+        /// A bridge.
+        Bridge = 0, "bridge";
+        /// A tunnel.
+        Tunnel = 1, "tunnel";
+    }
+}
+
+codes! {
+    /// State of a railway switch (OpenDRIVE 1.8.1, e_road_railroad_switch_position).
+    SwitchPosition {
+        /// Not given.
+        None = 0, "";
+        /// `dynamic`
+        Dynamic = 1, "dynamic";
+        /// `straight`
+        Straight = 2, "straight";
+        /// `turn`
+        Turn = 3, "turn";
+    }
+}
+
+codes! {
+    /// Side of a road that a platform is on (OpenDRIVE 1.8.1, e_station_platform_segment_side).
+    PlatformSide {
+        /// Not given.
+        None = 0, "";
+        /// `left`
+        Left = 1, "left";
+        /// `right`
+        Right = 2, "right";
     }
 }

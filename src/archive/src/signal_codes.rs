@@ -45,13 +45,13 @@ codes! {
 }
 
 codes! {
-    /// How a signal and a lane belong together.
+    /// How a signal or object and a lane belong together.
     LaneMethod {
         /// `validity` names the lane.
         Validity = 0, "validity";
         /// No validity: all lanes that travel the way the signal is for.
         Orientation = 1, "orientation";
-        /// The signal's s and t lie on the lane.
+        /// The signal's s and t, or the object's area, lie on the lane.
         Track = 2, "s and t";
         /// No lane lies nearer that travels that way.
         Nearest = 3, "nearest";

@@ -86,7 +86,9 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
 }
 
 fn lane_entries(map: Map<'_>, number: u32, options: &CompileOptions) -> Vec<Entry> {
-    let Some(lane) = map.lane_by_row(number) else { return Vec::new() };
+    let Some(lane) = map.lane_by_row(number).filter(|lane| !lane.is_temporary()) else {
+        return Vec::new();
+    };
     let row = &map.tables().lanes[number as usize];
     let origin = DVec2::new(row.x(), row.y());
     let at = |i: usize| {

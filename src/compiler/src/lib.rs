@@ -233,31 +233,31 @@ impl Document {
         }
         let mut lowering = std::mem::take(&mut self.lowering);
         progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
-        let road_spans = lowering.links.road_spans.clone();
         let placed = lowering.placed.clone();
         let written = std::mem::take(&mut lowering.objects);
+        let road_spans = lowering.links.road_spans.clone();
         let mut rows = lowering.into_rows(options);
         if let Err(error) = lanes::sample(&mut rows, options) {
-            self.collector.add(vec![too_large(&error)], &self.places);
+            self.collector.add_late(vec![too_large(&error)], &self.places);
             return Ok(None);
         }
         let is_long = |lane: &u32| rows.lanes[*lane as usize].center.count > index::MAX_POINTS;
         let long = (0..rows.lanes.len() as u32).filter(is_long);
         let long = long.map(|lane| too_long(&rows, lane, &road_spans)).collect::<Vec<_>>();
         if !long.is_empty() {
-            self.collector.add(long, &self.places);
+            self.collector.add_late(long, &self.places);
             return Ok(None);
         }
         progress(Progress::Graph { nodes: rows.lane_nodes.len() });
         let mut findings = graph::complete(&mut rows, &self.graph, options);
         georeference::complete(&mut rows, &placed, options, &mut findings);
-        self.collector.add(findings, &self.places);
-        let findings = signals::complete(&mut rows, &self.signals);
-        self.collector.add(findings, &self.places);
+        self.collector.add_late(findings, &self.places);
         match objects::build(&mut rows, written, options) {
-            Ok(findings) => self.collector.add(findings, &self.places),
-            Err(error) => self.collector.add(vec![too_large(&error)], &self.places),
+            Ok(findings) => self.collector.add_late(findings, &self.places),
+            Err(error) => self.collector.add_late(vec![too_large(&error)], &self.places),
         }
+        let findings = signals::complete(&mut rows, &self.signals);
+        self.collector.add_late(findings, &self.places);
         Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
     }
 }
@@ -301,15 +301,18 @@ fn read(
                 Item::Road(road) => {
                     let number = lowering.rows.roads.len();
                     lowering.road(&road, reader.position(road.span.start), &mut checked);
-                    if let Some(objects) = road.objects.as_deref()
-                        && lowering.rows.roads.len() > number
-                    {
+                    let is_there = lowering.rows.roads.len() > number;
+                    if let Some(railroad) = road.railroad.as_deref().filter(|_| is_there) {
+                        lowering.switches(number as u32, railroad);
+                    }
+                    if let Some(objects) = road.objects.as_deref().filter(|_| is_there) {
                         let owner = Owner::Road(number as u32, road.id.text());
                         let position = |span: Span| reader.position(span.start);
                         let with = (&reading.ontology, position);
                         lowering.objects(owner, objects, with, &mut checked);
                     }
                 }
+                Item::Station(station) => lowering.station(&station),
                 Item::Junction(junction) => {
                     let number = lowering.rows.junctions.len();
                     let position = |span: Span| reader.position(span.start);
@@ -340,7 +343,7 @@ fn read(
     if !collector.is_rejected() {
         let mut late = Vec::new();
         graph = graph::build(&mut lowering, &places, &mut late).map_err(io::Error::other)?;
-        collector.add(late, &places);
+        collector.add_late(late, &places);
     }
     let provenance = Provenance {
         input_hash: hashing.finish(included(&places))?,

@@ -1,6 +1,5 @@
 //! What a compilation yields besides rows.
 
-use crate::TOO_LARGE;
 use crate::lower::UNUSABLE;
 use crate::quarantine::{Exclusions, PartKind, QuarantinedPart, Units};
 use mapd_archive::{Provenance, Rows};
@@ -147,11 +146,10 @@ impl Collector {
         Self { errors: without.errors(), ..Self::default() }
     }
 
-    /// Whether a finding is there only because something else is left out, as where a link leads to a road that is gone. The
-    /// document without anything left out shows all its errors but those of the lane graph, which is built of sound parts.
+    /// Whether an error is there only because something else is left out, as where a link leads to a road that is gone: the
+    /// document without anything left out shows all its errors but those of the late stages.
     fn is_consequence(&self, finding: &Finding) -> bool {
-        let is_late = finding.rule.starts_with("mapd:graph.") || finding.rule == TOO_LARGE;
-        let errors = self.errors.as_ref().filter(|_| !is_late);
+        let errors = self.errors.as_ref();
         errors.is_some_and(|errors| !errors.contains(&(finding.span.start, finding.rule)))
     }
 
@@ -172,16 +170,19 @@ impl Collector {
             built.into_iter().partition(|finding| finding.rule == UNUSABLE);
         unusable.sort_by_key(|finding| finding.span.start);
         let mut explained = vec![false; unusable.len()];
-        for finding in read {
+        for mut finding in read {
             let unit = self.units.of(finding.span.start);
             if !without.is_empty() && unit.is_some_and(|unit| without.covers(unit)) {
                 continue;
             }
-            let is_error = finding.severity == Severity::Error;
-            let mut rejects = is_error && !rule_ids::is_structural(finding.rule);
             // Objects and signals are small enough to be left out where one of their values cannot be read.
             let is_small =
                 unit.is_some_and(|u| matches!(u.kind, PartKind::Object | PartKind::Signal));
+            if is_small && finding.rule == rule_ids::EMPTY && is_place(&finding) {
+                finding.severity = Severity::Error;
+            }
+            let is_error = finding.severity == Severity::Error;
+            let mut rejects = is_error && !rule_ids::is_structural(finding.rule);
             rejects |= is_error && is_small && is_unreadable(&finding);
             // Start tags do not overlap: it can only be about the one that begins last before it.
             let after = unusable.partition_point(|one| one.span.start <= finding.span.start);
@@ -211,8 +212,21 @@ impl Collector {
         }
     }
 
+    /// As [`Collector::add`], for stages that only a document without errors so far reaches: the lane graph and what comes
+    /// after it.
+    pub(crate) fn add_late(&mut self, findings: Vec<Finding>, places: &Places) {
+        for finding in findings {
+            let rejects = finding.severity == Severity::Error;
+            self.keep(finding, rejects, places);
+        }
+    }
+
     fn push(&mut self, finding: Finding, rejects: bool, places: &Places) {
         let rejects = rejects && !self.is_consequence(&finding);
+        self.keep(finding, rejects, places);
+    }
+
+    fn keep(&mut self, finding: Finding, rejects: bool, places: &Places) {
         let count = &mut self.counts[rank(finding.severity)];
         // Those that say why there is no archive are kept beyond the others.
         let kept = *count < KEPT || (rejects && self.rejecting < KEPT);
@@ -269,9 +283,14 @@ impl Collector {
 fn is_unreadable(read: &Finding) -> bool {
     match read.rule {
         rule_ids::VALUE | rule_ids::FINITE => true,
-        rule_ids::MISSING => matches!(&*read.subject, "id" | "s" | "t"),
+        rule_ids::MISSING | rule_ids::EMPTY => &*read.subject == "id" || is_place(read),
         _ => false,
     }
+}
+
+/// Whether a finding is about a place along a road.
+fn is_place(read: &Finding) -> bool {
+    matches!(&*read.subject, "s" | "t")
 }
 
 /// Whether a finding of the reader's is about what the compiler finds unusable.

@@ -88,8 +88,7 @@ impl Told {
     }
 
     /// Adds what only shows without the parts left out, and takes something out itself, and signals without lanes: lanes are
-    /// only looked at where nothing more is wrong. That links lead to what is left out
-    /// is no matter of the document's.
+    /// only looked at where nothing more is wrong. That links lead to what is left out is no matter of the document's.
     fn add(&mut self, later: &Compilation) {
         let counts = |d: &&Diagnostic| d.rejects || d.finding.rule == SIGNAL_LANES;
         for d in later.diagnostics.iter().filter(counts) {

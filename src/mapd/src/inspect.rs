@@ -4,6 +4,7 @@ use crate::graph_facts::{GraphFacts, lane_links};
 use crate::object_facts::ObjectFacts;
 use crate::query::earth;
 use crate::report::hex;
+use crate::signal_facts::SignalFacts;
 use anyhow::Result;
 use mapd_client::Snapshot;
 use mapd_query::Quarantined;
@@ -24,6 +25,7 @@ struct Inspection {
     verified: Option<bool>,
     map: MapFacts,
     graph: GraphFacts,
+    signals: SignalFacts,
     objects: ObjectFacts,
     quarantined: Vec<QuarantinedFacts>,
     tables: Vec<TableFacts>,
@@ -59,6 +61,9 @@ struct QuarantinedFacts {
     id: String,
     owner: String,
     owner_kind: &'static str,
+    /// What people call it.
+    #[serde(skip)]
+    name: String,
     reference_line: bool,
     min: Option<[f64; 2]>,
     max: Option<[f64; 2]>,
@@ -108,6 +113,7 @@ pub(crate) fn run(
     )?;
     writeln!(out, "lanes         {} in {} sections, {} links", m.lanes, m.sections, m.lane_links)?;
     i.graph.print(out)?;
+    i.signals.print(out)?;
     i.objects.print(out)?;
     writeln!(out, "bounds [m]    {:?} to {:?}", m.min, m.max)?;
     writeln!(out, "geoReference  {} ({})", m.geo_reference.trim(), m.geo_reference_form)?;
@@ -137,14 +143,10 @@ pub(crate) fn run(
     }
     for part in &i.quarantined {
         let kept = if part.reference_line { ", kept as its reference line" } else { "" };
-        let owner = match part.owner_kind == part.kind {
-            true => String::new(),
-            false => format!(" of {} {}", part.owner_kind, part.owner),
-        };
         writeln!(
             out,
-            "quarantined   {} {}{owner}{kept}, by line {}, column {}: {}: {}",
-            part.kind, part.id, part.line, part.column, part.rule, part.message
+            "quarantined   {}{kept}, by line {}, column {}: {}: {}",
+            part.name, part.line, part.column, part.rule, part.message
         )?;
     }
     writeln!(out, "\n{:<24}{:>12}{:>8}{:>14}", "table", "elements", "bytes", "total")?;
@@ -195,6 +197,7 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
             bytes_per_road_km: if length > 0.0 { bytes as f64 / (length / 1000.0) } else { 0.0 },
         },
         graph: GraphFacts::of(map),
+        signals: SignalFacts::of(map),
         objects: ObjectFacts::of(map),
         quarantined: map.quarantined().map(|part| quarantined(&part)).collect(),
         tables: tables
@@ -210,6 +213,17 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
     }
 }
 
+/// What a part is called, with what it belongs to: `object 12 of road 7`.
+pub(crate) fn part_name(part: &Quarantined<'_>) -> String {
+    let (kind, owner_kind) = (part.kind(), part.owner_kind());
+    match owner_kind == kind {
+        true => format!("{} {}", kind.name(), part.id()),
+        false => {
+            format!("{} {} of {} {}", kind.name(), part.id(), owner_kind.name(), part.owner())
+        }
+    }
+}
+
 fn quarantined(part: &Quarantined<'_>) -> QuarantinedFacts {
     let (line, column) = part.source_position();
     let extent = part.extent();
@@ -218,6 +232,7 @@ fn quarantined(part: &Quarantined<'_>) -> QuarantinedFacts {
         id: part.id().to_owned(),
         owner: part.owner().to_owned(),
         owner_kind: part.owner_kind().name(),
+        name: part_name(part),
         reference_line: part.is_reference_line(),
         min: extent.map(|(min, _)| min.to_array()),
         max: extent.map(|(_, max)| max.to_array()),

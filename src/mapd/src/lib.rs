@@ -30,5 +30,6 @@ mod progress;
 pub mod query;
 pub mod report;
 pub mod serve;
+mod signal_facts;
 pub mod source;
 mod status;

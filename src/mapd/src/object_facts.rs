@@ -1,7 +1,7 @@
 //! Counts of objects for `mapd inspect`.
 
 use mapd_client::Map;
-use mapd_query::{AttachMethod, Class};
+use mapd_query::{Class, LaneMethod};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io::Write;
@@ -32,7 +32,7 @@ impl ObjectFacts {
                 *unmapped.entry(code).or_insert(0) += 1;
             }
         }
-        let lanes = |method: AttachMethod| {
+        let lanes = |method: LaneMethod| {
             map.objects().flat_map(|o| o.lanes()).filter(|at| at.method() == method).count()
         };
         Self {
@@ -40,7 +40,7 @@ impl ObjectFacts {
             places: map.objects().map(|object| object.placements().count()).sum(),
             classes,
             unmapped,
-            lanes: AttachMethod::ALL.iter().map(|m| (m.name(), lanes(*m))).collect(),
+            lanes: LaneMethod::ALL.iter().map(|m| (m.name(), lanes(*m))).collect(),
             without_lane: map.objects().filter(|object| object.lanes().len() == 0).count(),
         }
     }

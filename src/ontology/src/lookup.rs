@@ -2,7 +2,7 @@
 
 use crate::entry::{Question, Ready};
 use crate::file::{Entry, File, Lights, OntologyError, Wrong};
-use crate::generated::tables::TABLES;
+use crate::generated::TABLES;
 use crate::light::Light;
 use crate::value::factor;
 use mapd_archive::Class;

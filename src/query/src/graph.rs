@@ -22,6 +22,8 @@ pub struct LaneEdge<'a> {
     map: Map<'a>,
     /// Row of `successors` and `edges`.
     number: u32,
+    /// Rows of the nodes that are left and entered.
+    left: u32,
     target: u32,
 }
 
@@ -109,13 +111,14 @@ impl<'a> LaneNode<'a> {
 
     /// Edges that leave the node, by road id, section and lane of their targets.
     pub fn edges(&self) -> impl ExactSizeIterator<Item = LaneEdge<'a>> + use<'a> {
-        let map = self.map;
+        let (map, left) = (self.map, self.number);
         let tables = map.tables();
         let first = tables.successor_offsets.get(self.number as usize).copied().unwrap_or(NONE);
         let targets = edges_of(tables.successor_offsets, tables.successors, self.number);
         targets.iter().enumerate().map(move |(i, target)| LaneEdge {
             map,
             number: first.wrapping_add(i as u32),
+            left,
             target: *target,
         })
     }
@@ -136,6 +139,29 @@ impl<'a> LaneNode<'a> {
 }
 
 impl<'a> LaneEdge<'a> {
+    /// The node that is left: its length, time and access are the edge's.
+    pub fn source(&self) -> Option<LaneNode<'a>> {
+        LaneNode::new(self.map, self.left)
+    }
+
+    /// What is travelled until the edge is reached: the length of the node that is left `[m]`.
+    pub fn length(&self) -> f64 {
+        self.source().map_or(0.0, |node| node.length())
+    }
+
+    /// Speed limit where the edge is passed `[m/s]`: at the end of the node that is left. As [`Lane::speed_limit_at`].
+    pub fn speed_limit(&self) -> Option<f64> {
+        let node = self.source()?;
+        let (from, to) = node.s_range();
+        node.lane()?.speed_limit_at(if node.is_forward() { to } else { from })
+    }
+
+    /// Whether a class of vehicles may use both nodes that the edge joins.
+    pub fn allows(&self, class: VehicleClass) -> bool {
+        let allows = |node: Option<LaneNode<'a>>| node.is_some_and(|node| node.allows(class));
+        allows(self.source()) && allows(self.target())
+    }
+
     /// The node that is entered.
     pub fn target(&self) -> Option<LaneNode<'a>> {
         LaneNode::new(self.map, self.target)
@@ -149,6 +175,12 @@ impl<'a> LaneEdge<'a> {
     /// Line and column of the link in the file, from 1; none where no link is needed.
     pub fn source_position(&self) -> Option<(u32, u32)> {
         self.row().map(|row| (row.line(), row.column())).filter(|(line, _)| *line > 0)
+    }
+
+    /// Which file the link stands in: 0 for the document itself, else the number of the included file, in the order in which
+    /// they are included.
+    pub fn source_file(&self) -> u16 {
+        self.row().map_or(0, |row| row.file())
     }
 
     /// Whether the edge closes a loop. The graph without such edges has no cycle; which edges they are depends on names

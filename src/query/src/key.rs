@@ -9,7 +9,8 @@ use thiserror::Error;
 const RESERVED: [char; 5] = ['%', ':', ';', ',', '@'];
 
 /// Names a lane by what the file says: road id, number of the section in its road (from 0, in the order of s), lane
-/// number. May be stored and sent to other processes. Written `road:section:lane`.
+/// number, layer. May be stored and sent to other processes. Written `road:section:lane`, `…@temporary` for a lane of the
+/// temporary layer.
 ///
 /// ```
 /// use mapd_query::LaneKey;
@@ -25,7 +26,22 @@ pub struct LaneKey<'a> {
     pub section: u32,
     /// OpenDRIVE's lane number: positive left, negative right.
     pub lane: i32,
+    /// Layer, whose sections are counted by themselves.
+    pub layer: LaneLayer,
 }
+
+/// Layer of a lane (OpenDRIVE 1.9, e_layerType).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum LaneLayer {
+    /// There for good; before 1.9 all are.
+    #[default]
+    Permanent,
+    /// Replaces others for a time, as road works do.
+    Temporary,
+}
+
+/// What stands behind the key of a lane of the temporary layer.
+const TEMPORARY: &str = "@temporary";
 
 impl fmt::Display for LaneKey<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -37,7 +53,8 @@ impl fmt::Display for LaneKey<'_> {
                 write!(f, "{c}")?;
             }
         }
-        write!(f, ":{}:{}", self.section, self.lane)
+        write!(f, ":{}:{}", self.section, self.lane)?;
+        if self.layer == LaneLayer::Temporary { f.write_str(TEMPORARY) } else { Ok(()) }
     }
 }
 
@@ -53,11 +70,15 @@ impl FromStr for LaneKey<'static> {
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let parse = || {
+            let (text, layer) = match text.strip_suffix(TEMPORARY) {
+                Some(text) => (text, LaneLayer::Temporary),
+                None => (text, LaneLayer::Permanent),
+            };
             let mut parts = text.rsplitn(3, ':');
             let lane = parts.next()?.parse().ok()?;
             let section = parts.next()?.parse().ok()?;
             let road = decode(parts.next()?)?;
-            Some(Self { road: Cow::Owned(road), section, lane })
+            Some(Self { road: Cow::Owned(road), section, lane, layer })
         };
         parse().ok_or_else(|| ParseLaneKeyError { found: text.to_owned() })
     }

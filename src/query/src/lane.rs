@@ -3,7 +3,7 @@
 use crate::area;
 use crate::error::QueryError;
 use crate::ids::LaneId;
-use crate::key::LaneKey;
+use crate::key::{LaneKey, LaneLayer};
 use crate::map::Map;
 use crate::polyline::Polyline;
 use crate::profile::{self, At, Slope};
@@ -80,6 +80,7 @@ impl<'a> Lane<'a> {
             road: Cow::Borrowed(self.road.id()),
             section: self.section.number().saturating_sub(u32::from(self.row.continues())),
             lane: self.number(),
+            layer: if self.is_temporary() { LaneLayer::Temporary } else { LaneLayer::Permanent },
         }
     }
 
@@ -104,6 +105,13 @@ impl<'a> Lane<'a> {
         self.row.flags() & lane_flags::FORWARD != 0
     }
 
+    /// Whether the lane is of the temporary layer (1.9). Such lanes have geometry, marks and speeds; they are found by
+    /// [`Road::temporary_sections`] and their keys, not by queries in space, and are no part of the lane graph.
+    #[inline]
+    pub fn is_temporary(&self) -> bool {
+        self.row.flags() & lane_flags::TEMPORARY != 0
+    }
+
     /// Whether the lane may be travelled in both directions.
     pub fn is_bidirectional(&self) -> bool {
         self.row.flags() & lane_flags::BOTH != 0
@@ -126,6 +134,13 @@ impl<'a> Lane<'a> {
         LaneEdges { inner: edges.inner.value, outer: edges.outer.value }
     }
 
+    /// Both edges at s in inertial coordinates, on the plane h = 0: the inner one first. None for a damaged archive or an s
+    /// that is not finite.
+    pub fn edge_points_at(&self, s: f64) -> Option<[DVec3; 2]> {
+        let edges = self.edges_at(s);
+        self.road.points_across(s, [edges.inner, edges.outer])
+    }
+
     /// A place on the lane: at its end with what holds in its section, whatever begins with the next one.
     #[inline]
     pub(crate) fn at(&self, s: f64) -> At {
@@ -135,7 +150,11 @@ impl<'a> Lane<'a> {
     /// Walks from lane 0 outwards: widths add up from the lane offset; a border stands for itself.
     #[inline]
     pub(crate) fn edge_slopes(&self, at: At) -> EdgeSlopes {
-        let mut edge = self.road.lane_offset_slope(at);
+        let mut edge = if self.is_temporary() {
+            profile::slope(self.road.temporary_lane_offsets(), at)
+        } else {
+            self.road.lane_offset_slope(at)
+        };
         let mut edges = EdgeSlopes { inner: edge, outer: edge };
         let number = self.number();
         let lanes = self.section.rows();
@@ -185,6 +204,7 @@ impl<'a> Lane<'a> {
             .iter()
             .flat_map(move |lane| lane.widths().of(cubics).iter().map(|record| record.s()))
             .chain(self.road.shape_breaks())
+            .chain(self.road.temporary_lane_offsets().iter().map(|record| record.s()))
     }
 
     /// Width at s `[m]`, never negative.

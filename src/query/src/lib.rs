@@ -34,12 +34,14 @@ mod objects;
 mod polyline;
 mod profile;
 mod quarantine;
+mod railway;
 mod region;
 mod road;
 mod road_mark;
 mod route;
 mod section;
 mod signals;
+mod structures;
 mod surface;
 mod types;
 mod waypoints;
@@ -54,21 +56,26 @@ pub use ids::{
 };
 pub use index::{SegmentHit, nearest_segment};
 pub use junction::{Connection, Junction};
-pub use key::{LaneKey, ParseLaneKeyError};
+pub use key::{LaneKey, LaneLayer, ParseLaneKeyError};
 pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
 pub use mapd_archive::{
-    AttachMethod, Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind, GeoReferenceForm,
-    LaneMethod, LaneType, MarkLaneChange, ObjectShape, Orientation, OutlineFill, QuarantinedKind,
-    Relation, RelationReason, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight, RoadType,
-    SignalPosition, SpeedKind, VehicleClass,
+    Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind, GeoReferenceForm, LaneMethod,
+    LaneType, MarkLaneChange, ObjectShape, ObjectSide, Orientation, OutlineFill, PlatformSide,
+    QuarantinedKind, Relation, RelationReason, RoadMarkColor, RoadMarkKind, RoadMarkRule,
+    RoadMarkWeight, RoadType, SignalPosition, SpeedKind, StructureKind, SwitchPosition,
+    VehicleClass,
 };
 #[cfg(feature = "geodesy")]
 pub use mapd_geodesy::{DefinitionError, Geodetic, Offset, ProjectionError, Projector};
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
-pub use objects::{NearObject, Object, ObjectLane, ObjectOutline, ObjectPlacement, PlacementId};
+pub use objects::{
+    NearObject, Object, ObjectBorder, ObjectLane, ObjectMarking, ObjectMaterial, ObjectOutline,
+    ObjectPlacement, ParkingSpace, PlacementId, Skeleton, SkeletonVertex,
+};
 pub use polyline::Polyline;
 pub use quarantine::Quarantined;
+pub use railway::{Platform, PlatformSegment, Station, Switch, SwitchTrack};
 pub use region::{BoundarySegment, Region};
 pub use road::{Road, RoadLink, RoadTypeRecord};
 pub use road_mark::{RoadMark, RoadMarkLine, RoadMarkSegment};
@@ -78,9 +85,11 @@ pub use route::{
 };
 pub use section::LaneSection;
 pub use signals::{
-    Controller, JunctionController, LaneSignal, LightStates, RightOfWay, Signal, SignalAhead,
-    SignalLink, SignalPlace, SignalSemantics, SignalsAhead, SpeedOrigin, SpeedRule, Turn,
+    Controller, JunctionController, LaneLine, LaneSignal, LightStates, LineSource, RightOfWay,
+    Signal, SignalAhead, SignalLink, SignalPlace, SignalSemantics, SignalsAhead, SpeedOrigin,
+    SpeedRule, Turn,
 };
+pub use structures::{ObjectReference, Structure};
 pub use surface::{Material, Surface};
 pub use types::{LaneEdges, LanePosition, Point, Pose, Track, TrackPosition};
 pub use waypoints::Waypoint;

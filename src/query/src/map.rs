@@ -3,7 +3,7 @@
 use crate::error::QueryError;
 use crate::ids::{JunctionId, LaneId, LaneSectionId, RoadId};
 use crate::junction::Junction;
-use crate::key::LaneKey;
+use crate::key::{LaneKey, LaneLayer};
 use crate::lane::Lane;
 use crate::road::Road;
 use crate::section::LaneSection;
@@ -175,7 +175,7 @@ impl<'a> Map<'a> {
         let map = *self;
         (0..map.tables().lanes.len() as u32)
             .filter_map(move |row| Lane::new(map, row))
-            .filter(|lane| lane.number() != 0)
+            .filter(|lane| lane.number() != 0 && !lane.is_temporary())
     }
 
     /// The road with OpenDRIVE's id, compared byte by byte.
@@ -192,8 +192,12 @@ impl<'a> Map<'a> {
 
     /// The lane with this name; of one in several pieces (see [`Lane::continues`]) the first.
     pub fn lane_by_key(&self, key: &LaneKey<'_>) -> Option<Lane<'a>> {
-        let lane = self.road_by_id(&key.road)?.section(key.section)?.lane(key.lane)?;
-        Some(lane).filter(|lane| !lane.continues())
+        let road = self.road_by_id(&key.road)?;
+        let section = match key.layer {
+            LaneLayer::Permanent => road.section(key.section),
+            LaneLayer::Temporary => road.temporary_sections().nth(key.section as usize),
+        };
+        section?.lane(key.lane).filter(|lane| !lane.continues())
     }
 }
 

@@ -9,8 +9,8 @@ use crate::section::LaneSection;
 use crate::types::{Point, Pose, Track, TrackPosition};
 use glam::{DVec2, DVec3};
 use mapd_archive::{
-    ArchivedCubicRow, ArchivedGeometryRow, ArchivedRoadRow, ContactPoint, LinkKind, NONE, Range,
-    RoadType, SpeedKind, string,
+    ArchivedCubicRow, ArchivedGeometryRow, ArchivedLaneLayerRow, ArchivedRoadRow, ContactPoint,
+    LinkKind, NONE, Range, RoadType, SpeedKind, string,
 };
 use mapd_geometry::{Curve, CurveKind, CurvePoint, Start, clamp, normalize_angle};
 
@@ -148,6 +148,24 @@ impl<'a> Road<'a> {
         let map = self.map;
         let rows = self.row.sections().rows(map.tables().sections.len());
         rows.filter_map(move |row| LaneSection::new(map, row))
+    }
+
+    /// Sections of the road's temporary lanes in ascending s (OpenDRIVE 1.9); most roads have none. There may be gaps.
+    pub fn temporary_sections(&self) -> impl Iterator<Item = LaneSection<'a>> + use<'a> {
+        let map = self.map;
+        let layer = self.temporary_layer();
+        let rows = layer.map_or(0..0, |row| row.sections().rows(map.tables().sections.len()));
+        rows.filter_map(move |row| LaneSection::new(map, row))
+    }
+
+    fn temporary_layer(&self) -> Option<&'a ArchivedLaneLayerRow> {
+        let rows = self.map.tables().lane_layers;
+        rows.binary_search_by(|row| row.road().cmp(&self.number)).ok().and_then(|i| rows.get(i))
+    }
+
+    /// Lane offset records of the temporary layer.
+    pub(crate) fn temporary_lane_offsets(&self) -> &'a [ArchivedCubicRow] {
+        self.temporary_layer().map_or(&[], |row| self.cubics(row.lane_offsets()))
     }
 
     /// Section by its number, from 0.
@@ -303,6 +321,25 @@ impl<'a> Road<'a> {
             superelevation,
             clamped: false,
         })
+    }
+
+    /// Inertial positions of two places beside each other on the plane h = 0; none for a damaged archive or s and t that are
+    /// not finite.
+    pub(crate) fn points_across(&self, s: f64, t: [f64; 2]) -> Option<[DVec3; 2]> {
+        if !(s.is_finite() && t[0].is_finite() && t[1].is_finite()) {
+            return None;
+        }
+        let at = At::new(clamp(s, 0.0, self.reference_end().max(0.0)));
+        let point = self.reference_at(at)?;
+        let z = profile::slope(self.cubics(self.row.elevations()), at).value;
+        let (roll_cos, roll_sin, _) = self.roll_angle(at);
+        let origin = self.map.origin();
+        Some(t.map(|t| {
+            let lateral = t * roll_cos;
+            let x = origin.x + (point.x - point.sin * lateral);
+            let y = origin.y + (point.y + point.cos * lateral);
+            DVec3::new(x, y, z + t * roll_sin)
+        }))
     }
 
     /// Track position of a point: the foot on the nearest place of the whole reference line. Without z in plan view

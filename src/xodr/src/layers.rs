@@ -9,6 +9,11 @@ impl Road {
         self.lanes.iter().find(|lanes| lanes.layer.value() != Some(LayerType::Temporary))
     }
 
+    /// The lanes that replace others for a time: the first ones whose layer is `temporary`.
+    pub fn temporary_lanes(&self) -> Option<&Lanes> {
+        self.lanes.iter().find(|lanes| lanes.layer.value() == Some(LayerType::Temporary))
+    }
+
     /// Sections of the lanes that are there for good; empty where there are none.
     pub fn permanent_sections(&self) -> &[LaneSection] {
         self.permanent_lanes().map_or(&[], |lanes| &lanes.lane_section)

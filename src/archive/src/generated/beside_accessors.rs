@@ -1,7 +1,7 @@
-//! Reading the rows of what lies beside the network.
+//! Reading the rows of what is derived from the network and lies beside it.
 // Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
 
-use super::rows::*;
+use super::beside_rows::*;
 use crate::table::Range;
 
 impl ArchivedSurfaceRow {
@@ -339,6 +339,24 @@ impl ArchivedRoadMarkLineRow {
     #[inline]
     pub fn color(&self) -> u8 {
         self.color
+    }
+}
+
+impl ArchivedLaneLayerRow {
+    /// The road.
+    #[inline]
+    pub fn road(&self) -> u32 {
+        self.road.to_native()
+    }
+    /// Sections, ascending in s; there may be gaps between them.
+    #[inline]
+    pub fn sections(&self) -> Range {
+        self.sections.to_native()
+    }
+    /// Lane offset of the layer `[m]` over s.
+    #[inline]
+    pub fn lane_offsets(&self) -> Range {
+        self.lane_offsets.to_native()
     }
 }
 

@@ -1,9 +1,12 @@
 //! Code written from `schemas/archive.toml` and `schemas/ontology`.
 
 mod beside_accessors;
+pub(crate) mod beside_rows;
 pub(crate) mod classes;
 mod network_accessors;
-pub(crate) mod rows;
+pub(crate) mod network_rows;
+mod object_accessors;
+pub(crate) mod object_rows;
 mod signal_accessors;
 pub(crate) mod signal_rows;
 pub(crate) mod tables;

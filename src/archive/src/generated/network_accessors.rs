@@ -1,7 +1,7 @@
 //! Reading the rows of the network and its index.
 // Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
 
-use super::rows::*;
+use super::network_rows::*;
 use crate::table::Range;
 use rkyv::rend;
 
@@ -449,7 +449,7 @@ impl ArchivedLaneRow {
     pub fn kind(&self) -> u8 {
         self.kind
     }
-    /// 1 travels towards +s, 2 level, 4 `widths` hold borders, 8 also travels the other way, 16 for walking alone: walked both ways.
+    /// 1 travels towards +s, 2 level, 4 `widths` hold borders, 8 also travels the other way, 16 for walking alone: walked both ways, 32 is of a temporary layer.
     #[inline]
     pub fn flags(&self) -> u8 {
         self.flags

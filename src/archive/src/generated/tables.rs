@@ -1,7 +1,9 @@
 //! The archive's tables in the order in which they lie.
 // Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
 
-use super::rows::*;
+use super::beside_rows::*;
+use super::network_rows::*;
+use super::object_rows::*;
 use super::signal_rows::*;
 use crate::error::OpenError;
 use crate::table::{Table, TableInfo};
@@ -11,7 +13,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [231, 86, 77, 233, 94, 17, 144, 235, 109, 104, 46, 184, 131, 188, 136, 213];
+    [190, 158, 10, 99, 204, 28, 138, 142, 137, 3, 233, 78, 240, 44, 46, 255];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -80,6 +82,8 @@ pub struct Rows {
     pub road_mark_styles: Table<RoadMarkStyleRow>,
     /// Lines of road marks: of a pattern (roadMark/type/line), repeated every `length` + `space`, or explicit (roadMark/explicit/line), once.
     pub road_mark_lines: Table<RoadMarkLineRow>,
+    /// Temporary lanes of roads (OpenDRIVE 1.9), by road. Their sections and lanes are rows like others, which no road's own sections, no node of the lane graph and no leaf of the index names.
+    pub lane_layers: Table<LaneLayerRow>,
     /// Exactly one row: what concerns the whole lane graph.
     pub graph: Table<GraphRow>,
     /// Nodes of the lane graph: a lane, or a piece of one, travelled in one direction. Lane by lane.
@@ -158,6 +162,32 @@ pub struct Rows {
     pub object_index_nodes: Table<ObjectIndexNodeRow>,
     /// What lies below the last level: below the number of objects an object's row, above it that number plus the row of a copy. Each place of an object once.
     pub object_index_items: Table<u32>,
+    /// Painted lines along objects, by object: along corners of an outline, or along a side.
+    pub object_markings: Table<ObjectMarkingRow>,
+    /// Corners that markings and borders name.
+    pub object_corners: Table<u32>,
+    /// Frames along outlines of objects, by object.
+    pub object_borders: Table<ObjectBorderRow>,
+    /// Lines that describe objects from inside, by object (OpenDRIVE 1.8.1, 13.8).
+    pub object_skeletons: Table<ObjectSkeletonRow>,
+    /// Vertices of skeletons in the object's frame.
+    pub skeleton_vertices: Table<SkeletonVertexRow>,
+    /// Objects that are parking spaces, by object.
+    pub parking_spaces: Table<ParkingSpaceRow>,
+    /// What objects are made of, by object.
+    pub object_materials: Table<ObjectMaterialRow>,
+    /// Objects of one road that concern another, by road, in file order.
+    pub object_references: Table<ObjectReferenceRow>,
+    /// Bridges and tunnels, by road, in file order.
+    pub structures: Table<StructureRow>,
+    /// Railway switches, by road, in file order.
+    pub switches: Table<SwitchRow>,
+    /// Stations in file order.
+    pub stations: Table<StationRow>,
+    /// Platforms of stations.
+    pub platforms: Table<PlatformRow>,
+    /// Stretches of track beside platforms.
+    pub platform_segments: Table<PlatformSegmentRow>,
 }
 
 impl Rows {
@@ -196,6 +226,7 @@ impl Rows {
             road_marks: bytemuck::cast_slice(self.road_marks.as_slice()),
             road_mark_styles: bytemuck::cast_slice(self.road_mark_styles.as_slice()),
             road_mark_lines: bytemuck::cast_slice(self.road_mark_lines.as_slice()),
+            lane_layers: bytemuck::cast_slice(self.lane_layers.as_slice()),
             graph: bytemuck::cast_slice(self.graph.as_slice()),
             lane_nodes: bytemuck::cast_slice(self.lane_nodes.as_slice()),
             successor_offsets: (self.successor_offsets.as_slice()),
@@ -235,6 +266,19 @@ impl Rows {
             object_index_levels: (self.object_index_levels.as_slice()),
             object_index_nodes: bytemuck::cast_slice(self.object_index_nodes.as_slice()),
             object_index_items: (self.object_index_items.as_slice()),
+            object_markings: bytemuck::cast_slice(self.object_markings.as_slice()),
+            object_corners: (self.object_corners.as_slice()),
+            object_borders: bytemuck::cast_slice(self.object_borders.as_slice()),
+            object_skeletons: bytemuck::cast_slice(self.object_skeletons.as_slice()),
+            skeleton_vertices: bytemuck::cast_slice(self.skeleton_vertices.as_slice()),
+            parking_spaces: bytemuck::cast_slice(self.parking_spaces.as_slice()),
+            object_materials: bytemuck::cast_slice(self.object_materials.as_slice()),
+            object_references: bytemuck::cast_slice(self.object_references.as_slice()),
+            structures: bytemuck::cast_slice(self.structures.as_slice()),
+            switches: bytemuck::cast_slice(self.switches.as_slice()),
+            stations: bytemuck::cast_slice(self.stations.as_slice()),
+            platforms: bytemuck::cast_slice(self.platforms.as_slice()),
+            platform_segments: bytemuck::cast_slice(self.platform_segments.as_slice()),
         }
     }
 }
@@ -307,6 +351,8 @@ pub struct Tables<'a> {
     pub road_mark_styles: &'a [ArchivedRoadMarkStyleRow],
     /// Lines of road marks: of a pattern (roadMark/type/line), repeated every `length` + `space`, or explicit (roadMark/explicit/line), once.
     pub road_mark_lines: &'a [ArchivedRoadMarkLineRow],
+    /// Temporary lanes of roads (OpenDRIVE 1.9), by road. Their sections and lanes are rows like others, which no road's own sections, no node of the lane graph and no leaf of the index names.
+    pub lane_layers: &'a [ArchivedLaneLayerRow],
     /// Exactly one row: what concerns the whole lane graph.
     pub graph: &'a [ArchivedGraphRow],
     /// Nodes of the lane graph: a lane, or a piece of one, travelled in one direction. Lane by lane.
@@ -385,6 +431,32 @@ pub struct Tables<'a> {
     pub object_index_nodes: &'a [ArchivedObjectIndexNodeRow],
     /// What lies below the last level: below the number of objects an object's row, above it that number plus the row of a copy. Each place of an object once.
     pub object_index_items: &'a [u32],
+    /// Painted lines along objects, by object: along corners of an outline, or along a side.
+    pub object_markings: &'a [ArchivedObjectMarkingRow],
+    /// Corners that markings and borders name.
+    pub object_corners: &'a [u32],
+    /// Frames along outlines of objects, by object.
+    pub object_borders: &'a [ArchivedObjectBorderRow],
+    /// Lines that describe objects from inside, by object (OpenDRIVE 1.8.1, 13.8).
+    pub object_skeletons: &'a [ArchivedObjectSkeletonRow],
+    /// Vertices of skeletons in the object's frame.
+    pub skeleton_vertices: &'a [ArchivedSkeletonVertexRow],
+    /// Objects that are parking spaces, by object.
+    pub parking_spaces: &'a [ArchivedParkingSpaceRow],
+    /// What objects are made of, by object.
+    pub object_materials: &'a [ArchivedObjectMaterialRow],
+    /// Objects of one road that concern another, by road, in file order.
+    pub object_references: &'a [ArchivedObjectReferenceRow],
+    /// Bridges and tunnels, by road, in file order.
+    pub structures: &'a [ArchivedStructureRow],
+    /// Railway switches, by road, in file order.
+    pub switches: &'a [ArchivedSwitchRow],
+    /// Stations in file order.
+    pub stations: &'a [ArchivedStationRow],
+    /// Platforms of stations.
+    pub platforms: &'a [ArchivedPlatformRow],
+    /// Stretches of track beside platforms.
+    pub platform_segments: &'a [ArchivedPlatformSegmentRow],
 }
 
 impl<'a> Tables<'a> {
@@ -425,6 +497,7 @@ impl<'a> Tables<'a> {
             road_marks: root.road_marks.view(body, "road_marks")?,
             road_mark_styles: root.road_mark_styles.view(body, "road_mark_styles")?,
             road_mark_lines: root.road_mark_lines.view(body, "road_mark_lines")?,
+            lane_layers: root.lane_layers.view(body, "lane_layers")?,
             graph: root.graph.view(body, "graph")?,
             lane_nodes: root.lane_nodes.view(body, "lane_nodes")?,
             successor_offsets: root.successor_offsets.view_numbers(body, "successor_offsets")?,
@@ -468,11 +541,24 @@ impl<'a> Tables<'a> {
                 .view_numbers(body, "object_index_levels")?,
             object_index_nodes: root.object_index_nodes.view(body, "object_index_nodes")?,
             object_index_items: root.object_index_items.view_numbers(body, "object_index_items")?,
+            object_markings: root.object_markings.view(body, "object_markings")?,
+            object_corners: root.object_corners.view_numbers(body, "object_corners")?,
+            object_borders: root.object_borders.view(body, "object_borders")?,
+            object_skeletons: root.object_skeletons.view(body, "object_skeletons")?,
+            skeleton_vertices: root.skeleton_vertices.view(body, "skeleton_vertices")?,
+            parking_spaces: root.parking_spaces.view(body, "parking_spaces")?,
+            object_materials: root.object_materials.view(body, "object_materials")?,
+            object_references: root.object_references.view(body, "object_references")?,
+            structures: root.structures.view(body, "structures")?,
+            switches: root.switches.view(body, "switches")?,
+            stations: root.stations.view(body, "stations")?,
+            platforms: root.platforms.view(body, "platforms")?,
+            platform_segments: root.platform_segments.view(body, "platform_segments")?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 71] {
+    pub fn infos(&self) -> [TableInfo; 85] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -506,6 +592,7 @@ impl<'a> Tables<'a> {
             TableInfo::of("road_marks", self.road_marks),
             TableInfo::of("road_mark_styles", self.road_mark_styles),
             TableInfo::of("road_mark_lines", self.road_mark_lines),
+            TableInfo::of("lane_layers", self.lane_layers),
             TableInfo::of("graph", self.graph),
             TableInfo::of("lane_nodes", self.lane_nodes),
             TableInfo::of("successor_offsets", self.successor_offsets),
@@ -545,6 +632,19 @@ impl<'a> Tables<'a> {
             TableInfo::of("object_index_levels", self.object_index_levels),
             TableInfo::of("object_index_nodes", self.object_index_nodes),
             TableInfo::of("object_index_items", self.object_index_items),
+            TableInfo::of("object_markings", self.object_markings),
+            TableInfo::of("object_corners", self.object_corners),
+            TableInfo::of("object_borders", self.object_borders),
+            TableInfo::of("object_skeletons", self.object_skeletons),
+            TableInfo::of("skeleton_vertices", self.skeleton_vertices),
+            TableInfo::of("parking_spaces", self.parking_spaces),
+            TableInfo::of("object_materials", self.object_materials),
+            TableInfo::of("object_references", self.object_references),
+            TableInfo::of("structures", self.structures),
+            TableInfo::of("switches", self.switches),
+            TableInfo::of("stations", self.stations),
+            TableInfo::of("platforms", self.platforms),
+            TableInfo::of("platform_segments", self.platform_segments),
         ]
     }
 }
@@ -562,6 +662,7 @@ const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());

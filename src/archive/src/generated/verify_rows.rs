@@ -279,6 +279,12 @@ impl Tables<'_> {
             check.code("rule", row.rule(), 4)?;
             check.code("color", row.color(), 10)?;
         }
+        for (i, row) in self.lane_layers.iter().enumerate() {
+            let check = Check { table: "lane_layers", row: i };
+            check.reference("road", row.road(), self.roads.len(), false)?;
+            check.range("sections", row.sections(), self.sections.len())?;
+            check.range("lane_offsets", row.lane_offsets(), self.cubics.len())?;
+        }
         for (i, row) in self.graph.iter().enumerate() {
             let check = Check { table: "graph", row: i };
             check.finite("length_step", row.length_step())?;
@@ -535,7 +541,7 @@ impl Tables<'_> {
             check.finite("s_from", f64::from(row.s_from()))?;
             check.finite("s_to", f64::from(row.s_to()))?;
             check.finite("distance", f64::from(row.distance()))?;
-            check.code("method", row.method(), 3)?;
+            check.code("method", row.method(), 4)?;
         }
         for (i, row) in self.lane_objects.iter().enumerate() {
             let check = Check { table: "lane_objects", row: i };
@@ -559,6 +565,119 @@ impl Tables<'_> {
             for value in row.max_y() {
                 check.finite("max_y", f64::from(*value))?;
             }
+        }
+        for (i, row) in self.object_markings.iter().enumerate() {
+            let check = Check { table: "object_markings", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.reference("outline", row.outline(), self.object_outlines.len(), true)?;
+            check.range("corners", row.corners(), self.object_corners.len())?;
+            check.reference("color", row.color(), strings, false)?;
+            check.reference("weight", row.weight(), strings, false)?;
+            check.reference("kind", row.kind(), strings, false)?;
+            check.finite("width", f64::from(row.width()))?;
+            check.finite("z_offset", f64::from(row.z_offset()))?;
+            check.finite("line_length", f64::from(row.line_length()))?;
+            check.finite("space_length", f64::from(row.space_length()))?;
+            check.finite("start_offset", f64::from(row.start_offset()))?;
+            check.finite("stop_offset", f64::from(row.stop_offset()))?;
+            check.code("side", row.side(), 5)?;
+        }
+        for (i, row) in self.object_corners.iter().enumerate() {
+            let check = Check { table: "object_corners", row: i };
+            check.reference("", *row, self.object_points.len(), false)?;
+        }
+        for (i, row) in self.object_borders.iter().enumerate() {
+            let check = Check { table: "object_borders", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.reference("outline", row.outline(), self.object_outlines.len(), true)?;
+            check.range("corners", row.corners(), self.object_corners.len())?;
+            check.reference("kind", row.kind(), strings, false)?;
+            check.finite("width", f64::from(row.width()))?;
+        }
+        for (i, row) in self.object_skeletons.iter().enumerate() {
+            let check = Check { table: "object_skeletons", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.range("vertices", row.vertices(), self.skeleton_vertices.len())?;
+        }
+        for (i, row) in self.skeleton_vertices.iter().enumerate() {
+            let check = Check { table: "skeleton_vertices", row: i };
+            check.finite("u", f64::from(row.u()))?;
+            check.finite("v", f64::from(row.v()))?;
+            check.finite("z", f64::from(row.z()))?;
+            check.finite("radius", f64::from(row.radius()))?;
+        }
+        for (i, row) in self.parking_spaces.iter().enumerate() {
+            let check = Check { table: "parking_spaces", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.reference("restrictions", row.restrictions(), strings, false)?;
+            check.reference("access", row.access(), strings, false)?;
+        }
+        for (i, row) in self.object_materials.iter().enumerate() {
+            let check = Check { table: "object_materials", row: i };
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.reference("surface", row.surface(), strings, false)?;
+            check.reference("color", row.color(), strings, false)?;
+            check.finite("friction", f64::from(row.friction()))?;
+            check.finite("roughness", f64::from(row.roughness()))?;
+        }
+        for (i, row) in self.object_references.iter().enumerate() {
+            let check = Check { table: "object_references", row: i };
+            check.finite("s", row.s())?;
+            check.finite("t", row.t())?;
+            check.reference("road", row.road(), self.roads.len(), false)?;
+            check.reference("object", row.object(), self.objects.len(), true)?;
+            check.reference("id", row.id(), strings, false)?;
+            check.range("validities", row.validities(), self.lane_ranges.len())?;
+            check.finite("z_offset", f64::from(row.z_offset()))?;
+            check.finite("valid_length", f64::from(row.valid_length()))?;
+            check.code("orientation", row.orientation(), 3)?;
+        }
+        for (i, row) in self.structures.iter().enumerate() {
+            let check = Check { table: "structures", row: i };
+            check.finite("s", row.s())?;
+            check.finite("length", row.length())?;
+            check.reference("road", row.road(), self.roads.len(), false)?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("material", row.material(), strings, false)?;
+            check.range("validities", row.validities(), self.lane_ranges.len())?;
+            check.finite("lighting", f64::from(row.lighting()))?;
+            check.finite("daylight", f64::from(row.daylight()))?;
+            check.code("kind", row.kind(), 2)?;
+        }
+        for (i, row) in self.switches.iter().enumerate() {
+            let check = Check { table: "switches", row: i };
+            check.finite("main_s", row.main_s())?;
+            check.finite("side_s", row.side_s())?;
+            check.reference("road", row.road(), self.roads.len(), false)?;
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("main", row.main(), self.roads.len(), true)?;
+            check.reference("side", row.side(), self.roads.len(), true)?;
+            check.reference("partner", row.partner(), self.switches.len(), true)?;
+            check.code("position", row.position(), 4)?;
+            check.code("main_direction", row.main_direction(), 3)?;
+            check.code("side_direction", row.side_direction(), 3)?;
+        }
+        for (i, row) in self.stations.iter().enumerate() {
+            let check = Check { table: "stations", row: i };
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("kind", row.kind(), strings, false)?;
+            check.range("platforms", row.platforms(), self.platforms.len())?;
+        }
+        for (i, row) in self.platforms.iter().enumerate() {
+            let check = Check { table: "platforms", row: i };
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.range("segments", row.segments(), self.platform_segments.len())?;
+        }
+        for (i, row) in self.platform_segments.iter().enumerate() {
+            let check = Check { table: "platform_segments", row: i };
+            check.finite("s_start", row.s_start())?;
+            check.finite("s_end", row.s_end())?;
+            check.reference("road", row.road(), self.roads.len(), true)?;
+            check.code("side", row.side(), 3)?;
         }
         Ok(())
     }

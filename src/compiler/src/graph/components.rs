@@ -7,20 +7,35 @@
 use super::csr::in_order;
 use mapd_archive::{NONE, Rows, edge_flags};
 
-/// Fills `component` of all nodes, `closes_loop` of all edges, and the number of components.
-pub(crate) fn condense(rows: &mut Rows) {
+/// What is found about components.
+pub(crate) struct Components {
+    /// Per node its component, in the order in which they are finished.
+    of_node: Vec<u32>,
+    count: u32,
+    /// Edges that close loops.
+    closing: Vec<usize>,
+}
+
+/// Finds components and the edges that close loops.
+pub(crate) fn find(rows: &Rows) -> Components {
     let order: Vec<u32> = in_order(rows).collect();
-    let (components, count) = strong_components(rows, &order, |_, _| true);
-    // Tarjan finishes a component after all that it leads to: turned round, the numbers ascend along edges.
-    for (node, component) in components.iter().enumerate() {
-        rows.lane_nodes[node].component = count - 1 - component;
-    }
-    if let Some(graph) = rows.graph.first_mut() {
-        graph.components = count;
-    }
-    let closing = back_edges(rows, &order);
-    for edge in closing {
-        rows.edges[edge].flags |= edge_flags::CLOSES_LOOP;
+    let (of_node, count) = strong_components(rows, &order, |_, _| true);
+    Components { of_node, count, closing: back_edges(rows, &order) }
+}
+
+impl Components {
+    /// Fills `component` of all nodes, `closes_loop` of all edges, and the number of components.
+    pub(crate) fn store(self, rows: &mut Rows) {
+        // Tarjan finishes a component after all that it leads to: turned round, the numbers ascend along edges.
+        for (node, component) in rows.lane_nodes.iter_mut().zip(&self.of_node) {
+            node.component = self.count - 1 - component;
+        }
+        if let Some(graph) = rows.graph.first_mut() {
+            graph.components = self.count;
+        }
+        for edge in self.closing {
+            rows.edges[edge].flags |= edge_flags::CLOSES_LOOP;
+        }
     }
 }
 

@@ -11,7 +11,7 @@ use crate::finding;
 use crate::lanes::view;
 use glam::DVec2;
 use mapd_archive::{ConflictKind, ConflictRow, Rows};
-use mapd_query::{Lane, LaneId, Map, Track};
+use mapd_query::{Lane, LaneId, Map};
 use mapd_xodr::{Finding, Severity};
 use rayon::prelude::*;
 
@@ -56,9 +56,18 @@ impl Bounds {
     }
 }
 
+/// A side of a quadrangle: the direction across it, and from where to where the quadrangle reaches in that direction.
+#[derive(Clone, Copy)]
+struct Side {
+    normal: DVec2,
+    reach: (f64, f64),
+}
+
 /// A quadrangle of a lane's area.
 struct Cell {
     corners: [DVec2; 4],
+    /// Its sides but those that are too short to have a direction.
+    sides: [Option<Side>; 4],
     bounds: Bounds,
     z: f64,
     /// From the section's start.
@@ -78,13 +87,12 @@ struct Candidate {
     leads_to: Vec<LaneId>,
 }
 
-/// Fills `conflicts`; names the junctions that are passed over.
-pub(crate) fn build(rows: &mut Rows, zones: &[Zone]) -> Vec<Finding> {
+/// Finds all conflicts, by lane; names the junctions that are passed over.
+pub(crate) fn find(rows: &Rows, zones: &[Zone]) -> (Vec<ConflictRow>, Vec<Finding>) {
     let mut passed_over = Vec::new();
     let mut found: Vec<ConflictRow> = {
         let archive = view(rows);
         let map = Map::new(&archive, 0);
-        let rows = &*rows;
         let of_zones: Vec<Option<Vec<ConflictRow>>> =
             zones.par_iter().map(|zone| of_zone(rows, map, zone)).collect();
         for (zone, _) in zones.iter().zip(&of_zones).filter(|(_, found)| found.is_none()) {
@@ -99,8 +107,7 @@ pub(crate) fn build(rows: &mut Rows, zones: &[Zone]) -> Vec<Finding> {
     // Of a pair that meets in two zones the first place counts.
     found.sort_by_key(|row| (row.lane, row.other, row.s_from.to_bits(), row.kind));
     found.dedup_by_key(|row| (row.lane, row.other));
-    rows.conflicts = found.into();
-    passed_over
+    (found, passed_over)
 }
 
 fn of_zone(rows: &Rows, map: Map<'_>, zone: &Zone) -> Option<Vec<ConflictRow>> {
@@ -162,7 +169,8 @@ fn candidate(lane: &Lane<'_>, Stretch { road, s_from, s_to }: Stretch) -> Option
             let bounds = Bounds::of(corners.into_iter());
             let offset = |s: f64| (s - section.s_start()) as f32;
             let (s_from, s_to) = (offset(pair[0].0), offset(pair[1].0));
-            Cell { corners, bounds, z: 0.5 * (pair[0].2 + pair[1].2), s_from, s_to }
+            let sides = sides(&corners);
+            Cell { corners, sides, bounds, z: 0.5 * (pair[0].2 + pair[1].2), s_from, s_to }
         })
         .collect();
     let around = |cells: &[Cell]| Bounds::of(cells.iter().flat_map(|cell| cell.corners));
@@ -179,9 +187,7 @@ fn candidate(lane: &Lane<'_>, Stretch { road, s_from, s_to }: Stretch) -> Option
 
 /// s, both edges and the height of a cross-section.
 fn end(lane: &Lane<'_>, s: f64) -> Option<(f64, [DVec2; 2], f64)> {
-    let edges = lane.edges_at(s);
-    let at = |t: f64| lane.road().to_inertial(Track { s, t, h: 0.0 }).ok().map(|p| p.position);
-    let (inner, outer) = (at(edges.inner)?, at(edges.outer)?);
+    let [inner, outer] = lane.edge_points_at(s)?;
     Some((s, [inner.truncate(), outer.truncate()], 0.5 * (inner.z + outer.z)))
 }
 
@@ -197,21 +203,28 @@ fn meet(
         return None;
     }
     let none = (f32::INFINITY, f32::NEG_INFINITY);
-    let (mut own, mut other, mut cross) = (none, none, false);
-    let blocks = a.cells.chunks(BLOCK).zip(&a.blocks);
-    for (ours, own_bounds) in blocks.filter(|(_, bounds)| bounds.meets(&b.bounds)) {
+    let (mut own, mut other) = (none, none);
+    // Whether the kind does not depend on where the lanes meet.
+    let settled = merge || part || zone == ZoneKind::Crossing;
+    let mut cross = false;
+    for one in from_both_ends(&a.cells).filter(|one| one.bounds.meets(&b.bounds)) {
         let blocks = b.cells.chunks(BLOCK).zip(&b.blocks);
-        for (theirs, _) in blocks.filter(|(_, bounds)| bounds.meets(own_bounds)) {
-            for (one, two) in ours.iter().flat_map(|one| theirs.iter().map(move |two| (one, two))) {
-                if one.bounds.meets(&two.bounds)
-                    && (one.z - two.z).abs() <= CLEARANCE
-                    && overlap(&one.corners, &two.corners)
-                {
-                    own = (own.0.min(one.s_from), own.1.max(one.s_to));
-                    other = (other.0.min(two.s_from), other.1.max(two.s_to));
-                    cross |= centers_cross(one, two);
-                }
+        let near = blocks.filter(|(_, bounds)| bounds.meets(&one.bounds));
+        for two in near.flat_map(|(cells, _)| cells).filter(|two| one.bounds.meets(&two.bounds)) {
+            let known = own.0 <= one.s_from
+                && own.1 >= one.s_to
+                && other.0 <= two.s_from
+                && other.1 >= two.s_to;
+            // Within what is known to be common, only a crossing could be news.
+            if (known && (settled || cross))
+                || (one.z - two.z).abs() > CLEARANCE
+                || !overlap(one, two)
+            {
+                continue;
             }
+            own = (own.0.min(one.s_from), own.1.max(one.s_to));
+            other = (other.0.min(two.s_from), other.1.max(two.s_to));
+            cross |= !settled && centers_cross(one, two);
         }
     }
     if own.0 > own.1 {
@@ -221,7 +234,7 @@ fn meet(
         ConflictKind::Crossing
     } else if merge {
         ConflictKind::Merge
-    } else if cross && !part {
+    } else if cross {
         ConflictKind::Cross
     } else {
         ConflictKind::Overlap
@@ -229,25 +242,41 @@ fn meet(
     Some((kind, own, other))
 }
 
+/// Cells from the first and the last one inwards, in turns: what lies between two that are common is soon known.
+fn from_both_ends(cells: &[Cell]) -> impl Iterator<Item = &Cell> {
+    let mut rest = cells.iter();
+    let mut front = false;
+    std::iter::from_fn(move || {
+        front = !front;
+        if front { rest.next() } else { rest.next_back() }
+    })
+}
+
 /// Whether two convex quadrangles share more than a strip: no edge's normal keeps them apart.
-fn overlap(a: &[DVec2; 4], b: &[DVec2; 4]) -> bool {
-    let range = |corners: &[DVec2; 4], axis: DVec2| {
-        corners
-            .iter()
-            .map(|p| p.dot(axis))
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), d| (low.min(d), high.max(d)))
+fn overlap(a: &Cell, b: &Cell) -> bool {
+    let apart = |side: &Side, corners: &[DVec2; 4]| {
+        let other = reach(corners, side.normal);
+        side.reach.1.min(other.1) - side.reach.0.max(other.0) <= STRIP
     };
-    [a, b].into_iter().all(|corners| {
-        (0..4).all(|i| {
-            let edge = corners[(i + 1) % 4] - corners[i];
-            let length = edge.length();
-            if length < STRIP {
-                return true;
-            }
-            let normal = DVec2::new(-edge.y, edge.x) / length;
-            let (own, other) = (range(a, normal), range(b, normal));
-            own.1.min(other.1) - own.0.max(other.0) > STRIP
-        })
+    !a.sides.iter().flatten().any(|side| apart(side, &b.corners))
+        && !b.sides.iter().flatten().any(|side| apart(side, &a.corners))
+}
+
+fn sides(corners: &[DVec2; 4]) -> [Option<Side>; 4] {
+    std::array::from_fn(|i| {
+        let edge = corners[(i + 1) % 4] - corners[i];
+        let length = edge.length();
+        let normal = DVec2::new(-edge.y, edge.x) / length;
+        (length >= STRIP).then(|| Side { normal, reach: reach(corners, normal) })
+    })
+}
+
+/// From where to where a quadrangle reaches along an axis.
+fn reach(corners: &[DVec2; 4], axis: DVec2) -> (f64, f64) {
+    let along = corners.map(|corner| corner.dot(axis));
+    let (low, high) = (f64::INFINITY, f64::NEG_INFINITY);
+    along.into_iter().fold((low, high), |(low, high), d| {
+        (if d < low { d } else { low }, if d > high { d } else { high })
     })
 }
 

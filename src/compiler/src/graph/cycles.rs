@@ -7,7 +7,7 @@ use super::components::strong_components;
 use super::report::Report;
 use crate::options::CyclePolicy;
 use mapd_archive::{EdgeKind, LaneNodeRow, NONE, Rows, VehicleClass};
-use mapd_xodr::Severity;
+use mapd_xodr::{Finding, Severity};
 use std::collections::VecDeque;
 
 /// Cycles of at most this length `[m]` make no progress.
@@ -19,8 +19,13 @@ const MOST_STEPS: usize = 100_000_000;
 /// Steps of a cycle's path that are named.
 const NAMED_STEPS: usize = 50;
 
-/// Reports cycles by policy.
-pub(crate) fn check(rows: &Rows, policy: CyclePolicy, report: &mut Report<'_>) {
+/// Finds cycles and reports them by policy.
+pub(crate) fn check(rows: &Rows, policy: CyclePolicy, mut report: Report<'_>) -> Vec<Finding> {
+    report_all(rows, policy, &mut report);
+    report.finish()
+}
+
+fn report_all(rows: &Rows, policy: CyclePolicy, report: &mut Report<'_>) {
     let severity = match policy {
         CyclePolicy::Illegal | CyclePolicy::All => Severity::Error,
         CyclePolicy::Report => Severity::Warning,

@@ -4,8 +4,8 @@ use super::report::Report;
 use crate::lanes::view;
 use glam::DVec3;
 use mapd_archive::{EdgeKind, Rows};
-use mapd_query::{LaneNode, Map, Track};
-use mapd_xodr::Severity;
+use mapd_query::{LaneNode, Map};
+use mapd_xodr::{Finding, Severity};
 use rayon::prelude::*;
 
 /// Largest distance between two linked lanes' ends that is no finding `[m]`: files round to centimetres, and tools
@@ -15,7 +15,7 @@ const JOINT_TOLERANCE: f64 = 0.1;
 const NODES_PER_TASK: usize = 256;
 
 /// Names the edges that join ends farther apart than the tolerance. They stay: the file links them.
-pub(crate) fn check(rows: &Rows, report: &mut Report<'_>) {
+pub(crate) fn check(rows: &Rows, mut report: Report<'_>) -> Vec<Finding> {
     let archive = view(rows);
     let map = Map::new(&archive, 0);
     let nodes: Vec<LaneNode<'_>> = map.lane_nodes().collect();
@@ -28,6 +28,7 @@ pub(crate) fn check(rows: &Rows, report: &mut Report<'_>) {
         );
         report.at_edge("mapd:graph.gap", Severity::Warning, edge, message);
     }
+    report.finish()
 }
 
 fn of_nodes(rows: &Rows, nodes: &[LaneNode<'_>]) -> Vec<(u32, f64)> {
@@ -64,10 +65,7 @@ fn end(node: &LaneNode<'_>, exit: bool) -> Option<[DVec3; 2]> {
     let lane = node.lane()?;
     let (from, to) = node.s_range();
     let s = if node.is_forward() == exit { to } else { from };
-    let edges = lane.edges_at(s);
-    let at =
-        |t: f64| lane.road().to_inertial(Track { s, t, h: 0.0 }).ok().map(|pose| pose.position);
-    Some([at(edges.inner)?, at(edges.outer)?])
+    lane.edge_points_at(s)
 }
 
 /// Distance between two short segments that should lie in one line: the least from an end of one to the other.

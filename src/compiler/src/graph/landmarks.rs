@@ -4,7 +4,7 @@
 //! for each class; for a higher price of changes too, and for a lower one in proportion.
 
 use super::csr::in_order;
-use mapd_archive::{NONE, Rows, VehicleClass, node_flags};
+use mapd_archive::{LaneNodeRow, NONE, Rows, VehicleClass, node_flags};
 use rayon::prelude::*;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -16,26 +16,56 @@ const CHANGE_LENGTH: f64 = 20.0;
 /// What a change of lane counts `[s]`: as routing counts it by default.
 const CHANGE_TIME: f64 = 2.0;
 
-/// Gives every node that motor vehicles may use its place, and stores the distances of so many landmarks.
-pub(crate) fn build(rows: &mut Rows, landmarks: usize) {
+/// What is found about landmarks.
+#[derive(Default)]
+pub(crate) struct Landmarks {
+    /// Per node its place in the tables of distances.
+    bounds: Vec<u32>,
+    /// Number of places.
+    count: u32,
+    landmarks: u32,
+    /// Distances by place, and their steps.
+    lengths: (f64, Vec<u16>),
+    times: (f64, Vec<u16>),
+}
+
+impl Landmarks {
+    /// Fills the tables of distances and the nodes' places in them.
+    pub(crate) fn store(self, rows: &mut Rows) {
+        for (node, bound) in rows.lane_nodes.iter_mut().zip(&self.bounds) {
+            node.bound = *bound;
+        }
+        if let Some(graph) = rows.graph.first_mut() {
+            graph.bounds = self.count;
+            (graph.change_length, graph.change_time) = (CHANGE_LENGTH, CHANGE_TIME);
+            (graph.length_step, graph.time_step) = (self.lengths.0, self.times.0);
+            graph.landmarks = self.landmarks;
+        }
+        rows.landmark_lengths = self.lengths.1.into();
+        rows.landmark_times = self.times.1.into();
+    }
+}
+
+/// Gives every node that motor vehicles may use its place, and finds the distances of so many landmarks.
+pub(crate) fn find(rows: &Rows, landmarks: usize) -> Landmarks {
     let mut count = 0;
-    for node in rows.lane_nodes.iter_mut().filter(|n| n.access & VehicleClass::MOTOR != 0) {
-        node.bound = count;
+    let place = |node: &LaneNodeRow| {
+        if node.access & VehicleClass::MOTOR == 0 {
+            return NONE;
+        }
         count += 1;
-    }
-    let ranks = ranks(rows, count as usize);
-    if let Some(graph) = rows.graph.first_mut() {
-        graph.bounds = count;
-        (graph.change_length, graph.change_time) = (CHANGE_LENGTH, CHANGE_TIME);
-    }
+        count - 1
+    };
+    let bounds: Vec<u32> = rows.lane_nodes.iter().map(place).collect();
     if count == 0 || landmarks == 0 {
-        return;
+        return Landmarks { bounds, count, ..Landmarks::default() };
     }
-    let ahead = Network::new(rows, count as usize);
+    let ranks = ranks(rows, &bounds, count as usize);
+    let ahead = Network::new(rows, &bounds, count as usize);
     let behind = ahead.turned();
     let (places, from, to) = choose(&ahead, &behind, &ranks, landmarks);
     let lengths: Vec<Vec<f64>> = from.into_iter().chain(to).collect();
-    let (length_step, lengths) = steps(&lengths);
+    let lengths = steps(&lengths);
     let times: Vec<(&Network, u32)> = [&ahead, &behind]
         .into_iter()
         .flat_map(|network| places.iter().map(move |place| (network, *place)))
@@ -44,20 +74,15 @@ pub(crate) fn build(rows: &mut Rows, landmarks: usize) {
         .into_par_iter()
         .map(|(network, place)| network.distances(place, |weight| weight.time))
         .collect();
-    let (time_step, times) = steps(&times);
-    rows.landmark_lengths = lengths.into();
-    rows.landmark_times = times.into();
-    if let Some(graph) = rows.graph.first_mut() {
-        (graph.length_step, graph.time_step) = (length_step, time_step);
-        graph.landmarks = places.len() as u32;
-    }
+    let times = steps(&times);
+    Landmarks { bounds, count, landmarks: places.len() as u32, lengths, times }
 }
 
 /// Per place in the tables its place in an order that depends on names only.
-fn ranks(rows: &Rows, count: usize) -> Vec<u32> {
+fn ranks(rows: &Rows, bounds: &[u32], count: usize) -> Vec<u32> {
     let mut ranks = vec![NONE; count];
     for (rank, node) in in_order(rows).enumerate() {
-        let bound = rows.lane_nodes.get(node as usize).map_or(NONE, |row| row.bound);
+        let bound = bounds.get(node as usize).copied().unwrap_or(NONE);
         if let Some(own) = ranks.get_mut(bound as usize) {
             *own = rank as u32;
         }
@@ -79,10 +104,13 @@ struct Network {
 }
 
 impl Network {
-    fn new(rows: &Rows, count: usize) -> Self {
-        let bound = |node: u32| rows.lane_nodes.get(node as usize).map_or(NONE, |row| row.bound);
+    fn new(rows: &Rows, bounds: &[u32], count: usize) -> Self {
+        let bound = |node: u32| bounds.get(node as usize).copied().unwrap_or(NONE);
         let mut edges = Vec::new();
-        for (number, node) in rows.lane_nodes.iter().enumerate().filter(|(_, n)| n.bound != NONE) {
+        for (number, (node, own)) in rows.lane_nodes.iter().zip(bounds).enumerate() {
+            if *own == NONE {
+                continue;
+            }
             let at = |i: usize| rows.successor_offsets.get(i).copied().unwrap_or(0) as usize;
             let ahead = rows.successors.get(at(number)..at(number + 1)).unwrap_or(&[]);
             let pass = Weight { length: node.length.into(), time: node.time.into() };
@@ -91,7 +119,7 @@ impl Network {
                 [(node_flags::CHANGE_LEFT, node.left), (node_flags::CHANGE_RIGHT, node.right)];
             let beside = sides.iter().filter(|(flag, _)| node.flags & flag != 0);
             let all = ahead.iter().map(|to| (*to, pass)).chain(beside.map(|(_, to)| (*to, change)));
-            let usable = all.map(|(to, weight)| (node.bound, bound(to), weight));
+            let usable = all.map(|(to, weight)| (*own, bound(to), weight));
             edges.extend(usable.filter(|(_, to, _)| *to != NONE));
         }
         Self::of(edges, count)

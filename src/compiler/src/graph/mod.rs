@@ -58,12 +58,26 @@ pub(crate) fn complete(
     options: &CompileOptions,
 ) -> Vec<Finding> {
     measure::measure(rows);
-    components::condense(rows);
-    let mut findings = conflicts::build(rows, &written.zones);
-    landmarks::build(rows, options.landmarks.min(MOST_LANDMARKS).into());
-    let mut report = report::Report::new(rows, &written.links);
-    gaps::check(rows, &mut report);
-    cycles::check(rows, options.cycles, &mut report);
-    findings.extend(report.finish());
+    // None of these needs what another finds.
+    let seen = &*rows;
+    let in_file = || report::Report::new(seen, &written.links);
+    let ((components, cycles), (landmarks, ((conflicts, mut findings), gaps))) = rayon::join(
+        || {
+            let components = components::find(seen);
+            (components, cycles::check(seen, options.cycles, in_file()))
+        },
+        || {
+            let landmarks = options.landmarks.min(MOST_LANDMARKS);
+            rayon::join(
+                || landmarks::find(seen, landmarks.into()),
+                || (conflicts::find(seen, &written.zones), gaps::check(seen, in_file())),
+            )
+        },
+    );
+    components.store(rows);
+    landmarks.store(rows);
+    rows.conflicts = conflicts.into();
+    findings.extend(gaps);
+    findings.extend(cycles);
     findings
 }

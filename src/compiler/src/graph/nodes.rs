@@ -22,9 +22,8 @@ pub(crate) fn build(lowering: &mut Lowering, cuts: &Cuts) -> Result<(), TooLarge
 }
 
 fn add(lowering: &mut Lowering, cuts: &Cuts, lane: usize) {
-    let Some(row) = lowering.rows.lanes.get(lane).copied().filter(|row| row.number != 0) else {
-        return;
-    };
+    let has_nodes = |row: &LaneRow| row.number != 0 && row.flags & lane_flags::TEMPORARY == 0;
+    let Some(row) = lowering.rows.lanes.get(lane).copied().filter(has_nodes) else { return };
     let before = lowering.rows.lane_nodes.len();
     let offsets = cuts.of(row.section);
     let section = lowering.rows.sections.get(row.section as usize);

@@ -3,11 +3,14 @@
 mod grid;
 mod marks;
 mod need;
+mod object_details;
 mod object_outlines;
 mod object_repeats;
 mod objects;
+mod railway;
 mod reference_line;
 mod sections;
+mod structures;
 mod surface;
 
 use crate::georeference::Placed;
@@ -19,8 +22,8 @@ use crate::signals::Pending;
 use crate::{finding, origin};
 pub(crate) use grid::{Joint, transitions};
 use mapd_archive::{
-    ContactPoint, JunctionRow, LinkKind, MapRow, NONE, QuarantinedRow, Range, RoadRow, RoadType,
-    RoadTypeRow, Rows, SpeedKind, StringTable,
+    ContactPoint, JunctionRow, LaneLayerRow, LinkKind, MapRow, NONE, QuarantinedRow, Range,
+    RoadRow, RoadType, RoadTypeRow, Rows, SpeedKind, StringTable,
 };
 use mapd_xodr::{
     self as xodr, Finding, Header, Junction, JunctionType, Position, Road, Severity, Span,
@@ -28,6 +31,7 @@ use mapd_xodr::{
 };
 pub(crate) use need::{Part, UNUSABLE};
 pub(crate) use objects::Owner;
+use sections::Layer;
 
 /// Value of `road/@junction` that means none.
 const NO_JUNCTION: &str = "-1";
@@ -66,11 +70,11 @@ pub(crate) struct Lowering {
     pub(crate) strings: StringTable,
     pub(crate) links: Links,
     pub(crate) permissions: Permissions,
+    pub(crate) objects: Objects,
     /// Where the map lies on Earth, as the header says it.
     pub(crate) placed: Placed,
     styles: marks::Styles,
     pub(crate) signals: Pending,
-    pub(crate) objects: Objects,
     map: Option<MapRow>,
 }
 
@@ -140,7 +144,12 @@ impl Lowering {
         let lane_offsets = self.cubics(records, 0.0, (&path, "lanes/laneOffset"), findings);
         let types = self.types(road, &path, findings);
         let sections = lanes.map_or(&[][..], |lanes| &lanes.lane_section);
-        let sections = self.sections(road, sections, (number, length), &path, findings);
+        let permanent = Layer { is_temporary: false };
+        let sections =
+            self.sections(road, (sections, permanent), (number, length), &path, findings);
+        if let Some(lanes) = road.temporary_lanes() {
+            self.temporary(road, lanes, (number, length), &path, findings);
+        }
         let link = |of: fn(&xodr::RoadLink) -> &Option<Box<xodr::LinkedElement>>| {
             let link = of(road.link.as_deref()?).as_deref()?;
             link.element_id.is_some().then(|| link.clone())
@@ -176,7 +185,7 @@ impl Lowering {
         self.rows.roads.push(row);
     }
 
-    /// The lanes that are built: the first permanent ones.
+    /// The lanes that the road is built of: the first permanent ones.
     fn layer<'a>(
         &mut self,
         road: &'a Road,
@@ -185,9 +194,10 @@ impl Lowering {
     ) -> Option<&'a xodr::Lanes> {
         let chosen = road.permanent_lanes();
         let mut part = Part { span: road.span, path: (path, "lanes"), findings };
-        for lanes in road.lanes.iter().filter(|lanes| Some(lanes.span) != chosen.map(|c| c.span)) {
+        let built = [chosen, road.temporary_lanes()].map(|lanes| lanes.map(|lanes| lanes.span));
+        for lanes in road.lanes.iter().filter(|lanes| !built.contains(&Some(lanes.span))) {
             let message =
-                "lanes of another layer are not built yet; the first permanent ones are".into();
+                "a second layer of lanes of one kind is not built; the first one is".into();
             part.span = lanes.span;
             part.add("mapd:compile.lane_layer", Severity::Info, message);
         }
@@ -203,6 +213,23 @@ impl Lowering {
             Some(_) => {}
         }
         chosen
+    }
+
+    /// Appends the lanes of a temporary layer. They hang on no other row than their own.
+    fn temporary(
+        &mut self,
+        road: &Road,
+        lanes: &xodr::Lanes,
+        (number, length): (u32, f64),
+        path: &str,
+        findings: &mut Vec<Finding>,
+    ) {
+        let lane_offsets =
+            self.cubics(&lanes.lane_offset, 0.0, (path, "lanes/laneOffset"), findings);
+        let layer = Layer { is_temporary: true };
+        let sections = (lanes.lane_section.as_slice(), layer);
+        let sections = self.sections(road, sections, (number, length), path, findings);
+        self.rows.lane_layers.push(LaneLayerRow { road: number, sections, lane_offsets });
     }
 
     fn types(&mut self, road: &Road, path: &str, findings: &mut Vec<Finding>) -> Range {

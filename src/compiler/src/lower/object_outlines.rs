@@ -20,31 +20,39 @@ impl Lowering {
         let new = object.outlines.iter().flat_map(|outlines| &outlines.outline);
         let is_linear = LINEAR.contains(&object.r#type.text());
         let mut all = Vec::new();
-        for outline in object.outline.iter().map(|outline| &**outline).chain(new) {
+        let old = object.outline.iter().map(|outline| &**outline);
+        for (number, outline) in old.chain(new).enumerate() {
             let tail = format!("{}/outline", part.path.1);
             let mut part =
                 Part { span: outline.span, path: (part.path.0, &tail), findings: part.findings };
-            all.extend(self::outline(outline, is_linear, &mut part));
+            all.extend(self::outline(outline, (number, is_linear), &mut part));
         }
         all
     }
 }
 
-fn outline(outline: &xodr::Outline, is_linear: bool, part: &mut Part<'_>) -> Option<Outline> {
-    let mut corners = Vec::new();
-    let mut add = |corner: Option<Corner>| match corner {
-        Some(corner) => corners.push(corner),
+fn outline(
+    outline: &xodr::Outline,
+    (number, is_linear): (usize, bool),
+    part: &mut Part<'_>,
+) -> Option<Outline> {
+    let (mut corners, mut ids) = (Vec::new(), Vec::new());
+    let mut add = |id: Option<u32>, corner: Option<Corner>| match corner {
+        Some(corner) => {
+            corners.push(corner);
+            ids.push(id.unwrap_or(NONE));
+        }
         None => left_out(part, "a corner lacks a number; the corner is left out".to_owned()),
     };
-    outline
-        .corner_road
-        .iter()
-        .for_each(|c| add(numbers([&c.s, &c.t, &c.dz, &c.height]).map(Corner::Road)));
-    outline
-        .corner_local
-        .iter()
-        .for_each(|c| add(numbers([&c.u, &c.v, &c.z, &c.height]).map(Corner::Local)));
-    outline.curve_local.iter().for_each(|c| add(curve(c).map(|c| Corner::Curve(Box::new(c)))));
+    for c in &outline.corner_road {
+        add(c.id.value(), numbers([&c.s, &c.t, &c.dz, &c.height]).map(Corner::Road));
+    }
+    for c in &outline.corner_local {
+        add(c.id.value(), numbers([&c.u, &c.v, &c.z, &c.height]).map(Corner::Local));
+    }
+    for c in &outline.curve_local {
+        add(c.id.value(), curve(c).map(|c| Corner::Curve(Box::new(c))));
+    }
     let has_curve = corners.iter().any(|corner| matches!(corner, Corner::Curve(_)));
     if corners.len() < 2 && !has_curve {
         let message = format!(
@@ -74,7 +82,7 @@ fn outline(outline: &xodr::Outline, is_linear: bool, part: &mut Part<'_>) -> Opt
         flags: flags.iter().filter(|(on, _)| *on).fold(0, |all, (_, flag)| all | flag),
         reserved: 0,
     };
-    Some(Outline { row, corners })
+    Some(Outline { row, corners, ids, number })
 }
 
 /// Place and height of a corner. A height that is not given is 0, and so is a z: files of 1.4 leave them out.

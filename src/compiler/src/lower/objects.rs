@@ -54,6 +54,7 @@ impl Lowering {
             let mut row = self.object_row(owner, object, [s, t], position(object.span));
             row.class = class(ontology, object).code();
             let outlines = self.outlines(object, &mut part);
+            let details = self.details(object, &outlines, &mut part);
             let of = self.repeats(object, &mut part);
             let angles = [&object.hdg, &object.pitch, &object.roll];
             self.objects.objects.push(Object {
@@ -63,8 +64,13 @@ impl Lowering {
                 outlines,
                 repeats: of,
                 validities: lanes(&object.validity),
+                details,
                 span: object.span,
             });
+        }
+        if let Owner::Road(road, _) = owner {
+            self.references(road, &objects.object_reference, &base, findings);
+            self.structures(road, objects, &base, position, findings);
         }
     }
 

@@ -4,11 +4,14 @@ use super::need::Part;
 use super::{Lowering, WrittenLink, between, speed};
 use mapd_archive::{LaneRow, LaneSpeedRow, LaneType, Range, SectionRow, VehicleClass, lane_flags};
 use mapd_xodr::{
-    self as xodr, Finding, LaneDirection, Road, Severity, Span, TrafficRule, Value as _,
+    self as xodr, Finding, LaneDirection, Road, Severity, Span, Text as _, TrafficRule, Value as _,
 };
 
 /// Path of lanes below their road.
 const LANE: &str = "lanes/laneSection/lane";
+/// Words for the layer of a linked lane (OpenDRIVE 1.9, e_layerType).
+const PERMANENT: &str = "permanent";
+const TEMPORARY: &str = "temporary";
 
 /// A lane of any of the three groups.
 #[derive(Clone, Copy)]
@@ -28,9 +31,23 @@ struct AnyLane<'a> {
     span: Span,
 }
 
+/// Of which layer lanes are.
+#[derive(Clone, Copy)]
+pub(super) struct Layer {
+    /// They replace others for a time (1.9).
+    pub(super) is_temporary: bool,
+}
+
+impl Layer {
+    fn flags(self) -> u8 {
+        if self.is_temporary { lane_flags::TEMPORARY } else { 0 }
+    }
+}
+
 /// Where the lanes of one side of a stretch are written.
 #[derive(Clone, Copy)]
 struct Side<'a> {
+    layer: Layer,
     section: &'a xodr::LaneSection,
     /// The section's start `[m]`.
     s: f64,
@@ -96,6 +113,7 @@ fn lanes_of<'a>(
 /// (OpenDRIVE 1.8.1, 11.3).
 fn sides<'a>(
     placed: &[(f64, &'a xodr::LaneSection)],
+    layer: Layer,
     road: &str,
     findings: &mut Vec<Finding>,
 ) -> Vec<[Side<'a>; 2]> {
@@ -107,7 +125,8 @@ fn sides<'a>(
     let mut stretches: Vec<[Side<'a>; 2]> = Vec::with_capacity(placed.len());
     for (i, (s, section)) in placed.iter().enumerate() {
         let mut replaces = [true; 2];
-        if section.single_side.value() == Some(true) {
+        // Of temporary lanes, what a section does not have is not there.
+        if section.single_side.value() == Some(true) && !layer.is_temporary {
             let has = has(section);
             let mut part = Part { span: section.span, path: (road, "lanes/laneSection"), findings };
             if has[0] == has[1] {
@@ -120,7 +139,8 @@ fn sides<'a>(
                 replaces = has;
             }
         }
-        let mut stretch = [Side { section, s: *s, begins: *s, continues: 0, goes_on: false }; 2];
+        let mut stretch =
+            [Side { layer, section, s: *s, begins: *s, continues: 0, goes_on: false }; 2];
         for (k, side) in stretch.iter_mut().enumerate() {
             if replaces[k] {
                 written[k] = i;
@@ -140,7 +160,7 @@ impl Lowering {
     pub(super) fn sections(
         &mut self,
         road: &Road,
-        sections: &[xodr::LaneSection],
+        (sections, layer): (&[xodr::LaneSection], Layer),
         (number, length): (u32, f64),
         path: &str,
         findings: &mut Vec<Finding>,
@@ -156,9 +176,12 @@ impl Lowering {
             })
             .collect();
         let right_hand = road.rule.value() != Some(TrafficRule::Lht);
-        let sides = sides(&placed, path, findings);
+        let sides = sides(&placed, layer, path, findings);
         for (i, (s, section)) in placed.iter().enumerate() {
-            let s_end = placed.get(i + 1).map_or(length, |(next, _)| *next).max(*s);
+            let next = placed.get(i + 1).map_or(length, |(next, _)| *next);
+            // Only sections of the temporary layer have a length of their own (OpenDRIVE 1.9, laneSection@length).
+            let own = section.length.value().filter(|_| layer.is_temporary);
+            let s_end = own.map_or(next, |own| next.min(s + own)).max(*s);
             let lanes = self.section(section, sides[i], right_hand, path, findings);
             self.rows.sections.push(SectionRow {
                 s_start: *s,
@@ -215,7 +238,12 @@ impl Lowering {
         }
         if !has_center {
             let kind = LaneType::None.code();
-            self.push_lane(section_row, (0, kind, 0, 0), [Range::default(); 2], [&[], &[]]);
+            self.push_lane(
+                section_row,
+                (0, kind, left_side.layer.flags(), 0),
+                [Range::default(); 2],
+                [&[], &[]],
+            );
         }
         for lane in right {
             self.lane(section_row, right_side, right_hand, lane, road, findings);
@@ -261,7 +289,7 @@ impl Lowering {
         let speeds = between(before, self.rows.lane_speeds.len());
         let mut forward = (lane.id < 0) == right_hand && lane.id != 0;
         let kind = LaneType::from_name(lane.kind.map_or("", xodr::LaneType::name));
-        let mut flags = 0;
+        let mut flags = side.layer.flags();
         match lane.direction {
             Some(LaneDirection::Reversed) => forward = !forward && lane.id != 0,
             Some(LaneDirection::Both) => flags |= lane_flags::BOTH,
@@ -289,7 +317,9 @@ impl Lowering {
                 let number = Part { span, path, findings }.need(link.id.value(), "id")?;
                 Some(WrittenLink { number, span })
             };
-            linked.iter().filter_map(number).collect()
+            // Links into another layer are no links between these lanes.
+            let other = if side.layer.is_temporary { PERMANENT } else { TEMPORARY };
+            linked.iter().filter(|link| link.layer.text() != other).filter_map(number).collect()
         };
         let [mut before, mut behind] = lane.link.map_or_else(Default::default, |link| {
             [numbers(&link.predecessor), numbers(&link.successor)]

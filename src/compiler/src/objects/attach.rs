@@ -6,7 +6,7 @@ use super::track_area::{Stretch, TrackArea};
 use crate::TooLarge;
 use crate::lanes::view;
 use glam::DVec2;
-use mapd_archive::{AttachMethod, NONE, ObjectLaneRow, Orientation, Range, Rows};
+use mapd_archive::{LaneMethod, NONE, ObjectLaneRow, Orientation, Range, Rows};
 use mapd_query::{Lane, LanePosition, Map, Object, ObjectPlacement, ObjectShape, Road};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -27,7 +27,7 @@ const SWEPT_PROBES: usize = 64;
 #[derive(Clone, Copy, Debug)]
 struct Place {
     stretch: Stretch,
-    method: AttachMethod,
+    method: LaneMethod,
 }
 
 /// Places by row of the lane.
@@ -35,7 +35,7 @@ struct Place {
 struct Places(BTreeMap<u32, Place>);
 
 impl Places {
-    fn add(&mut self, lane: &Lane<'_>, stretch: Stretch, method: AttachMethod) {
+    fn add(&mut self, lane: &Lane<'_>, stretch: Stretch, method: LaneMethod) {
         let place = self.0.entry(lane.lane_id().row()).or_insert(Place { stretch, method });
         place.stretch.s[0] = place.stretch.s[0].min(stretch.s[0]);
         place.stretch.s[1] = place.stretch.s[1].max(stretch.s[1]);
@@ -85,7 +85,7 @@ pub(super) fn attach(
         rows.object_lanes.extend(lanes);
         let after = rows.object_lanes.len();
         rows.objects[number].lanes =
-            Range::between(before, after).ok_or(TooLarge::new("object_lanes"))?;
+            Range::between(before, after).ok_or_else(|| TooLarge::new("object_lanes"))?;
     }
     let mut order: Vec<u32> = (0..rows.object_lanes.len() as u32).collect();
     order.sort_by(|a, b| {
@@ -189,7 +189,7 @@ fn by_validity(
             continue;
         }
         if let Some(stretch) = area.on(&lane, true) {
-            places.add(&lane, stretch, AttachMethod::Validity);
+            places.add(&lane, stretch, LaneMethod::Validity);
             any = true;
         }
     }
@@ -216,7 +216,7 @@ fn by_position(road: &Road<'_>, area: &TrackArea, orientation: Orientation, plac
     let any_leads = on.iter().any(|(lane, _)| leads(lane, orientation));
     for (lane, stretch) in on {
         if !any_leads || leads(&lane, orientation) {
-            places.add(&lane, stretch, AttachMethod::Position);
+            places.add(&lane, stretch, LaneMethod::Track);
         }
     }
 }
@@ -249,7 +249,7 @@ fn on_other_roads(
         for (lane, at) in near.around(map, *probe, 0.0, other) {
             if at.distance == 0.0 && is_level(&at, ground) {
                 let stretch = Stretch { s: [at.s; 2], distance: 0.0 };
-                places.add(&lane, stretch, AttachMethod::Position);
+                places.add(&lane, stretch, LaneMethod::Track);
             }
         }
     }
@@ -334,6 +334,6 @@ fn nearest(
 fn add_nearest(map: Map<'_>, found: Option<Candidate>, places: &mut Places) {
     let Some(Candidate { distance, row, s, .. }) = found else { return };
     if let Some(lane) = map.lane_by_row(row) {
-        places.add(&lane, Stretch { s: [s; 2], distance }, AttachMethod::Nearest);
+        places.add(&lane, Stretch { s: [s; 2], distance }, LaneMethod::Nearest);
     }
 }

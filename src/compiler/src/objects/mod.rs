@@ -1,6 +1,8 @@
 //! Places objects (docs/objects.md): their origins, axes and shapes in space, by the functions that queries use.
 
 mod attach;
+mod beside;
+mod details;
 mod index;
 mod line;
 mod near_lanes;
@@ -16,8 +18,8 @@ use crate::options::CompileOptions;
 pub(crate) use index::build as index;
 use line::Line;
 use mapd_archive::{
-    LaneRangeRow, NONE, ObjectCopyRow, ObjectOutlineRow, ObjectPointRow, ObjectRow, ObjectShape,
-    Range, Rows, string,
+    NONE, ObjectCopyRow, ObjectOutlineRow, ObjectPointRow, ObjectRow, ObjectShape, Range, Rows,
+    SkeletonVertexRow, string,
 };
 use mapd_query::Map;
 use mapd_xodr::{Finding, Severity};
@@ -49,6 +51,8 @@ pub(crate) fn shape([length, width, radius]: [f32; 3]) -> ObjectShape {
 pub(crate) struct Shape {
     row: ObjectOutlineRow,
     points: Vec<ObjectPointRow>,
+    /// Ids of corners with the number of their point.
+    corners: Vec<(u32, u32)>,
 }
 
 /// A place of a repeated object; a swept one has an outline of its own.
@@ -62,6 +66,7 @@ struct Placed {
     row: ObjectRow,
     shapes: Vec<Shape>,
     copies: Vec<Copy>,
+    skeletons: Vec<Vec<SkeletonVertexRow>>,
     findings: Vec<Finding>,
 }
 
@@ -86,11 +91,12 @@ pub(crate) fn build(
             append(rows, object, placed, &mut copies_left, &mut findings)?;
         }
     }
+    rows.objects_by_id = by_id(rows).into();
+    let references = beside::append(rows, &written)?;
     if rows.objects.is_empty() {
         return Ok(findings);
     }
-    rows.objects_by_id = by_id(rows).into();
-    let unattached = attach::attach(rows, &[])?;
+    let unattached = attach::attach(rows, &references)?;
     let archive = view(rows);
     let map = Map::new(&archive, 0);
     findings.extend(unattached.iter().filter_map(|number| {
@@ -122,7 +128,8 @@ fn place(map: Map<'_>, written: &Objects, object: &Object, options: &CompileOpti
     let Some((line, standing)) = line.as_ref().zip(standing) else {
         let message = "expected a place along a reference line, found one that no number can hold";
         findings.push(finding(map, object, object.span, Severity::Error, message.to_owned()));
-        return Placed { row, shapes: Vec::new(), copies: Vec::new(), findings };
+        let (shapes, copies, skeletons) = (Vec::new(), Vec::new(), Vec::new());
+        return Placed { row, shapes, copies, skeletons, findings };
     };
     let shapes = object
         .outlines
@@ -138,7 +145,10 @@ fn place(map: Map<'_>, written: &Objects, object: &Object, options: &CompileOpti
             }
         }
     }
-    Placed { row, shapes, copies, findings }
+    let details = object.details.as_deref();
+    let skeletons =
+        details.map_or_else(Vec::new, |details| details::skeletons(line, &standing, details));
+    Placed { row, shapes, copies, skeletons, findings }
 }
 
 fn append(
@@ -150,12 +160,13 @@ fn append(
 ) -> Result<(), TooLarge> {
     let number = u32::try_from(rows.objects.len()).map_err(|_| TooLarge::new("objects"))?;
     let mut row = placed.row;
+    let corners = details::Corners::new(&placed.shapes);
     let before = rows.object_outlines.len();
     for shape in placed.shapes {
         append_shape(rows, shape)?;
     }
     row.outlines = Range::between(before, rows.object_outlines.len())
-        .ok_or(TooLarge::new("object_outlines"))?;
+        .ok_or_else(|| TooLarge::new("object_outlines"))?;
     let before = rows.object_copies.len();
     let kept = placed.copies.len().min(*copies_left);
     let lost = placed.copies.len() - kept;
@@ -165,18 +176,18 @@ fn append(
             let before = rows.object_outlines.len();
             append_shape(rows, shape)?;
             copy_row.outlines = Range::between(before, rows.object_outlines.len())
-                .ok_or(TooLarge::new("object_outlines"))?;
+                .ok_or_else(|| TooLarge::new("object_outlines"))?;
         }
         rows.object_copies.push(copy_row);
     }
     *copies_left -= kept;
-    row.copies =
-        Range::between(before, rows.object_copies.len()).ok_or(TooLarge::new("object_copies"))?;
-    let before = rows.lane_ranges.len();
-    rows.lane_ranges
-        .extend(object.validities.iter().map(|(from, to)| LaneRangeRow { from: *from, to: *to }));
-    row.validities =
-        Range::between(before, rows.lane_ranges.len()).ok_or(TooLarge::new("lane_ranges"))?;
+    row.copies = Range::between(before, rows.object_copies.len())
+        .ok_or_else(|| TooLarge::new("object_copies"))?;
+    row.validities = beside::lane_ranges(rows, &object.validities)?;
+    if let Some(details) = object.details.as_deref() {
+        let of = (number, row.outlines);
+        details::append(rows, of, &corners, details, placed.skeletons)?;
+    }
     rows.objects.push(row);
     findings.extend(placed.findings);
     if lost > 0 {
@@ -195,8 +206,8 @@ fn append(
 fn append_shape(rows: &mut Rows, shape: Shape) -> Result<(), TooLarge> {
     let before = rows.object_points.len();
     rows.object_points.extend_from_slice(&shape.points);
-    let points =
-        Range::between(before, rows.object_points.len()).ok_or(TooLarge::new("object_points"))?;
+    let points = Range::between(before, rows.object_points.len())
+        .ok_or_else(|| TooLarge::new("object_points"))?;
     rows.object_outlines.push(ObjectOutlineRow { points, ..shape.row });
     Ok(())
 }

@@ -6,7 +6,7 @@ use super::written::{Corner, Curve, Outline};
 use super::{Shape, single};
 use crate::flatten::flatten;
 use glam::DVec3;
-use mapd_archive::{ObjectPointRow, outline_flags};
+use mapd_archive::{NONE, ObjectPointRow, outline_flags};
 use mapd_geometry::{Start, compile};
 
 /// A corner in the object's frame.
@@ -24,7 +24,11 @@ pub(super) fn shape(
 ) -> Option<Shape> {
     let mut points = Vec::with_capacity(outline.corners.len());
     let is_closed = outline.row.flags & outline_flags::CLOSED != 0;
+    let mut corners = Vec::new();
     for (i, corner) in outline.corners.iter().enumerate() {
+        if let Some(id) = outline.ids.get(i).filter(|id| **id != NONE) {
+            corners.push((*id, points.len() as u32));
+        }
         match corner {
             Corner::Road([s, t, dz, height]) => {
                 let station = line.at(*s, *t)?;
@@ -47,7 +51,7 @@ pub(super) fn shape(
             }
         }
     }
-    (!points.is_empty()).then_some(Shape { row: outline.row, points })
+    (!points.is_empty()).then_some(Shape { row: outline.row, points, corners })
 }
 
 /// Corners along a curve; its end is the next one's start. z and height change linearly to the next curve's.

@@ -204,5 +204,5 @@ fn swept(
         flags: copy_flags::SWEPT,
         reserved: 0,
     };
-    Some(Copy { row, shape: Some(Shape { row: outline, points }) })
+    Some(Copy { row, shape: Some(Shape { row: outline, points, corners: Vec::new() }) })
 }

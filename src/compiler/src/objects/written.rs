@@ -1,6 +1,10 @@
 //! What the file says about objects, in numbers, kept until everything that they are placed on is known.
 
-use mapd_archive::{ObjectOutlineRow, ObjectRow, Range};
+use mapd_archive::{
+    ObjectBorderRow, ObjectMarkingRow, ObjectMaterialRow, ObjectOutlineRow, ObjectReferenceRow,
+    ObjectRow, ParkingSpaceRow, PlatformRow, PlatformSegmentRow, Range, StationRow, StructureRow,
+    SwitchRow,
+};
 use mapd_geometry::Primitive;
 use mapd_xodr::Span;
 
@@ -10,6 +14,10 @@ pub(crate) struct Objects {
     pub(crate) objects: Vec<Object>,
     /// Reference lines of junctions that have objects: (junction, geometries).
     pub(crate) junction_lines: Vec<(u32, Range)>,
+    pub(crate) references: Vec<Reference>,
+    pub(crate) structures: Vec<Structure>,
+    pub(crate) switches: Vec<Switch>,
+    pub(crate) stations: Vec<Station>,
 }
 
 /// An object: its row but for what follows from its place, and the shapes that are placed with it.
@@ -23,6 +31,7 @@ pub(crate) struct Object {
     pub(crate) repeats: Vec<Repeat>,
     /// Lane numbers that it holds for, from the lower to the higher one.
     pub(crate) validities: Vec<(i32, i32)>,
+    pub(crate) details: Option<Box<Details>>,
     /// The start tag.
     pub(crate) span: Span,
 }
@@ -31,6 +40,10 @@ pub(crate) struct Object {
 pub(crate) struct Outline {
     pub(crate) row: ObjectOutlineRow,
     pub(crate) corners: Vec<Corner>,
+    /// Ids of the corners; u32::MAX where one has none.
+    pub(crate) ids: Vec<u32>,
+    /// Its place among the outlines as written.
+    pub(crate) number: usize,
 }
 
 /// A corner or curve of an outline.
@@ -92,4 +105,74 @@ impl Lateral {
 /// A value that changes linearly along a repetition.
 pub(crate) fn between([start, end]: [f64; 2], ds: f64, length: f64) -> f64 {
     if length > 0.0 { start + (end - start) * (ds / length) } else { start }
+}
+
+/// What else is written in an object; most have none of it.
+#[derive(Default)]
+pub(crate) struct Details {
+    pub(crate) markings: Vec<Marking>,
+    pub(crate) borders: Vec<Border>,
+    pub(crate) skeletons: Vec<Vec<Vertex>>,
+    pub(crate) materials: Vec<ObjectMaterialRow>,
+    pub(crate) parking: Option<ParkingSpaceRow>,
+}
+
+/// Which outline's which corners a line runs along, as written.
+#[derive(Default)]
+pub(crate) struct Along {
+    /// Number of the outline; none: the first that has the corners.
+    pub(crate) outline: Option<usize>,
+    /// Ids of corners.
+    pub(crate) corners: Vec<u32>,
+}
+
+/// A marking before its corners are known.
+pub(crate) struct Marking {
+    pub(crate) row: ObjectMarkingRow,
+    pub(crate) along: Along,
+}
+
+/// A border before its corners are known.
+pub(crate) struct Border {
+    pub(crate) row: ObjectBorderRow,
+    pub(crate) along: Along,
+}
+
+/// A vertex of a skeleton.
+pub(crate) struct Vertex {
+    /// Without a height.
+    pub(crate) corner: Corner,
+    pub(crate) radius: f64,
+    pub(crate) is_on_ground: bool,
+}
+
+/// Objects of other roads that concern a road, before ids are known.
+pub(crate) struct Reference {
+    pub(crate) row: ObjectReferenceRow,
+    pub(crate) validities: Vec<(i32, i32)>,
+}
+
+/// A bridge or tunnel.
+pub(crate) struct Structure {
+    pub(crate) row: StructureRow,
+    pub(crate) validities: Vec<(i32, i32)>,
+}
+
+/// A switch with the ids of its tracks and partner.
+pub(crate) struct Switch {
+    pub(crate) row: SwitchRow,
+    pub(crate) tracks: [String; 2],
+    pub(crate) partner: String,
+}
+
+/// A station.
+pub(crate) struct Station {
+    pub(crate) row: StationRow,
+    pub(crate) platforms: Vec<Platform>,
+}
+
+/// A platform: its row, and what lies beside it with the ids of the roads.
+pub(crate) struct Platform {
+    pub(crate) row: PlatformRow,
+    pub(crate) segments: Vec<(String, PlatformSegmentRow)>,
 }

@@ -132,10 +132,10 @@ fn relation(
     if both_lit && !together && angle.abs() < ONCOMING {
         return (Relation::Lights, RelationReason::Lights);
     }
-    if !both_lit {
-        if let Some(found) = by_sign(own, other).or_else(|| by_priority(own, other, priorities)) {
-            return found;
-        }
+    if !both_lit
+        && let Some(found) = by_sign(own, other).or_else(|| by_priority(own, other, priorities))
+    {
+        return found;
     }
     by_direction(own, other, angle)
 }

@@ -3,6 +3,7 @@
 use super::{Options, index_boxes, marks, objects, style};
 use mapd_client::glam::{DVec2, DVec3};
 use mapd_client::{Lane, LaneSection, LaneType, Map, Polyline};
+use mapd_query::Signal;
 use std::io::{Result, Write};
 
 /// Room around the map `[m]`.
@@ -11,6 +12,8 @@ const MARGIN: f64 = 5.0;
 const LEVEL: f64 = 3.0;
 /// Size of the triangle that shows where a lane leads `[m]`, and the shortest lane that has one.
 const WAY: (f64, f64) = (1.2, 6.0);
+/// Length of the stroke from a signal to where it faces `[m]`.
+const SIGNAL: f64 = 1.0;
 /// Number of digits after the point: millimetres.
 const DIGITS: usize = 3;
 
@@ -76,6 +79,9 @@ pub(super) fn write(map: Map<'_>, options: Options, out: &mut dyn Write) -> Resu
         }
     }
     objects::write(map, paper, out)?;
+    for signal in map.signals() {
+        mark(&signal, paper, out)?;
+    }
     if options.index_boxes {
         index_boxes::write(map, paper, out)?;
     }
@@ -153,6 +159,22 @@ fn way(lane: &Lane<'_>, paper: Paper, out: &mut dyn Write) -> Result<()> {
     write!(out, "<path class=\"way\" d=\"")?;
     points(tips.into_iter().map(|p| p.extend(0.0)), paper, 'M', out)?;
     writeln!(out, "z\"/>")
+}
+
+/// A dot where a signal stands, with a stroke to where it faces.
+fn mark(signal: &Signal<'_>, paper: Paper, out: &mut dyn Write) -> Result<()> {
+    let at = signal.position().truncate();
+    let (from, to) = (paper.at(at), paper.at(at + DVec2::from_angle(signal.facing()) * SIGNAL));
+    writeln!(
+        out,
+        "<path class=\"signal\" d=\"M{:.DIGITS$},{:.DIGITS$} {:.DIGITS$},{:.DIGITS$}\"><title>{} {}</title></path>",
+        from.x,
+        from.y,
+        to.x,
+        to.y,
+        escape(signal.id()),
+        signal.class().name()
+    )
 }
 
 /// Text that may stand between tags.

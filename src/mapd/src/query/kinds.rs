@@ -32,10 +32,10 @@ pub enum Kind {
     Successors,
     /// `from_road,from_s,from_lane,to_road,to_s,to_lane` → length,lane_changes,lanes
     Route,
-    /// `road_id,s,lane_id,distance` → a row for each signal ahead: id,class,distance,road_id,s,t,x,y,z,state_machine
-    Signals,
     /// `x,y,radius` → a row for each object there: id,class,distance,road_id,s,t,x,y,z
     Objects,
+    /// `road_id,s,lane_id,distance` → a row for each signal ahead: id,class,distance,road_id,s,t,x,y,z,state_machine
+    Signals,
 }
 
 impl Kind {
@@ -50,8 +50,8 @@ impl Kind {
             Self::Track => "track",
             Self::Successors => "successors",
             Self::Route => "route",
-            Self::Signals => "signals",
             Self::Objects => "objects",
+            Self::Signals => "signals",
         }
     }
 
@@ -82,17 +82,17 @@ impl Kind {
             Self::Track => &["s", "t", "h"],
             Self::Successors => &["successors"],
             Self::Route => &["length", "lane_changes", "lanes"],
-            Self::Signals => signals::COLUMNS,
             Self::Objects => &["id", "class", "distance", "road_id", "s", "t", "x", "y", "z"],
+            Self::Signals => signals::COLUMNS,
         }
     }
 
-    /// Whether a row of the input has any number of answers, each in a row of its own.
+    /// Whether it answers with any number of rows.
     pub(crate) fn lists(self) -> bool {
-        matches!(self, Self::Signals | Self::Objects)
+        matches!(self, Self::Objects | Self::Signals)
     }
 
-    /// Answers one row, of a list with the columns of all its answers one after the other; the error says why there is no answer.
+    /// Answers one row; the error says why there is no answer.
     pub(crate) fn answer(
         self,
         map: Map<'_>,
@@ -150,11 +150,11 @@ impl Kind {
                 out.push(keys.join(";"));
             }
             Self::Route => router.answer(map, row, out)?,
+            Self::Objects => super::objects::answer(map, row, out)?,
             Self::Signals => {
                 let (lane, s) = lane(map, row)?;
                 signals::answer(map, (&lane, s), row.number("distance")?, router.vehicle(), out)?;
             }
-            Self::Objects => super::objects::answer(map, row, out)?,
         }
         Ok(())
     }
@@ -187,8 +187,7 @@ pub(crate) fn holes(
 ) -> String {
     let Ok(point) = point_in(row, earth) else { return String::new() };
     let near = map.quarantined_near(point.xy, options.radius);
-    let names: Vec<String> =
-        near.map(|part| format!("{} {}", part.kind().name(), part.id())).collect();
+    let names: Vec<String> = near.map(|part| crate::inspect::part_name(&part)).collect();
     names.join(";")
 }
 

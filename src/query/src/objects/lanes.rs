@@ -3,7 +3,7 @@
 use super::object::Object;
 use crate::lane::Lane;
 use crate::map::Map;
-use mapd_archive::{ArchivedObjectLaneRow, AttachMethod};
+use mapd_archive::{ArchivedObjectLaneRow, LaneMethod};
 
 /// An object's belonging to a lane.
 #[derive(Clone, Copy)]
@@ -24,8 +24,8 @@ impl<'a> ObjectLane<'a> {
     }
 
     /// How the object came to the lane.
-    pub fn method(&self) -> AttachMethod {
-        AttachMethod::from_code(self.row.method())
+    pub fn method(&self) -> LaneMethod {
+        LaneMethod::from_code(self.row.method())
     }
 
     /// Distance of the object from the lane's area in plan view `[m]`; 0 on it.

@@ -1,5 +1,6 @@
 //! Objects beside and on the road (docs/objects.md).
 
+mod details;
 mod footprint;
 mod lanes;
 mod near;
@@ -7,6 +8,9 @@ mod object;
 mod outline;
 mod placement;
 
+pub use details::{
+    ObjectBorder, ObjectMarking, ObjectMaterial, ParkingSpace, Skeleton, SkeletonVertex,
+};
 pub use lanes::ObjectLane;
 pub use near::NearObject;
 pub use object::Object;

@@ -71,6 +71,6 @@ impl<'a> ObjectOutline<'a> {
     }
 }
 
-fn local(p: &ArchivedObjectPointRow) -> DVec3 {
+pub(super) fn local(p: &ArchivedObjectPointRow) -> DVec3 {
     DVec3::new(f64::from(p.u()), f64::from(p.v()), f64::from(p.z()))
 }

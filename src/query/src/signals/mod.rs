@@ -3,12 +3,14 @@
 mod ahead;
 mod controller;
 mod lane;
+mod lines;
 mod movement;
 mod speed;
 
 pub use ahead::{SignalAhead, SignalsAhead};
 pub use controller::{Controller, JunctionController};
 pub use lane::LaneSignal;
+pub use lines::{LaneLine, LineSource};
 pub use movement::{RightOfWay, Turn};
 pub use speed::{SpeedOrigin, SpeedRule};
 

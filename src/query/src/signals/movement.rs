@@ -7,7 +7,7 @@ use mapd_archive::{ArchivedRightOfWayRow, Class, Relation, RelationReason};
 use std::f64::consts::{FRAC_PI_4, PI};
 
 /// Signals this far before a junction are its entry's `[m]`: beyond it they belong to something else more often than not.
-const ENTRY_REACH: f64 = 30.0;
+pub(super) const ENTRY_REACH: f64 = 30.0;
 /// Pieces that a movement has at most; a damaged archive might lead round in a circle.
 const MOST_PIECES: usize = 64;
 /// A movement that turns by less goes straight on `[rad]`.

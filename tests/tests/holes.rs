@@ -1,0 +1,126 @@
+//! What the command line says and does about a map that lost parts.
+
+use mapd_tests::graph_maps::*;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
+
+/// Standard output, standard error and exit code of a command.
+fn run(args: &[&str], input: &str) -> (String, String, Option<i32>) {
+    let mut command = Command::new(MAPD);
+    command.args(args).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().expect("starts");
+    // A command that refuses its arguments does not read.
+    let _ = child.stdin.take().expect("stdin").write_all(input.as_bytes());
+    let output = child.wait_with_output().expect("ends");
+    let text = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).into_owned();
+    (text(output.stdout), text(output.stderr), output.status.code())
+}
+
+/// Two roads side by side, 100 m long; along the second one an object and a signal.
+fn two_roads() -> String {
+    let one = |id: &str, y: f64| {
+        let line = Line(0.0, y, 0.0, 100.0, 0.0);
+        road(id, "junction=\"-1\"", line, "", &section(0.0, "", &lane(-1, "")))
+    };
+    let along = "<objects><object id=\"o1\" type=\"pole\" s=\"50\" t=\"4\" zOffset=\"0\" orientation=\"none\"/></objects>\
+         <signals><signal id=\"s1\" s=\"40\" t=\"-4\" zOffset=\"2\" dynamic=\"no\" orientation=\"+\" type=\"274\" \
+         subtype=\"50\" country=\"DE\"/></signals></road>\n";
+    let second = one("2", 20.0).replace("</road>\n", along);
+    document(&(one("1", 0.0) + &second))
+}
+
+/// Writes a map with one thing broken.
+fn broken(folder: &Path, written: &str, instead: &str) -> PathBuf {
+    let text = two_roads();
+    assert_eq!(text.matches(written).count(), 1, "{written} must occur once");
+    let file = folder.join("map.xodr");
+    std::fs::write(&file, text.replace(written, instead)).expect("written");
+    file
+}
+
+/// Compiles a map with options; proves how that ends, and what it and `check` say in the end.
+fn check(file: &Path, options: &[&str], code: i32, said: &str) {
+    let path = file.display().to_string();
+    let archive = file.with_extension("mapd").display().to_string();
+    let what = options.join(" ");
+    let (_, err, ended) = run(&[&["compile", &path, "-o", &archive], options].concat(), "");
+    assert_eq!(ended, Some(code), "compile {what}: {err}");
+    assert!(err.contains(said), "compile {what}: expected {said:?} in\n{err}");
+    let (out, err, ended) = run(&[&["check", &path], options].concat(), "");
+    assert_eq!(ended, Some(code), "check {what}: {err}");
+    assert!(out.contains(said), "check {what}: expected {said:?} in\n{out}");
+    // No archive of a rejected map.
+    assert_eq!(Path::new(&archive).exists(), code != 4, "{what}");
+    let _ = std::fs::remove_file(&archive);
+}
+
+#[test]
+fn policies_and_thresholds_decide() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // One of two roads of equal length.
+    let file = broken(folder.path(), "x=\"0\" y=\"20\" hdg=\"0\"", "x=\"0\" y=\"20\" hdg=\"east\"");
+    check(&file, &[], 3, "road 2 is left out: mapd:value.type");
+    check(&file, &["--on-error", "reject"], 4, "rejected");
+    check(&file, &["--max-quarantined", "1"], 3, "left out");
+    check(&file, &["--max-quarantined", "0"], 4, "at most 0 parts in quarantine, found 1");
+    check(&file, &["--max-quarantined-share", "0.6"], 3, "left out");
+    check(&file, &["--max-quarantined-share", "0.4"], 4, "at most the share 0.4");
+    let file = broken(
+        folder.path(),
+        "<lane id=\"-1\" type=\"driving\"><link></link><width sOffset=\"0\" a=\"3.5\" b=\"0\" c=\"0\" d=\"0\"/></lane>\n</right>\n</laneSection>\n</lanes>\n<objects>",
+        "<lane id=\"-1\" type=\"driving\"/><lane id=\"-1\" type=\"driving\"/></right>\n</laneSection>\n</lanes>\n<objects>",
+    );
+    let said = "road 2 is kept as its reference line";
+    check(&file, &["--on-error", "reference-line"], 3, said);
+    // The file has the same choices.
+    let rules = folder.path().join("rules.toml");
+    std::fs::write(&rules, "on_error = \"reject\"\n").expect("written");
+    check(&file, &["--rules", &rules.display().to_string()], 4, "rejected");
+}
+
+#[test]
+fn what_is_left_out_is_told_by_every_command() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (written, instead, name) in [
+        ("s=\"50\" t=\"4\"", "s=\"50\" t=\"4+2i\"", "object o1 of road 2"),
+        ("s=\"40\" t=\"-4\"", "s=\"40\" t=\"\"", "signal s1 of road 2"),
+    ] {
+        let file = broken(folder.path(), written, instead);
+        check(&file, &[], 3, &format!("{name} is left out"));
+        let path = file.display().to_string();
+        let archive = folder.path().join("hole.mapd").display().to_string();
+        assert_eq!(run(&["compile", &path, "-o", &archive], "").2, Some(3), "{name}");
+        let (out, err, code) = run(&["inspect", &archive, "--verify"], "");
+        assert_eq!(code, Some(0), "{err}");
+        assert!(out.contains(&format!("quarantined   {name}, by line ")), "{out}");
+        let (out, ..) = run(&["inspect", &archive, "--json"], "");
+        assert!(out.contains("\"owner_kind\": \"road\""), "{out}");
+        // Near the hole and far from it.
+        let (out, err, code) = run(&["query", &archive, "nearest"], "x,y\n45,18\n95,-1\n");
+        assert_eq!(code, Some(0), "{err}");
+        let rows: Vec<&str> = out.lines().collect();
+        assert!(rows[0].ends_with("quarantined,error"), "{out}");
+        assert!(rows[1].contains(name) && !rows[2].contains(name), "{out}");
+    }
+}
+
+#[test]
+fn a_complex_number_in_an_object_costs_that_object_and_not_its_road() {
+    let Some(maps) = mapd_tests::shared("maps") else {
+        mapd_tests::say("SKIPPED: no shared corpus beside the workspace");
+        return;
+    };
+    let file = maps.join("ivsg/scenario1_3_WithObjects_WithSigns.xodr").display().to_string();
+    let (out, _, code) = run(&["check", &file], "");
+    assert_eq!(code, Some(3));
+    let lost: Vec<&str> = out.lines().filter(|line| line.contains(" is left out: ")).collect();
+    assert_eq!(lost.len(), 2, "{lost:?}");
+    assert!(lost[0].contains(": object 12 of road 0 is left out: mapd:value.type"), "{lost:?}");
+    assert!(lost[1].contains(": object 47 of road 0 is left out: mapd:value.type"), "{lost:?}");
+    // The road is there to its end.
+    let (out, err, _) = run(&["query", &file, "inertial"], "road_id,s,t\n0,1464,0\n");
+    assert!(out.lines().nth(1).is_some_and(|row| row.ends_with(',')), "{out}{err}");
+}
