@@ -165,6 +165,15 @@ fn georeferences_are_understood_or_refused() {
     );
     check("+proj=tmerc +lon_0=9 +ellps=bessel", (Form::Proj, Ok(bessel), &[Doubt::Datum]));
     check("+proj=tmerc +lon_0=9 +ellps=bessel +nadgrids=@null", (Form::Proj, Ok(bessel), &[]));
+    let (shifted, turned) = (
+        "+proj=utm +zone=32 +datum=WGS84 +towgs84=1,2,3",
+        "+proj=utm +zone=32 +datum=WGS84 +ellps=bessel",
+    );
+    for mixed in [shifted, turned, "+proj=utm +zone=32 +datum=potsdam +ellps=GRS80"] {
+        check(mixed, (Form::Proj, Ok(mixed), &[Doubt::Mixed]));
+    }
+    let same = "+proj=utm +zone=32 +datum=WGS84 +ellps=GRS80 +towgs84=0,0,0";
+    check(same, (Form::Proj, Ok(same), &[]));
     // What cannot be used.
     check("here", (Form::Other, Err(ReferenceError::Unrecognized), &[]));
     check("+zone=32 +datum=WGS84", (Form::Other, Err(ReferenceError::Unrecognized), &[]));
@@ -248,15 +257,19 @@ fn damaged_georeferences_never_panic() {
             text.splice(at..until, piece);
         }
         let text: String = text.into_iter().collect();
+        // As from a damaged archive: no text at all is trusted.
+        let raw = Projector::new(&text, Offset::default());
         let Some(Ok(definition)) = Reference::read(&text).map(|read| read.definition) else {
             continue;
         };
         usable += 1;
         let projector = Projector::new(&definition, Offset::default()).expect("was tried");
-        for point in [DVec3::ZERO, DVec3::new(5e5, 5e6, 1.0), DVec3::splat(1e300), DVec3::NAN] {
-            if let Ok(place) = projector.to_geodetic(point) {
-                assert!(place.latitude.abs() <= 90.0 && place.longitude.is_finite());
-                let _ = projector.from_geodetic(place);
+        for projector in raw.iter().chain([&projector]) {
+            for point in [DVec3::ZERO, DVec3::new(5e5, 5e6, 1.0), DVec3::splat(1e300), DVec3::NAN] {
+                if let Ok(place) = projector.to_geodetic(point) {
+                    assert!(place.latitude.abs() <= 90.0 && place.longitude.is_finite());
+                    let _ = projector.from_geodetic(place);
+                }
             }
         }
     }

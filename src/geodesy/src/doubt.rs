@@ -10,6 +10,8 @@ pub enum Doubt {
     Assumed,
     /// Neither datum nor shift to WGS 84 is given and the ellipsoid is another: no shift is applied.
     Datum,
+    /// Datum, ellipsoid and shift contradict each other.
+    Mixed,
     /// The height's reference is a geoid or a vertical datum.
     Height(String),
     /// Heights are said to have another unit than metres.
@@ -37,6 +39,9 @@ impl fmt::Display for Doubt {
             ),
             Self::Datum => f.write_str(
                 "the georeference has an ellipsoid but neither datum nor towgs84: latitudes and longitudes are not shifted to WGS 84 and may be hundreds of metres off",
+            ),
+            Self::Mixed => f.write_str(
+                "the georeference mixes datums: its datum contradicts its ellipsoid or towgs84; the latter two count",
             ),
             Self::Height(name) => write!(
                 f,

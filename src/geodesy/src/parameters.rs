@@ -22,6 +22,10 @@ const IDLE: [&str; 7] = ["no_defs", "wktext", "type", "title", "north", "over", 
 const METRES: [&str; 4] = ["m", "metre", "meter", "1"];
 /// Datum that is given by grids.
 const GRID_DATUM: &str = "NAD27";
+/// Named datums without shift, on the ellipsoids of WGS 84 and GRS 80.
+const WORLDWIDE: [&str; 2] = ["WGS84", "NAD83"];
+/// The only other named datum on one of them.
+const GREEK: &str = "GGRS87";
 /// Ellipsoids whose latitudes and longitudes differ from those on WGS 84 by less than a millimetre.
 const ALIKE: [&str; 2] = ["WGS84", "GRS80"];
 /// Semi-major axis of WGS 84 and GRS 80 `[m]` and their inverse flattening as far as they agree.
@@ -96,6 +100,9 @@ pub(crate) fn canonical(text: &str) -> Result<(String, Vec<Doubt>), ReferenceErr
     if !placed && ellipsoid && !is_alike(&get) {
         doubts.push(Doubt::Datum);
     }
+    if is_mixed(&get, ellipsoid) {
+        doubts.push(Doubt::Mixed);
+    }
     Ok((out, doubts))
 }
 
@@ -118,6 +125,18 @@ fn number(key: &str, value: &str) -> Result<(), ReferenceError> {
         Ok(number) if number.abs() <= LARGEST => Ok(()),
         _ => Err(ReferenceError::Value { name: key.to_owned(), value: shown(value) }),
     }
+}
+
+/// Whether the named datum contradicts the ellipsoid or the shift beside it.
+fn is_mixed<'a>(get: &impl Fn(&str) -> Option<&'a str>, ellipsoid: bool) -> bool {
+    let Some(datum) = get("datum") else { return false };
+    let named = |names: &[&str]| names.iter().any(|name| datum.eq_ignore_ascii_case(name));
+    let shifted = get("towgs84")
+        .is_some_and(|shift| shift.split(',').any(|value| value.trim().parse() != Ok(0.0)));
+    if named(&WORLDWIDE) {
+        return shifted || (ellipsoid && !is_alike(get));
+    }
+    ellipsoid && is_alike(get) && !named(&[GREEK])
 }
 
 /// Whether the ellipsoid is that of WGS 84 or GRS 80.

@@ -9,12 +9,14 @@ use thiserror::Error;
 /// What latitudes and longitudes are given in.
 const WGS84: &str = "+proj=longlat +datum=WGS84 +no_defs";
 
-/// Words of definitions that want grid files: the parameter, and the one named datum that is given by grids.
-const GRIDS: [&str; 2] = ["nadgrids", "NAD27"];
+/// Words of definitions that want grid files, in lower case: the parameter, and the one named datum that is given by grids.
+const GRIDS: [&str; 2] = ["nadgrids", "nad27"];
 
 /// Distance `[m]` from a point that its place on Earth may have when it is projected again; a tenth of a micrometre is far
 /// below what coordinates of any survey mean, and above what double precision leaves at 10,000 km.
 const RESIDUAL: f64 = 1e-7;
+/// Distance `[m]` from which one correction certainly reaches [`RESIDUAL`], so that it need not be looked at again.
+const SMALL: f64 = 1e-4;
 /// Largest number of corrections towards [`RESIDUAL`]; one is enough wherever one is needed at all.
 const REFINEMENTS: usize = 3;
 
@@ -82,7 +84,8 @@ impl Projector {
             reason,
         };
         // proj4rs would look for files.
-        if GRIDS.iter().any(|grid| definition.contains(grid)) {
+        let lower = definition.to_ascii_lowercase();
+        if GRIDS.iter().any(|grid| lower.contains(grid)) {
             return Err(unusable("it wants a grid file".into()));
         }
         let build = |text: &str| Proj::from_proj_string(text).map_err(|e| unusable(e.to_string()));
@@ -114,11 +117,15 @@ impl Projector {
         for _ in 0..REFINEMENTS {
             // The inverse of some projections stops some micrometres early; the way there is exact.
             let missed = plane - self.plane_of(place)?;
-            if missed.abs().max_element() <= RESIDUAL {
+            let most = missed.abs().max_element();
+            if most <= RESIDUAL {
                 break;
             }
             aim += missed;
             place = self.earth_of(aim)?;
+            if most <= SMALL {
+                break;
+            }
         }
         let place = Geodetic {
             latitude: place.1.to_degrees(),
