@@ -87,7 +87,7 @@ const FLIPS: usize = 10;
 
 #[test]
 fn flips_in_every_table_are_found_and_survived_even_with_fitting_hashes() {
-    for map in ["town.xodr", "surfaces.xodr", "marks.xodr"] {
+    for map in ["town.xodr", "surfaces.xodr", "marks.xodr", "objects.xodr"] {
         flip_every_table(&archive(map));
     }
 }
@@ -114,13 +114,13 @@ fn flip_every_table(good: &AlignedBytes) {
 /// Found by fuzzing: numbers that are none, as bounds of `f64::clamp`, made the nearest lane panic.
 #[test]
 fn numbers_that_are_none_do_not_panic() {
-    for map in ["one_road.xodr", "surfaces.xodr"] {
+    for map in ["one_road.xodr", "surfaces.xodr", "objects.xodr"] {
         put_no_numbers(&archive(map));
     }
 }
 
 /// Tables that hold numbers in double precision.
-const NUMBERS: [&str; 9] = [
+const NUMBERS: [&str; 14] = [
     "cubics",
     "geometries",
     "sections",
@@ -130,6 +130,11 @@ const NUMBERS: [&str; 9] = [
     "elevation_grids",
     "grid_heights",
     "grid_transitions",
+    "objects",
+    "object_copies",
+    "object_points",
+    "object_references",
+    "structures",
 ];
 
 fn put_no_numbers(good: &AlignedBytes) {
@@ -152,8 +157,13 @@ fn put_no_numbers(good: &AlignedBytes) {
 /// four thousand million rows.
 #[test]
 fn damaged_counts_end_at_the_table() {
-    let good = archive("one_road.xodr");
-    let opened = open(&good).expect("opens");
+    for map in ["one_road.xodr", "objects.xodr"] {
+        damage_counts(&archive(map));
+    }
+}
+
+fn damage_counts(good: &AlignedBytes) {
+    let opened = open(good).expect("opens");
     let base = good.as_ptr() as usize;
     for table in opened.tables.infos().iter().filter(|table| table.count > 0) {
         // The highest byte of every number of the second row, where there is one: the first lane has no nodes.

@@ -14,8 +14,21 @@ const LAWFUL: [(&str, &[&str]); 6] = [
         &["a", "b", "c", "d", "width", "height", "inner", "outer"],
     ),
     (
-        "places of what stands alone or goes on from another place",
-        &["s", "t", "sOffset", "tOffset", "zOffset", "orientation", "from", "to", "id"],
+        "places of what stands alone or goes on from another place, where it faces, and lanes that it is for",
+        &[
+            "s",
+            "t",
+            "sOffset",
+            "tOffset",
+            "zOffset",
+            "hOffset",
+            "fromLane",
+            "toLane",
+            "orientation",
+            "from",
+            "to",
+            "id",
+        ],
     ),
     (
         "kinds and properties that the road does not tell otherwise",
@@ -164,6 +177,13 @@ fn farthest(a: &Compilation, b: &Compilation) -> f64 {
     differences.fold(0.0, f64::max)
 }
 
+/// Whether what was changed is a geometry of a reference line or a curve of one: what moves lanes and nothing else.
+fn is_curve(before: &str, after: &str) -> bool {
+    let place = before.bytes().zip(after.bytes()).position(|(a, b)| a != b).unwrap_or(0);
+    let tag = &before[before[..place].rfind('<').unwrap_or(0)..];
+    ["<geometry ", "<arc ", "<spiral ", "<paramPoly3 "].iter().any(|name| tag.starts_with(name))
+}
+
 #[test]
 fn no_mutation_is_accepted_silently() {
     let maps = maps();
@@ -192,7 +212,9 @@ fn no_mutation_is_accepted_silently() {
             harmless += 1;
         } else if LAWFUL.iter().any(|(_, names)| names.contains(&&*name)) {
             *lawful.entry(name).or_default() += 1;
-        } else if farthest(&after, whole) <= ROUNDING {
+        } else if is_curve(&texts[round % texts.len()], &text)
+            && farthest(&after, whole) <= ROUNDING
+        {
             rounding += 1;
         } else {
             let place =

@@ -3,6 +3,7 @@
 use mapd_archive::{encode, verify};
 use mapd_client::Snapshot;
 use mapd_compiler::{CompileOptions, PartKind, ReadOptions, compile_from};
+use mapd_query::StructureKind;
 use std::collections::HashMap;
 
 /// Counts of each map of the corpus as its manifest has them: column by column.
@@ -43,6 +44,15 @@ fn counts_are_those_of_the_manifest() {
         let found = map.objects().count() + lost;
         let wanted = expected("objects");
         assert!(found == wanted || (roads > 0 && found < wanted), "{name}: {found} of {wanted}");
+        let structures = |kind| map.structures().filter(|s| s.kind() == kind).count();
+        let beside = [
+            ("tunnels", structures(StructureKind::Tunnel)),
+            ("bridges", structures(StructureKind::Bridge)),
+            ("objectRefs", map.object_references().len()),
+        ];
+        for (column, found) in beside {
+            assert!(found == expected(column) || roads > 0, "{name}: {found} {column}");
+        }
         for object in map.objects() {
             assert!(object.placements().next().is_some(), "{name}: {} is nowhere", object.id());
             assert_eq!(map.object_by_id(object.id()).expect("found").id(), object.id());

@@ -266,3 +266,19 @@ fn what_is_wrong_with_an_object_is_a_finding() {
         mapd_archive::verify(&archive).unwrap_or_else(|error| panic!("{error}"));
     }
 }
+
+#[test]
+fn an_object_of_a_junction_stands_along_its_line() {
+    let snapshot = mapd_tests::maps::open(&mapd_tests::carried("objects.xodr"));
+    let map = snapshot.map();
+    let junction = map.junction_by_id("10").expect("there");
+    let fountain = junction.objects().next().expect("an object");
+    // Northward from (120, 10): 5 m ahead, 2 m to the left, 1 m up.
+    near([fountain.position()].into_iter(), &[[118.0, 15.0, 1.0]]);
+    assert_eq!((fountain.road().is_none(), fountain.lanes().len()), (true, 1));
+    // The street's end at (100, 0) is the nearest lane: its left edge lies at y = 5.5.
+    let at = fountain.lanes().next().expect("a lane");
+    assert_eq!((at.method(), at.lane().expect("a lane").number()), (LaneMethod::Nearest, 2));
+    let away = (18.0f64 * 18.0 + 9.5 * 9.5).sqrt() - 1.5;
+    assert!((at.distance() - away).abs() < 1e-5, "{}", at.distance());
+}

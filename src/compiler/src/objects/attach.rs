@@ -221,16 +221,15 @@ fn by_position(road: &Road<'_>, area: &TrackArea, orientation: Orientation, plac
     }
 }
 
-/// Height of the road at an object's place `[m]`: what lanes of other roads are compared with.
-fn ground(placement: &ObjectPlacement<'_>) -> f64 {
-    let object = placement.object();
-    let road = object.road().map(|road| road.elevation_at(placement.s()));
-    road.unwrap_or(placement.position().z - object.z_offset())
+/// Height of the road at an object's place `[m]`, which lanes of other roads are compared with; none for an object of a
+/// junction, whose line has no height.
+fn ground(placement: &ObjectPlacement<'_>) -> Option<f64> {
+    placement.object().road().map(|road| road.elevation_at(placement.s()))
 }
 
 /// Whether a place on a lane is on the level of the object's.
-fn is_level(at: &LanePosition, ground: f64) -> bool {
-    (at.z - ground).abs() <= LEVEL
+fn is_level(at: &LanePosition, ground: Option<f64>) -> bool {
+    ground.is_none_or(|ground| (at.z - ground).abs() <= LEVEL)
 }
 
 /// Lanes of other roads that the object's area lies on, as in a junction, where one road's crosswalk crosses many.

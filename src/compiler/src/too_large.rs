@@ -1,0 +1,68 @@
+//! What does not fit the tables.
+
+use crate::{finding, index};
+use mapd_archive::{NONE, Rows};
+use mapd_xodr::{Finding, Severity};
+
+/// Rule of maps and lanes that do not fit the tables.
+const TOO_LARGE: &str = "mapd:compile.too_large";
+
+/// A table outgrew 32-bit row numbers.
+#[derive(Debug)]
+pub(crate) struct TooLarge {
+    table: &'static str,
+    /// Id of the road whose rows no longer fit, where rows come road by road.
+    road: Option<String>,
+}
+
+impl TooLarge {
+    pub(crate) fn new(table: &'static str) -> Self {
+        Self { table, road: None }
+    }
+
+    /// The rows of a lane no longer fit.
+    pub(crate) fn at_lane(table: &'static str, rows: &Rows, lane: u32) -> Self {
+        Self { table, road: road_of(rows, lane).map(|(_, id)| id) }
+    }
+}
+
+impl std::fmt::Display for TooLarge {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "expected at most {NONE} rows in the table `{}`, found more", self.table)?;
+        match &self.road {
+            Some(road) => write!(f, " from road {road} on"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl std::error::Error for TooLarge {}
+
+/// Row and id of the road that a lane lies on.
+fn road_of(rows: &Rows, lane: u32) -> Option<(u32, String)> {
+    let section = rows.sections.get(rows.lanes.get(lane as usize)?.section as usize)?;
+    let road = rows.roads.get(section.road as usize)?;
+    Some((section.road, mapd_archive::string(&rows.as_tables(), road.id).to_owned()))
+}
+
+/// What the document asks for does not fit the tables.
+pub(crate) fn too_large(error: &TooLarge) -> Finding {
+    let (span, path) = (mapd_xodr::Span::default(), "OpenDRIVE".to_owned());
+    let hint = "compile the map in smaller tiles";
+    finding(TOO_LARGE, Severity::Error, span, path, error.to_string(), hint)
+}
+
+/// A lane bends so often that its polyline outgrows what the index can name.
+pub(crate) fn too_long(rows: &Rows, lane: u32, road_spans: &[mapd_xodr::Span]) -> Finding {
+    let (row, id) = road_of(rows, lane).unwrap_or_default();
+    let (number, points) =
+        rows.lanes.get(lane as usize).map_or((0, 0), |lane| (lane.number, lane.center.count));
+    let span = road_spans.get(row as usize).copied().unwrap_or_default();
+    let path = format!("OpenDRIVE/road[@id={id}]");
+    let message = format!(
+        "expected lanes of at most {} points, found {points} for lane {number} of road {id}",
+        index::MAX_POINTS
+    );
+    let hint = "split the road, or compile with a larger index tolerance";
+    finding(TOO_LARGE, Severity::Error, span, path, message, hint)
+}
