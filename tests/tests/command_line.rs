@@ -88,6 +88,80 @@ fn nearest_takes_types_radius_and_z() {
     );
 }
 
+/// Runs a query on the one-road map and compares numbers to 1e-8 (a millimetre, where they are degrees), texts exactly:
+/// projections use the C library's functions, whose last digit is not the same on every machine.
+fn check_nearly(kind: &str, input: &str, expected: &[&[&str]]) {
+    let output = run(&["query", &one_road(), kind], input);
+    assert_eq!(output.status.code(), Some(0), "{kind}");
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(&output.stdout[..]);
+    let rows: Vec<csv::StringRecord> = reader.records().map(|row| row.expect("CSV")).collect();
+    assert_eq!(rows.len(), expected.len(), "{kind}");
+    for (row, expected) in rows.iter().zip(expected) {
+        assert_eq!(row.len(), expected.len(), "{row:?}");
+        for (found, expected) in row.iter().zip(*expected) {
+            match (found.parse::<f64>(), expected.parse::<f64>()) {
+                (Ok(a), Ok(b)) => assert!((a - b).abs() <= 1e-8, "{row:?}: {a}, expected {b}"),
+                _ => assert_eq!(found, *expected, "{row:?}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn places_on_earth_go_both_ways() {
+    check_nearly(
+        "geodetic",
+        "x,y,z\n0,0,3\n0,x,0\n",
+        &[
+            &["x", "y", "z", "lat", "lon", "alt", "error"],
+            &["0", "0", "3", "48", "11", "3", ""],
+            &["0", "x", "0", "", "", "", "expected a finite number in column y, found \"x\""],
+        ],
+    );
+    let range = "expected a latitude of −90 to 90 and a longitude of −360 to 360 degrees";
+    check_nearly(
+        "from-geodetic",
+        "lat,lon\n48,11\n99,11\n",
+        &[
+            &["lat", "lon", "x", "y", "z", "error"],
+            &["48", "11", "0", "0", "0", ""],
+            &["99", "11", "", "", "", range],
+        ],
+    );
+    let found = ["lane", "road_id", "lane_id", "s", "t", "offset", "distance", "error"];
+    let (head, far) = ([&["lat", "lon"][..], &found].concat(), "no lane within 10 m");
+    check_nearly(
+        "nearest",
+        "lat,lon\n47.99999,11.0001\n49,11\n",
+        &[
+            &head,
+            // A metre south of the road's start, seven east: figures of PROJ.
+            &[
+                "47.99999",
+                "11.0001",
+                "1:0:-1",
+                "1",
+                "-1",
+                "7.462536798",
+                "-1.111898386",
+                "0.638101614",
+                "0",
+                "",
+            ],
+            &["49", "11", "", "", "", "", "", "", "", far],
+        ],
+    );
+}
+
+#[test]
+fn without_a_georeference_every_row_says_so() {
+    let town = mapd_tests::carried("town.xodr").display().to_string();
+    let output = run(&["query", town.as_str(), "geodetic"], "x,y\n0,0\n");
+    let expected = "x,y,lat,lon,alt,error\n0,0,,,,the map has no georeference that can be used\n";
+    assert_eq!(String::from_utf8_lossy(&output.stdout), expected);
+    assert_eq!(output.status.code(), Some(0));
+}
+
 #[test]
 fn track_inverts() {
     check(

@@ -3,7 +3,7 @@
 use std::process::Command;
 
 /// Crates that only the compiler and the daemon need.
-const HEAVY: [&str; 9] = [
+const HEAVY: [&str; 12] = [
     "quick-xml",
     "rayon",
     "rstar",
@@ -13,6 +13,10 @@ const HEAVY: [&str; 9] = [
     "mapd-xodr",
     "mapd-rules",
     "mapd-compiler",
+    // Only with the feature `geodesy`, and the last two not even then.
+    "proj4rs",
+    "proj4wkt",
+    "crs-definitions",
 ];
 
 #[test]

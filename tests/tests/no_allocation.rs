@@ -105,12 +105,19 @@ fn queries_do_not_allocate() {
     ));
     let (mut near_objects, mut places, mut corners) =
         (Vec::with_capacity(ROOM), Vec::with_capacity(ROOM), Vec::with_capacity(ROOM));
+    let projector = mapd_client::Projector::new(
+        "+proj=tmerc +lat_0=48 +lon_0=11 +ellps=bessel +towgs84=598.1,73.7,418.2,0.202,0.045,-2.455,6.7",
+        mapd_client::Offset::default(),
+    )
+    .expect("a projector");
     let before = COUNT.with(Cell::get);
     let copy = snapshot.clone();
     let map = copy.map();
     let mut seen = 0;
     for i in 0..200 {
         let point = DVec2::new(f64::from(i), f64::from(i * 3 % 200));
+        let place = projector.to_geodetic(point.extend(1.0)).expect("a place");
+        assert!(projector.from_geodetic(place).expect("a point").truncate().distance(point) < 1e-6);
         if let Some(hit) = map.nearest_lane(point, &NearestOptions::default()).expect("an answer") {
             let lane = map.lane(hit.lane).expect("known");
             seen += lane.successors().count() + lane.predecessors().count();

@@ -251,4 +251,24 @@ codes! {
     }
 }
 
+codes! {
+    /// How a map's georeference is written.
+    GeoReferenceForm {
+        /// There is none, or it is empty.
+        Absent = 0, "absent";
+        /// PROJ parameters, as OpenDRIVE wants them.
+        Proj = 1, "proj";
+        /// PROJ parameters without a projection, such as `+lat_0=49 +lon_0=8`.
+        Parameters = 2, "parameters";
+        /// A code of EPSG's.
+        Epsg = 3, "epsg";
+        /// Well-known text 1.
+        Wkt1 = 4, "wkt1";
+        /// Well-known text 2.
+        Wkt2 = 5, "wkt2";
+        /// None of these.
+        Other = 6, "other";
+    }
+}
+
 pub(crate) use codes;

@@ -47,7 +47,8 @@ mod verify_objects;
 mod write;
 
 pub use codes::{
-    ContactPoint, LaneType, LinkKind, NONE, QuarantinedKind, RoadType, SpeedKind, lane_flags,
+    ContactPoint, GeoReferenceForm, LaneType, LinkKind, NONE, QuarantinedKind, RoadType, SpeedKind,
+    lane_flags,
 };
 pub use error::{OpenError, VerifyError, WriteError};
 pub use generated::{

@@ -19,6 +19,7 @@
 //! ```
 
 mod flatten;
+mod georeference;
 mod graph;
 mod hashing;
 mod index;
@@ -34,7 +35,7 @@ mod rounds;
 mod signals;
 mod too_large;
 
-pub use options::{CompileOptions, CyclePolicy, OptionsError};
+pub use options::{CompileOptions, CyclePolicy, OffsetSign, OptionsError};
 pub use quarantine::{OnError, PartKind, Policy, QuarantinedPart, Treatment};
 pub use report::{Compilation, Diagnostic, Progress, Verdict, Version};
 
@@ -235,6 +236,7 @@ impl Document {
         }
         let mut lowering = std::mem::take(&mut self.lowering);
         progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
+        let placed = lowering.placed.clone();
         let written = std::mem::take(&mut lowering.objects);
         let road_spans = lowering.links.road_spans.clone();
         let mut rows = lowering.into_rows(options);
@@ -250,7 +252,8 @@ impl Document {
             return Ok(None);
         }
         progress(Progress::Graph { nodes: rows.lane_nodes.len() });
-        let findings = graph::complete(&mut rows, &self.graph, options);
+        let mut findings = graph::complete(&mut rows, &self.graph, options);
+        georeference::complete(&mut rows, &placed, options, &mut findings);
         self.collector.add_late(findings, &self.places);
         match objects::build(&mut rows, written, options) {
             Ok(findings) => self.collector.add_late(findings, &self.places),
@@ -297,7 +300,7 @@ fn read(
             }
             checked.append(&mut checker.take_findings());
             match item {
-                Item::Header(header) => lowering.header(&header),
+                Item::Header(header) => lowering.header(&header, &mut checked),
                 Item::Road(road) => {
                     let number = lowering.rows.roads.len();
                     lowering.road(&road, reader.position(road.span.start), &mut checked);

@@ -25,6 +25,23 @@ pub struct CompileOptions {
     /// Number of landmarks; more than 32 count as 32. More make routing over long ways faster and the archive larger.
     /// Default 16.
     pub landmarks: u8,
+    /// Sign of the header's offset. Default: as written, unless only the other sign makes sense.
+    pub offset_sign: OffsetSign,
+}
+
+/// Sign with which the header's offset is applied.
+///
+/// By the standard a point of the file lies at its turned coordinates plus the offset; netconvert of Eclipse SUMO writes the
+/// offset that it has added itself, which must be subtracted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum OffsetSign {
+    /// As written, unless the file is known to be, or can only be, one of the other sign.
+    #[default]
+    Auto,
+    /// As written.
+    Standard,
+    /// Turned.
+    Negated,
 }
 
 /// Which cycles of the lane graph are errors.
@@ -59,6 +76,7 @@ impl Default for CompileOptions {
             bound_tolerance: BOUND_TOLERANCE,
             cycles: CyclePolicy::default(),
             landmarks: LANDMARKS,
+            offset_sign: OffsetSign::default(),
         }
     }
 }
@@ -82,6 +100,7 @@ impl CompileOptions {
         hasher.update(&self.index_tolerance.to_le_bytes());
         hasher.update(&self.bound_tolerance.to_le_bytes());
         hasher.update(&[self.cycles as u8, self.landmarks.min(MOST_LANDMARKS)]);
+        hasher.update(&[self.offset_sign as u8]);
         let mut out = [0; 8];
         out.copy_from_slice(&hasher.finalize().as_bytes()[..8]);
         out

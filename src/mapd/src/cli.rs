@@ -8,7 +8,7 @@ use crate::{archive_file, check, export, inspect, load, report, source, status};
 use anyhow::{Context, Result, bail};
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions};
-use mapd_compiler::{CompileOptions, CyclePolicy, ReadOptions};
+use mapd_compiler::{CompileOptions, CyclePolicy, OffsetSign, ReadOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -62,9 +62,24 @@ struct Options {
     #[arg(long, value_enum, default_value_t = Cycles::Illegal)]
     cycles: Cycles,
 
+    /// Sign of the header's offset
+    #[arg(long, value_enum, default_value_t = Sign::Auto)]
+    offset_sign: Sign,
+
     /// Table of what signals and objects mean, read before mapd's own; may be repeated (docs/ontology.md)
     #[arg(long, value_name = "FILE")]
     ontology: Vec<PathBuf>,
+}
+
+/// As [`OffsetSign`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Sign {
+    /// As written, unless the file is known to be, or can only be, one of the other sign
+    Auto,
+    /// As written: added, as the standard has it
+    Standard,
+    /// Turned: subtracted, as netconvert of Eclipse SUMO writes it
+    Negated,
 }
 
 /// As [`CyclePolicy`].
@@ -205,7 +220,10 @@ Columns:
   inertial    road_id,s,t[,h]      x,y,z,hdg (h = 0 is the plane rolled by superelevation)
   surface     road_id,s,t          x,y,z,nx,ny,nz,friction,roughness: point and normal of the surface, the lane's material
   lane        road_id,s,lane_id    width,t_inner,t_outer,x,y,z,hdg of the lane's centre on that plane
-  nearest     x,y[,z][,hdg]        lane,road_id,lane_id,s,t,offset,distance
+  nearest     x,y[,z][,hdg] or lat,lon[,alt][,hdg]
+                                   lane,road_id,lane_id,s,t,offset,distance
+  geodetic    x,y[,z]              lat,lon,alt
+  from-geodetic  lat,lon[,alt]     x,y,z
   track       road_id,x,y[,z]      s,t,h (h only with z)
   successors  road_id,s,lane_id    successors in driving direction, joined by ;
   route       from_road,from_s,from_lane,to_road,to_s,to_lane
@@ -213,7 +231,7 @@ Columns:
   signals     road_id,s,lane_id,distance
                                    a row for each signal ahead, the nearest first, none where there is none:
                                    id,class,distance,road_id,s,t,x,y,z,state_machine (lamps:phases[:movements])
-Metres and radians. A row that has no answer says why in the column `error`; the command still ends with 0.
+Metres and radians; latitudes and longitudes on WGS 84 in degrees. A row that has no answer says why in the column `error`; the command still ends with 0.
 
   printf 'x,y\\n12.5,-3\\n' | mapd query map.xodr nearest";
 
@@ -227,6 +245,11 @@ impl Options {
                 Cycles::Illegal => CyclePolicy::Illegal,
                 Cycles::All => CyclePolicy::All,
                 Cycles::Report => CyclePolicy::Report,
+            },
+            offset_sign: match self.offset_sign {
+                Sign::Auto => OffsetSign::Auto,
+                Sign::Standard => OffsetSign::Standard,
+                Sign::Negated => OffsetSign::Negated,
             },
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::graph_facts::{GraphFacts, lane_links};
 use crate::object_facts::ObjectFacts;
+use crate::query::earth;
 use crate::report::hex;
 use crate::signal_facts::SignalFacts;
 use anyhow::Result;
@@ -35,6 +36,14 @@ struct MapFacts {
     name: String,
     opendrive: String,
     geo_reference: String,
+    geo_reference_form: &'static str,
+    /// PROJ parameters that the georeference was understood as.
+    projection: Option<String>,
+    /// x, y, z `[m]` and turn `[rad]`, as applied.
+    header_offset: [f64; 4],
+    offset_negated: bool,
+    /// Smallest and largest latitude and longitude `[deg]` of the bounds' edge.
+    geodetic_bounds: Option<[[f64; 2]; 2]>,
     roads: usize,
     junctions: usize,
     sections: usize,
@@ -107,7 +116,21 @@ pub(crate) fn run(
     i.signals.print(out)?;
     i.objects.print(out)?;
     writeln!(out, "bounds [m]    {:?} to {:?}", m.min, m.max)?;
-    writeln!(out, "geoReference  {}", m.geo_reference)?;
+    writeln!(out, "geoReference  {} ({})", m.geo_reference.trim(), m.geo_reference_form)?;
+    match (&m.projection, m.geodetic_bounds) {
+        (Some(projection), Some([low, high])) => {
+            writeln!(out, "projection    {projection}")?;
+            writeln!(out, "lat, lon      {low:?} to {high:?}")?;
+        }
+        (Some(projection), None) => {
+            writeln!(out, "projection    {projection}; the map lies outside its area")?;
+        }
+        _ => {}
+    }
+    if m.header_offset != [0.0; 4] {
+        let sign = if m.offset_negated { ", sign turned" } else { "" };
+        writeln!(out, "offset        {:?}{sign}", m.header_offset)?;
+    }
     writeln!(out, "archive       {} bytes, {:.0} per km of road", i.bytes, m.bytes_per_road_km)?;
     writeln!(out, "generation    {}", i.generation)?;
     writeln!(out, "layout id     {} (format {})", i.layout_id, i.format)?;
@@ -140,6 +163,7 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
     let (min, max) = map.bounds();
     let (major, minor) = map.revision();
     let length = map.road_length();
+    let (shift, turn) = map.header_offset();
     let bytes = snapshot.bytes().len();
     let [a, b, c] = header.provenance.compiler_version;
     Inspection {
@@ -157,6 +181,11 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
             name: map.name().to_owned(),
             opendrive: format!("{major}.{minor}"),
             geo_reference: map.geo_reference().to_owned(),
+            geo_reference_form: map.geo_reference_form().name(),
+            projection: Some(map.projection()).filter(|text| !text.is_empty()).map(str::to_owned),
+            header_offset: [shift.x, shift.y, shift.z, turn],
+            offset_negated: map.offset_is_negated(),
+            geodetic_bounds: earth::bounds(map),
             roads: tables.roads.len(),
             junctions: tables.junctions.len(),
             sections: tables.sections.len(),

@@ -17,6 +17,8 @@
 
 mod area;
 mod error;
+#[cfg(feature = "geodesy")]
+mod geodetic;
 mod graph;
 mod grid;
 mod ids;
@@ -45,6 +47,8 @@ mod types;
 mod waypoints;
 
 pub use error::QueryError;
+#[cfg(feature = "geodesy")]
+pub use geodetic::GeodeticError;
 pub use glam;
 pub use graph::{Conflict, LaneEdge, LaneNode};
 pub use ids::{
@@ -56,11 +60,14 @@ pub use key::{LaneKey, LaneLayer, ParseLaneKeyError};
 pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
 pub use mapd_archive::{
-    Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind, LaneMethod, LaneType, MarkLaneChange,
-    ObjectShape, ObjectSide, Orientation, OutlineFill, PlatformSide, QuarantinedKind, Relation,
-    RelationReason, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight, RoadType,
-    SignalPosition, SpeedKind, StructureKind, SwitchPosition, VehicleClass,
+    Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind, GeoReferenceForm, LaneMethod,
+    LaneType, MarkLaneChange, ObjectShape, ObjectSide, Orientation, OutlineFill, PlatformSide,
+    QuarantinedKind, Relation, RelationReason, RoadMarkColor, RoadMarkKind, RoadMarkRule,
+    RoadMarkWeight, RoadType, SignalPosition, SpeedKind, StructureKind, SwitchPosition,
+    VehicleClass,
 };
+#[cfg(feature = "geodesy")]
+pub use mapd_geodesy::{DefinitionError, Geodetic, Offset, ProjectionError, Projector};
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
 pub use objects::{
     NearObject, Object, ObjectBorder, ObjectLane, ObjectMarking, ObjectMaterial, ObjectOutline,

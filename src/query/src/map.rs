@@ -8,7 +8,7 @@ use crate::lane::Lane;
 use crate::road::Road;
 use crate::section::LaneSection;
 use glam::{DVec2, DVec3};
-use mapd_archive::{Archive, ArchivedMapRow, Tables, string};
+use mapd_archive::{Archive, ArchivedMapRow, GeoReferenceForm, Tables, string};
 
 /// A view of an opened archive. `Copy`, two words, valid as long as the archive is borrowed.
 #[derive(Clone, Copy)]
@@ -68,6 +68,31 @@ impl<'a> Map<'a> {
     /// Text of `geoReference` as written; empty if there is none.
     pub fn geo_reference(&self) -> &'a str {
         self.row().map_or("", |row| string(self.tables(), row.geo_reference()))
+    }
+
+    /// How `geoReference` is written.
+    pub fn geo_reference_form(&self) -> GeoReferenceForm {
+        let code = self.row().map_or(0, |row| row.geo_reference_form());
+        GeoReferenceForm::from_code(code)
+    }
+
+    /// The georeference as PROJ parameters, only such as were understood when the map was compiled; empty if there is none
+    /// that can be used.
+    pub fn projection(&self) -> &'a str {
+        self.row().map_or("", |row| string(self.tables(), row.projection()))
+    }
+
+    /// The header's offset as it is applied: shift `[m]` and turn `[rad]` (ASAM OpenDRIVE 1.8.1, 8.4.3). A point p of the map
+    /// lies at R(turn)·p + shift in the plane of [`Map::projection`].
+    pub fn header_offset(&self) -> (DVec3, f64) {
+        self.row().map_or((DVec3::ZERO, 0.0), |row| {
+            (DVec3::new(row.offset_x(), row.offset_y(), row.offset_z()), row.offset_hdg())
+        })
+    }
+
+    /// Whether the sign of the header's offset was turned, because the file's tool writes it so or an option said so.
+    pub fn offset_is_negated(&self) -> bool {
+        self.row().is_some_and(|row| row.offset_sign() == 1)
     }
 
     /// Smallest and largest inertial coordinates of all lanes `[m]`, each within the polylines' tolerance.

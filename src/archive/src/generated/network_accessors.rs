@@ -81,6 +81,26 @@ impl ArchivedMapRow {
     pub fn bound_tolerance(&self) -> f64 {
         self.bound_tolerance.to_native()
     }
+    /// `[m]` header/offset/@x as it is applied: a point of the map lies at R(`offset_hdg`)·(x, y) + offset in the plane of the projection. 0 if absent.
+    #[inline]
+    pub fn offset_x(&self) -> f64 {
+        self.offset_x.to_native()
+    }
+    /// `[m]` header/offset/@y as it is applied.
+    #[inline]
+    pub fn offset_y(&self) -> f64 {
+        self.offset_y.to_native()
+    }
+    /// `[m]` header/offset/@z as it is applied.
+    #[inline]
+    pub fn offset_z(&self) -> f64 {
+        self.offset_z.to_native()
+    }
+    /// `[rad]` header/offset/@hdg.
+    #[inline]
+    pub fn offset_hdg(&self) -> f64 {
+        self.offset_hdg.to_native()
+    }
     /// header/@name.
     #[inline]
     pub fn name(&self) -> u32 {
@@ -106,6 +126,11 @@ impl ArchivedMapRow {
     pub fn geo_reference(&self) -> u32 {
         self.geo_reference.to_native()
     }
+    /// The georeference as PROJ parameters, only such as are understood; empty if there is none that can be used.
+    #[inline]
+    pub fn projection(&self) -> u32 {
+        self.projection.to_native()
+    }
     /// header/@revMajor; 0 if absent.
     #[inline]
     pub fn rev_major(&self) -> u16 {
@@ -115,6 +140,16 @@ impl ArchivedMapRow {
     #[inline]
     pub fn rev_minor(&self) -> u16 {
         self.rev_minor.to_native()
+    }
+    /// How the georeference is written: 0 absent or empty, 1 PROJ, 2 PROJ parameters without projection, 3 EPSG code, 4 WKT 1, 5 WKT 2, 6 other.
+    #[inline]
+    pub fn geo_reference_form(&self) -> u8 {
+        self.geo_reference_form
+    }
+    /// Sign of header/offset as it is applied: 0 as written, 1 turned (offset fields hold the turned values).
+    #[inline]
+    pub fn offset_sign(&self) -> u8 {
+        self.offset_sign
     }
 }
 

@@ -40,6 +40,14 @@ pub struct MapRow {
     pub index_tolerance: f64,
     /// `[m]` Largest distance of a lane's border from its polyline.
     pub bound_tolerance: f64,
+    /// `[m]` header/offset/@x as it is applied: a point of the map lies at R(`offset_hdg`)·(x, y) + offset in the plane of the projection. 0 if absent.
+    pub offset_x: f64,
+    /// `[m]` header/offset/@y as it is applied.
+    pub offset_y: f64,
+    /// `[m]` header/offset/@z as it is applied.
+    pub offset_z: f64,
+    /// `[rad]` header/offset/@hdg.
+    pub offset_hdg: f64,
     /// header/@name.
     pub name: u32,
     /// header/@version.
@@ -50,12 +58,20 @@ pub struct MapRow {
     pub vendor: u32,
     /// header/geoReference verbatim.
     pub geo_reference: u32,
+    /// The georeference as PROJ parameters, only such as are understood; empty if there is none that can be used.
+    pub projection: u32,
     /// header/@revMajor; 0 if absent.
     pub rev_major: u16,
     /// header/@revMinor; 0 if absent.
     pub rev_minor: u16,
+    /// How the georeference is written: 0 absent or empty, 1 PROJ, 2 PROJ parameters without projection, 3 EPSG code, 4 WKT 1, 5 WKT 2, 6 other.
+    pub geo_reference_form: u8,
+    /// Sign of header/offset as it is applied: 0 as written, 1 turned (offset fields hold the turned values).
+    pub offset_sign: u8,
+    /// 0.
+    pub reserved: [u8; 2],
 }
-const _: () = assert!(size_of::<MapRow>() == 144 && size_of::<ArchivedMapRow>() == 144);
+const _: () = assert!(size_of::<MapRow>() == 184 && size_of::<ArchivedMapRow>() == 184);
 
 /// One row per road, in file order. The row number is the RoadId.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]

@@ -13,7 +13,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [77, 79, 150, 93, 110, 146, 234, 224, 166, 205, 118, 88, 123, 165, 25, 32];
+    [190, 158, 10, 99, 204, 28, 138, 142, 137, 3, 233, 78, 240, 44, 46, 255];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]

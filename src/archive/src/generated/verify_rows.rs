@@ -26,11 +26,18 @@ impl Tables<'_> {
             check.finite("road_length", row.road_length())?;
             check.finite("index_tolerance", row.index_tolerance())?;
             check.finite("bound_tolerance", row.bound_tolerance())?;
+            check.finite("offset_x", row.offset_x())?;
+            check.finite("offset_y", row.offset_y())?;
+            check.finite("offset_z", row.offset_z())?;
+            check.finite("offset_hdg", row.offset_hdg())?;
             check.reference("name", row.name(), strings, false)?;
             check.reference("version", row.version(), strings, false)?;
             check.reference("date", row.date(), strings, false)?;
             check.reference("vendor", row.vendor(), strings, false)?;
             check.reference("geo_reference", row.geo_reference(), strings, false)?;
+            check.reference("projection", row.projection(), strings, false)?;
+            check.code("geo_reference_form", row.geo_reference_form(), 7)?;
+            check.code("offset_sign", row.offset_sign(), 2)?;
         }
         for (i, row) in self.roads.iter().enumerate() {
             let check = Check { table: "roads", row: i };

@@ -13,6 +13,7 @@ mod sections;
 mod structures;
 mod surface;
 
+use crate::georeference::Placed;
 use crate::graph::Permissions;
 use crate::objects::written::Objects;
 use crate::options::CompileOptions;
@@ -70,6 +71,8 @@ pub(crate) struct Lowering {
     pub(crate) links: Links,
     pub(crate) permissions: Permissions,
     pub(crate) objects: Objects,
+    /// Where the map lies on Earth, as the header says it.
+    pub(crate) placed: Placed,
     styles: marks::Styles,
     pub(crate) signals: Pending,
     map: Option<MapRow>,
@@ -85,7 +88,7 @@ impl Lowering {
         self.rows.roads.len()
     }
 
-    pub(crate) fn header(&mut self, header: &Header) {
+    pub(crate) fn header(&mut self, header: &Header, findings: &mut Vec<Finding>) {
         let mut row: MapRow = bytemuck::Zeroable::zeroed();
         row.stated_north = header.north.value().unwrap_or(0.0);
         row.stated_south = header.south.value().unwrap_or(0.0);
@@ -97,6 +100,9 @@ impl Lowering {
         row.vendor = self.strings.add(header.vendor.text());
         let reference = header.geo_reference.as_ref().map_or("", |g| g.content.text());
         row.geo_reference = self.strings.add(reference);
+        self.placed = Placed::read(header, findings);
+        row.geo_reference_form = self.placed.form.code();
+        row.projection = self.strings.add(&self.placed.definition);
         let revision = |n: Option<i32>| n.and_then(|n| u16::try_from(n).ok()).unwrap_or(0);
         row.rev_major = revision(header.rev_major.value());
         row.rev_minor = revision(header.rev_minor.value());

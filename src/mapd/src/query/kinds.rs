@@ -1,5 +1,6 @@
 //! The kinds of queries and their columns.
 
+use super::earth::Earth;
 use super::route::Router;
 use super::row::Row;
 use super::signals;
@@ -19,8 +20,12 @@ pub enum Kind {
     Surface,
     /// `road_id,s,lane_id` → width,t_inner,t_outer,x,y,z,hdg of the lane's centre
     Lane,
-    /// `x,y[,z][,hdg]` → lane,road_id,lane_id,s,t,offset,distance
+    /// `x,y[,z][,hdg]` or `lat,lon[,alt][,hdg]` → lane,road_id,lane_id,s,t,offset,distance
     Nearest,
+    /// `x,y[,z]` → lat,lon,alt
+    Geodetic,
+    /// `lat,lon[,alt]` → x,y,z
+    FromGeodetic,
     /// `road_id,x,y[,z]` → s,t,h
     Track,
     /// `road_id,s,lane_id` → successors in driving direction
@@ -40,6 +45,8 @@ impl Kind {
             Self::Surface => "surface",
             Self::Lane => "lane",
             Self::Nearest => "nearest",
+            Self::Geodetic => "geodetic",
+            Self::FromGeodetic => "from-geodetic",
             Self::Track => "track",
             Self::Successors => "successors",
             Self::Route => "route",
@@ -48,16 +55,18 @@ impl Kind {
         }
     }
 
-    /// Columns that the input must have.
-    pub(crate) fn needs(self) -> &'static [&'static str] {
+    /// Columns that the input must have: those of one of these.
+    pub(crate) fn needs(self) -> &'static [&'static [&'static str]] {
         match self {
-            Self::Inertial | Self::Surface => &["road_id", "s", "t"],
-            Self::Lane | Self::Successors => &["road_id", "s", "lane_id"],
-            Self::Nearest => &["x", "y"],
-            Self::Track => &["road_id", "x", "y"],
-            Self::Route => &["from_road", "from_s", "from_lane", "to_road", "to_s", "to_lane"],
-            Self::Objects => &["x", "y", "radius"],
-            Self::Signals => &["road_id", "s", "lane_id", "distance"],
+            Self::Inertial | Self::Surface => &[&["road_id", "s", "t"]],
+            Self::Lane | Self::Successors => &[&["road_id", "s", "lane_id"]],
+            Self::Nearest => &[&["x", "y"], &["lat", "lon"]],
+            Self::Geodetic => &[&["x", "y"]],
+            Self::FromGeodetic => &[&["lat", "lon"]],
+            Self::Track => &[&["road_id", "x", "y"]],
+            Self::Route => &[&["from_road", "from_s", "from_lane", "to_road", "to_s", "to_lane"]],
+            Self::Signals => &[&["road_id", "s", "lane_id", "distance"]],
+            Self::Objects => &[&["x", "y", "radius"]],
         }
     }
 
@@ -68,6 +77,8 @@ impl Kind {
             Self::Surface => &["x", "y", "z", "nx", "ny", "nz", "friction", "roughness"],
             Self::Lane => &["width", "t_inner", "t_outer", "x", "y", "z", "hdg"],
             Self::Nearest => &["lane", "road_id", "lane_id", "s", "t", "offset", "distance"],
+            Self::Geodetic => &["lat", "lon", "alt"],
+            Self::FromGeodetic => &["x", "y", "z"],
             Self::Track => &["s", "t", "h"],
             Self::Successors => &["successors"],
             Self::Route => &["length", "lane_changes", "lanes"],
@@ -86,7 +97,7 @@ impl Kind {
         self,
         map: Map<'_>,
         options: &NearestOptions,
-        router: &mut Router<'_>,
+        (router, earth): (&mut Router<'_>, &Earth),
         row: &Row<'_>,
         out: &mut Vec<String>,
     ) -> Result<(), String> {
@@ -119,7 +130,12 @@ impl Kind {
                 let (p, hdg) = (pose.position, pose.heading);
                 numbers(out, &[edges.width(), edges.inner, edges.outer, p.x, p.y, p.z, hdg]);
             }
-            Self::Nearest => nearest(map, options, row, out)?,
+            Self::Nearest => nearest(map, options, point_in(row, earth)?, row, out)?,
+            Self::Geodetic => {
+                let point = point(row)?;
+                numbers(out, &earth.place(point.xy.extend(point.z.unwrap_or(0.0)))?);
+            }
+            Self::FromGeodetic => numbers(out, &earth.point(row)?.to_array()),
             Self::Track => {
                 let road = road(map, row)?;
                 let point = point(row)?;
@@ -147,11 +163,12 @@ impl Kind {
 fn nearest(
     map: Map<'_>,
     options: &NearestOptions,
+    point: Point,
     row: &Row<'_>,
     out: &mut Vec<String>,
 ) -> Result<(), String> {
     let options = NearestOptions { heading: row.optional("hdg")?, ..*options };
-    let hit = map.nearest_lane(point(row)?, &options).map_err(text)?;
+    let hit = map.nearest_lane(point, &options).map_err(text)?;
     let hit = hit.ok_or_else(|| format!("no lane within {} m", options.radius))?;
     let lane = map.lane(hit.lane).map_err(text)?;
     out.push(lane.key().to_string());
@@ -162,8 +179,13 @@ fn nearest(
 }
 
 /// Parts in quarantine that are as near as an answer may be, joined by `;`.
-pub(crate) fn holes(map: Map<'_>, options: &NearestOptions, row: &Row<'_>) -> String {
-    let Ok(point) = point(row) else { return String::new() };
+pub(crate) fn holes(
+    map: Map<'_>,
+    options: &NearestOptions,
+    row: &Row<'_>,
+    earth: &Earth,
+) -> String {
+    let Ok(point) = point_in(row, earth) else { return String::new() };
     let near = map.quarantined_near(point.xy, options.radius);
     let names: Vec<String> = near.map(|part| crate::inspect::part_name(&part)).collect();
     names.join(";")
@@ -206,6 +228,15 @@ pub(super) fn numbers(out: &mut Vec<String>, values: &[f64]) {
 
 fn point(row: &Row<'_>) -> Result<Point, String> {
     Ok(Point { xy: DVec2::new(row.number("x")?, row.number("y")?), z: row.optional("z")? })
+}
+
+/// The point of a row that has x and y, or latitude and longitude.
+fn point_in(row: &Row<'_>, earth: &Earth) -> Result<Point, String> {
+    if row.has("x") && row.has("y") {
+        return point(row);
+    }
+    let at = earth.point(row)?;
+    Ok(Point { xy: at.truncate(), z: row.optional("alt")?.map(|_| at.z) })
 }
 
 fn road<'a>(map: Map<'a>, row: &Row<'_>) -> Result<Road<'a>, String> {

@@ -4,6 +4,7 @@
 //! the answer's columns and `error`, which is empty where the row has an answer. Kinds that list things give a row for each of
 //! them, none where there are none. Numbers are in shortest round-trip form.
 
+pub(crate) mod earth;
 mod kinds;
 mod objects;
 mod route;
@@ -56,11 +57,16 @@ pub fn run(
         csv::ReaderBuilder::new().trim(csv::Trim::Headers).flexible(true).from_reader(input);
     let mut writer = csv::Writer::from_writer(output);
     let headers = reader.headers()?.clone();
-    let missing = kind.needs().iter().any(|name| !headers.iter().any(|header| header == *name));
-    if missing {
+    let has = |names: &&[&str]| names.iter().all(|name| headers.iter().any(|h| h == *name));
+    if !kind.needs().iter().any(has) {
         return Err(QueryRunError::Columns {
             kind: kind.name(),
-            needed: kind.needs().join(","),
+            needed: kind
+                .needs()
+                .iter()
+                .map(|names| names.join(","))
+                .collect::<Vec<_>>()
+                .join(" or "),
             found: headers.iter().collect::<Vec<_>>().join(","),
         });
     }
@@ -78,10 +84,11 @@ pub fn run(
     let mut record = csv::StringRecord::new();
     let mut answer = Vec::new();
     let mut router = route::Router::new(route);
+    let earth = earth::Earth::new(map);
     while reader.read_record(&mut record)? {
         answer.clear();
-        let error =
-            kind.answer(map, options, &mut router, &Row::new(&headers, &record), &mut answer).err();
+        let row = Row::new(&headers, &record);
+        let error = kind.answer(map, options, (&mut router, &earth), &row, &mut answer).err();
         if error.is_some() {
             answer.clear();
         }
@@ -91,7 +98,7 @@ pub fn run(
             answer.resize(columns, String::new());
         }
         if tells_holes {
-            answer.push(kinds::holes(map, options, &Row::new(&headers, &record)));
+            answer.push(kinds::holes(map, options, &row, &earth));
         }
         let error = error.unwrap_or_default();
         for one in answer.chunks(answers.len()) {

@@ -22,6 +22,11 @@ impl<'a> Row<'a> {
             .ok_or_else(|| format!("expected a value in column {name}, found none"))
     }
 
+    /// Whether the input has a column.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.headers.iter().any(|header| header == name)
+    }
+
     /// A finite number.
     pub(crate) fn number(&self, name: &str) -> Result<f64, String> {
         let text = self.text(name)?;

@@ -1,0 +1,239 @@
+//! Where the map lies on Earth: georeference, header offset, stated bounds.
+//!
+//! ASAM OpenDRIVE 1.8.1, 8.4. Nothing is moved: coordinates stay those of the file. What is stored lets a projector be built.
+
+use crate::finding;
+use crate::options::{CompileOptions, OffsetSign};
+use glam::DVec3;
+use mapd_archive::{GeoReferenceForm, MapRow, Rows};
+use mapd_geodesy::{Form, Offset, Projector, Reference};
+use mapd_xodr::{Finding, Header, Severity, Span, Text as _, Value as _};
+
+/// A georeference that cannot be used, or only with doubts.
+const GEO_REFERENCE: &str = "mapd:compile.geo_reference";
+/// A header offset whose sign is turned.
+const OFFSET_SIGN: &str = "mapd:compile.offset_sign";
+/// A header offset on whose order the standard's texts disagree.
+const OFFSET_ORDER: &str = "mapd:compile.offset_order";
+/// The map reaches beyond the bounds that the header states.
+const STATED_BOUNDS: &str = "mapd:compile.stated_bounds";
+
+/// How far the map may reach beyond the stated bounds `[m]`: many tools state those of the reference lines, to which a
+/// carriageway is added.
+const BOUNDS_TOLERANCE: f64 = 50.0;
+/// Eastings that a zone of UTM has `[m]`, with room for maps that go on beyond it.
+const UTM_EASTINGS: std::ops::RangeInclusive<f64> = 100_000.0..=900_000.0;
+/// Northings that there are `[m]`.
+const UTM_NORTHINGS: std::ops::RangeInclusive<f64> = 0.0..=10_000_000.0;
+/// What the names of tools that write the turned sign contain, in lower case.
+const NEGATING: [&str; 2] = ["sumo", "netconvert"];
+
+/// What the header says about the map's place, kept until its extent is known.
+#[derive(Clone, Debug)]
+pub(crate) struct Placed {
+    /// How the georeference is written.
+    pub(crate) form: GeoReferenceForm,
+    /// PROJ parameters; empty without a usable georeference.
+    pub(crate) definition: String,
+    /// As written.
+    offset: Offset,
+    header: Span,
+    offset_span: Span,
+    /// Written by a tool that turns the sign.
+    negating: bool,
+    /// South, north, west, east, where all are stated.
+    bounds: Option<[f64; 4]>,
+}
+
+impl Default for Placed {
+    fn default() -> Self {
+        Self {
+            form: GeoReferenceForm::Absent,
+            definition: String::new(),
+            offset: Offset::default(),
+            header: Span::default(),
+            offset_span: Span::default(),
+            negating: false,
+            bounds: None,
+        }
+    }
+}
+
+impl Placed {
+    /// Reads what the header says.
+    pub(crate) fn read(header: &Header, findings: &mut Vec<Finding>) -> Self {
+        let mut placed = Self { header: header.span, ..Self::default() };
+        let names = [header.vendor.text(), header.name.text()];
+        placed.negating = names
+            .iter()
+            .map(|name| name.to_ascii_lowercase())
+            .any(|name| NEGATING.iter().any(|tool| name.contains(tool)));
+        let stated = [&header.south, &header.north, &header.west, &header.east];
+        let stated = stated.map(|side| side.value().filter(|side| side.is_finite()));
+        placed.bounds = match stated {
+            // All zero stands for "not known" in many files.
+            [Some(s), Some(n), Some(w), Some(e)] if [s, n, w, e] != [0.0; 4] => Some([s, n, w, e]),
+            _ => None,
+        };
+        if let Some(offset) = &header.offset {
+            let number = |value: Option<f64>| value.filter(|v| v.is_finite()).unwrap_or(0.0);
+            let [x, y, z] = [&offset.x, &offset.y, &offset.z].map(|v| number(v.value()));
+            let heading = number(offset.hdg.value());
+            placed.offset = Offset { shift: DVec3::new(x, y, z), heading };
+            placed.offset_span = offset.span;
+            if heading != 0.0 && (x != 0.0 || y != 0.0) {
+                let message = "the standard's texts disagree on whether the offset turns or shifts first; it is applied as their formula has it: turned by hdg, then shifted by x, y, z";
+                let hint = "write an offset with hdg=\"0\"";
+                findings.push(placed.about_offset(
+                    OFFSET_ORDER,
+                    Severity::Warning,
+                    message.into(),
+                    hint,
+                ));
+            }
+        }
+        let Some(written) = &header.geo_reference else { return placed };
+        let path = "OpenDRIVE/header/geoReference";
+        let Some(reference) = Reference::read(written.content.text()) else { return placed };
+        placed.form = form(reference.form);
+        for doubt in &reference.doubts {
+            let severity = if doubt.is_grave() { Severity::Warning } else { Severity::Info };
+            let message = doubt.to_string();
+            findings.push(finding(GEO_REFERENCE, severity, written.span, path.into(), message, ""));
+        }
+        match reference.definition {
+            Ok(definition) => placed.definition = definition,
+            Err(error) => {
+                let message = format!("the georeference cannot be used: {error}");
+                let hint = "state PROJ parameters, such as +proj=utm +zone=32 +datum=WGS84";
+                let severity = Severity::Warning;
+                findings.push(finding(
+                    GEO_REFERENCE,
+                    severity,
+                    written.span,
+                    path.into(),
+                    message,
+                    hint,
+                ));
+            }
+        }
+        placed
+    }
+
+    fn about_offset(
+        &self,
+        rule: &'static str,
+        severity: Severity,
+        message: String,
+        hint: &str,
+    ) -> Finding {
+        let path = "OpenDRIVE/header/offset".to_owned();
+        finding(rule, severity, self.offset_span, path, message, hint)
+    }
+
+    /// The offset as it is applied, and whether its sign is turned.
+    fn applied(
+        &self,
+        middle: DVec3,
+        sign: OffsetSign,
+        findings: &mut Vec<Finding>,
+    ) -> (Offset, bool) {
+        let has_shift = self.offset.shift.truncate() != glam::DVec2::ZERO;
+        let turned = match sign {
+            OffsetSign::Standard => false,
+            OffsetSign::Negated => true,
+            OffsetSign::Auto if !has_shift => false,
+            OffsetSign::Auto => {
+                let reason = self.reason_to_turn(middle);
+                if let Some(reason) = &reason {
+                    let message = format!("the offset's sign is turned: {reason}");
+                    let hint = "--offset-sign standard or negated settles it";
+                    let severity = Severity::Warning;
+                    findings.push(self.about_offset(OFFSET_SIGN, severity, message, hint));
+                }
+                reason.is_some()
+            }
+        };
+        (if turned { self.offset.negated() } else { self.offset }, turned)
+    }
+
+    /// Why the offset must be subtracted rather than added.
+    fn reason_to_turn(&self, middle: DVec3) -> Option<String> {
+        let (written, turned) = (self.offset.apply(middle), self.offset.negated().apply(middle));
+        let is_utm = self.definition.contains("+proj=utm ");
+        if is_utm && !is_in_utm(written) && is_in_utm(turned) {
+            return Some(format!(
+                "as written, the map lies at easting {:.0} m, northing {:.0} m, where UTM has none; subtracted, at {:.0} m, {:.0} m",
+                written.x, written.y, turned.x, turned.y
+            ));
+        }
+        // Even such a tool is not believed where only the sign as written makes sense.
+        let contradicted = is_utm && is_in_utm(written) && !is_in_utm(turned);
+        (self.negating && !contradicted)
+            .then(|| "the tool that wrote the file states what it has added itself".to_owned())
+    }
+
+    /// Compares the stated bounds with the real ones.
+    fn compare(&self, map: &MapRow, findings: &mut Vec<Finding>) {
+        let Some([south, north, west, east]) = self.bounds else { return };
+        let beyond = [south - map.min_y, map.max_y - north, west - map.min_x, map.max_x - east];
+        let most = beyond.into_iter().fold(0.0, f64::max);
+        if most <= BOUNDS_TOLERANCE {
+            return;
+        }
+        let message = format!(
+            "the map reaches {most:.1} m beyond the bounds that the header states (south {south}, north {north}, west {west}, east {east}): it goes from ({:.1}, {:.1}) to ({:.1}, {:.1})",
+            map.min_x, map.min_y, map.max_x, map.max_y
+        );
+        let path = "OpenDRIVE/header".to_owned();
+        findings.push(finding(STATED_BOUNDS, Severity::Warning, self.header, path, message, ""));
+    }
+}
+
+/// Completes the map's row, whose bounds are known.
+pub(crate) fn complete(
+    rows: &mut Rows,
+    placed: &Placed,
+    options: &CompileOptions,
+    findings: &mut Vec<Finding>,
+) {
+    let has_lanes = !rows.lanes.is_empty();
+    let Some(map) = rows.map.first_mut() else { return };
+    let low = DVec3::new(map.min_x, map.min_y, map.min_z);
+    let middle = low.midpoint(DVec3::new(map.max_x, map.max_y, map.max_z));
+    let (offset, turned) = placed.applied(middle, options.offset_sign, findings);
+    (map.offset_x, map.offset_y, map.offset_z) = offset.shift.into();
+    map.offset_hdg = offset.heading;
+    map.offset_sign = u8::from(turned);
+    if !has_lanes {
+        return;
+    }
+    placed.compare(map, findings);
+    let outside = Projector::new(&placed.definition, offset)
+        .ok()
+        .is_some_and(|projector| projector.to_geodetic(middle).is_err());
+    if outside {
+        let message = format!(
+            "the map's middle ({:.1}, {:.1}) lies outside the area of its projection",
+            middle.x, middle.y
+        );
+        let path = "OpenDRIVE/header/geoReference".to_owned();
+        findings.push(finding(GEO_REFERENCE, Severity::Warning, placed.header, path, message, ""));
+    }
+}
+
+fn is_in_utm(point: DVec3) -> bool {
+    UTM_EASTINGS.contains(&point.x) && UTM_NORTHINGS.contains(&point.y)
+}
+
+fn form(form: Form) -> GeoReferenceForm {
+    match form {
+        Form::Absent => GeoReferenceForm::Absent,
+        Form::Proj => GeoReferenceForm::Proj,
+        Form::Parameters => GeoReferenceForm::Parameters,
+        Form::Epsg => GeoReferenceForm::Epsg,
+        Form::Wkt1 => GeoReferenceForm::Wkt1,
+        Form::Wkt2 => GeoReferenceForm::Wkt2,
+        Form::Other => GeoReferenceForm::Other,
+    }
+}

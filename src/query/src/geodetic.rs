@@ -1,0 +1,54 @@
+//! Places on Earth (feature `geodesy`).
+
+use crate::error::QueryError;
+use crate::map::Map;
+use crate::nearest::{Nearest, NearestOptions};
+use crate::types::Point;
+use glam::DVec3;
+use mapd_geodesy::{DefinitionError, Geodetic, Offset, ProjectionError, Projector};
+use thiserror::Error;
+
+/// Why a question about a place on Earth has no answer.
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+pub enum GeodeticError {
+    /// The place has no point in the map's frame.
+    #[error(transparent)]
+    Projection(#[from] ProjectionError),
+    /// The point has no answer.
+    #[error(transparent)]
+    Query(#[from] QueryError),
+}
+
+impl<'a> Map<'a> {
+    /// What converts between this map's inertial frame and WGS 84. Building it allocates; converting does not.
+    ///
+    /// ```
+    /// # use mapd_query::{Map, Geodetic};
+    /// fn place(map: Map<'_>, x: f64, y: f64) -> Result<Geodetic, Box<dyn std::error::Error>> {
+    ///     let projector = map.projector()?; // once
+    ///     Ok(projector.to_geodetic([x, y, 0.0].into())?)
+    /// }
+    /// ```
+    ///
+    /// Errors: the map has no georeference that can be used.
+    pub fn projector(&self) -> Result<Projector, DefinitionError> {
+        let (shift, heading) = self.header_offset();
+        Projector::new(self.projection(), Offset { shift, heading })
+    }
+
+    /// As [`Map::nearest_lane`], from latitude and longitude `[deg]` and, where other levels are to be told apart, altitude
+    /// `[m]`, through a projector of this map.
+    ///
+    /// Errors: the place is not finite or outside the projection's area; options that are not finite.
+    pub fn nearest_lane_geodetic(
+        &self,
+        projector: &Projector,
+        (latitude, longitude, altitude): (f64, f64, Option<f64>),
+        options: &NearestOptions,
+    ) -> Result<Option<Nearest>, GeodeticError> {
+        let place = Geodetic { latitude, longitude, altitude: altitude.unwrap_or(0.0) };
+        let point: DVec3 = projector.from_geodetic(place)?;
+        let point = Point { xy: point.truncate(), z: altitude.map(|_| point.z) };
+        Ok(self.nearest_lane(point, options)?)
+    }
+}

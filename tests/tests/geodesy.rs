@@ -1,0 +1,308 @@
+//! Latitudes and longitudes: against figures of PROJ, there and back, and on maps.
+
+use glam::DVec3;
+use mapd_client::Snapshot;
+use mapd_geodesy::{Doubt, Form, Geodetic, Offset, Projector, Reference, ReferenceError};
+use mapd_tests::{corpus, say, workspace};
+use std::collections::HashMap;
+use std::path::PathBuf;
+
+/// Largest distance from PROJ's figures `[m]`, which are stored to a tenth of a millimetre.
+const FROM_PROJ: f64 = 1e-3;
+/// Largest distance of a point that went to Earth and back `[m]`.
+const ROUND_TRIP: f64 = 1e-6;
+/// Length of a degree of latitude `[m]`, roughly.
+const DEGREE: f64 = 111_200.0;
+/// As in `tests/differential/projections.py`, so that points need not be stored.
+const MODULUS: usize = 10_007;
+
+fn data(name: &str) -> csv::Reader<std::fs::File> {
+    let path = workspace().join("tests/data").join(name);
+    csv::Reader::from_path(&path).expect(name)
+}
+
+fn number(text: &str) -> f64 {
+    text.parse().expect(text)
+}
+
+/// A projector for a georeference as written.
+fn projector(text: &str, offset: Offset) -> Projector {
+    let reference = Reference::read(text).expect("a reference");
+    let definition = reference.definition.unwrap_or_else(|error| panic!("{text}: {error}"));
+    Projector::new(&definition, offset).expect(text)
+}
+
+#[test]
+fn projections_agree_with_proj_and_come_back() {
+    let mut answers: HashMap<String, Vec<[f64; 2]>> = HashMap::new();
+    for record in data("projections.csv").records() {
+        let record = record.expect("a record");
+        let answer = [number(&record[1]), number(&record[2])];
+        answers.entry(record[0].to_owned()).or_default().push(answer);
+    }
+    let mut sets = 0;
+    for record in data("projection_sets.csv").records() {
+        let record = record.expect("a record");
+        let (name, text) = (&record[0], &record[1]);
+        let [south, north, west, east] = [3, 4, 5, 6].map(|i| number(&record[i]));
+        let count: usize = record[2].parse().expect("a count");
+        let projector = projector(text, Offset::default());
+        let answers = &answers[name];
+        assert_eq!(answers.len(), count, "{name}");
+        let (mut worst, mut back) = (0f64, 0f64);
+        for (i, [x, y]) in answers.iter().enumerate() {
+            let share = |step: usize| (i * step % MODULUS) as f64 / MODULUS as f64;
+            let latitude = south + (north - south) * share(7919);
+            let longitude = west + (east - west) * share(104_729);
+            let place = Geodetic { latitude, longitude, altitude: 0.0 };
+            let found = projector.from_geodetic(place).expect(name);
+            worst = worst.max(found.truncate().distance([*x, *y].into()));
+            let again = projector.to_geodetic(found).expect(name);
+            let (dlat, dlon) = (again.latitude - latitude, again.longitude - longitude);
+            let degrees = dlat.hypot(dlon * latitude.to_radians().cos());
+            back = back.max(degrees * DEGREE).max(again.altitude.abs());
+            let point = projector.from_geodetic(again).expect(name);
+            back = back.max(point.distance(found));
+        }
+        say(&format!("{name}: {worst:.1e} m from PROJ, {back:.1e} m there and back"));
+        assert!(worst <= FROM_PROJ, "{name}: {worst} m");
+        assert!(back <= ROUND_TRIP, "{name}: {back} m");
+        sets += 1;
+    }
+    assert_eq!(sets, answers.len());
+}
+
+fn compiled(path: &std::path::Path) -> Snapshot {
+    let compiled =
+        mapd::source::compile_file(path, &Default::default(), &mut |_| {}).expect("reads");
+    let rows = compiled.rows.expect("accepted");
+    let bytes = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes");
+    mapd_archive::verify(&bytes).expect("sound");
+    Snapshot::from_bytes(bytes).expect("opens")
+}
+
+#[test]
+fn maps_of_the_corpus_lie_where_proj_puts_them() {
+    let Some(maps) = corpus() else { return say("skipped: ../shared is not there") };
+    let paths: HashMap<String, PathBuf> = maps.into_iter().collect();
+    let mut points: Vec<(String, [f64; 4])> = Vec::new();
+    for record in data("georeferences.csv").records() {
+        let record = record.expect("a record");
+        points.push((record[0].to_owned(), [1, 2, 3, 4].map(|i| number(&record[i]))));
+    }
+    for group in points.chunk_by(|a, b| a.0 == b.0) {
+        let name = &group[0].0;
+        let snapshot = compiled(&paths[name]);
+        let projector = snapshot.map().projector().expect(name);
+        let mut worst = 0f64;
+        for (_, [x, y, latitude, longitude]) in group {
+            let place = Geodetic { latitude: *latitude, longitude: *longitude, altitude: 0.0 };
+            let point = projector.from_geodetic(place).expect(name);
+            worst = worst.max(point.truncate().distance([*x, *y].into()));
+            let point = DVec3::new(*x, *y, 1.5);
+            let again = projector.to_geodetic(point).expect(name);
+            assert!(projector.from_geodetic(again).expect(name).distance(point) <= ROUND_TRIP);
+        }
+        say(&format!("{name}: {worst:.1e} m from PROJ"));
+        assert!(worst <= FROM_PROJ, "{name}: {worst} m");
+    }
+}
+
+/// What is expected of a georeference: its form, and the definition or the error.
+type Expected<'a> = (Form, Result<&'a str, ReferenceError>, &'a [Doubt]);
+
+fn check(text: &str, (form, definition, doubts): Expected<'_>) {
+    let read = Reference::read(text).expect(text);
+    assert_eq!(read.form, form, "{text}");
+    assert_eq!(read.definition.as_deref(), definition.as_ref().copied(), "{text}");
+    assert_eq!(read.doubts, doubts, "{text}");
+}
+
+#[test]
+fn georeferences_are_understood_or_refused() {
+    let utm = "+proj=utm +zone=32 +datum=WGS84";
+    let bessel = "+proj=tmerc +lon_0=9 +ellps=bessel";
+    let value = |name: &str, value: &str| {
+        Err(ReferenceError::Value { name: name.into(), value: value.into() })
+    };
+    for text in ["", "  \n\t ", "\"\""] {
+        assert_eq!(Reference::read(text), None, "{text:?}");
+    }
+    check(
+        "+proj=utm +zone=32 +datum=WGS84 +units=m +vunits=m +no_defs +type=crs",
+        (Form::Proj, Ok(utm), &[]),
+    );
+    check("\n proj=utm zone=32  datum=WGS84\n", (Form::Proj, Ok(utm), &[]));
+    check("+proj=utm +zone=32", (Form::Proj, Ok(utm), &[]));
+    check("+zone=32 +proj=utm +zone=33 +datum=WGS84", (Form::Proj, Ok(utm), &[]));
+    check("epsg:32632", (Form::Epsg, Ok(utm), &[]));
+    check("EPSG:32632+5773", (Form::Epsg, Ok(utm), &[Doubt::Height("EPSG:5773".into())]));
+    check("32632", (Form::Epsg, Ok(utm), &[]));
+    check("http://www.opengis.net/def/crs/EPSG/0/32632", (Form::Epsg, Ok(utm), &[]));
+    check(
+        "+lat_0=49 +lon_0=8",
+        (Form::Parameters, Ok("+proj=tmerc +lat_0=49 +lon_0=8 +datum=WGS84"), &[Doubt::Assumed]),
+    );
+    check(
+        "+proj=utm +zone=32 +datum=WGS84 +geoidgrids=egm96_15.gtx",
+        (Form::Proj, Ok(utm), &[Doubt::Height("egm96_15.gtx".into())]),
+    );
+    check(
+        "+proj=utm +zone=32 +datum=WGS84 +units=us-ft",
+        (Form::Proj, Ok(utm), &[Doubt::Unit("us-ft".into())]),
+    );
+    check(
+        "+proj=utm +zone=32 +datum=WGS84 +vunits=ft",
+        (Form::Proj, Ok(utm), &[Doubt::HeightUnit("ft".into())]),
+    );
+    check(
+        "+proj=utm +zone=32 +datum=WGS84 +axis=neu",
+        (Form::Proj, Ok(utm), &[Doubt::Axes("neu".into())]),
+    );
+    check(
+        "+proj=utm +zone=32 +datum=WGS84 +odd=1 +odder",
+        (Form::Proj, Ok(utm), &[Doubt::Ignored("odd odder".into())]),
+    );
+    check("+proj=tmerc +lon_0=9 +ellps=bessel", (Form::Proj, Ok(bessel), &[Doubt::Datum]));
+    check("+proj=tmerc +lon_0=9 +ellps=bessel +nadgrids=@null", (Form::Proj, Ok(bessel), &[]));
+    let (shifted, turned) = (
+        "+proj=utm +zone=32 +datum=WGS84 +towgs84=1,2,3",
+        "+proj=utm +zone=32 +datum=WGS84 +ellps=bessel",
+    );
+    for mixed in [shifted, turned, "+proj=utm +zone=32 +datum=potsdam +ellps=GRS80"] {
+        check(mixed, (Form::Proj, Ok(mixed), &[Doubt::Mixed]));
+    }
+    let same = "+proj=utm +zone=32 +datum=WGS84 +ellps=GRS80 +towgs84=0,0,0";
+    check(same, (Form::Proj, Ok(same), &[]));
+    // What cannot be used.
+    check("here", (Form::Other, Err(ReferenceError::Unrecognized), &[]));
+    check("+zone=32 +datum=WGS84", (Form::Other, Err(ReferenceError::Unrecognized), &[]));
+    check("+proj=longlat +datum=WGS84", (Form::Proj, Err(ReferenceError::Geographic), &[]));
+    check("EPSG:4326", (Form::Epsg, Err(ReferenceError::Geographic), &[]));
+    check("EPSG:1", (Form::Epsg, Err(ReferenceError::Code("1".into())), &[]));
+    check(
+        "EPSG:99999999999999999999",
+        (Form::Epsg, Err(ReferenceError::Code("99999999999999999999".into())), &[]),
+    );
+    check(
+        "+proj=utm +zone=32 +nadgrids=BETA2007.gsb",
+        (Form::Proj, Err(ReferenceError::Grid("BETA2007.gsb".into())), &[]),
+    );
+    check(
+        "+proj=utm +zone=15 +datum=NAD27",
+        (Form::Proj, Err(ReferenceError::Grid("NAD27".into())), &[]),
+    );
+    check("+proj=utm +zone=x", (Form::Proj, value("zone", "x"), &[]));
+    check("+proj=tmerc +lat_0=0 +lon_0=9 +x_0=inf", (Form::Proj, value("x_0", "inf"), &[]));
+    check(&"[".repeat(100), (Form::Other, Err(ReferenceError::TooLarge), &[]));
+    check(
+        &format!("PROJCS{}", "[".repeat(100_000)),
+        (Form::Other, Err(ReferenceError::TooLarge), &[]),
+    );
+    let odd = [
+        "+proj=odd +lat_0=1 +lon_0=2",
+        "+proj=utm +zone=77",
+        "PROJCS[\"a\"]",
+        "PROJCRS[\"a\",FOO[1]]",
+        "LOCAL_CS[\"a\"]",
+        "+proj=tmerc +lat_0=x +lon_0=1",
+        "+proj=lcc +lat_1=30 +lat_2=-30",
+    ];
+    for text in odd {
+        assert!(Reference::read(text).expect(text).definition.is_err(), "{text}");
+    }
+}
+
+/// Any text at all is read, and whatever is understood projects without a panic.
+#[test]
+fn damaged_georeferences_never_panic() {
+    let mut texts: Vec<String> = Vec::new();
+    for record in data("projection_sets.csv").records() {
+        texts.push(record.expect("a record")[1].to_owned());
+    }
+    let pieces = [
+        "=",
+        "+",
+        " ",
+        "[",
+        "]",
+        "\"",
+        ",",
+        "-",
+        "9e99",
+        "é",
+        "\u{0}",
+        "+R=0",
+        "+a=0",
+        "+es=2",
+        "+k=0",
+        "+lat_0=90",
+        "+lat_ts=100",
+        "+towgs84=1,x",
+    ];
+    let mut state = 1u64;
+    let mut next = |below: usize| {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % below
+    };
+    let mut usable = 0;
+    for round in 0..20_000 {
+        let mut text: Vec<char> = texts[round % texts.len()].chars().collect();
+        for _ in 0..=next(3) {
+            let at = next(text.len() + 1);
+            let until = (at + next(8)).min(text.len());
+            let piece =
+                pieces[next(pieces.len())].chars().filter(|_| next(4) > 0).collect::<Vec<_>>();
+            text.splice(at..until, piece);
+        }
+        let text: String = text.into_iter().collect();
+        // As from a damaged archive: no text at all is trusted.
+        let raw = Projector::new(&text, Offset::default());
+        let Some(Ok(definition)) = Reference::read(&text).map(|read| read.definition) else {
+            continue;
+        };
+        usable += 1;
+        let projector = Projector::new(&definition, Offset::default()).expect("was tried");
+        for projector in raw.iter().chain([&projector]) {
+            for point in [DVec3::ZERO, DVec3::new(5e5, 5e6, 1.0), DVec3::splat(1e300), DVec3::NAN] {
+                if let Ok(place) = projector.to_geodetic(point) {
+                    assert!(place.latitude.abs() <= 90.0 && place.longitude.is_finite());
+                    let _ = projector.from_geodetic(place);
+                }
+            }
+        }
+    }
+    assert!(usable > 1000, "{usable} of the damaged texts can still be used");
+}
+
+#[test]
+fn offsets_turn_then_shift_and_come_back() {
+    let offset =
+        Offset { shift: DVec3::new(1000.0, -2000.0, 5.0), heading: std::f64::consts::FRAC_PI_2 };
+    let p = DVec3::new(10.0, 1.0, 2.0);
+    assert!(offset.apply(p).distance(DVec3::new(999.0, -1990.0, 7.0)) < 1e-12);
+    assert!(offset.invert(offset.apply(p)).distance(p) < 1e-12);
+    assert!(offset.negated().apply(p).distance(DVec3::new(-1001.0, 2010.0, -3.0)) < 1e-12);
+    let utm = "+proj=utm +zone=32 +datum=WGS84";
+    let (bare, shifted) = (projector(utm, Offset::default()), projector(utm, offset));
+    let there = bare.to_geodetic(offset.apply(DVec3::new(4e5, 5e5, 2.0))).expect("a place");
+    assert_eq!(shifted.to_geodetic(DVec3::new(4e5, 5e5, 2.0)), Ok(there));
+    assert!(
+        shifted.from_geodetic(there).expect("a point").distance(DVec3::new(4e5, 5e5, 2.0)) < 1e-6
+    );
+}
+
+#[test]
+fn places_that_are_none_have_errors_of_their_own() {
+    use mapd_geodesy::{DefinitionError, ProjectionError};
+    let projector = projector("+proj=utm +zone=32 +datum=WGS84", Offset::default());
+    let place = |latitude, longitude| Geodetic { latitude, longitude, altitude: 0.0 };
+    assert_eq!(projector.from_geodetic(place(f64::NAN, 9.0)), Err(ProjectionError::NotFinite));
+    assert_eq!(projector.from_geodetic(place(91.0, 9.0)), Err(ProjectionError::OutOfRange));
+    assert_eq!(projector.from_geodetic(place(0.0, 99.0)), Err(ProjectionError::Outside));
+    assert_eq!(projector.to_geodetic(DVec3::INFINITY), Err(ProjectionError::NotFinite));
+    assert_eq!(Projector::new("", Offset::default()).err(), Some(DefinitionError::None));
+    let grid = Projector::new("+proj=utm +zone=32 +nadgrids=/etc/passwd", Offset::default());
+    assert!(matches!(grid, Err(DefinitionError::Unusable { .. })));
+}
