@@ -283,6 +283,7 @@ impl<'a> Road<'a> {
     }
 
     /// The reference line at s, relative to the local origin.
+    #[inline]
     pub(crate) fn reference_at(&self, at: At) -> Option<CurvePoint> {
         let piece = self.piece_at(at)?;
         Some(piece.curve.evaluate(at.s - piece.s))
@@ -299,7 +300,8 @@ impl<'a> Road<'a> {
     }
 
     /// As [`Road::to_inertial`], at a place of the reference line.
-    #[inline]
+    // Always: `to_inertial` is what planners ask most, and the compiler and other queries call this too.
+    #[inline(always)]
     pub(crate) fn pose(&self, at: At, t: f64, h: f64) -> Result<Pose, QueryError> {
         if !(at.s.is_finite() && t.is_finite() && h.is_finite()) {
             return Err(QueryError::NotFinite);
