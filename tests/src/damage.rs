@@ -3,7 +3,7 @@
 use mapd_archive::{AlignedBytes, HEADER_LENGTH};
 use mapd_client::{LaneTypes, Map, NearestOptions, Region, Snapshot, Track, glam::DVec2};
 use mapd_query::{
-    LanePlace, LaneSequences, RouteScratch, ShortestLength, ShortestTime, SignalsAhead,
+    ClassSet, LanePlace, LaneSequences, RouteScratch, ShortestLength, ShortestTime, SignalsAhead,
     VehicleClass, next_lane_change,
 };
 
@@ -90,6 +90,11 @@ fn ask_signals(map: Map<'_>) {
     for junction in map.junctions() {
         let _ = junction.controllers().filter_map(|one| one.controller()).count();
     }
+    let (point, mut landmarks) = (DVec2::new(20.0, 1.0), vec![]);
+    let _ = map.signals_near(point, 30.0, &mut vec![]);
+    let _ = map.signals_in(Region::around(point, 1e9), &mut vec![]);
+    let _ = map.landmarks_near(point, 30.0, ClassSet::ALL, &mut landmarks);
+    let _ = map.landmarks_in(Region::around(point, 1e9), ClassSet::LANDMARKS, &mut landmarks);
     let mut ahead = SignalsAhead::default();
     for lane in map.lanes() {
         let _ = lane.overtaking_rule_at(1.0);

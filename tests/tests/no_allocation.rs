@@ -2,7 +2,9 @@
 #![allow(unsafe_code)]
 
 use mapd_archive::encode;
-use mapd_client::{LaneKey, LaneTypes, NearestOptions, Region, Snapshot, Track, glam::DVec2};
+use mapd_client::{
+    ClassSet, LaneKey, LaneTypes, NearestOptions, Region, Snapshot, Track, glam::DVec2,
+};
 use mapd_client::{
     LanePlace, LaneSequences, RouteScratch, ShortestTime, SignalsAhead, VehicleClass,
     next_lane_change,
@@ -53,6 +55,8 @@ fn queries_about_signals_do_not_allocate() {
         Snapshot::from_bytes(encode(&rows, &compiled.provenance).expect("encodes")).expect("opens");
     let map = snapshot.map();
     let mut ahead = SignalsAhead::with_capacity(ROOM);
+    let (mut near, mut inside, mut landmarks) =
+        (Vec::with_capacity(ROOM), Vec::with_capacity(ROOM), Vec::with_capacity(ROOM));
     let before = COUNT.with(Cell::get);
     let mut seen = 0;
     for lane in map.lanes() {
@@ -68,6 +72,10 @@ fn queries_about_signals_do_not_allocate() {
     seen +=
         map.signals().map(|signal| signal.controllers().count() + signal.id().len()).sum::<usize>();
     seen += usize::from(map.signal_by_id("L1").is_some());
+    map.signals_near(DVec2::ZERO, 90.0, &mut near).expect("an answer");
+    map.signals_in(Region::around(DVec2::ZERO, 90.0), &mut inside).expect("an answer");
+    map.landmarks_near(DVec2::ZERO, 90.0, ClassSet::LANDMARKS, &mut landmarks).expect("an answer");
+    seen += near.len() + inside.len() + landmarks.len();
     let after = COUNT.with(Cell::get);
     assert!(seen > 100, "the queries found nothing to count");
     assert_eq!(after - before, 0, "queries allocated");
@@ -103,8 +111,12 @@ fn queries_do_not_allocate() {
         r#"<object id="1" type="tree" s="30" t="8" zOffset="0" radius="1" orientation="none"><repeat s="10" length="80" distance="10" tStart="8" tEnd="8" heightStart="2" heightEnd="2" zOffsetStart="0" zOffsetEnd="0"/></object>
 <object id="2" type="crosswalk" s="50" t="0" zOffset="0" orientation="none"><outlines><outline id="0"><cornerRoad s="48" t="-6" dz="0" height="0"/><cornerRoad s="52" t="-6" dz="0" height="0"/><cornerRoad s="52" t="3" dz="0" height="0"/></outline></outlines></object>"#,
     ));
-    let (mut near_objects, mut places, mut corners) =
-        (Vec::with_capacity(ROOM), Vec::with_capacity(ROOM), Vec::with_capacity(ROOM));
+    let (mut near_objects, mut places, mut corners, mut landmarks) = (
+        Vec::with_capacity(ROOM),
+        Vec::with_capacity(ROOM),
+        Vec::with_capacity(ROOM),
+        Vec::with_capacity(ROOM),
+    );
     let projector = mapd_client::Projector::new(
         "+proj=tmerc +lat_0=48 +lon_0=11 +ellps=bessel +towgs84=598.1,73.7,418.2,0.202,0.045,-2.455,6.7",
         mapd_client::Offset::default(),
@@ -160,6 +172,9 @@ fn queries_do_not_allocate() {
         let point = DVec2::new(f64::from(i * 5), 0.0);
         objects.objects_near(point, 20.0, &mut near_objects).expect("an answer");
         objects.objects_in(Region::around(point, 10.0), &mut places).expect("an answer");
+        objects
+            .landmarks_in(Region::around(point, 10.0), ClassSet::LANDMARKS, &mut landmarks)
+            .expect("an answer");
         for place in &places {
             let place = objects.placement(*place).expect("known");
             place.footprint(&mut corners);

@@ -3,14 +3,13 @@
 use crate::TooLarge;
 use crate::lanes::view;
 use crate::options::CompileOptions;
+use crate::packed::{ROUNDING, WIDTH, order, round_up, stack};
 use glam::{DVec2, DVec3};
 use mapd_archive::{IndexLeafRow, IndexNodeRow, NONE, Rows};
 use mapd_geometry::clamp;
 use mapd_query::{Lane, Map};
 use rayon::prelude::*;
 
-/// Children of a node, places of a leaf.
-const WIDTH: usize = 16;
 /// Added to every reach, overshoot and height `[m]`, besides the tolerances: single precision within a leaf.
 const REACH_MARGIN: f64 = 1e-4;
 /// Points of one lane's centre line: segments are numbered with 16 bits.
@@ -19,8 +18,6 @@ pub(crate) const MAX_POINTS: u32 = 1 << 16;
 const REACH_UNITS: f64 = 128.0;
 /// Units of `z_low` and `z_high` in a metre.
 const HEIGHT_UNITS: f64 = 16.0;
-/// Relative rounding of single precision, doubled twice: coordinates are rounded once here and once in a query.
-const ROUNDING: f64 = 4.0 * f32::EPSILON as f64;
 
 /// A segment of a centre line with the area it stands for, relative to the local origin.
 #[derive(Clone, Copy, Debug)]
@@ -61,26 +58,11 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
         return Ok(());
     }
     u32::try_from(entries.len()).map_err(|_| TooLarge::new("index_leaves"))?;
-    order(&mut entries);
+    order(&mut entries, Entry::middle, |e| (e.lane, e.segment));
     let (leaves, boxes): (Vec<_>, Vec<_>) = entries.par_chunks(WIDTH).map(leaf).unzip();
-    let mut levels = Vec::new();
-    let mut below = boxes;
-    loop {
-        let (nodes, boxes): (Vec<_>, Vec<_>) = below.chunks(WIDTH).map(node).unzip();
-        let is_root = nodes.len() == 1;
-        levels.push(nodes);
-        below = boxes;
-        if is_root {
-            break;
-        }
-    }
-    let mut first = 0;
-    for nodes in levels.into_iter().rev() {
-        rows.index_levels.push(first);
-        first += nodes.len() as u32;
-        rows.index_nodes.extend(nodes);
-    }
-    rows.index_levels.push(first);
+    let (levels, nodes) = stack(boxes, node);
+    rows.index_levels = levels.into();
+    rows.index_nodes = nodes.into();
     rows.index_leaves = leaves.into();
     Ok(())
 }
@@ -157,35 +139,6 @@ fn extent(lane: &Lane<'_>, map_origin: DVec2, ends: [DVec2; 2], cuts: [f32; 2]) 
         }
     }
     extent
-}
-
-/// Orders entries so that consecutive sixteens lie close together, and sixteens of sixteens as well: halves along the
-/// longer side at multiples of whole subtrees. The order is total, so that the result does not depend on how it is
-/// sorted.
-fn order(entries: &mut [Entry]) {
-    let mut unit = WIDTH;
-    while unit * WIDTH < entries.len() {
-        unit *= WIDTH;
-    }
-    if entries.len() <= WIDTH {
-        entries.sort_by_key(|e| (e.lane, e.segment));
-        return;
-    }
-    let subtrees = entries.len().div_ceil(unit);
-    let middle = subtrees / 2 * unit;
-    let spread = |axis: usize| {
-        let low = entries.iter().map(|e| e.middle(axis)).fold(f64::INFINITY, f64::min);
-        let high = entries.iter().map(|e| e.middle(axis)).fold(f64::NEG_INFINITY, f64::max);
-        high - low
-    };
-    let axis = usize::from(spread(1) > spread(0));
-    entries.select_nth_unstable_by(middle, |p, q| {
-        p.middle(axis)
-            .total_cmp(&q.middle(axis))
-            .then((p.lane, p.segment).cmp(&(q.lane, q.segment)))
-    });
-    let (left, right) = entries.split_at_mut(middle);
-    rayon::join(|| order(left), || order(right));
 }
 
 /// A box in double precision: smallest x, y, z, largest x, y, z.
@@ -279,10 +232,4 @@ fn node(children: &[Bounds]) -> (IndexNodeRow, Bounds) {
         all = join(all, *child);
     }
     (row, all)
-}
-
-/// To single precision, never smaller.
-pub(crate) fn round_up(value: f64) -> f32 {
-    let rounded = value as f32;
-    if f64::from(rounded) < value { rounded.next_up() } else { rounded }
 }

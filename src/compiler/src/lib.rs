@@ -29,6 +29,7 @@ mod lower;
 mod objects;
 mod options;
 mod origin;
+mod packed;
 mod quarantine;
 mod report;
 mod rounds;
@@ -164,6 +165,7 @@ fn build(
     if let Some(mut rows) = rows.filter(|_| compiled.verdict != Verdict::Rejected) {
         progress(Progress::Indexing { segments: rows.points.len() });
         objects::index(&mut rows);
+        signals::index(&mut rows);
         match index::build(&mut rows, options) {
             Ok(()) => compiled.rows = Some(rows),
             Err(error) => {

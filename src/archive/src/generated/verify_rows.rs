@@ -459,6 +459,25 @@ impl Tables<'_> {
             let check = Check { table: "default_speeds", row: i };
             check.finite("max", row.max())?;
         }
+        for (i, row) in self.signal_index_nodes.iter().enumerate() {
+            let check = Check { table: "signal_index_nodes", row: i };
+            for value in row.min_x() {
+                check.finite("min_x", f64::from(*value))?;
+            }
+            for value in row.min_y() {
+                check.finite("min_y", f64::from(*value))?;
+            }
+            for value in row.max_x() {
+                check.finite("max_x", f64::from(*value))?;
+            }
+            for value in row.max_y() {
+                check.finite("max_y", f64::from(*value))?;
+            }
+        }
+        for (i, row) in self.signal_index_items.iter().enumerate() {
+            let check = Check { table: "signal_index_items", row: i };
+            check.reference("", *row, self.signals.len(), false)?;
+        }
         for (i, row) in self.quarantined.iter().enumerate() {
             let check = Check { table: "quarantined", row: i };
             check.finite("min_x", row.min_x())?;

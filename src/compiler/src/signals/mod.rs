@@ -2,6 +2,7 @@
 //! coordinates and lanes.
 
 mod attach;
+mod index;
 mod place;
 mod read;
 mod resolve;
@@ -13,6 +14,7 @@ use mapd_ontology::Ontology;
 use mapd_xodr::source::Places;
 use mapd_xodr::{Finding, Span};
 
+pub(crate) use index::build as index;
 pub(crate) use resolve::resolve;
 
 /// Rule of signals that are for no lane.

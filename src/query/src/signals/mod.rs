@@ -6,6 +6,7 @@ mod lane;
 mod last_sign;
 mod lines;
 mod movement;
+mod near;
 mod overtaking;
 mod speed;
 
@@ -14,6 +15,7 @@ pub use controller::{Controller, JunctionController};
 pub use lane::LaneSignal;
 pub use lines::{LaneLine, LineSource};
 pub use movement::{RightOfWay, Turn};
+pub use near::NearSignal;
 pub use overtaking::OvertakingRule;
 pub use speed::{SpeedOrigin, SpeedRule};
 
