@@ -320,6 +320,23 @@ fn a_table_of_ones_own_changes_what_signals_mean() {
     let (code, text) = compile(&["--ontology", &at("own.toml")]);
     assert_eq!(code, Some(0));
     assert!(text.contains("  stop   ") && !text.contains("no class for"), "{text}");
+    // Whatever compiles a map takes tables; what is compiled already does not.
+    let with_own = |command: &[&str], input: &str| {
+        let args: Vec<&str> = command.iter().copied().chain(["--ontology"]).collect();
+        let own = at("own.toml");
+        let output = run(&[&args[..], &[own.as_str()]].concat(), input);
+        let text = [output.stdout, output.stderr].map(|t| String::from_utf8_lossy(&t).into_owned());
+        (output.status.code(), text.concat())
+    };
+    let (map, archive) = (at("map.xodr"), at("map.mapd"));
+    let question = "x,y,radius\n70,5,1\n";
+    let (code, text) = with_own(&["query", &map, "landmarks"], question);
+    assert!(code == Some(0) && text.contains("1,X,stop,0.0,0,60.0,5.0,"), "{text}");
+    let (code, text) = with_own(&["inspect", &map], "");
+    assert!(code == Some(0) && text.contains("  stop   "), "{text}");
+    assert_eq!(with_own(&["export", &map, "--format", "svg"], "").0, Some(0));
+    let (code, text) = with_own(&["query", &archive, "landmarks"], question);
+    assert!(code == Some(2) && text.contains("this source is compiled already"), "{text}");
     let refused = run(&["compile", &at("map.xodr"), "--ontology", &at("wrong.toml")], "");
     let told = String::from_utf8_lossy(&refused.stderr).into_owned();
     assert_eq!(refused.status.code(), Some(2), "{told}");
