@@ -75,7 +75,12 @@ pub fn ask_everything(bytes: AlignedBytes) {
 fn ask_signals(map: Map<'_>) {
     for signal in map.signals() {
         let _ = (signal.id(), signal.code(), signal.class(), signal.value(), signal.position());
-        let _ = (signal.dependencies().map(|link| link.id.len()).sum::<usize>(), signal.boards());
+        let _ = signal.dependencies().map(|link| link.id.len()).sum::<usize>();
+        for board in signal.boards() {
+            let _ = (board.position(), board.validities().count(), board.display_type());
+            let _ = (board.links().count(), board.dependencies().filter_map(|l| l.signal).count());
+            let _ = board.areas().map(|area| (area.position(), area.size())).last();
+        }
         let _ = (signal.links().filter_map(|link| link.signal).count(), signal.size());
         let _ = (signal.semantics().count(), signal.controllers().count(), signal.light());
         let _ = (signal.road().is_some(), signal.carrier().is_some(), signal.places().count());
@@ -83,6 +88,9 @@ fn ask_signals(map: Map<'_>) {
     }
     for place in map.signal_places() {
         let _ = place.lanes().filter(|one| one.distance() > 1.0).map(|one| one.method()).last();
+    }
+    for member in map.board_groups() {
+        let _ = (member.group(), member.board().is_some(), member.id(), member.rank());
     }
     for controller in map.controllers() {
         let _ = (controller.id(), controller.signals().count(), controller.junctions().count());
@@ -119,6 +127,7 @@ fn ask_objects(map: Map<'_>) {
     }
     for object in map.objects().take(200) {
         let _ = (object.id(), object.class().name(), object.type_name(), object.validities().len());
+        let _ = object.signals().map(|signal| signal.id().len()).sum::<usize>();
         let _ = (object.position_on_surface().is_ok(), object.is_repeated(), object.height());
         for outline in object.outlines() {
             let _ = (outline.positions().count(), outline.heights().count(), outline.fill());

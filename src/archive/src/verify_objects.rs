@@ -41,6 +41,7 @@ pub(crate) fn objects(tables: &Tables<'_>) -> Result<(), VerifyError> {
         }
     }
     by_lane(tables)?;
+    by_object(tables)?;
     index(tables)
 }
 
@@ -56,6 +57,24 @@ fn by_lane(tables: &Tables<'_>) -> Result<(), VerifyError> {
     for (row, pair) in tables.lane_objects.windows(2).enumerate() {
         if key(pair[0]) >= key(pair[1]) {
             return at(row + 1).fail("", format!("after {}", pair[0]), pair[1]);
+        }
+    }
+    Ok(())
+}
+
+/// `object_signals` lists the links that name objects of the map, each once, by object.
+fn by_object(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    let at = |row| Check { table: "object_signals", row };
+    let links = tables.signal_links.iter().filter(|link| link.object() != NONE).count();
+    if tables.object_signals.len() != links {
+        return at(0).fail("", format!("{links} rows"), tables.object_signals.len());
+    }
+    let key = |row: u32| (tables.signal_links.get(row as usize).map(|link| link.object()), row);
+    for (row, number) in tables.object_signals.iter().enumerate() {
+        let before = row.checked_sub(1).and_then(|row| tables.object_signals.get(row));
+        let is_object = key(*number).0.is_some_and(|object| object != NONE);
+        if !is_object || before.is_some_and(|before| key(*before) >= key(*number)) {
+            return at(row).fail("", "links of objects, by object", number);
         }
     }
     Ok(())

@@ -90,9 +90,10 @@ pub use route::{
 };
 pub use section::LaneSection;
 pub use signals::{
-    Controller, JunctionController, LaneLine, LaneSignal, LightStates, LineSource, NearSignal,
-    OvertakingRule, RightOfWay, Signal, SignalAhead, SignalLink, SignalPlace, SignalSemantics,
-    SignalsAhead, SpeedOrigin, SpeedRule, Turn,
+    BoardGroupMember, Controller, DisplayArea, JunctionController, LaneLine, LaneSignal,
+    LightStates, LineSource, NearSignal, OvertakingRule, RightOfWay, Signal, SignalAhead,
+    SignalBoard, SignalLink, SignalPlace, SignalSemantics, SignalsAhead, SpeedOrigin, SpeedRule,
+    Turn,
 };
 pub use structures::{ObjectReference, Structure};
 pub use surface::{Material, Surface};

@@ -13,7 +13,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [71, 149, 41, 82, 215, 75, 20, 226, 241, 13, 42, 100, 70, 254, 94, 34];
+    [32, 240, 203, 189, 31, 35, 188, 85, 187, 148, 35, 38, 3, 209, 20, 170];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -114,14 +114,18 @@ pub struct Rows {
     pub signal_lanes: Table<SignalLaneRow>,
     /// Rows of `signal_lanes` by lane, then by place.
     pub lane_signals: Table<u32>,
-    /// signal/dependency.
+    /// signal/dependency, and those of boards.
     pub signal_dependencies: Table<SignalDependencyRow>,
-    /// signal/reference.
+    /// signal/reference, and those of boards.
     pub signal_links: Table<SignalLinkRow>,
+    /// Rows of `signal_links` that name objects of the map, by object, then by row.
+    pub object_signals: Table<u32>,
     /// Children of signal/semantics, and of the header's default regulations.
     pub signal_semantics: Table<SignalSemanticsRow>,
     /// signal/vmsBoard, by signal: variable message boards (OpenDRIVE 1.8).
     pub signal_boards: Table<SignalBoardRow>,
+    /// vmsBoard/displayArea, by board: parts of variable message boards (OpenDRIVE 1.8).
+    pub display_areas: Table<DisplayAreaRow>,
     /// vmsGroup/vmsBoardReference, by group: variable message boards that work together (OpenDRIVE 1.8).
     pub board_groups: Table<BoardGroupRow>,
     /// One row per controller, in file order: a signal group, whose signals switch together.
@@ -250,8 +254,10 @@ impl Rows {
             lane_signals: (self.lane_signals.as_slice()),
             signal_dependencies: bytemuck::cast_slice(self.signal_dependencies.as_slice()),
             signal_links: bytemuck::cast_slice(self.signal_links.as_slice()),
+            object_signals: (self.object_signals.as_slice()),
             signal_semantics: bytemuck::cast_slice(self.signal_semantics.as_slice()),
             signal_boards: bytemuck::cast_slice(self.signal_boards.as_slice()),
+            display_areas: bytemuck::cast_slice(self.display_areas.as_slice()),
             board_groups: bytemuck::cast_slice(self.board_groups.as_slice()),
             controllers: bytemuck::cast_slice(self.controllers.as_slice()),
             controls: bytemuck::cast_slice(self.controls.as_slice()),
@@ -392,14 +398,18 @@ pub struct Tables<'a> {
     pub signal_lanes: &'a [ArchivedSignalLaneRow],
     /// Rows of `signal_lanes` by lane, then by place.
     pub lane_signals: &'a [u32],
-    /// signal/dependency.
+    /// signal/dependency, and those of boards.
     pub signal_dependencies: &'a [ArchivedSignalDependencyRow],
-    /// signal/reference.
+    /// signal/reference, and those of boards.
     pub signal_links: &'a [ArchivedSignalLinkRow],
+    /// Rows of `signal_links` that name objects of the map, by object, then by row.
+    pub object_signals: &'a [u32],
     /// Children of signal/semantics, and of the header's default regulations.
     pub signal_semantics: &'a [ArchivedSignalSemanticsRow],
     /// signal/vmsBoard, by signal: variable message boards (OpenDRIVE 1.8).
     pub signal_boards: &'a [ArchivedSignalBoardRow],
+    /// vmsBoard/displayArea, by board: parts of variable message boards (OpenDRIVE 1.8).
+    pub display_areas: &'a [ArchivedDisplayAreaRow],
     /// vmsGroup/vmsBoardReference, by group: variable message boards that work together (OpenDRIVE 1.8).
     pub board_groups: &'a [ArchivedBoardGroupRow],
     /// One row per controller, in file order: a signal group, whose signals switch together.
@@ -532,8 +542,10 @@ impl<'a> Tables<'a> {
             lane_signals: root.lane_signals.view_numbers(body, "lane_signals")?,
             signal_dependencies: root.signal_dependencies.view(body, "signal_dependencies")?,
             signal_links: root.signal_links.view(body, "signal_links")?,
+            object_signals: root.object_signals.view_numbers(body, "object_signals")?,
             signal_semantics: root.signal_semantics.view(body, "signal_semantics")?,
             signal_boards: root.signal_boards.view(body, "signal_boards")?,
+            display_areas: root.display_areas.view(body, "display_areas")?,
             board_groups: root.board_groups.view(body, "board_groups")?,
             controllers: root.controllers.view(body, "controllers")?,
             controls: root.controls.view(body, "controls")?,
@@ -578,7 +590,7 @@ impl<'a> Tables<'a> {
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 88] {
+    pub fn infos(&self) -> [TableInfo; 90] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -630,8 +642,10 @@ impl<'a> Tables<'a> {
             TableInfo::of("lane_signals", self.lane_signals),
             TableInfo::of("signal_dependencies", self.signal_dependencies),
             TableInfo::of("signal_links", self.signal_links),
+            TableInfo::of("object_signals", self.object_signals),
             TableInfo::of("signal_semantics", self.signal_semantics),
             TableInfo::of("signal_boards", self.signal_boards),
+            TableInfo::of("display_areas", self.display_areas),
             TableInfo::of("board_groups", self.board_groups),
             TableInfo::of("controllers", self.controllers),
             TableInfo::of("controls", self.controls),
@@ -685,6 +699,7 @@ const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());

@@ -3,6 +3,7 @@
 
 mod attach;
 mod index;
+mod objects;
 mod place;
 mod read;
 mod resolve;
@@ -88,6 +89,7 @@ pub(crate) struct Resolved {
 
 /// Fills positions, lanes and right of way of a map whose lane graph is complete. What belongs to no lane is a finding.
 pub(crate) fn complete(rows: &mut Rows, resolved: &Resolved) -> Vec<Finding> {
+    objects::resolve(rows);
     place::place(rows, resolved);
     let findings = attach::attach(rows, resolved);
     right_of_way::build(rows);
