@@ -86,6 +86,31 @@ fn what_lies_on_none_belongs_to_the_nearest() {
 }
 
 #[test]
+fn how_far_the_nearest_lane_may_be_is_an_option() {
+    use mapd_compiler::CompileOptions;
+    let objects = r#"<object id="1" type="tree" s="30" t="-26" zOffset="0" orientation="none"/>"#;
+    // A validity that names no lane of the road, so that what counts is where it stands.
+    let signals = r#"</objects><signals><signal id="1" s="30" t="-26" zOffset="0" orientation="+" dynamic="no" country="DE" type="206" subtype="-1"><validity fromLane="-9" toLane="-9"/></signal></signals>"#;
+    let text = document(&PLAIN, objects).replace("</objects>", signals);
+    // Both stand 20 m beside lane −2.
+    for (lane_reach, expected) in [(30.0, 1), (20.5, 1), (19.5, 0), (0.0, 0)] {
+        let options = CompileOptions { lane_reach, ..CompileOptions::default() };
+        options.validate().expect("in range");
+        let compiled = mapd_compiler::compile(text.as_bytes(), &options, &mut |_| {});
+        let rows = compiled.expect("reading works").rows.expect("rows");
+        let found = (rows.object_lanes.len(), rows.signal_lanes.len());
+        assert_eq!(found, (expected, expected), "{lane_reach}");
+        let is_default = options.hash() == CompileOptions::default().hash();
+        assert_eq!(is_default, options == CompileOptions::default(), "{lane_reach}");
+    }
+    for lane_reach in [-1.0, 2000.0, f64::NAN] {
+        let options = CompileOptions { lane_reach, ..CompileOptions::default() };
+        let refused = options.validate().expect_err("out of range").to_string();
+        assert!(refused.starts_with("lane reach must lie between 0 and 1000 m"), "{refused}");
+    }
+}
+
+#[test]
 fn repeated_parking_spaces_belong_to_the_parking_lane() {
     let spaces = r#"<object id="1" type="parkingSpace" s="10" t="-4.75" zOffset="0" length="5" width="2.4" orientation="none"><repeat s="20" length="30" distance="6" tStart="-4.75" tEnd="-4.75" heightStart="0" heightEnd="0" zOffsetStart="0" zOffsetEnd="0"/><parkingSpace access="all"/></object>"#;
     check(spaces, &[(-2, Track, 0)]);

@@ -261,7 +261,7 @@ impl Document {
             Ok(findings) => self.collector.add_late(findings, &self.places),
             Err(error) => self.collector.add_late(vec![too_large(&error)], &self.places),
         }
-        let findings = signals::complete(&mut rows, &self.signals);
+        let findings = signals::complete(&mut rows, &self.signals, options);
         self.collector.add_late(findings, &self.places);
         Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
     }

@@ -55,6 +55,10 @@ struct Options {
     #[arg(long, value_name = "M", default_value_t = CompileOptions::default().bound_tolerance)]
     bound_tolerance: f64,
 
+    /// Largest distance of an object or signal from a lane that it belongs to as the nearest [m]
+    #[arg(long, value_name = "M", default_value_t = CompileOptions::default().lane_reach)]
+    lane_reach: f64,
+
     /// Landmarks for routing, 0 to 32: more are faster over long ways and larger
     #[arg(long, value_name = "N", default_value_t = CompileOptions::default().landmarks, value_parser = clap::value_parser!(u8).range(0..=32))]
     landmarks: u8,
@@ -251,6 +255,7 @@ impl Options {
         CompileOptions {
             index_tolerance: self.index_tolerance,
             bound_tolerance: self.bound_tolerance,
+            lane_reach: self.lane_reach,
             landmarks: self.landmarks,
             cycles: match self.cycles {
                 Cycles::Illegal => CyclePolicy::Illegal,

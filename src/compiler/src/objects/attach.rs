@@ -12,8 +12,6 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_4;
 
-/// Distance `[m]` within which an object that lies on no lane belongs to the nearest one.
-pub(crate) const REACH: f64 = 25.0;
 /// A lane that lies farther above or below the road at the object's place than this `[m]` is on another level.
 const LEVEL: f64 = 3.0;
 /// The nearest lane must run along the object's road up to this angle `[rad]`.
@@ -62,6 +60,7 @@ pub(super) struct Reference {
 pub(super) fn attach(
     rows: &mut Rows,
     references: &[(u32, Reference)],
+    reach: f64,
 ) -> Result<Vec<usize>, TooLarge> {
     let found: Vec<Vec<ObjectLaneRow>> = {
         let archive = view(rows);
@@ -71,7 +70,7 @@ pub(super) fn attach(
             map.object_by_row(row).map_or_else(Vec::new, |object| {
                 let first = references.partition_point(|(of, _)| *of < row);
                 let own = references[first..].iter().take_while(|(of, _)| *of == row);
-                lanes_of(map, &near, &object, own.map(|(_, reference)| reference))
+                lanes_of((map, &near), &object, own.map(|(_, reference)| reference), reach)
             })
         };
         (0..rows.objects.len() as u32).into_par_iter().map(one).collect()
@@ -99,10 +98,10 @@ pub(super) fn attach(
 
 /// Rows of an object's lanes, nearer ones first.
 fn lanes_of<'a>(
-    map: Map<'_>,
-    near: &NearLanes,
+    (map, near): (Map<'_>, &NearLanes),
     object: &Object<'_>,
     references: impl Iterator<Item = &'a Reference>,
+    reach: f64,
 ) -> Vec<ObjectLaneRow> {
     let mut places = Places::default();
     let validities: Vec<(i32, i32)> = object.validities().collect();
@@ -132,7 +131,7 @@ fn lanes_of<'a>(
     }
     if places.0.is_empty() {
         for placement in object.placements() {
-            nearest(map, near, &placement, &mut probes, &mut places);
+            nearest((map, near), &placement, reach, &mut probes, &mut places);
         }
     }
     let number = object.object_id().row();
@@ -221,10 +220,14 @@ fn by_position(road: &Road<'_>, area: &TrackArea, orientation: Orientation, plac
     }
 }
 
-/// Height of the road at an object's place `[m]`, which lanes of other roads are compared with; none for an object of a
-/// junction, whose line has no height.
+/// Height of the road, or of the junction's elevation grid, at an object's place `[m]`, which lanes of other roads are compared
+/// with; none for an object of a junction without a grid, whose line has no height.
 fn ground(placement: &ObjectPlacement<'_>) -> Option<f64> {
-    placement.object().road().map(|road| road.elevation_at(placement.s()))
+    let object = placement.object();
+    match object.road() {
+        Some(road) => Some(road.elevation_at(placement.s())),
+        None => Some(object.junction()?.grid_height_at(placement.position().truncate())?.0),
+    }
 }
 
 /// Whether a place on a lane is on the level of the object's.
@@ -273,18 +276,18 @@ impl Candidate {
     }
 }
 
-/// The nearest lane that runs along the object's road and leads where the object is for; of what is swept along a road,
+/// The nearest lane within `most` `[m]` that runs along the object's road and leads where the object is for; of what is swept along a road,
 /// the nearest to each of some points.
 fn nearest(
-    map: Map<'_>,
-    near: &NearLanes,
+    (map, near): (Map<'_>, &NearLanes),
     placement: &ObjectPlacement<'_>,
+    most: f64,
     probes: &mut Vec<DVec2>,
     places: &mut Places,
 ) {
     let object = placement.object();
-    let most = if placement.is_swept() { SWEPT_PROBES } else { PROBES.1 };
-    placement.probes(PROBES.0, most, probes);
+    let count = if placement.is_swept() { SWEPT_PROBES } else { PROBES.1 };
+    placement.probes(PROBES.0, count, probes);
     let own = object.road();
     let own_row = own.map_or(NONE, |road| road.road_id().row());
     let track = mapd_query::Track { s: placement.s(), t: 0.0, h: 0.0 };
@@ -311,13 +314,13 @@ fn nearest(
     let mut best: Option<Candidate> = None;
     for probe in probes.iter() {
         let mut of_probe: Option<Candidate> = None;
-        let reach = REACH.min(best.map_or(REACH, |best| best.distance));
+        let reach = best.map_or(most, |best| most.min(best.distance));
         for (lane, at) in near.around(map, *probe, reach, |_| true) {
             let is_other = lane.road().road_id().row() != own_row;
             let row = lane.lane_id().row();
             let distance = (at.distance - round).max(0.0);
             let new = Candidate { distance, is_other, row, s: at.s };
-            if at.distance <= REACH && new.wins_over(of_probe) && fits(&lane, &at) {
+            if at.distance <= most && new.wins_over(of_probe) && fits(&lane, &at) {
                 of_probe = Some(new);
             }
         }

@@ -10,6 +10,7 @@ mod resolve;
 mod right_of_way;
 mod semantics;
 
+use crate::options::CompileOptions;
 use mapd_archive::{BoardGroupRow, ControlRow, ControllerRow, Rows, SignalRow};
 use mapd_ontology::Ontology;
 use mapd_xodr::source::Places;
@@ -88,10 +89,14 @@ pub(crate) struct Resolved {
 }
 
 /// Fills positions, lanes and right of way of a map whose lane graph is complete. What belongs to no lane is a finding.
-pub(crate) fn complete(rows: &mut Rows, resolved: &Resolved) -> Vec<Finding> {
+pub(crate) fn complete(
+    rows: &mut Rows,
+    resolved: &Resolved,
+    options: &CompileOptions,
+) -> Vec<Finding> {
     objects::resolve(rows);
     place::place(rows, resolved);
-    let findings = attach::attach(rows, resolved);
+    let findings = attach::attach(rows, resolved, options.lane_reach);
     right_of_way::build(rows);
     findings
 }
