@@ -84,7 +84,7 @@ fn ask_signals(map: Map<'_>) {
         let _ = (signal.links().filter_map(|link| link.signal).count(), signal.size());
         let _ = (signal.semantics().count(), signal.controllers().count(), signal.light());
         let _ = (signal.road().is_some(), signal.carrier().is_some(), signal.places().count());
-        let _ = map.signal_by_id(signal.id()).is_some();
+        let _ = (map.signal_by_id(signal.id()).is_some(), signal.movements().count());
     }
     for place in map.signal_places() {
         let _ = place.lanes().filter(|one| one.distance() > 1.0).map(|one| one.method()).last();
@@ -108,6 +108,7 @@ fn ask_signals(map: Map<'_>) {
         let _ = lane.overtaking_rule_at(1.0);
         let _ = (lane.speed_rule_at(1.0), lane.turn(), lane.movement_stop_line().is_some());
         let _ = (lane.movement_lights().count(), lane.yields_to().count(), lane.entries().count());
+        let _ = (lane.movement_crossings().count(), lane.movement_lanes().count());
         let _ = (lane.lines_to_stop_at().count(), lane.crossings().count(), lane.movement_stop());
         let _ = (lane.stop_lines().count(), lane.crosswalks().count(), lane.access_at(1.0).count());
         let from = LanePlace { lane: lane.lane_id(), s: 1.0 };

@@ -5,10 +5,11 @@ use mapd_archive::encode;
 use mapd_client::Snapshot;
 use mapd_compiler::{CompileOptions, ReadOptions, compile_from};
 use mapd_query::{
-    Class, Lane, LanePlace, LineSource, Map, Relation, RouteScratch, ShortestLength, SignalsAhead,
-    SpeedOrigin, Turn, VehicleClass,
+    Class, Lane, LaneLine, LanePlace, LineSource, Map, Relation, RouteScratch, ShortestLength,
+    SignalsAhead, SpeedOrigin, Turn, VehicleClass,
 };
 use mapd_tests::crossroads::{ARMS, crossroads, light, signal};
+use mapd_tests::graph_maps::{lane as graph_lane, section};
 use std::f64::consts::FRAC_PI_2;
 
 const CAR: VehicleClass = VehicleClass::PassengerCar;
@@ -40,6 +41,14 @@ fn yields(map: Map<'_>, road: &str) -> Vec<String> {
     let mut told: Vec<String> = told.collect();
     told.sort();
     told
+}
+
+/// Id of a line or crosswalk.
+fn id<'a>(map: Map<'a>, line: &LaneLine) -> &'a str {
+    match line.source {
+        LineSource::Signal(id) => map.signal(id).expect("known").id(),
+        LineSource::Object(id) => map.object(id).expect("known").id(),
+    }
 }
 
 /// The relation of two movements is seen alike from both sides.
@@ -100,11 +109,56 @@ fn each_movement_knows_its_light_line_and_group() {
             let incoming = of.entries().next().expect("a lane leads in");
             let crossing = incoming.crosswalks().next().expect("a crosswalk").signal();
             assert_eq!(crossing.id(), format!("C{from}"));
+            // It goes over the crosswalk of the arm that it comes from and of the one that it leads to.
+            let passed: Vec<_> = of.movement_crossings().map(|line| id(map, &line)).collect();
+            assert_eq!(passed, [format!("C{from}"), format!("C{to}")], "{from}{to}");
         }
     }
     let junction = map.junction_by_id("100").expect("the junction");
     let order: Vec<_> = junction.controllers().map(|c| (c.id(), c.sequence())).collect();
     assert_eq!(order, [("A", Some(0)), ("B", Some(1))]);
+}
+
+#[test]
+fn each_light_knows_what_it_governs() {
+    let snapshot = lit();
+    let map = snapshot.map();
+    for arm in 0..ARMS {
+        let signal = map.signal_by_id(&format!("L{arm}")).expect("a light");
+        let mut governed: Vec<&str> = signal.movements().map(|lane| lane.road().id()).collect();
+        governed.sort_unstable();
+        let others = (0..ARMS).filter(|to| *to != arm);
+        assert_eq!(governed, others.map(|to| format!("{arm}{to}")).collect::<Vec<_>>());
+    }
+    let sign = map.signal_by_id("V0").expect("a sign");
+    assert_eq!(sign.movements().count(), 0, "a sign governs none");
+}
+
+/// Where the last metres before the junction are sections of their own, a light and its line are found all the same.
+#[test]
+fn short_sections_before_a_junction_hide_nothing() {
+    let arm = signal("L", 12.0, 5.0, "-", "1000001", "")
+        + &signal("S", 13.0, 1.75, "-", "294", "")
+        + &signal("C", 15.0, 0.0, "none", "293", "")
+        + &signal("far", 40.0, 5.0, "-", "1000001", "");
+    let text = crossroads([arm, String::new(), String::new(), String::new()], "", "");
+    // Arm 0 in sections of 3, 7 and 80 m.
+    let whole = section(0.0, &graph_lane(1, ""), &graph_lane(-1, ""));
+    let parts = section(0.0, &graph_lane(1, "s1"), &graph_lane(-1, "s-1"))
+        + &section(3.0, &graph_lane(1, "p1 s1"), &graph_lane(-1, "p-1 s-1"))
+        + &section(10.0, &graph_lane(1, "p1"), &graph_lane(-1, "p-1"));
+    let snapshot = open(&text.replacen(&whole, &parts, 1));
+    let map = snapshot.map();
+    let of = movement(map, "02");
+    let lights: Vec<&str> = of.movement_lights().map(|one| one.signal().id()).collect();
+    assert_eq!(lights, ["L"], "the other is 40 m away");
+    assert_eq!(of.movement_stop_line().map(|one| one.signal().id()), Some("S"));
+    assert_eq!(of.movement_stop().map(|line| id(map, &line)), Some("S"));
+    assert_eq!(of.movement_crossings().map(|line| id(map, &line)).collect::<Vec<_>>(), ["C"]);
+    let back = movement(map, "20");
+    assert_eq!(back.movement_crossings().map(|line| id(map, &line)).collect::<Vec<_>>(), ["C"]);
+    let light = map.signal_by_id("L").expect("a light");
+    assert_eq!(light.movements().count(), 3);
 }
 
 #[test]
@@ -182,21 +236,17 @@ fn lines_and_crosswalks_may_be_objects() {
     let arm = arm.replacen("</lanes>", &format!("</lanes><objects>{objects}</objects>"), 1);
     let snapshot = open(&format!("{before}<road id=\"1\"{arm}"));
     let map = snapshot.map();
-    let id = |line: &mapd_query::LaneLine| match line.source {
-        LineSource::Signal(id) => map.signal(id).expect("known").id(),
-        LineSource::Object(id) => map.object(id).expect("known").id(),
-    };
     // Traffic comes in against s: it meets the line's far side at 2 + 0.25, the crosswalk's at 5 + 2.
     let stop = movement(map, "13").movement_stop().expect("a line");
-    assert_eq!((id(&stop), stop.class), ("line", Class::StopLine));
+    assert_eq!((id(map, &stop), stop.class), ("line", Class::StopLine));
     assert!((stop.s - 2.25).abs() < 1e-4, "{stop:?}");
     let incoming = lane(map, "1:0:1");
     let crossings: Vec<_> = incoming.crossings().collect();
-    assert_eq!(crossings.iter().map(id).collect::<Vec<_>>(), ["zebra"]);
+    assert_eq!(crossings.iter().map(|line| id(map, line)).collect::<Vec<_>>(), ["zebra"]);
     assert!((crossings[0].s - 7.0).abs() < 1e-4, "{crossings:?}");
     // Without a line, at the light.
     let stop = movement(map, "02").movement_stop().expect("a light");
-    assert_eq!((id(&stop), stop.class, stop.s), ("L0", Class::TrafficLight, 1.0));
+    assert_eq!((id(map, &stop), stop.class, stop.s), ("L0", Class::TrafficLight, 1.0));
     assert_eq!(movement(map, "20").movement_stop(), None);
 }
 

@@ -65,12 +65,15 @@ fn queries_about_signals_do_not_allocate() {
         seen += ahead.iter().filter(|one| map.signal_of(one).is_some()).count();
         seen += lane.movement_lights().count() + lane.yields_to().count();
         seen += usize::from(lane.movement_stop().is_some()) + lane.crossings().count();
+        seen += lane.movement_crossings().count();
         seen += usize::from(lane.overtaking_rule_at(5.0).all.is_some());
         seen += usize::from(lane.speed_rule_at(5.0).max.is_some()) + lane.access_at(5.0).count();
         seen += lane.traffic_lights().count() + usize::from(lane.movement_stop_line().is_some());
     }
-    seen +=
-        map.signals().map(|signal| signal.controllers().count() + signal.id().len()).sum::<usize>();
+    seen += map
+        .signals()
+        .map(|s| s.controllers().count() + s.id().len() + s.movements().count())
+        .sum::<usize>();
     seen += usize::from(map.signal_by_id("L1").is_some());
     map.signals_near(DVec2::ZERO, 90.0, &mut near).expect("an answer");
     map.signals_in(Region::around(DVec2::ZERO, 90.0), &mut inside).expect("an answer");

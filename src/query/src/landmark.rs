@@ -89,10 +89,7 @@ impl<'a> Map<'a> {
         out: &mut Vec<Landmark>,
     ) -> Result<(), QueryError> {
         out.clear();
-        if !(point.is_finite() && radius.is_finite()) {
-            return Err(QueryError::NotFinite);
-        }
-        let region = Region::around(point, radius.max(0.0));
+        let region = Region::around_circle(point, radius)?;
         let mut add = |landmark: Landmark, distance: f64| {
             if distance <= radius {
                 out.push(Landmark { distance, ..landmark });

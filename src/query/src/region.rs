@@ -39,6 +39,16 @@ impl Region {
         Self { low: middle - half, high: middle + half }
     }
 
+    /// The rectangle around a circle; a radius below 0 counts as 0.
+    ///
+    /// Errors: numbers that are not finite.
+    pub(crate) fn around_circle(middle: DVec2, radius: f64) -> Result<Self, QueryError> {
+        if !(middle.is_finite() && radius.is_finite()) {
+            return Err(QueryError::NotFinite);
+        }
+        Ok(Self::around(middle, radius.max(0.0)))
+    }
+
     /// Smallest and largest coordinates relative to an origin.
     pub(crate) fn local(&self, origin: DVec2) -> [DVec2; 2] {
         [self.low - origin, self.high - origin]

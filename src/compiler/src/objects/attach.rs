@@ -197,12 +197,7 @@ fn by_validity(
 
 /// Whether a lane leads where something is for. What nobody drives on leads everywhere.
 fn leads(lane: &Lane<'_>, orientation: Orientation) -> bool {
-    let free = lane.is_bidirectional() || !lane.kind().is_drivable();
-    match orientation {
-        Orientation::Along => free || lane.is_forward(),
-        Orientation::Against => free || !lane.is_forward(),
-        _ => true,
-    }
+    !lane.kind().is_drivable() || lane.is_bidirectional() || orientation.is_for(lane.is_forward())
 }
 
 /// Lanes of the object's own road that its area lies on; those that lead where it is for, if any does.
@@ -304,11 +299,8 @@ fn nearest(
         let is_opposed = turned > std::f64::consts::FRAC_PI_2;
         let parallel = turned.min(std::f64::consts::PI - turned) <= MOST_TURNED;
         // Along one road may be against the s of another.
-        let orientation = match (object.orientation(), is_opposed) {
-            (Orientation::Along, true) => Orientation::Against,
-            (Orientation::Against, true) => Orientation::Along,
-            (same, _) => same,
-        };
+        let written = object.orientation();
+        let orientation = if is_opposed { written.turned() } else { written };
         parallel && leads(lane, orientation)
     };
     let mut best: Option<Candidate> = None;

@@ -74,10 +74,11 @@ fn lanes_of(road: &Road<'_>, place: &PlaceWritten, reach: f64) -> Option<Found> 
     };
     let row = |lane: Lane<'_>| (lane.lane_id().row(), far(&lane));
     let lanes = || section.lanes().filter(|lane| lane.number() != 0);
-    let fits = |lane: &Lane<'_>| travels(lane, place.orientation);
+    let orientation = Orientation::from_code(place.orientation);
+    let fits = |lane: &Lane<'_>| lane.is_bidirectional() || orientation.is_for(lane.is_forward());
     let named = |lane: &Lane<'_>| {
         let number = lane.number();
-        place.validity.iter().any(|(a, b)| (*a.min(b)..=*a.max(b)).contains(&number))
+        place.validity.iter().any(|(a, b)| (*a..=*b).contains(&number))
     };
     // Lane 0 alone is nobody's lane: exporters write it for "not known".
     let says = place.validity.iter().any(|range| *range != (0, 0));
@@ -103,13 +104,4 @@ fn lanes_of(road: &Road<'_>, place: &PlaceWritten, reach: f64) -> Option<Found> 
     let nearest = nearest.filter(|(_, distance)| *distance <= reach);
     let nearest = nearest.min_by(|a, b| a.1.total_cmp(&b.1))?;
     Some((LaneMethod::Nearest, vec![nearest]))
-}
-
-/// Whether a lane travels a way.
-fn travels(lane: &Lane<'_>, orientation: u8) -> bool {
-    match Orientation::from_code(orientation) {
-        Orientation::Along => lane.is_forward() || lane.is_bidirectional(),
-        Orientation::Against => !lane.is_forward() || lane.is_bidirectional(),
-        _ => true,
-    }
 }

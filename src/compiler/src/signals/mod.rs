@@ -36,7 +36,7 @@ pub(crate) struct Pending {
 /// A signal whose row stands in the table already.
 struct Written {
     span: Span,
-    /// Lanes as written: from, to.
+    /// Lanes that it is written to be for, from the lower to the higher number.
     validity: Vec<(i32, i32)>,
     position: Position,
     /// Lateral and upward place on the board's carrier `[m]`.

@@ -2,7 +2,7 @@
 
 use super::semantics::{Meant, meant};
 use super::{Pending, Position, Reference, Written, empty_row};
-use crate::lower::{Lowering, Part, between};
+use crate::lower::{Lowering, Part, between, lanes, orientation};
 use mapd_archive::{
     BoardGroupRow, Class, ControlRow, ControllerRow, DisplayAreaRow, LaneRangeRow, NONE,
     SignalBoardRow, SignalDependencyRow, SignalLinkRow, SignalSemanticsRow, signal_flags,
@@ -103,7 +103,7 @@ impl Lowering {
                 id,
                 s,
                 t,
-                orientation: orientation(reference.orientation.value()),
+                orientation: orientation(reference.orientation.value()).code(),
                 validity: lanes(&reference.validity),
                 span: reference.span,
             });
@@ -147,7 +147,7 @@ impl Lowering {
         row.links = self.links_of(signal.reference.iter().chain(links), number);
         row.semantics = self.semantics(&stated);
         row.class = meaning.class.code();
-        row.orientation = orientation(signal.orientation);
+        row.orientation = orientation(signal.orientation).code();
         row.dynamic = u8::from(signal.dynamic);
         (row.bulbs, row.phases, row.arrows) = (light.bulbs, light.phases, light.arrows);
         row.has_value = bit(signal.value.is_some(), signal_values::WRITTEN)
@@ -233,9 +233,7 @@ impl Lowering {
         let areas = between(before, self.rows.display_areas.len());
         let before = self.rows.lane_ranges.len();
         let ranges = lanes(&board.validity).into_iter();
-        self.rows
-            .lane_ranges
-            .extend(ranges.map(|(a, b)| LaneRangeRow { from: a.min(b), to: a.max(b) }));
+        self.rows.lane_ranges.extend(ranges.map(|(from, to)| LaneRangeRow { from, to }));
         let validities = between(before, self.rows.lane_ranges.len());
         let dependencies = self.dependencies(board.dependency.iter());
         let links = self.links_of(board.reference.iter(), carrier);
@@ -360,20 +358,6 @@ fn position(signal: &Common<'_>, add: &mut dyn FnMut(&str) -> u32) -> Position {
         return Position::Road(add(p.road_id.text()), [s, t, z, h]);
     }
     Position::Track
-}
-
-/// As the archive has it; a word that is none of the standard's says nothing.
-fn orientation(word: Option<xodr::Orientation>) -> u8 {
-    match word {
-        Some(xodr::Orientation::Plus) => mapd_archive::Orientation::Along.code(),
-        Some(xodr::Orientation::Minus) => mapd_archive::Orientation::Against.code(),
-        _ => mapd_archive::Orientation::Both.code(),
-    }
-}
-
-fn lanes(validity: &[LaneValidity]) -> Vec<(i32, i32)> {
-    let written = |v: &LaneValidity| Some((v.from_lane.value()?, v.to_lane.value()?));
-    validity.iter().filter_map(written).collect()
 }
 
 /// A size `[m]` that the schema has as text; −1 where it is no number.

@@ -41,10 +41,8 @@ impl<'a> Map<'a> {
         out: &mut Vec<NearObject>,
     ) -> Result<(), QueryError> {
         out.clear();
-        if !(point.is_finite() && radius.is_finite()) {
-            return Err(QueryError::NotFinite);
-        }
-        self.visit_places(Region::around(point, radius.max(0.0)), |place| {
+        let region = Region::around_circle(point, radius)?;
+        self.visit_places(region, |place| {
             let distance = place.distance(point);
             if distance <= radius {
                 out.push(NearObject { place: place.placement_id(), distance });

@@ -3,7 +3,7 @@
 use super::{Signal, SignalPlace};
 use crate::lane::Lane;
 use crate::map::Map;
-use mapd_archive::{ArchivedSignalLaneRow, Class, LaneMethod, Orientation};
+use mapd_archive::{ArchivedSignalLaneRow, Class, LaneMethod};
 
 /// A signal at a place, for a lane.
 #[derive(Clone, Copy)]
@@ -57,11 +57,7 @@ impl<'a> LaneSignal<'a> {
 
     /// Whether it is for traffic that travels towards +s, or for that towards −s.
     pub fn is_for(&self, forward: bool) -> bool {
-        match self.place.orientation() {
-            Orientation::Along => forward,
-            Orientation::Against => !forward,
-            _ => true,
-        }
+        self.place.orientation().is_for(forward)
     }
 
     /// Its number among all places of signals.

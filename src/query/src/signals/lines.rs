@@ -3,7 +3,7 @@
 use crate::ids::{LaneId, ObjectId, SignalId};
 use crate::lane::Lane;
 use crate::signals::movement::ENTRY_REACH;
-use mapd_archive::{Class, Orientation};
+use mapd_archive::Class;
 
 /// An object this near to a lane lies on it `[m]`: markings end a little before the lane's edges.
 const ON_LANE: f64 = 0.5;
@@ -52,13 +52,8 @@ impl<'a> Lane<'a> {
             });
         let objects = self.objects().filter_map(move |one| {
             let object = one.object().filter(|_| one.distance() <= ON_LANE)?;
-            let is_for = match object.orientation() {
-                Orientation::Along => forward,
-                Orientation::Against => !forward,
-                _ => true,
-            };
             let (low, high) = one.s_range();
-            is_for.then(|| LaneLine {
+            object.orientation().is_for(forward).then(|| LaneLine {
                 source: LineSource::Object(object.object_id()),
                 class: object.class(),
                 lane: lane.lane_id(),
@@ -68,23 +63,21 @@ impl<'a> Lane<'a> {
         signals.chain(objects).filter(move |line| classes.contains(&line.class))
     }
 
+    /// Distance of a place on the lane from its end, or from its beginning, in driving direction `[m]`.
+    fn away(&self, s: f64, from_end: bool) -> f64 {
+        let section = self.section();
+        let at_high = self.is_forward() == from_end;
+        self.length_between(s, if at_high { section.s_end() } else { section.s_start() })
+    }
+
     /// Where the movement through this lane of a junction stops: at the marked line nearest to the junction, up to 30 m before
     /// it or on the movement's first lane; without one at its light. None where neither is known.
     pub fn movement_stop(&self) -> Option<LaneLine> {
         let start = self.movement_start();
-        let before = |lane: &Lane<'a>, s: f64| {
-            let section = lane.section();
-            let end = if lane.is_forward() { section.s_end() } else { section.s_start() };
-            lane.length_between(s, end)
-        };
-        let leading = self.entries().flat_map(|lane| {
-            lane.lines_to_stop_at().map(move |line| (before(&lane, line.s), line))
+        let leading = self.approaches().flat_map(|(lane, before)| {
+            lane.lines_to_stop_at().map(move |line| (before + lane.away(line.s, true), line))
         });
-        let inside = start.lines_to_stop_at().map(|line| {
-            let section = start.section();
-            let begin = if start.is_forward() { section.s_start() } else { section.s_end() };
-            (start.length_between(begin, line.s), line)
-        });
+        let inside = start.lines_to_stop_at().map(|line| (start.away(line.s, false), line));
         let near = leading.chain(inside).filter(|(distance, _)| *distance <= ENTRY_REACH);
         let marked = near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, line)| line);
         marked.or_else(|| {
@@ -94,5 +87,20 @@ impl<'a> Lane<'a> {
             let (class, s) = (light.signal().class(), light.s_on(&lane));
             Some(LaneLine { source, class, lane: lane.lane_id(), s })
         })
+    }
+
+    /// Crosswalks and bicycle crossings that the movement through this lane of a junction passes: up to 30 m before it, on its
+    /// own lanes, and up to 30 m behind it.
+    pub fn movement_crossings(&self) -> impl Iterator<Item = LaneLine> + use<'a> {
+        let before = self.approaches().flat_map(|(lane, before)| {
+            let near = move |line: &LaneLine| before + lane.away(line.s, true) <= ENTRY_REACH;
+            lane.crossings().filter(near)
+        });
+        let inside = self.movement_lanes().flat_map(|lane| lane.crossings());
+        let behind = self.departures().flat_map(|(lane, behind)| {
+            let near = move |line: &LaneLine| behind + lane.away(line.s, false) <= ENTRY_REACH;
+            lane.crossings().filter(near)
+        });
+        before.chain(inside).chain(behind)
     }
 }

@@ -29,10 +29,8 @@ impl<'a> Map<'a> {
         out: &mut Vec<NearSignal>,
     ) -> Result<(), QueryError> {
         out.clear();
-        if !(point.is_finite() && radius.is_finite()) {
-            return Err(QueryError::NotFinite);
-        }
-        self.visit_signals(Region::around(point, radius.max(0.0)), |signal| {
+        let region = Region::around_circle(point, radius)?;
+        self.visit_signals(region, |signal| {
             let distance = signal.position().truncate().distance(point);
             if distance <= radius {
                 out.push(NearSignal { signal: signal.signal_id(), distance });
