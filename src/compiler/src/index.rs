@@ -3,7 +3,7 @@
 use crate::TooLarge;
 use crate::lanes::view;
 use crate::options::CompileOptions;
-use crate::packed::{ROUNDING, WIDTH, order, round_up, stack};
+use crate::packed::{ROUNDING, WIDTH, ordered, round_up, stack};
 use glam::{DVec2, DVec3};
 use mapd_archive::{IndexLeafRow, IndexNodeRow, NONE, Rows};
 use mapd_geometry::clamp;
@@ -48,7 +48,7 @@ impl Entry {
 
 /// Fills `index_levels`, `index_nodes` and `index_leaves`.
 pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), TooLarge> {
-    let mut entries: Vec<Entry> = {
+    let entries: Vec<Entry> = {
         let archive = view(rows);
         let map = Map::new(&archive, 0);
         let numbers: Vec<u32> = (0..rows.lanes.len() as u32).collect();
@@ -58,7 +58,7 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
         return Ok(());
     }
     u32::try_from(entries.len()).map_err(|_| TooLarge::new("index_leaves"))?;
-    order(&mut entries, Entry::middle, |e| (e.lane, e.segment));
+    let entries = ordered(entries, Entry::middle);
     let (leaves, boxes): (Vec<_>, Vec<_>) = entries.par_chunks(WIDTH).map(leaf).unzip();
     let (levels, nodes) = stack(boxes, node);
     rows.index_levels = levels.into();

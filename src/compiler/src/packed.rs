@@ -2,9 +2,12 @@
 
 use glam::DVec2;
 use mapd_archive::BoxNodeRow;
+use rayon::prelude::*;
 
 /// Children of a node.
 pub(crate) const WIDTH: usize = 16;
+/// Entries that one task orders.
+const TOGETHER: usize = 4096;
 /// Relative rounding of single precision, doubled twice: coordinates are rounded once here and once in a query.
 pub(crate) const ROUNDING: f64 = 4.0 * f32::EPSILON as f64;
 
@@ -26,44 +29,81 @@ pub(crate) struct Packed {
 }
 
 /// Packs items.
-pub(crate) fn pack(mut entries: Vec<Entry>) -> Packed {
+pub(crate) fn pack(entries: Vec<Entry>) -> Packed {
     if entries.is_empty() {
         return Packed::default();
     }
-    order(&mut entries, |e, axis| e.low[axis] + e.high[axis], |e| e.item);
+    let entries = ordered(entries, |e, axis| e.low[axis] + e.high[axis]);
     let boxes = entries.iter().map(|e| (e.low, e.high)).collect();
     let (levels, nodes) = stack(boxes, node);
     Packed { levels, nodes, items: entries.iter().map(|entry| entry.item).collect() }
 }
 
-/// Orders entries so that consecutive sixteens lie close together, and sixteens of sixteens as well: halves along the
-/// longer side of their middles at multiples of whole subtrees. `key` makes the order total, so that the result does not
-/// depend on how it is sorted.
-pub(crate) fn order<T: Send, K: Ord>(
-    entries: &mut [T],
+/// An entry while entries are ordered.
+#[derive(Clone, Copy)]
+struct Key {
+    /// Twice the middle, as numbers that compare as the coordinates do.
+    middle: [i64; 2],
+    /// Place of the entry, which breaks ties.
+    entry: u32,
+}
+
+/// A number that compares as the coordinate does.
+fn comparable(value: f64) -> i64 {
+    let bits = value.to_bits() as i64;
+    bits ^ ((bits >> 63) & i64::MAX)
+}
+
+/// The coordinate of such a number.
+fn coordinate(comparable: i64) -> f64 {
+    f64::from_bits((comparable ^ ((comparable >> 63) & i64::MAX)) as u64)
+}
+
+/// Entries so ordered that consecutive sixteens lie close together, and sixteens of sixteens as well. `middle` gives twice the
+/// middle of an entry along an axis.
+pub(crate) fn ordered<T: Copy + Send + Sync>(
+    entries: Vec<T>,
     middle: fn(&T, usize) -> f64,
-    key: fn(&T) -> K,
-) {
-    if entries.len() <= WIDTH {
-        entries.sort_by_key(key);
-        return;
-    }
+) -> Vec<T> {
+    let key = |(entry, number): (&T, u32)| Key {
+        middle: [0, 1].map(|axis| comparable(middle(entry, axis))),
+        entry: number,
+    };
+    let mut keys: Vec<Key> = entries.iter().zip(0..).map(key).collect();
+    order(&mut keys);
+    keys.par_iter().map(|key| entries[key.entry as usize]).collect()
+}
+
+/// Halves along the longer side at multiples of whole subtrees. The order is total, so that the result does not depend on
+/// how it is sorted.
+fn order(keys: &mut [Key]) {
     let mut unit = WIDTH;
-    while unit * WIDTH < entries.len() {
+    while unit * WIDTH < keys.len() {
         unit *= WIDTH;
     }
-    let half = entries.len().div_ceil(unit) / 2 * unit;
-    let spread = |axis: usize| {
-        let low = entries.iter().map(|e| middle(e, axis)).fold(f64::INFINITY, f64::min);
-        let high = entries.iter().map(|e| middle(e, axis)).fold(f64::NEG_INFINITY, f64::max);
-        high - low
-    };
+    if keys.len() <= WIDTH {
+        keys.sort_unstable_by_key(|key| key.entry);
+        return;
+    }
+    let subtrees = keys.len().div_ceil(unit);
+    let middle = subtrees / 2 * unit;
+    let (mut low, mut high) = ([i64::MAX; 2], [i64::MIN; 2]);
+    for key in keys.iter() {
+        for axis in 0..2 {
+            low[axis] = low[axis].min(key.middle[axis]);
+            high[axis] = high[axis].max(key.middle[axis]);
+        }
+    }
+    let spread = |axis: usize| coordinate(high[axis]) - coordinate(low[axis]);
     let axis = usize::from(spread(1) > spread(0));
-    entries.select_nth_unstable_by(half, |p, q| {
-        middle(p, axis).total_cmp(&middle(q, axis)).then_with(|| key(p).cmp(&key(q)))
-    });
-    let (left, right) = entries.split_at_mut(half);
-    rayon::join(|| order(left, middle, key), || order(right, middle, key));
+    keys.select_nth_unstable_by_key(middle, |key| (key.middle[axis], key.entry));
+    let (left, right) = keys.split_at_mut(middle);
+    if left.len() + right.len() < TOGETHER {
+        order(left);
+        order(right);
+    } else {
+        rayon::join(|| order(left), || order(right));
+    }
 }
 
 /// Nodes over boxes, root first, and the first node of each level with the number of nodes behind the last.

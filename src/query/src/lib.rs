@@ -17,6 +17,7 @@
 
 mod area;
 mod class_set;
+mod cross_section;
 mod error;
 #[cfg(feature = "geodesy")]
 mod geodetic;
@@ -50,6 +51,7 @@ mod types;
 mod waypoints;
 
 pub use class_set::ClassSet;
+pub use cross_section::{CrossSection, SectionCutter};
 pub use error::QueryError;
 #[cfg(feature = "geodesy")]
 pub use geodetic::GeodeticError;
