@@ -191,6 +191,7 @@ fn ask_graph(map: Map<'_>) {
         let _ = map.lane_sequences_behind(from, 60.0, car, &mut sequences);
         let _ = map.next_junction(from, 60.0, car);
         let _ = map.signals_along(&steps, &mut SignalsAhead::default());
+        let _ = map.lines_along(&steps, &mut vec![]);
     }
 }
 

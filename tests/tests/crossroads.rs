@@ -5,8 +5,8 @@ use mapd_archive::encode;
 use mapd_client::Snapshot;
 use mapd_compiler::{CompileOptions, ReadOptions, compile_from};
 use mapd_query::{
-    Class, Lane, LaneLine, LanePlace, LineSource, Map, Relation, RouteScratch, ShortestLength,
-    SignalsAhead, SpeedOrigin, Turn, VehicleClass,
+    Class, Lane, LaneLine, LanePlace, LineAhead, LineSource, Map, Relation, RouteScratch,
+    ShortestLength, SignalsAhead, SpeedOrigin, Turn, VehicleClass,
 };
 use mapd_tests::crossroads::{ARMS, crossroads, light, signal};
 use mapd_tests::graph_maps::{lane as graph_lane, section};
@@ -244,6 +244,19 @@ fn lines_and_crosswalks_may_be_objects() {
     let crossings: Vec<_> = incoming.crossings().collect();
     assert_eq!(crossings.iter().map(|line| id(map, line)).collect::<Vec<_>>(), ["zebra"]);
     assert!((crossings[0].s - 7.0).abs() < 1e-4, "{crossings:?}");
+    // A route from arm 1 to arm 3 passes both, and nothing of the other arm.
+    let place = |key: &str| LanePlace { lane: lane(map, key).lane_id(), s: 80.0 };
+    let (mut scratch, mut steps, mut lines) = (RouteScratch::default(), Vec::new(), Vec::new());
+    let (from, to) = (place("1:0:1"), place("3:0:-1"));
+    let route = map.route(from, to, CAR, &ShortestLength::default(), &mut scratch, &mut steps);
+    assert!(route.expect("an answer").is_some());
+    map.lines_along(&steps, &mut lines).expect("an answer");
+    let passed: Vec<_> = lines.iter().map(|one| (id(map, &one.line), one.distance)).collect();
+    let expected = [("zebra", 80.0 - 7.0), ("line", 80.0 - 2.25)];
+    assert_eq!(passed.len(), expected.len(), "{passed:?}");
+    for (found, expected) in passed.iter().zip(expected) {
+        assert!(found.0 == expected.0 && (found.1 - expected.1).abs() < 1e-4, "{passed:?}");
+    }
     // Without a line, at the light.
     let stop = movement(map, "02").movement_stop().expect("a light");
     assert_eq!((id(map, &stop), stop.class, stop.s), ("L0", Class::TrafficLight, 1.0));
@@ -273,6 +286,16 @@ fn a_route_meets_signals_in_their_order() {
     let straight = [("V0", 20.0), ("C0", 76.0), ("S0", 78.0), ("L0", 79.0), ("C2", 104.0)];
     let straight = straight.map(|(id, distance)| (id.to_owned(), distance));
     assert_eq!(met(map, &ahead), straight);
+
+    // Of these, the lines and crosswalks.
+    let mut lines = Vec::new();
+    map.lines_along(&steps, &mut lines).expect("an answer");
+    let rounded = |x: f64| (x * 100.0).round() / 100.0;
+    let name = |one: &LineAhead| (id(map, &one.line).to_owned(), rounded(one.distance));
+    assert_eq!(
+        lines.iter().map(name).collect::<Vec<_>>(),
+        [1, 2, 4].map(|i: usize| straight[i].clone())
+    );
 
     // All ways: a right turn's centre line has radius 10 − 1.75, a left turn's 10 + 1.75.
     map.signals_ahead(from, 110.0, CAR, &mut ahead).expect("an answer");

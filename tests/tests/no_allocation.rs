@@ -10,7 +10,6 @@ use mapd_client::{
     next_lane_change,
 };
 use mapd_compiler::{CompileOptions, compile};
-use mapd_tests::crossroads::{crossroads, light, signal};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
@@ -43,11 +42,7 @@ const ROOM: usize = 4096;
 /// Signals at the crossing that the tests carry as code.
 #[test]
 fn queries_about_signals_do_not_allocate() {
-    let signals = std::array::from_fn(|arm| {
-        light(&format!("L{arm}"))
-            + &signal(&format!("V{arm}"), 60.0, 5.0, "-", "274", "value=\"50\" unit=\"km/h\"")
-    });
-    let text = crossroads(signals, "", "");
+    let text = mapd_tests::crossroads::furnished();
     let compiled = compile(text.as_bytes(), &CompileOptions::default(), &mut |_| {});
     let compiled = compiled.expect("reading works");
     let rows = compiled.rows.expect("accepted");
@@ -57,8 +52,25 @@ fn queries_about_signals_do_not_allocate() {
     let mut ahead = SignalsAhead::with_capacity(ROOM);
     let (mut near, mut inside, mut landmarks) =
         (Vec::with_capacity(ROOM), Vec::with_capacity(ROOM), Vec::with_capacity(ROOM));
+    let car = VehicleClass::PassengerCar;
+    let (mut scratch, mut steps, mut lines) = (
+        RouteScratch::with_capacity(map.lane_nodes().len()),
+        Vec::with_capacity(ROOM),
+        Vec::with_capacity(ROOM),
+    );
+    let place = |key: &str| {
+        let lane = map.lane_by_key(&key.parse().expect("a key")).expect("a lane");
+        LanePlace { lane: lane.lane_id(), s: 80.0 }
+    };
+    let (from, to, cost) = (place("0:0:1"), place("2:0:-1"), ShortestTime::default());
     let before = COUNT.with(Cell::get);
     let mut seen = 0;
+    map.route(from, to, car, &cost, &mut scratch, &mut steps).expect("an answer").expect("a route");
+    map.signals_along(&steps, &mut ahead).expect("an answer");
+    map.lines_along(&steps, &mut lines).expect("an answer");
+    seen += lines.len() + ahead.iter().len();
+    seen += map.signals().flat_map(|s| s.boards()).map(|b| b.areas().len()).sum::<usize>();
+    seen += map.objects().map(|object| object.signals().count()).sum::<usize>();
     for lane in map.lanes() {
         let from = LanePlace { lane: lane.lane_id(), s: 80.0 };
         map.signals_ahead(from, 200.0, VehicleClass::PassengerCar, &mut ahead).expect("an answer");

@@ -93,9 +93,9 @@ pub use route::{
 pub use section::LaneSection;
 pub use signals::{
     BoardGroupMember, Controller, DisplayArea, JunctionController, LaneLine, LaneSignal,
-    LightStates, LineSource, NearSignal, OvertakingRule, RightOfWay, Signal, SignalAhead,
-    SignalBoard, SignalLink, SignalPlace, SignalSemantics, SignalsAhead, SpeedOrigin, SpeedRule,
-    Turn,
+    LightStates, LineAhead, LineSource, NearSignal, OvertakingRule, RightOfWay, Signal,
+    SignalAhead, SignalBoard, SignalLink, SignalPlace, SignalSemantics, SignalsAhead, SpeedOrigin,
+    SpeedRule, Turn,
 };
 pub use structures::{ObjectReference, Structure};
 pub use surface::{Material, Surface};

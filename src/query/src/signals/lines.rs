@@ -1,15 +1,24 @@
 //! Stop lines and crosswalks, whether the file writes them as signals or as objects.
 
+use crate::error::QueryError;
 use crate::ids::{LaneId, ObjectId, SignalId};
 use crate::lane::Lane;
+use crate::map::Map;
+use crate::route::RouteStep;
+use crate::signals::ahead::met;
 use crate::signals::movement::ENTRY_REACH;
 use mapd_archive::Class;
 
 /// An object this near to a lane lies on it `[m]`: markings end a little before the lane's edges.
 const ON_LANE: f64 = 0.5;
 
+/// Lines at which traffic stops or gives way.
+const TO_STOP_AT: &[Class] = &[Class::StopLine, Class::WaitingLine];
+/// What crosses lanes.
+const CROSSINGS: &[Class] = &[Class::Crosswalk, Class::BicycleCrossing];
+
 /// Who says that there is a line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum LineSource {
     /// A signal.
     Signal(SignalId),
@@ -30,19 +39,64 @@ pub struct LaneLine {
     pub s: f64,
 }
 
+/// A stop line or crosswalk that a route passes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LineAhead {
+    /// The line.
+    pub line: LaneLine,
+    /// Distance along the lanes' centre lines from the route's start `[m]`.
+    pub distance: f64,
+}
+
+impl Map<'_> {
+    /// Stop lines, lines to give way at, crosswalks and bicycle crossings along a route, nearest first, whether the file writes
+    /// them as signals or as objects; one over several lanes stands once for each that is driven on. `out` is emptied first; it
+    /// grows only if its capacity is too small.
+    ///
+    /// Errors: ids of another map.
+    pub fn lines_along(
+        &self,
+        steps: &[RouteStep],
+        out: &mut Vec<LineAhead>,
+    ) -> Result<(), QueryError> {
+        out.clear();
+        let mut passed = 0.0;
+        for (i, step) in steps.iter().enumerate() {
+            let lane = self.lane(step.lane)?;
+            let last = i + 1 == steps.len();
+            for line in [TO_STOP_AT, CROSSINGS].iter().flat_map(|c| lane.lines(c, step.forward)) {
+                if let Some(distance) = met(&lane, step, line.s, last) {
+                    out.push(LineAhead { line, distance: passed + distance });
+                }
+            }
+            passed += lane.length_between(step.s_from, step.s_to);
+        }
+        // Sorting in place allocates nothing; what lies at one place keeps an order of its own.
+        out.sort_unstable_by(|a, b| {
+            a.distance.total_cmp(&b.distance).then(a.line.source.cmp(&b.line.source))
+        });
+        Ok(())
+    }
+}
+
 impl<'a> Lane<'a> {
     /// Lines at which the lane's traffic stops or gives way: signals first, then objects.
     pub fn lines_to_stop_at(&self) -> impl Iterator<Item = LaneLine> + use<'a> {
-        self.lines(&[Class::StopLine, Class::WaitingLine])
+        self.lines(TO_STOP_AT, self.is_forward())
     }
 
     /// Crosswalks and bicycle crossings over the lane: signals first, then objects.
     pub fn crossings(&self) -> impl Iterator<Item = LaneLine> + use<'a> {
-        self.lines(&[Class::Crosswalk, Class::BicycleCrossing])
+        self.lines(CROSSINGS, self.is_forward())
     }
 
-    fn lines(&self, classes: &'static [Class]) -> impl Iterator<Item = LaneLine> + use<'a> {
-        let (lane, forward) = (*self, self.is_forward());
+    /// Lines of these classes for traffic towards +s, or for that towards −s.
+    fn lines(
+        &self,
+        classes: &'static [Class],
+        forward: bool,
+    ) -> impl Iterator<Item = LaneLine> + use<'a> {
+        let lane = *self;
         let signals =
             self.signals().filter(move |one| one.is_for(forward)).map(move |one| LaneLine {
                 source: LineSource::Signal(one.signal().signal_id()),

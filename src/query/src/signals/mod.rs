@@ -16,7 +16,7 @@ pub use ahead::{SignalAhead, SignalsAhead};
 pub use board::{BoardGroupMember, DisplayArea, SignalBoard};
 pub use controller::{Controller, JunctionController};
 pub use lane::LaneSignal;
-pub use lines::{LaneLine, LineSource};
+pub use lines::{LaneLine, LineAhead, LineSource};
 pub use link::SignalLink;
 pub use movement::{RightOfWay, Turn};
 pub use near::NearSignal;
