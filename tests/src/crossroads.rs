@@ -26,14 +26,34 @@ pub fn light(id: &str) -> String {
 
 /// The map: signals of each arm, what the junction holds beside its connections, what stands beside roads and junction.
 pub fn crossroads(signals: [String; ARMS], of_junction: &str, beside: &str) -> String {
+    crossing(false, signals, of_junction, beside)
+}
+
+/// The same with left-hand traffic: an arm's lane 1 leads out, its lane −1 in, and `ab` has a lane 1.
+pub fn left_hand_crossroads(signals: [String; ARMS], of_junction: &str, beside: &str) -> String {
+    crossing(true, signals, of_junction, beside)
+}
+
+fn crossing(
+    is_left_hand: bool,
+    signals: [String; ARMS],
+    of_junction: &str,
+    beside: &str,
+) -> String {
+    let rule = if is_left_hand { "rule=\"LHT\" " } else { "" };
     let mut elements = String::new();
     let mut connections = String::new();
     for (arm, signals) in signals.iter().enumerate() {
         let angle = arm as f64 * FRAC_PI_2;
         let line = Line(10.0 * angle.cos(), 10.0 * angle.sin(), angle, 90.0, 0.0);
         let lanes = section(0.0, &lane(1, ""), &lane(-1, ""));
-        let plain =
-            road(&arm.to_string(), "junction=\"-1\"", line, &link("p junction 100"), &lanes);
+        let plain = road(
+            &arm.to_string(),
+            &format!("{rule}junction=\"-1\""),
+            line,
+            &link("p junction 100"),
+            &lanes,
+        );
         elements += &plain.replace("</road>", &format!("<signals>\n{signals}</signals>\n</road>"));
     }
     for from in 0..ARMS {
@@ -50,12 +70,16 @@ pub fn crossroads(signals: [String; ARMS], of_junction: &str, beside: &str) -> S
             let line = Line(start.0, start.1, angle + PI, length, curvature);
             let links =
                 link(&format!("p road {from} start")) + &link(&format!("s road {to} start"));
-            let lanes = section(0.0, "", &lane(-1, "p1 s-1"));
-            elements += &road(&id, "junction=\"100\"", line, &links, &lanes);
+            let lanes = if is_left_hand {
+                section(0.0, &lane(1, "p-1 s1"), "")
+            } else {
+                section(0.0, "", &lane(-1, "p1 s-1"))
+            };
+            elements += &road(&id, &format!("{rule}junction=\"100\""), line, &links, &lanes);
             let attributes = format!(
                 "id=\"{id}\" incomingRoad=\"{from}\" connectingRoad=\"{id}\" contactPoint=\"start\""
             );
-            connections += &connection(&attributes, "1>-1");
+            connections += &connection(&attributes, if is_left_hand { "-1>1" } else { "1>-1" });
         }
     }
     elements += &junction("100", "name=\"crossing\"", &format!("{connections}{of_junction}"));

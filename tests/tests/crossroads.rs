@@ -8,7 +8,7 @@ use mapd_query::{
     Class, Lane, LaneLine, LanePlace, LineAhead, LineSource, Map, Relation, RouteScratch,
     ShortestLength, SignalsAhead, SpeedOrigin, Turn, VehicleClass,
 };
-use mapd_tests::crossroads::{ARMS, crossroads, light, signal};
+use mapd_tests::crossroads::{ARMS, crossroads, left_hand_crossroads, light, signal};
 use mapd_tests::graph_maps::{lane as graph_lane, section};
 use std::f64::consts::FRAC_PI_2;
 
@@ -30,8 +30,11 @@ fn lane<'a>(map: Map<'a>, key: &str) -> Lane<'a> {
     map.lane_by_key(&key).unwrap_or_else(|| panic!("no lane {key}"))
 }
 
+/// The lane of a connecting road, which has one.
 fn movement<'a>(map: Map<'a>, road: &str) -> Lane<'a> {
-    lane(map, &format!("{road}:0:-1"))
+    let road = map.road_by_id(road).unwrap_or_else(|| panic!("no road {road}"));
+    let section = road.section(0).expect("a section");
+    section.lanes().find(|lane| lane.number() != 0).expect("a lane")
 }
 
 /// Whom a movement yields to, and why.
@@ -261,6 +264,28 @@ fn lines_and_crosswalks_may_be_objects() {
     let stop = movement(map, "02").movement_stop().expect("a light");
     assert_eq!((id(map, &stop), stop.class, stop.s), ("L0", Class::TrafficLight, 1.0));
     assert_eq!(movement(map, "20").movement_stop(), None);
+}
+
+#[test]
+fn with_left_hand_traffic_turns_to_the_right_yield() {
+    let lights = std::array::from_fn(|arm| light(&format!("L{arm}")));
+    let snapshot = open(&left_hand_crossroads(lights, "", ""));
+    let map = snapshot.map();
+    check_symmetry(map);
+    for (to, turn) in [("01", Turn::Right), ("02", Turn::Straight), ("03", Turn::Left)] {
+        let of = movement(map, to);
+        assert_eq!(of.turn(), turn);
+        let lights: Vec<&str> = of.movement_lights().map(|one| one.signal().id()).collect();
+        assert_eq!(lights, ["L0"], "{to}");
+    }
+    let across = |id: &str| format!("{id} turn across oncoming traffic");
+    assert_eq!(yields(map, "01"), [across("20"), across("21")]);
+    assert_eq!(yields(map, "02"), [""; 0]);
+    assert_eq!(yields(map, "03"), [""; 0], "a turn to the near side crosses nobody");
+    // Without lights, who comes from the right goes first on this side of the road too.
+    let snapshot = open(&left_hand_crossroads(Default::default(), "", ""));
+    check_symmetry(snapshot.map());
+    assert!(yields(snapshot.map(), "02").contains(&"13 from the right".to_owned()));
 }
 
 /// What is met, with distances rounded to a centimetre.
