@@ -137,6 +137,49 @@ fn each_light_knows_what_it_governs() {
     assert_eq!(sign.movements().count(), 0, "a sign governs none");
 }
 
+/// Lights of a whole junction under one controller do not switch together where their movements cross.
+#[test]
+fn one_controller_for_all_lights_still_lets_them_decide() {
+    let signals = std::array::from_fn(|arm| light(&format!("L{arm}")));
+    let controls: String = (0..ARMS).map(|arm| format!("<control signalId=\"L{arm}\"/>")).collect();
+    let beside = format!("<controller id=\"A\">{controls}</controller>");
+    let snapshot = open(&crossroads(signals, "", &beside));
+    let map = snapshot.map();
+    check_symmetry(map);
+    let with = |road: &str, other: &str| {
+        let own = movement(map, road);
+        let mut rows = own.right_of_way();
+        let row = rows.find(|row| row.other().is_some_and(|lane| lane.road().id() == other));
+        row.expect("they meet").relation()
+    };
+    assert_eq!([with("02", "13"), with("02", "31")], [Relation::Lights; 2]);
+    assert_eq!(with("03", "20"), Relation::Yields, "oncoming lights are green together");
+}
+
+/// A light whose orientation is against the lane that its validity names is for that lane.
+#[test]
+fn a_validity_goes_before_the_orientation() {
+    let text = crossroads(Default::default(), "", "");
+    let light = "<signal id=\"X\" s=\"0.5\" t=\"-4\" zOffset=\"3\" orientation=\"-\" dynamic=\"yes\" country=\"OpenDRIVE\" type=\"1000001\" subtype=\"-1\"><validity fromLane=\"-1\" toLane=\"-1\"/></signal>";
+    let (before, road) = text.split_once("<road id=\"02\"").expect("a connecting road");
+    let road = road.replacen("</road>", &format!("<signals>{light}</signals></road>"), 1);
+    let snapshot = open(&format!("{before}<road id=\"02\"{road}"));
+    let map = snapshot.map();
+    let lights = |road: &str| -> Vec<String> {
+        let of = movement(map, road);
+        of.movement_lights().map(|one| one.signal().id().to_owned()).collect()
+    };
+    assert_eq!((lights("02"), lights("03")), (vec!["X".to_owned()], vec![]));
+    let light = map.signal_by_id("X").expect("a light");
+    let governed: Vec<&str> = light.movements().map(|lane| lane.road().id()).collect();
+    assert_eq!(governed, ["02"]);
+    // Traffic from arm 0 meets it half a metre behind the arm's end.
+    let from = LanePlace { lane: lane(map, "0:0:1").lane_id(), s: 80.0 };
+    let mut ahead = SignalsAhead::default();
+    map.signals_ahead(from, 200.0, CAR, &mut ahead).expect("an answer");
+    assert_eq!(met(map, &ahead), [("X".to_owned(), 80.5)]);
+}
+
 /// Where the last metres before the junction are sections of their own, a light and its line are found all the same.
 #[test]
 fn short_sections_before_a_junction_hide_nothing() {

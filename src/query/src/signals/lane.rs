@@ -55,9 +55,20 @@ impl<'a> LaneSignal<'a> {
         mapd_geometry::clamp(self.place.s(), start, section.s_end().max(start))
     }
 
-    /// Whether it is for traffic that travels towards +s, or for that towards −s.
+    /// Whether it is for traffic that travels towards +s, or for that towards −s: as its orientation says. Where the file names a
+    /// lane that travels the other way, the lane is meant (RoadRunner writes lights of connecting roads so).
     pub fn is_for(&self, forward: bool) -> bool {
-        self.place.orientation().is_for(forward)
+        self.place.orientation().is_for(forward) || self.is_for_lane_alone(forward)
+    }
+
+    /// Whether the lane is named against the orientation, and this is the direction in which it is travelled.
+    fn is_for_lane_alone(&self, forward: bool) -> bool {
+        self.method() == LaneMethod::Validity
+            && self.lane().is_some_and(|lane| {
+                !lane.is_bidirectional()
+                    && lane.is_forward() == forward
+                    && !self.place.orientation().is_for(lane.is_forward())
+            })
     }
 
     /// Its number among all places of signals.
