@@ -180,6 +180,28 @@ fn a_validity_goes_before_the_orientation() {
     assert_eq!(met(map, &ahead), [("X".to_owned(), 80.5)]);
 }
 
+/// A crosswalk that is written in one connecting road lies on all that begin there, whatever its orientation.
+#[test]
+fn a_crosswalk_in_a_junction_is_everybodys() {
+    let text = crossroads(Default::default(), "", "");
+    let (before, road) = text.split_once("<road id=\"02\"").expect("a connecting road");
+    for orientation in ["+", "-", "none"] {
+        let zebra = format!(
+            "<objects><object id=\"zebra\" type=\"crosswalk\" s=\"1\" t=\"-1.75\" zOffset=\"0\" orientation=\"{orientation}\" length=\"1\" width=\"3\" height=\"0.01\"/></objects>"
+        );
+        let road = road.replacen("</lanes>", &format!("</lanes>{zebra}"), 1);
+        let snapshot = open(&format!("{before}<road id=\"02\"{road}"));
+        let map = snapshot.map();
+        let passed = |road: &str| -> Vec<&str> {
+            movement(map, road).movement_crossings().map(|line| id(map, &line)).collect()
+        };
+        for road in ["01", "02", "03"] {
+            assert_eq!(passed(road), ["zebra"], "{road} {orientation}");
+        }
+        assert_eq!(passed("13"), [""; 0]);
+    }
+}
+
 /// Where the last metres before the junction are sections of their own, a light and its line are found all the same.
 #[test]
 fn short_sections_before_a_junction_hide_nothing() {

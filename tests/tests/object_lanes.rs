@@ -38,6 +38,14 @@ fn a_validity_names_lanes_whatever_lies_below() {
         &object(r#"<validity fromLane="-1" toLane="0"/><validity fromLane="2" toLane="2"/>"#),
         &[(2, Validity, 140), (-1, Validity, 690)],
     );
+    // Of the lanes that it names, those that lead where it is for; all where none does.
+    let both = object(r#"<validity fromLane="-1" toLane="1"/>"#);
+    check(&both, &[(1, Validity, 340), (-1, Validity, 690)]);
+    let along = both.replace(r#"orientation="none""#, r#"orientation="+""#);
+    check(&along, &[(-1, Validity, 690)]);
+    let against = object(r#"<validity fromLane="-1" toLane="-1"/>"#);
+    let against = against.replace(r#"orientation="none""#, r#"orientation="-""#);
+    check(&against, &[(-1, Validity, 690)]);
     // Lanes that the road does not have: what counts is where it stands.
     check(&object(r#"<validity fromLane="-9" toLane="-7"/>"#), &[(2, Nearest, 140)]);
 }

@@ -111,7 +111,8 @@ fn lanes_of<'a>(
         let mut is_named = false;
         if let Some((road, area)) = area {
             let area = area.lengthened((placement.s() + object.valid_length()).min(road.length()));
-            is_named = by_validity(&road, &area, &validities, &mut places);
+            let meant = (&validities[..], object.orientation());
+            is_named = by_validity(&road, &area, meant, &mut places);
             if !is_named {
                 by_position(&road, &area, object.orientation(), &mut places);
             }
@@ -125,7 +126,8 @@ fn lanes_of<'a>(
         let corner = vec![DVec2::new(reference.s, reference.t)];
         let Some(area) = TrackArea::new(corner) else { continue };
         let area = area.lengthened((reference.s + reference.valid_length).min(road.length()));
-        if !by_validity(&road, &area, &reference.validities, &mut places) {
+        let meant = (&reference.validities[..], reference.orientation);
+        if !by_validity(&road, &area, meant, &mut places) {
             by_position(&road, &area, reference.orientation, &mut places);
         }
     }
@@ -172,27 +174,19 @@ fn area(road: &Road<'_>, placement: &ObjectPlacement<'_>) -> Option<TrackArea> {
     TrackArea::new(corners.iter().map(track).collect::<Option<Vec<_>>>()?)
 }
 
-/// Lanes that the file names. False where it names none that the road has there.
+/// Lanes that the file names, those that lead where the object is for, if any does. False where it names none that the road has
+/// there.
 fn by_validity(
     road: &Road<'_>,
     area: &TrackArea,
-    validities: &[(i32, i32)],
+    (validities, orientation): (&[(i32, i32)], Orientation),
     places: &mut Places,
 ) -> bool {
-    let is_meant = |number: i32| {
-        number != 0 && validities.iter().any(|(from, to)| *from <= number && number <= *to)
-    };
-    let mut any = false;
-    for lane in area.sections(road).flat_map(|section| section.lanes()) {
-        if !is_meant(lane.number()) {
-            continue;
-        }
-        if let Some(stretch) = area.on(&lane, true) {
-            places.add(&lane, stretch, LaneMethod::Validity);
-            any = true;
-        }
-    }
-    any
+    let is_meant =
+        |number: i32| validities.iter().any(|(from, to)| *from <= number && number <= *to);
+    let meant = lanes_in(road, area).filter(|lane| is_meant(lane.number()));
+    let named = meant.filter_map(|lane| Some((lane, area.on(&lane, true)?)));
+    add_leading(named, orientation, LaneMethod::Validity, places)
 }
 
 /// Whether a lane leads where something is for. What nobody drives on leads everywhere.
@@ -202,17 +196,30 @@ fn leads(lane: &Lane<'_>, orientation: Orientation) -> bool {
 
 /// Lanes of the object's own road that its area lies on; those that lead where it is for, if any does.
 fn by_position(road: &Road<'_>, area: &TrackArea, orientation: Orientation, places: &mut Places) {
-    let lanes = area.sections(road).flat_map(|section| section.lanes());
-    let on: Vec<(Lane<'_>, Stretch)> = lanes
-        .filter(|lane| lane.number() != 0)
-        .filter_map(|lane| Some((lane, area.on(&lane, false)?)))
-        .collect();
-    let any_leads = on.iter().any(|(lane, _)| leads(lane, orientation));
-    for (lane, stretch) in on {
-        if !any_leads || leads(&lane, orientation) {
-            places.add(&lane, stretch, LaneMethod::Track);
+    let on = lanes_in(road, area).filter_map(|lane| Some((lane, area.on(&lane, false)?)));
+    add_leading(on, orientation, LaneMethod::Track, places);
+}
+
+/// Lanes but lane 0 of the sections that an area lies in.
+fn lanes_in<'a>(road: &Road<'a>, area: &TrackArea) -> impl Iterator<Item = Lane<'a>> {
+    area.sections(road).flat_map(|section| section.lanes()).filter(|lane| lane.number() != 0)
+}
+
+/// Adds of these lanes those that lead where something is for; all where none does. False where there are none.
+fn add_leading<'a>(
+    lanes: impl Iterator<Item = (Lane<'a>, Stretch)>,
+    orientation: Orientation,
+    method: LaneMethod,
+    places: &mut Places,
+) -> bool {
+    let lanes: Vec<(Lane<'_>, Stretch)> = lanes.collect();
+    let any_leads = lanes.iter().any(|(lane, _)| leads(lane, orientation));
+    for (lane, stretch) in &lanes {
+        if !any_leads || leads(lane, orientation) {
+            places.add(lane, *stretch, method);
         }
     }
+    !lanes.is_empty()
 }
 
 /// Height of the road, or of the junction's elevation grid, at an object's place `[m]`, which lanes of other roads are compared

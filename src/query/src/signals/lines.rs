@@ -106,8 +106,12 @@ impl<'a> Lane<'a> {
             });
         let objects = self.objects().filter_map(move |one| {
             let object = one.object().filter(|_| one.distance() <= ON_LANE)?;
+            // An object's lanes are those that it is for; its orientation, along its own road, tells the two directions of one lane.
+            let is_own = object.road().is_some_and(|road| road.road_id() == lane.road().road_id());
+            let both = is_own && lane.is_bidirectional();
+            let is_for = !both || object.orientation().is_for(forward);
             let (low, high) = one.s_range();
-            object.orientation().is_for(forward).then(|| LaneLine {
+            is_for.then(|| LaneLine {
                 source: LineSource::Object(object.object_id()),
                 class: object.class(),
                 lane: lane.lane_id(),
