@@ -289,6 +289,7 @@ impl DomainArgs {
 
 /// Runs the program with the process's arguments.
 pub fn run() -> ExitCode {
+    crate::allocator::give_back();
     let cli = Cli::parse();
     match execute(cli) {
         Ok(exit) => exit.into(),

@@ -16,6 +16,7 @@
 //! # std::fs::remove_file(&path).unwrap();
 //! ```
 
+mod allocator;
 pub mod archive_file;
 mod check;
 pub mod cli;
