@@ -27,6 +27,7 @@ mod inspect;
 mod judging;
 mod load;
 mod object_facts;
+mod ontology_args;
 mod progress;
 pub mod query;
 pub mod report;

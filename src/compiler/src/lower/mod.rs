@@ -31,7 +31,7 @@ use mapd_xodr::{
     SpeedLimit, Text as _, TrafficRule, UnitSpeed, Value as _,
 };
 pub(crate) use need::{Part, UNUSABLE};
-pub(crate) use objects::Owner;
+pub(crate) use objects::{Owner, lanes, orientation};
 use sections::Layer;
 
 /// Value of `road/@junction` that means none.
