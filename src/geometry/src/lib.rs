@@ -46,8 +46,8 @@ mod transformed;
 pub use angle::{atan2, cos_sin, normalize_angle};
 pub use attitude::Attitude;
 pub use compile::{
-    Chart, CompileError, Compiled, CurveTransform, MAX_LENGTH, MAX_PIECES, MAX_TURNING, TransformError,
-    TransformedCurve, compile,
+    Chart, CompileError, Compiled, CurveTransform, MAX_LENGTH, MAX_PIECES, MAX_TURNING,
+    TransformError, TransformedCurve, compile,
 };
 pub use cubic::Cubic;
 pub use curve::Curve;

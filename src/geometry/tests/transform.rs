@@ -76,7 +76,9 @@ fn check(primitive: Primitive, length: f64, start: Start) {
         let tangent = times(slope, DVec2::new(from.cos, from.sin)).normalize();
         let off = tangent.distance(DVec2::new(to.cos, to.sin));
         assert!(off <= 1e-9, "{primitive:?} at {u}: tangent {off:e}");
-        assert!((to.cos - to.heading.cos()).abs() <= 1e-9 && (to.sin - to.heading.sin()).abs() <= 1e-9);
+        assert!(
+            (to.cos - to.heading.cos()).abs() <= 1e-9 && (to.sin - to.heading.sin()).abs() <= 1e-9
+        );
         // The turn of the plane hardly changes along a curve; a lost circle would show.
         let turn = to.heading - from.heading;
         assert!((turn - BENT.factor.to_angle()).abs() < 0.1, "{primitive:?} at {u}: {turn}");

@@ -191,7 +191,8 @@ impl CurveTransform {
             for t in self.checks {
                 let distance = at(t).distance(DVec2::new(value(&x, t), value(&y, t)));
                 // Not-a-number must not pass for no distance.
-                worst = if distance.is_finite() { worst.max(UNSEEN * distance) } else { f64::INFINITY };
+                worst =
+                    if distance.is_finite() { worst.max(UNSEEN * distance) } else { f64::INFINITY };
             }
             if !near || worst > tolerance {
                 return Ok(None);
@@ -204,12 +205,7 @@ impl CurveTransform {
 }
 
 /// Turns pieces into the frame of the start, whose heading is that of the source plus what its tangent is turned by.
-fn assemble(
-    curve: &Curve<'_>,
-    start: DVec2,
-    pieces: &[Fitted],
-    error: f64,
-) -> TransformedCurve {
+fn assemble(curve: &Curve<'_>, start: DVec2, pieces: &[Fitted], error: f64) -> TransformedCurve {
     let source = curve.start();
     if curve.length() <= 0.0 {
         // A place with a direction.
