@@ -27,6 +27,8 @@ mod plane;
 mod projector;
 #[cfg(feature = "read")]
 mod reference;
+#[cfg(feature = "read")]
+mod target;
 mod topocentric;
 mod transverse_mercator;
 
@@ -37,3 +39,5 @@ pub use offset::Offset;
 pub use projector::{DefinitionError, Geodetic, ProjectionError, Projector};
 #[cfg(feature = "read")]
 pub use reference::{Form, Reference, ReferenceError};
+#[cfg(feature = "read")]
+pub use target::{Target, TargetError};

@@ -8,7 +8,7 @@ use crate::{archive_file, check, export, inspect, load, report, source, status};
 use anyhow::{Context, Result, bail};
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions};
-use mapd_compiler::{CompileOptions, CyclePolicy, OffsetSign, ReadOptions};
+use mapd_compiler::{CompileOptions, CyclePolicy, OffsetSign, ReadOptions, Target};
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -66,9 +66,34 @@ struct Options {
     #[arg(long, value_enum, default_value_t = Sign::Auto)]
     offset_sign: Sign,
 
+    #[command(flatten)]
+    frame: FrameArgs,
+
     /// Table of what signals and objects mean, read before mapd's own; may be repeated (docs/ontology.md)
     #[arg(long, value_name = "FILE")]
     ontology: Vec<PathBuf>,
+}
+
+#[derive(Args)]
+struct FrameArgs {
+    /// Frame that x, y and z are transformed into: an EPSG code, PROJ parameters, `utm` (the zone of the map's middle) or
+    /// enu:LAT,LON[,ALT] (east and north of that place); s and t stay as written [default: the file's own frame]
+    #[arg(long, value_name = "CRS")]
+    crs: Option<Target>,
+}
+
+impl FrameArgs {
+    /// Options for a SOURCE that is compiled if it is an OpenDRIVE file.
+    ///
+    /// Errors: a frame is asked for, but the source is compiled already.
+    fn source(&self, source: &str) -> Result<CompileOptions> {
+        if self.crs.is_some() && !source::is_compiled(source) {
+            let message =
+                format!("--crs transforms OpenDRIVE files only; {source} keeps the frame it was compiled into");
+            return Err(UsageError(message).into());
+        }
+        Ok(CompileOptions { crs: self.crs.clone(), ..CompileOptions::default() })
+    }
 }
 
 /// As [`OffsetSign`].
@@ -144,6 +169,8 @@ enum Command {
         #[arg(long, value_enum, default_value_t = check::Format::Text)]
         format: check::Format,
         #[command(flatten)]
+        frame: FrameArgs,
+        #[command(flatten)]
         reading: check::ReadArgs,
     },
     /// Show what a map holds
@@ -156,6 +183,8 @@ enum Command {
         /// Prove the content hash and every row first
         #[arg(long)]
         verify: bool,
+        #[command(flatten)]
+        frame: FrameArgs,
         #[command(flatten)]
         live: Live,
     },
@@ -182,6 +211,8 @@ enum Command {
         #[command(flatten)]
         route: query::RouteArgs,
         #[command(flatten)]
+        frame: FrameArgs,
+        #[command(flatten)]
         live: Live,
     },
     /// Draw or convert a map
@@ -197,6 +228,8 @@ enum Command {
         /// svg: also the boxes of the spatial index
         #[arg(long)]
         index_boxes: bool,
+        #[command(flatten)]
+        frame: FrameArgs,
         #[command(flatten)]
         live: Live,
     },
@@ -251,6 +284,7 @@ impl Options {
                 Sign::Standard => OffsetSign::Standard,
                 Sign::Negated => OffsetSign::Negated,
             },
+            crs: self.frame.crs.clone(),
         }
     }
 }
@@ -331,12 +365,13 @@ fn execute(cli: Cli) -> Result<Exit> {
             let reading = options.reading(&judging)?;
             compile(&file, output, report, (&reading, &validated(&options)?), out)?
         }
-        Command::Check { file, format, reading } => {
-            check::run(&file, format, &reading, out)?.verdict.into()
+        Command::Check { file, format, frame, reading } => {
+            let options = CompileOptions { crs: frame.crs, ..CompileOptions::default() };
+            check::run(&file, format, (&reading, &options), out)?.verdict.into()
         }
-        Command::Inspect { source, json, verify, live } => {
+        Command::Inspect { source, json, verify, frame, live } => {
             let (domain, wait) = live.get()?;
-            match source::open_or_report(&source, &CompileOptions::default(), (&domain, wait))? {
+            match source::open_or_report(&source, &frame.source(&source)?, (&domain, wait))? {
                 Some(snapshot) => {
                     inspect::run(&source, &snapshot, json, verify, out)?;
                     Exit::Done
@@ -352,6 +387,7 @@ fn execute(cli: Cli) -> Result<Exit> {
             z_tolerance,
             heading_tolerance,
             route,
+            frame,
             live,
         } => {
             let (domain, wait) = live.get()?;
@@ -363,7 +399,7 @@ fn execute(cli: Cli) -> Result<Exit> {
                 heading_tolerance,
                 ..NearestOptions::default()
             };
-            match source::open_or_report(&source, &CompileOptions::default(), (&domain, wait))? {
+            match source::open_or_report(&source, &frame.source(&source)?, (&domain, wait))? {
                 Some(snapshot) => {
                     query::run(
                         snapshot.map(),
@@ -383,9 +419,9 @@ fn execute(cli: Cli) -> Result<Exit> {
                 None => Exit::Rejected,
             }
         }
-        Command::Export { source, format, output, index_boxes, live } => {
+        Command::Export { source, format, output, index_boxes, frame, live } => {
             let (domain, wait) = live.get()?;
-            match source::open_or_report(&source, &CompileOptions::default(), (&domain, wait))? {
+            match source::open_or_report(&source, &frame.source(&source)?, (&domain, wait))? {
                 Some(snapshot) => {
                     let options = export::Options { index_boxes };
                     export::run(snapshot.map(), format, options, output.as_deref(), out)?;

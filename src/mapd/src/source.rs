@@ -27,6 +27,11 @@ pub fn is_archive(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension == "mapd")
 }
 
+/// Whether a SOURCE is an OpenDRIVE file, which is compiled when it is opened.
+pub(crate) fn is_compiled(source: &str) -> bool {
+    !source.starts_with(SHARED) && !is_archive(Path::new(source))
+}
+
 /// Compiles an OpenDRIVE file, compressed with gzip or not. Files are included from its folder.
 ///
 /// Errors: the file cannot be read. A rejected map is no error.

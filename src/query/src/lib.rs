@@ -17,6 +17,7 @@
 
 mod area;
 mod error;
+mod file_frame;
 #[cfg(feature = "geodesy")]
 mod geodetic;
 mod graph;
@@ -54,6 +55,7 @@ pub use graph::{Conflict, LaneEdge, LaneNode};
 pub use ids::{
     ControllerId, JunctionId, LaneId, LaneSectionId, NodeId, ObjectId, RoadId, SignalId,
 };
+pub use file_frame::FileFrame;
 pub use index::{SegmentHit, nearest_segment};
 pub use junction::{Connection, Junction};
 pub use key::{LaneKey, LaneLayer, ParseLaneKeyError};

@@ -71,8 +71,10 @@ impl<'a> Line<'a> {
                 let kind = CurveKind::from_code(g.kind())?;
                 let point =
                     Curve::new(kind, start, g.length(), coefficients)?.evaluate(inside - g.s());
+                // 0 in the file's own frame.
+                let height = map.file_frame().map_or(0.0, |frame| frame.height_shift());
                 Station {
-                    position: DVec3::new(point.x - t * point.sin, point.y + t * point.cos, 0.0),
+                    position: DVec3::new(point.x - t * point.sin, point.y + t * point.cos, height),
                     heading: point.heading,
                     inclined: Attitude::new(point.heading, 0.0, 0.0),
                     clamped,
