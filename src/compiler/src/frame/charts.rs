@@ -66,22 +66,14 @@ impl Local {
         self.0.origin + self.image(point - self.0.center)
     }
 
+    /// Derivatives of the image by x and by y at a point, inertial.
+    pub(crate) fn slopes_at(&self, point: DVec2) -> [DVec2; 2] {
+        self.slopes(point - self.0.center)
+    }
+
     /// Bound of the distance of images from the exact ones `[m]`.
     pub(crate) fn error(&self) -> f64 {
         self.0.error
-    }
-
-    /// Derivatives of the image by x and by y at a point, inertial.
-    pub(crate) fn slopes(&self, point: DVec2) -> [DVec2; 2] {
-        let at = (point - self.0.center) / HALF;
-        let (mut by_x, mut by_y, mut value) = (DVec2::ZERO, DVec2::ZERO, DVec2::ZERO);
-        for row in self.0.terms.iter().rev() {
-            let (inner, slope) = row.iter().rev().fold((DVec2::ZERO, DVec2::ZERO), |(v, s), c| {
-                (v * at.y + *c, s * at.y + v)
-            });
-            (by_x, by_y, value) = (by_x * at.x + value, by_y * at.x + slope, value * at.x + inner);
-        }
-        [by_x / HALF, by_y / HALF]
     }
 
     /// Whether the polynomials hold at a point.
@@ -108,6 +100,18 @@ impl Chart for Local {
         self.0.terms.iter().rev().fold(DVec2::ZERO, |value, row| {
             value * at.x + row.iter().rev().fold(DVec2::ZERO, |inner, c| inner * at.y + *c)
         })
+    }
+
+    fn slopes(&self, point: DVec2) -> [DVec2; 2] {
+        let at = point / HALF;
+        let (mut by_x, mut by_y, mut value) = (DVec2::ZERO, DVec2::ZERO, DVec2::ZERO);
+        for row in self.0.terms.iter().rev() {
+            let (inner, slope) = row.iter().rev().fold((DVec2::ZERO, DVec2::ZERO), |(v, s), c| {
+                (v * at.y + *c, s * at.y + v)
+            });
+            (by_x, by_y, value) = (by_x * at.x + value, by_y * at.x + slope, value * at.x + inner);
+        }
+        [by_x / HALF, by_y / HALF]
     }
 }
 

@@ -87,16 +87,20 @@ fn about_geometry(lowering: &Lowering, number: u32, message: String) -> Finding 
     finding(TARGET_FRAME, Severity::Error, span, path.to_owned(), message, "")
 }
 
+/// A geometry that has been read.
+pub(super) fn curve<'a>(row: &GeometryRow, coefficients: &'a [f64]) -> Option<Curve<'a>> {
+    let start = Start { x: row.x, y: row.y, heading: row.hdg, cos: row.cos, sin: row.sin };
+    let kind = CurveKind::from_code(row.kind)?;
+    Curve::new(kind, start, row.length, row.coefficients.of(coefficients))
+}
+
 fn geometry(
     frame: &Frame,
     transform: &CurveTransform,
     row: &GeometryRow,
     coefficients: &[f64],
 ) -> Result<Moved, String> {
-    let start = Start { x: row.x, y: row.y, heading: row.hdg, cos: row.cos, sin: row.sin };
-    let curve = CurveKind::from_code(row.kind)
-        .and_then(|kind| Curve::new(kind, start, row.length, row.coefficients.of(coefficients)));
-    let curve = curve.ok_or("its curve is damaged")?;
+    let curve = curve(row, coefficients).ok_or("its curve is damaged")?;
     let mut chart_error = 0.0_f64;
     let moved = transform.apply(&curve, |at| {
         let chart = frame.charts.at(at)?;
@@ -109,7 +113,7 @@ fn geometry(
         let at = curve.tangent(u);
         let at = DVec2::new(at.x, at.y);
         if let Some(chart) = frame.charts.at(at) {
-            let [low, high] = scales(chart.slopes(at));
+            let [low, high] = scales(chart.slopes_at(at));
             scale = [scale[0].min(low), scale[1].max(high)];
         }
     }
@@ -169,7 +173,7 @@ fn grids(frame: &Frame, lowering: &mut Lowering, findings: &mut Vec<Finding>) {
             findings.push(finding(TARGET_FRAME, severity, Span::default(), path, message, ""));
             continue;
         };
-        let [by_x, by_y] = chart.slopes(at);
+        let [by_x, by_y] = chart.slopes_at(at);
         let along = by_x * grid.cos + by_y * grid.sin;
         let scale = along.length();
         let image = chart.whole(at);

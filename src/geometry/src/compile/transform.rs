@@ -24,6 +24,16 @@ const RELATIVE_TOLERANCE: f64 = 1e-13;
 /// would magnify them on short curves.
 const NOISE: f64 = 1e-12;
 
+/// Curves up to this length `[m]` are moved by the first two derivatives at their start, which keeps the directions of the
+/// shortest ones: differences of images would lose them. What is neglected is of the order of δ³/R², 1e-13 m.
+const SHORT: f64 = 1.0;
+
+/// Size of a term per metre of a short curve that is nothing but rounding.
+const SHORT_NOISE: f64 = 1e-14;
+
+/// Distance `[m]` over which first derivatives are compared for the second ones, which are constant but for 1e-10 of themselves.
+const PROBE: f64 = 64.0;
+
 /// Most that a piece turns by `[rad]`; a search for the nearest point relies on it.
 const PIECE_TURNING: f64 = 0.5;
 
@@ -43,6 +53,33 @@ pub trait Chart {
     fn reach(&self) -> f64;
     /// The image of a point relative to the centre, relative to the origin `[m]`.
     fn image(&self, point: DVec2) -> DVec2;
+    /// Derivatives of the image by x and by y at a point relative to the centre.
+    fn slopes(&self, point: DVec2) -> [DVec2; 2];
+}
+
+/// A chart about a place, to the second order.
+struct Expansion {
+    slopes: [DVec2; 2],
+    /// Halves of the second derivatives: by x and x, by y and y; and the whole one by x and y.
+    bends: [DVec2; 3],
+}
+
+impl Expansion {
+    fn of(chart: &impl Chart, point: DVec2) -> Self {
+        let change = |step: DVec2| {
+            let (ahead, behind) = (chart.slopes(point + step), chart.slopes(point - step));
+            [0, 1].map(|i| (ahead[i] - behind[i]) / (2.0 * PROBE))
+        };
+        let ([xx, xy], [_, yy]) = (change(DVec2::X * PROBE), change(DVec2::Y * PROBE));
+        Self { slopes: chart.slopes(point), bends: [xx * 0.5, yy * 0.5, xy] }
+    }
+
+    /// Image of a place near by, both relative to the place that this is about.
+    fn image(&self, d: DVec2) -> DVec2 {
+        let [by_x, by_y] = self.slopes;
+        let [xx, yy, xy] = self.bends;
+        by_x * d.x + by_y * d.y + xx * (d.x * d.x) + yy * (d.y * d.y) + xy * (d.x * d.y)
+    }
 }
 
 /// A curve in another plane: what to store, and how good it is.
@@ -129,12 +166,15 @@ impl CurveTransform {
         let outside = |at: DVec2| TransformError::Outside { x: at.x, y: at.y };
         let first = chart(start).ok_or_else(|| outside(start))?;
         let image = first.image(start - first.center());
+        let is_short = length <= SHORT && curve.relative(length).0.length() <= SHORT;
+        let expansion = is_short.then(|| Expansion::of(&first, start - first.center()));
         let turning = (curve.heading(length) - curve.heading(0.0)).abs();
         let least = libm::ceil((turning / PIECE_TURNING).max(length / (2.0 * first.reach())));
         // The cast saturates.
         let mut count = (least as usize).max(1);
         while count <= MAX_PIECES {
-            let fitted = self.fit(curve, &mut chart, (first.origin(), image), count, tolerance)?;
+            let at_start = (first.origin(), image, expansion.as_ref());
+            let fitted = self.fit(curve, &mut chart, at_start, count, tolerance)?;
             if let Some((pieces, error)) = fitted {
                 let start = first.origin() + image;
                 return Ok(assemble(curve, start, &pieces, error + rounding(length)));
@@ -149,7 +189,7 @@ impl CurveTransform {
         &self,
         curve: &Curve<'_>,
         chart: &mut impl FnMut(DVec2) -> Option<C>,
-        (origin, image): (DVec2, DVec2),
+        (origin, image, near): (DVec2, DVec2, Option<&Expansion>),
         count: usize,
         tolerance: f64,
     ) -> Result<Option<(Vec<Fitted>, f64)>, TransformError> {
@@ -166,13 +206,13 @@ impl CurveTransform {
             let shift = DVec2::new(curve.start().x, curve.start().y) - chart.center();
             let back = (chart.origin() - origin) - image;
             let direction = DVec2::new(middle.cos, middle.sin);
-            let mut near = true;
+            let mut within = true;
             let mut at = |t: f64| {
                 let (position, tangent) = curve.relative(u(t));
                 let place = shift + position;
-                near &= place.distance(center - chart.center()) <= chart.reach()
+                within &= place.distance(center - chart.center()) <= chart.reach()
                     && tangent.dot(direction) >= MIN_ALIGNMENT;
-                back + chart.image(place)
+                near.map_or_else(|| back + chart.image(place), |near| near.image(position))
             };
             let samples = self.nodes.map(&mut at);
             let (mut x, mut y) = ([0.0; TERMS], [0.0; TERMS]);
@@ -183,7 +223,8 @@ impl CurveTransform {
                 }
             }
             let mut last = TERMS - 1;
-            while last > 1 && x[last].abs() <= NOISE && y[last].abs() <= NOISE {
+            let noise = if near.is_some() { SHORT_NOISE * length } else { NOISE };
+            while last > 1 && x[last].abs() <= noise && y[last].abs() <= noise {
                 (x[last], y[last]) = (0.0, 0.0);
                 last -= 1;
             }
@@ -194,7 +235,7 @@ impl CurveTransform {
                 worst =
                     if distance.is_finite() { worst.max(UNSEEN * distance) } else { f64::INFINITY };
             }
-            if !near || worst > tolerance {
+            if !within || worst > tolerance {
                 return Ok(None);
             }
             let heading = curve.heading(u(0.0)) - curve.start().heading;
