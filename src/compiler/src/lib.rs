@@ -18,6 +18,7 @@
 //! assert_eq!(mapd_archive::verify(&bytes).unwrap().tables.lanes.len(), 2);
 //! ```
 
+mod cuts;
 mod flatten;
 mod frame;
 mod georeference;

@@ -16,6 +16,7 @@
 //! ```
 
 mod area;
+mod cross_section;
 mod error;
 mod file_frame;
 #[cfg(feature = "geodesy")]
@@ -47,6 +48,7 @@ mod surface;
 mod types;
 mod waypoints;
 
+pub use cross_section::{CrossSection, SectionCutter};
 pub use error::QueryError;
 #[cfg(feature = "geodesy")]
 pub use geodetic::GeodeticError;
