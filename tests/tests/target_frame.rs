@@ -37,7 +37,13 @@ fn roads(x: f64, y: f64) -> String {
     let (u, v) = ((60.0, 0.0), (6e-3, -4e-5));
     let second = format!(
         r#"<geometry s="0" x="{}" y="{}" hdg="{}" length="60.2"><paramPoly3 aU="0" bU="{}" cU="{}" dU="0" aV="0" bV="0" cV="{}" dV="{}" pRange="normalized"/></geometry>"#,
-        at.x, at.y, at.heading, u.0, u.1, v.0 * 300.0, v.1 * 900.0
+        at.x,
+        at.y,
+        at.heading,
+        u.0,
+        u.1,
+        v.0 * 300.0,
+        v.1 * 900.0
     );
     format!(
         r#"<road id="1" length="{s}" junction="-1"><link><successor elementType="road" elementId="2" contactPoint="start"/></link><planView>{text}</planView>
@@ -123,7 +129,11 @@ fn compare(name: &str, (file, map): (Map<'_>, Map<'_>), is_simple: bool) -> [f64
                 let beside = t.abs() * (off_scale + 1e-8 * t.abs() + 0.02 * 2e-5);
                 let allowed = frame.error() + beside + ROUNDING;
                 let is_beyond = t * written.curvature > 0.9;
-                assert!(is_beyond || off <= allowed, "{name}, road {} at {s}, {t}: {off:e} > {allowed:e}", road.id());
+                assert!(
+                    is_beyond || off <= allowed,
+                    "{name}, road {} at {s}, {t}: {off:e} > {allowed:e}",
+                    road.id()
+                );
                 let up = (exact.z - found.position.z).abs();
                 assert!(up <= frame.height_error() + ROUNDING, "{name}: {up:e} m in height");
                 worst = [worst[0].max(off), worst[1].max(up)];
@@ -147,7 +157,8 @@ fn check(header: &str, (x, y): (f64, f64), crs: &str) -> (Compilation, Snapshot)
     let text = document(header, x, y, "");
     let (_, file) = compiled(&text, None);
     let (compilation, snapshot) = compiled(&text, Some(crs));
-    let snapshot = snapshot.unwrap_or_else(|| panic!("{header} {crs}: {:?}", findings(&compilation)));
+    let snapshot =
+        snapshot.unwrap_or_else(|| panic!("{header} {crs}: {:?}", findings(&compilation)));
     let file = file.expect("accepted");
     assert!(file.map().file_frame().is_none());
     let worst = compare(crs, (file.map(), snapshot.map()), true);
@@ -177,7 +188,9 @@ fn a_road_across_a_zone_boundary_stays_in_one_piece() {
     // 12° E: zones 32 and 33 meet.
     let utm = "+proj=utm +zone=32 +datum=WGS84";
     let (x, y) = point(utm, 48.0, 12.0);
-    for crs in ["utm", "epsg:32633", "epsg:25833", "enu:48.0,12.0", "+proj=tmerc +lat_0=48 +lon_0=12 +k=1"] {
+    for crs in
+        ["utm", "epsg:32633", "epsg:25833", "enu:48.0,12.0", "+proj=tmerc +lat_0=48 +lon_0=12 +k=1"]
+    {
         let (compilation, snapshot) = check(&geo(utm), (x - 300.0, y), crs);
         assert_eq!(findings(&compilation), Vec::<&str>::new(), "{crs}");
         let map = snapshot.map();
@@ -196,7 +209,10 @@ fn a_road_across_a_zone_boundary_stays_in_one_piece() {
                 let ds = if i == 0 { 0.0 } else { road.length() / f64::from(steps) };
                 if let Some(before) = before {
                     let step = before.distance(at);
-                    assert!(step <= ds * high + GAP && step >= ds * low * 0.99 - GAP, "{crs} {s}: {step}");
+                    assert!(
+                        step <= ds * high + GAP && step >= ds * low * 0.99 - GAP,
+                        "{crs} {s}: {step}"
+                    );
                 }
                 before = Some(at);
             }
@@ -236,7 +252,11 @@ fn frames_of_all_sorts_meet() {
         // Southern hemisphere.
         (south, (-33.9, 151.2), &["utm", "epsg:28356", "enu:-33.9,151.2,35"][..]),
         // False eastings, shifts by three and seven parameters, either way.
-        (bessel, (48.1, 9.3), &["utm", "epsg:25832", "enu:48.1,9.3,500", "+proj=merc +lat_ts=48 +datum=WGS84"]),
+        (
+            bessel,
+            (48.1, 9.3),
+            &["utm", "epsg:25832", "enu:48.1,9.3,500", "+proj=merc +lat_ts=48 +datum=WGS84"],
+        ),
         (three, (48.1, 9.3), &["utm", bessel, "epsg:31467"]),
         ("+proj=utm +zone=32 +datum=WGS84", (48.1, 9.3), &[bessel, "epsg:3857", "epsg:27700"]),
         // Feet: coordinates are metres all the same, on either side.
@@ -270,7 +290,13 @@ fn frames_of_all_sorts_meet() {
 }
 
 /// What is wrong, as parts of messages, in order.
-fn check_findings(header: &str, (x, y): (f64, f64), crs: &str, verdict: Verdict, expected: &[&str]) {
+fn check_findings(
+    header: &str,
+    (x, y): (f64, f64),
+    crs: &str,
+    verdict: Verdict,
+    expected: &[&str],
+) {
     let (compilation, snapshot) = compiled(&document(header, x, y, ""), Some(crs));
     let found = findings(&compilation);
     assert_eq!(compilation.verdict, verdict, "{header} to {crs}: {found:?}");
@@ -290,7 +316,13 @@ fn what_cannot_be_transformed_or_only_with_doubts_is_found() {
     // Nothing to transform from: absent, not understood, grids.
     check_findings(">", at, "utm", Rejected, &["no georeference"]);
     check_findings(&geo("somewhere"), at, "utm", Rejected, &["no georeference"]);
-    check_findings(&geo("+proj=utm +zone=10 +datum=NAD27"), at, "utm", Rejected, &["no georeference"]);
+    check_findings(
+        &geo("+proj=utm +zone=10 +datum=NAD27"),
+        at,
+        "utm",
+        Rejected,
+        &["no georeference"],
+    );
     let grid = "+proj=utm +zone=32 +ellps=bessel +nadgrids=BETA2007.gsb";
     check_findings(&geo(grid), at, "utm", Rejected, &["no georeference"]);
     // Outside the one frame or the other.
@@ -319,7 +351,10 @@ fn targets_are_understood_or_refused() {
         ("utm", "+proj=utm +zone=32 +datum=WGS84"),
         (" UTM ", "+proj=utm +zone=32 +datum=WGS84"),
         ("enu:48.1,11.5", "+proj=topocentric +lat_0=48.1 +lon_0=11.5 +h_0=0 +datum=WGS84"),
-        ("ENU: -48.1 , 11.5 , 512.25", "+proj=topocentric +lat_0=-48.1 +lon_0=11.5 +h_0=512.25 +datum=WGS84"),
+        (
+            "ENU: -48.1 , 11.5 , 512.25",
+            "+proj=topocentric +lat_0=-48.1 +lon_0=11.5 +h_0=512.25 +datum=WGS84",
+        ),
         ("epsg:32633", "+proj=utm +zone=33 +datum=WGS84"),
         ("32633", "+proj=utm +zone=33 +datum=WGS84"),
         ("+proj=tmerc +lat_0=48 +lon_0=12", "+proj=tmerc +lat_0=48 +lon_0=12 +datum=WGS84"),
@@ -338,9 +373,25 @@ fn targets_are_understood_or_refused() {
         }
     }
     for text in [
-        "", "  ", "enu", "enu:", "enu:48", "enu:91,0", "enu:0,181", "enu:a,b", "enu:1,2,3,4", "enu:nan,0",
-        "enu:0,0,inf", "epsg:4326", "epsg:99999", "epsg:26710", "utm:32", "nowhere", "+proj=longlat",
-        "+proj=utm +zone=61", "+proj=utm +zone=32 +nadgrids=a.gsb",
+        "",
+        "  ",
+        "enu",
+        "enu:",
+        "enu:48",
+        "enu:91,0",
+        "enu:0,181",
+        "enu:a,b",
+        "enu:1,2,3,4",
+        "enu:nan,0",
+        "enu:0,0,inf",
+        "epsg:4326",
+        "epsg:99999",
+        "epsg:26710",
+        "utm:32",
+        "nowhere",
+        "+proj=longlat",
+        "+proj=utm +zone=61",
+        "+proj=utm +zone=32 +nadgrids=a.gsb",
     ] {
         assert!(text.parse::<Target>().is_err(), "{text}");
     }
@@ -381,8 +432,18 @@ fn landmarks_move_with_the_map() {
     let (a, b) = (&file.tables().elevation_grids[0], &map.tables().elevation_grids[0]);
     let corner = |origin: glam::DVec2, x: f64, y: f64| DVec3::new(origin.x + x, origin.y + y, 0.0);
     let (a, b) = (
-        [corner(file.local_origin(), a.x(), a.y()), corner(file.local_origin(), a.x() + 10.0 * a.cos(), a.y() + 10.0 * a.sin())],
-        [corner(map.local_origin(), b.x(), b.y()), corner(map.local_origin(), b.x() + b.spacing() * b.cos(), b.y() + b.spacing() * b.sin())],
+        [
+            corner(file.local_origin(), a.x(), a.y()),
+            corner(file.local_origin(), a.x() + 10.0 * a.cos(), a.y() + 10.0 * a.sin()),
+        ],
+        [
+            corner(map.local_origin(), b.x(), b.y()),
+            corner(
+                map.local_origin(),
+                b.x() + b.spacing() * b.cos(),
+                b.y() + b.spacing() * b.sin(),
+            ),
+        ],
     );
     for (a, b) in a.into_iter().zip(b) {
         assert!(image(a).truncate().distance(b.truncate()) <= 1e-6);
@@ -403,7 +464,8 @@ fn maps_of_the_corpus_move() {
     let mut moved = 0;
     for (name, path) in maps {
         let of = |crs: Option<&str>| {
-            let compiled = mapd::source::compile_file(&path, &options(crs), &mut |_| {}).expect("reads");
+            let compiled =
+                mapd::source::compile_file(&path, &options(crs), &mut |_| {}).expect("reads");
             let rows = compiled.rows.as_ref()?;
             let bytes = mapd_archive::encode(rows, &compiled.provenance).expect("encodes");
             mapd_archive::verify(&bytes).expect("sound");
@@ -416,7 +478,11 @@ fn maps_of_the_corpus_move() {
         let snapshot = of(Some("utm")).unwrap_or_else(|| panic!("{name} is rejected"));
         let [worst, up] = compare(&name, (file.map(), snapshot.map()), false);
         let frame = snapshot.map().file_frame().expect("a transformed map");
-        say(&format!("{name}: {worst:.1e} m (stated {:.1e}), {up:.1e} m in height, scale {:?}", frame.error(), frame.scale()));
+        say(&format!(
+            "{name}: {worst:.1e} m (stated {:.1e}), {up:.1e} m in height, scale {:?}",
+            frame.error(),
+            frame.scale()
+        ));
         moved += 1;
     }
     assert!(moved > 15, "{moved} maps");

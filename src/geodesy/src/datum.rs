@@ -76,7 +76,7 @@ impl Shift {
         Ok(Some(shift).filter(|_| !(alike && still)))
     }
 
-    /// Exactly undoes [`Self::from_wgs84`]: a = (p + r×p + (r·p)r)/(1 + r²) solves a − r×a = p.
+    /// Exactly undoes [`Self::of_wgs84`]: a = (p + r×p + (r·p)r)/(1 + r²) solves a − r×a = p.
     pub(crate) fn to_wgs84(self, place: Place) -> Place {
         let (p, r) = (self.ellipsoid.to_geocentric(place), self.turn);
         let turned = (p + r.cross(p) + r * r.dot(p)) / (1.0 + r.length_squared());
@@ -84,7 +84,7 @@ impl Shift {
     }
 
     /// As PROJ has it: turned back by the transposed matrix, which is the inverse but for the square of the turn.
-    pub(crate) fn from_wgs84(self, place: Place) -> Place {
+    pub(crate) fn of_wgs84(self, place: Place) -> Place {
         let aim = (WGS84.to_geocentric(place) - self.by) / self.scale;
         self.ellipsoid.to_geodetic(aim - self.turn.cross(aim))
     }

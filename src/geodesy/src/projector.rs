@@ -132,7 +132,7 @@ impl Projector {
         let (longitude, latitude) = (longitude.to_radians(), latitude.to_radians());
         let mut place = Place { longitude, latitude, height: altitude };
         if let Some(shift) = self.shift {
-            place = shift.from_wgs84(place);
+            place = shift.of_wgs84(place);
         }
         let plane = self.plane.forward(place.longitude, place.latitude)?;
         let z = self.plane.above(place.height);

@@ -42,7 +42,9 @@ pub enum TargetError {
     #[error("expected an EPSG code, PROJ parameters, utm or enu:LAT,LON[,ALT]")]
     Empty,
     /// The origin of an east-north-up frame is none.
-    #[error("expected enu:LAT,LON[,ALT] with a latitude of −90 to 90, a longitude of −180 to 180 degrees and an altitude in metres, found {0}")]
+    #[error(
+        "expected enu:LAT,LON[,ALT] with a latitude of −90 to 90, a longitude of −180 to 180 degrees and an altitude in metres, found {0}"
+    )]
     Origin(String),
     /// It is no projection that is known here.
     #[error(transparent)]
@@ -108,13 +110,15 @@ impl fmt::Display for Target {
 fn enu(origin: &str) -> Option<String> {
     let numbers: Result<Vec<f64>, _> =
         origin.split(',').map(|number| number.trim().parse::<f64>()).collect();
-    let (latitude, longitude, altitude) = match numbers.ok()?.as_slice() {
-        &[latitude, longitude] => (latitude, longitude, 0.0),
-        &[latitude, longitude, altitude] => (latitude, longitude, altitude),
+    let (latitude, longitude, altitude) = match *numbers.ok()?.as_slice() {
+        [latitude, longitude] => (latitude, longitude, 0.0),
+        [latitude, longitude, altitude] => (latitude, longitude, altitude),
         _ => return None,
     };
     let known = latitude.abs() <= 90.0 && longitude.abs() <= 180.0 && altitude.is_finite();
     known.then(|| {
-        format!("+proj=topocentric +lat_0={latitude} +lon_0={longitude} +h_0={altitude} +datum=WGS84")
+        format!(
+            "+proj=topocentric +lat_0={latitude} +lon_0={longitude} +h_0={altitude} +datum=WGS84"
+        )
     })
 }

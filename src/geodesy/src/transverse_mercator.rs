@@ -170,7 +170,7 @@ impl TransverseMercator {
     pub(crate) fn inverse(&self, point: DVec2) -> Result<(f64, f64), ProjectionError> {
         let unit = (point - self.shift) / self.radius;
         let (east, north) = (unit.x, unit.y);
-        if !(east.abs() <= FARTHEST) {
+        if !(-FARTHEST..=FARTHEST).contains(&east) {
             return Err(ProjectionError::Outside);
         }
         let (sin, cos) = libm::sincos(2.0 * north);

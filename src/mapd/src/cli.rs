@@ -88,8 +88,9 @@ impl FrameArgs {
     /// Errors: a frame is asked for, but the source is compiled already.
     fn source(&self, source: &str) -> Result<CompileOptions> {
         if self.crs.is_some() && !source::is_compiled(source) {
-            let message =
-                format!("--crs transforms OpenDRIVE files only; {source} keeps the frame it was compiled into");
+            let message = format!(
+                "--crs transforms OpenDRIVE files only; {source} keeps the frame it was compiled into"
+            );
             return Err(UsageError(message).into());
         }
         Ok(CompileOptions { crs: self.crs.clone(), ..CompileOptions::default() })

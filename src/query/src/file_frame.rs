@@ -46,10 +46,7 @@ impl<'a> FileFrame<'a> {
     /// Smallest and largest coordinates of all lanes in the file's frame `[m]`.
     pub fn bounds(&self) -> (DVec3, DVec3) {
         let r = self.row;
-        (
-            DVec3::new(r.min_x(), r.min_y(), r.min_z()),
-            DVec3::new(r.max_x(), r.max_y(), r.max_z()),
-        )
+        (DVec3::new(r.min_x(), r.min_y(), r.min_z()), DVec3::new(r.max_x(), r.max_y(), r.max_z()))
     }
 
     /// Bound on the distance of a point of a reference line from the exact image of that point of the file `[m]`. A point

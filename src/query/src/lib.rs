@@ -50,6 +50,7 @@ mod waypoints;
 
 pub use cross_section::{CrossSection, SectionCutter};
 pub use error::QueryError;
+pub use file_frame::FileFrame;
 #[cfg(feature = "geodesy")]
 pub use geodetic::GeodeticError;
 pub use glam;
@@ -57,7 +58,6 @@ pub use graph::{Conflict, LaneEdge, LaneNode};
 pub use ids::{
     ControllerId, JunctionId, LaneId, LaneSectionId, NodeId, ObjectId, RoadId, SignalId,
 };
-pub use file_frame::FileFrame;
 pub use index::{SegmentHit, nearest_segment};
 pub use junction::{Connection, Junction};
 pub use key::{LaneKey, LaneLayer, ParseLaneKeyError};

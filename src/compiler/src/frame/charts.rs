@@ -106,9 +106,10 @@ impl Chart for Local {
         let at = point / HALF;
         let (mut by_x, mut by_y, mut value) = (DVec2::ZERO, DVec2::ZERO, DVec2::ZERO);
         for row in self.0.terms.iter().rev() {
-            let (inner, slope) = row.iter().rev().fold((DVec2::ZERO, DVec2::ZERO), |(v, s), c| {
-                (v * at.y + *c, s * at.y + v)
-            });
+            let (inner, slope) = row
+                .iter()
+                .rev()
+                .fold((DVec2::ZERO, DVec2::ZERO), |(v, s), c| (v * at.y + *c, s * at.y + v));
             (by_x, by_y, value) = (by_x * at.x + value, by_y * at.x + slope, value * at.x + inner);
         }
         [by_x / HALF, by_y / HALF]
@@ -134,7 +135,8 @@ impl Charts {
     /// without measure.
     pub(crate) fn at(&self, point: DVec2) -> Option<Local> {
         let place = (point / SIDE).round();
-        if !(place.abs().max_element() <= FARTHEST) {
+        let axis = -FARTHEST..=FARTHEST;
+        if !(axis.contains(&place.x) && axis.contains(&place.y)) {
             return None;
         }
         let key = (place.x as i64, place.y as i64);
@@ -160,8 +162,9 @@ struct Basis {
 impl Basis {
     /// At the roots of a Chebyshev polynomial.
     fn new() -> Self {
-        let nodes: [f64; TERMS] =
-            std::array::from_fn(|k| -mapd_geometry::cos_sin(PI * (k as f64 + 0.5) / TERMS as f64).0);
+        let nodes: [f64; TERMS] = std::array::from_fn(|k| {
+            -mapd_geometry::cos_sin(PI * (k as f64 + 0.5) / TERMS as f64).0
+        });
         let cardinals = std::array::from_fn(|k| {
             let mut product = [0.0; TERMS];
             product[0] = 1.0;

@@ -14,11 +14,11 @@ use crate::options::CompileOptions;
 use crate::signals::Resolved;
 use charts::{Charts, Local, Way};
 use glam::{DVec2, DVec3};
-pub(crate) use move_rows::edge;
 use mapd_archive::{FileFrameRow, Rows};
 use mapd_geodesy::{Doubt, Offset, Projector, Target};
 use mapd_geometry::normalize_angle;
 use mapd_xodr::{Finding, Severity};
+pub(crate) use move_rows::edge;
 
 /// Whatever concerns the target frame.
 const TARGET_FRAME: &str = "mapd:compile.target_frame";
