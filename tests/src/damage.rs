@@ -17,6 +17,14 @@ pub fn ask_everything(bytes: AlignedBytes) {
     for x in [-5.0, 20.0, 120.0] {
         let _ = map.nearest_lane(DVec2::new(x, 1.0), &NearestOptions::default());
     }
+    let _ = (map.geodetic_bounds(), map.header_offset(), map.projection());
+    if let Some(frame) = map.file_frame() {
+        let _ = (frame.target(), frame.projection(), frame.offset(), frame.bounds());
+        let _ = (frame.scale(), frame.error(), frame.height_shift(), frame.height_error());
+    }
+    for projector in [map.projector(), map.file_projector()].into_iter().flatten() {
+        let _ = projector.to_geodetic(map.bounds().0);
+    }
     for road in map.roads() {
         let _ = (
             road.id(),

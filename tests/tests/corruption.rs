@@ -12,6 +12,15 @@ fn archive(name: &str) -> AlignedBytes {
     encode(&compiled.rows.expect("accepted"), &compiled.provenance).expect("encodes")
 }
 
+/// As [`archive`], moved into another frame.
+fn transformed(name: &str) -> AlignedBytes {
+    let file = std::fs::File::open(mapd_tests::carried(name)).expect("the map can be read");
+    let options =
+        CompileOptions { crs: Some("utm".parse().expect("a target")), ..CompileOptions::default() };
+    let compiled = compile(file, &options, &mut |_| {}).expect("reading works");
+    encode(&compiled.rows.expect("accepted"), &compiled.provenance).expect("encodes")
+}
+
 #[test]
 fn every_flipped_byte_of_the_header_is_an_error() {
     let good = archive("one_road.xodr");
@@ -52,7 +61,12 @@ fn verify_finds_a_flip_of_any_byte() {
 
 #[test]
 fn queries_survive_flips() {
-    let good = archive("one_road.xodr");
+    for good in [archive("one_road.xodr"), transformed("one_road.xodr")] {
+        survive_flips(&good);
+    }
+}
+
+fn survive_flips(good: &AlignedBytes) {
     for at in (HEADER_LENGTH..good.len()).step_by(FLIP_STEP) {
         let mut bad = good.clone();
         bad[at] ^= 0x55;

@@ -1,12 +1,13 @@
 //! Where the map lies on Earth: georeference, header offset, stated bounds.
 //!
-//! ASAM OpenDRIVE 1.8.1, 8.4. Nothing is moved: coordinates stay those of the file. What is stored lets a projector be built.
+//! ASAM OpenDRIVE 1.8.1, 8.4. Nothing is moved here: that is [`crate::frame`]'s. What is stored lets a projector be built.
 
 use crate::finding;
+use crate::frame::{self, Frame};
 use crate::options::{CompileOptions, OffsetSign};
 use glam::DVec3;
-use mapd_archive::{GeoReferenceForm, MapRow, Rows};
-use mapd_geodesy::{Form, Offset, Projector, Reference};
+use mapd_archive::{GeoReferenceForm, Rows};
+use mapd_geodesy::{Doubt, Form, Offset, Projector, Reference};
 use mapd_xodr::{Finding, Header, Severity, Span, Text as _, Value as _};
 
 /// A georeference that cannot be used, or only with doubts.
@@ -25,6 +26,9 @@ const BOUNDS_TOLERANCE: f64 = 50.0;
 const UTM_EASTINGS: std::ops::RangeInclusive<f64> = 100_000.0..=900_000.0;
 /// Northings that there are `[m]`.
 const UTM_NORTHINGS: std::ops::RangeInclusive<f64> = 0.0..=10_000_000.0;
+/// Latitudes and longitudes of bounds are rounded to multiples of this `[deg]`, a tenth of a millimetre: functions of the C
+/// library, which some projections need, differ by less than a millionth of it between machines.
+const STEP: f64 = 1e-9;
 /// What the names of tools that write the turned sign contain, in lower case.
 const NEGATING: [&str; 2] = ["sumo", "netconvert"];
 
@@ -37,7 +41,9 @@ pub(crate) struct Placed {
     pub(crate) definition: String,
     /// As written.
     offset: Offset,
-    header: Span,
+    pub(crate) header: Span,
+    /// What is understood of the georeference only in part.
+    pub(crate) doubts: Vec<Doubt>,
     offset_span: Span,
     /// Written by a tool that turns the sign.
     negating: bool,
@@ -52,6 +58,7 @@ impl Default for Placed {
             definition: String::new(),
             offset: Offset::default(),
             header: Span::default(),
+            doubts: Vec::new(),
             offset_span: Span::default(),
             negating: false,
             bounds: None,
@@ -101,6 +108,7 @@ impl Placed {
             let message = doubt.to_string();
             findings.push(finding(GEO_REFERENCE, severity, written.span, path.into(), message, ""));
         }
+        placed.doubts = reference.doubts;
         match reference.definition {
             Ok(definition) => placed.definition = definition,
             Err(error) => {
@@ -132,7 +140,7 @@ impl Placed {
     }
 
     /// The offset as it is applied, and whether its sign is turned.
-    fn applied(
+    pub(crate) fn applied(
         &self,
         middle: DVec3,
         sign: OffsetSign,
@@ -173,46 +181,61 @@ impl Placed {
             .then(|| "the tool that wrote the file states what it has added itself".to_owned())
     }
 
-    /// Compares the stated bounds with the real ones.
-    fn compare(&self, map: &MapRow, findings: &mut Vec<Finding>) {
+    /// Compares the stated bounds with the real ones, both in the file's frame.
+    fn compare(&self, [low, high]: [DVec3; 2], findings: &mut Vec<Finding>) {
         let Some([south, north, west, east]) = self.bounds else { return };
-        let beyond = [south - map.min_y, map.max_y - north, west - map.min_x, map.max_x - east];
+        let beyond = [south - low.y, high.y - north, west - low.x, high.x - east];
         let most = beyond.into_iter().fold(0.0, f64::max);
         if most <= BOUNDS_TOLERANCE {
             return;
         }
         let message = format!(
             "the map reaches {most:.1} m beyond the bounds that the header states (south {south}, north {north}, west {west}, east {east}): it goes from ({:.1}, {:.1}) to ({:.1}, {:.1})",
-            map.min_x, map.min_y, map.max_x, map.max_y
+            low.x, low.y, high.x, high.y
         );
         let path = "OpenDRIVE/header".to_owned();
         findings.push(finding(STATED_BOUNDS, Severity::Warning, self.header, path, message, ""));
     }
 }
 
-/// Completes the map's row, whose bounds are known.
+/// Completes the map's row, whose bounds are known, and the row of the file's own frame where the map is in another.
 pub(crate) fn complete(
     rows: &mut Rows,
     placed: &Placed,
+    frame: Option<&Frame>,
     options: &CompileOptions,
     findings: &mut Vec<Finding>,
 ) {
+    let file_frame = frame.map(|frame| frame.row(rows));
+    rows.file_frames.extend(file_frame);
     let has_lanes = !rows.lanes.is_empty();
     let Some(map) = rows.map.first_mut() else { return };
     let low = DVec3::new(map.min_x, map.min_y, map.min_z);
-    let middle = low.midpoint(DVec3::new(map.max_x, map.max_y, map.max_z));
-    let (offset, turned) = placed.applied(middle, options.offset_sign, findings);
+    let high = DVec3::new(map.max_x, map.max_y, map.max_z);
+    let middle = low.midpoint(high);
+    let (offset, turned) = match frame {
+        Some(frame) => (Offset::default(), frame.is_negated),
+        None => placed.applied(middle, options.offset_sign, findings),
+    };
     (map.offset_x, map.offset_y, map.offset_z) = offset.shift.into();
     map.offset_hdg = offset.heading;
     map.offset_sign = u8::from(turned);
     if !has_lanes {
         return;
     }
-    placed.compare(map, findings);
-    let outside = Projector::new(&placed.definition, offset)
-        .ok()
-        .is_some_and(|projector| projector.to_geodetic(middle).is_err());
-    if outside {
+    placed.compare(
+        file_frame.map_or([low, high], |f| {
+            [DVec3::new(f.min_x, f.min_y, f.min_z), DVec3::new(f.max_x, f.max_y, f.max_z)]
+        }),
+        findings,
+    );
+    let definition = frame.map_or(&placed.definition, |frame| &frame.definition);
+    let Ok(projector) = Projector::new(definition, offset) else { return };
+    if let Some([south, north, west, east]) = geodetic_bounds(&projector, low, high) {
+        (map.south, map.north, map.west, map.east) = (south, north, west, east);
+        map.has_geodetic_bounds = 1;
+    }
+    if projector.to_geodetic(middle).is_err() {
         let message = format!(
             "the map's middle ({:.1}, {:.1}) lies outside the area of its projection",
             middle.x, middle.y
@@ -220,6 +243,28 @@ pub(crate) fn complete(
         let path = "OpenDRIVE/header/geoReference".to_owned();
         findings.push(finding(GEO_REFERENCE, Severity::Warning, placed.header, path, message, ""));
     }
+}
+
+/// South, north, west and east `[deg]` of the edge of a rectangle; none where some of it lies outside the projection's area.
+fn geodetic_bounds(projector: &Projector, low: DVec3, high: DVec3) -> Option<[f64; 4]> {
+    let z = 0.5 * (low.z + high.z);
+    let mut bounds: Option<[f64; 4]> = None;
+    for at in frame::edge(low.truncate(), high.truncate()) {
+        let place = projector.to_geodetic(at.extend(z)).ok()?;
+        let [south, north, west, east] =
+            bounds.unwrap_or([place.latitude, place.latitude, place.longitude, place.longitude]);
+        // The shorter way from what is known: a map across the antimeridian goes on beyond 180 degrees.
+        let longitude = place.longitude + 360.0 * ((west - place.longitude) / 360.0).round();
+        bounds = Some([
+            south.min(place.latitude),
+            north.max(place.latitude),
+            west.min(longitude),
+            east.max(longitude),
+        ]);
+    }
+    let [south, north, west, east] = bounds?;
+    let turn = if west < -180.0 { 360.0 } else { 0.0 };
+    Some([south, north, west + turn, east + turn].map(|angle| (angle / STEP).round() * STEP))
 }
 
 fn is_in_utm(point: DVec3) -> bool {

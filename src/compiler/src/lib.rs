@@ -20,6 +20,7 @@
 
 mod cuts;
 mod flatten;
+mod frame;
 mod georeference;
 mod graph;
 mod hashing;
@@ -38,6 +39,7 @@ mod signals;
 mod stream;
 mod too_large;
 
+pub use mapd_geodesy::{Target, TargetError};
 pub use options::{CompileOptions, CyclePolicy, OffsetSign, OptionsError};
 pub use quarantine::{OnError, PartKind, Policy, QuarantinedPart, Treatment};
 pub use report::{Compilation, Diagnostic, Progress, Verdict, Version};
@@ -152,7 +154,19 @@ pub fn check_from<R: Read + Send>(
     reading: &ReadOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Compilation> {
-    let options = CompileOptions { landmarks: 0, ..CompileOptions::default() };
+    check_with(&mut open, reading, &CompileOptions::default(), progress)
+}
+
+/// As [`check_from`], for a map that is to be compiled with these options.
+///
+/// Errors: reading failed, or the document changed in between.
+pub fn check_with<R: Read + Send>(
+    mut open: impl FnMut() -> io::Result<R>,
+    reading: &ReadOptions,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Compilation> {
+    let options = CompileOptions { landmarks: 0, ..options.clone() };
     Ok(rounds::read(&mut open, reading, &options, progress)?.1)
 }
 
@@ -241,6 +255,12 @@ impl Document {
         }
         let mut lowering = std::mem::take(&mut self.lowering);
         progress(Progress::Sampling { lanes: lowering.rows.lanes.len() });
+        let mut findings = Vec::new();
+        let frame = frame::apply(&mut lowering, &mut self.signals, options, &mut findings);
+        self.collector.add_late(findings, &self.places);
+        if self.collector.is_rejected() {
+            return Ok(None);
+        }
         let placed = lowering.placed.clone();
         let written = std::mem::take(&mut lowering.objects);
         let road_spans = lowering.links.road_spans.clone();
@@ -258,7 +278,7 @@ impl Document {
         }
         progress(Progress::Graph { nodes: rows.lane_nodes.len() });
         let mut findings = graph::complete(&mut rows, &self.graph, options);
-        georeference::complete(&mut rows, &placed, options, &mut findings);
+        georeference::complete(&mut rows, &placed, frame.as_ref(), options, &mut findings);
         self.collector.add_late(findings, &self.places);
         match objects::build(&mut rows, written, options) {
             Ok(findings) => self.collector.add_late(findings, &self.places),

@@ -1,5 +1,6 @@
 //! What shapes the output.
 
+use mapd_geodesy::Target;
 use thiserror::Error;
 
 /// Default of [`CompileOptions::index_tolerance`] `[m]`.
@@ -34,6 +35,9 @@ pub struct CompileOptions {
     pub landmarks: u8,
     /// Sign of the header's offset. Default: as written, unless only the other sign makes sense.
     pub offset_sign: OffsetSign,
+    /// Frame that x, y and z are transformed into; s and t stay as written (docs/coordinates.md). Default: none, they stay
+    /// those of the file.
+    pub crs: Option<Target>,
 }
 
 /// Sign with which the header's offset is applied.
@@ -85,6 +89,7 @@ impl Default for CompileOptions {
             cycles: CyclePolicy::default(),
             landmarks: LANDMARKS,
             offset_sign: OffsetSign::default(),
+            crs: None,
         }
     }
 }
@@ -113,6 +118,9 @@ impl CompileOptions {
         hasher.update(&self.lane_reach.to_le_bytes());
         hasher.update(&[self.cycles as u8, self.landmarks.min(MOST_LANDMARKS)]);
         hasher.update(&[self.offset_sign as u8]);
+        if let Some(target) = &self.crs {
+            hasher.update(target.text().as_bytes());
+        }
         let mut out = [0; 8];
         out.copy_from_slice(&hasher.finalize().as_bytes()[..8]);
         out

@@ -16,14 +16,21 @@
 //! assert!(projector.from_geodetic(place).unwrap().distance([500_000.0, 5_320_000.0, 12.0].into()) < 1e-6);
 //! ```
 
+mod datum;
 #[cfg(feature = "read")]
 mod doubt;
+mod ellipsoid;
 mod offset;
 #[cfg(feature = "read")]
 mod parameters;
+mod plane;
 mod projector;
 #[cfg(feature = "read")]
 mod reference;
+#[cfg(feature = "read")]
+mod target;
+mod topocentric;
+mod transverse_mercator;
 
 #[cfg(feature = "read")]
 pub use doubt::Doubt;
@@ -32,3 +39,5 @@ pub use offset::Offset;
 pub use projector::{DefinitionError, Geodetic, ProjectionError, Projector};
 #[cfg(feature = "read")]
 pub use reference::{Form, Reference, ReferenceError};
+#[cfg(feature = "read")]
+pub use target::{Target, TargetError};

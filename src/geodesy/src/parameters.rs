@@ -7,7 +7,8 @@ use crate::reference::{ReferenceError, shown};
 use std::collections::BTreeSet;
 
 /// Parameters that are numbers.
-const NUMBERS: [&str; 12] = ["zone", "k", "k_0", "x_0", "y_0", "a", "b", "rf", "f", "es", "e", "R"];
+const NUMBERS: [&str; 13] =
+    ["zone", "k", "k_0", "x_0", "y_0", "h_0", "a", "b", "rf", "f", "es", "e", "R"];
 /// Parameters that are angles, as numbers of degrees or in degrees, minutes and seconds.
 const ANGLES: [&str; 9] =
     ["lat_0", "lon_0", "lat_1", "lat_2", "lat_ts", "alpha", "gamma", "lonc", "pm"];

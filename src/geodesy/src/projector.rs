@@ -1,24 +1,15 @@
 //! A projection that is ready for use.
 
+use crate::datum::Shift;
+use crate::ellipsoid::Place;
 use crate::offset::Offset;
+use crate::plane::Plane;
 use glam::DVec3;
-use proj4rs::Proj;
-use proj4rs::transform::transform;
+use std::f64::consts::{PI, TAU};
 use thiserror::Error;
-
-/// What latitudes and longitudes are given in.
-const WGS84: &str = "+proj=longlat +datum=WGS84 +no_defs";
 
 /// Words of definitions that want grid files, in lower case: the parameter, and the one named datum that is given by grids.
 const GRIDS: [&str; 2] = ["nadgrids", "nad27"];
-
-/// Distance `[m]` from a point that its place on Earth may have when it is projected again; a tenth of a micrometre is far
-/// below what coordinates of any survey mean, and above what double precision leaves at 10,000 km.
-const RESIDUAL: f64 = 1e-7;
-/// Distance `[m]` from which one correction certainly reaches [`RESIDUAL`], so that it need not be looked at again.
-const SMALL: f64 = 1e-4;
-/// Largest number of corrections towards [`RESIDUAL`]; one is enough wherever one is needed at all.
-const REFINEMENTS: usize = 3;
 
 /// A place on Earth, on the ellipsoid of WGS 84.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -63,10 +54,10 @@ pub enum ProjectionError {
 }
 
 /// Converts between a map's inertial frame and WGS 84. Built once; converting allocates nothing.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Projector {
-    plane: Proj,
-    earth: Proj,
+    plane: Plane,
+    shift: Option<Shift>,
     offset: Offset,
 }
 
@@ -88,15 +79,15 @@ impl Projector {
         if GRIDS.iter().any(|grid| lower.contains(grid)) {
             return Err(unusable("it wants a grid file".into()));
         }
-        let build = |text: &str| Proj::from_proj_string(text).map_err(|e| unusable(e.to_string()));
-        let (plane, earth) = (build(definition)?, build(WGS84)?);
-        if plane.is_latlong() || plane.is_geocent() {
-            return Err(unusable("it has no plane in which coordinates are metres".into()));
-        }
-        if !plane.has_inverse() || !plane.has_forward() {
-            return Err(unusable("it works in one direction only".into()));
-        }
-        Ok(Self { plane, earth, offset })
+        let (plane, ellipsoid) = Plane::read(definition).map_err(unusable)?;
+        let shift = Shift::read(definition, ellipsoid).map_err(unusable)?;
+        Ok(Self { plane, shift, offset })
+    }
+
+    /// Whether the same bits come out on every machine: true for transverse Mercator projections (UTM too) and topocentric
+    /// frames; the others' functions are those of the C library, whose last digits differ.
+    pub fn is_reproducible(&self) -> bool {
+        self.plane.is_reproducible()
     }
 
     /// The header's offset.
@@ -112,25 +103,16 @@ impl Projector {
             return Err(ProjectionError::NotFinite);
         }
         let plane = self.offset.apply(point);
-        let mut aim = plane;
-        let mut place = self.earth_of(aim)?;
-        for _ in 0..REFINEMENTS {
-            // The inverse of some projections stops some micrometres early; the way there is exact.
-            let missed = plane - self.plane_of(place)?;
-            let most = missed.abs().max_element();
-            if most <= RESIDUAL {
-                break;
-            }
-            aim += missed;
-            place = self.earth_of(aim)?;
-            if most <= SMALL {
-                break;
-            }
+        let (longitude, latitude) = self.plane.inverse(plane.truncate())?;
+        let height = self.plane.height(plane.z);
+        let mut place = Place { longitude, latitude, height };
+        if let Some(shift) = self.shift {
+            place = shift.to_wgs84(place);
         }
         let place = Geodetic {
-            latitude: place.1.to_degrees(),
-            longitude: place.0.to_degrees(),
-            altitude: place.2,
+            latitude: place.latitude.to_degrees(),
+            longitude: wrapped(place.longitude).to_degrees(),
+            altitude: place.height,
         };
         let sound = place.latitude.abs() <= 90.0 && place.longitude.abs() <= 360.0;
         if sound && place.altitude.is_finite() { Ok(place) } else { Err(ProjectionError::Outside) }
@@ -147,24 +129,15 @@ impl Projector {
         if latitude.abs() > 90.0 || longitude.abs() > 360.0 {
             return Err(ProjectionError::OutOfRange);
         }
-        let plane = self.plane_of((longitude.to_radians(), latitude.to_radians(), altitude))?;
-        let point = self.offset.invert(plane);
+        let (longitude, latitude) = (longitude.to_radians(), latitude.to_radians());
+        let mut place = Place { longitude, latitude, height: altitude };
+        if let Some(shift) = self.shift {
+            place = shift.of_wgs84(place);
+        }
+        let plane = self.plane.forward(place.longitude, place.latitude)?;
+        let z = self.plane.above(place.height);
+        let point = self.offset.invert(plane.extend(z));
         if point.is_finite() { Ok(point) } else { Err(ProjectionError::Outside) }
-    }
-
-    /// Longitude and latitude `[rad]` and altitude of a point of the plane `[m]`.
-    fn earth_of(&self, plane: DVec3) -> Result<(f64, f64, f64), ProjectionError> {
-        let unit = self.plane.to_meter();
-        let mut place = (plane.x / unit, plane.y / unit, plane.z);
-        transform(&self.plane, &self.earth, &mut place).map_err(|_| ProjectionError::Outside)?;
-        Ok(place)
-    }
-
-    /// The point of the plane `[m]` at a longitude and latitude `[rad]` and altitude.
-    fn plane_of(&self, mut place: (f64, f64, f64)) -> Result<DVec3, ProjectionError> {
-        transform(&self.earth, &self.plane, &mut place).map_err(|_| ProjectionError::Outside)?;
-        let unit = self.plane.to_meter();
-        Ok(DVec3::new(place.0 * unit, place.1 * unit, place.2))
     }
 
     /// As [`Self::to_geodetic`] for many points; `out` gets one answer for each.
@@ -188,12 +161,7 @@ impl Projector {
     }
 }
 
-impl std::fmt::Debug for Projector {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let name = self.plane.projname();
-        f.debug_struct("Projector")
-            .field("projection", &name)
-            .field("offset", &self.offset)
-            .finish()
-    }
+/// A longitude `[rad]` within −π to π; those that are there already stay as they are.
+fn wrapped(longitude: f64) -> f64 {
+    if longitude.abs() <= PI { longitude } else { longitude - TAU * libm::rint(longitude / TAU) }
 }

@@ -22,7 +22,8 @@ pub(crate) fn frame(curvature: f64, u: f64) -> Frame {
     let (sin, cos) = libm::sincos(half);
     let sinc = if half.abs() < SMALL_HALF_ANGLE { 1.0 - half * half / 6.0 } else { sin / half };
     let direction = DVec2::new(cos, sin);
-    Frame { position: direction * (u * sinc), tangent: direction.rotate(direction), curvature }
+    let position = direction * (u * sinc);
+    Frame { position, tangent: direction.rotate(direction), curvature, speed: 1.0 }
 }
 
 /// The u ∈ [lo, hi] of the point nearest to `target`; among several turns, the one nearest to `seed`.

@@ -5,6 +5,7 @@ use crate::piecewise::Pieces;
 use crate::point::{CurvePoint, Frame, Projection, Tangent};
 use crate::primitive::{CurveKind, Start};
 use crate::spiral::Spiral;
+use crate::transformed::Transformed;
 use crate::{arc, clamp, nearest};
 use glam::DVec2;
 
@@ -18,11 +19,11 @@ const LAST_STEP: f64 = 1e-7;
 /// A compiled curve over u ∈ [0, length] m, borrowing its coefficients.
 ///
 /// `u` is arc length; only for a paramPoly3 whose true length differs from the written one it is arc length scaled to
-/// the written length. Every method takes any `f64`: u is clamped to the curve, not-a-number counts as its start.
+/// the written length, and for a transformed curve it stays the u of the curve that was transformed. Every method takes any `f64`: u is clamped to the curve, not-a-number counts as its start.
 /// Nothing allocates and nothing panics, also for coefficients that [`compile`](crate::compile()) did not make.
 ///
 /// Errors against the exact curve: line and arc are closed forms, a spiral is within 1e-10 m with exact heading and
-/// curvature, a poly3 or paramPoly3 is displaced along itself by at most 1e-7 m.
+/// curvature, a poly3 or paramPoly3 is displaced along itself by at most 1e-7 m, a transformed one has a stated error.
 #[derive(Clone, Copy, Debug)]
 pub struct Curve<'a> {
     start: Start,
@@ -37,6 +38,7 @@ enum Shape<'a> {
     Arc { curvature: f64 },
     Spiral(Spiral<'a>),
     Parametric(Parametric<'a>),
+    Transformed(Transformed<'a>),
 }
 
 impl<'a> Curve<'a> {
@@ -82,6 +84,10 @@ impl<'a> Curve<'a> {
                 let (v, pieces) = rest.split_first_chunk()?;
                 (Shape::parametric(u, v, length, pieces)?, pieces)
             }
+            CurveKind::Transformed => {
+                let pieces = Pieces::new(coefficients, length)?;
+                (Shape::Transformed(Transformed { pieces }), coefficients)
+            }
         };
         let parameters = coefficients.get(..coefficients.len() - pieces.len())?;
         Some(Self { start, length, parameters, shape })
@@ -102,7 +108,7 @@ impl<'a> Curve<'a> {
     }
 
     /// The primitive's own parameters as written: nothing for a line, the curvature of an arc, both curvatures of a
-    /// spiral, v of a poly3, u then v of a paramPoly3.
+    /// spiral, v of a poly3, u then v of a paramPoly3; nothing for a transformed curve.
     #[must_use]
     #[inline]
     pub fn primitive_parameters(&self) -> &'a [f64] {
@@ -152,6 +158,7 @@ impl<'a> Curve<'a> {
             Shape::Arc { curvature } => *curvature,
             Shape::Spiral(spiral) => spiral.curvature(u),
             Shape::Parametric(parametric) => parametric.frame(u).curvature,
+            Shape::Transformed(transformed) => transformed.curvature(u),
         }
     }
 
@@ -174,6 +181,9 @@ impl<'a> Curve<'a> {
             Shape::Spiral(spiral) => nearest::descend(|u| spiral.jet(u), target, seed, lo, hi),
             Shape::Parametric(parametric) => {
                 nearest::descend(|u| parametric.jet(u), target, seed, lo, hi)
+            }
+            Shape::Transformed(transformed) => {
+                nearest::descend(|u| transformed.jet(u), target, seed, lo, hi)
             }
         };
         self.foot(target, u, lo, hi)
@@ -200,6 +210,10 @@ impl<'a> Curve<'a> {
                 let count = parametric.pieces.count();
                 nearest::search(|u| parametric.jet(u), target, count, length, limit)
             }
+            Shape::Transformed(transformed) => {
+                let count = transformed.pieces.count();
+                nearest::search(|u| transformed.jet(u), target, count, length, limit)
+            }
         };
         self.foot(target, u, 0.0, limit)
     }
@@ -212,10 +226,10 @@ impl<'a> Curve<'a> {
     #[inline]
     fn foot(&self, target: DVec2, u: f64, lo: f64, hi: f64) -> Projection {
         let (mut u, mut frame) = (u, self.frame(u));
-        if let Shape::Spiral(_) | Shape::Parametric(_) = self.shape {
+        if let Shape::Spiral(_) | Shape::Parametric(_) | Shape::Transformed(_) = self.shape {
             let gap = target - frame.position;
             let bend = 1.0 - frame.curvature * frame.tangent.perp_dot(gap);
-            let better = u + gap.dot(frame.tangent) / bend;
+            let better = u + gap.dot(frame.tangent) / (bend * frame.speed);
             if better != u && (better - u).abs() <= LAST_STEP && lo < better && better < hi {
                 (u, frame) = (better, self.frame(better));
             }
@@ -239,6 +253,13 @@ impl<'a> Curve<'a> {
         }
     }
 
+    /// Position relative to the start and unit tangent at `u` `[m]`, along the inertial axes: small numbers keep digits that
+    /// inertial coordinates lose.
+    pub(crate) fn relative(&self, u: f64) -> (DVec2, DVec2) {
+        let frame = self.frame(self.clamp(u));
+        (self.start.rotate(frame.position), self.start.rotate(frame.tangent))
+    }
+
     #[inline]
     fn clamp(&self, u: f64) -> f64 {
         clamp(u, 0.0, self.length)
@@ -249,11 +270,13 @@ impl<'a> Curve<'a> {
     fn frame(&self, u: f64) -> Frame {
         match &self.shape {
             Shape::Line => {
-                Frame { position: DVec2::new(u, 0.0), tangent: DVec2::X, curvature: 0.0 }
+                let position = DVec2::new(u, 0.0);
+                Frame { position, tangent: DVec2::X, curvature: 0.0, speed: 1.0 }
             }
             Shape::Arc { curvature } => arc::frame(*curvature, u),
             Shape::Spiral(spiral) => spiral.frame(u),
             Shape::Parametric(parametric) => parametric.frame(u),
+            Shape::Transformed(transformed) => transformed.frame(u),
         }
     }
 
@@ -265,6 +288,7 @@ impl<'a> Curve<'a> {
             Shape::Arc { curvature } => curvature * u,
             Shape::Spiral(spiral) => spiral.heading(u),
             Shape::Parametric(parametric) => parametric.heading(u),
+            Shape::Transformed(transformed) => transformed.heading(u),
         }
     }
 }

@@ -41,14 +41,20 @@ mod point;
 mod primitive;
 mod spiral;
 pub mod surface;
+mod transformed;
 
 pub use angle::{atan2, beside, cos_sin, normalize_angle};
 pub use attitude::Attitude;
-pub use compile::{CompileError, Compiled, MAX_LENGTH, MAX_PIECES, MAX_TURNING, compile};
+pub use compile::{
+    Chart, CompileError, Compiled, CurveTransform, MAX_LENGTH, MAX_PIECES, MAX_TURNING,
+    TransformError, TransformedCurve, compile,
+};
 pub use cubic::Cubic;
 pub use curve::Curve;
 pub use point::{CurvePoint, Projection, Tangent};
-pub use primitive::{CurveKind, PARAMETER_PIECE, ParameterRange, Primitive, SPIRAL_PIECE, Start};
+pub use primitive::{
+    CurveKind, PARAMETER_PIECE, ParameterRange, Primitive, SPIRAL_PIECE, Start, TRANSFORMED_PIECE,
+};
 
 /// `value` within [lo, hi]; not-a-number becomes `lo`. Unlike `f64::clamp` it cannot panic, and unlike `f64::max` it
 /// never returns a zero of unspecified sign.

@@ -84,6 +84,7 @@ impl Parametric<'_> {
             position: self.cubics.position(p),
             tangent: first * per_speed,
             curvature: first.perp_dot(second) * (per_speed * per_speed * per_speed),
+            speed: 1.0,
         }
     }
 

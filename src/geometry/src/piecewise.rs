@@ -65,6 +65,17 @@ pub(crate) fn value_and_derivative(coefficients: &[f64; TERMS], t: f64) -> (f64,
     coefficients.iter().rev().fold((0.0, 0.0), |(sum, slope), c| (sum * t + c, slope * t + sum))
 }
 
+/// Both polynomials of a piece and their first two derivatives with respect to τ.
+#[inline]
+pub(crate) fn derivatives(piece: &[f64; 2 * TERMS], t: f64) -> (DVec2, DVec2, DVec2) {
+    let (x, y) = split_xy(piece);
+    let zero = (DVec2::ZERO, DVec2::ZERO, DVec2::ZERO);
+    let (value, first, half) = x.iter().zip(y).rev().fold(zero, |(value, first, half), (x, y)| {
+        (value * t + DVec2::new(*x, *y), first * t + value, half * t + first)
+    });
+    (value, first, half * 2.0)
+}
+
 /// x(τ) and y(τ) of a spiral piece.
 #[inline]
 pub(crate) fn split_xy(piece: &[f64; 2 * TERMS]) -> (&[f64; TERMS], &[f64; TERMS]) {

@@ -62,6 +62,8 @@ pub(crate) struct Frame {
     pub(crate) position: DVec2,
     pub(crate) tangent: DVec2,
     pub(crate) curvature: f64,
+    /// |dr/du|, as far as the last step of a projection needs it.
+    pub(crate) speed: f64,
 }
 
 /// Position and derivatives with respect to u in the geometry's own frame: what one Newton step needs.

@@ -104,6 +104,8 @@ pub enum CurveKind {
     Poly3 = 3,
     /// [`Primitive::ParamPoly3`]: u, v, then pieces of [`PARAMETER_PIECE`] numbers.
     ParamPoly3 = 4,
+    /// Any of them, moved into another plane ([`CurveTransform`](crate::CurveTransform)): pieces of [`TRANSFORMED_PIECE`] numbers.
+    Transformed = 5,
 }
 
 /// Coefficients of a polynomial piece: degree nine. Lower degrees need more pieces for the same error, higher degrees
@@ -116,6 +118,10 @@ pub const SPIRAL_PIECE: usize = 2 * TERMS;
 /// Numbers in one piece of a poly3 or paramPoly3: the curve parameter p(τ), τ ∈ [−1, 1], in ascending order of power.
 pub const PARAMETER_PIECE: usize = TERMS;
 
+/// Numbers in one piece of a transformed curve: the heading of its middle relative to the start `[rad]`, then x(τ) and y(τ),
+/// τ ∈ [−1, 1], in ascending order of power.
+pub const TRANSFORMED_PIECE: usize = 1 + 2 * TERMS;
+
 impl CurveKind {
     /// The kind a stored code stands for; `None` for codes that no release has written.
     #[must_use]
@@ -126,6 +132,7 @@ impl CurveKind {
             2 => Some(Self::Spiral),
             3 => Some(Self::Poly3),
             4 => Some(Self::ParamPoly3),
+            5 => Some(Self::Transformed),
             _ => None,
         }
     }

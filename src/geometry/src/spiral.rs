@@ -51,6 +51,7 @@ impl<'a> Spiral<'a> {
             position: point(piece, t),
             tangent: DVec2::new(cos, sin),
             curvature: self.curvature(u),
+            speed: 1.0,
         }
     }
 

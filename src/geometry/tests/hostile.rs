@@ -30,8 +30,14 @@ const SPECIAL: [f64; 20] = [
 ];
 /// More numbers than any honest curve needs.
 const MOST_NUMBERS: usize = 400_000;
-const KINDS: [CurveKind; 5] =
-    [CurveKind::Line, CurveKind::Arc, CurveKind::Spiral, CurveKind::Poly3, CurveKind::ParamPoly3];
+const KINDS: [CurveKind; 6] = [
+    CurveKind::Line,
+    CurveKind::Arc,
+    CurveKind::Spiral,
+    CurveKind::Poly3,
+    CurveKind::ParamPoly3,
+    CurveKind::Transformed,
+];
 
 fn four(random: &mut Random) -> [f64; 4] {
     std::array::from_fn(|_| random.pick(&SPECIAL))

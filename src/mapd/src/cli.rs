@@ -9,7 +9,7 @@ use crate::{archive_file, check, export, inspect, load, report, source, status};
 use anyhow::{Context, Result, bail};
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions, Snapshot};
-use mapd_compiler::{CompileOptions, CyclePolicy, OffsetSign, ReadOptions};
+use mapd_compiler::{CompileOptions, CyclePolicy, OffsetSign, ReadOptions, Target};
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -72,7 +72,33 @@ struct Options {
     offset_sign: Sign,
 
     #[command(flatten)]
+    frame: FrameArgs,
+
+    #[command(flatten)]
     ontology: OntologyArgs,
+}
+
+#[derive(Args)]
+struct FrameArgs {
+    /// Frame that x, y and z are transformed into: an EPSG code, PROJ parameters, `utm` (the zone of the map's middle) or
+    /// enu:LAT,LON[,ALT] (east and north of that place); s and t stay as written [default: the file's own frame]
+    #[arg(long, value_name = "CRS")]
+    crs: Option<Target>,
+}
+
+impl FrameArgs {
+    /// Options for a SOURCE that is compiled if it is an OpenDRIVE file.
+    ///
+    /// Errors: a frame is asked for, but the source is compiled already.
+    fn source(&self, source: &str) -> Result<CompileOptions> {
+        if self.crs.is_some() && source::is_compiled(source) {
+            let message = format!(
+                "--crs transforms OpenDRIVE files only; {source} keeps the frame it was compiled into"
+            );
+            return Err(UsageError(message).into());
+        }
+        Ok(CompileOptions { crs: self.crs.clone(), ..CompileOptions::default() })
+    }
 }
 
 /// As [`OffsetSign`].
@@ -108,6 +134,9 @@ struct DomainArgs {
 #[derive(Args)]
 struct Opening {
     #[command(flatten)]
+    frame: FrameArgs,
+
+    #[command(flatten)]
     ontology: OntologyArgs,
 
     #[command(flatten)]
@@ -124,7 +153,8 @@ impl Opening {
         let wait = Duration::try_from_secs_f64(self.wait)
             .map_err(|error| UsageError(format!("--wait: {error}")))?;
         let reading = self.ontology.for_source(source::is_compiled(source))?;
-        let compiling = (&reading, &CompileOptions::default());
+        let options = self.frame.source(source)?;
+        let compiling = (&reading, &options);
         source::open_or_report(source, compiling, (&self.domain.domain()?, wait))
     }
 }
@@ -154,6 +184,8 @@ enum Command {
         /// How findings are written
         #[arg(long, value_enum, default_value_t = check::Format::Text)]
         format: check::Format,
+        #[command(flatten)]
+        frame: FrameArgs,
         #[command(flatten)]
         reading: check::ReadArgs,
     },
@@ -267,6 +299,7 @@ impl Options {
                 Sign::Standard => OffsetSign::Standard,
                 Sign::Negated => OffsetSign::Negated,
             },
+            crs: self.frame.crs.clone(),
         }
     }
 }
@@ -341,8 +374,9 @@ fn execute(cli: Cli) -> Result<Exit> {
             let reading = options.reading(&judging)?;
             compile(&file, output, report, (&reading, &validated(&options)?), out)?
         }
-        Command::Check { file, format, reading } => {
-            check::run(&file, format, &reading, out)?.verdict.into()
+        Command::Check { file, format, frame, reading } => {
+            let options = CompileOptions { crs: frame.crs, ..CompileOptions::default() };
+            check::run(&file, format, (&reading, &options), out)?.verdict.into()
         }
         Command::Inspect { source, json, verify, opening } => match opening.open(&source)? {
             Some(snapshot) => {

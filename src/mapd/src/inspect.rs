@@ -2,12 +2,11 @@
 
 use crate::graph_facts::{GraphFacts, lane_links};
 use crate::object_facts::ObjectFacts;
-use crate::query::earth;
 use crate::report::hex;
 use crate::signal_facts::SignalFacts;
 use anyhow::Result;
 use mapd_client::Snapshot;
-use mapd_query::Quarantined;
+use mapd_query::{FileFrame, Quarantined};
 use serde::Serialize;
 use std::io::Write;
 
@@ -44,6 +43,8 @@ struct MapFacts {
     offset_negated: bool,
     /// Smallest and largest latitude and longitude `[deg]` of the bounds' edge.
     geodetic_bounds: Option<[[f64; 2]; 2]>,
+    /// The file's own frame, where the map is in another.
+    file_frame: Option<FileFrameFacts>,
     roads: usize,
     junctions: usize,
     sections: usize,
@@ -53,6 +54,54 @@ struct MapFacts {
     min: [f64; 3],
     max: [f64; 3],
     bytes_per_road_km: f64,
+}
+
+#[derive(Serialize)]
+struct FileFrameFacts {
+    /// As it was asked for.
+    target: String,
+    projection: String,
+    /// x, y, z `[m]` and turn `[rad]`, as applied before the transformation.
+    header_offset: [f64; 4],
+    min: [f64; 3],
+    max: [f64; 3],
+    /// Bound for points of reference lines `[m]`.
+    error_m: f64,
+    height_shift_m: f64,
+    height_error_m: f64,
+    scale_min: f64,
+    scale_max: f64,
+}
+
+impl FileFrameFacts {
+    fn of(frame: FileFrame<'_>) -> Self {
+        let (shift, turn) = frame.offset();
+        let (min, max) = frame.bounds();
+        let (scale_min, scale_max) = frame.scale();
+        Self {
+            target: frame.target().to_owned(),
+            projection: frame.projection().to_owned(),
+            header_offset: [shift.x, shift.y, shift.z, turn],
+            min: min.to_array(),
+            max: max.to_array(),
+            error_m: frame.error(),
+            height_shift_m: frame.height_shift(),
+            height_error_m: frame.height_error(),
+            scale_min,
+            scale_max,
+        }
+    }
+
+    fn print(&self, out: &mut dyn Write) -> std::io::Result<()> {
+        writeln!(out, "target        {}", self.target)?;
+        writeln!(out, "  file frame  {}, offset {:?}", self.projection, self.header_offset)?;
+        writeln!(out, "  bounds [m]  {:?} to {:?}", self.min, self.max)?;
+        writeln!(
+            out,
+            "  error       {:.1e} m, scale {:.9} to {:.9}, z + {} m (± {:.1e} m)",
+            self.error_m, self.scale_min, self.scale_max, self.height_shift_m, self.height_error_m
+        )
+    }
 }
 
 #[derive(Serialize)]
@@ -127,6 +176,9 @@ pub(crate) fn run(
         }
         _ => {}
     }
+    if let Some(frame) = &m.file_frame {
+        frame.print(out)?;
+    }
     if m.header_offset != [0.0; 4] {
         let sign = if m.offset_negated { ", sign turned" } else { "" };
         writeln!(out, "offset        {:?}{sign}", m.header_offset)?;
@@ -185,7 +237,8 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
             projection: Some(map.projection()).filter(|text| !text.is_empty()).map(str::to_owned),
             header_offset: [shift.x, shift.y, shift.z, turn],
             offset_negated: map.offset_is_negated(),
-            geodetic_bounds: earth::bounds(map),
+            geodetic_bounds: map.geodetic_bounds().map(|[s, n, w, e]| [[s, w], [n, e]]),
+            file_frame: map.file_frame().map(FileFrameFacts::of),
             roads: tables.roads.len(),
             junctions: tables.junctions.len(),
             sections: tables.sections.len(),

@@ -108,6 +108,9 @@ fn stem(file: &Path) -> Result<String> {
 
 fn prepare(file: &Path, reading: &ReadOptions, options: &CompileOptions) -> Result<Option<Ready>> {
     if source::is_archive(file) {
+        if options.crs.is_some() {
+            bail!("--crs transforms OpenDRIVE files only; {} keeps its frame", file.display());
+        }
         return Ok(Some(Ready::Archive(Snapshot::open(file)?)));
     }
     let bar = Bar::new(file);

@@ -36,6 +36,17 @@ impl<'a> Map<'a> {
         Projector::new(self.projection(), Offset { shift, heading })
     }
 
+    /// What converts between the file's own frame and WGS 84, of a map that was compiled into another frame; else the same
+    /// as [`Map::projector`]. A point of the file and that of the map at one place on Earth are one: through both projectors
+    /// either becomes the other.
+    ///
+    /// Errors: the map has no georeference that can be used.
+    pub fn file_projector(&self) -> Result<Projector, DefinitionError> {
+        let Some(frame) = self.file_frame() else { return self.projector() };
+        let (shift, heading) = frame.offset();
+        Projector::new(frame.projection(), Offset { shift, heading })
+    }
+
     /// As [`Map::nearest_lane`], from latitude and longitude `[deg]` and, where other levels are to be told apart, altitude
     /// `[m]`, through a projector of this map.
     ///

@@ -19,6 +19,7 @@ mod area;
 mod class_set;
 mod cross_section;
 mod error;
+mod file_frame;
 #[cfg(feature = "geodesy")]
 mod geodetic;
 mod graph;
@@ -53,6 +54,7 @@ mod waypoints;
 pub use class_set::ClassSet;
 pub use cross_section::{CrossSection, SectionCutter};
 pub use error::QueryError;
+pub use file_frame::FileFrame;
 #[cfg(feature = "geodesy")]
 pub use geodetic::GeodeticError;
 pub use glam;

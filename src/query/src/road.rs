@@ -352,11 +352,11 @@ impl<'a> Road<'a> {
         let rows = self.geometries();
         for (i, g) in rows.iter().enumerate().filter(|(_, g)| g.s() <= end) {
             let from_start = DVec2::new(local.x - g.x(), local.y - g.y()).length();
-            // No point of a line, arc or spiral is farther from its start than its length; parametric curves are scaled
-            // to their stated length and may reach farther.
+            // No point of a line, arc or spiral is farther from its start than its length; parametric and transformed
+            // curves are scaled to their stated length and may reach farther.
             let scaled = matches!(
                 CurveKind::from_code(g.kind()),
-                Some(CurveKind::Poly3 | CurveKind::ParamPoly3)
+                Some(CurveKind::Poly3 | CurveKind::ParamPoly3 | CurveKind::Transformed)
             );
             let nearest_possible = if scaled { 0.0 } else { from_start - g.length() };
             if best.as_ref().is_some_and(|(d, ..)| nearest_possible > *d + JOINT) {

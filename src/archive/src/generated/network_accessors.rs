@@ -101,6 +101,26 @@ impl ArchivedMapRow {
     pub fn offset_hdg(&self) -> f64 {
         self.offset_hdg.to_native()
     }
+    /// `[deg]` Smallest latitude of any lane on WGS 84, rounded to 1e-9 degrees; 0 unless `has_geodetic_bounds`.
+    #[inline]
+    pub fn south(&self) -> f64 {
+        self.south.to_native()
+    }
+    /// `[deg]` Largest latitude.
+    #[inline]
+    pub fn north(&self) -> f64 {
+        self.north.to_native()
+    }
+    /// `[deg]` Longitude of the western edge, −180 to 180.
+    #[inline]
+    pub fn west(&self) -> f64 {
+        self.west.to_native()
+    }
+    /// `[deg]` Longitude of the eastern edge; beyond 180 where the map crosses the antimeridian.
+    #[inline]
+    pub fn east(&self) -> f64 {
+        self.east.to_native()
+    }
     /// header/@name.
     #[inline]
     pub fn name(&self) -> u32 {
@@ -150,6 +170,99 @@ impl ArchivedMapRow {
     #[inline]
     pub fn offset_sign(&self) -> u8 {
         self.offset_sign
+    }
+    /// 1 where the map's place on Earth is known.
+    #[inline]
+    pub fn has_geodetic_bounds(&self) -> u8 {
+        self.has_geodetic_bounds
+    }
+}
+
+impl ArchivedFileFrameRow {
+    /// `[m]` header/offset/@x as it was applied before the transformation: as `offset_x` of the map.
+    #[inline]
+    pub fn offset_x(&self) -> f64 {
+        self.offset_x.to_native()
+    }
+    /// `[m]` header/offset/@y as it was applied.
+    #[inline]
+    pub fn offset_y(&self) -> f64 {
+        self.offset_y.to_native()
+    }
+    /// `[m]` header/offset/@z as it was applied.
+    #[inline]
+    pub fn offset_z(&self) -> f64 {
+        self.offset_z.to_native()
+    }
+    /// `[rad]` header/offset/@hdg.
+    #[inline]
+    pub fn offset_hdg(&self) -> f64 {
+        self.offset_hdg.to_native()
+    }
+    /// `[m]` Smallest x of any lane in the file's frame.
+    #[inline]
+    pub fn min_x(&self) -> f64 {
+        self.min_x.to_native()
+    }
+    /// `[m]` Smallest y of any lane in the file's frame.
+    #[inline]
+    pub fn min_y(&self) -> f64 {
+        self.min_y.to_native()
+    }
+    /// `[m]` Smallest z of any lane in the file's frame.
+    #[inline]
+    pub fn min_z(&self) -> f64 {
+        self.min_z.to_native()
+    }
+    /// `[m]` Largest x of any lane in the file's frame.
+    #[inline]
+    pub fn max_x(&self) -> f64 {
+        self.max_x.to_native()
+    }
+    /// `[m]` Largest y of any lane in the file's frame.
+    #[inline]
+    pub fn max_y(&self) -> f64 {
+        self.max_y.to_native()
+    }
+    /// `[m]` Largest z of any lane in the file's frame.
+    #[inline]
+    pub fn max_z(&self) -> f64 {
+        self.max_z.to_native()
+    }
+    /// `[m]` z of the map minus z as written.
+    #[inline]
+    pub fn height_shift(&self) -> f64 {
+        self.height_shift.to_native()
+    }
+    /// `[m]` Bound on the distance of a point of a reference line from the exact image of that point of the file.
+    #[inline]
+    pub fn error(&self) -> f64 {
+        self.error.to_native()
+    }
+    /// `[m]` Bound on the difference between `height_shift` and that of any place of the map.
+    #[inline]
+    pub fn height_error(&self) -> f64 {
+        self.height_error.to_native()
+    }
+    /// Smallest distance in the map per distance in the file, along any direction at any reference line.
+    #[inline]
+    pub fn scale_min(&self) -> f64 {
+        self.scale_min.to_native()
+    }
+    /// Largest distance in the map per distance in the file.
+    #[inline]
+    pub fn scale_max(&self) -> f64 {
+        self.scale_max.to_native()
+    }
+    /// The file's georeference as PROJ parameters, only such as are understood.
+    #[inline]
+    pub fn projection(&self) -> u32 {
+        self.projection.to_native()
+    }
+    /// The target frame as it was asked for.
+    #[inline]
+    pub fn target(&self) -> u32 {
+        self.target.to_native()
     }
 }
 
@@ -297,7 +410,7 @@ impl ArchivedGeometryRow {
     pub fn error(&self) -> f32 {
         self.error.to_native()
     }
-    /// 0 line, 1 arc, 2 spiral, 3 poly3, 4 paramPoly3.
+    /// 0 line, 1 arc, 2 spiral, 3 poly3, 4 paramPoly3, 5 transformed into another plane.
     #[inline]
     pub fn kind(&self) -> u8 {
         self.kind

@@ -48,6 +48,14 @@ pub struct MapRow {
     pub offset_z: f64,
     /// `[rad]` header/offset/@hdg.
     pub offset_hdg: f64,
+    /// `[deg]` Smallest latitude of any lane on WGS 84, rounded to 1e-9 degrees; 0 unless `has_geodetic_bounds`.
+    pub south: f64,
+    /// `[deg]` Largest latitude.
+    pub north: f64,
+    /// `[deg]` Longitude of the western edge, −180 to 180.
+    pub west: f64,
+    /// `[deg]` Longitude of the eastern edge; beyond 180 where the map crosses the antimeridian.
+    pub east: f64,
     /// header/@name.
     pub name: u32,
     /// header/@version.
@@ -68,10 +76,54 @@ pub struct MapRow {
     pub geo_reference_form: u8,
     /// Sign of header/offset as it is applied: 0 as written, 1 turned (offset fields hold the turned values).
     pub offset_sign: u8,
+    /// 1 where the map's place on Earth is known.
+    pub has_geodetic_bounds: u8,
     /// 0.
-    pub reserved: [u8; 2],
+    pub reserved: u8,
 }
-const _: () = assert!(size_of::<MapRow>() == 184 && size_of::<ArchivedMapRow>() == 184);
+const _: () = assert!(size_of::<MapRow>() == 216 && size_of::<ArchivedMapRow>() == 216);
+
+/// One row for a map that was compiled into another frame than its file's (`--crs`), else none. `projection` of the map is then the target, its offset 0.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct FileFrameRow {
+    /// `[m]` header/offset/@x as it was applied before the transformation: as `offset_x` of the map.
+    pub offset_x: f64,
+    /// `[m]` header/offset/@y as it was applied.
+    pub offset_y: f64,
+    /// `[m]` header/offset/@z as it was applied.
+    pub offset_z: f64,
+    /// `[rad]` header/offset/@hdg.
+    pub offset_hdg: f64,
+    /// `[m]` Smallest x of any lane in the file's frame.
+    pub min_x: f64,
+    /// `[m]` Smallest y of any lane in the file's frame.
+    pub min_y: f64,
+    /// `[m]` Smallest z of any lane in the file's frame.
+    pub min_z: f64,
+    /// `[m]` Largest x of any lane in the file's frame.
+    pub max_x: f64,
+    /// `[m]` Largest y of any lane in the file's frame.
+    pub max_y: f64,
+    /// `[m]` Largest z of any lane in the file's frame.
+    pub max_z: f64,
+    /// `[m]` z of the map minus z as written.
+    pub height_shift: f64,
+    /// `[m]` Bound on the distance of a point of a reference line from the exact image of that point of the file.
+    pub error: f64,
+    /// `[m]` Bound on the difference between `height_shift` and that of any place of the map.
+    pub height_error: f64,
+    /// Smallest distance in the map per distance in the file, along any direction at any reference line.
+    pub scale_min: f64,
+    /// Largest distance in the map per distance in the file.
+    pub scale_max: f64,
+    /// The file's georeference as PROJ parameters, only such as are understood.
+    pub projection: u32,
+    /// The target frame as it was asked for.
+    pub target: u32,
+}
+const _: () = assert!(size_of::<FileFrameRow>() == 128 && size_of::<ArchivedFileFrameRow>() == 128);
 
 /// One row per road, in file order. The row number is the RoadId.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
@@ -121,7 +173,7 @@ pub struct RoadRow {
 }
 const _: () = assert!(size_of::<RoadRow>() == 96 && size_of::<ArchivedRoadRow>() == 96);
 
-/// Plan-view geometries as written, with what their evaluation needs (OpenDRIVE 1.8.1, 9.2).
+/// Plan-view geometries as written or, in a target frame, moved into it, with what their evaluation needs (OpenDRIVE 1.8.1, 9.2).
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -144,7 +196,7 @@ pub struct GeometryRow {
     pub coefficients: Range,
     /// `[m]` Bound on the distance of an evaluated point from the exact curve.
     pub error: f32,
-    /// 0 line, 1 arc, 2 spiral, 3 poly3, 4 paramPoly3.
+    /// 0 line, 1 arc, 2 spiral, 3 poly3, 4 paramPoly3, 5 transformed into another plane.
     pub kind: u8,
     /// paramPoly3/@pRange: 0 not given, 1 arcLength, 2 normalized.
     pub parameter_range: u8,

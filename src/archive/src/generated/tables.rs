@@ -13,7 +13,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [32, 240, 203, 189, 31, 35, 188, 85, 187, 148, 35, 38, 3, 209, 20, 170];
+    [192, 165, 128, 128, 111, 25, 9, 172, 253, 81, 6, 17, 44, 234, 164, 136];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -24,11 +24,13 @@ pub struct Rows {
     pub string_offsets: Table<u32>,
     /// Exactly one row: what concerns the whole map.
     pub map: Table<MapRow>,
+    /// One row for a map that was compiled into another frame than its file's (`--crs`), else none. `projection` of the map is then the target, its offset 0.
+    pub file_frames: Table<FileFrameRow>,
     /// One row per road, in file order. The row number is the RoadId.
     pub roads: Table<RoadRow>,
-    /// Plan-view geometries as written, with what their evaluation needs (OpenDRIVE 1.8.1, 9.2).
+    /// Plan-view geometries as written or, in a target frame, moved into it, with what their evaluation needs (OpenDRIVE 1.8.1, 9.2).
     pub geometries: Table<GeometryRow>,
-    /// Numbers of the geometries. Line: none. Arc: curvature. Spiral: start and end curvature, then pieces of 20 (x and y as polynomials of degree 9 over −1 to 1). poly3: 4, paramPoly3: 8, then pieces of 10 (the curve parameter as a polynomial of true arc length).
+    /// Numbers of the geometries. Line: none. Arc: curvature. Spiral: start and end curvature, then pieces of 20 (x and y as polynomials of degree 9 over −1 to 1). poly3: 4, paramPoly3: 8, then pieces of 10 (the curve parameter as a polynomial of true arc length). Transformed: pieces of 21 (heading of the middle relative to the start, then x and y as polynomials of degree 9).
     pub coefficients: Table<f64>,
     /// Cubic records a + b·ds + c·ds² + d·ds³ with ds = s − `s`; each holds until the next of its range.
     pub cubics: Table<CubicRow>,
@@ -207,6 +209,7 @@ impl Rows {
             string_bytes: (self.string_bytes.as_slice()),
             string_offsets: (self.string_offsets.as_slice()),
             map: bytemuck::cast_slice(self.map.as_slice()),
+            file_frames: bytemuck::cast_slice(self.file_frames.as_slice()),
             roads: bytemuck::cast_slice(self.roads.as_slice()),
             geometries: bytemuck::cast_slice(self.geometries.as_slice()),
             coefficients: (self.coefficients.as_slice()),
@@ -308,11 +311,13 @@ pub struct Tables<'a> {
     pub string_offsets: &'a [u32],
     /// Exactly one row: what concerns the whole map.
     pub map: &'a [ArchivedMapRow],
+    /// One row for a map that was compiled into another frame than its file's (`--crs`), else none. `projection` of the map is then the target, its offset 0.
+    pub file_frames: &'a [ArchivedFileFrameRow],
     /// One row per road, in file order. The row number is the RoadId.
     pub roads: &'a [ArchivedRoadRow],
-    /// Plan-view geometries as written, with what their evaluation needs (OpenDRIVE 1.8.1, 9.2).
+    /// Plan-view geometries as written or, in a target frame, moved into it, with what their evaluation needs (OpenDRIVE 1.8.1, 9.2).
     pub geometries: &'a [ArchivedGeometryRow],
-    /// Numbers of the geometries. Line: none. Arc: curvature. Spiral: start and end curvature, then pieces of 20 (x and y as polynomials of degree 9 over −1 to 1). poly3: 4, paramPoly3: 8, then pieces of 10 (the curve parameter as a polynomial of true arc length).
+    /// Numbers of the geometries. Line: none. Arc: curvature. Spiral: start and end curvature, then pieces of 20 (x and y as polynomials of degree 9 over −1 to 1). poly3: 4, paramPoly3: 8, then pieces of 10 (the curve parameter as a polynomial of true arc length). Transformed: pieces of 21 (heading of the middle relative to the start, then x and y as polynomials of degree 9).
     pub coefficients: &'a [f64],
     /// Cubic records a + b·ds + c·ds² + d·ds³ with ds = s − `s`; each holds until the next of its range.
     pub cubics: &'a [ArchivedCubicRow],
@@ -491,6 +496,7 @@ impl<'a> Tables<'a> {
             string_bytes: root.string_bytes.view(body, "string_bytes")?,
             string_offsets: root.string_offsets.view_numbers(body, "string_offsets")?,
             map: root.map.view(body, "map")?,
+            file_frames: root.file_frames.view(body, "file_frames")?,
             roads: root.roads.view(body, "roads")?,
             geometries: root.geometries.view(body, "geometries")?,
             coefficients: root.coefficients.view_numbers(body, "coefficients")?,
@@ -590,11 +596,12 @@ impl<'a> Tables<'a> {
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 90] {
+    pub fn infos(&self) -> [TableInfo; 91] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
             TableInfo::of("map", self.map),
+            TableInfo::of("file_frames", self.file_frames),
             TableInfo::of("roads", self.roads),
             TableInfo::of("geometries", self.geometries),
             TableInfo::of("coefficients", self.coefficients),

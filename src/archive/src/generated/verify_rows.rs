@@ -30,6 +30,10 @@ impl Tables<'_> {
             check.finite("offset_y", row.offset_y())?;
             check.finite("offset_z", row.offset_z())?;
             check.finite("offset_hdg", row.offset_hdg())?;
+            check.finite("south", row.south())?;
+            check.finite("north", row.north())?;
+            check.finite("west", row.west())?;
+            check.finite("east", row.east())?;
             check.reference("name", row.name(), strings, false)?;
             check.reference("version", row.version(), strings, false)?;
             check.reference("date", row.date(), strings, false)?;
@@ -38,6 +42,27 @@ impl Tables<'_> {
             check.reference("projection", row.projection(), strings, false)?;
             check.code("geo_reference_form", row.geo_reference_form(), 7)?;
             check.code("offset_sign", row.offset_sign(), 2)?;
+            check.code("has_geodetic_bounds", row.has_geodetic_bounds(), 2)?;
+        }
+        for (i, row) in self.file_frames.iter().enumerate() {
+            let check = Check { table: "file_frames", row: i };
+            check.finite("offset_x", row.offset_x())?;
+            check.finite("offset_y", row.offset_y())?;
+            check.finite("offset_z", row.offset_z())?;
+            check.finite("offset_hdg", row.offset_hdg())?;
+            check.finite("min_x", row.min_x())?;
+            check.finite("min_y", row.min_y())?;
+            check.finite("min_z", row.min_z())?;
+            check.finite("max_x", row.max_x())?;
+            check.finite("max_y", row.max_y())?;
+            check.finite("max_z", row.max_z())?;
+            check.finite("height_shift", row.height_shift())?;
+            check.finite("error", row.error())?;
+            check.finite("height_error", row.height_error())?;
+            check.finite("scale_min", row.scale_min())?;
+            check.finite("scale_max", row.scale_max())?;
+            check.reference("projection", row.projection(), strings, false)?;
+            check.reference("target", row.target(), strings, false)?;
         }
         for (i, row) in self.roads.iter().enumerate() {
             let check = Check { table: "roads", row: i };
@@ -68,7 +93,7 @@ impl Tables<'_> {
             check.finite("length", row.length())?;
             check.range("coefficients", row.coefficients(), self.coefficients.len())?;
             check.finite("error", f64::from(row.error()))?;
-            check.code("kind", row.kind(), 5)?;
+            check.code("kind", row.kind(), 6)?;
             check.code("parameter_range", row.parameter_range(), 3)?;
         }
         for (i, row) in self.coefficients.iter().enumerate() {

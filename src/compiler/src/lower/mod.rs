@@ -346,6 +346,14 @@ impl Lowering {
         }
     }
 
+    /// Names the projection of a target frame as the map's. The file's own and the target as asked for, as strings.
+    pub(crate) fn retarget(&mut self, definition: &str, target: &str) -> [u32; 2] {
+        if let Some(map) = &mut self.map {
+            map.projection = self.strings.add(definition);
+        }
+        [self.strings.add(&self.placed.definition), self.strings.add(target)]
+    }
+
     /// The tables so far, geometry moved to the local origin.
     pub(crate) fn into_rows(self, options: &CompileOptions) -> Rows {
         let mut rows = self.rows;

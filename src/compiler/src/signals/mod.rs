@@ -11,6 +11,7 @@ mod right_of_way;
 mod semantics;
 
 use crate::options::CompileOptions;
+use glam::DVec3;
 use mapd_archive::{BoardGroupRow, ControlRow, ControllerRow, Rows, SignalRow};
 use mapd_ontology::Ontology;
 use mapd_xodr::source::Places;
@@ -86,6 +87,19 @@ pub(crate) struct Resolved {
     positions: Vec<(Position, Option<(f64, f64)>)>,
     /// Rows of roads by the numbers of their ids.
     roads: Vec<(u32, u32)>,
+}
+
+impl Resolved {
+    /// Moves places that are written in x, y and z; what has no image stays and lies beside the map, as its roads do not.
+    pub(crate) fn move_by(&mut self, image: &dyn Fn(DVec3, f64) -> Option<(DVec3, f64)>) {
+        for (position, _) in &mut self.positions {
+            if let Position::Inertial([x, y, z, heading]) = position
+                && let Some((at, turned)) = image(DVec3::new(*x, *y, *z), *heading)
+            {
+                (*x, *y, *z, *heading) = (at.x, at.y, at.z, turned);
+            }
+        }
+    }
 }
 
 /// Fills positions, lanes and right of way of a map whose lane graph is complete. What belongs to no lane is a finding.

@@ -54,17 +54,28 @@ pub(super) fn checks() -> [f64; TERMS - 1] {
 
 /// The polynomial through `values` at [`nodes`], in ascending order of power.
 pub(super) fn interpolate(values: &[f64; TERMS]) -> [f64; TERMS] {
+    expand(&factors(values))
+}
+
+/// Factors of T_0 to T_9 of the polynomial through `values` at [`nodes`].
+pub(super) fn factors(values: &[f64; TERMS]) -> [f64; TERMS] {
     const LAST: usize = TERMS - 1;
     let half_at_ends = |k: usize| if k == 0 || k == LAST { 0.5 } else { 1.0 };
-    let mut polynomial = [0.0; TERMS];
-    for (degree, row) in T.iter().enumerate().take(TERMS) {
+    core::array::from_fn(|degree| {
         let mut factor = 0.0;
         for (k, value) in values.iter().enumerate() {
             // T_n at the node −cos(πk/9) = cos(π(9 − k)/9); the angle is reduced exactly, in whole numbers.
             let angle = (degree * (LAST - k)) % (2 * LAST);
             factor += half_at_ends(k) * value * libm::cos(PI * angle as f64 / LAST as f64);
         }
-        factor *= half_at_ends(degree) * 2.0 / LAST as f64;
+        factor * (half_at_ends(degree) * 2.0 / LAST as f64)
+    })
+}
+
+/// The polynomial with these factors of T_0 to T_9, in ascending order of power.
+pub(super) fn expand(factors: &[f64; TERMS]) -> [f64; TERMS] {
+    let mut polynomial = [0.0; TERMS];
+    for (factor, row) in factors.iter().zip(&T) {
         for (term, t) in polynomial.iter_mut().zip(row) {
             *term += factor * t;
         }

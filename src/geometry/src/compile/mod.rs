@@ -5,9 +5,11 @@ mod chebyshev;
 mod error;
 mod parametric;
 mod spiral;
+mod transform;
 
 use crate::primitive::{CurveKind, ParameterRange, Primitive};
 pub use error::CompileError;
+pub use transform::{Chart, CurveTransform, TransformError, TransformedCurve};
 
 /// The longest geometry that is compiled `[m]`: more than twice around the earth.
 pub const MAX_LENGTH: f64 = 1e8;

@@ -125,6 +125,7 @@ pub(crate) fn shape(kind: CurveKind) -> (usize, usize) {
         CurveKind::Spiral => (2, 20),
         CurveKind::Poly3 => (4, 10),
         CurveKind::ParamPoly3 => (8, 10),
+        CurveKind::Transformed => (0, 21),
     }
 }
 

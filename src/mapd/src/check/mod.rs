@@ -11,7 +11,7 @@ use crate::progress::Bar;
 use crate::source;
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
-use mapd_compiler::{Compilation, ReadOptions};
+use mapd_compiler::{Compilation, CompileOptions, ReadOptions};
 use mapd_xodr::{Limits, source::SourceLimits};
 use std::fs::File;
 use std::io::Write;
@@ -93,14 +93,15 @@ impl ReadArgs {
 pub(crate) fn run(
     file: &Path,
     format: Format,
-    reading: &ReadArgs,
+    (reading, options): (&ReadArgs, &CompileOptions),
     out: &mut dyn Write,
 ) -> Result<Compilation> {
     let bar = Bar::new(file);
     // What cannot be opened is said in words of its own.
     drop(source::open_input(file)?);
-    let options = reading.options(file)?;
-    let checked = mapd_compiler::check_from(|| File::open(file), &options, &mut |p| bar.show(p))
+    let reading = reading.options(file)?;
+    let show = &mut |p| bar.show(p);
+    let checked = mapd_compiler::check_with(|| File::open(file), &reading, options, show)
         .with_context(|| format!("reading {}", file.display()))?;
     bar.finish();
     match format {

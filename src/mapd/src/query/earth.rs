@@ -4,9 +4,6 @@ use super::row::Row;
 use mapd_client::{Geodetic, Map, Projector};
 use mapd_query::glam::DVec3;
 
-/// Parts into which each edge of the bounds is cut: meridians and parallels bend in a projection's plane.
-const EDGE_PARTS: usize = 8;
-
 /// The map's projector, or why it has none.
 pub(crate) struct Earth(Result<Projector, String>);
 
@@ -32,24 +29,4 @@ impl Earth {
         };
         projector.from_geodetic(place).map_err(|error| error.to_string())
     }
-}
-
-/// Smallest and largest latitude and longitude `[deg]` along the edge of the map's bounds; none without a usable
-/// georeference, or where the map lies outside its area.
-pub(crate) fn bounds(map: Map<'_>) -> Option<[[f64; 2]; 2]> {
-    let projector = map.projector().ok()?;
-    let (min, max) = map.bounds();
-    let mut low = [f64::INFINITY; 2];
-    let mut high = [f64::NEG_INFINITY; 2];
-    for part in 0..=EDGE_PARTS {
-        let at = min.lerp(max, part as f64 / EDGE_PARTS as f64);
-        for (x, y) in [(at.x, min.y), (at.x, max.y), (min.x, at.y), (max.x, at.y)] {
-            let place = projector.to_geodetic(DVec3::new(x, y, at.z)).ok()?;
-            for (axis, value) in [place.latitude, place.longitude].into_iter().enumerate() {
-                low[axis] = low[axis].min(value);
-                high[axis] = high[axis].max(value);
-            }
-        }
-    }
-    Some([low, high])
 }

@@ -1,0 +1,178 @@
+//! From an ellipsoid to a plane and back, by whichever projection a definition names.
+
+use crate::ellipsoid::{Ellipsoid, Place, WGS84};
+use crate::projector::ProjectionError;
+use crate::topocentric::Topocentric;
+use crate::transverse_mercator::TransverseMercator;
+use glam::DVec2;
+use proj4rs::Proj;
+use proj4rs::transform::transform;
+
+/// Distance `[m]` from a point that its place on Earth may have when it is projected again; a tenth of a micrometre is far
+/// below what coordinates of any survey mean, and above what double precision leaves at 10,000 km.
+const RESIDUAL: f64 = 1e-7;
+/// Distance `[m]` from which one correction certainly reaches [`RESIDUAL`], so that it need not be looked at again.
+const SMALL: f64 = 1e-4;
+/// Largest number of corrections towards [`RESIDUAL`]; one is enough wherever one is needed at all.
+const REFINEMENTS: usize = 3;
+
+/// Names of the transverse Mercator projection in PROJ.
+const TRANSVERSE: [&str; 3] = ["utm", "tmerc", "etmerc"];
+/// Parameters that ask for another form of it, or for something that only proj4rs knows.
+const OTHERWISE: [&str; 4] = ["approx", "algo", "over", "axis"];
+/// Parameters of datums and ellipsoids, which are looked after elsewhere.
+const DATUM: [&str; 11] = ["datum", "towgs84", "ellps", "rf", "f", "es", "e", "a", "b", "R", "R_A"];
+/// Name of the plane of a topocentric frame.
+const TOPOCENTRIC: &str = "topocentric";
+
+/// A projection that is ready for use.
+#[derive(Clone)]
+pub(crate) enum Plane {
+    /// With the longitude of its prime meridian `[rad]`.
+    Transverse(TransverseMercator, f64),
+    Topocentric(Topocentric),
+    /// By proj4rs: the projection, and the ellipsoid that it is of.
+    Other(Box<(Proj, Proj)>),
+}
+
+impl Plane {
+    /// Reads PROJ parameters. Errors: what is wrong with them.
+    pub(crate) fn read(definition: &str) -> Result<(Self, Ellipsoid), String> {
+        let words = || definition.split_whitespace().map(|word| word.trim_start_matches('+'));
+        let get = |name: &str| words().find_map(|word| word.strip_prefix(name)?.strip_prefix('='));
+        if get("proj") == Some(TOPOCENTRIC) {
+            let number = |name: &str| match get(name).map(str::parse::<f64>) {
+                None => Ok(0.0),
+                Some(Ok(number)) if number.is_finite() => Ok(number),
+                Some(_) => Err(format!("expected a number for {name}")),
+            };
+            let (latitude, longitude) = (number("lat_0")?, number("lon_0")?);
+            if latitude.abs() > 90.0 || longitude.abs() > 360.0 {
+                return Err(
+                    "expected a latitude of −90 to 90 and a longitude of −360 to 360".into()
+                );
+            }
+            let (latitude, longitude) = (latitude.to_radians(), longitude.to_radians());
+            let origin = Place { longitude, latitude, height: number("h_0")? };
+            return Ok((Self::Topocentric(Topocentric::new(origin)), WGS84));
+        }
+        let build = |text: &str| Proj::from_proj_string(text).map_err(|error| error.to_string());
+        let whole = build(definition)?;
+        if whole.is_latlong() || whole.is_geocent() {
+            return Err("it has no plane in which coordinates are metres".into());
+        }
+        if !whole.has_inverse() || !whole.has_forward() {
+            return Err("it works in one direction only".into());
+        }
+        let (a, b) = whole.ellipse_parameters();
+        let ellipsoid = Ellipsoid::new(a, b);
+        let is_otherwise =
+            words().any(|word| OTHERWISE.contains(&word.split('=').next().unwrap_or(word)));
+        if TRANSVERSE.contains(&whole.projname()) && a != b && !is_otherwise {
+            let origin = (whole.latitude_of_origin(), whole.longitude_of_origin());
+            let false_origin = DVec2::new(whole.false_easting(), whole.false_northing());
+            let scale = whole.scaling_factor();
+            let projection = TransverseMercator::new(ellipsoid, origin, scale, false_origin);
+            return Ok((Self::Transverse(projection, whole.from_greenwich()), ellipsoid));
+        }
+        // Without its datum, which is shifted elsewhere.
+        let plain = words().filter(|word| {
+            let name = word.split('=').next().unwrap_or(word);
+            !DATUM.contains(&name)
+        });
+        let plain: String = plain.map(|word| format!("+{word} ")).collect();
+        let plane = build(&format!("{plain}+a={a} +b={b}"))?;
+        let earth = build(&format!("+proj=longlat +a={a} +b={b}"))?;
+        Ok((Self::Other(Box::new((plane, earth))), ellipsoid))
+    }
+
+    pub(crate) fn is_reproducible(&self) -> bool {
+        !matches!(self, Self::Other(_))
+    }
+
+    /// Longitude and latitude `[rad]` of a point of the plane `[m]`.
+    pub(crate) fn inverse(&self, plane: DVec2) -> Result<(f64, f64), ProjectionError> {
+        match self {
+            Self::Transverse(projection, meridian) => {
+                let (longitude, latitude) = projection.inverse(plane)?;
+                Ok((longitude + meridian, latitude))
+            }
+            Self::Topocentric(projection) => projection.inverse(plane),
+            Self::Other(both) => refined(both, plane),
+        }
+    }
+
+    /// The point of the plane `[m]` at a longitude and latitude `[rad]`.
+    pub(crate) fn forward(&self, longitude: f64, latitude: f64) -> Result<DVec2, ProjectionError> {
+        match self {
+            Self::Transverse(projection, meridian) => {
+                projection.forward(longitude - meridian, latitude)
+            }
+            Self::Topocentric(projection) => projection.forward(longitude, latitude),
+            Self::Other(both) => project(both, longitude, latitude),
+        }
+    }
+
+    /// Height above the ellipsoid, as far as the map's heights are, of a height in the plane's frame `[m]`.
+    pub(crate) fn height(&self, z: f64) -> f64 {
+        match self {
+            Self::Topocentric(projection) => z + projection.height,
+            _ => z,
+        }
+    }
+
+    /// The other way.
+    pub(crate) fn above(&self, height: f64) -> f64 {
+        match self {
+            Self::Topocentric(projection) => height - projection.height,
+            _ => height,
+        }
+    }
+}
+
+/// The inverse of some projections stops some micrometres early; the way there is exact.
+fn refined(both: &(Proj, Proj), plane: DVec2) -> Result<(f64, f64), ProjectionError> {
+    let mut aim = plane;
+    let mut place = unproject(both, aim)?;
+    for _ in 0..REFINEMENTS {
+        let missed = plane - project(both, place.0, place.1)?;
+        let most = missed.abs().max_element();
+        if most <= RESIDUAL {
+            break;
+        }
+        aim += missed;
+        place = unproject(both, aim)?;
+        if most <= SMALL {
+            break;
+        }
+    }
+    Ok(place)
+}
+
+fn unproject((plane, earth): &(Proj, Proj), point: DVec2) -> Result<(f64, f64), ProjectionError> {
+    let unit = plane.to_meter();
+    let mut place = (point.x / unit, point.y / unit, 0.0);
+    transform(plane, earth, &mut place).map_err(|_| ProjectionError::Outside)?;
+    Ok((place.0, place.1))
+}
+
+fn project(
+    (plane, earth): &(Proj, Proj),
+    longitude: f64,
+    latitude: f64,
+) -> Result<DVec2, ProjectionError> {
+    let mut place = (longitude, latitude, 0.0);
+    transform(earth, plane, &mut place).map_err(|_| ProjectionError::Outside)?;
+    let unit = plane.to_meter();
+    Ok(DVec2::new(place.0 * unit, place.1 * unit))
+}
+
+impl std::fmt::Debug for Plane {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Transverse(..) => "transverse Mercator",
+            Self::Topocentric(_) => TOPOCENTRIC,
+            Self::Other(both) => both.0.projname(),
+        })
+    }
+}
