@@ -19,6 +19,7 @@
 pub mod archive_file;
 mod check;
 pub mod cli;
+pub mod control;
 pub mod exit;
 pub mod export;
 mod graph_facts;
