@@ -50,6 +50,7 @@ mod stop;
 pub use doorbell::{Doorbell, Ringer};
 pub use error::ServeError;
 pub use loan::PublishMeta;
+pub(crate) use memory::available as available_memory;
 pub use notice::Notice;
 pub use server::{ServedMap, Server};
 pub use stop::StopSignal;
