@@ -95,6 +95,13 @@ impl Place {
         self.change(map, &Request::Reload { map: map.to_owned(), stage: false })
     }
 
+    /// Asks for a map that nobody serves; the error.
+    pub fn change_refused(&self, map: &str) -> String {
+        let output = self.command().args(["reload", map]).output().expect("ends");
+        assert!(!output.status.success());
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    }
+
     /// Has a map changed; what came of it.
     pub fn change(&self, map: &str, request: &Request) -> ReloadReport {
         match self.ask(map, request) {
