@@ -25,6 +25,11 @@ impl Key {
         Self::of(b"document", &[document, folder.as_os_str().as_encoded_bytes()])
     }
 
+    /// Of a document's place, whatever it holds.
+    pub fn of_place(document: &Path) -> Self {
+        Self::of(b"place", &[document.as_os_str().as_encoded_bytes()])
+    }
+
     fn of(kind: &[u8], parts: &[&[u8]]) -> Self {
         let mut hasher = blake3::Hasher::new();
         for part in std::iter::once(&kind).chain(parts) {

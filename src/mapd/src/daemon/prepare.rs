@@ -8,7 +8,7 @@ use mapd_archive::{HEADER_LENGTH, Header};
 use std::fs::File;
 use std::io;
 use std::os::unix::fs::FileExt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -73,7 +73,7 @@ impl Workshop {
             key: None,
             from_cache: false,
             is_on_disk: true,
-            files: vec![map.source.clone()],
+            files: vec![absolute(&map.source)],
         })
     }
 
@@ -88,20 +88,13 @@ impl Workshop {
         if !std::fs::metadata(&map.source).is_ok_and(|metadata| metadata.is_file()) {
             return Ok(None);
         }
-        let mut included = Vec::new();
-        let hash = InputHash::of(&map.source, |document| {
-            included = cache.includes(&Key::of_document(document, &folder));
-            included.clone()
-        });
-        let Ok(hash) = hash else { return Ok(None) };
+        let Ok((hash, files)) = cache.input_hash(&map.source, &folder) else { return Ok(None) };
         let key = Key::of_archive(&hash.input, &reading.hash(&options));
         let Some((file, length)) = cache.get(&key) else { return Ok(None) };
         let Ok(header) = read_header(&file) else {
             cache.remove(&key);
             return Ok(None);
         };
-        let mut files = vec![map.source.clone()];
-        files.append(&mut included);
         Ok(Some(Prepared {
             file: Arc::new(file),
             length,
@@ -115,7 +108,7 @@ impl Workshop {
 
     fn compile(&self, map: &MapSettings) -> Result<Prepared, Refusal> {
         let failed = |error: io::Error| Refusal::Failed(format!("the compiled archive: {error}"));
-        let run = |output: &std::path::Path| {
+        let run = |output: &Path| {
             child::compile(map, output.as_os_str(), self.compile_memory, &self.cancelled)
         };
         // A cache that cannot be written any more is done without.
@@ -140,7 +133,7 @@ impl Workshop {
                 (file, length, header, None, told, false)
             }
         };
-        let mut files = vec![map.source.clone()];
+        let mut files = vec![absolute(&map.source)];
         files.extend(told.included);
         Ok(Prepared {
             file: Arc::new(file),
@@ -163,6 +156,10 @@ impl Workshop {
             cache.remember_includes(&Key::of_document(&hash.document, &folder), included)
         });
     }
+}
+
+fn absolute(path: &Path) -> PathBuf {
+    std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 
 fn read_header(file: &File) -> io::Result<Header> {
