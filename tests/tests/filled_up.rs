@@ -142,13 +142,14 @@ fn while_a_daemon_reloads() {
         let stage = Stage::new(Path::new(MAPD), &map, "x,y\n10,-1.5\n").expect("answers");
         let mut moments = Vec::new();
         let mut begun = None;
-        reloading(&stage, |moment| {
+        let (_, _, first) = reloading(&stage, |moment| {
             moments.push(*moment);
             let waits = matches!(moment.name, Sysno::epoll_wait | Sysno::epoll_pwait);
             if moment.thread == 0 && waits && begun.is_none() {
                 begun = Some(moments.len());
             }
         });
+        first.expect("a reload with room");
         let moments = moments.split_off(begun.expect("it serves"));
         let (mut well, mut told) = (0, 0);
         for chosen in moments.iter().filter(|m| m.side == Side::Before).step_by(RELOAD_STEP) {

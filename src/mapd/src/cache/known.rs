@@ -151,7 +151,10 @@ mod tests {
         // What it includes counts.
         fs::write(&part, "part").expect("written");
         cache
-            .remember_includes(&Key::of_document(&second.document, folder.path()), &[part.clone()])
+            .remember_includes(
+                &Key::of_document(&second.document, folder.path()),
+                std::slice::from_ref(&part),
+            )
             .expect("kept");
         let (third, files) = hash();
         assert_eq!((third.document, files.len()), (second.document, 2));
