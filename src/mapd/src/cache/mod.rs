@@ -8,6 +8,7 @@
 //! {folder}/{key}.mapd        an archive; the time of its last use is the file's
 //! {folder}/{key}.includes    the files that a document includes, where it does
 //! {folder}/{key}.known       a document's hash, and the state of its files when it was computed
+//! {folder}/{prefix}{map}.served       the key of what was served last
 //! {folder}/{prefix}{map}.generation   the last generation number of a map (see `mapd::serve`)
 //! {folder}/.new-…            an archive that is being written; removed after a day
 //! ```
@@ -41,6 +42,7 @@ const LEFT_BEHIND: Duration = Duration::from_secs(24 * 3600);
 const MOST_RECORDS: usize = 256;
 
 const ARCHIVE: &str = "mapd";
+const SERVED: &str = "served";
 const INCLUDES: &str = "includes";
 const UNFINISHED: &str = ".new-";
 
@@ -171,6 +173,18 @@ impl Cache {
     /// Errors: a name that is no text; what the system says.
     pub fn remember_includes(&self, document: &Key, files: &[PathBuf]) -> io::Result<()> {
         self.write(&self.path(document, INCLUDES), &serde_json::to_vec(files)?)
+    }
+
+    /// Remembers which archive is served under a name.
+    ///
+    /// Errors: what the system says.
+    pub fn remember_served(&self, name: &str, key: &Key) -> io::Result<()> {
+        self.write(&self.folder.join(format!("{name}.{SERVED}")), key.to_text().as_bytes())
+    }
+
+    /// The archive that was served last under a name, as far as is remembered.
+    pub fn last_served(&self, name: &str) -> Option<Key> {
+        Key::from_text(&fs::read_to_string(self.folder.join(format!("{name}.{SERVED}"))).ok()?)
     }
 
     /// Writes a record, which is there as a whole or not.

@@ -21,6 +21,7 @@ pub(crate) struct Configuration {
     pub(crate) compile_memory: Option<Size>,
     pub(crate) watch: bool,
     pub(crate) stage: bool,
+    pub(crate) last_good: bool,
     pub(crate) options: CompileArguments,
     pub(crate) maps: Vec<MapSettings>,
 }
@@ -40,6 +41,8 @@ struct File {
     #[serde(default)]
     stage: bool,
     #[serde(default)]
+    last_good: bool,
+    #[serde(default)]
     options: Options,
     #[serde(default, rename = "map")]
     maps: Vec<MapEntry>,
@@ -53,6 +56,7 @@ struct MapEntry {
     name: Option<String>,
     watch: Option<bool>,
     stage: Option<bool>,
+    last_good: Option<bool>,
     max_bytes: Option<Size>,
     #[serde(default)]
     options: Options,
@@ -96,6 +100,7 @@ impl Configuration {
                 options: arguments(text, &entry.options, folder)?.or(&for_all),
                 watch: entry.watch.unwrap_or(file.watch),
                 stage: entry.stage.unwrap_or(file.stage),
+                last_good: entry.last_good.unwrap_or(file.last_good),
                 max_bytes: entry.max_bytes.map(|size| size.0),
             });
         }
@@ -107,6 +112,7 @@ impl Configuration {
             compile_memory: file.compile_memory,
             watch: file.watch,
             stage: file.stage,
+            last_good: file.last_good,
             options: for_all,
             maps,
         })

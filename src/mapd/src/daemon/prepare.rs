@@ -5,6 +5,7 @@ use super::settings::MapSettings;
 use crate::cache::{Cache, InputHash, Key};
 use crate::source;
 use mapd_archive::{HEADER_LENGTH, Header};
+use mapd_client::Domain;
 use std::fs::File;
 use std::io;
 use std::os::unix::fs::FileExt;
@@ -106,6 +107,29 @@ impl Workshop {
         }))
     }
 
+    /// The archive that was served last under this name, where the map's settings allow it.
+    pub(crate) fn last_served(&self, domain: &Domain, map: &MapSettings) -> Option<Prepared> {
+        let cache = self.cache.as_ref().filter(|_| map.last_good)?;
+        let key = cache.last_served(&name_in_cache(domain, &map.name))?;
+        let (file, length) = cache.get(&key)?;
+        Some(Prepared {
+            header: read_header(&file).ok()?,
+            file: Arc::new(file),
+            length,
+            key: Some(key),
+            from_cache: true,
+            is_on_disk: true,
+            files: vec![absolute(&map.source)],
+        })
+    }
+
+    /// Notes that an archive is served. Without the note a later start can fall back on nothing, which it then says.
+    pub(crate) fn note_served(&self, domain: &Domain, map: &str, archive: &Prepared) {
+        if let (Some(cache), Some(key)) = (&self.cache, &archive.key) {
+            let _ = cache.remember_served(&name_in_cache(domain, map), key);
+        }
+    }
+
     fn compile(&self, map: &MapSettings) -> Result<Prepared, Refusal> {
         let failed = |error: io::Error| Refusal::Failed(format!("the compiled archive: {error}"));
         let run = |output: &Path| {
@@ -156,6 +180,11 @@ impl Workshop {
             cache.remember_includes(&Key::of_document(&hash.document, &folder), included)
         });
     }
+}
+
+/// A map's name among those of all domains that share a cache.
+fn name_in_cache(domain: &Domain, map: &str) -> String {
+    format!("{}{map}", domain.prefix())
 }
 
 fn absolute(path: &Path) -> PathBuf {
