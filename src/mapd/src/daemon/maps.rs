@@ -182,9 +182,6 @@ impl Maps {
         for map in self.server.maps() {
             self.board.map(&map.name, |state| state.subscribers = map.subscribers);
         }
-        if let Some(cache) = &self.workshop.cache {
-            self.board.cache(crate::control::CacheStatus::of(cache));
-        }
     }
 }
 

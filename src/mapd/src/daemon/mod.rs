@@ -106,11 +106,12 @@ pub(crate) fn run(settings: Settings) -> Result<Exit> {
     for (map, reason) in &fallbacks {
         state.fell_back(map, reason);
     }
-    let control = answer_with(board, orders.clone());
+    let control = answer_with(board.clone(), orders.clone());
     // Maps are served without control rather than not at all.
     let control = ControlListener::start(&domain, &names, control)
         .inspect_err(|error| say(&format!("going on without `mapd reload`: {error}")));
-    let worker = Worker::start(workshop, maps.clone(), orders.clone()).context("a thread")?;
+    let worker =
+        Worker::start(workshop, maps.clone(), board, orders.clone()).context("a thread")?;
     let watcher = match maps.iter().any(|map| map.watch) {
         true => Some(Watcher::start(watched, orders).context("a thread")?),
         false => None,

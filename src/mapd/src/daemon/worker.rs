@@ -3,7 +3,9 @@
 use super::orders::{Job, Order, Orders};
 use super::prepare::Workshop;
 use super::settings::MapSettings;
+use crate::control::{Board, CacheStatus};
 use std::io;
+use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::sync::mpsc::{Sender, channel};
 use std::thread::JoinHandle;
@@ -27,6 +29,7 @@ impl Worker {
     pub(crate) fn start(
         workshop: Workshop,
         maps: Vec<MapSettings>,
+        board: Arc<Board>,
         orders: Orders,
     ) -> io::Result<Self> {
         let (jobs, received) = channel::<Job>();
@@ -40,6 +43,9 @@ impl Worker {
                     return;
                 }
                 let prepared = own.prepare(map, job.anew);
+                if let Some(cache) = &own.cache {
+                    board.cache(CacheStatus::of(cache));
+                }
                 orders.give(Order::Prepared(Box::new(job), prepared));
             }
         };
