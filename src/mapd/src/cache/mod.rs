@@ -10,7 +10,7 @@
 //! {folder}/{key}.known       a document's hash, and the state of its files when it was computed
 //! {folder}/{prefix}{map}.served       the key of what was served last
 //! {folder}/{prefix}{map}.generation   the last generation number of a map (see `mapd::serve`)
-//! {folder}/.new-…            an archive that is being written; removed after a day
+//! {folder}/.new-…            something that is being written, locked meanwhile; one that is not is removed at the next start
 //! ```
 //!
 //! Several daemons may share a folder. All functions are about files only: nothing here knows how a map is compiled.
@@ -22,12 +22,12 @@ pub use key::{InputHash, Key};
 pub use known::Identity;
 
 use std::ffi::OsStr;
-use std::fs::{self, DirBuilder, File, OpenOptions};
+use std::fs::{self, DirBuilder, File, OpenOptions, TryLockError};
 use std::io;
 use std::os::unix::fs::{DirBuilderExt, OpenOptionsExt};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::{Duration, SystemTime};
+use std::time::SystemTime;
 
 /// Bytes of archives that a cache holds, if nothing else is said.
 pub const DEFAULT_LIMIT: u64 = 4 << 30;
@@ -35,8 +35,8 @@ pub const DEFAULT_LIMIT: u64 = 4 << 30;
 /// Mode of the folder: maps may be confidential.
 const FOLDER_MODE: u32 = 0o700;
 
-/// Age after which an unfinished archive is that of a process that was killed: compiling takes minutes at most.
-const LEFT_BEHIND: Duration = Duration::from_secs(24 * 3600);
+/// Attempts to begin a file, should another daemon, which starts just now, take it for one that was left behind.
+const ATTEMPTS: usize = 8;
 
 /// Records of a kind, some hundred bytes each, that are kept; those that were written first go first.
 const MOST_RECORDS: usize = 256;
@@ -58,6 +58,8 @@ pub struct Cache {
 pub struct Unfinished {
     path: PathBuf,
     kept: bool,
+    /// Locked: the kernel unlocks it when this process ends, however it ends.
+    _locked: File,
 }
 
 impl Unfinished {
@@ -70,7 +72,7 @@ impl Unfinished {
 impl Drop for Unfinished {
     fn drop(&mut self) {
         if !self.kept {
-            // Else it is removed after a day.
+            // Else the next daemon removes it.
             let _ = fs::remove_file(&self.path);
         }
     }
@@ -97,12 +99,10 @@ impl Cache {
         cache.make_folder()?;
         for entry in fs::read_dir(&cache.folder)?.filter_map(Result::ok) {
             let unfinished = entry.file_name().to_string_lossy().starts_with(UNFINISHED);
-            let old = |m: fs::Metadata| m.modified().ok()?.elapsed().ok();
-            if unfinished
-                && entry.metadata().ok().and_then(old).is_some_and(|age| age > LEFT_BEHIND)
-            {
+            let path = entry.path();
+            if unfinished && File::open(&path).is_ok_and(|file| file.try_lock().is_ok()) {
                 // Tried again by the next.
-                let _ = fs::remove_file(entry.path());
+                let _ = fs::remove_file(path);
             }
         }
         // Whether it can be written shows now, and not when a map has been compiled.
@@ -142,12 +142,19 @@ impl Cache {
         static NEXT: AtomicU64 = AtomicU64::new(0);
         // It may have been deleted.
         self.make_folder()?;
-        let (process, number) = (std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed));
-        let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
-        let name = format!("{UNFINISHED}{process}-{number}-{}", now.as_nanos());
-        let path = self.folder.join(name);
-        OpenOptions::new().write(true).create_new(true).mode(0o600).open(&path)?;
-        Ok(Unfinished { path, kept: false })
+        for _ in 0..ATTEMPTS {
+            let (process, number) = (std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed));
+            let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
+            let name = format!("{UNFINISHED}{process}-{number}-{}", now.as_nanos());
+            let path = self.folder.join(name);
+            let file = OpenOptions::new().write(true).create_new(true).mode(0o600).open(&path)?;
+            // Where there are no locks, nobody takes it for one that was left behind either.
+            let taken = matches!(file.try_lock(), Err(TryLockError::WouldBlock));
+            if !taken && path.exists() {
+                return Ok(Unfinished { path, kept: false, _locked: file });
+            }
+        }
+        Err(io::ErrorKind::ResourceBusy.into())
     }
 
     /// Gives an archive its name, and opens it. Others make room for it if there are too many.
@@ -253,6 +260,7 @@ impl Cache {
 mod tests {
     use super::*;
     use std::io::Read;
+    use std::time::Duration;
 
     fn key(number: u8) -> Key {
         Key::of_archive(&[number; 32], &[0; 8])
@@ -305,6 +313,18 @@ mod tests {
         assert_eq!(bytes.len(), 10);
         assert!(cache.get(&key(1)).is_none() && cache.includes(&key(2)).is_empty());
         put(&cache, &key(1), 10);
+        assert!(cache.get(&key(1)).is_some());
+    }
+
+    #[test]
+    fn what_killed_processes_leave_is_removed_and_what_is_being_written_is_not() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let cache = Cache::open(folder.path(), 100).expect("opens");
+        let unfinished = cache.begin().expect("a place");
+        fs::write(folder.path().join(".new-1-2-3"), "left behind").expect("written");
+        let again = Cache::open(folder.path(), 100).expect("opens");
+        assert!(unfinished.path().exists() && !folder.path().join(".new-1-2-3").exists());
+        again.keep(unfinished, &key(1)).expect("kept");
         assert!(cache.get(&key(1)).is_some());
     }
 

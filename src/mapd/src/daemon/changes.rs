@@ -2,7 +2,7 @@
 
 use super::child::Refusal;
 use super::log::say;
-use super::maps::{Kept, Maps};
+use super::maps::{Kept, Maps, UNASKED_RELOADS};
 use super::orders::{Change, Job};
 use super::prepare::Prepared;
 use super::worker::Worker;
@@ -23,11 +23,31 @@ impl Maps {
             Trigger::Rollback => self.roll_back(&change),
             Trigger::Activate => self.activate(&change.map),
             Trigger::Start | Trigger::Signal | Trigger::Watch | Trigger::Reload => {
-                self.board.map(&change.map, |state| state.reloading = true);
+                if !self.begin_reload(&change) {
+                    return;
+                }
                 return worker.prepare(Job { change, anew: false });
             }
         };
         self.ended(&change, outcome);
+    }
+
+    /// Counts a reload; false for one that nobody asked for, where another will read the file anyway.
+    fn begin_reload(&mut self, change: &Change) -> bool {
+        let Some(entry) = self.entries.get_mut(&change.map) else { return false };
+        if change.reply.is_none() && entry.reloads >= UNASKED_RELOADS {
+            return false;
+        }
+        entry.reloads += 1;
+        self.board.map(&change.map, |state| state.reloading = true);
+        true
+    }
+
+    fn end_reload(&mut self, change: &Change) {
+        let Some(entry) = self.entries.get_mut(&change.map) else { return };
+        entry.reloads = entry.reloads.saturating_sub(1);
+        let reloading = entry.reloads > 0;
+        self.board.map(&change.map, |state| state.reloading = reloading);
     }
 
     /// Goes on with a reload once its archive is there, or is not.
@@ -38,7 +58,7 @@ impl Maps {
         worker: &Worker,
     ) {
         let change = job.change;
-        self.board.map(&change.map, |state| state.reloading = false);
+        self.end_reload(&change);
         let prepared = match prepared {
             Ok(prepared) => prepared,
             Err(refusal) => {
@@ -56,8 +76,9 @@ impl Maps {
                 if let (Some(cache), Some(key)) = (&self.workshop.cache, &prepared.key) {
                     cache.remove(key);
                 }
-                self.board.map(&change.map, |state| state.reloading = true);
-                worker.prepare(Job { change, anew: true });
+                if self.begin_reload(&change) {
+                    worker.prepare(Job { change, anew: true });
+                }
             }
             Err(error) => self.refused(&change, &error),
             Ok(status) => {

@@ -19,6 +19,10 @@ use std::sync::Arc;
 /// Generations of a map that can be gone back to.
 pub(super) const ROLLBACKS: usize = 4;
 
+/// Reloads of a map that nobody waits for, at a time: one that is under way and has read the file already, and one that will
+/// read it.
+pub(super) const UNASKED_RELOADS: usize = 2;
+
 /// A generation, and the file that it was copied from.
 #[derive(Clone, Debug)]
 pub(super) struct Kept {
@@ -31,6 +35,8 @@ pub(super) struct MapEntry {
     pub(super) served: Option<Kept>,
     /// What waits to be activated, and whether it goes back.
     pub(super) staged: Option<(Kept, bool)>,
+    /// Reloads that have been begun and have not ended.
+    pub(super) reloads: usize,
     /// What was served before, the newest last.
     pub(super) before: VecDeque<Kept>,
 }
@@ -83,7 +89,7 @@ impl Maps {
             state.source = map.source;
             state.watched = map.watch;
         });
-        let entry = MapEntry { served: None, staged: None, before: VecDeque::new() };
+        let entry = MapEntry { served: None, staged: None, reloads: 0, before: VecDeque::new() };
         self.entries.insert(name.clone(), entry);
         self.now_served(&name, kept, false);
         Ok(())
