@@ -30,6 +30,7 @@ mod lower;
 mod objects;
 mod options;
 mod origin;
+mod packed;
 mod quarantine;
 mod report;
 mod rounds;
@@ -167,6 +168,7 @@ fn build(
     if let Some(mut rows) = rows.filter(|_| compiled.verdict != Verdict::Rejected) {
         progress(Progress::Indexing { segments: rows.points.len() });
         objects::index(&mut rows);
+        signals::index(&mut rows);
         match index::build(&mut rows, options) {
             Ok(()) => compiled.rows = Some(rows),
             Err(error) => {
@@ -264,7 +266,7 @@ impl Document {
             Ok(findings) => self.collector.add_late(findings, &self.places),
             Err(error) => self.collector.add_late(vec![too_large(&error)], &self.places),
         }
-        let findings = signals::complete(&mut rows, &self.signals);
+        let findings = signals::complete(&mut rows, &self.signals, options);
         self.collector.add_late(findings, &self.places);
         Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
     }

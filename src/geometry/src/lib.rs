@@ -42,7 +42,7 @@ mod primitive;
 mod spiral;
 pub mod surface;
 
-pub use angle::{atan2, cos_sin, normalize_angle};
+pub use angle::{atan2, beside, cos_sin, normalize_angle};
 pub use attitude::Attitude;
 pub use compile::{CompileError, Compiled, MAX_LENGTH, MAX_PIECES, MAX_TURNING, compile};
 pub use cubic::Cubic;

@@ -16,6 +16,7 @@
 //! # std::fs::remove_file(&path).unwrap();
 //! ```
 
+mod allocator;
 pub mod archive_file;
 pub mod cache;
 mod change;
@@ -30,6 +31,7 @@ mod graph_facts;
 mod inspect;
 mod judging;
 mod object_facts;
+mod ontology_args;
 mod progress;
 pub mod query;
 pub mod report;

@@ -9,6 +9,7 @@ use crate::findings::Findings;
 use crate::limits::{ELEMENT_BYTES, Limits};
 use crate::markup::Text;
 use crate::rule_ids;
+use crate::same::{same, without_prefix};
 use crate::schema::{AttributeSchema, Choice, ElementSchema};
 use crate::source::Inputs;
 use crate::well_formed::Structure;
@@ -260,7 +261,7 @@ impl<'a> Cursor<'a> {
             open.next += 1;
             let name = self.bytes(raw.name);
             let known = open.schema.attributes;
-            let is = |slot: usize| known.get(slot).is_some_and(|a| a.name.as_bytes() == name);
+            let is = |slot: usize| known.get(slot).is_some_and(|a| same(a.name.as_bytes(), name));
             // Most files write attributes in the schema's order, some left out.
             let slot = if is(open.expected) {
                 open.expected
@@ -358,10 +359,9 @@ impl<'a> Cursor<'a> {
         if self.tag.declares && self.is_redeclared() {
             return None;
         }
-        let name =
-            self.bytes((1, 1 + self.tag.name as u32)).strip_prefix(self.prefix.as_slice())?;
+        let name = without_prefix(self.bytes((1, 1 + self.tag.name as u32)), &self.prefix)?;
         let children = open.schema.children;
-        let is = |slot: usize| children.get(slot).is_some_and(|c| c.name.as_bytes() == name);
+        let is = |slot: usize| children.get(slot).is_some_and(|c| same(c.name.as_bytes(), name));
         // Most children stand in rows of one kind.
         if is(open.last) {
             return Some(open.last);

@@ -37,6 +37,7 @@ mod reader;
 mod reading;
 mod record;
 pub mod rule_ids;
+mod same;
 mod schema;
 pub mod source;
 pub mod values;

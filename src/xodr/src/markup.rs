@@ -3,6 +3,7 @@
 use crate::cursor::{Cursor, Markup, Name, RawAttribute, Scope, Tag, path_of};
 use crate::finding::{Severity, Span};
 use crate::rule_ids;
+use crate::same::{same, without_prefix};
 use crate::source::Places;
 use crate::values;
 use crate::well_formed::{self, Attributes, Fault, Faults};
@@ -209,7 +210,8 @@ impl Cursor<'_> {
         let written = self.window.ahead().get(2..end).unwrap_or_default();
         let matches = self.frames.last().is_some_and(|frame| match frame.name {
             Name::Known(name) => {
-                written.strip_prefix(self.prefix.as_slice()) == Some(name.as_bytes())
+                let local = without_prefix(written, &self.prefix);
+                local.is_some_and(|local| same(local, name.as_bytes()))
             }
             Name::Other(from, len) => self.names.get(from..from + len) == Some(written),
         });
