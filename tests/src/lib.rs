@@ -20,6 +20,7 @@ pub mod small;
 pub mod stage;
 pub mod town;
 pub mod tracer;
+pub mod two_maps;
 
 use std::path::{Path, PathBuf};
 

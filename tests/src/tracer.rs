@@ -6,7 +6,7 @@ use nix::errno::Errno;
 use nix::sys::ptrace::{self, Options};
 use nix::sys::signal::{Signal, kill};
 use nix::sys::wait::{WaitPidFlag, WaitStatus, waitpid};
-use nix::unistd::Pid;
+use nix::unistd::{Pid, gettid};
 use std::collections::HashMap;
 use std::fmt;
 use std::io::{self, Write};
@@ -129,10 +129,15 @@ impl Traced {
             };
             match status {
                 WaitStatus::Exited(pid, code) if pid == self.leader => {
+                    self.end_the_rest();
                     return Ok(ExitStatus::from_raw(code << 8));
                 }
                 WaitStatus::Signaled(pid, signal, _) if pid == self.leader => {
+                    self.end_the_rest();
                     return Ok(ExitStatus::from_raw(signal as i32));
+                }
+                WaitStatus::Exited(pid, _) | WaitStatus::Signaled(pid, ..) => {
+                    self.threads.remove(&pid);
                 }
                 WaitStatus::PtraceSyscall(pid) => {
                     let then = self.moment(pid)?.map_or(Then::Continue, |moment| at(&moment));
@@ -148,6 +153,30 @@ impl Traced {
                 }
                 WaitStatus::Stopped(pid, signal) => go_on(pid, Some(signal))?,
                 _ => {}
+            }
+        }
+    }
+
+    /// Ends children that outlive the program: they would wait for the tracer for ever.
+    fn end_the_rest(&mut self) {
+        // The thread that traces, as the kernel demands, not its process.
+        let us = format!("TracerPid:\t{}", gettid());
+        for pid in self.threads.keys().filter(|pid| **pid != self.leader) {
+            let status = std::fs::read_to_string(format!("/proc/{pid}/status"));
+            if status.is_ok_and(|status| status.lines().any(|line| line == us)) {
+                // Fails only if it has just ended.
+                let _ = kill(*pid, Signal::SIGKILL);
+            }
+        }
+        let group = Pid::from_raw(-self.leader.as_raw());
+        loop {
+            match waitpid(group, Some(WaitPidFlag::__WALL)) {
+                Ok(WaitStatus::Exited(..) | WaitStatus::Signaled(..)) | Err(Errno::EINTR) => {}
+                // One that has just been made, and stops for the first time.
+                Ok(status) => {
+                    let _ = status.pid().map(|pid| kill(pid, Signal::SIGKILL));
+                }
+                Err(_) => return,
             }
         }
     }

@@ -18,14 +18,18 @@
 
 mod allocator;
 pub mod archive_file;
+pub mod cache;
+mod change;
 mod check;
 pub mod cli;
+mod compile_args;
+pub mod control;
+mod daemon;
 pub mod exit;
 pub mod export;
 mod graph_facts;
 mod inspect;
 mod judging;
-mod load;
 mod object_facts;
 mod ontology_args;
 mod progress;
@@ -33,5 +37,6 @@ pub mod query;
 pub mod report;
 pub mod serve;
 mod signal_facts;
+mod size;
 pub mod source;
 mod status;

@@ -65,6 +65,11 @@ pub(crate) fn or_no_room(error: ServeError) -> ServeError {
     }
 }
 
+/// Bytes of memory that the machine and the control groups leave; `None` if they do not say.
+pub(crate) fn available() -> Option<u64> {
+    [control_group(), machine()].into_iter().flatten().map(|room| room.available).min()
+}
+
 fn tightest() -> Option<Room> {
     let rooms = [file_system(), control_group(), machine()];
     rooms.into_iter().flatten().min_by_key(|room| room.available)

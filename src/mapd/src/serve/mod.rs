@@ -5,7 +5,7 @@
 //! publisher of its own, exactly as large as the map. The meeting place and what clients do there is described in
 //! [`mapd_client::transport`].
 //!
-//! Invariants: a generation number never repeats while anyone who saw it is attached; a fill that fails leaves nothing
+//! Invariants: a generation number never repeats; a fill that fails leaves nothing
 //! behind; memory is reserved before it is written, so that too little of it is an error and no signal; segments are
 //! created and dead processes cleaned up only under the attach lock; a server that is dropped leaves nothing in shared
 //! memory but what living clients hold. Nothing is printed: what happens meanwhile is told through
@@ -30,13 +30,16 @@
 
 mod cleanup;
 mod control_group;
+mod doorbell;
 mod error;
+mod generations;
 mod greeter;
 mod loan;
 mod memory;
 mod nodes;
 mod notice;
 mod orphans;
+mod publishing;
 mod reserve;
 mod segment;
 mod served_map;
@@ -44,8 +47,10 @@ mod server;
 mod services;
 mod stop;
 
+pub use doorbell::{Doorbell, Ringer};
 pub use error::ServeError;
 pub use loan::PublishMeta;
+pub(crate) use memory::available as available_memory;
 pub use notice::Notice;
 pub use server::{ServedMap, Server};
 pub use stop::StopSignal;

@@ -1,6 +1,7 @@
 //! Kills daemon and clients at every system call of theirs, and at random moments, and proves each time that nothing is
 //! wedged, wrong or left behind. See `docs/transport.md`.
 
+mod changes;
 mod check;
 mod client;
 mod daemon;
@@ -42,6 +43,9 @@ struct Options {
     /// Only at system calls of this name, such as `bind`
     #[arg(long)]
     call: Vec<String>,
+    /// Of each victim's moments at most so many, evenly spread [default: all]
+    #[arg(long)]
+    moments: Option<usize>,
     /// Kills of the victim `random`
     #[arg(long)]
     kills: Option<u32>,
@@ -58,6 +62,10 @@ enum Victim {
     Daemon,
     /// The same, while a client holds a snapshot of the daemon before
     DaemonWithClient,
+    /// A daemon that reloads, rolls back, stages and activates, beside a client that follows
+    Changes,
+    /// Whoever asks a daemon to do so
+    Asker,
     /// Daemons and clients, at random moments
     Random,
 }
@@ -85,7 +93,7 @@ fn run(options: &Options) -> Checked<bool> {
     watchdog::start();
     let all = Victim::value_variants();
     let victims = if options.victim.is_empty() { all } else { options.victim.as_slice() };
-    let most = if options.short { SHORT } else { usize::MAX };
+    let most = options.moments.unwrap_or(if options.short { SHORT } else { usize::MAX });
     let choice = Choice { most, calls: &options.call };
     let mut good = true;
     for victim in victims {
@@ -94,6 +102,8 @@ fn run(options: &Options) -> Checked<bool> {
             Victim::Client => client::run(&stage, choice)?,
             Victim::Daemon => daemon::run(&stage, false, choice)?,
             Victim::DaemonWithClient => daemon::run(&stage, true, choice)?,
+            Victim::Changes => changes::daemon(&mapd, choice)?,
+            Victim::Asker => changes::asker(&mapd, choice)?,
             Victim::Random => {
                 let short = if options.short { SHORT_RANDOM_KILLS } else { RANDOM_KILLS };
                 let kills = options.kills.unwrap_or(short);

@@ -1,0 +1,203 @@
+//! From a map's source to an archive in a file: as it is, from the cache, or compiled.
+
+use super::child::{self, Refusal};
+use super::settings::MapSettings;
+use crate::cache::{Cache, InputHash, Key};
+use crate::source;
+use mapd_archive::{HEADER_LENGTH, Header};
+use mapd_client::Domain;
+use std::fs::File;
+use std::io;
+use std::os::unix::fs::FileExt;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+/// An archive in a file; not proved yet.
+#[derive(Clone, Debug)]
+pub(crate) struct Prepared {
+    pub(crate) file: Arc<File>,
+    pub(crate) length: u64,
+    pub(crate) header: Header,
+    /// Its name in the cache.
+    pub(crate) key: Option<Key>,
+    pub(crate) from_cache: bool,
+    /// Whether the file may be kept for going back to: it takes no memory.
+    pub(crate) is_on_disk: bool,
+    /// All files that it comes from.
+    pub(crate) files: Vec<PathBuf>,
+}
+
+/// What preparing needs besides a map.
+#[derive(Clone, Debug)]
+pub(crate) struct Workshop {
+    pub(crate) cache: Option<Cache>,
+    pub(crate) compile_memory: Option<u64>,
+    /// Set when the daemon ends.
+    pub(crate) cancelled: Arc<AtomicBool>,
+}
+
+impl Workshop {
+    /// Prepares a map. `anew`: not from the cache, whose archive did not prove.
+    ///
+    /// Errors: why there is no archive.
+    pub(crate) fn prepare(&self, map: &MapSettings, anew: bool) -> Result<Prepared, Refusal> {
+        let prepared = if source::is_archive(&map.source) {
+            self.open_archive(map)
+        } else {
+            match self.look_up(map, anew)? {
+                Some(found) => Ok(found),
+                None => self.compile(map),
+            }
+        }?;
+        match map.max_bytes {
+            Some(most) if prepared.length > most => Err(Refusal::Failed(format!(
+                "the archive has {} bytes, the map may have {most} (max_bytes)",
+                prepared.length
+            ))),
+            _ => Ok(prepared),
+        }
+    }
+
+    fn open_archive(&self, map: &MapSettings) -> Result<Prepared, Refusal> {
+        let failed = |error| Refusal::Failed(format!("{}: {error}", map.source.display()));
+        let (_, options) = map.options.parse().map_err(|error| failed(format!("{error:#}")))?;
+        if options.crs.is_some() {
+            let message = "--crs transforms OpenDRIVE files only; the archive keeps its frame";
+            return Err(failed(message.to_owned()));
+        }
+        let file = File::open(&map.source).map_err(|error| failed(error.to_string()))?;
+        let metadata = file.metadata().map_err(|error| failed(error.to_string()))?;
+        if !metadata.is_file() {
+            return Err(failed("not a file".to_owned()));
+        }
+        let header = read_header(&file).map_err(|error| failed(error.to_string()))?;
+        Ok(Prepared {
+            file: Arc::new(file),
+            length: metadata.len(),
+            header,
+            key: None,
+            from_cache: false,
+            is_on_disk: true,
+            files: vec![absolute(&map.source)],
+        })
+    }
+
+    /// Looks for the archive of what the files hold now. Whatever goes wrong here goes wrong again, with better words, when
+    /// the map is compiled.
+    fn look_up(&self, map: &MapSettings, anew: bool) -> Result<Option<Prepared>, Refusal> {
+        let Some(cache) = self.cache.as_ref().filter(|_| !anew) else { return Ok(None) };
+        let (reading, options) =
+            map.options.parse().map_err(|error| Refusal::Failed(format!("{error:#}")))?;
+        let folder = source::folder(&map.source).unwrap_or_default();
+        // Others may give their bytes only once, or never.
+        if !std::fs::metadata(&map.source).is_ok_and(|metadata| metadata.is_file()) {
+            return Ok(None);
+        }
+        let Ok((hash, files)) = cache.input_hash(&map.source, &folder) else { return Ok(None) };
+        let key = Key::of_archive(&hash.input, &reading.hash(&options));
+        let Some((file, length)) = cache.get(&key) else { return Ok(None) };
+        let Ok(header) = read_header(&file) else {
+            cache.remove(&key);
+            return Ok(None);
+        };
+        Ok(Some(Prepared {
+            file: Arc::new(file),
+            length,
+            header,
+            key: Some(key),
+            from_cache: true,
+            is_on_disk: true,
+            files,
+        }))
+    }
+
+    /// The archive that was served last under this name, where the map's settings allow it.
+    pub(crate) fn last_served(&self, domain: &Domain, map: &MapSettings) -> Option<Prepared> {
+        let cache = self.cache.as_ref().filter(|_| map.last_good)?;
+        let key = cache.last_served(&name_in_cache(domain, &map.name))?;
+        let (file, length) = cache.get(&key)?;
+        Some(Prepared {
+            header: read_header(&file).ok()?,
+            file: Arc::new(file),
+            length,
+            key: Some(key),
+            from_cache: true,
+            is_on_disk: true,
+            files: vec![absolute(&map.source)],
+        })
+    }
+
+    /// Notes that an archive is served. Without the note a later start can fall back on nothing, which it then says.
+    pub(crate) fn note_served(&self, domain: &Domain, map: &str, archive: &Prepared) {
+        if let (Some(cache), Some(key)) = (&self.cache, &archive.key) {
+            let _ = cache.remember_served(&name_in_cache(domain, map), key);
+        }
+    }
+
+    fn compile(&self, map: &MapSettings) -> Result<Prepared, Refusal> {
+        let failed = |error: io::Error| Refusal::Failed(format!("the compiled archive: {error}"));
+        let run = |output: &Path| {
+            child::compile(map, output.as_os_str(), self.compile_memory, &self.cancelled)
+        };
+        // A cache that cannot be written any more is done without.
+        let begun = self.cache.as_ref().and_then(|cache| Some((cache, cache.begin().ok()?)));
+        let (file, length, header, key, told, is_on_disk) = match begun {
+            Some((cache, unfinished)) => {
+                let told = run(unfinished.path())?;
+                let header =
+                    File::open(unfinished.path()).and_then(|f| read_header(&f)).map_err(failed)?;
+                // Of what has been read, whatever the files hold meanwhile.
+                let provenance = &header.provenance;
+                let key = Key::of_archive(&provenance.input_hash, &provenance.options_hash);
+                let (file, length) = cache.keep(unfinished, &key).map_err(failed)?;
+                self.remember_includes(cache, map, &told.included);
+                (file, length, header, Some(key), told, true)
+            }
+            None => {
+                let (file, path) = child::nameless().map_err(failed)?;
+                let told = run(&path)?;
+                let header = read_header(&file).map_err(failed)?;
+                let length = file.metadata().map_err(failed)?.len();
+                (file, length, header, None, told, false)
+            }
+        };
+        let mut files = vec![absolute(&map.source)];
+        files.extend(told.included);
+        Ok(Prepared {
+            file: Arc::new(file),
+            length,
+            header,
+            key,
+            from_cache: false,
+            is_on_disk,
+            files,
+        })
+    }
+
+    fn remember_includes(&self, cache: &Cache, map: &MapSettings, included: &[PathBuf]) {
+        if included.is_empty() || !std::fs::metadata(&map.source).is_ok_and(|m| m.is_file()) {
+            return;
+        }
+        let folder = source::folder(&map.source).unwrap_or_default();
+        // If they are forgotten, or the document has changed meanwhile, the map is compiled again.
+        let _ = InputHash::of(&map.source, |_| Vec::new()).and_then(|hash| {
+            cache.remember_includes(&Key::of_document(&hash.document, &folder), included)
+        });
+    }
+}
+
+/// A map's name among those of all domains that share a cache.
+fn name_in_cache(domain: &Domain, map: &str) -> String {
+    format!("{}{map}", domain.prefix())
+}
+
+fn absolute(path: &Path) -> PathBuf {
+    std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
+}
+
+fn read_header(file: &File) -> io::Result<Header> {
+    let mut bytes = [0; HEADER_LENGTH];
+    file.read_exact_at(&mut bytes, 0)?;
+    Header::decode(&bytes).map_err(io::Error::other)
+}

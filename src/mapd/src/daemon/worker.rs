@@ -1,0 +1,79 @@
+//! The thread that prepares maps, one after the other, while the daemon serves.
+
+use super::orders::{Job, Order, Orders};
+use super::prepare::Workshop;
+use super::settings::MapSettings;
+use crate::control::{Board, CacheStatus};
+use std::io;
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+use std::sync::mpsc::{Sender, channel};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+/// How long the daemon's end waits for the thread.
+const PATIENCE: Duration = Duration::from_secs(2);
+
+/// Pause between two looks at it.
+const PAUSE: Duration = Duration::from_millis(1);
+
+/// Prepares maps in a thread of its own. Dropping it ends what it is at.
+pub(crate) struct Worker {
+    jobs: Option<Sender<Job>>,
+    workshop: Workshop,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Worker {
+    /// Errors: no thread can be had.
+    pub(crate) fn start(
+        workshop: Workshop,
+        maps: Vec<MapSettings>,
+        board: Arc<Board>,
+        orders: Orders,
+    ) -> io::Result<Self> {
+        let (jobs, received) = channel::<Job>();
+        let own = workshop.clone();
+        let work = move || {
+            for job in received {
+                let Some(map) = maps.iter().find(|map| map.name == job.change.map) else {
+                    continue;
+                };
+                if own.cancelled.load(Ordering::Relaxed) {
+                    return;
+                }
+                let prepared = own.prepare(map, job.anew);
+                if let Some(cache) = &own.cache {
+                    board.cache(CacheStatus::of(cache));
+                }
+                orders.give(Order::Prepared(Box::new(job), prepared));
+            }
+        };
+        let thread = std::thread::Builder::new().name("prepare".to_owned()).spawn(work)?;
+        Ok(Self { jobs: Some(jobs), workshop, thread: Some(thread) })
+    }
+
+    /// Has a map prepared, after those that wait already.
+    pub(crate) fn prepare(&self, job: Job) {
+        if let Some(jobs) = &self.jobs {
+            // Fails only if the thread has panicked; who waits for the outcome then hears that the daemon gives none.
+            let _ = jobs.send(job);
+        }
+    }
+}
+
+impl Drop for Worker {
+    fn drop(&mut self) {
+        self.workshop.cancelled.store(true, Ordering::Relaxed);
+        self.jobs = None;
+        // One that reads from a disk that does not answer cannot be ended; its child ends with the process.
+        let until = Instant::now() + PATIENCE;
+        let ended = |thread: &JoinHandle<()>| thread.is_finished();
+        while self.thread.as_ref().is_some_and(|thread| !ended(thread)) && Instant::now() < until {
+            std::thread::sleep(PAUSE);
+        }
+        if let Some(thread) = self.thread.take().filter(ended) {
+            let _ = thread.join();
+        }
+    }
+}
