@@ -4,7 +4,7 @@ use crate::exit::Exit;
 use crate::judging::JudgingArgs;
 use crate::progress::Bar;
 use crate::query::{self, Kind};
-use crate::{archive_file, check, export, inspect, load, report, source, status};
+use crate::{archive_file, bench, check, doctor, export, inspect, load, report, source, status};
 use anyhow::{Context, Result, bail};
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions};
@@ -208,6 +208,28 @@ enum Command {
         #[command(flatten)]
         domain: DomainArgs,
     },
+    /// Measure attaching and querying on this machine, beside open and mmap of the same bytes
+    Bench {
+        #[command(flatten)]
+        bench: bench::BenchArgs,
+        #[command(flatten)]
+        live: Live,
+    },
+    /// Examine this machine and what is served: memory, limits, stale files, versions, rights, attaching
+    #[command(after_help = "Ends with 0 where nothing is a problem, else with 1.")]
+    Doctor {
+        #[command(flatten)]
+        doctor: doctor::DoctorArgs,
+        #[command(flatten)]
+        live: Live,
+    },
+    #[command(name = bench::SUBCOMMAND, hide = true)]
+    BenchClient {
+        #[command(flatten)]
+        client: bench::ClientArgs,
+        #[command(flatten)]
+        domain: DomainArgs,
+    },
 }
 
 const CHECK_HELP: &str = "\
@@ -396,6 +418,19 @@ fn execute(cli: Cli) -> Result<Exit> {
         }
         Command::Status { json, domain } => {
             status::run(&domain.domain()?, json, out)?;
+            Exit::Done
+        }
+        Command::Bench { bench, live } => {
+            let (domain, wait) = live.get()?;
+            bench::run(&bench, (&domain, wait), out)?;
+            Exit::Done
+        }
+        Command::Doctor { doctor, live } => {
+            let (domain, wait) = live.get()?;
+            doctor::run(&doctor, (&domain, wait), out)?
+        }
+        Command::BenchClient { client, domain } => {
+            bench::run_client(&client, &domain.domain()?, out)?;
             Exit::Done
         }
     };

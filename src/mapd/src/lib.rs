@@ -17,10 +17,13 @@
 //! ```
 
 pub mod archive_file;
+mod bench;
 mod check;
 pub mod cli;
+mod doctor;
 pub mod exit;
 pub mod export;
+mod faults;
 mod graph_facts;
 mod inspect;
 mod judging;

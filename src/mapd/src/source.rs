@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// Prefix of a live map's name.
-const SHARED: &str = "shm:";
+pub(crate) const SHARED: &str = "shm:";
 /// How long to wait for a live map by default.
 pub const WAIT: Duration = Duration::from_secs(2);
 

@@ -38,14 +38,18 @@ mod nodes;
 mod notice;
 mod orphans;
 mod reserve;
+mod rights;
 mod segment;
 mod served_map;
 mod server;
 mod services;
 mod stop;
 
+pub(crate) use control_group::available as control_group_available;
 pub use error::ServeError;
 pub use loan::PublishMeta;
+pub(crate) use memory::{OVERHEAD, machine_available};
 pub use notice::Notice;
+pub(crate) use rights::NODE_COUNTER;
 pub use server::{ServedMap, Server};
 pub use stop::StopSignal;

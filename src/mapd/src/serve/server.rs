@@ -8,6 +8,7 @@ use super::memory;
 use super::notice::Notice;
 use super::orphans;
 use super::reserve::reserving;
+use super::rights;
 use super::segment::Segment;
 use super::served_map::{MapPorts, MapPublisher};
 use super::stop::StopSignal;
@@ -112,6 +113,7 @@ impl Server {
         let node = reserving(|| builder.create::<TransportService>())
             .map_err(ServeError::iceoryx("creating a node"))
             .map_err(memory::or_no_room)?;
+        server.tell_if_failed("keeping other users out", rights::tighten(domain));
         if let Some(guard) = &exclusive {
             cleanup::clean(domain, &node, guard, &server.notify);
             orphans::remove(domain, &node, guard, &server.notify);
