@@ -66,6 +66,28 @@ impl Client {
         self.keep(Snapshot::from_pinned(pinned, &self.name)?)
     }
 
+    /// Waits at most `deadline` for the generation of this number and returns it: processes that must change over together
+    /// agree on the number of a staged generation, see [`Client::pending`], and each requires it.
+    ///
+    /// Errors: [`crate::AttachError::Superseded`] if a newer one is served already; it did not come in time; the transport
+    /// failed; the archive cannot be read. The old snapshot stays what it was.
+    pub fn require(&self, generation: u64, deadline: Duration) -> Result<Snapshot, ClientError> {
+        let held = self.snapshot();
+        if held.generation() == generation {
+            return Ok(held);
+        }
+        let pinned = self.subscription.wait_for(generation, Instant::now() + deadline)?;
+        let wanted = Snapshot::from_pinned(pinned, &self.name)?;
+        self.keep(wanted.clone())?;
+        Ok(wanted)
+    }
+
+    /// The generation that is staged: verified, in shared memory, and served once `mapd activate` is called; `None` if there
+    /// is none.
+    pub fn pending(&self) -> Option<crate::transport::GenerationInfo> {
+        self.subscription.pending()
+    }
+
     /// Keeps the newer of two generations: threads may race here.
     fn keep(&self, new: Snapshot) -> Result<Snapshot, ClientError> {
         let mut current = self.current.lock().unwrap_or_else(PoisonError::into_inner);

@@ -20,6 +20,7 @@ pub mod archive_file;
 mod bench;
 mod check;
 pub mod cli;
+pub mod control;
 mod doctor;
 pub mod exit;
 pub mod export;

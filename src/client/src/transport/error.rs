@@ -52,6 +52,18 @@ pub enum AttachError {
         /// Whether a daemon serves the map now.
         daemon_alive: bool,
     },
+    /// A generation that was asked for by its number is no longer served.
+    #[error(
+        "map {map:?}: generation {wanted} was wanted, generation {newest} is served already; ask for that one, or for the newest"
+    )]
+    Superseded {
+        /// The map.
+        map: String,
+        /// What was wanted.
+        wanted: u64,
+        /// The newest generation.
+        newest: u64,
+    },
     /// The daemon speaks another revision of the transport, or uses another version of iceoryx2.
     #[error(
         "map {map:?}: expected transport revision {TRANSPORT_REVISION}, found {found}; use daemon and client of one release"
@@ -148,6 +160,7 @@ impl AttachError {
                 | Self::WrongTransport { .. }
                 | Self::PermissionDenied { .. }
                 | Self::TooManyPinned { .. }
+                | Self::Superseded { .. }
         )
     }
 }

@@ -13,6 +13,8 @@
 //! /dev/shm/mapd_root/{map}.lock       flock, exclusive while a daemon serves the map; holds its process id
 //! /dev/shm/mapd_root/{map}.generation the last generation number handed out
 //! /dev/shm/mapd_root/{map}.published  what is served now, for `mapd status`
+//! /dev/shm/mapd_root/{map}.staged     what waits to be served
+//! /dev/shm/mapd_root/control-…        the daemon's socket for `mapd status`, `reload`, `rollback`, `activate`
 //! /dev/shm/mapd_root/{nodes,services} iceoryx2's own files
 //! ```
 //!
@@ -66,7 +68,8 @@ pub use payload::{Chunk64, GenerationInfo, chunks_for};
 pub use pinned::Pinned;
 pub use presence::Presence;
 pub use record::{
-    GENERATION_SUFFIX, read_generation, read_published, write_generation, write_published,
+    GENERATION_SUFFIX, read_generation, read_published, read_staged, replace_text,
+    write_generation, write_published, write_staged,
 };
 pub use room::{ATTACH_ROOM, free_bytes};
 pub use status::{MapStatus, list_maps};

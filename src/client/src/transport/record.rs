@@ -1,15 +1,16 @@
-//! Two small text files per map: the last generation number, which outlives the daemon, and what is served now.
+//! Small text files per map: the last generation number, which outlives the daemon, what is served now, and what is staged.
 
 use super::domain::Domain;
 use super::limits::TRANSPORT_REVISION;
 use super::payload::GenerationInfo;
 use std::fs;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Suffix of the file of the last generation number of a map.
 pub const GENERATION_SUFFIX: &str = ".generation";
 const PUBLISHED: &str = ".published";
+const STAGED: &str = ".staged";
 
 /// The last generation number handed out for a map; 0 if none was.
 ///
@@ -28,7 +29,7 @@ pub fn read_generation(domain: &Domain, map: &str) -> io::Result<u64> {
 ///
 /// Errors: what the system says.
 pub fn write_generation(domain: &Domain, map: &str, generation: u64) -> io::Result<()> {
-    replace(&domain.map_file(map, GENERATION_SUFFIX), &generation.to_string())
+    replace_text(&domain.map_file(map, GENERATION_SUFFIX), &generation.to_string())
 }
 
 /// What was published last, and by which transport revision; `None` if nothing was.
@@ -44,9 +45,24 @@ pub fn write_published(
     map: &str,
     info: Option<&GenerationInfo>,
 ) -> io::Result<()> {
-    let path = domain.map_file(map, PUBLISHED);
+    write_record(domain.map_file(map, PUBLISHED), info)
+}
+
+/// The generation that waits to be served; `None` if none does.
+pub fn read_staged(domain: &Domain, map: &str) -> Option<(u32, GenerationInfo)> {
+    parse(&fs::read_to_string(domain.map_file(map, STAGED)).ok()?)
+}
+
+/// Writes down what is staged now; `None` removes it.
+///
+/// Errors: what the system says.
+pub fn write_staged(domain: &Domain, map: &str, info: Option<&GenerationInfo>) -> io::Result<()> {
+    write_record(domain.map_file(map, STAGED), info)
+}
+
+fn write_record(path: PathBuf, info: Option<&GenerationInfo>) -> io::Result<()> {
     match info {
-        Some(info) => replace(&path, &print(info)),
+        Some(info) => replace_text(&path, &print(info)),
         None => match fs::remove_file(&path) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
             _ => Ok(()),
@@ -55,7 +71,9 @@ pub fn write_published(
 }
 
 /// Replaces a file so that a reader sees the old text or the new one.
-fn replace(path: &Path, text: &str) -> io::Result<()> {
+///
+/// Errors: what the system says.
+pub fn replace_text(path: &Path, text: &str) -> io::Result<()> {
     let mut new = path.as_os_str().to_owned();
     new.push(".new");
     fs::write(&new, text)?;

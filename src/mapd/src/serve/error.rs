@@ -51,6 +51,14 @@ pub enum ServeError {
         /// How to get more.
         hint: &'static str,
     },
+    /// There is nothing to activate.
+    #[error(
+        "map {map:?}: nothing is staged; stage a generation first with `mapd reload {map} --stage`"
+    )]
+    NothingStaged {
+        /// The map.
+        map: String,
+    },
     /// Writing the bytes failed; nothing was published and the generation before, if any, is still served.
     #[error("map {map:?}: {error}")]
     Fill {

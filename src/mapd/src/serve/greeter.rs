@@ -1,5 +1,6 @@
 //! Answering newcomers: a subscriber gets the served generation when the publisher looks for it, not before.
 
+use super::doorbell::Doorbell;
 use super::error::ServeError;
 use super::notice::Notice;
 use super::served_map::MapPorts;
@@ -15,11 +16,13 @@ const PATIENCE: Duration = Duration::from_millis(50);
 /// Time between two rounds.
 const ROUND: Duration = Duration::from_secs(1);
 
-/// Greets whoever rings, at once, until `stop` is set; calls `round` about once a second.
+/// Greets whoever rings, at once, until `stop` is set or the door bell rings; calls `round` about once a second, next at
+/// `next_round`.
 ///
 /// Errors: waiting fails; `round` fails.
 pub(crate) fn greet_until(
-    stop: &StopSignal,
+    (stop, door): (&StopSignal, Option<&Doorbell>),
+    next_round: &mut Instant,
     maps: &BTreeMap<String, MapPorts>,
     lock: &AttachLock,
     notify: &dyn Fn(&Notice),
@@ -32,6 +35,12 @@ pub(crate) fn greet_until(
     let _stop = waits
         .attach_notification(stop)
         .map_err(ServeError::iceoryx("waiting for the stop signal"))?;
+    let at_door = match door {
+        Some(door) => Some(
+            waits.attach_notification(door).map_err(ServeError::iceoryx("waiting for orders"))?,
+        ),
+        None => None,
+    };
     let mut bells = Vec::new();
     for (name, ports) in maps {
         let bell = waits
@@ -39,15 +48,16 @@ pub(crate) fn greet_until(
             .map_err(ServeError::iceoryx("waiting for clients"))?;
         bells.push((bell, name, ports));
     }
-    let mut next_round = Instant::now();
-    while !stop.is_requested() {
-        if Instant::now() >= next_round {
+    let mut called = false;
+    while !stop.is_requested() && !called {
+        if Instant::now() >= *next_round {
             round()?;
-            next_round = Instant::now() + ROUND;
+            *next_round = Instant::now() + ROUND;
         }
         let mut ringing = Vec::new();
         let left = next_round.saturating_duration_since(Instant::now());
         let collect = |id: iceoryx2::prelude::WaitSetAttachmentId<TransportService>| {
+            called |= at_door.as_ref().is_some_and(|door| id.has_event_from(door));
             ringing.extend(bells.iter().filter(|(bell, ..)| id.has_event_from(bell)));
             CallbackProgression::Continue
         };
@@ -84,7 +94,9 @@ pub(crate) fn greeting_meanwhile<T>(
     std::thread::scope(|scope| {
         let _at_end = StopAtEnd(&stop);
         // If it fails, newcomers wait until the work is done, as they would without it.
-        scope.spawn(|| greet_until(&stop, maps, lock, &|_| {}, &mut || Ok(())));
+        scope.spawn(|| {
+            greet_until((&stop, None), &mut Instant::now(), maps, lock, &|_| {}, &mut || Ok(()))
+        });
         work()
     })
 }

@@ -5,7 +5,7 @@
 //! publisher of its own, exactly as large as the map. The meeting place and what clients do there is described in
 //! [`mapd_client::transport`].
 //!
-//! Invariants: a generation number never repeats while anyone who saw it is attached; a fill that fails leaves nothing
+//! Invariants: a generation number never repeats; a fill that fails leaves nothing
 //! behind; memory is reserved before it is written, so that too little of it is an error and no signal; segments are
 //! created and dead processes cleaned up only under the attach lock; a server that is dropped leaves nothing in shared
 //! memory but what living clients hold. Nothing is printed: what happens meanwhile is told through
@@ -30,13 +30,16 @@
 
 mod cleanup;
 mod control_group;
+mod doorbell;
 mod error;
+mod generations;
 mod greeter;
 mod loan;
 mod memory;
 mod nodes;
 mod notice;
 mod orphans;
+mod publishing;
 mod reserve;
 mod rights;
 mod segment;
@@ -46,6 +49,7 @@ mod services;
 mod stop;
 
 pub(crate) use control_group::available as control_group_available;
+pub use doorbell::{Doorbell, Ringer};
 pub use error::ServeError;
 pub use loan::PublishMeta;
 pub(crate) use memory::{OVERHEAD, machine_available};

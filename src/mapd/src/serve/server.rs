@@ -1,31 +1,32 @@
 //! The server.
 
 use super::cleanup;
+use super::doorbell::Doorbell;
 use super::error::ServeError;
-use super::greeter::{greet_until, greeting_meanwhile};
-use super::loan::{Filled, PublishMeta, fill_loan};
+use super::generations::Generations;
+use super::greeter::greet_until;
 use super::memory;
 use super::notice::Notice;
 use super::orphans;
+use super::publishing::Staged;
 use super::reserve::reserving;
 use super::rights;
-use super::segment::Segment;
-use super::served_map::{MapPorts, MapPublisher};
+use super::served_map::MapPorts;
 use super::stop::StopSignal;
 use iceoryx2::prelude::{Node, NodeBuilder, SignalHandlingMode};
 use mapd_client::transport::{
-    AttachGuard, AttachLock, Claim, Domain, GenerationInfo, Presence, SHARED_MEMORY_FOLDER,
-    TransportService, check_map_name, check_owner, chunks_for, iceoryx2_config, read_generation,
-    silence_iceoryx2, unfinished_segments, write_generation, write_published,
+    AttachGuard, AttachLock, Claim, Domain, GenerationInfo, Presence, TransportService,
+    check_map_name, check_owner, iceoryx2_config, silence_iceoryx2, unfinished_segments,
+    write_published, write_staged,
 };
 use std::cell::Cell;
 use std::collections::BTreeMap;
-use std::error::Error;
 use std::fmt;
 use std::fs::DirBuilder;
 use std::io;
 use std::os::unix::fs::DirBuilderExt;
-use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
 
 /// Mode of the root folder: the daemon's user alone.
 const ROOT_MODE: u32 = 0o700;
@@ -50,6 +51,8 @@ pub struct ServedMap {
     pub name: String,
     /// What is served; `None` between [`Server::claim`] and the first publication.
     pub info: Option<GenerationInfo>,
+    /// What waits for [`Server::activate`].
+    pub staged: Option<GenerationInfo>,
     /// Subscriptions now.
     pub subscribers: usize,
 }
@@ -58,13 +61,18 @@ pub struct ServedMap {
 /// hold.
 pub struct Server {
     /// Dropped by hand, before the node.
-    maps: BTreeMap<String, MapPorts>,
+    pub(super) maps: BTreeMap<String, MapPorts>,
+    /// Generations that are ready to be sent, by map. Dropped by hand, before the maps.
+    pub(super) staged: BTreeMap<String, Staged>,
     node: Option<Node<TransportService>>,
     presence: Option<Presence>,
-    lock: AttachLock,
-    domain: Domain,
-    notify: Box<dyn Fn(&Notice)>,
+    pub(super) lock: AttachLock,
+    pub(super) domain: Domain,
+    pub(super) notify: Box<dyn Fn(&Notice)>,
+    pub(super) generations: Generations,
     patience: Cell<Duration>,
+    next_round: Instant,
+    rounds_missed: Cell<u32>,
 }
 
 impl Server {
@@ -101,12 +109,16 @@ impl Server {
         // From here on, dropping it leaves nothing behind.
         let mut server = Self {
             maps: BTreeMap::new(),
+            staged: BTreeMap::new(),
             node: None,
             presence: Some(presence),
             lock,
             domain: domain.clone(),
             notify: Box::new(notify),
+            generations: Generations::default(),
             patience: Cell::new(LOCK_PATIENCE),
+            next_round: Instant::now(),
+            rounds_missed: Cell::new(0),
         };
         let builder =
             NodeBuilder::new().config(&config).signal_handling_mode(SignalHandlingMode::Disabled);
@@ -123,6 +135,12 @@ impl Server {
         Ok(server)
     }
 
+    /// Keeps the last number of each map's generations in a folder that outlives the domain, so that they rise also after
+    /// everybody has left it. What cannot be written there is told, and does not keep anything from being served.
+    pub fn keep_generations_in(&mut self, folder: impl Into<PathBuf>) {
+        self.generations.keep_in(folder.into());
+    }
+
     /// Claims a map before its first generation is ready, so that a second daemon fails at once and clients know that the
     /// map is coming. [`Server::publish`] does so by itself.
     ///
@@ -135,6 +153,7 @@ impl Server {
         let claim = Claim::acquire(&self.domain, map)?;
         // A killed daemon's word is out of date.
         self.tell_if_failed("removing an old record", write_published(&self.domain, map, None));
+        self.tell_if_failed("removing an old record", write_staged(&self.domain, map, None));
         let exclusive = self.exclusive();
         let Some(node) = &self.node else {
             return Err(ServeError::iceoryx("creating a service")("no node"));
@@ -153,124 +172,32 @@ impl Server {
         Ok(())
     }
 
-    /// Publishes the next generation of a map and returns its number. `fill` is given exactly `length` zeroed bytes in
-    /// shared memory, writes the map, and says what it is. Readers keep the generation before for as long as they hold it.
-    ///
-    /// Newcomers are greeted meanwhile, by a thread that ends with the call.
-    ///
-    /// Errors: the name cannot be used, another daemon serves it, too little memory, `fill` fails, iceoryx2 refuses.
-    /// After an error what was served before is still served; a map that was not, is not.
-    pub fn publish(
-        &mut self,
-        map: &str,
-        length: usize,
-        fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
-    ) -> Result<u64, ServeError> {
-        if length == 0 {
-            return Err(ServeError::Empty { map: map.to_owned() });
-        }
-        memory::check(map, length as u64)?;
-        let known = self.maps.contains_key(map);
-        self.claim(map).map_err(memory::or_no_room)?;
-        let published = self.publish_claimed(map, length, fill).map_err(memory::or_no_room);
-        if published.is_err() && !known {
-            self.withdraw(map);
-        }
-        published
-    }
-
-    fn publish_claimed(
-        &mut self,
-        map: &str,
-        length: usize,
-        fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
-    ) -> Result<u64, ServeError> {
-        let chunks = chunks_for(length);
-        let Some(ports) = self.maps.get(map) else {
-            return Err(ServeError::iceoryx("publishing")("map not claimed"));
-        };
-        let publisher = {
-            let exclusive = self.exclusive();
-            // Again, for what has been created since.
-            memory::check(map, length as u64)?;
-            reserving(|| ports.create_publisher(chunks, exclusive.as_ref()))?
-        };
-        let prepared = greeting_meanwhile(&self.maps, &self.lock, || {
-            self.prepare(map, length, &publisher, fill)
-        });
-        let exclusive = self.exclusive();
-        let (sample, segment) = match prepared {
-            Ok(prepared) => prepared,
-            Err(error) => {
-                // Unlinks the segment, under the lock.
-                drop(publisher);
-                return Err(error);
-            }
-        };
-        let info = *sample.user_header();
-        sample.send().map_err(ServeError::iceoryx("sending"))?;
-        self.tell_if_failed("making the data segment read-only", segment.protect());
-        if let Some(ports) = self.maps.get_mut(map) {
-            ports.replace(publisher, info, exclusive.as_ref());
-        }
-        drop(exclusive);
-        self.tell_if_failed("writing the record", write_published(&self.domain, map, Some(&info)));
-        if let Some(ports) = self.maps.get(map) {
-            self.tell_if_failed("announcing a generation", ports.announce());
-        }
-        Ok(info.generation)
-    }
-
-    /// Reserves, loans and fills. Without the attach lock, for it takes as long as `fill` does.
-    fn prepare(
-        &self,
-        map: &str,
-        length: usize,
-        publisher: &MapPublisher,
-        fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
-    ) -> Result<(Filled, Segment), ServeError> {
-        let segment =
-            Segment::of(&self.domain, publisher).map_err(ServeError::io(SHARED_MEMORY_FOLDER))?;
-        segment.reserve().map_err(|error| memory::refused(map, length as u64, &error))?;
-        let loan = publisher
-            .loan_slice_uninit(chunks_for(length))
-            .map_err(ServeError::iceoryx("loaning"))?;
-        let filled = fill_loan(map, loan, length, fill, |meta| self.next_info(map, length, &meta))?;
-        Ok((filled, segment))
-    }
-
-    /// Hands out the next generation number, for good, before anyone can see it.
-    fn next_info(
-        &self,
-        map: &str,
-        length: usize,
-        meta: &PublishMeta,
-    ) -> Result<GenerationInfo, ServeError> {
-        let path = || self.domain.root().join(map);
-        let last = read_generation(&self.domain, map).map_err(ServeError::io(path()))?;
-        let generation = last.saturating_add(1);
-        write_generation(&self.domain, map, generation).map_err(ServeError::io(path()))?;
-        let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
-        Ok(GenerationInfo {
-            generation,
-            length: length as u64,
-            published_unix_ns: u64::try_from(now.as_nanos()).unwrap_or(u64::MAX),
-            daemon_pid: u64::from(std::process::id()),
-            layout_id: meta.layout_id,
-            content_hash: meta.content_hash,
-            input_hash: meta.input_hash,
-        })
-    }
-
     /// Serves until `stop` is set: greets newcomers at once, and cleans up after killed clients about once a second. May
     /// be called again afterwards.
     ///
     /// Errors: the wait fails.
     pub fn run(&mut self, stop: &StopSignal) -> Result<(), ServeError> {
-        let mut rounds_missed = 0;
-        greet_until(stop, &self.maps, &self.lock, &self.notify, &mut || {
-            self.round(&mut rounds_missed)
-        })
+        self.serve((stop, None))
+    }
+
+    /// As [`Server::run`], but returns as well when the bell is rung, at once, so that the caller may publish something and
+    /// call again.
+    ///
+    /// Errors: the wait fails.
+    pub fn run_until(&mut self, stop: &StopSignal, door: &Doorbell) -> Result<(), ServeError> {
+        self.serve((stop, Some(door)))
+    }
+
+    fn serve(&mut self, until: (&StopSignal, Option<&Doorbell>)) -> Result<(), ServeError> {
+        let mut next_round = self.next_round;
+        let mut missed = self.rounds_missed.get();
+        let served =
+            greet_until(until, &mut next_round, &self.maps, &self.lock, &self.notify, &mut || {
+                self.round(&mut missed)
+            });
+        self.rounds_missed.set(missed);
+        self.next_round = next_round;
+        served
     }
 
     /// Cleans up and greets, if nobody is attaching just now.
@@ -299,6 +226,7 @@ impl Server {
         let map = |(name, ports): (&String, &MapPorts)| ServedMap {
             name: name.clone(),
             info: ports.info().copied(),
+            staged: self.staged.get(name).map(|staged| *staged.info()),
             subscribers: ports.subscribers(),
         };
         self.maps.iter().map(map).collect()
@@ -307,6 +235,7 @@ impl Server {
     /// Stops serving a map. Clients keep what they hold.
     pub fn withdraw(&mut self, map: &str) {
         let exclusive = self.exclusive();
+        self.unstage(map, exclusive.as_ref());
         if let Some(ports) = self.maps.remove(map) {
             self.tell_if_failed("removing the record", write_published(&self.domain, map, None));
             ports.close();
@@ -316,7 +245,7 @@ impl Server {
 
     /// The attach lock, or none if a stopped process holds it: then the server goes on without, as long as nothing else
     /// creates or cleans up at the same moment.
-    fn exclusive(&self) -> Option<AttachGuard> {
+    pub(super) fn exclusive(&self) -> Option<AttachGuard> {
         match self.lock.exclusive(Instant::now() + self.patience.get()) {
             Ok(Some(guard)) => {
                 self.patience.set(LOCK_PATIENCE);
@@ -337,7 +266,7 @@ impl Server {
         }
     }
 
-    fn tell_if_failed<T, E: fmt::Display>(&self, what: &str, result: Result<T, E>) {
+    pub(super) fn tell_if_failed<T, E: fmt::Display>(&self, what: &str, result: Result<T, E>) {
         if let Err(error) = result {
             (self.notify)(&Notice::Failed { what: what.to_owned(), error: error.to_string() });
         }
@@ -349,6 +278,9 @@ impl Drop for Server {
         let exclusive = self.exclusive();
         if let (Some(guard), Some(node)) = (&exclusive, &self.node) {
             cleanup::clean(&self.domain, node, guard, &self.notify);
+        }
+        for name in self.staged.keys().cloned().collect::<Vec<_>>() {
+            self.unstage(&name, exclusive.as_ref());
         }
         for (name, ports) in std::mem::take(&mut self.maps) {
             self.tell_if_failed("removing the record", write_published(&self.domain, &name, None));

@@ -1,0 +1,88 @@
+//! Asking a daemon.
+
+use super::message::{Request, Response};
+use super::{LONGEST_LINE, socket_path};
+use mapd_client::Domain;
+use std::io::{self, BufRead, BufReader, Read, Write};
+use std::os::unix::net::UnixStream;
+use std::time::Duration;
+use thiserror::Error;
+
+/// Why a daemon does not answer.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum AskError {
+    /// Nobody serves the map, or the daemon is about to begin or end.
+    #[error("map {map:?}: no daemon answers; `mapd status` lists the maps that are served")]
+    NoDaemon {
+        /// The map.
+        map: String,
+    },
+    /// No answer came in time; what was asked for may still happen.
+    #[error(
+        "map {map:?}: no answer within {} s; the daemon goes on with what was asked, `mapd status` tells what became of it",
+        wait.as_secs_f64()
+    )]
+    Late {
+        /// The map.
+        map: String,
+        /// How long was waited.
+        wait: Duration,
+    },
+    /// The daemon ended before it answered.
+    #[error("map {map:?}: the daemon ended before it answered; readers keep what they hold")]
+    Ended {
+        /// The map.
+        map: String,
+    },
+    /// The socket cannot be used, or the answer not be understood.
+    #[error("map {map:?}: asking the daemon: {error}")]
+    Io {
+        /// The map.
+        map: String,
+        /// What the system says.
+        error: io::Error,
+    },
+}
+
+/// Asks the daemon that serves `map`, and waits for its answer at most so long.
+///
+/// Errors: no daemon, no answer in time, a daemon that ends meanwhile.
+pub fn ask(
+    domain: &Domain,
+    map: &str,
+    request: &Request,
+    wait: Duration,
+) -> Result<Response, AskError> {
+    let fail = |error: io::Error| {
+        let map = map.to_owned();
+        match error.kind() {
+            io::ErrorKind::NotFound | io::ErrorKind::ConnectionRefused => {
+                AskError::NoDaemon { map }
+            }
+            io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut => AskError::Late { map, wait },
+            io::ErrorKind::BrokenPipe
+            | io::ErrorKind::ConnectionReset
+            | io::ErrorKind::UnexpectedEof => AskError::Ended { map },
+            _ => AskError::Io { map, error },
+        }
+    };
+    exchange(domain, map, request, wait).map_err(fail)
+}
+
+fn exchange(domain: &Domain, map: &str, request: &Request, wait: Duration) -> io::Result<Response> {
+    let mut stream = UnixStream::connect(socket_path(domain, map))?;
+    // A timeout of zero would be refused.
+    let wait = Some(wait.max(Duration::from_millis(1)));
+    stream.set_read_timeout(wait)?;
+    stream.set_write_timeout(wait)?;
+    let mut line = serde_json::to_vec(request)?;
+    line.push(b'\n');
+    stream.write_all(&line)?;
+    let mut answer = String::new();
+    BufReader::new(stream.take(LONGEST_LINE)).read_line(&mut answer)?;
+    if !answer.ends_with('\n') {
+        return Err(io::ErrorKind::UnexpectedEof.into());
+    }
+    Ok(serde_json::from_str(&answer)?)
+}

@@ -1,0 +1,148 @@
+//! What a daemon says about itself.
+
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+
+/// A daemon and all its maps, at one moment. What `mapd status --json`, logs and metrics are made of.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct DaemonStatus {
+    /// Version of mapd.
+    pub version: String,
+    /// Process id, in the daemon's own process namespace.
+    pub pid: u32,
+    /// Prefix of the domain.
+    pub prefix: String,
+    /// When it started \[ns since the Unix epoch\].
+    pub started_unix_ns: u64,
+    /// How long it has been running \[s\], by a clock that nobody sets.
+    pub uptime_seconds: f64,
+    /// Where compiled archives are kept; `None` without a cache.
+    pub cache: Option<CacheStatus>,
+    /// The maps, by name.
+    pub maps: Vec<MapState>,
+}
+
+/// The cache of compiled archives.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CacheStatus {
+    /// The folder.
+    pub folder: PathBuf,
+    /// Bytes of archives in it when it was last used.
+    pub bytes: u64,
+    /// Bytes that it may hold.
+    pub limit: u64,
+}
+
+/// One map of a daemon.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct MapState {
+    /// Name.
+    pub name: String,
+    /// The file that it is compiled from.
+    pub source: PathBuf,
+    /// What is served; `None` until the first publication.
+    pub served: Option<GenerationStatus>,
+    /// What waits for `mapd activate`.
+    pub staged: Option<GenerationStatus>,
+    /// Generations before that `mapd rollback` can go back to.
+    pub rollbacks: usize,
+    /// Subscriptions when last looked, at most about a second ago.
+    pub subscribers: usize,
+    /// Shared memory of the served and the staged generation \[bytes\]; older ones that readers hold are not counted.
+    pub memory_bytes: u64,
+    /// Whether the source is watched.
+    pub watched: bool,
+    /// Whether the map is being compiled or published just now.
+    pub reloading: bool,
+    /// Generations published since the daemon started.
+    pub published: u64,
+    /// Reloads, rollbacks and activations that failed since the daemon started.
+    pub failed: u64,
+    /// What became of the last reload, rollback or activation; `None` if there was none since the first publication.
+    pub last_reload: Option<ReloadReport>,
+}
+
+/// A generation.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct GenerationStatus {
+    /// Its number.
+    pub generation: u64,
+    /// Length of the archive \[bytes\].
+    pub bytes: u64,
+    /// When it was published, or staged \[ns since the Unix epoch\].
+    pub published_unix_ns: u64,
+    /// Hash of the archive's content, of the very bytes that readers see, as hexadecimal digits.
+    pub content_hash: String,
+    /// Hash of what it was compiled from, as hexadecimal digits.
+    pub input_hash: String,
+    /// Whether the archive came from the cache.
+    pub from_cache: bool,
+    /// What it holds.
+    pub counts: MapCounts,
+}
+
+/// How much a map holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct MapCounts {
+    /// Roads.
+    pub roads: u64,
+    /// Junctions.
+    pub junctions: u64,
+    /// Lanes, lane 0 not among them.
+    pub lanes: u64,
+    /// Signals.
+    pub signals: u64,
+    /// Objects.
+    pub objects: u64,
+    /// Parts in quarantine.
+    pub quarantined: u64,
+}
+
+/// What became of a reload, rollback or activation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ReloadReport {
+    /// What caused it.
+    pub trigger: Trigger,
+    /// How it ended.
+    pub result: ReloadResult,
+    /// The generation that it published or staged, or that was served already.
+    pub generation: Option<u64>,
+    /// Why it ended as it did, where that needs a word.
+    pub reason: String,
+    /// When it ended \[ns since the Unix epoch\].
+    pub at_unix_ns: u64,
+    /// How long it took from the request to the end \[s\].
+    pub seconds: f64,
+}
+
+/// What caused a change of what is served.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Trigger {
+    /// The daemon started.
+    Start,
+    /// SIGHUP.
+    Signal,
+    /// The source changed.
+    Watch,
+    /// `mapd reload`.
+    Reload,
+    /// `mapd rollback`.
+    Rollback,
+    /// `mapd activate`.
+    Activate,
+}
+
+/// How a reload, rollback or activation ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ReloadResult {
+    /// A new generation is served.
+    Published,
+    /// A new generation waits for `mapd activate`.
+    Staged,
+    /// The archive would be the one that is served: nothing was published.
+    Unchanged,
+    /// The generation before is still served; the reason says why.
+    Failed,
+}

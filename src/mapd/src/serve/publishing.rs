@@ -1,0 +1,206 @@
+//! Publishing: a generation is filled and proved, waits, and is sent.
+
+use super::error::ServeError;
+use super::greeter::greeting_meanwhile;
+use super::loan::{Filled, PublishMeta, fill_loan};
+use super::memory;
+use super::notice::Notice;
+use super::reserve::reserving;
+use super::segment::Segment;
+use super::served_map::MapPublisher;
+use super::server::Server;
+use mapd_client::transport::{
+    AttachGuard, GenerationInfo, SHARED_MEMORY_FOLDER, chunks_for, write_published, write_staged,
+};
+use std::error::Error;
+use std::time::{SystemTime, UNIX_EPOCH};
+
+/// A generation that is filled and has not been sent. Fields are dropped in the order they are written; dropped under the
+/// attach lock.
+pub(crate) struct Staged {
+    sample: Filled,
+    segment: Segment,
+    publisher: MapPublisher,
+}
+
+impl Staged {
+    /// What is said about it.
+    pub(crate) fn info(&self) -> &GenerationInfo {
+        self.sample.user_header()
+    }
+}
+
+impl Server {
+    /// Publishes the next generation of a map and returns its number. `fill` is given exactly `length` zeroed bytes in
+    /// shared memory, writes the map, and says what it is. Readers keep the generation before for as long as they hold it.
+    /// What was staged is given up: its number is lower.
+    ///
+    /// Newcomers are greeted meanwhile, by a thread that ends with the call.
+    ///
+    /// Errors: the name cannot be used, another daemon serves it, too little memory, `fill` fails, iceoryx2 refuses.
+    /// After an error what was served before is still served; a map that was not, is not.
+    pub fn publish(
+        &mut self,
+        map: &str,
+        length: usize,
+        fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
+    ) -> Result<u64, ServeError> {
+        let known = self.maps.contains_key(map);
+        let published = self
+            .fill_next(map, length, fill)
+            .and_then(|staged| self.send(map, staged))
+            .map_err(memory::or_no_room);
+        if published.is_err() && !known {
+            self.withdraw(map);
+        }
+        published
+    }
+
+    /// As [`Server::publish`], but leaves it at that: clients see the generation as pending until [`Server::activate`].
+    /// Replaces what was staged before.
+    ///
+    /// Errors: as [`Server::publish`].
+    pub fn stage(
+        &mut self,
+        map: &str,
+        length: usize,
+        fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
+    ) -> Result<u64, ServeError> {
+        let known = self.maps.contains_key(map);
+        let staged = match self.fill_next(map, length, fill).map_err(memory::or_no_room) {
+            Ok(staged) => staged,
+            Err(error) => {
+                if !known {
+                    self.withdraw(map);
+                }
+                return Err(error);
+            }
+        };
+        let info = *staged.info();
+        self.staged.insert(map.to_owned(), staged);
+        self.tell_if_failed("writing the record", write_staged(&self.domain, map, Some(&info)));
+        Ok(info.generation)
+    }
+
+    /// Serves what is staged, and returns its number: everything that takes time has been done before.
+    ///
+    /// Errors: [`ServeError::NothingStaged`]; iceoryx2 refuses, and what was served before is still served.
+    pub fn activate(&mut self, map: &str) -> Result<u64, ServeError> {
+        let Some(staged) = self.staged.remove(map) else {
+            return Err(ServeError::NothingStaged { map: map.to_owned() });
+        };
+        let sent = self.send(map, staged).map_err(memory::or_no_room);
+        self.tell_if_failed("removing the record", write_staged(&self.domain, map, None));
+        sent
+    }
+
+    /// Gives up what is staged.
+    pub(super) fn unstage(&mut self, map: &str, _exclusive: Option<&AttachGuard>) {
+        if let Some(staged) = self.staged.remove(map) {
+            drop(staged);
+            self.tell_if_failed("removing the record", write_staged(&self.domain, map, None));
+        }
+    }
+
+    /// A publisher of its own, with the map in its sample.
+    fn fill_next(
+        &mut self,
+        map: &str,
+        length: usize,
+        fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
+    ) -> Result<Staged, ServeError> {
+        if length == 0 {
+            return Err(ServeError::Empty { map: map.to_owned() });
+        }
+        if self.staged.contains_key(map) {
+            // Before there is need for its memory.
+            let exclusive = self.exclusive();
+            self.unstage(map, exclusive.as_ref());
+        }
+        memory::check(map, length as u64)?;
+        self.claim(map).map_err(memory::or_no_room)?;
+        let Some(ports) = self.maps.get(map) else {
+            return Err(ServeError::iceoryx("publishing")("map not claimed"));
+        };
+        let publisher = {
+            let exclusive = self.exclusive();
+            // Again, for what has been created since.
+            memory::check(map, length as u64)?;
+            reserving(|| ports.create_publisher(chunks_for(length), exclusive.as_ref()))?
+        };
+        let filled =
+            greeting_meanwhile(&self.maps, &self.lock, || self.fill(map, length, &publisher, fill));
+        match filled {
+            Ok((sample, segment)) => Ok(Staged { sample, segment, publisher }),
+            Err(error) => {
+                let exclusive = self.exclusive();
+                // Unlinks the segment, under the lock.
+                drop(publisher);
+                drop(exclusive);
+                Err(error)
+            }
+        }
+    }
+
+    /// Reserves, loans and fills. Without the attach lock, for it takes as long as `fill` does.
+    fn fill(
+        &self,
+        map: &str,
+        length: usize,
+        publisher: &MapPublisher,
+        fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
+    ) -> Result<(Filled, Segment), ServeError> {
+        let segment =
+            Segment::of(&self.domain, publisher).map_err(ServeError::io(SHARED_MEMORY_FOLDER))?;
+        segment.reserve().map_err(|error| memory::refused(map, length as u64, &error))?;
+        let loan = publisher
+            .loan_slice_uninit(chunks_for(length))
+            .map_err(ServeError::iceoryx("loaning"))?;
+        let filled = fill_loan(map, loan, length, fill, |meta| {
+            let notify = |notice: &Notice| (self.notify)(notice);
+            let generation = self.generations.next(&self.domain, map, &notify)?;
+            Ok(info(generation, length, &meta))
+        })?;
+        // Nobody has written through it meanwhile, and nobody will.
+        self.tell_if_failed("making the data segment read-only", segment.protect());
+        Ok((filled, segment))
+    }
+
+    /// Serves a generation instead of the one before.
+    fn send(&mut self, map: &str, staged: Staged) -> Result<u64, ServeError> {
+        let exclusive = self.exclusive();
+        let Staged { mut sample, segment, publisher } = staged;
+        sample.user_header_mut().published_unix_ns = unix_ns();
+        let info = *sample.user_header();
+        // Newcomers since it was made cost a queue each.
+        memory::check_queue()?;
+        reserving(|| sample.send()).map_err(ServeError::iceoryx("sending"))?;
+        drop(segment);
+        if let Some(ports) = self.maps.get_mut(map) {
+            ports.replace(publisher, info, exclusive.as_ref());
+        }
+        drop(exclusive);
+        self.tell_if_failed("writing the record", write_published(&self.domain, map, Some(&info)));
+        if let Some(ports) = self.maps.get(map) {
+            self.tell_if_failed("announcing a generation", ports.announce());
+        }
+        Ok(info.generation)
+    }
+}
+
+fn info(generation: u64, length: usize, meta: &PublishMeta) -> GenerationInfo {
+    GenerationInfo {
+        generation,
+        length: length as u64,
+        published_unix_ns: unix_ns(),
+        daemon_pid: u64::from(std::process::id()),
+        layout_id: meta.layout_id,
+        content_hash: meta.content_hash,
+        input_hash: meta.input_hash,
+    }
+}
+
+fn unix_ns() -> u64 {
+    let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+    u64::try_from(now.as_nanos()).unwrap_or(u64::MAX)
+}
