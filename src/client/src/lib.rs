@@ -27,6 +27,8 @@ mod error;
 mod file;
 mod snapshot;
 pub mod transport;
+#[cfg(feature = "trust")]
+mod trust;
 
 pub use client::Client;
 pub use error::ClientError;
@@ -34,3 +36,5 @@ pub use mapd_archive as archive;
 pub use mapd_query::*;
 pub use snapshot::Snapshot;
 pub use transport::{AttachError, Domain};
+#[cfg(feature = "trust")]
+pub use trust::{SIGNATURE_SUFFIX, TrustError, TrustedKey, signature_path};

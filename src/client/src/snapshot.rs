@@ -95,6 +95,12 @@ impl Snapshot {
         self.0.memory.bytes()
     }
 
+    /// File or map name, for errors.
+    #[cfg(feature = "trust")]
+    pub(crate) fn source_name(&self) -> &str {
+        &self.0.source_name
+    }
+
     /// Proves the whole archive, content hash included. Linear in its size; attaching does not do this.
     ///
     /// Errors: the first thing that is wrong.

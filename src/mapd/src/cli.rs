@@ -4,7 +4,10 @@ use crate::exit::Exit;
 use crate::judging::JudgingArgs;
 use crate::progress::Bar;
 use crate::query::{self, Kind};
-use crate::{archive_file, bench, check, doctor, export, inspect, load, report, source, status};
+use crate::trust::{TrustArgs, is_distrust};
+use crate::{
+    archive_file, bench, check, doctor, export, inspect, load, report, sign, source, status,
+};
 use anyhow::{Context, Result, bail};
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions};
@@ -34,6 +37,9 @@ struct Cli {
 
     #[command(flatten)]
     judging: JudgingArgs,
+
+    #[command(flatten)]
+    trust: TrustArgs,
 
     #[command(flatten)]
     domain: DomainArgs,
@@ -157,6 +163,8 @@ enum Command {
         #[arg(long)]
         verify: bool,
         #[command(flatten)]
+        trust: TrustArgs,
+        #[command(flatten)]
         live: Live,
     },
     /// Answer questions: CSV with a header row from stdin to stdout
@@ -182,6 +190,8 @@ enum Command {
         #[command(flatten)]
         route: query::RouteArgs,
         #[command(flatten)]
+        trust: TrustArgs,
+        #[command(flatten)]
         live: Live,
     },
     /// Draw or convert a map
@@ -197,6 +207,8 @@ enum Command {
         /// svg: also the boxes of the spatial index
         #[arg(long)]
         index_boxes: bool,
+        #[command(flatten)]
+        trust: TrustArgs,
         #[command(flatten)]
         live: Live,
     },
@@ -223,6 +235,8 @@ enum Command {
         #[command(flatten)]
         live: Live,
     },
+    /// Sign archives with Ed25519, in minisign's format; --trust then refuses all others
+    Sign(sign::SignArgs),
     #[command(name = bench::SUBCOMMAND, hide = true)]
     BenchClient {
         #[command(flatten)]
@@ -309,7 +323,11 @@ pub fn run() -> ExitCode {
         Err(error) if is_broken_pipe(&error) => Exit::Done.into(),
         Err(error) => {
             let _ = writeln!(io::stderr(), "mapd: {error:#}");
-            let exit = if error.is::<UsageError>() { Exit::Usage } else { Exit::Environment };
+            let exit = match error {
+                error if error.is::<UsageError>() => Exit::Usage,
+                error if is_distrust(&error) => Exit::Rejected,
+                _ => Exit::Environment,
+            };
             exit.into()
         }
     }
@@ -345,6 +363,7 @@ fn execute(cli: Cli) -> Result<Exit> {
             &cli.load,
             cli.name.as_deref(),
             (&cli.options.reading(&cli.judging)?, &validated(&cli.options)?),
+            cli.trust.key()?.as_ref(),
             &cli.domain.domain()?,
         );
     };
@@ -356,9 +375,9 @@ fn execute(cli: Cli) -> Result<Exit> {
         Command::Check { file, format, reading } => {
             check::run(&file, format, &reading, out)?.verdict.into()
         }
-        Command::Inspect { source, json, verify, live } => {
+        Command::Inspect { source, json, verify, trust, live } => {
             let (domain, wait) = live.get()?;
-            match source::open_or_report(&source, &CompileOptions::default(), (&domain, wait))? {
+            match source::open_or_report(&source, trust.key()?, (&domain, wait))? {
                 Some(snapshot) => {
                     inspect::run(&source, &snapshot, json, verify, out)?;
                     Exit::Done
@@ -374,6 +393,7 @@ fn execute(cli: Cli) -> Result<Exit> {
             z_tolerance,
             heading_tolerance,
             route,
+            trust,
             live,
         } => {
             let (domain, wait) = live.get()?;
@@ -385,7 +405,7 @@ fn execute(cli: Cli) -> Result<Exit> {
                 heading_tolerance,
                 ..NearestOptions::default()
             };
-            match source::open_or_report(&source, &CompileOptions::default(), (&domain, wait))? {
+            match source::open_or_report(&source, trust.key()?, (&domain, wait))? {
                 Some(snapshot) => {
                     query::run(
                         snapshot.map(),
@@ -405,9 +425,9 @@ fn execute(cli: Cli) -> Result<Exit> {
                 None => Exit::Rejected,
             }
         }
-        Command::Export { source, format, output, index_boxes, live } => {
+        Command::Export { source, format, output, index_boxes, trust, live } => {
             let (domain, wait) = live.get()?;
-            match source::open_or_report(&source, &CompileOptions::default(), (&domain, wait))? {
+            match source::open_or_report(&source, trust.key()?, (&domain, wait))? {
                 Some(snapshot) => {
                     let options = export::Options { index_boxes };
                     export::run(snapshot.map(), format, options, output.as_deref(), out)?;
@@ -428,6 +448,10 @@ fn execute(cli: Cli) -> Result<Exit> {
         Command::Doctor { doctor, live } => {
             let (domain, wait) = live.get()?;
             doctor::run(&doctor, (&domain, wait), out)?
+        }
+        Command::Sign(sign) => {
+            sign::run(&sign, out)?;
+            Exit::Done
         }
         Command::BenchClient { client, domain } => {
             bench::run_client(&client, &domain.domain()?, out)?;

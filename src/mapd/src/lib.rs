@@ -34,6 +34,8 @@ mod progress;
 pub mod query;
 pub mod report;
 pub mod serve;
+mod sign;
 mod signal_facts;
 pub mod source;
 mod status;
+mod trust;

@@ -3,10 +3,11 @@
 use crate::exit::Exit;
 use crate::progress::Bar;
 use crate::serve::{PublishMeta, Server, StopSignal};
+use crate::trust::signable;
 use crate::{report, source};
 use anyhow::{Context, Result, bail};
 use mapd_archive::{LAYOUT_ID, Rows, encode_into, encoded_length, verify};
-use mapd_client::{Domain, Snapshot};
+use mapd_client::{Domain, Snapshot, TrustedKey};
 use mapd_compiler::{Compilation, CompileOptions, ReadOptions};
 use std::collections::BTreeSet;
 use std::error::Error;
@@ -26,6 +27,7 @@ pub(crate) fn run(
     files: &[PathBuf],
     name: Option<&str>,
     (reading, options): (&ReadOptions, &CompileOptions),
+    key: Option<&TrustedKey>,
     domain: &Domain,
 ) -> Result<Exit> {
     let files = expand(files)?;
@@ -45,8 +47,11 @@ pub(crate) fn run(
                 "two maps would be named {name}; serve them from daemons of their own with --name"
             );
         }
+        if key.is_some() {
+            signable(file)?;
+        }
         match prepare(file, reading, options)? {
-            Some(ready) => maps.push((name, ready)),
+            Some(ready) => maps.push((name, file, ready)),
             None => exit = exit.worst(Exit::Rejected),
         }
     }
@@ -56,8 +61,9 @@ pub(crate) fn run(
     }
     let stop = StopSignal::install().context("installing the handlers of SIGINT and SIGTERM")?;
     let mut server = Server::start(domain)?;
-    for (name, ready) in maps {
-        let (generation, length) = publish(&mut server, &name, ready)?;
+    for (name, file, ready) in maps {
+        let trust = key.map(|key| (key, file.as_path()));
+        let (generation, length) = publish(&mut server, &name, ready, trust)?;
         say(&format!("serving {name}, generation {generation}, {length} bytes"));
     }
     server.run(&stop)?;
@@ -117,8 +123,14 @@ fn prepare(file: &Path, reading: &ReadOptions, options: &CompileOptions) -> Resu
     Ok(compiled.rows.take().map(|rows| Ready::Compiled(Box::new(rows), Box::new(compiled))))
 }
 
-/// Publishes one map: written straight into the loan, verified there, then sent.
-fn publish(server: &mut Server, name: &str, ready: Ready) -> Result<(u64, usize)> {
+/// Publishes one map: written straight into the loan, verified there, then sent. What is trusted is proved there too: it is
+/// the bytes that readers see, whatever becomes of the file.
+fn publish(
+    server: &mut Server,
+    name: &str,
+    ready: Ready,
+    trust: Option<(&TrustedKey, &Path)>,
+) -> Result<(u64, usize)> {
     let length = match &ready {
         Ready::Compiled(rows, _) => encoded_length(rows)?,
         Ready::Archive(snapshot) => snapshot.bytes().len(),
@@ -129,6 +141,9 @@ fn publish(server: &mut Server, name: &str, ready: Ready) -> Result<(u64, usize)
                 encode_into(rows, &compiled.provenance, loan)?;
             }
             Ready::Archive(snapshot) => loan.copy_from_slice(snapshot.bytes()),
+        }
+        if let Some((key, archive)) = trust {
+            key.verify_beside(archive, loan)?;
         }
         let header = verify(loan)?.header;
         let mut layout_id = [0; 32];
