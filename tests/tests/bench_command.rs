@@ -89,7 +89,8 @@ fn on_a_running_daemons_map() {
         let output = place.command().args(SMALL).arg("--json").args(source).output().expect("runs");
         let report = json(&output);
         check(&report);
-        assert_eq!((&report["map"], &report["generation"]), (&"town".into(), &1.into()));
+        assert_eq!(report["map"], "town");
+        assert!(report["generation"].as_u64().is_some_and(|generation| generation > 0));
     }
     assert_eq!(daemon.stop(), 0);
 }

@@ -2,6 +2,7 @@
 
 use crate::exit::Exit;
 use crate::judging::JudgingArgs;
+use crate::oversight::OversightArgs;
 use crate::progress::Bar;
 use crate::query::{self, Kind};
 use crate::trust::{TrustArgs, is_distrust};
@@ -40,6 +41,9 @@ struct Cli {
 
     #[command(flatten)]
     trust: TrustArgs,
+
+    #[command(flatten)]
+    oversight: OversightArgs,
 
     #[command(flatten)]
     domain: DomainArgs,
@@ -363,7 +367,7 @@ fn execute(cli: Cli) -> Result<Exit> {
             &cli.load,
             cli.name.as_deref(),
             (&cli.options.reading(&cli.judging)?, &validated(&cli.options)?),
-            cli.trust.key()?.as_ref(),
+            (cli.trust.key()?.as_ref(), &cli.oversight),
             &cli.domain.domain()?,
         );
     };

@@ -30,6 +30,7 @@ mod inspect;
 mod judging;
 mod load;
 mod object_facts;
+mod oversight;
 mod progress;
 pub mod query;
 pub mod report;

@@ -1,6 +1,9 @@
 //! `mapd --load`: the main job.
 
+use crate::control::{Board, GenerationStatus};
 use crate::exit::Exit;
+use crate::oversight::log::{self, say};
+use crate::oversight::{Oversight, OversightArgs};
 use crate::progress::Bar;
 use crate::serve::{PublishMeta, Server, StopSignal};
 use crate::trust::signable;
@@ -11,8 +14,8 @@ use mapd_client::{Domain, Snapshot, TrustedKey};
 use mapd_compiler::{Compilation, CompileOptions, ReadOptions};
 use std::collections::BTreeSet;
 use std::error::Error;
-use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// A map that is ready to be published.
 enum Ready {
@@ -27,9 +30,10 @@ pub(crate) fn run(
     files: &[PathBuf],
     name: Option<&str>,
     (reading, options): (&ReadOptions, &CompileOptions),
-    key: Option<&TrustedKey>,
+    (key, oversight): (Option<&TrustedKey>, &OversightArgs),
     domain: &Domain,
 ) -> Result<Exit> {
+    oversight.log.init();
     let files = expand(files)?;
     if name.is_some() && files.len() != 1 {
         bail!("--name goes with one map, found {}", files.len());
@@ -60,20 +64,20 @@ pub(crate) fn run(
         return Ok(exit);
     }
     let stop = StopSignal::install().context("installing the handlers of SIGINT and SIGTERM")?;
-    let mut server = Server::start(domain)?;
+    let mut server = Server::start_with(domain, log::notice)?;
+    let board = Arc::new(Board::new(domain, None));
     for (name, file, ready) in maps {
         let trust = key.map(|key| (key, file.as_path()));
         let (generation, length) = publish(&mut server, &name, ready, trust)?;
-        say(&format!("serving {name}, generation {generation}, {length} bytes"));
+        tracing::info!(map = %name, generation, bytes = length, "serving {name}, generation {generation}, {length} bytes");
+        let served = GenerationStatus { generation, bytes: length as u64, ..Default::default() };
+        board.map(&name, |map| map.served = Some(served));
     }
+    let watched = Oversight::start(oversight, domain, &board, names.into_iter().collect())?;
     server.run(&stop)?;
+    drop(watched);
     say("stopped");
     Ok(Exit::Done)
-}
-
-fn say(message: &str) {
-    // A closed stderr is no reason to stop serving.
-    let _ = writeln!(std::io::stderr(), "mapd: {message}");
 }
 
 /// Files, with folders replaced by the maps in them.

@@ -23,8 +23,8 @@ pub use board::Board;
 pub use listener::ControlListener;
 pub use message::{Request, Response};
 pub use status::{
-    CacheStatus, DaemonStatus, GenerationStatus, MapCounts, MapState, ReloadReport, ReloadResult,
-    Trigger,
+    CacheStatus, CheckStatus, DaemonStatus, GenerationStatus, MapCounts, MapState, ReloadReport,
+    ReloadResult, Trigger,
 };
 
 use mapd_client::Domain;
