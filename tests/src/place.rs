@@ -14,6 +14,8 @@ pub const PATIENCE: Duration = Duration::from_secs(20);
 pub struct Place {
     prefix: String,
     program: PathBuf,
+    /// The cache of its daemons.
+    cache: PathBuf,
 }
 
 impl Place {
@@ -21,10 +23,14 @@ impl Place {
     pub fn new(program: impl AsRef<Path>) -> Self {
         static NEXT: AtomicU32 = AtomicU32::new(0);
         let number = NEXT.fetch_add(1, Ordering::Relaxed);
-        Self {
-            prefix: format!("mt{}x{number}_", std::process::id()),
-            program: program.as_ref().to_owned(),
-        }
+        let prefix = format!("mt{}x{number}_", std::process::id());
+        let cache = std::env::temp_dir().join(format!("{prefix}cache"));
+        Self { prefix, program: program.as_ref().to_owned(), cache }
+    }
+
+    /// The cache of its daemons, which is made by the first.
+    pub fn cache(&self) -> &Path {
+        &self.cache
     }
 
     /// Where its daemons and clients meet.
@@ -42,6 +48,7 @@ impl Place {
         let mut command = Command::new(program.as_ref());
         command
             .env("MAPD_PREFIX", &self.prefix)
+            .env("MAPD_CACHE", &self.cache)
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped());
@@ -94,6 +101,7 @@ impl Drop for Place {
             let _ = std::fs::remove_file(path);
         }
         let _ = std::fs::remove_dir_all(self.domain().root());
+        let _ = std::fs::remove_dir_all(&self.cache);
     }
 }
 

@@ -37,4 +37,4 @@ pub use mapd_query::*;
 pub use snapshot::Snapshot;
 pub use transport::{AttachError, Domain};
 #[cfg(feature = "trust")]
-pub use trust::{SIGNATURE_SUFFIX, TrustError, TrustedKey, signature_path};
+pub use trust::{SIGNATURE_SUFFIX, TrustError, TrustedKey, read_signature, signature_path};

@@ -140,11 +140,7 @@ impl TrustedKey {
     ///
     /// Errors: [`TrustError::Unsigned`]; those of [`TrustedKey::verify`].
     pub fn verify_beside(&self, archive: &Path, bytes: &[u8]) -> Result<(), TrustError> {
-        let (name, path) = (archive.display().to_string(), signature_path(archive));
-        match read(&path) {
-            Ok(signature) => self.verify(&name, bytes, &signature),
-            Err(reason) => Err(TrustError::Unsigned { archive: name, signature: path, reason }),
-        }
+        self.verify(&archive.display().to_string(), bytes, &read_signature(archive)?)
     }
 }
 
@@ -159,6 +155,18 @@ pub fn signature_path(archive: &Path) -> PathBuf {
     let mut path = OsString::from(archive.as_os_str());
     path.push(SIGNATURE_SUFFIX);
     path.into()
+}
+
+/// Reads the signature that lies beside an archive.
+///
+/// Errors: [`TrustError::Unsigned`].
+pub fn read_signature(archive: &Path) -> Result<String, TrustError> {
+    let signature = signature_path(archive);
+    read(&signature).map_err(|reason| TrustError::Unsigned {
+        archive: archive.display().to_string(),
+        signature,
+        reason,
+    })
 }
 
 /// Reads a small text.

@@ -69,7 +69,7 @@ pub struct ReadOptions {
 
 impl ReadOptions {
     /// First bytes of the BLAKE3 of all that shapes an archive, as its header carries them.
-    fn hash(&self, options: &CompileOptions) -> [u8; 8] {
+    pub fn hash(&self, options: &CompileOptions) -> [u8; 8] {
         let tables = self.ontology.user_texts();
         let plain = self.rules == mapd_rules::Settings::default();
         if plain && self.policy == Policy::default() && tables.is_empty() {
@@ -204,8 +204,10 @@ fn round(
     let roads = document.lowering.rows.roads.len();
     let length = document.lowering.rows.roads.iter().map(|road| road.length).sum();
     let rows = document.sample(options, progress)?;
-    let (compilation, causes, units) =
+    let files = included(&document.places).collect();
+    let (mut compilation, causes, units) =
         document.collector.finish(document.provenance, document.version, document.quarantined);
+    compilation.included = files;
     Ok(Round { rows, compilation, causes, units, roads, length })
 }
 

@@ -6,6 +6,7 @@ use mapd_archive::{Provenance, Rows};
 use mapd_xodr::source::Places;
 use mapd_xodr::{Finding, Item, Severity, rule_ids};
 use std::collections::BTreeSet;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// What becomes of a map.
@@ -81,6 +82,8 @@ pub struct Compilation {
     pub rows: Option<Rows>,
     /// Where they come from.
     pub provenance: Provenance,
+    /// Files that the document included, each as it can be opened, in the order in which it did.
+    pub included: Vec<PathBuf>,
     /// The document's revision.
     pub version: Version,
     /// Findings in file order.
@@ -269,6 +272,7 @@ impl Collector {
         let compilation = Compilation {
             rows: None,
             provenance,
+            included: Vec::new(),
             version,
             diagnostics: self.diagnostics,
             dropped,

@@ -37,22 +37,36 @@ pub fn write(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Header
     Ok(header)
 }
 
+/// Writes an archive into a file that is there already and that nobody reads yet: a temporary file, or one without a name
+/// under `/proc`. It is not forced to the disk.
+///
+/// Errors: the file cannot be written, or the disk is full.
+pub fn write_into(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Header> {
+    let context = || format!("writing {}", path.display());
+    let file = OpenOptions::new().read(true).write(true).open(path).with_context(context)?;
+    Ok(fill_file(&file, rows, provenance).with_context(context)?.0)
+}
+
 fn fill(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Header> {
+    let file = OpenOptions::new().read(true).write(true).create(true).truncate(true).open(path)?;
+    let (header, map) = fill_file(&file, rows, provenance)?;
+    map.flush()?;
+    Ok(header)
+}
+
+fn fill_file(file: &File, rows: &Rows, provenance: &Provenance) -> Result<(Header, MmapMut)> {
     let length = encoded_length(rows)?;
-    let file: File =
-        OpenOptions::new().read(true).write(true).create(true).truncate(true).open(path)?;
     // Reserves the blocks: a full disk is an error here instead of a signal while filling.
-    rustix::fs::fallocate(&file, FallocateFlags::empty(), 0, length as u64).or_else(|error| {
+    rustix::fs::fallocate(file, FallocateFlags::empty(), 0, length as u64).or_else(|error| {
         if error == rustix::io::Errno::OPNOTSUPP {
             file.set_len(length as u64).map_err(|_| error)
         } else {
             Err(error)
         }
     })?;
-    // SAFETY: the file is new, has this process's id in its name and no reader before it is renamed; its blocks are
-    // reserved, so that writing cannot fault.
-    let mut map = unsafe { MmapMut::map_mut(&file)? };
+    // SAFETY: the file is new and this process's own (its id is in the name, or its parent made it for this process), with
+    // no reader before it is whole; its blocks are reserved, so that writing cannot fault.
+    let mut map = unsafe { MmapMut::map_mut(file)? };
     let header = encode_into(rows, provenance, &mut map)?;
-    map.flush()?;
-    Ok(header)
+    Ok((header, map))
 }

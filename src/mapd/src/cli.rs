@@ -1,16 +1,19 @@
 //! The command line.
 
+use crate::change::ChangeArgs;
+use crate::compile_args::CompileArguments;
+use crate::control::Request;
+use crate::daemon::{self, DaemonArgs};
 use crate::exit::Exit;
 use crate::judging::JudgingArgs;
 use crate::oversight::OversightArgs;
 use crate::progress::Bar;
 use crate::query::{self, Kind};
+use crate::size::Size;
 use crate::trust::{TrustArgs, is_distrust};
-use crate::{
-    archive_file, bench, check, doctor, export, inspect, load, report, sign, source, status,
-};
+use crate::{archive_file, bench, check, doctor, export, inspect, report, sign, source, status};
 use anyhow::{Context, Result, bail};
-use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
+use clap::{ArgMatches, Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions};
 use mapd_compiler::{CompileOptions, CyclePolicy, OffsetSign, ReadOptions};
 use std::io::{self, BufWriter, Write};
@@ -25,13 +28,8 @@ use std::time::Duration;
 #[derive(Parser)]
 #[command(version, args_conflicts_with_subcommands = true, after_help = EXIT_CODES)]
 struct Cli {
-    /// Serve a map (.xodr, .xodrz or .mapd) or every map of a folder; may be repeated
-    #[arg(long, value_name = "FILE", num_args = 1..)]
-    load: Vec<PathBuf>,
-
-    /// Serve under this name instead of the file's stem
-    #[arg(long, requires = "load")]
-    name: Option<String>,
+    #[command(flatten)]
+    daemon: DaemonArgs,
 
     #[command(flatten)]
     options: Options,
@@ -55,7 +53,7 @@ struct Cli {
 const EXIT_CODES: &str = "Exit codes: 0 done and accepted, 3 accepted with quarantined parts, 4 map rejected, 2 wrong usage, 1 the environment failed.";
 
 #[derive(Args)]
-struct Options {
+pub(crate) struct Options {
     /// Largest distance of a lane's centre line from its polyline [m]
     #[arg(long, value_name = "M", default_value_t = CompileOptions::default().index_tolerance)]
     index_tolerance: f64,
@@ -104,7 +102,7 @@ enum Cycles {
 }
 
 #[derive(Args)]
-struct DomainArgs {
+pub(crate) struct DomainArgs {
     /// Prefix of everything in shared memory; daemons and clients meet where it is equal (letters and digits, one _ at the end) [default: mapd_]
     #[arg(long, env = "MAPD_PREFIX", value_name = "PREFIX")]
     prefix: Option<String>,
@@ -144,6 +142,12 @@ enum Command {
         options: Options,
         #[command(flatten)]
         judging: JudgingArgs,
+        /// Memory that compiling may take for its own data, such as 4GiB; beyond it the command is aborted
+        #[arg(long, value_name = "SIZE")]
+        memory_limit: Option<Size>,
+        /// As a daemon's child: into the file OUT.mapd that is there, ending with the parent, its answer as JSON
+        #[arg(long, hide = true, requires = "output")]
+        for_daemon: bool,
     },
     /// Say everything that is wrong with an OpenDRIVE file, without building the map
     #[command(after_help = CHECK_HELP)]
@@ -218,7 +222,7 @@ enum Command {
     },
     /// List the maps that are served
     Status {
-        /// As JSON
+        /// As JSON: also sources, counts, memory, what is staged, what became of the last reload
         #[arg(long)]
         json: bool,
         #[command(flatten)]
@@ -247,6 +251,27 @@ enum Command {
         client: bench::ClientArgs,
         #[command(flatten)]
         domain: DomainArgs,
+    },
+    /// Have the daemon compile a map's file again and serve it; what is served stays if that fails
+    Reload {
+        #[command(flatten)]
+        change: ChangeArgs,
+        /// Leave it for `mapd activate`; clients see it as pending
+        #[arg(long)]
+        stage: bool,
+    },
+    /// Have the daemon serve the generation before again, under a new number
+    Rollback {
+        #[command(flatten)]
+        change: ChangeArgs,
+        /// Leave it for `mapd activate`; clients see it as pending
+        #[arg(long)]
+        stage: bool,
+    },
+    /// Have the daemon serve what is staged
+    Activate {
+        #[command(flatten)]
+        change: ChangeArgs,
     },
 }
 
@@ -297,7 +322,7 @@ impl Options {
 
 impl Options {
     /// How a document is read, by these options and the rules that apply.
-    fn reading(&self, judging: &JudgingArgs) -> Result<ReadOptions> {
+    pub(crate) fn reading(&self, judging: &JudgingArgs) -> Result<ReadOptions> {
         let mut reading = judging.apply(ReadOptions::default())?;
         for path in &self.ontology {
             let text = std::fs::read_to_string(path)
@@ -307,10 +332,17 @@ impl Options {
         }
         Ok(reading)
     }
+
+    /// How a map is built, by these options.
+    pub(crate) fn validated(&self) -> Result<CompileOptions> {
+        let options = self.compile();
+        options.validate().map_err(|error| UsageError(error.to_string()))?;
+        Ok(options)
+    }
 }
 
 impl DomainArgs {
-    fn domain(&self) -> Result<Domain> {
+    pub(crate) fn domain(&self) -> Result<Domain> {
         Ok(match &self.prefix {
             Some(prefix) => Domain::new(prefix)?,
             None => Domain::from_env()?,
@@ -320,8 +352,7 @@ impl DomainArgs {
 
 /// Runs the program with the process's arguments.
 pub fn run() -> ExitCode {
-    let cli = Cli::parse();
-    match execute(cli) {
+    match execute(&Cli::command().get_matches()) {
         Ok(exit) => exit.into(),
         // The reader of our output has gone: nobody is left to be told.
         Err(error) if is_broken_pipe(&error) => Exit::Done.into(),
@@ -340,7 +371,7 @@ pub fn run() -> ExitCode {
 /// Wrong usage that only shows while running.
 #[derive(Debug, thiserror::Error)]
 #[error("{0}")]
-struct UsageError(String);
+pub(crate) struct UsageError(pub(crate) String);
 
 fn is_broken_pipe(error: &anyhow::Error) -> bool {
     error.chain().any(|cause| {
@@ -350,31 +381,27 @@ fn is_broken_pipe(error: &anyhow::Error) -> bool {
     })
 }
 
-fn validated(options: &Options) -> Result<CompileOptions> {
-    let options = options.compile();
-    options.validate().map_err(|error| UsageError(error.to_string()))?;
-    Ok(options)
-}
-
-fn execute(cli: Cli) -> Result<Exit> {
+fn execute(matches: &ArgMatches) -> Result<Exit> {
+    let cli = Cli::from_arg_matches(matches)?;
     let out = &mut BufWriter::new(io::stdout().lock());
     let Some(command) = cli.command else {
-        if cli.load.is_empty() {
+        if !cli.daemon.is_wanted() {
             Cli::command().print_help()?;
             return Ok(Exit::Usage);
         }
-        return load::run(
-            &cli.load,
-            cli.name.as_deref(),
-            (&cli.options.reading(&cli.judging)?, &validated(&cli.options)?),
-            (cli.trust.key()?.as_ref(), &cli.oversight),
-            &cli.domain.domain()?,
-        );
+        let domain = cli.domain.prefix.is_some().then(|| cli.domain.domain()).transpose()?;
+        let options = CompileArguments::of(matches);
+        cli.oversight.log.init();
+        let settings = cli.daemon.settings(&options, domain)?;
+        return daemon::run(settings, cli.trust.key()?, &cli.oversight);
     };
     let exit = match command {
-        Command::Compile { file, output, report, options, judging } => {
+        Command::Compile { file, output, report, options, judging, memory_limit, for_daemon } => {
+            daemon::enter_child(for_daemon, memory_limit.map(|size| size.0))
+                .context("limiting memory")?;
             let reading = options.reading(&judging)?;
-            compile(&file, output, report, (&reading, &validated(&options)?), out)?
+            let options = options.validated()?;
+            compile(&file, (output, for_daemon), report, (&reading, &options), out)?
         }
         Command::Check { file, format, reading } => {
             check::run(&file, format, &reading, out)?.verdict.into()
@@ -461,6 +488,13 @@ fn execute(cli: Cli) -> Result<Exit> {
             bench::run_client(&client, &domain.domain()?, out)?;
             Exit::Done
         }
+        Command::Reload { change, stage } => {
+            change.ask(|map| Request::Reload { map, stage }, out)?
+        }
+        Command::Rollback { change, stage } => {
+            change.ask(|map| Request::Rollback { map, stage }, out)?
+        }
+        Command::Activate { change } => change.ask(|map| Request::Activate { map }, out)?,
     };
     out.flush()?;
     Ok(exit)
@@ -468,7 +502,7 @@ fn execute(cli: Cli) -> Result<Exit> {
 
 fn compile(
     file: &std::path::Path,
-    output: Option<PathBuf>,
+    (output, for_daemon): (Option<PathBuf>, bool),
     report_to: Option<PathBuf>,
     (reading, options): (&ReadOptions, &CompileOptions),
     out: &mut dyn Write,
@@ -488,6 +522,11 @@ fn compile(
         if output == file {
             bail!("{} would overwrite its source; name another file with -o", output.display());
         }
+        if for_daemon {
+            archive_file::write_into(&output, rows, &compiled.provenance)?;
+            serde_json::to_writer(out, &daemon::Told { included: absolute(&compiled.included) })?;
+            return Ok(compiled.verdict.into());
+        }
         let header = archive_file::write(&output, rows, &compiled.provenance)?;
         writeln!(
             out,
@@ -500,6 +539,10 @@ fn compile(
         )?;
     }
     Ok(compiled.verdict.into())
+}
+
+fn absolute(files: &[PathBuf]) -> Vec<PathBuf> {
+    files.iter().map(|file| std::path::absolute(file).unwrap_or_else(|_| file.clone())).collect()
 }
 
 /// The set of lane types that names stand for.

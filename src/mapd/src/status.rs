@@ -1,5 +1,6 @@
 //! `mapd status`.
 
+use crate::control::{CacheStatus, DaemonStatus, MapState, Request, Response, ask};
 use crate::report::hex;
 use anyhow::Result;
 use mapd_client::Domain;
@@ -8,6 +9,10 @@ use serde::Serialize;
 use std::io::Write;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
+/// Longest wait for a daemon's own account: what everybody can see is told without it.
+const WAIT: Duration = Duration::from_secs(1);
+
+/// A map: what everybody can see of it, and what its daemon says.
 #[derive(Serialize)]
 struct Status {
     name: String,
@@ -20,11 +25,26 @@ struct Status {
     input_hash: Option<String>,
     subscribers: usize,
     published_unix_ns: Option<u64>,
+    /// What its daemon says about it; `None` if it does not answer.
+    state: Option<MapState>,
+    /// What its daemon says about itself.
+    daemon: Option<Daemon>,
 }
 
-impl From<MapStatus> for Status {
-    fn from(map: MapStatus) -> Self {
+/// A daemon, its maps left out.
+#[derive(Clone, Serialize)]
+struct Daemon {
+    version: String,
+    pid: u32,
+    started_unix_ns: u64,
+    uptime_seconds: f64,
+    cache: Option<CacheStatus>,
+}
+
+impl Status {
+    fn of(map: MapStatus, daemon: Option<&DaemonStatus>) -> Self {
         let info = map.info;
+        let state = daemon.and_then(|daemon| daemon.maps.iter().find(|m| m.name == map.name));
         Self {
             name: map.name,
             alive: map.alive,
@@ -36,13 +56,43 @@ impl From<MapStatus> for Status {
             input_hash: info.map(|i| hex(&i.input_hash)),
             subscribers: map.subscribers,
             published_unix_ns: info.map(|i| i.published_unix_ns),
+            state: state.cloned(),
+            daemon: daemon.map(|daemon| Daemon {
+                version: daemon.version.clone(),
+                pid: daemon.pid,
+                started_unix_ns: daemon.started_unix_ns,
+                uptime_seconds: daemon.uptime_seconds,
+                cache: daemon.cache.clone(),
+            }),
         }
     }
 }
 
+/// What the daemons of these maps say, each asked once.
+fn daemons(domain: &Domain, maps: &[MapStatus]) -> Vec<DaemonStatus> {
+    let mut daemons: Vec<DaemonStatus> = Vec::new();
+    for map in maps.iter().filter(|map| map.alive) {
+        if daemons.iter().any(|daemon| daemon.maps.iter().any(|m| m.name == map.name)) {
+            continue;
+        }
+        // One that does not answer is about to begin or end, or busy beyond measure.
+        if let Ok(Response::Status(daemon)) = ask(domain, &map.name, &Request::Status, WAIT) {
+            daemons.push(*daemon);
+        }
+    }
+    daemons
+}
+
 /// Lists the maps of a domain.
 pub(crate) fn run(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<()> {
-    let maps: Vec<Status> = list_maps(domain)?.into_iter().map(Status::from).collect();
+    let maps = list_maps(domain)?;
+    let daemons = daemons(domain, &maps);
+    let of = |map: MapStatus| {
+        let its = |daemon: &&DaemonStatus| daemon.maps.iter().any(|m| m.name == map.name);
+        let daemon = daemons.iter().find(its);
+        Status::of(map, daemon)
+    };
+    let maps: Vec<Status> = maps.into_iter().map(of).collect();
     if json {
         serde_json::to_writer_pretty(&mut *out, &maps)?;
         writeln!(out)?;
@@ -55,7 +105,7 @@ pub(crate) fn run(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<()
     let head = ("map", "generation", "bytes", "readers", "since", "content");
     writeln!(
         out,
-        "{:<20} {:>10} {:>12} {:>8} {:>10}  {}",
+        "{:<20} {:>14} {:>12} {:>8} {:>10}  {}",
         head.0, head.1, head.2, head.3, head.4, head.5
     )?;
     for map in maps {
@@ -65,13 +115,20 @@ pub(crate) fn run(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<()
         let since = if map.alive { age(map.published_unix_ns) } else { "no daemon".to_owned() };
         writeln!(
             out,
-            "{:<20} {:>10} {:>12} {:>8} {:>10}  {content}",
+            "{:<20} {:>14} {:>12} {:>8} {:>10}  {content}",
             map.name,
             number(map.generation),
             number(map.bytes),
             map.subscribers,
             since
         )?;
+        let Some(state) = map.state else { continue };
+        if let Some(staged) = state.staged {
+            writeln!(out, "    staged: generation {}, {} bytes", staged.generation, staged.bytes)?;
+        }
+        if let Some(report) = state.last_reload {
+            writeln!(out, "    {}", crate::daemon::sentence(&report))?;
+        }
     }
     Ok(())
 }

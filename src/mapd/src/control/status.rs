@@ -1,6 +1,7 @@
 //! What a daemon says about itself.
 
 use super::board::unix_ns;
+use crate::cache::Cache;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -33,6 +34,13 @@ pub struct CacheStatus {
     pub bytes: u64,
     /// Bytes that it may hold.
     pub limit: u64,
+}
+
+impl CacheStatus {
+    /// Of a cache, now.
+    pub fn of(cache: &Cache) -> Self {
+        Self { folder: cache.folder().to_owned(), bytes: cache.bytes(), limit: cache.limit() }
+    }
 }
 
 /// One map of a daemon.

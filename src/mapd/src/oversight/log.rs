@@ -84,6 +84,20 @@ pub(crate) fn say(message: &str) {
     tracing::info!("{message}");
 }
 
+/// Target of lines that another process has written.
+const RELAYED: &str = "relayed";
+
+/// Passes on a line that the compiler wrote, as it is; in JSON it is the message of an event.
+pub(crate) fn relay(line: &str) {
+    if line.contains(": error[") {
+        tracing::error!(target: RELAYED, "{line}");
+    } else if line.contains(": warning[") {
+        tracing::warn!(target: RELAYED, "{line}");
+    } else {
+        tracing::info!(target: RELAYED, "{line}");
+    }
+}
+
 /// Logs what the server has noticed.
 pub(crate) fn notice(notice: &Notice) {
     match notice {
@@ -96,7 +110,7 @@ pub(crate) fn notice(notice: &Notice) {
     }
 }
 
-/// `mapd: ` and the message, with the level where it is a warning or worse. Time and process are added by whoever keeps the
+/// `mapd: ` and the message, with the level where it is a warning or worse; lines of another process as they are. Time and process are added by whoever keeps the
 /// log, such as journald.
 struct Plain;
 
@@ -116,7 +130,9 @@ where
             Level::WARN => "warning: ",
             _ => "",
         };
-        write!(writer, "mapd: {level}")?;
+        if event.metadata().target() != RELAYED {
+            write!(writer, "mapd: {level}")?;
+        }
         event.record(&mut Message(&mut writer));
         writeln!(writer)
     }

@@ -65,6 +65,11 @@ pub(crate) fn or_no_room(error: ServeError) -> ServeError {
     }
 }
 
+/// Bytes of memory that the machine and the control groups leave; `None` if they do not say.
+pub(crate) fn available() -> Option<u64> {
+    [control_group(), machine()].into_iter().flatten().map(|room| room.available).min()
+}
+
 fn tightest() -> Option<Room> {
     let rooms = [file_system(), control_group(), machine()];
     rooms.into_iter().flatten().min_by_key(|room| room.available)
@@ -88,6 +93,17 @@ pub(crate) fn refused(map: &str, length: u64, error: &std::io::Error) -> ServeEr
             error.kind(),
             error.to_string(),
         )),
+    }
+}
+
+/// The kernel refused to lock pages.
+pub(crate) fn not_locked(map: &str, length: u64, error: &std::io::Error) -> ServeError {
+    let limit = rustix::process::getrlimit(rustix::process::Resource::Memlock).current;
+    ServeError::NotLocked {
+        map: map.to_owned(),
+        needed: length,
+        limit: limit.map_or_else(|| "none".to_owned(), |bytes| format!("{bytes} bytes")),
+        error: std::io::Error::new(error.kind(), error.to_string()),
     }
 }
 

@@ -1,0 +1,271 @@
+//! Compiled archives on disk, so that a map is compiled once and published again within milliseconds.
+//!
+//! An archive's name is its [`Key`]: a hash of everything that shapes it. Files appear under their names whole, by renaming;
+//! they are never changed afterwards. The cache is a convenience and nothing else: it may be deleted, in part or as a whole,
+//! at any time, by anyone; what is read from it is proved before it is used; a file that does not prove is removed.
+//!
+//! ```text
+//! {folder}/{key}.mapd        an archive; the time of its last use is the file's
+//! {folder}/{key}.includes    the files that a document includes, where it does
+//! {folder}/{prefix}{map}.generation   the last generation number of a map (see `mapd::serve`)
+//! {folder}/.new-…            an archive that is being written; removed after a day
+//! ```
+//!
+//! Several daemons may share a folder. All functions are about files only: nothing here knows how a map is compiled.
+
+mod key;
+
+pub use key::{InputHash, Key};
+
+use std::fs::{self, DirBuilder, File, OpenOptions};
+use std::io;
+use std::os::unix::fs::{DirBuilderExt, OpenOptionsExt};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, SystemTime};
+
+/// Bytes of archives that a cache holds, if nothing else is said.
+pub const DEFAULT_LIMIT: u64 = 4 << 30;
+
+/// Mode of the folder: maps may be confidential.
+const FOLDER_MODE: u32 = 0o700;
+
+/// Age after which an unfinished archive is that of a process that was killed: compiling takes minutes at most.
+const LEFT_BEHIND: Duration = Duration::from_secs(24 * 3600);
+
+const ARCHIVE: &str = "mapd";
+const INCLUDES: &str = "includes";
+const UNFINISHED: &str = ".new-";
+
+/// A folder of archives.
+#[derive(Clone, Debug)]
+pub struct Cache {
+    folder: PathBuf,
+    limit: u64,
+}
+
+/// An archive that is being written. Removed when dropped, unless it is kept.
+#[derive(Debug)]
+pub struct Unfinished {
+    path: PathBuf,
+    kept: bool,
+}
+
+impl Unfinished {
+    /// Where it is to be written; an empty file is there.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+}
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        if !self.kept {
+            // Else it is removed after a day.
+            let _ = fs::remove_file(&self.path);
+        }
+    }
+}
+
+impl Cache {
+    /// The folder where nothing else is said: `$XDG_CACHE_HOME/mapd`, `$HOME/.cache/mapd`; `/var/cache/mapd` for root. `None`
+    /// for a user without a home.
+    pub fn default_folder() -> Option<PathBuf> {
+        if rustix::process::geteuid().is_root() {
+            return Some(PathBuf::from("/var/cache/mapd"));
+        }
+        let of = |name: &str| std::env::var_os(name).map(PathBuf::from).filter(|p| p.is_absolute());
+        let base = of("XDG_CACHE_HOME").or_else(|| Some(of("HOME")?.join(".cache")));
+        base.map(|base| base.join("mapd"))
+    }
+
+    /// Opens a folder, which is made if it is not there, and removes what killed processes left in it. `limit`: bytes of
+    /// archives that it may hold; the newest one is kept whatever its size.
+    ///
+    /// Errors: the folder cannot be made, read or written.
+    pub fn open(folder: impl Into<PathBuf>, limit: u64) -> io::Result<Self> {
+        let cache = Self { folder: folder.into(), limit };
+        cache.make_folder()?;
+        for entry in fs::read_dir(&cache.folder)?.filter_map(Result::ok) {
+            let unfinished = entry.file_name().to_string_lossy().starts_with(UNFINISHED);
+            let old = |m: fs::Metadata| m.modified().ok()?.elapsed().ok();
+            if unfinished
+                && entry.metadata().ok().and_then(old).is_some_and(|age| age > LEFT_BEHIND)
+            {
+                // Tried again by the next.
+                let _ = fs::remove_file(entry.path());
+            }
+        }
+        // Whether it can be written shows now, and not when a map has been compiled.
+        drop(cache.begin()?);
+        Ok(cache)
+    }
+
+    /// The folder.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// Bytes of archives that it may hold.
+    pub fn limit(&self) -> u64 {
+        self.limit
+    }
+
+    /// Bytes of archives that it holds now.
+    pub fn bytes(&self) -> u64 {
+        self.archives().iter().map(|(_, length, _)| length).sum()
+    }
+
+    /// An archive, opened for reading, and its length \[bytes\]; it stays readable whatever becomes of its name. It has not
+    /// been proved.
+    pub fn get(&self, key: &Key) -> Option<(File, u64)> {
+        let file = File::open(self.path(key, ARCHIVE)).ok()?;
+        let metadata = file.metadata().ok().filter(fs::Metadata::is_file)?;
+        // The least recently used archives are removed first. On a read-only disk all of them stay.
+        let _ = file.set_modified(SystemTime::now());
+        Some((file, metadata.len()))
+    }
+
+    /// A place to write an archive to.
+    ///
+    /// Errors: what the system says.
+    pub fn begin(&self) -> io::Result<Unfinished> {
+        static NEXT: AtomicU64 = AtomicU64::new(0);
+        // It may have been deleted.
+        self.make_folder()?;
+        let (process, number) = (std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed));
+        let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
+        let name = format!("{UNFINISHED}{process}-{number}-{}", now.as_nanos());
+        let path = self.folder.join(name);
+        OpenOptions::new().write(true).create_new(true).mode(0o600).open(&path)?;
+        Ok(Unfinished { path, kept: false })
+    }
+
+    /// Gives an archive its name, and opens it. Others make room for it if there are too many.
+    ///
+    /// Errors: what the system says.
+    pub fn keep(&self, mut unfinished: Unfinished, key: &Key) -> io::Result<(File, u64)> {
+        let file = File::open(&unfinished.path)?;
+        let length = file.metadata()?.len();
+        fs::rename(&unfinished.path, self.path(key, ARCHIVE))?;
+        unfinished.kept = true;
+        self.make_room(key);
+        Ok((file, length))
+    }
+
+    /// Removes an archive, one that does not prove. Who has it open keeps it.
+    pub fn remove(&self, key: &Key) {
+        // One that stays is found not to prove again.
+        let _ = fs::remove_file(self.path(key, ARCHIVE));
+    }
+
+    /// Remembers which files a document includes. `document` is a key of the document alone.
+    ///
+    /// Errors: a name that is no text; what the system says.
+    pub fn remember_includes(&self, document: &Key, files: &[PathBuf]) -> io::Result<()> {
+        let mut unfinished = self.begin()?;
+        fs::write(&unfinished.path, serde_json::to_vec(files)?)?;
+        fs::rename(&unfinished.path, self.path(document, INCLUDES))?;
+        unfinished.kept = true;
+        Ok(())
+    }
+
+    /// The files that a document includes, as far as is remembered.
+    pub fn includes(&self, document: &Key) -> Vec<PathBuf> {
+        let text = fs::read(self.path(document, INCLUDES)).ok();
+        text.and_then(|text| serde_json::from_slice(&text).ok()).unwrap_or_default()
+    }
+
+    fn make_folder(&self) -> io::Result<()> {
+        DirBuilder::new().recursive(true).mode(FOLDER_MODE).create(&self.folder)
+    }
+
+    fn path(&self, key: &Key, ending: &str) -> PathBuf {
+        self.folder.join(format!("{key}.{ending}"))
+    }
+
+    /// Archives: path, length, time of the last use.
+    fn archives(&self) -> Vec<(PathBuf, u64, SystemTime)> {
+        let entries = fs::read_dir(&self.folder).into_iter().flatten().filter_map(Result::ok);
+        let archive = |path: &PathBuf| path.extension().is_some_and(|ending| ending == ARCHIVE);
+        let paths = entries.map(|entry| entry.path()).filter(archive);
+        let known = paths.filter_map(|path| {
+            let metadata = fs::metadata(&path).ok()?;
+            Some((path, metadata.len(), metadata.modified().ok()?))
+        });
+        known.collect()
+    }
+
+    /// Removes the archives that have not been used for longest, but never the newest.
+    fn make_room(&self, newest: &Key) {
+        let mut archives = self.archives();
+        archives.sort_by_key(|(_, _, used)| *used);
+        let mut bytes: u64 = archives.iter().map(|(_, length, _)| length).sum();
+        let newest = self.path(newest, ARCHIVE);
+        for (path, length, _) in archives.iter().filter(|(path, ..)| *path != newest) {
+            if bytes <= self.limit {
+                return;
+            }
+            if fs::remove_file(path).is_ok() {
+                bytes -= length;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::Read;
+
+    fn key(number: u8) -> Key {
+        Key::of_archive(&[number; 32], &[0; 8])
+    }
+
+    fn put(cache: &Cache, key: &Key, length: usize) {
+        let unfinished = cache.begin().expect("a place");
+        fs::write(unfinished.path(), vec![7; length]).expect("written");
+        assert_eq!(cache.keep(unfinished, key).expect("kept").1, length as u64);
+    }
+
+    #[test]
+    fn the_least_recently_used_make_room() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let cache = Cache::open(folder.path().join("new/folder"), 100).expect("opens");
+        for number in 0..4 {
+            put(&cache, &key(number), 30);
+            std::thread::sleep(Duration::from_millis(5));
+            assert!(cache.get(&key(0)).is_some(), "is used and stays");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        let there: Vec<bool> = (0..4).map(|number| cache.get(&key(number)).is_some()).collect();
+        assert_eq!(there, [true, false, true, true]);
+        assert_eq!(cache.bytes(), 90);
+        put(&cache, &key(9), 1000);
+        assert_eq!(cache.bytes(), 1000, "the newest stays, whatever its size");
+    }
+
+    #[test]
+    fn it_may_be_deleted_at_any_time() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let folder = folder.path().join("cache");
+        let cache = Cache::open(&folder, 100).expect("opens");
+        put(&cache, &key(1), 10);
+        let (mut file, _) = cache.get(&key(1)).expect("there");
+        fs::remove_dir_all(&folder).expect("deleted");
+        let mut bytes = Vec::new();
+        file.read_to_end(&mut bytes).expect("still readable");
+        assert_eq!(bytes.len(), 10);
+        assert!(cache.get(&key(1)).is_none() && cache.includes(&key(2)).is_empty());
+        put(&cache, &key(1), 10);
+        assert!(cache.get(&key(1)).is_some());
+    }
+
+    #[test]
+    fn what_is_not_kept_leaves_nothing() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let cache = Cache::open(folder.path(), 100).expect("opens");
+        drop(cache.begin().expect("a place"));
+        assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 0);
+    }
+}

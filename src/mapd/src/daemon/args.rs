@@ -1,0 +1,151 @@
+//! A daemon's arguments, and what they and the configuration file make together.
+
+use super::config::Configuration;
+use super::log::say;
+use super::settings::{MapSettings, Settings};
+use super::sources;
+use crate::cache::{self, Cache};
+use crate::cli::UsageError;
+use crate::compile_args::CompileArguments;
+use crate::size::Size;
+use anyhow::{Context, Result, bail};
+use clap::Args;
+use mapd_client::Domain;
+use mapd_client::transport::check_map_name;
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+/// What a daemon is to do.
+#[derive(Args)]
+pub(crate) struct DaemonArgs {
+    /// Serve a map (.xodr, .xodrz or .mapd) or every map of a folder; may be repeated
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    pub(crate) load: Vec<PathBuf>,
+
+    /// Serve under this name instead of the file's stem
+    #[arg(long, requires = "load")]
+    name: Option<String>,
+
+    /// Serve what this file says (docs/service.md); arguments stand above it
+    #[arg(long, value_name = "FILE.toml")]
+    pub(crate) config: Option<PathBuf>,
+
+    /// Reload a map whenever its file changes
+    #[arg(long)]
+    watch: bool,
+
+    /// Leave what SIGHUP and --watch reload for `mapd activate`
+    #[arg(long)]
+    stage: bool,
+
+    /// Folder of compiled archives and of generation numbers [default: $XDG_CACHE_HOME/mapd or ~/.cache/mapd, for root /var/cache/mapd]
+    #[arg(long, env = "MAPD_CACHE", value_name = "DIR")]
+    cache: Option<PathBuf>,
+
+    /// Keep no archives; `mapd rollback` is not possible then
+    #[arg(long)]
+    no_cache: bool,
+
+    /// Largest size of the cache, such as 4GiB [default: 4GiB]
+    #[arg(long, value_name = "SIZE")]
+    cache_size: Option<Size>,
+
+    /// Memory that compiling may take, such as 8GiB [default: three quarters of what is free]
+    #[arg(long, value_name = "SIZE")]
+    compile_memory: Option<Size>,
+
+    /// Keep what is served in memory, never in swap; needs a limit of locked memory of twice the largest map (ulimit -l)
+    #[arg(long)]
+    lock_memory: bool,
+}
+
+impl DaemonArgs {
+    /// Whether there is anything to serve.
+    pub(crate) fn is_wanted(&self) -> bool {
+        !self.load.is_empty() || self.config.is_some()
+    }
+
+    /// All settings. `options` are those of the command line, `domain` is its domain if it says one.
+    ///
+    /// Errors: wrong usage; files that cannot be read; two maps of one name.
+    pub(crate) fn settings(
+        &self,
+        options: &CompileArguments,
+        domain: Option<Domain>,
+    ) -> Result<Settings> {
+        let mut file = match &self.config {
+            Some(path) => Configuration::read(path)?,
+            None => Configuration::default(),
+        };
+        let domain = match (domain, file.domain.take()) {
+            (Some(domain), _) | (None, Some(domain)) => domain,
+            (None, None) => Domain::from_env()?,
+        };
+        let mut maps = Vec::new();
+        for mut map in std::mem::take(&mut file.maps) {
+            map.options = options.or(&map.options);
+            map.watch |= self.watch;
+            map.stage |= self.stage;
+            maps.push(map);
+        }
+        let files = sources::expand(&self.load)?;
+        if self.name.is_some() && files.len() != 1 {
+            bail!("--name goes with one map, found {}", files.len());
+        }
+        for source in files {
+            maps.push(MapSettings {
+                name: match &self.name {
+                    Some(name) => name.clone(),
+                    None => sources::stem(&source)?,
+                },
+                source,
+                options: options.or(&file.options),
+                watch: self.watch || file.watch,
+                stage: self.stage || file.stage,
+                max_bytes: None,
+            });
+        }
+        let mut names = BTreeSet::new();
+        for map in &maps {
+            check_map_name(&map.name)?;
+            if !names.insert(map.name.clone()) {
+                bail!(
+                    "two maps would be named {}; give one another name, or serve it from a daemon of its own with --name",
+                    map.name
+                );
+            }
+            // What makes no sense is wrong usage now, and not a reload that fails later.
+            let wrong = |error: anyhow::Error| UsageError(format!("map {}: {error:#}", map.name));
+            map.options.parse().map_err(wrong)?;
+        }
+        if maps.is_empty() {
+            bail!(UsageError(
+                "there is no map to serve: name one with --load or in the configuration".into()
+            ));
+        }
+        let compile_memory = self.compile_memory.or(file.compile_memory).map(|size| size.0);
+        let cache = self.cache(&file)?;
+        let lock_memory = self.lock_memory || file.lock_memory;
+        Ok(Settings { domain, cache, compile_memory, lock_memory, maps })
+    }
+
+    /// The cache. One that was asked for must be usable; the default one is done without if it is not.
+    fn cache(&self, file: &Configuration) -> Result<Option<Cache>> {
+        if self.no_cache || (file.no_cache && self.cache.is_none()) {
+            return Ok(None);
+        }
+        let limit = self.cache_size.or(file.cache_size).map_or(cache::DEFAULT_LIMIT, |size| size.0);
+        if let Some(folder) = self.cache.as_ref().or(file.cache.as_ref()) {
+            let opened = Cache::open(folder, limit);
+            return opened.map(Some).with_context(|| format!("cache {}", folder.display()));
+        }
+        let Some(folder) = Cache::default_folder() else { return Ok(None) };
+        match Cache::open(&folder, limit) {
+            Ok(cache) => Ok(Some(cache)),
+            Err(error) => {
+                say(&format!("going on without a cache: {}: {error}", folder.display()));
+                Ok(None)
+            }
+        }
+    }
+}

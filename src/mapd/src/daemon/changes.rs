@@ -1,0 +1,208 @@
+//! Reload, rollback, activate: what is served changes, or stays what it is with a reason.
+
+use super::child::Refusal;
+use super::log::say;
+use super::maps::{Kept, Maps};
+use super::orders::{Change, Job};
+use super::prepare::Prepared;
+use super::worker::Worker;
+use crate::control::{ReloadReport, ReloadResult, Response, Trigger, unix_ns};
+use crate::serve::ServeError;
+
+/// How a change ended: result, generation, reason.
+type Outcome = (ReloadResult, Option<u64>, String);
+
+impl Maps {
+    /// Begins a change; ends it, if nothing has to be compiled.
+    pub(super) fn change(&mut self, change: Change, worker: &Worker) {
+        if !self.entries.contains_key(&change.map) {
+            let reason = format!("this daemon does not serve a map {:?}", change.map);
+            return answer(&change, Response::Refused { reason });
+        }
+        let outcome = match change.trigger {
+            Trigger::Rollback => self.roll_back(&change),
+            Trigger::Activate => self.activate(&change.map),
+            Trigger::Start | Trigger::Signal | Trigger::Watch | Trigger::Reload => {
+                self.board.map(&change.map, |state| state.reloading = true);
+                return worker.prepare(Job { change, anew: false });
+            }
+        };
+        self.ended(&change, outcome);
+    }
+
+    /// Goes on with a reload once its archive is there, or is not.
+    pub(super) fn prepared(
+        &mut self,
+        job: Job,
+        prepared: Result<Prepared, Refusal>,
+        worker: &Worker,
+    ) {
+        let change = job.change;
+        self.board.map(&change.map, |state| state.reloading = false);
+        let prepared = match prepared {
+            Ok(prepared) => prepared,
+            Err(refusal) => {
+                return self
+                    .ended(&change, (ReloadResult::Failed, None, refusal.reason().to_owned()));
+            }
+        };
+        self.follow_includes(&change.map, &prepared);
+        if let Some(generation) = self.is_served(&change.map, &prepared) {
+            let reason = "the file yields the archive that is served".to_owned();
+            return self.ended(&change, (ReloadResult::Unchanged, Some(generation), reason));
+        }
+        match self.fill(&change.map, &prepared, change.stage) {
+            Err(ServeError::Fill { .. }) if prepared.from_cache => {
+                if let (Some(cache), Some(key)) = (&self.workshop.cache, &prepared.key) {
+                    cache.remove(key);
+                }
+                self.board.map(&change.map, |state| state.reloading = true);
+                worker.prepare(Job { change, anew: true });
+            }
+            Err(error) => self.refused(&change, &error),
+            Ok(status) => {
+                let generation = status.generation;
+                let kept = Kept { archive: prepared, status };
+                let result = self.take(&change, kept, false);
+                self.ended(&change, (result, Some(generation), String::new()));
+            }
+        }
+    }
+
+    /// Notes what is served or staged now.
+    fn take(&mut self, change: &Change, kept: Kept, back: bool) -> ReloadResult {
+        if !change.stage {
+            self.now_served(&change.map, kept, back);
+            return ReloadResult::Published;
+        }
+        self.board.map(&change.map, |state| state.staged = Some(kept.status.clone()));
+        if let Some(entry) = self.entries.get_mut(&change.map) {
+            entry.staged = Some((kept, back));
+        }
+        ReloadResult::Staged
+    }
+
+    fn refused(&mut self, change: &Change, error: &ServeError) {
+        // What was staged has been given up for it.
+        self.forget_staged(&change.map);
+        self.ended(change, (ReloadResult::Failed, None, error.to_string()));
+    }
+
+    fn forget_staged(&mut self, map: &str) {
+        let is_staged = self.server.maps().iter().any(|m| m.name == map && m.staged.is_some());
+        if is_staged {
+            return;
+        }
+        if let Some(entry) = self.entries.get_mut(map) {
+            entry.staged = None;
+        }
+        self.board.map(map, |state| state.staged = None);
+    }
+
+    /// The generation that is served, if it was made of the same input and is the same.
+    fn is_served(&self, map: &str, prepared: &Prepared) -> Option<u64> {
+        let served = self.entries.get(map)?.served.as_ref()?;
+        (served.archive.header == prepared.header).then_some(served.status.generation)
+    }
+
+    fn roll_back(&mut self, change: &Change) -> Outcome {
+        let Some(entry) = self.entries.get(&change.map) else {
+            return (ReloadResult::Failed, None, String::new());
+        };
+        let Some(back) = entry.before.back().cloned() else {
+            let reason = match (&self.workshop.cache, entry.served.as_ref()) {
+                (None, Some(served)) if !served.archive.is_on_disk => {
+                    "there is nothing to go back to, for there is no cache (--cache DIR)"
+                }
+                _ => {
+                    "there is nothing to go back to: no other generation has been served since the daemon started"
+                }
+            };
+            return (ReloadResult::Failed, None, reason.to_owned());
+        };
+        match self.fill(&change.map, &back.archive, change.stage) {
+            Ok(status) => {
+                let (generation, before) = (status.generation, back.status.generation);
+                let kept = Kept { archive: back.archive, status };
+                let result = self.take(change, kept, true);
+                (result, Some(generation), format!("what generation {before} was"))
+            }
+            Err(error) => {
+                self.forget_staged(&change.map);
+                (ReloadResult::Failed, None, error.to_string())
+            }
+        }
+    }
+
+    fn activate(&mut self, map: &str) -> Outcome {
+        let activated = self.server.activate(map);
+        let staged = self.entries.get_mut(map).and_then(|entry| entry.staged.take());
+        match (activated, staged) {
+            (Ok(generation), Some((mut kept, back))) => {
+                kept.status.published_unix_ns = unix_ns();
+                self.now_served(map, kept, back);
+                (ReloadResult::Published, Some(generation), String::new())
+            }
+            (Ok(generation), None) => (ReloadResult::Published, Some(generation), String::new()),
+            (Err(error), _) => {
+                self.forget_staged(map);
+                (ReloadResult::Failed, None, error.to_string())
+            }
+        }
+    }
+
+    /// Files that the document includes since it was read again are watched as well.
+    fn follow_includes(&self, map: &str, prepared: &Prepared) {
+        let mut list = self.watched.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        if let Some(watched) = list.get_mut(map)
+            && watched.files != prepared.files
+        {
+            watched.read = super::watch::identities(&prepared.files);
+            watched.files = prepared.files.clone();
+        }
+    }
+
+    /// Says how a change ended: to the log, to the board, to who asked.
+    fn ended(&mut self, change: &Change, (result, generation, reason): Outcome) {
+        let seconds = change.begun.elapsed().as_secs_f64();
+        let (trigger, at_unix_ns) = (change.trigger, unix_ns());
+        let report = ReloadReport { trigger, result, generation, reason, at_unix_ns, seconds };
+        say(&format!("map {}: {}", change.map, sentence(&report)));
+        let kept = report.clone();
+        self.board.map(&change.map, |state| {
+            state.failed += u64::from(kept.result == ReloadResult::Failed);
+            state.last_reload = Some(kept);
+        });
+        answer(change, Response::Done(report));
+    }
+}
+
+fn answer(change: &Change, response: Response) {
+    if let Some(reply) = &change.reply {
+        // Who does not wait any more finds it in the status.
+        let _ = reply.send(response);
+    }
+}
+
+/// A report in words.
+pub(crate) fn sentence(report: &ReloadReport) -> String {
+    let what = match report.trigger {
+        Trigger::Start => "start",
+        Trigger::Signal => "reload by SIGHUP",
+        Trigger::Watch => "reload, for the file changed",
+        Trigger::Reload => "reload",
+        Trigger::Rollback => "rollback",
+        Trigger::Activate => "activation",
+    };
+    let number =
+        report.generation.map(|number| format!(" generation {number}")).unwrap_or_default();
+    let end = match report.result {
+        ReloadResult::Published => format!("now serving{number}"),
+        ReloadResult::Staged => format!("staged{number}, which `mapd activate` will serve"),
+        ReloadResult::Unchanged => format!("unchanged, still serving{number}"),
+        ReloadResult::Failed => "failed, still serving the generation before".to_owned(),
+    };
+    let reason =
+        if report.reason.is_empty() { String::new() } else { format!(": {}", report.reason) };
+    format!("{what}: {end} after {:.3} s{reason}", report.seconds)
+}

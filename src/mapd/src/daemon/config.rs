@@ -1,0 +1,191 @@
+//! The configuration file: TOML, with errors that name line and column.
+
+use super::settings::MapSettings;
+use super::sources;
+use crate::compile_args::CompileArguments;
+use crate::size::Size;
+use anyhow::{Context, Result};
+use mapd_client::Domain;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use toml::{Spanned, Value};
+
+/// What the file says, put to use.
+#[derive(Debug, Default)]
+pub(crate) struct Configuration {
+    pub(crate) domain: Option<Domain>,
+    pub(crate) cache: Option<PathBuf>,
+    pub(crate) no_cache: bool,
+    pub(crate) cache_size: Option<Size>,
+    pub(crate) compile_memory: Option<Size>,
+    pub(crate) lock_memory: bool,
+    pub(crate) watch: bool,
+    pub(crate) stage: bool,
+    pub(crate) options: CompileArguments,
+    pub(crate) maps: Vec<MapSettings>,
+}
+
+/// The file. Paths in it are relative to its folder.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    prefix: Option<Spanned<String>>,
+    cache: Option<PathBuf>,
+    #[serde(default)]
+    no_cache: bool,
+    cache_size: Option<Size>,
+    compile_memory: Option<Size>,
+    #[serde(default)]
+    lock_memory: bool,
+    #[serde(default)]
+    watch: bool,
+    #[serde(default)]
+    stage: bool,
+    #[serde(default)]
+    options: Options,
+    #[serde(default, rename = "map")]
+    maps: Vec<MapEntry>,
+}
+
+/// One map.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct MapEntry {
+    file: Spanned<PathBuf>,
+    name: Option<String>,
+    watch: Option<bool>,
+    stage: Option<bool>,
+    max_bytes: Option<Size>,
+    #[serde(default)]
+    options: Options,
+}
+
+/// Options of compiling, named as the arguments are.
+type Options = BTreeMap<Spanned<String>, Spanned<Value>>;
+
+impl Configuration {
+    /// Reads a file.
+    ///
+    /// Errors: it cannot be read; with line and column, what is wrong in it.
+    pub(crate) fn read(path: &Path) -> Result<Self> {
+        let reading = || format!("reading {}", path.display());
+        let text = std::fs::read_to_string(path).with_context(reading)?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        Self::parse(&text, folder).map_err(anyhow::Error::msg).with_context(reading)
+    }
+
+    fn parse(text: &str, folder: &Path) -> Result<Self, String> {
+        let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
+        let domain = match &file.prefix {
+            Some(prefix) => Some(
+                Domain::new(prefix.as_ref())
+                    .map_err(|error| at(text, prefix.span().start, &error.to_string()))?,
+            ),
+            None => None,
+        };
+        let for_all = arguments(text, &file.options, folder)?;
+        let mut maps = Vec::new();
+        for entry in file.maps {
+            let source = folder.join(entry.file.as_ref());
+            let name = match entry.name {
+                Some(name) => name,
+                None => sources::stem(&source)
+                    .map_err(|error| at(text, entry.file.span().start, &error.to_string()))?,
+            };
+            maps.push(MapSettings {
+                name,
+                source,
+                options: arguments(text, &entry.options, folder)?.or(&for_all),
+                watch: entry.watch.unwrap_or(file.watch),
+                stage: entry.stage.unwrap_or(file.stage),
+                max_bytes: entry.max_bytes.map(|size| size.0),
+            });
+        }
+        Ok(Self {
+            domain,
+            cache: file.cache.map(|cache| folder.join(cache)),
+            no_cache: file.no_cache,
+            cache_size: file.cache_size,
+            compile_memory: file.compile_memory,
+            lock_memory: file.lock_memory,
+            watch: file.watch,
+            stage: file.stage,
+            options: for_all,
+            maps,
+        })
+    }
+}
+
+fn arguments(text: &str, options: &Options, folder: &Path) -> Result<CompileArguments, String> {
+    let mut arguments = CompileArguments::default();
+    for (name, value) in options {
+        let values = match value.as_ref() {
+            Value::Array(values) => values.iter().map(plain).collect(),
+            value => plain(value).map(|value| vec![value]),
+        };
+        let values: Vec<String> = values.ok_or_else(|| {
+            at(text, value.span().start, "expected a number, a text, or a list of them")
+        })?;
+        arguments
+            .add(name.as_ref(), &values, folder)
+            .map_err(|error| at(text, name.span().start, &error))?;
+    }
+    Ok(arguments)
+}
+
+fn plain(value: &Value) -> Option<String> {
+    match value {
+        Value::String(text) => Some(text.clone()),
+        Value::Integer(number) => Some(number.to_string()),
+        Value::Float(number) => Some(number.to_string()),
+        Value::Boolean(_) | Value::Datetime(_) | Value::Array(_) | Value::Table(_) => None,
+    }
+}
+
+/// An error with its line and column, as those of TOML itself have.
+fn at(text: &str, offset: usize, error: &str) -> String {
+    let before = text.get(..offset).unwrap_or_default();
+    let line = before.matches('\n').count() + 1;
+    let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
+    format!("at line {line}, column {column}: {error}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const GOOD: &str = "prefix = 'veh_'\ncache_size = '1 GiB'\nwatch = true\noptions = { landmarks = 4 }\n\
+        [[map]]\nfile = 'town.xodr'\n\
+        [[map]]\nfile = '/maps/a.xodr'\nname = 'ring'\nwatch = false\nmax_bytes = 1000\noptions.landmarks = 0\noptions.ontology = ['x.toml']\n";
+
+    #[test]
+    fn maps_have_their_own_names_and_options() {
+        let file = Configuration::parse(GOOD, Path::new("/etc/mapd")).expect("good");
+        assert_eq!(file.domain, Domain::new("veh_").ok());
+        let [town, ring] = file.maps.as_slice() else { panic!("two maps") };
+        assert_eq!((town.name.as_str(), town.watch, town.max_bytes), ("town", true, None));
+        assert_eq!(town.source, Path::new("/etc/mapd/town.xodr"));
+        assert_eq!((ring.name.as_str(), ring.watch, ring.max_bytes), ("ring", false, Some(1000)));
+        assert_eq!(town.options.as_slice(), ["--landmarks", "4"]);
+        assert_eq!(ring.options.as_slice(), ["--landmarks", "0", "--ontology", "/etc/mapd/x.toml"]);
+    }
+
+    #[test]
+    fn errors_name_line_and_column() {
+        for (text, place, word) in [
+            ("wach = true", "line 1, column 1", "wach"),
+            ("watch = 3", "line 1, column 9", "boolean"),
+            ("cache_size = 'big'", "line 1, column 14", "bytes"),
+            ("\nprefix = 'a_b_'", "line 2, column 10", "prefix"),
+            ("[options]\nlandmark = 3", "line 2, column 1", "landmarks"),
+            ("[options]\nlandmarks = 99", "line 2, column 1", "99"),
+            ("[options]\nlandmarks = true", "line 2, column 13", "number"),
+            ("[[map]]\nname = 'x'", "line 1, column 1", "file"),
+            ("[[map]\n", "line 1", "expected"),
+        ] {
+            let error = Configuration::parse(text, Path::new("")).expect_err("wrong");
+            assert!(error.contains(place) && error.contains(word), "{text:?}: {error}");
+        }
+    }
+}

@@ -1,0 +1,3 @@
+//! What the daemon says while it runs.
+
+pub(crate) use crate::oversight::log::{relay, say};

@@ -1,0 +1,188 @@
+//! What the daemon serves: each map's generations, and those to go back to.
+
+use super::ByName;
+use super::prepare::{Prepared, Workshop};
+use super::settings::MapSettings;
+use super::watch::WatchList;
+use crate::control::{Board, GenerationStatus, MapCounts};
+use crate::report::hex;
+use crate::serve::{PublishMeta, ServeError, Server};
+use mapd_archive::{Archive, LAYOUT_ID, verify};
+use std::collections::VecDeque;
+use std::error::Error;
+use std::os::unix::fs::FileExt;
+use std::sync::Arc;
+
+/// Generations of a map that can be gone back to.
+pub(super) const ROLLBACKS: usize = 4;
+
+/// A generation, and the file that it was copied from.
+#[derive(Clone, Debug)]
+pub(super) struct Kept {
+    pub(super) archive: Prepared,
+    pub(super) status: GenerationStatus,
+}
+
+/// A map.
+pub(super) struct MapEntry {
+    pub(super) served: Option<Kept>,
+    /// What waits to be activated, and whether it goes back.
+    pub(super) staged: Option<(Kept, bool)>,
+    /// What was served before, the newest last.
+    pub(super) before: VecDeque<Kept>,
+}
+
+/// All maps, and the server that serves them.
+pub(super) struct Maps {
+    pub(super) server: Server,
+    pub(super) entries: ByName<MapEntry>,
+    pub(super) board: Arc<Board>,
+    pub(super) workshop: Workshop,
+    pub(super) watched: WatchList,
+}
+
+impl Maps {
+    pub(super) fn new(
+        server: Server,
+        board: Arc<Board>,
+        workshop: Workshop,
+        watched: WatchList,
+    ) -> Self {
+        Self { server, entries: ByName::new(), board, workshop, watched }
+    }
+
+    /// Serves a map for the first time. If the archive comes from the cache and does not prove, it is compiled after all.
+    ///
+    /// Errors: why it cannot be served.
+    pub(super) fn begin(&mut self, map: MapSettings, prepared: Prepared) -> anyhow::Result<()> {
+        let name = map.name.clone();
+        let key = prepared.key.filter(|_| prepared.from_cache);
+        let status = match (self.fill(&name, &prepared, false), key, &self.workshop.cache) {
+            (Err(ServeError::Fill { .. }), Some(key), Some(cache)) => {
+                cache.remove(&key);
+                let prepared = self
+                    .workshop
+                    .prepare(&map, true)
+                    .map_err(|refusal| anyhow::anyhow!("map {name}: {}", refusal.reason()))?;
+                let status = self.fill(&name, &prepared, false)?;
+                return self.began(map, Kept { archive: prepared, status });
+            }
+            (status, ..) => status?,
+        };
+        self.began(map, Kept { archive: prepared, status })
+    }
+
+    fn began(&mut self, map: MapSettings, kept: Kept) -> anyhow::Result<()> {
+        let name = map.name;
+        self.board.map(&name, |state| {
+            state.source = map.source;
+            state.watched = map.watch;
+        });
+        let entry = MapEntry { served: None, staged: None, before: VecDeque::new() };
+        self.entries.insert(name.clone(), entry);
+        self.now_served(&name, kept, false);
+        Ok(())
+    }
+
+    /// Says what is served of a map.
+    pub(super) fn say_served(&self, map: &str) {
+        let Some(kept) = self.entries.get(map).and_then(|entry| entry.served.as_ref()) else {
+            return;
+        };
+        let GenerationStatus { generation, bytes, from_cache, .. } = kept.status;
+        let from = if from_cache { ", from the cache" } else { "" };
+        tracing::info!(
+            map,
+            generation,
+            bytes,
+            from_cache,
+            content = %kept.status.content_hash,
+            "serving {map}, generation {generation}, {bytes} bytes{from}"
+        );
+    }
+
+    /// Copies an archive into shared memory, proves it there, and sends or stages it.
+    pub(super) fn fill(
+        &mut self,
+        map: &str,
+        archive: &Prepared,
+        stage: bool,
+    ) -> Result<GenerationStatus, ServeError> {
+        let length = usize::try_from(archive.length).unwrap_or(usize::MAX);
+        let mut counts = MapCounts::default();
+        let mut hashes = ([0; 32], [0; 32]);
+        let fill = |loan: &mut [u8]| -> Result<PublishMeta, Box<dyn Error + Send + Sync>> {
+            archive.file.read_exact_at(loan, 0)?;
+            archive.prove_signature(self.workshop.trust.as_ref(), loan)?;
+            let proved = verify(loan)?;
+            if proved.header != archive.header {
+                return Err("the file has changed since it was prepared".into());
+            }
+            counts = counts_of(&proved);
+            hashes = (proved.header.content_hash, proved.header.provenance.input_hash);
+            let mut layout_id = [0; 32];
+            layout_id[..LAYOUT_ID.len()].copy_from_slice(&LAYOUT_ID);
+            Ok(PublishMeta { layout_id, content_hash: hashes.0, input_hash: hashes.1 })
+        };
+        let generation = match stage {
+            true => self.server.stage(map, length, fill),
+            false => self.server.publish(map, length, fill),
+        }?;
+        Ok(GenerationStatus {
+            generation,
+            bytes: archive.length,
+            published_unix_ns: crate::control::unix_ns(),
+            content_hash: hex(&hashes.0),
+            input_hash: hex(&hashes.1),
+            from_cache: archive.from_cache,
+            counts,
+        })
+    }
+
+    /// Notes that a generation is served now. `back`: it was served before, and what comes after it is forgotten.
+    pub(super) fn now_served(&mut self, map: &str, kept: Kept, back: bool) {
+        let Some(entry) = self.entries.get_mut(map) else { return };
+        // A lower number can never be activated.
+        entry.staged = None;
+        let before = entry.served.replace(kept.clone());
+        if back {
+            entry.before.pop_back();
+        } else if let Some(before) = before.filter(|before| before.archive.is_on_disk) {
+            entry.before.push_back(before);
+            if entry.before.len() > ROLLBACKS {
+                entry.before.pop_front();
+            }
+        }
+        let rollbacks = entry.before.len();
+        self.board.map(map, |state| {
+            state.served = Some(kept.status);
+            state.staged = None;
+            state.rollbacks = rollbacks;
+            state.published += 1;
+        });
+        self.look();
+    }
+
+    /// Looks how many subscribe.
+    pub(super) fn look(&mut self) {
+        for map in self.server.maps() {
+            self.board.map(&map.name, |state| state.subscribers = map.subscribers);
+        }
+        if let Some(cache) = &self.workshop.cache {
+            self.board.cache(crate::control::CacheStatus::of(cache));
+        }
+    }
+}
+
+fn counts_of(archive: &Archive<'_>) -> MapCounts {
+    let tables = &archive.tables;
+    let count = |length: usize| length as u64;
+    MapCounts {
+        roads: count(tables.roads.len()),
+        junctions: count(tables.junctions.len()),
+        lanes: count(tables.lanes.iter().filter(|lane| lane.number() != 0).count()),
+        signals: count(tables.signals.len()),
+        objects: count(tables.objects.len()),
+        quarantined: count(tables.quarantined.len()),
+    }
+}

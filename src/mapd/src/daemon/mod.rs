@@ -1,0 +1,203 @@
+//! The daemon: serves maps, and changes what it serves under running readers.
+//!
+//! ```text
+//!   SIGHUP ─┐                                       ┌─ thread `prepare`: cache, or a child process that compiles
+//!   watch ──┤ orders, a bell     ┌──────────────┐   │
+//!   control ┴───────────────────►│ main thread  │◄──┘ an archive in a file
+//!                                │ owns Server  │──► copied into the loan, proved there, sent or staged
+//!   threads `control`, `request` ◄── Board ─────┘
+//! ```
+//!
+//! Only the main thread touches iceoryx2, and it never waits for a compiler. Whatever fails, what was served is served on,
+//! and the reason is in the log and in the status.
+
+mod args;
+mod changes;
+mod child;
+mod config;
+mod log;
+mod maps;
+mod orders;
+mod prepare;
+mod settings;
+mod sources;
+mod watch;
+mod worker;
+
+pub(crate) use args::DaemonArgs;
+pub(crate) use changes::sentence;
+pub(crate) use child::{Told, enter as enter_child};
+
+use crate::control::{Board, CacheStatus, ControlListener, Request, Response, Trigger};
+use crate::exit::Exit;
+use crate::oversight::{Oversight, OversightArgs};
+use crate::serve::{Doorbell, Server, StopSignal};
+use anyhow::{Context, Result};
+use log::say;
+use mapd_client::TrustedKey;
+use maps::Maps;
+use orders::{Change, Order, Orders};
+use prepare::{Prepared, Workshop};
+use settings::Settings;
+use signal_hook::consts::SIGHUP;
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, channel};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+use watch::{WatchList, Watched, Watcher};
+use worker::Worker;
+
+/// Longest wait of a status for the latest numbers of subscribers; then it has those of a moment ago.
+const LOOK_PATIENCE: Duration = Duration::from_millis(100);
+
+/// Serves every map until stopped. All are prepared before the first is published: either all are served or none.
+///
+/// Errors: files, shared memory, or another daemon that serves a map of the same name.
+pub(crate) fn run(
+    settings: Settings,
+    trust: Option<TrustedKey>,
+    oversight: &OversightArgs,
+) -> Result<Exit> {
+    let cancelled = Arc::new(AtomicBool::new(false));
+    let Settings { domain, cache, compile_memory, lock_memory, maps } = settings;
+    let workshop = Workshop { cache, compile_memory, trust, cancelled };
+    let watched: WatchList = Arc::default();
+    let mut ready = Vec::new();
+    let mut exit = Exit::Done;
+    for map in &maps {
+        let before = watch::identities(std::slice::from_ref(&map.source));
+        match workshop.prepare(map, false) {
+            Ok(prepared) => {
+                watch(&watched, map, &prepared, before);
+                ready.push((map.clone(), prepared));
+            }
+            Err(refusal) => {
+                child::tell(&map.name, &refusal);
+                exit = exit.worst(refusal.exit());
+            }
+        }
+    }
+    if exit != Exit::Done {
+        say("nothing is served: a map was rejected, or could not be compiled");
+        return Ok(exit);
+    }
+    let stop = StopSignal::install().context("installing the handlers of SIGINT and SIGTERM")?;
+    let door = Doorbell::new().context("a socket pair")?;
+    let hangup = Arc::new(AtomicBool::new(false));
+    // The flag is set before the bell rings: handlers run in the order they were registered.
+    signal_hook::flag::register(SIGHUP, hangup.clone())
+        .and_then(|_| door.ring_on(SIGHUP))
+        .context("installing the handler of SIGHUP")?;
+    let (orders, received) = Orders::new(door.ringer().context("a socket pair")?);
+    let mut server = Server::start_with(&domain, crate::oversight::log::notice)?;
+    server.lock_memory(lock_memory);
+    if let Some(cache) = &workshop.cache {
+        server.keep_generations_in(cache.folder());
+    }
+    let board = Arc::new(Board::new(&domain, workshop.cache.as_ref().map(CacheStatus::of)));
+    let names: Vec<String> = maps.iter().map(|map| map.name.clone()).collect();
+    let mut state = Maps::new(server, board.clone(), workshop.clone(), watched.clone());
+    for (map, prepared) in ready {
+        state.begin(map, prepared)?;
+    }
+    let control = answer_with(board, orders.clone());
+    // Maps are served without control rather than not at all.
+    let control = ControlListener::start(&domain, &names, control)
+        .inspect_err(|error| say(&format!("going on without `mapd reload`: {error}")));
+    let worker = Worker::start(workshop, maps.clone(), orders.clone()).context("a thread")?;
+    let watcher = match maps.iter().any(|map| map.watch) {
+        true => Some(Watcher::start(watched, orders).context("a thread")?),
+        false => None,
+    };
+    for name in &names {
+        state.say_served(name);
+    }
+    let watched_over = Oversight::start(oversight, &domain, &state.board, names)?;
+    while !stop.is_requested() {
+        state.server.run_until(&stop, &door)?;
+        door.answer();
+        if hangup.swap(false, Ordering::SeqCst) {
+            for map in &maps {
+                let (map, stage) = (map.name.clone(), map.stage);
+                let (trigger, begun) = (Trigger::Signal, Instant::now());
+                state.change(Change { map, trigger, stage, begun, reply: None }, &worker);
+            }
+        }
+        obey(&received, &mut state, &worker, &stop);
+    }
+    // Whoever waits for an answer hears that there is none, the compiler is ended, and the sockets are removed while the
+    // maps are still claimed.
+    drop((watched_over, watcher, received, worker, control));
+    drop(state);
+    say("stopped");
+    Ok(Exit::Done)
+}
+
+fn obey(received: &Receiver<Order>, state: &mut Maps, worker: &Worker, stop: &StopSignal) {
+    while let Ok(order) = received.try_recv() {
+        if stop.is_requested() {
+            return;
+        }
+        match order {
+            Order::Look(done) => {
+                state.look();
+                // Who does not wait any more needs no word.
+                let _ = done.send(());
+            }
+            Order::Change(change) => state.change(change, worker),
+            Order::Prepared(job, result) => state.prepared(*job, result, worker),
+        }
+    }
+}
+
+/// Notes which files a map was made of.
+fn watch(
+    list: &WatchList,
+    map: &settings::MapSettings,
+    prepared: &Prepared,
+    source: watch::Identities,
+) {
+    if !map.watch {
+        return;
+    }
+    let mut read = watch::identities(&prepared.files);
+    // The document itself as it was before it was read.
+    if let (Some(first), Some(before)) = (read.first_mut(), source.into_iter().next()) {
+        *first = before;
+    }
+    let watched = Watched { files: prepared.files.clone(), read, stage: map.stage };
+    let mut list = list.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    list.insert(map.name.clone(), watched);
+}
+
+/// Answers requests: the status at once from the board, everything else by an order.
+fn answer_with(board: Arc<Board>, orders: Orders) -> impl Fn(Request) -> Response + Send + Sync {
+    // `Sender`s are not `Sync` in every version of the standard library that is supported.
+    let orders = Mutex::new(orders);
+    move |request| {
+        let orders = orders.lock().unwrap_or_else(std::sync::PoisonError::into_inner).clone();
+        let begun = Instant::now();
+        let (map, trigger, stage) = match request {
+            Request::Status => {
+                let (done, looked) = channel();
+                orders.give(Order::Look(done));
+                // The main thread may be copying a large map: then the board says what was so before.
+                let _ = looked.recv_timeout(LOOK_PATIENCE);
+                return Response::Status(Box::new(board.status()));
+            }
+            Request::Reload { map, stage } => (map, Trigger::Reload, stage),
+            Request::Rollback { map, stage } => (map, Trigger::Rollback, stage),
+            Request::Activate { map } => (map, Trigger::Activate, false),
+        };
+        let (reply, outcome) = channel();
+        let change = Change { map, trigger, stage, begun, reply: Some(reply) };
+        orders.give(Order::Change(change));
+        outcome
+            .recv()
+            .unwrap_or_else(|_| Response::Refused { reason: "the daemon ends".to_owned() })
+    }
+}
+
+/// What is said about several maps, by name.
+type ByName<T> = BTreeMap<String, T>;

@@ -1,0 +1,206 @@
+//! From a map's source to an archive in a file: as it is, from the cache, or compiled.
+
+use super::child::{self, Refusal};
+use super::settings::MapSettings;
+use crate::cache::{Cache, InputHash, Key};
+use crate::source;
+use crate::trust::signable;
+use mapd_archive::{HEADER_LENGTH, Header};
+use mapd_client::{TrustError, TrustedKey, read_signature, signature_path};
+use std::fs::File;
+use std::io;
+use std::os::unix::fs::FileExt;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+/// An archive in a file; not proved yet.
+#[derive(Clone, Debug)]
+pub(crate) struct Prepared {
+    pub(crate) file: Arc<File>,
+    pub(crate) length: u64,
+    pub(crate) header: Header,
+    /// Its name in the cache.
+    pub(crate) key: Option<Key>,
+    pub(crate) from_cache: bool,
+    /// Whether the file may be kept for going back to: it takes no memory.
+    pub(crate) is_on_disk: bool,
+    /// All files that it comes from.
+    pub(crate) files: Vec<PathBuf>,
+    /// Its signature, read when the archive was opened; only where a key is trusted.
+    pub(crate) signature: Option<String>,
+}
+
+impl Prepared {
+    /// Proves that these bytes, copied from the archive, are what was signed.
+    ///
+    /// Errors: they are not, or nothing is; only where a key is trusted.
+    pub(crate) fn prove_signature(
+        &self,
+        trust: Option<&TrustedKey>,
+        bytes: &[u8],
+    ) -> Result<(), TrustError> {
+        let Some(key) = trust else { return Ok(()) };
+        let name = self.files.first().map(|file| file.display().to_string()).unwrap_or_default();
+        // Without a signature an archive is not prepared where a key is trusted; no text is none that proves.
+        key.verify(&name, bytes, self.signature.as_deref().unwrap_or_default())
+    }
+}
+
+/// What preparing needs besides a map.
+#[derive(Clone, Debug)]
+pub(crate) struct Workshop {
+    pub(crate) cache: Option<Cache>,
+    pub(crate) compile_memory: Option<u64>,
+    /// Whose archives alone are served.
+    pub(crate) trust: Option<TrustedKey>,
+    /// Set when the daemon ends.
+    pub(crate) cancelled: Arc<AtomicBool>,
+}
+
+impl Workshop {
+    /// Prepares a map. `anew`: not from the cache, whose archive did not prove.
+    ///
+    /// Errors: why there is no archive.
+    pub(crate) fn prepare(&self, map: &MapSettings, anew: bool) -> Result<Prepared, Refusal> {
+        if self.trust.is_some() {
+            signable(&map.source).map_err(|error| Refusal::Rejected(error.to_string()))?;
+        }
+        let prepared = if source::is_archive(&map.source) {
+            self.open_archive(map)
+        } else {
+            match self.look_up(map, anew)? {
+                Some(found) => Ok(found),
+                None => self.compile(map),
+            }
+        }?;
+        match map.max_bytes {
+            Some(most) if prepared.length > most => Err(Refusal::Failed(format!(
+                "the archive has {} bytes, the map may have {most} (max_bytes)",
+                prepared.length
+            ))),
+            _ => Ok(prepared),
+        }
+    }
+
+    fn open_archive(&self, map: &MapSettings) -> Result<Prepared, Refusal> {
+        let failed = |error| Refusal::Failed(format!("{}: {error}", map.source.display()));
+        let file = File::open(&map.source).map_err(|error| failed(error.to_string()))?;
+        let metadata = file.metadata().map_err(|error| failed(error.to_string()))?;
+        if !metadata.is_file() {
+            return Err(failed("not a file".to_owned()));
+        }
+        let header = read_header(&file).map_err(|error| failed(error.to_string()))?;
+        let mut files = vec![map.source.clone()];
+        let signature = match self.trust {
+            None => None,
+            Some(_) => {
+                // A signature that comes after its archive is a change as well.
+                files.push(signature_path(&map.source));
+                let read = read_signature(&map.source);
+                Some(read.map_err(|error| Refusal::Rejected(error.to_string()))?)
+            }
+        };
+        Ok(Prepared {
+            file: Arc::new(file),
+            length: metadata.len(),
+            header,
+            key: None,
+            from_cache: false,
+            is_on_disk: true,
+            files,
+            signature,
+        })
+    }
+
+    /// Looks for the archive of what the files hold now. Whatever goes wrong here goes wrong again, with better words, when
+    /// the map is compiled.
+    fn look_up(&self, map: &MapSettings, anew: bool) -> Result<Option<Prepared>, Refusal> {
+        let Some(cache) = self.cache.as_ref().filter(|_| !anew) else { return Ok(None) };
+        let (reading, options) =
+            map.options.parse().map_err(|error| Refusal::Failed(format!("{error:#}")))?;
+        let folder = source::folder(&map.source).unwrap_or_default();
+        let mut included = Vec::new();
+        let hash = InputHash::of(&map.source, |document| {
+            included = cache.includes(&Key::of_document(document, &folder));
+            included.clone()
+        });
+        let Ok(hash) = hash else { return Ok(None) };
+        let key = Key::of_archive(&hash.input, &reading.hash(&options));
+        let Some((file, length)) = cache.get(&key) else { return Ok(None) };
+        let Ok(header) = read_header(&file) else {
+            cache.remove(&key);
+            return Ok(None);
+        };
+        let mut files = vec![map.source.clone()];
+        files.append(&mut included);
+        Ok(Some(Prepared {
+            file: Arc::new(file),
+            length,
+            header,
+            key: Some(key),
+            from_cache: true,
+            is_on_disk: true,
+            files,
+            signature: None,
+        }))
+    }
+
+    fn compile(&self, map: &MapSettings) -> Result<Prepared, Refusal> {
+        let failed = |error: io::Error| Refusal::Failed(format!("the compiled archive: {error}"));
+        let run = |output: &std::path::Path| {
+            child::compile(map, output.as_os_str(), self.compile_memory, &self.cancelled)
+        };
+        // A cache that cannot be written any more is done without.
+        let begun = self.cache.as_ref().and_then(|cache| Some((cache, cache.begin().ok()?)));
+        let (file, length, header, key, told, is_on_disk) = match begun {
+            Some((cache, unfinished)) => {
+                let told = run(unfinished.path())?;
+                let header =
+                    File::open(unfinished.path()).and_then(|f| read_header(&f)).map_err(failed)?;
+                // Of what has been read, whatever the files hold meanwhile.
+                let provenance = &header.provenance;
+                let key = Key::of_archive(&provenance.input_hash, &provenance.options_hash);
+                let (file, length) = cache.keep(unfinished, &key).map_err(failed)?;
+                self.remember_includes(cache, map, &told.included);
+                (file, length, header, Some(key), told, true)
+            }
+            None => {
+                let (file, path) = child::nameless().map_err(failed)?;
+                let told = run(&path)?;
+                let header = read_header(&file).map_err(failed)?;
+                let length = file.metadata().map_err(failed)?.len();
+                (file, length, header, None, told, false)
+            }
+        };
+        let mut files = vec![map.source.clone()];
+        files.extend(told.included);
+        Ok(Prepared {
+            file: Arc::new(file),
+            length,
+            header,
+            key,
+            from_cache: false,
+            is_on_disk,
+            files,
+            signature: None,
+        })
+    }
+
+    fn remember_includes(&self, cache: &Cache, map: &MapSettings, included: &[PathBuf]) {
+        if included.is_empty() {
+            return;
+        }
+        let folder = source::folder(&map.source).unwrap_or_default();
+        // If they are forgotten, or the document has changed meanwhile, the map is compiled again.
+        let _ = InputHash::of(&map.source, |_| Vec::new()).and_then(|hash| {
+            cache.remember_includes(&Key::of_document(&hash.document, &folder), included)
+        });
+    }
+}
+
+fn read_header(file: &File) -> io::Result<Header> {
+    let mut bytes = [0; HEADER_LENGTH];
+    file.read_exact_at(&mut bytes, 0)?;
+    Header::decode(&bytes).map_err(io::Error::other)
+}

@@ -1,0 +1,34 @@
+//! What a daemon is to do.
+
+use crate::cache::Cache;
+use crate::compile_args::CompileArguments;
+use mapd_client::Domain;
+use std::path::PathBuf;
+
+/// What a daemon is to do.
+#[derive(Debug)]
+pub(crate) struct Settings {
+    pub(crate) domain: Domain,
+    /// Where archives are kept.
+    pub(crate) cache: Option<Cache>,
+    /// Memory that compiling may take \[bytes\]; [`super::child`] says what holds where nothing is said.
+    pub(crate) compile_memory: Option<u64>,
+    /// Whether what is served is kept from swap.
+    pub(crate) lock_memory: bool,
+    pub(crate) maps: Vec<MapSettings>,
+}
+
+/// What is to be done with a map.
+#[derive(Clone, Debug)]
+pub(crate) struct MapSettings {
+    pub(crate) name: String,
+    /// The file that it comes from: OpenDRIVE or an archive.
+    pub(crate) source: PathBuf,
+    pub(crate) options: CompileArguments,
+    /// Reload it whenever its files change.
+    pub(crate) watch: bool,
+    /// Reloads by signal and watch are staged.
+    pub(crate) stage: bool,
+    /// Largest archive \[bytes\].
+    pub(crate) max_bytes: Option<u64>,
+}

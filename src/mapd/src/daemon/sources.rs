@@ -1,0 +1,40 @@
+//! Files and folders of maps.
+
+use anyhow::{Context, Result, bail};
+use std::path::{Path, PathBuf};
+
+/// Files, with folders replaced by the maps in them.
+pub(crate) fn expand(files: &[PathBuf]) -> Result<Vec<PathBuf>> {
+    let mut out = Vec::new();
+    for file in files {
+        if !file.is_dir() {
+            out.push(file.clone());
+            continue;
+        }
+        let entries = std::fs::read_dir(file)
+            .with_context(|| format!("reading folder {}", file.display()))?;
+        let mut maps: Vec<PathBuf> = entries
+            .filter_map(|entry| Some(entry.ok()?.path()))
+            .filter(|path| is_map(path))
+            .collect();
+        if maps.is_empty() {
+            bail!("{} holds no .xodr, .xodrz or .mapd file", file.display());
+        }
+        maps.sort();
+        out.extend(maps);
+    }
+    Ok(out)
+}
+
+fn is_map(path: &Path) -> bool {
+    path.extension().is_some_and(|e| e == "xodr" || e == "xodrz" || e == "mapd")
+}
+
+pub(crate) fn stem(file: &Path) -> Result<String> {
+    let stem = file.file_stem().and_then(|stem| stem.to_str());
+    Ok(stem
+        .with_context(|| {
+            format!("{} has no name that is text; give one with --name", file.display())
+        })?
+        .to_owned())
+}

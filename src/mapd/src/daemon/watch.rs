@@ -1,0 +1,147 @@
+//! Noticing that a map's files have changed.
+//!
+//! The thread looks at the files' identity, size and times a few times a second. That costs microseconds, and sees what
+//! notifications of the kernel do not: files on network and overlay file systems, behind symbolic links that are turned to
+//! another folder, on volumes that are mounted anew, and includes that were not known before.
+
+use super::orders::{Change, Order, Orders};
+use crate::control::Trigger;
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::os::unix::fs::MetadataExt;
+use std::path::PathBuf;
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+/// Time between two looks.
+const LOOK: Duration = Duration::from_millis(100);
+
+/// Files must have been the same for so long before they are read: whoever writes several of them, or one in place, has
+/// finished then.
+const QUIET: Duration = Duration::from_millis(400);
+
+/// What tells one state of a file from another: device, node, size, times of content and of node. `None`: not there.
+type Identity = Option<(u64, u64, u64, (i64, i64), (i64, i64))>;
+
+/// A state of several files.
+pub(crate) type Identities = Vec<Identity>;
+
+/// The state of files now.
+pub(crate) fn identities(files: &[PathBuf]) -> Identities {
+    let identity = |file: &PathBuf| {
+        let m = fs::metadata(file).ok()?;
+        let times = ((m.mtime(), m.mtime_nsec()), (m.ctime(), m.ctime_nsec()));
+        Some((m.dev(), m.ino(), m.len(), times.0, times.1))
+    };
+    files.iter().map(identity).collect()
+}
+
+/// A map's files as they were last read.
+pub(crate) struct Watched {
+    pub(crate) files: Vec<PathBuf>,
+    pub(crate) read: Identities,
+    pub(crate) stage: bool,
+}
+
+/// The files of all watched maps. The thread that serves writes down what it has read.
+pub(crate) type WatchList = Arc<Mutex<BTreeMap<String, Watched>>>;
+
+/// Watches in a thread of its own, which dropping ends.
+pub(crate) struct Watcher {
+    stop: Option<Sender<()>>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Watcher {
+    /// Errors: no thread can be had.
+    pub(crate) fn start(list: WatchList, orders: Orders) -> io::Result<Self> {
+        let (stop, stopped) = channel::<()>();
+        let work = move || {
+            let mut changed: BTreeMap<String, (Identities, Instant)> = BTreeMap::new();
+            while stopped.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
+                let now = Instant::now();
+                for (map, stage) in settled(&list, &mut changed, now) {
+                    let trigger = Trigger::Watch;
+                    let change = Change { map, trigger, stage, begun: now, reply: None };
+                    if !orders.give(Order::Change(change)) {
+                        return;
+                    }
+                }
+            }
+        };
+        let thread = std::thread::Builder::new().name("watch".to_owned()).spawn(work)?;
+        Ok(Self { stop: Some(stop), thread: Some(thread) })
+    }
+}
+
+impl Drop for Watcher {
+    fn drop(&mut self) {
+        self.stop = None;
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
+/// Maps whose files have changed and have been as they are for a while. Each change is told once.
+fn settled(
+    list: &WatchList,
+    changed: &mut BTreeMap<String, (Identities, Instant)>,
+    now: Instant,
+) -> Vec<(String, bool)> {
+    let mut settled = Vec::new();
+    for (map, watched) in list.lock().unwrap_or_else(PoisonError::into_inner).iter_mut() {
+        let seen = identities(&watched.files);
+        // A file that is being replaced may be gone for a moment; one that stays away is not read.
+        if seen == watched.read || seen.contains(&None) {
+            changed.remove(map);
+            continue;
+        }
+        match changed.get(map) {
+            Some((same, since)) if *same == seen => {
+                if now.duration_since(*since) >= QUIET {
+                    changed.remove(map);
+                    watched.read = seen;
+                    settled.push((map.clone(), watched.stage));
+                }
+            }
+            _ => {
+                changed.insert(map.clone(), (seen, now));
+            }
+        }
+    }
+    settled
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_change_is_told_once_when_it_has_settled() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("m.xodr");
+        fs::write(&file, "one").expect("written");
+        let files = vec![file.clone()];
+        let watched = Watched { read: identities(&files), files, stage: false };
+        let list = Arc::new(Mutex::new(BTreeMap::from([("m".to_owned(), watched)])));
+        let (mut changed, start) = (BTreeMap::new(), Instant::now());
+        let mut look =
+            |ms: u64| settled(&list, &mut changed, start + Duration::from_millis(ms)).len();
+        assert_eq!(look(0) + look(1000), 0, "nothing has changed");
+        fs::write(&file, "two!").expect("written");
+        assert_eq!(look(2000), 0, "it may still be written");
+        fs::write(&file, "three").expect("written");
+        assert_eq!(look(2300) + look(2600), 0, "it was");
+        assert_eq!(look(2800), 1);
+        assert_eq!(look(2900) + look(9000), 0, "it has been told");
+        fs::rename(&file, folder.path().join("away")).expect("renamed");
+        assert_eq!(look(10_000) + look(20_000), 0, "there is nothing to read");
+        fs::write(folder.path().join("new"), "four").expect("written");
+        fs::rename(folder.path().join("new"), &file).expect("renamed");
+        assert_eq!(look(30_000) + look(30_500), 1);
+    }
+}

@@ -1,0 +1,60 @@
+//! The thread that prepares maps, one after the other, while the daemon serves.
+
+use super::orders::{Job, Order, Orders};
+use super::prepare::Workshop;
+use super::settings::MapSettings;
+use std::io;
+use std::sync::atomic::Ordering;
+use std::sync::mpsc::{Sender, channel};
+use std::thread::JoinHandle;
+
+/// Prepares maps in a thread of its own. Dropping it ends what it is at.
+pub(crate) struct Worker {
+    jobs: Option<Sender<Job>>,
+    workshop: Workshop,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Worker {
+    /// Errors: no thread can be had.
+    pub(crate) fn start(
+        workshop: Workshop,
+        maps: Vec<MapSettings>,
+        orders: Orders,
+    ) -> io::Result<Self> {
+        let (jobs, received) = channel::<Job>();
+        let own = workshop.clone();
+        let work = move || {
+            for job in received {
+                let Some(map) = maps.iter().find(|map| map.name == job.change.map) else {
+                    continue;
+                };
+                if own.cancelled.load(Ordering::Relaxed) {
+                    return;
+                }
+                let prepared = own.prepare(map, job.anew);
+                orders.give(Order::Prepared(Box::new(job), prepared));
+            }
+        };
+        let thread = std::thread::Builder::new().name("prepare".to_owned()).spawn(work)?;
+        Ok(Self { jobs: Some(jobs), workshop, thread: Some(thread) })
+    }
+
+    /// Has a map prepared, after those that wait already.
+    pub(crate) fn prepare(&self, job: Job) {
+        if let Some(jobs) = &self.jobs {
+            // Fails only if the thread has panicked; who waits for the outcome then hears that the daemon gives none.
+            let _ = jobs.send(job);
+        }
+    }
+}
+
+impl Drop for Worker {
+    fn drop(&mut self) {
+        self.workshop.cancelled.store(true, Ordering::Relaxed);
+        self.jobs = None;
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
