@@ -1,17 +1,14 @@
 //! What a daemon shows while it runs: logs, metrics, the service manager's socket, proofs of what is served.
 
 use mapd_client::transport::AttachLock;
+use mapd_tests::manager::{Manager, WATCHDOG};
 use mapd_tests::place::{PATIENCE, Place};
 use serde_json::Value;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 use std::os::unix::fs::PermissionsExt;
-use std::os::unix::net::UnixDatagram;
 use std::process::{Child, ChildStderr, Command};
 use std::time::{Duration, Instant};
-
-/// Interval of the watchdog in tests.
-const WATCHDOG: Duration = Duration::from_millis(600);
 
 /// Queries in an interval: see `oversight::attendant`.
 const PER_INTERVAL: u32 = 3;
@@ -102,8 +99,10 @@ fn logs_as_text_and_as_json_and_as_grave_as_wanted() {
     assert_eq!(daemon.terminate(), Some(0));
     assert_eq!(daemon.line().as_deref(), Some("mapd: stopped"));
 
-    let mut daemon =
-        Logged::start(&mut place.command(), &["--log", "json", "--log-level", "debug"]);
+    let mut daemon = Logged::start(
+        &mut place.command(),
+        &["--log", "json", "--log-level", "debug", "--metrics", "127.0.0.1:0"],
+    );
     let event = daemon.event("serving");
     assert_eq!((&event["map"], &event["level"]), (&"town".into(), &"INFO".into()));
     assert!(event["generation"].is_u64() && event["bytes"].is_u64(), "{event}");
@@ -158,52 +157,10 @@ fn metrics_are_read_over_http_by_this_machine_only() {
     assert!(refused.status.code() == Some(1) && said.contains("--metrics-open"), "{said}");
 }
 
-/// A service manager's end of the socket.
-struct Manager {
-    socket: UnixDatagram,
-    path: std::path::PathBuf,
-    _folder: tempfile::TempDir,
-}
-
-impl Manager {
-    fn new() -> Self {
-        let folder = tempfile::tempdir().expect("a folder");
-        let path = folder.path().join("notify");
-        let socket = UnixDatagram::bind(&path).expect("a socket");
-        Self { socket, path, _folder: folder }
-    }
-
-    fn command(&self, place: &Place) -> Command {
-        let mut command = place.command();
-        command
-            .env("NOTIFY_SOCKET", &self.path)
-            .env("WATCHDOG_USEC", WATCHDOG.as_micros().to_string())
-            .env_remove("WATCHDOG_PID");
-        command
-    }
-
-    /// The next message, if one comes in time.
-    fn hear(&self, patience: Duration) -> Option<String> {
-        self.socket.set_read_timeout(Some(patience)).expect("a deadline");
-        let mut buffer = [0; 4096];
-        let length = self.socket.recv(&mut buffer).ok()?;
-        Some(String::from_utf8_lossy(&buffer[..length]).into_owned())
-    }
-
-    fn expect(&self, message: &str) {
-        let heard = self.hear(PATIENCE).unwrap_or_default();
-        assert!(heard.lines().any(|line| line == message), "{heard:?} instead of {message}");
-    }
-
-    fn drain(&self) {
-        while self.hear(Duration::from_millis(1)).is_some() {}
-    }
-}
-
 #[test]
 fn the_service_manager_hears_ready_then_the_watchdog_then_the_end() {
     let (place, manager) = (place(), Manager::new());
-    let mut daemon = Logged::start(&mut manager.command(&place), &[]);
+    let mut daemon = Logged::start(manager.listen_to(&mut place.command()), &[]);
     manager.expect("READY=1");
     // Ready means that a newcomer attaches at once.
     let client = mapd_client::Client::connect_in(&place.domain(), "town", Duration::from_secs(2));
@@ -226,7 +183,7 @@ fn the_service_manager_hears_ready_then_the_watchdog_then_the_end() {
 #[test]
 fn the_watchdog_falls_silent_where_newcomers_cannot_attach() {
     let (place, manager) = (place(), Manager::new());
-    let _daemon = Logged::start(&mut manager.command(&place), &[]);
+    let _daemon = Logged::start(manager.listen_to(&mut place.command()), &[]);
     manager.expect("READY=1");
     manager.expect("WATCHDOG=1");
     let lock = AttachLock::open(&place.domain()).expect("a lock");
@@ -244,7 +201,7 @@ fn a_scrub_finds_a_changed_byte_and_the_watchdog_falls_silent() {
     let (place, manager) = (place(), Manager::new());
     let args =
         ["--log", "json", "--log-level", "debug", "--scrub", "1", "--metrics", "127.0.0.1:0"];
-    let mut daemon = Logged::start(&mut manager.command(&place), &args);
+    let mut daemon = Logged::start(manager.listen_to(&mut place.command()), &args);
     let generation = daemon.event("serving")["generation"].clone();
     let address = daemon.event("metrics at")["address"].as_str().expect("an address").to_owned();
     assert_eq!(daemon.event("proves")["generation"], generation);

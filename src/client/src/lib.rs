@@ -24,6 +24,7 @@
 
 mod client;
 mod error;
+mod events;
 mod file;
 mod snapshot;
 pub mod transport;
@@ -32,6 +33,7 @@ mod trust;
 
 pub use client::Client;
 pub use error::ClientError;
+pub use events::{Events, MapEvent};
 pub use mapd_archive as archive;
 pub use mapd_query::*;
 pub use snapshot::Snapshot;

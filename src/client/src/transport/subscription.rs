@@ -153,6 +153,11 @@ impl Subscription {
         }
     }
 
+    /// The process that serves the map now, 0 if it has not said; `None` if nobody does. Reads a small file.
+    pub fn served_by(&self) -> Option<u32> {
+        served_by(&self.domain, &self.map)
+    }
+
     /// The generation that waits to be served, if a daemon has staged one. Reads a small file; attaches to nothing.
     pub fn pending(&self) -> Option<GenerationInfo> {
         let (_, info) = read_staged(&self.domain, &self.map)?;

@@ -43,6 +43,11 @@ pub(super) fn start(
     })
 }
 
+/// Whether a service manager listens.
+pub(super) fn is_managed() -> bool {
+    std::env::var_os("NOTIFY_SOCKET").is_some()
+}
+
 /// Says that the daemon ends.
 pub(super) fn stopping() {
     tell(&[NotifyState::Stopping]);

