@@ -21,6 +21,7 @@ pub mod small;
 pub mod stage;
 pub mod town;
 pub mod tracer;
+pub mod two_maps;
 
 use std::path::{Path, PathBuf};
 

@@ -1,5 +1,6 @@
 //! Daemons and clients as processes, each test in a domain of its own.
 
+use mapd::control::{MapState, ReloadReport, Request, Response, ask};
 use mapd_client::Domain;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
@@ -65,7 +66,48 @@ impl Place {
     /// Starts a daemon and does not wait.
     pub fn start(&self, args: &[&str]) -> Daemon {
         let mut command = self.command();
-        Daemon(command.arg("--load").args(args).spawn().expect("the daemon starts"))
+        command.arg("--load").args(args);
+        self.spawn(command)
+    }
+
+    /// Starts a daemon by a command of the caller's own, and does not wait.
+    pub fn spawn(&self, mut command: Command) -> Daemon {
+        Daemon(command.spawn().expect("the daemon starts"))
+    }
+
+    /// Asks the daemon that serves a map; `None` if none answers.
+    pub fn ask(&self, map: &str, request: &Request) -> Option<Response> {
+        ask(&self.domain(), map, request, PATIENCE).ok()
+    }
+
+    /// What the daemon that serves a map says about it.
+    pub fn state(&self, map: &str) -> MapState {
+        match self.ask(map, &Request::Status) {
+            Some(Response::Status(status)) => {
+                status.maps.into_iter().find(|m| m.name == map).expect("the map")
+            }
+            other => panic!("no status: {other:?}"),
+        }
+    }
+
+    /// Has a map reloaded; what came of it.
+    pub fn reload(&self, map: &str) -> ReloadReport {
+        self.change(map, &Request::Reload { map: map.to_owned(), stage: false })
+    }
+
+    /// Asks for a map that nobody serves; the error.
+    pub fn change_refused(&self, map: &str) -> String {
+        let output = self.command().args(["reload", map]).output().expect("ends");
+        assert!(!output.status.success());
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    }
+
+    /// Has a map changed; what came of it.
+    pub fn change(&self, map: &str, request: &Request) -> ReloadReport {
+        match self.ask(map, request) {
+            Some(Response::Done(report)) => report,
+            other => panic!("no outcome: {other:?}"),
+        }
     }
 
     /// `mapd query` with these rows on stdin.

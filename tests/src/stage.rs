@@ -64,10 +64,34 @@ impl Stage {
         &self.question
     }
 
+    /// Removes the cache of its daemons, as anyone may at any time.
+    pub fn forget_cache(&self) {
+        let _ = std::fs::remove_dir_all(self.place.cache());
+    }
+
     /// The program in this domain.
     pub fn command(&self, args: &[&str]) -> Command {
         let mut command = self.place.command();
         command.args(args).stdout(Stdio::null());
+        command
+    }
+
+    /// Changes the map's file, but not what a client is answered. Only for a file of the caller's own.
+    ///
+    /// Errors: the file cannot be replaced.
+    pub fn touch_map(&self) -> Checked<()> {
+        let mut text = std::fs::read(&self.map).map_err(text)?;
+        text.push(b'\n');
+        let new = self.map.with_extension("new");
+        std::fs::write(&new, text)
+            .and_then(|()| std::fs::rename(&new, &self.map))
+            .map_err(self::text)
+    }
+
+    /// What a daemon is asked to do with the map, such as `reload`.
+    pub fn ask_command(&self, what: &[&str]) -> Command {
+        let mut command = self.command(what);
+        command.arg(self.name()).args(["--wait", "5"]);
         command
     }
 

@@ -129,10 +129,15 @@ impl Traced {
             };
             match status {
                 WaitStatus::Exited(pid, code) if pid == self.leader => {
+                    self.end_the_rest();
                     return Ok(ExitStatus::from_raw(code << 8));
                 }
                 WaitStatus::Signaled(pid, signal, _) if pid == self.leader => {
+                    self.end_the_rest();
                     return Ok(ExitStatus::from_raw(signal as i32));
+                }
+                WaitStatus::Exited(pid, _) | WaitStatus::Signaled(pid, ..) => {
+                    self.threads.remove(&pid);
                 }
                 WaitStatus::PtraceSyscall(pid) => {
                     let then = self.moment(pid)?.map_or(Then::Continue, |moment| at(&moment));
@@ -150,6 +155,20 @@ impl Traced {
                 _ => {}
             }
         }
+    }
+
+    /// Ends children that outlive the program: they would wait for the tracer for ever.
+    fn end_the_rest(&mut self) {
+        let us = format!("TracerPid:\t{}", Pid::this());
+        for pid in self.threads.keys().filter(|pid| **pid != self.leader) {
+            let status = std::fs::read_to_string(format!("/proc/{pid}/status"));
+            if status.is_ok_and(|status| status.lines().any(|line| line == us)) {
+                // Fails only if it has just ended.
+                let _ = kill(*pid, Signal::SIGKILL);
+            }
+        }
+        let group = Pid::from_raw(-self.leader.as_raw());
+        while waitpid(group, Some(WaitPidFlag::__WALL)).is_ok() {}
     }
 
     fn has_executed(&self) -> io::Result<bool> {

@@ -58,6 +58,7 @@ fn generations_change_under_readers() {
         assert!(snapshot.map().lane(foreign[1 - which]).is_err(), "a foreign id is taken");
         asked.fetch_add(1, Ordering::Relaxed);
     };
+    let (tell, first) = std::sync::mpsc::channel();
     std::thread::scope(|scope| {
         scope.spawn(|| {
             let mut server = Server::start(&domain).expect("starts");
@@ -68,7 +69,8 @@ fn generations_change_under_readers() {
                     let none = [0; 32];
                     Ok(PublishMeta { layout_id: none, content_hash: none, input_hash: none })
                 };
-                server.publish("map", bytes.len(), fill).expect("publishes");
+                let number = server.publish("map", bytes.len(), fill).expect("publishes");
+                let _ = tell.send(number);
             }
             server.run(&stop).expect("serves");
         });
@@ -103,7 +105,8 @@ fn generations_change_under_readers() {
         // Ends everything when the last generation has come, or something has failed.
         scope.spawn(move || {
             let mut newest = client.snapshot().generation();
-            while newest < GENERATIONS {
+            let last = first.recv().expect("a number") + GENERATIONS - 1;
+            while newest < last {
                 match client.wait_next(PATIENCE) {
                     Ok(next) => newest = next.generation(),
                     // Another thread has taken it, or it comes no more.
@@ -115,7 +118,7 @@ fn generations_change_under_readers() {
             }
             ended.store(true, Ordering::Release);
             stop.request();
-            assert_eq!(newest, GENERATIONS);
+            assert_eq!(newest, last);
         });
     });
     assert!(asked.load(Ordering::Relaxed) >= GENERATIONS, "too few questions were asked");

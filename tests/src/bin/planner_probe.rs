@@ -9,6 +9,9 @@
 //!   FILE is the same archive, on which everything is asked before, so that the program's own pages are not counted.
 //! - `hold NAME`: attaches, touches the whole map, says so, and ends when stdin does.
 //! - `empty`: makes a node of iceoryx2 and nothing else, says so, and ends when stdin does.
+//! - `follow NAME TRUTH`: follows every generation and asks it, until stdin ends; each answer must be the one that the file
+//!   TRUTH has for the generation's content: lines of content hash, x, y, lane.
+//! - `require NAME GENERATION WAIT_MS`: waits for this generation and no other.
 //! - `wait NAME WAIT_MS`: attaches, says so, reads a line from stdin, and waits for the next generation.
 //!
 //! One `key value` per line on stdout.
@@ -17,8 +20,11 @@
 use iceoryx2::prelude::{NodeBuilder, SignalHandlingMode};
 use mapd_client::transport::{Subscription, TransportService, iceoryx2_config, silence_iceoryx2};
 use mapd_client::{Client, Domain, NearestOptions, Snapshot, archive, glam::DVec2};
+use std::collections::BTreeMap;
 use std::io::{Read, Seek};
 use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
@@ -38,6 +44,10 @@ fn main() -> ExitCode {
         ["populated", map, file] => populated(map, file),
         ["hold", map] => hold(map),
         ["empty"] => empty(),
+        ["follow", map, truth] => follow(map, truth),
+        ["require", map, generation, wait] => {
+            milliseconds(wait).and_then(|wait| require(map, generation, wait))
+        }
         ["wait", map, wait] => milliseconds(wait).and_then(|wait| wait_next(map, wait)),
         _ => Err("unknown arguments".into()),
     };
@@ -89,6 +99,72 @@ fn ask(map: &str, wait: Duration) -> Outcome {
     let snapshot = Client::connect(map, wait)?.snapshot();
     let hit = snapshot.map().nearest_lane(DVec2::new(50.0, -1.75), &NearestOptions::default())?;
     println!("lane {}", snapshot.map().lane(hit.ok_or("no lane")?.lane)?.key());
+    Ok(())
+}
+
+/// A point and its lane.
+type Truth = BTreeMap<String, Vec<(DVec2, String)>>;
+
+fn read_truth(path: &str) -> Result<Truth, Box<dyn std::error::Error>> {
+    let mut truth = Truth::new();
+    for line in std::fs::read_to_string(path)?.lines() {
+        let words: Vec<&str> = line.split(' ').collect();
+        let [hash, x, y, lane] = words.as_slice() else {
+            return Err("a line of four words".into());
+        };
+        let point = DVec2::new(x.parse()?, y.parse()?);
+        truth.entry((*hash).to_owned()).or_default().push((point, (*lane).to_owned()));
+    }
+    Ok(truth)
+}
+
+fn follow(map: &str, truth: &str) -> Outcome {
+    let truth = read_truth(truth)?;
+    let client = Client::connect(map, WAIT)?;
+    println!("attached {}", client.snapshot().generation());
+    let ended = Arc::new(AtomicBool::new(false));
+    let end = ended.clone();
+    std::thread::spawn(move || {
+        let _ = std::io::copy(&mut std::io::stdin().lock(), &mut std::io::sink());
+        end.store(true, Ordering::Relaxed);
+    });
+    let (mut last, mut seen, mut asked) = (0, 0, 0_u64);
+    while !ended.load(Ordering::Relaxed) {
+        let snapshot = client.refresh()?;
+        let generation = snapshot.generation();
+        if generation < last {
+            return Err(format!("generation {generation} after {last}").into());
+        }
+        seen += u64::from(generation > last);
+        last = generation;
+        let hash: String =
+            snapshot.header().content_hash.iter().map(|byte| format!("{byte:02x}")).collect();
+        for (point, lane) in truth.get(&hash).ok_or("a map that was never published")? {
+            let hit = snapshot.map().nearest_lane(*point, &NearestOptions::default())?;
+            let found = snapshot.map().lane(hit.ok_or("no lane")?.lane)?.key().to_string();
+            if found != *lane {
+                return Err(format!("{found} instead of {lane} in generation {generation}").into());
+            }
+            asked += 1;
+        }
+    }
+    let last = client.refresh()?.generation();
+    // Looking once more lets the one before go.
+    client.refresh()?;
+    let domain = Domain::from_env()?;
+    let maps = std::fs::read_to_string("/proc/self/maps")?;
+    let files = maps.lines().filter_map(|line| line.split_ascii_whitespace().nth(5));
+    let mapped = files.filter(|f| f.contains(domain.prefix()) && f.ends_with(".data"));
+    println!("seen {seen}\nasked {asked}\nlast {last}");
+    println!("mapped {}", mapped.collect::<std::collections::BTreeSet<_>>().len());
+    Ok(())
+}
+
+fn require(map: &str, generation: &str, wait: Duration) -> Outcome {
+    let client = Client::connect(map, WAIT)?;
+    println!("attached {}", client.snapshot().generation());
+    println!("pending {}", client.pending().map_or(0, |info| info.generation));
+    println!("required {}", client.require(generation.parse()?, wait)?.generation());
     Ok(())
 }
 

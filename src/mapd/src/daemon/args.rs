@@ -74,7 +74,9 @@ impl DaemonArgs {
         domain: Option<Domain>,
     ) -> Result<Settings> {
         let mut file = match &self.config {
-            Some(path) => Configuration::read(path)?,
+            Some(path) => {
+                Configuration::read(path).map_err(|error| UsageError(format!("{error:#}")))?
+            }
             None => Configuration::default(),
         };
         let domain = match (domain, file.domain.take()) {

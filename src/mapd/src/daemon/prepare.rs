@@ -120,6 +120,10 @@ impl Workshop {
         let (reading, options) =
             map.options.parse().map_err(|error| Refusal::Failed(format!("{error:#}")))?;
         let folder = source::folder(&map.source).unwrap_or_default();
+        // Others may give their bytes only once, or never.
+        if !std::fs::metadata(&map.source).is_ok_and(|metadata| metadata.is_file()) {
+            return Ok(None);
+        }
         let mut included = Vec::new();
         let hash = InputHash::of(&map.source, |document| {
             included = cache.includes(&Key::of_document(document, &folder));
@@ -188,7 +192,7 @@ impl Workshop {
     }
 
     fn remember_includes(&self, cache: &Cache, map: &MapSettings, included: &[PathBuf]) {
-        if included.is_empty() {
+        if included.is_empty() || !std::fs::metadata(&map.source).is_ok_and(|m| m.is_file()) {
             return;
         }
         let folder = source::folder(&map.source).unwrap_or_default();

@@ -50,6 +50,12 @@ impl Witness {
         self.held = next;
         self.still_reads()
     }
+
+    /// Takes the newest generation that has come, if one has; it is whole and answers as ever.
+    pub(crate) fn keeps_up(&mut self) -> Checked<()> {
+        self.held = self.client.refresh().map_err(|error| format!("the witness: {error}"))?;
+        self.still_reads()
+    }
 }
 
 fn answer(snapshot: &Snapshot) -> Checked<String> {

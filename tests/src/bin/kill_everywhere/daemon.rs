@@ -19,7 +19,7 @@ pub(crate) fn run(stage: &Stage, with_client: bool, choice: Choice<'_>) -> Check
         daemon.stop()?;
     }
     let mut moments = Vec::new();
-    victim(stage, |moment| {
+    victim(stage, with_client, |moment| {
         moments.push(*moment);
         Then::Continue
     })?;
@@ -35,7 +35,7 @@ pub(crate) fn run(stage: &Stage, with_client: bool, choice: Choice<'_>) -> Check
     let before = stage.files();
     for moment in &chosen {
         watchdog::step(&format!("{name}, killed {moment}"));
-        report.ran(moment.kill(|at| victim(stage, at))?);
+        report.ran(moment.kill(|at| victim(stage, with_client, at))?);
         if let Some(witness) = &witness {
             report.note(moment, witness.still_reads());
         }
@@ -61,7 +61,11 @@ pub(crate) fn run(stage: &Stage, with_client: bool, choice: Choice<'_>) -> Check
 }
 
 /// Runs the victim, which is asked to stop as soon as it waits for clients; whether it was killed.
-fn victim(stage: &Stage, mut at: impl FnMut(&Moment) -> Then) -> Checked<bool> {
+fn victim(stage: &Stage, with_client: bool, mut at: impl FnMut(&Moment) -> Then) -> Checked<bool> {
+    if !with_client {
+        // Beside a client archives come from the cache; alone, every one is compiled.
+        stage.forget_cache();
+    }
     let (traced, _) = Traced::start(&stage.daemon_command(), "", Stdio::null())
         .map_err(|error| error.to_string())?;
     let pid = traced.pid();

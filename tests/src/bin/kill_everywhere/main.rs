@@ -1,6 +1,7 @@
 //! Kills daemon and clients at every system call of theirs, and at random moments, and proves each time that nothing is
 //! wedged, wrong or left behind. See `docs/transport.md`.
 
+mod changes;
 mod check;
 mod client;
 mod daemon;
@@ -58,6 +59,10 @@ enum Victim {
     Daemon,
     /// The same, while a client holds a snapshot of the daemon before
     DaemonWithClient,
+    /// A daemon that reloads, rolls back, stages and activates, beside a client that follows
+    Changes,
+    /// Whoever asks a daemon to do so
+    Asker,
     /// Daemons and clients, at random moments
     Random,
 }
@@ -94,6 +99,8 @@ fn run(options: &Options) -> Checked<bool> {
             Victim::Client => client::run(&stage, choice)?,
             Victim::Daemon => daemon::run(&stage, false, choice)?,
             Victim::DaemonWithClient => daemon::run(&stage, true, choice)?,
+            Victim::Changes => changes::daemon(&mapd, choice)?,
+            Victim::Asker => changes::asker(&mapd, choice)?,
             Victim::Random => {
                 let short = if options.short { SHORT_RANDOM_KILLS } else { RANDOM_KILLS };
                 let kills = options.kills.unwrap_or(short);

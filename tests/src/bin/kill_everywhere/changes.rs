@@ -1,0 +1,155 @@
+//! A daemon killed at every system call of reloading, rolling back, staging and activating, those of its compiler among them;
+//! and who asks for it, at every system call of asking.
+
+use crate::QUESTION;
+use crate::check::{Witness, nothing_left, settles};
+use crate::report::{Choice, Killing, Report};
+use crate::watchdog;
+use mapd_tests::stage::{Checked, Stage};
+use mapd_tests::tracer::{Moment, Then, Traced};
+use nix::sys::signal::{Signal, kill};
+use std::os::unix::process::ExitStatusExt;
+use std::path::Path;
+use std::process::Stdio;
+use std::time::Instant;
+use syscalls::Sysno;
+
+/// What a daemon is asked, one after the other; the map's file has changed before each.
+const ASKED: [&[&str]; 4] = [&["reload"], &["rollback"], &["reload", "--stage"], &["activate"]];
+
+/// A domain of its own, with a map that can be changed.
+fn stage(mapd: &Path) -> Checked<(Stage, tempfile::TempDir)> {
+    let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+    let map = folder.path().join("one_road.xodr");
+    let from = mapd_tests::carried("one_road.xodr");
+    std::fs::copy(from, &map).map_err(|error| error.to_string())?;
+    Ok((Stage::new(mapd, &map, QUESTION)?, folder))
+}
+
+pub(crate) fn daemon(mapd: &Path, choice: Choice<'_>) -> Checked<Report> {
+    let (stage, _folder) = stage(mapd)?;
+    let first = stage.serve()?;
+    let mut witness = Witness::new(&stage)?;
+    first.stop()?;
+    let mut moments = Vec::new();
+    let mut first_wait = None;
+    serving(&stage, |moment| {
+        moments.push(*moment);
+        if first_wait.is_none() && waits(moment) {
+            first_wait = Some(moments.len());
+        }
+        Then::Continue
+    })?;
+    // Starting is another victim's matter.
+    let moments = moments.split_off(first_wait.unwrap_or_default());
+    let chosen = choice.of(&moments);
+    let name = "daemon, while it changes what it serves";
+    let mut report = Report::new(name, moments.len(), chosen.len());
+    let daemon = stage.serve()?;
+    witness.follows()?;
+    daemon.stop()?;
+    let before = stage.files();
+    for moment in &chosen {
+        watchdog::step(&format!("{name}, killed {moment}"));
+        report.ran(moment.kill(|at| serving(&stage, at))?);
+        report.note(moment, witness.still_reads());
+        // What the killed one served last is as right.
+        report.note(moment, witness.keeps_up());
+        let start = Instant::now();
+        let Some(daemon) = report.note(moment, stage.serve()) else { continue };
+        report.started(start.elapsed());
+        if let Some(time) = report.note(moment, stage.fresh_client()) {
+            report.attached(time);
+        }
+        report.note(moment, witness.follows());
+        report.note(moment, daemon.stop());
+        report.note(moment, settles(&stage, &before));
+    }
+    drop(witness);
+    let end = stage.serve().and_then(|daemon| daemon.stop()).and_then(|()| nothing_left(&stage));
+    report.note(&"everywhere, in the end", end);
+    Ok(report)
+}
+
+fn waits(moment: &Moment) -> bool {
+    moment.thread == 0 && matches!(moment.name, Sysno::epoll_wait | Sysno::epoll_pwait)
+}
+
+/// Runs a daemon, which is asked everything as soon as it serves, and then to stop; whether it was killed.
+fn serving(stage: &Stage, mut at: impl FnMut(&Moment) -> Then) -> Checked<bool> {
+    let (traced, _) = Traced::start(&stage.daemon_command(), "", Stdio::null())
+        .map_err(|error| error.to_string())?;
+    let pid = traced.pid();
+    std::thread::scope(|scope| {
+        let mut asked = false;
+        let status = traced.run(|moment| {
+            if waits(moment) && !asked {
+                asked = true;
+                scope.spawn(move || {
+                    for what in ASKED {
+                        // Whoever does not get an answer from a killed daemon goes on, and gets none either.
+                        let _ = stage.touch_map();
+                        let mut command = stage.ask_command(what);
+                        let _ = command.stderr(Stdio::null()).status();
+                    }
+                    // Fails only if it has ended.
+                    let _ = kill(pid, Signal::SIGTERM);
+                });
+            }
+            at(moment)
+        });
+        let status = status.map_err(|error| error.to_string())?;
+        Ok(status.signal() == Some(Signal::SIGKILL as i32))
+    })
+}
+
+pub(crate) fn asker(mapd: &Path, choice: Choice<'_>) -> Checked<Report> {
+    let (stage, _folder) = stage(mapd)?;
+    let mut daemon = stage.serve()?;
+    let mut witness = Witness::new(&stage)?;
+    let mut moments = Vec::new();
+    asking(&stage, |moment| {
+        moments.push(*moment);
+        Then::Continue
+    })?;
+    witness.follows()?;
+    let chosen = choice.of(&moments);
+    let mut report = Report::new("who asks for a reload", moments.len(), chosen.len());
+    let before = stage.files();
+    for moment in &chosen {
+        watchdog::step(&format!("asker killed {moment}"));
+        report.ran(moment.kill(|at| asking(&stage, at))?);
+        report.note(moment, witness.still_reads());
+        if let Some(time) = report.note(moment, stage.fresh_client()) {
+            report.attached(time);
+        }
+        report.note(moment, witness.keeps_up());
+        // The next one who asks is heard.
+        let asked = stage.touch_map().and_then(|()| {
+            stage.ask_command(&["reload"]).status().map_err(|error| error.to_string())
+        });
+        let heard = asked.and_then(|status| match status.success() {
+            true => Ok(()),
+            false => Err(format!("the next reload ends with {status}")),
+        });
+        report.note(moment, heard);
+        report.note(moment, witness.follows());
+        if !daemon.is_running() {
+            report.note(moment, Err::<(), _>("the daemon has ended".to_owned()));
+            daemon = stage.serve()?;
+        }
+    }
+    report.note(&"everywhere", settles(&stage, &before));
+    drop(witness);
+    let end = daemon.stop().and_then(|()| nothing_left(&stage));
+    report.note(&"everywhere, in the end", end);
+    Ok(report)
+}
+
+/// Runs one who asks for a reload; whether it was killed.
+fn asking(stage: &Stage, at: impl FnMut(&Moment) -> Then) -> Checked<bool> {
+    stage.touch_map()?;
+    let start = Traced::start(&stage.ask_command(&["reload"]), "", Stdio::null());
+    let status = start.and_then(|(traced, _)| traced.run(at)).map_err(|error| error.to_string())?;
+    Ok(status.signal() == Some(Signal::SIGKILL as i32))
+}
