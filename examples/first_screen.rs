@@ -1,4 +1,5 @@
 //! A planner's first screen: which lane is a point on? Waits for the map at boot, whoever starts first.
+#![allow(clippy::print_stdout)]
 
 use mapd_client::{Client, NearestOptions, glam::DVec2};
 use std::time::Duration;

@@ -10,14 +10,17 @@ fn town() -> String {
     mapd_tests::carried("town.xodr").display().to_string()
 }
 
-/// What the README shows is what is built, but for the line that says what the file is.
+/// What the README shows is what is built, but for the lines that say what the file is and how it is checked.
 #[test]
 fn the_readme_shows_this_program() {
     let read =
         |path: &str| std::fs::read_to_string(mapd_tests::workspace().join(path)).expect("read");
     let program = read("examples/first_screen.rs");
-    let code =
-        program.lines().filter(|line| !line.starts_with("//!")).collect::<Vec<_>>().join("\n");
+    let code = program
+        .lines()
+        .filter(|line| !line.starts_with("//!") && !line.starts_with("#!["))
+        .collect::<Vec<_>>()
+        .join("\n");
     let readme = read("README.md");
     assert!(readme.contains(code.trim()), "the README shows another program than\n{code}");
 }
