@@ -1,8 +1,8 @@
 //! What a client hears of its map and daemon, and what a wait in vain says.
 
-use mapd::serve::{PublishMeta, Server};
+use mapd::serve::{Doorbell, PublishMeta, Server, StopSignal};
 use mapd_archive::OpenError;
-use mapd_client::transport::{AttachError, AttachLock};
+use mapd_client::transport::{AttachError, AttachLock, MAX_PINNED, Pinned, Subscription};
 use mapd_client::{Client, ClientError, Events, MapEvent};
 use mapd_tests::place::{PATIENCE, Place};
 use std::path::Path;
@@ -141,7 +141,7 @@ fn a_map_that_is_coming_and_one_of_another_layout() {
             Ok(PublishMeta { layout_id: none, content_hash: none, input_hash: none })
         })
         .expect("opaque bytes");
-    let stop = std::sync::Arc::new(mapd::serve::StopSignal::new().expect("a signal"));
+    let stop = std::sync::Arc::new(StopSignal::new().expect("a signal"));
     std::thread::scope(|scope| {
         let (waits, here) = (stop.clone(), &place);
         let client = scope.spawn(move || {
@@ -154,5 +154,52 @@ fn a_map_that_is_coming_and_one_of_another_layout() {
         let unreadable =
             matches!(error, ClientError::Open { error: OpenError::NotAnArchive { .. }, .. });
         assert!(unreadable, "{error}");
+    });
+}
+
+/// A reader that lets no generation go gets no further ones, keeps what it has, and goes on once it lets one go.
+#[test]
+fn generations_that_nobody_lets_go_are_bounded() {
+    let place = place();
+    let (stop, door) = (StopSignal::new().expect("a signal"), Doorbell::new().expect("a bell"));
+    let ringer = door.ringer().expect("a ringer");
+    std::thread::scope(|scope| {
+        let (domain, stopped) = (place.domain(), &stop);
+        // Publishes whenever it is rung for.
+        scope.spawn(move || {
+            let mut server = Server::start(&domain).expect("starts");
+            for number in 0..u8::MAX {
+                let filled = server.publish("m", 64, |loan| {
+                    loan.fill(number);
+                    let none = [0; 32];
+                    Ok(PublishMeta { layout_id: none, content_hash: none, input_hash: none })
+                });
+                filled.expect("publishes");
+                server.run_until(stopped, &door).expect("serves");
+                door.answer();
+                if stopped.is_requested() {
+                    break;
+                }
+            }
+        });
+        let soon = || Instant::now() + PATIENCE;
+        let subscription = Subscription::connect(&place.domain(), "m", soon()).expect("attaches");
+        let mut held = vec![subscription.current()];
+        let last = |held: &[Pinned]| held.last().map_or(0, |pinned| pinned.info().generation);
+        let error = loop {
+            ringer.ring();
+            match subscription.wait_newer(last(&held), soon()) {
+                Ok(pinned) => held.push(pinned),
+                Err(error) => break error,
+            }
+        };
+        assert!(matches!(error, AttachError::TooManyPinned { .. }), "{error}");
+        assert_eq!(held.len(), MAX_PINNED);
+        let numbers: Vec<u8> = held.iter().map(|pinned| pinned.bytes()[0]).collect();
+        assert!(numbers.windows(2).all(|two| two[0] < two[1]), "{numbers:?}");
+        held.remove(0);
+        let next = subscription.wait_newer(last(&held), soon());
+        stop.request();
+        assert!(next.expect("goes on").bytes()[0] > numbers[MAX_PINNED - 1]);
     });
 }

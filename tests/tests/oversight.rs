@@ -222,6 +222,13 @@ fn a_scrub_finds_a_changed_byte_and_the_watchdog_falls_silent() {
     let event = daemon.event("does not prove");
     assert_eq!((&event["level"], &event["map"]), (&"ERROR".into(), &"town".into()));
     until("the count", || (count("failed") >= 1.0).then_some(()));
+    let status = place.command().args(["status", "--json"]).output().expect("runs");
+    let status: Value = serde_json::from_slice(&status.stdout).expect("JSON");
+    let scrubs = &status[0]["state"]["scrubs"];
+    assert!(scrubs["failures"].as_u64() >= Some(1) && scrubs["last_failed"] == true, "{status}");
+    let status = place.command().arg("status").output().expect("runs");
+    let text = String::from_utf8_lossy(&status.stdout).into_owned();
+    assert!(text.contains("scrub failed: "), "{text}");
     manager.drain();
     std::thread::sleep(WATCHDOG / PER_INTERVAL);
     manager.drain();

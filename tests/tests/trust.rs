@@ -105,6 +105,37 @@ fn what_is_signed_is_served_and_answers() {
 }
 
 #[test]
+fn a_reload_of_what_is_not_signed_leaves_what_is_served() {
+    let signed = Signed::new();
+    signed.sign("ours.key");
+    let key = signed.path("ours.pub");
+    let _daemon = signed.place.serve(&[&signed.archive(), "--trust", &key]);
+    let client = Client::connect_in(&signed.place.domain(), "town", PATIENCE).expect("attaches");
+    let before = client.snapshot();
+    let other = mapd_tests::carried("one_road.xodr").display().to_string();
+    signed.run(&["compile", &other, "-o", &signed.archive()], Some(0));
+    let refuse = |words: &str| {
+        let output = signed.place.command().args(["reload", "town"]).output().expect("runs");
+        let text = format!("{}{}", String::from_utf8_lossy(&output.stdout), said(&output));
+        assert!(!output.status.success() && text.contains(words), "{text}");
+        assert_eq!(client.refresh().expect("no error").generation(), before.generation());
+    };
+    refuse("is not what was signed");
+    std::fs::remove_file(signed.signature()).expect("removed");
+    refuse("is not signed");
+    signed.sign("theirs.key");
+    refuse("another key");
+    signed.sign("ours.key");
+    signed.run(&["reload", "town"], Some(0));
+    let after = client.refresh().expect("no error");
+    assert_ne!(after.map().content_hash(), before.map().content_hash());
+    // What is gone back to keeps the signature it had.
+    signed.run(&["rollback", "town"], Some(0));
+    let back = client.refresh().expect("no error");
+    assert_eq!(back.map().content_hash(), before.map().content_hash());
+}
+
+#[test]
 fn what_is_not_signed_by_this_key_or_altered_is_refused() {
     let signed = Signed::new();
     signed.refused(&signed.archive(), "is not signed");

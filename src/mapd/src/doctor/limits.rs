@@ -40,10 +40,7 @@ pub(super) fn examine(archive: u64, out: &mut Vec<Finding>) {
         None => Finding::ok("open files", "no limit"),
     });
     out.push(match limit(Resource::Memlock) {
-        // Root may lock without limit (CAP_IPC_LOCK).
-        _ if rustix::process::geteuid().is_root() => {
-            Finding::ok("locked memory", "no limit for root with CAP_IPC_LOCK")
-        }
+        _ if may_lock_all() => Finding::ok("locked memory", "no limit with CAP_IPC_LOCK"),
         Some(bytes) if bytes < archive.max(LEAST_LOCKED) => Finding::note(
             "locked memory",
             format!("limited to {}", size(bytes)),
@@ -55,6 +52,17 @@ pub(super) fn examine(archive: u64, out: &mut Vec<Finding>) {
 
 /// Below this, hardly any map can be locked \[bytes\]; it is the limit that most systems set.
 const LEAST_LOCKED: u64 = (8 << 20) + 1;
+
+/// Number of the right to lock memory without limit (capabilities(7), CAP_IPC_LOCK).
+const IPC_LOCK: u32 = 14;
+
+/// Whether this process has that right.
+fn may_lock_all() -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let rights = status.lines().find_map(|line| line.strip_prefix("CapEff:"));
+    let rights = rights.and_then(|text| u64::from_str_radix(text.trim(), 16).ok());
+    rights.is_some_and(|rights| rights & (1 << IPC_LOCK) != 0)
+}
 
 fn described(limit: Option<u64>) -> String {
     limit.map_or_else(|| "no limit".to_owned(), |bytes| format!("limited to {}", size(bytes)))
