@@ -157,6 +157,15 @@ fn a_map_that_is_coming_and_one_of_another_layout() {
     });
 }
 
+/// Ends the server also when an assertion fails.
+struct StopAtEnd<'a>(&'a StopSignal);
+
+impl Drop for StopAtEnd<'_> {
+    fn drop(&mut self) {
+        self.0.request();
+    }
+}
+
 /// A reader that lets no generation go gets no further ones, keeps what it has, and goes on once it lets one go.
 #[test]
 fn generations_that_nobody_lets_go_are_bounded() {
@@ -182,6 +191,7 @@ fn generations_that_nobody_lets_go_are_bounded() {
                 }
             }
         });
+        let _end = StopAtEnd(&stop);
         let soon = || Instant::now() + PATIENCE;
         let subscription = Subscription::connect(&place.domain(), "m", soon()).expect("attaches");
         let mut held = vec![subscription.current()];
@@ -198,8 +208,7 @@ fn generations_that_nobody_lets_go_are_bounded() {
         let numbers: Vec<u8> = held.iter().map(|pinned| pinned.bytes()[0]).collect();
         assert!(numbers.windows(2).all(|two| two[0] < two[1]), "{numbers:?}");
         held.remove(0);
-        let next = subscription.wait_newer(last(&held), soon());
-        stop.request();
-        assert!(next.expect("goes on").bytes()[0] > numbers[MAX_PINNED - 1]);
+        let next = subscription.wait_newer(last(&held), soon()).expect("goes on");
+        assert!(next.bytes()[0] > numbers[MAX_PINNED - 1]);
     });
 }

@@ -289,7 +289,9 @@ impl Inbox {
         let mut newest: Option<Pinned> = None;
         loop {
             if self.held.len() >= MAX_PINNED {
-                return Err(AttachError::TooManyPinned { map: map.to_owned() });
+                // What has just come is the last that can be held, and would not come again.
+                let full = || AttachError::TooManyPinned { map: map.to_owned() };
+                return newest.ok_or_else(full).map(Some);
             }
             // The last round, which finds nothing, also unmaps generations that nobody holds any more.
             let Some(sample) = self.ports.subscriber.receive().map_err(AttachError::iceoryx)?
