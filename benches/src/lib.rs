@@ -4,6 +4,7 @@
 //! cargo bench -p mapd-benches --bench compile
 //! cargo bench -p mapd-benches --bench reading
 //! cargo bench -p mapd-benches --bench attach
+//! cargo bench -p mapd-benches --bench reload
 //! cargo bench -p mapd-benches --bench queries
 //! cargo bench -p mapd-benches --bench instructions
 //! cargo bench -p mapd-benches --bench routing

@@ -11,6 +11,7 @@ use std::io::Read;
 use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::process::{Command, ExitStatus, Stdio};
+use std::sync::Mutex;
 use syscalls::Sysno;
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
@@ -20,6 +21,9 @@ const SHARED_MEMORY: u64 = 8 << 20;
 
 /// One of so many moments is tried; a prime, so that no pattern of calls is left out.
 const STEP: usize = 11;
+
+/// Likewise of a reload, which is longer: it has a compiler.
+const RELOAD_STEP: usize = 41;
 
 fn stage() -> Stage {
     let map = mapd_tests::carried("one_road.xodr");
@@ -80,6 +84,98 @@ fn while_a_daemon_starts_publishes_and_stops() {
             assert!(left.is_empty(), "{end}\nleft behind: {left:?}");
         }
         say(&format!("{} moments, {well} ended well, {told} with a clear error", moments.len()));
+        assert!(well > 0 && told > 0, "both happen");
+    });
+}
+
+/// A daemon that is asked to reload as soon as it serves, and to stop once it has: how it ended, what the reload told, and
+/// what a client found that held the generation before.
+fn reloading(
+    stage: &Stage,
+    mut at: impl FnMut(&Moment),
+) -> (ExitStatus, String, Result<(), String>) {
+    let outcome = Mutex::new((String::new(), Ok(())));
+    let (status, _) = std::thread::scope(|scope| {
+        let mut asked = false;
+        run(&stage.daemon_command(), |pid, moment| {
+            let waits = matches!(moment.name, Sysno::epoll_wait | Sysno::epoll_pwait);
+            if moment.thread == 0 && waits && !asked {
+                asked = true;
+                let outcome = &outcome;
+                scope.spawn(move || {
+                    let reload = || {
+                        let client = stage.client().map_err(|error| error.to_string())?;
+                        let held = client.snapshot();
+                        stage.touch_map()?;
+                        let mut ask = stage.ask_command(&["reload"]);
+                        let asked = ask.stdout(Stdio::piped()).output();
+                        let asked = asked.map_err(|error| error.to_string())?;
+                        let said = String::from_utf8_lossy(&asked.stdout).into_owned();
+                        held.verify().map_err(|error| format!("held: {error}"))?;
+                        let newest =
+                            client.refresh().map_err(|error| format!("newest: {error}"))?;
+                        newest.verify().map_err(|error| format!("newest: {error}"))?;
+                        Ok::<_, String>(said)
+                    };
+                    let (said, held) = match reload() {
+                        Ok(said) => (said, Ok(())),
+                        Err(error) => (String::new(), Err(error)),
+                    };
+                    *outcome.lock().expect("no panic") = (said, held);
+                    // Fails only if it has ended.
+                    let _ = kill(pid, Signal::SIGTERM);
+                });
+            }
+            at(moment);
+        })
+    });
+    let (said, held) = outcome.into_inner().expect("no panic");
+    (status, said, held)
+}
+
+#[test]
+fn while_a_daemon_reloads() {
+    in_small_shared_memory(SHARED_MEMORY, || {
+        let folder = tempfile::tempdir().expect("a folder");
+        let map = folder.path().join("one_road.xodr");
+        std::fs::copy(mapd_tests::carried("one_road.xodr"), &map).expect("copied");
+        let stage = Stage::new(Path::new(MAPD), &map, "x,y\n10,-1.5\n").expect("answers");
+        let mut moments = Vec::new();
+        let mut begun = None;
+        let (_, _, first) = reloading(&stage, |moment| {
+            moments.push(*moment);
+            let waits = matches!(moment.name, Sysno::epoll_wait | Sysno::epoll_pwait);
+            if moment.thread == 0 && waits && begun.is_none() {
+                begun = Some(moments.len());
+            }
+        });
+        first.expect("a reload with room");
+        let moments = moments.split_off(begun.expect("it serves"));
+        let (mut well, mut told) = (0, 0);
+        for chosen in moments.iter().filter(|m| m.side == Side::Before).step_by(RELOAD_STEP) {
+            let mut filler = None;
+            let (status, said, held) = reloading(&stage, |moment| {
+                if (moment.thread, moment.call, moment.side)
+                    == (chosen.thread, chosen.call, chosen.side)
+                {
+                    filler = Filler::fill().ok();
+                }
+            });
+            drop(filler);
+            let end = format!("filled up {chosen}: {status}: {said}");
+            assert!(status.success(), "the daemon serves on: {end}");
+            // A client that comes when it is full is told so; one that was there keeps what it has.
+            held.or_else(|error| error.contains("of shared memory").then_some(()).ok_or(error))
+                .unwrap_or_else(|error| panic!("{end}: {error}"));
+            if said.contains("now serving") {
+                well += 1;
+            } else {
+                told += usize::from(said.contains("of shared memory"));
+            }
+            let left = stage.files();
+            assert!(left.is_empty(), "{end}\nleft behind: {left:?}");
+        }
+        say(&format!("{} moments, {well} reloaded, {told} with a clear reason", moments.len()));
         assert!(well > 0 && told > 0, "both happen");
     });
 }

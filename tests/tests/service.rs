@@ -330,6 +330,33 @@ fn a_restart_publishes_from_the_cache() {
 }
 
 #[test]
+fn what_was_served_last_stands_in_where_it_may() {
+    let Scene { place, maps, daemon, client } = Scene::new(&[]);
+    maps.put(1);
+    place.reload("map");
+    maps.put_text(b"nonsense");
+    assert_eq!(place.reload("map").result, ReloadResult::Failed);
+    daemon.kill();
+    let refused = place.command().arg("--load").arg(maps.path()).output().expect("ends");
+    assert_eq!(refused.status.code(), Some(4), "not without being told to: {}", text(&refused));
+    let daemon = serve(&place, &maps, &["--last-good"]);
+    let next = client.wait_next(PATIENCE).expect("the next generation");
+    assert!(maps.is(&next, 1));
+    let report = place.state("map").last_reload.expect("told");
+    assert!(report.trigger == Trigger::Start && report.result == ReloadResult::Failed);
+    assert!(report.reason.contains("rejected"), "{report:?}");
+    // The right file comes, as ever.
+    maps.put(0);
+    assert_eq!(place.reload("map").result, ReloadResult::Published);
+    assert_eq!(daemon.stop(), 0);
+    fs::remove_dir_all(place.cache()).expect("deleted");
+    maps.put_text(b"nonsense");
+    let mut command = place.command();
+    let refused = command.arg("--last-good").arg("--load").arg(maps.path()).output();
+    assert_eq!(refused.expect("ends").status.code(), Some(4), "there is nothing to stand in");
+}
+
+#[test]
 fn generations_rise_whatever_the_clock_does() {
     let (place, maps) = (Place::new(MAPD), TwoMaps::new());
     let generation = || {
@@ -550,4 +577,85 @@ fn nonsense_on_the_socket_hurts_nobody() {
     scene.maps.put(1);
     assert_eq!(scene.reload().result, ReloadResult::Published);
     scene.has(1);
+}
+
+/// An archive as a program of another release would have written it.
+fn of_another_layout(maps: &TwoMaps) -> Vec<u8> {
+    let compiled = mapd::source::compile_file(&maps.path(), &Default::default(), &mut |_| {});
+    let compiled = compiled.expect("readable");
+    let rows = compiled.rows.expect("accepted");
+    let mut bytes = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes").to_vec();
+    bytes[16..32].fill(0xab);
+    let checksum = blake3::hash(&bytes[..120]);
+    bytes[120..128].copy_from_slice(&checksum.as_bytes()[..8]);
+    bytes
+}
+
+#[test]
+fn another_layout_is_told_and_leaves_what_is_held() {
+    use mapd::serve::{PublishMeta, Server, StopSignal};
+    let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+    let daemon = serve(&place, &maps, &[]);
+    let client = Client::connect_in(&place.domain(), "map", PATIENCE).expect("attaches");
+    let other = of_another_layout(&maps);
+    // As a map's source.
+    let archive = maps.folder().join("map.mapd");
+    fs::write(&archive, &other).expect("written");
+    let refused = place.command().args(["--load", archive.to_str().expect("text")]).output();
+    let refused = text(&refused.expect("ends"));
+    assert!(refused.contains("layout") && refused.contains("abab"), "{refused}");
+    // As what a daemon of another release publishes under a living client.
+    assert_eq!(daemon.stop(), 0);
+    let stop = StopSignal::new().expect("a signal");
+    let (domain, bytes, ready) = (place.domain(), &other, std::sync::Barrier::new(2));
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            let mut server = Server::start(&domain).expect("starts");
+            let fill = |loan: &mut [u8]| {
+                loan.copy_from_slice(bytes);
+                let none = [0; 32];
+                Ok(PublishMeta { layout_id: [0xab; 32], content_hash: none, input_hash: none })
+            };
+            server.publish("map", bytes.len(), fill).expect("publishes");
+            ready.wait();
+            server.run(&stop).expect("serves");
+        });
+        ready.wait();
+        let told = client.wait_next(PATIENCE).err().expect("another layout").to_string();
+        assert!(told.contains("layout") && told.contains("abab"), "{told}");
+        assert!(maps.is(&client.snapshot(), 0), "what is held stays");
+        let fresh = Client::connect_in(&domain, "map", PATIENCE).err().expect("another layout");
+        assert!(fresh.to_string().contains("layout"), "{fresh}");
+        stop.request();
+    });
+    // A daemon of this release comes back.
+    let _daemon = serve(&place, &maps, &[]);
+    let next = client.wait_next(PATIENCE).expect("the next generation");
+    assert!(maps.is(&next, 0));
+}
+
+#[test]
+fn an_archive_is_served_as_it_is_and_replaced_by_renaming() {
+    let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+    let archive = maps.folder().join("map.mapd");
+    let compile = || {
+        let mut command = place.command();
+        command.arg("compile").arg(maps.path()).arg("-o").arg(&archive);
+        assert!(command.output().expect("ends").status.success());
+    };
+    compile();
+    let daemon = place.serve(&[archive.to_str().expect("text"), "--watch"]);
+    let client = Client::connect_in(&place.domain(), "map", PATIENCE).expect("attaches");
+    let scene = Scene { place, maps, daemon, client };
+    let other = of_another_layout(&scene.maps);
+    let new = archive.with_extension("new");
+    fs::write(&new, other).and_then(|()| fs::rename(&new, &archive)).expect("replaced");
+    scene.failed(&scene.reload(), "layout", 0);
+    scene.maps.put(1);
+    let mut command = scene.place.command();
+    command.arg("compile").arg(scene.maps.path()).arg("-o").arg(&archive);
+    assert!(command.output().expect("ends").status.success());
+    scene.gets(1);
+    assert_eq!(scene.rollback(false).result, ReloadResult::Published);
+    scene.has(0);
 }

@@ -106,6 +106,55 @@ fn full_while_a_client_waits() {
     assert!(output.stdout.ends_with(b"ended 0\n"), "left behind: {text}");
 }
 
+/// A reload for which there is no room is refused, with the reason, and what is served stays; then it works.
+#[test]
+fn full_when_a_map_is_reloaded() {
+    let place = place();
+    let script = format!(
+        "cp {} /tmp/$$.xodr; {MAPD} --load /tmp/$$.xodr --name town & daemon=$!; \
+         while ! {PROBE} ask town 1000 >/dev/null 2>&1; do sleep 0.02; done; \
+         {{ sleep 2; echo; }} | {PROBE} wait town 10000 & waiting=$!; sleep 0.2; \
+         echo >> /tmp/$$.xodr; head -c 100M /dev/zero > /dev/shm/filler 2>/dev/null; \
+         {MAPD} reload town; echo refused $?; rm /dev/shm/filler; \
+         {MAPD} status --json | grep '\"reason\"'; \
+         {PROBE} ask town 10000; echo attached $?; \
+         {MAPD} reload town; echo reloaded $?; wait $waiting; echo waited $?; \
+         kill $daemon; wait $daemon; echo ended $?; rm /tmp/$$.xodr; ls -A /dev/shm",
+        town()
+    );
+    let Some(output) = with_small_shared_memory(&place, 8192, &script) else { return };
+    let text = told(&output);
+    let all = [
+        "refused 4\n",
+        "bytes of shared memory",
+        "\"reason\": \"map ",
+        "attached 0\n",
+        "reloaded 0\n",
+        "waited 0\n",
+    ];
+    all.iter().for_each(|part| assert!(text.contains(part), "{part:?} is missing in {text}"));
+    assert!(output.stdout.ends_with(b"ended 0\n"), "left behind: {text}");
+}
+
+/// Shared memory that is mounted read-only or is not there at all: a clear error. (Under a running daemon the kernel refuses to
+/// make it read-only.)
+#[test]
+fn a_root_folder_that_cannot_be_made() {
+    let place = place();
+    let script = format!(
+        "cp {} /tmp/$$.xodr; mount -o remount,ro /dev/shm; \
+         timeout 20 {MAPD} --load /tmp/$$.xodr --name town; echo read-only $?; \
+         umount /dev/shm; mount -t tmpfs none /dev; \
+         timeout 20 {MAPD} --load /tmp/$$.xodr --name town; echo missing $?; rm /tmp/$$.xodr",
+        town()
+    );
+    let Some(output) = with_small_shared_memory(&place, 8192, &script) else { return };
+    let text = told(&output);
+    let all =
+        ["read-only 1\n", "missing 1\n", "Read-only file system", "No such file", "/dev/shm/"];
+    all.iter().for_each(|part| assert!(text.contains(part), "{part:?} is missing in {text}"));
+}
+
 /// A control group of version 1 or 2 with this memory limit; removed at the end.
 struct Group(PathBuf);
 

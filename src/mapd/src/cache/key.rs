@@ -25,6 +25,28 @@ impl Key {
         Self::of(b"document", &[document, folder.as_os_str().as_encoded_bytes()])
     }
 
+    /// Of a document's place, whatever it holds.
+    pub fn of_place(document: &Path) -> Self {
+        Self::of(b"place", &[document.as_os_str().as_encoded_bytes()])
+    }
+
+    /// All of it, as text.
+    pub(super) fn to_text(self) -> String {
+        crate::report::hex(&self.0)
+    }
+
+    /// From its text.
+    pub(super) fn from_text(text: &str) -> Option<Self> {
+        let mut bytes = [0; 32];
+        if text.len() != 2 * bytes.len() || !text.is_ascii() {
+            return None;
+        }
+        for (i, byte) in bytes.iter_mut().enumerate() {
+            *byte = u8::from_str_radix(text.get(2 * i..2 * i + 2)?, 16).ok()?;
+        }
+        Some(Self(bytes))
+    }
+
     fn of(kind: &[u8], parts: &[&[u8]]) -> Self {
         let mut hasher = blake3::Hasher::new();
         for part in std::iter::once(&kind).chain(parts) {
@@ -100,6 +122,10 @@ mod tests {
         ];
         let different: std::collections::BTreeSet<_> = names.iter().map(Key::to_string).collect();
         assert_eq!(different.len(), names.len());
+        for name in names {
+            assert_eq!(Key::from_text(&name.to_text()), Some(name));
+        }
+        assert_eq!(Key::from_text("12"), None);
     }
 
     #[test]

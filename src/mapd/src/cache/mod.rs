@@ -7,6 +7,8 @@
 //! ```text
 //! {folder}/{key}.mapd        an archive; the time of its last use is the file's
 //! {folder}/{key}.includes    the files that a document includes, where it does
+//! {folder}/{key}.known       a document's hash, and the state of its files when it was computed
+//! {folder}/{prefix}{map}.served       the key of what was served last
 //! {folder}/{prefix}{map}.generation   the last generation number of a map (see `mapd::serve`)
 //! {folder}/.new-…            an archive that is being written; removed after a day
 //! ```
@@ -14,9 +16,12 @@
 //! Several daemons may share a folder. All functions are about files only: nothing here knows how a map is compiled.
 
 mod key;
+mod known;
 
 pub use key::{InputHash, Key};
+pub use known::Identity;
 
+use std::ffi::OsStr;
 use std::fs::{self, DirBuilder, File, OpenOptions};
 use std::io;
 use std::os::unix::fs::{DirBuilderExt, OpenOptionsExt};
@@ -33,7 +38,11 @@ const FOLDER_MODE: u32 = 0o700;
 /// Age after which an unfinished archive is that of a process that was killed: compiling takes minutes at most.
 const LEFT_BEHIND: Duration = Duration::from_secs(24 * 3600);
 
+/// Records of a kind, some hundred bytes each, that are kept; those that were written first go first.
+const MOST_RECORDS: usize = 256;
+
 const ARCHIVE: &str = "mapd";
+const SERVED: &str = "served";
 const INCLUDES: &str = "includes";
 const UNFINISHED: &str = ".new-";
 
@@ -163,10 +172,33 @@ impl Cache {
     ///
     /// Errors: a name that is no text; what the system says.
     pub fn remember_includes(&self, document: &Key, files: &[PathBuf]) -> io::Result<()> {
+        self.write(&self.path(document, INCLUDES), &serde_json::to_vec(files)?)
+    }
+
+    /// Remembers which archive is served under a name.
+    ///
+    /// Errors: what the system says.
+    pub fn remember_served(&self, name: &str, key: &Key) -> io::Result<()> {
+        self.write(&self.folder.join(format!("{name}.{SERVED}")), key.to_text().as_bytes())
+    }
+
+    /// The archive that was served last under a name, as far as is remembered.
+    pub fn last_served(&self, name: &str) -> Option<Key> {
+        Key::from_text(&fs::read_to_string(self.folder.join(format!("{name}.{SERVED}"))).ok()?)
+    }
+
+    /// Writes a record, which is there as a whole or not.
+    fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
         let mut unfinished = self.begin()?;
-        fs::write(&unfinished.path, serde_json::to_vec(files)?)?;
-        fs::rename(&unfinished.path, self.path(document, INCLUDES))?;
+        fs::write(&unfinished.path, bytes)?;
+        fs::rename(&unfinished.path, path)?;
         unfinished.kept = true;
+        let mut records = path.extension().map(|kind| self.files(kind)).unwrap_or_default();
+        records.sort_by_key(|(_, _, written)| std::cmp::Reverse(*written));
+        for (old, ..) in records.iter().skip(MOST_RECORDS) {
+            // One that stays goes with the next.
+            let _ = fs::remove_file(old);
+        }
         Ok(())
     }
 
@@ -186,9 +218,13 @@ impl Cache {
 
     /// Archives: path, length, time of the last use.
     fn archives(&self) -> Vec<(PathBuf, u64, SystemTime)> {
+        self.files(OsStr::new(ARCHIVE))
+    }
+
+    /// Files of a kind: path, length, time.
+    fn files(&self, kind: &OsStr) -> Vec<(PathBuf, u64, SystemTime)> {
         let entries = fs::read_dir(&self.folder).into_iter().flatten().filter_map(Result::ok);
-        let archive = |path: &PathBuf| path.extension().is_some_and(|ending| ending == ARCHIVE);
-        let paths = entries.map(|entry| entry.path()).filter(archive);
+        let paths = entries.map(|entry| entry.path()).filter(|path| path.extension() == Some(kind));
         let known = paths.filter_map(|path| {
             let metadata = fs::metadata(&path).ok()?;
             Some((path, metadata.len(), metadata.modified().ok()?))
@@ -243,6 +279,17 @@ mod tests {
         assert_eq!(cache.bytes(), 90);
         put(&cache, &key(9), 1000);
         assert_eq!(cache.bytes(), 1000, "the newest stays, whatever its size");
+    }
+
+    #[test]
+    fn records_do_not_pile_up() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let cache = Cache::open(folder.path(), 100).expect("opens");
+        for number in 0..=MOST_RECORDS as u64 + 9 {
+            let document = Key::of_document(&[7; 32], Path::new(&format!("/{number}")));
+            cache.remember_includes(&document, &[PathBuf::from("x")]).expect("kept");
+        }
+        assert_eq!(cache.files(OsStr::new(INCLUDES)).len(), MOST_RECORDS);
     }
 
     #[test]

@@ -38,6 +38,10 @@ pub(crate) struct DaemonArgs {
     #[arg(long)]
     stage: bool,
 
+    /// At the start, serve what was served last, from the cache, where the file yields no map
+    #[arg(long)]
+    last_good: bool,
+
     /// Folder of compiled archives and of generation numbers [default: $XDG_CACHE_HOME/mapd or ~/.cache/mapd, for root /var/cache/mapd]
     #[arg(long, env = "MAPD_CACHE", value_name = "DIR")]
     cache: Option<PathBuf>,
@@ -88,6 +92,7 @@ impl DaemonArgs {
             map.options = options.or(&map.options);
             map.watch |= self.watch;
             map.stage |= self.stage;
+            map.last_good |= self.last_good;
             maps.push(map);
         }
         let files = sources::expand(&self.load)?;
@@ -104,6 +109,7 @@ impl DaemonArgs {
                 options: options.or(&file.options),
                 watch: self.watch || file.watch,
                 stage: self.stage || file.stage,
+                last_good: self.last_good || file.last_good,
                 max_bytes: None,
             });
         }

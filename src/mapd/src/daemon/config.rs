@@ -22,6 +22,7 @@ pub(crate) struct Configuration {
     pub(crate) lock_memory: bool,
     pub(crate) watch: bool,
     pub(crate) stage: bool,
+    pub(crate) last_good: bool,
     pub(crate) options: CompileArguments,
     pub(crate) maps: Vec<MapSettings>,
 }
@@ -43,6 +44,8 @@ struct File {
     #[serde(default)]
     stage: bool,
     #[serde(default)]
+    last_good: bool,
+    #[serde(default)]
     options: Options,
     #[serde(default, rename = "map")]
     maps: Vec<MapEntry>,
@@ -56,6 +59,7 @@ struct MapEntry {
     name: Option<String>,
     watch: Option<bool>,
     stage: Option<bool>,
+    last_good: Option<bool>,
     max_bytes: Option<Size>,
     #[serde(default)]
     options: Options,
@@ -99,6 +103,7 @@ impl Configuration {
                 options: arguments(text, &entry.options, folder)?.or(&for_all),
                 watch: entry.watch.unwrap_or(file.watch),
                 stage: entry.stage.unwrap_or(file.stage),
+                last_good: entry.last_good.unwrap_or(file.last_good),
                 max_bytes: entry.max_bytes.map(|size| size.0),
             });
         }
@@ -111,6 +116,7 @@ impl Configuration {
             lock_memory: file.lock_memory,
             watch: file.watch,
             stage: file.stage,
+            last_good: file.last_good,
             options: for_all,
             maps,
         })

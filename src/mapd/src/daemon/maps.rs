@@ -4,10 +4,13 @@ use super::ByName;
 use super::prepare::{Prepared, Workshop};
 use super::settings::MapSettings;
 use super::watch::WatchList;
-use crate::control::{Board, GenerationStatus, MapCounts};
+use crate::control::{
+    Board, GenerationStatus, MapCounts, ReloadReport, ReloadResult, Trigger, unix_ns,
+};
 use crate::report::hex;
 use crate::serve::{PublishMeta, ServeError, Server};
 use mapd_archive::{Archive, LAYOUT_ID, verify};
+use mapd_client::Domain;
 use std::collections::VecDeque;
 use std::error::Error;
 use std::os::unix::fs::FileExt;
@@ -35,6 +38,7 @@ pub(super) struct MapEntry {
 /// All maps, and the server that serves them.
 pub(super) struct Maps {
     pub(super) server: Server,
+    pub(super) domain: Domain,
     pub(super) entries: ByName<MapEntry>,
     pub(super) board: Arc<Board>,
     pub(super) workshop: Workshop,
@@ -44,11 +48,12 @@ pub(super) struct Maps {
 impl Maps {
     pub(super) fn new(
         server: Server,
+        domain: Domain,
         board: Arc<Board>,
         workshop: Workshop,
         watched: WatchList,
     ) -> Self {
-        Self { server, entries: ByName::new(), board, workshop, watched }
+        Self { server, domain, entries: ByName::new(), board, workshop, watched }
     }
 
     /// Serves a map for the first time. If the archive comes from the cache and does not prove, it is compiled after all.
@@ -101,6 +106,23 @@ impl Maps {
         );
     }
 
+    /// Notes that a map's file yields no map, and what was served last is served instead.
+    pub(super) fn fell_back(&mut self, map: &str, reason: &str) {
+        let generation = self.entries.get(map).and_then(|entry| entry.served.as_ref());
+        let report = ReloadReport {
+            trigger: Trigger::Start,
+            result: ReloadResult::Failed,
+            generation: generation.map(|kept| kept.status.generation),
+            reason: reason.to_owned(),
+            at_unix_ns: unix_ns(),
+            seconds: 0.0,
+        };
+        self.board.map(map, |state| {
+            state.failed += 1;
+            state.last_reload = Some(report);
+        });
+    }
+
     /// Copies an archive into shared memory, proves it there, and sends or stages it.
     pub(super) fn fill(
         &mut self,
@@ -131,7 +153,7 @@ impl Maps {
         Ok(GenerationStatus {
             generation,
             bytes: archive.length,
-            published_unix_ns: crate::control::unix_ns(),
+            published_unix_ns: unix_ns(),
             content_hash: hex(&hashes.0),
             input_hash: hex(&hashes.1),
             from_cache: archive.from_cache,
@@ -154,6 +176,7 @@ impl Maps {
             }
         }
         let rollbacks = entry.before.len();
+        self.workshop.note_served(&self.domain, map, &kept.archive);
         self.board.map(map, |state| {
             state.served = Some(kept.status);
             state.staged = None;

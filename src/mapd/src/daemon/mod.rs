@@ -63,7 +63,7 @@ pub(crate) fn run(
     let Settings { domain, cache, compile_memory, lock_memory, maps } = settings;
     let workshop = Workshop { cache, compile_memory, trust, cancelled };
     let watched: WatchList = Arc::default();
-    let mut ready = Vec::new();
+    let (mut ready, mut fallbacks) = (Vec::new(), Vec::new());
     let mut exit = Exit::Done;
     for map in &maps {
         let before = watch::identities(std::slice::from_ref(&map.source));
@@ -74,7 +74,15 @@ pub(crate) fn run(
             }
             Err(refusal) => {
                 child::tell(&map.name, &refusal);
-                exit = exit.worst(refusal.exit());
+                match workshop.last_served(&domain, map) {
+                    Some(prepared) => {
+                        say(&format!("map {}: going on with what was published last", map.name));
+                        watch(&watched, map, &prepared, before);
+                        ready.push((map.clone(), prepared));
+                        fallbacks.push((map.name.clone(), refusal.reason().to_owned()));
+                    }
+                    None => exit = exit.worst(refusal.exit()),
+                }
             }
         }
     }
@@ -97,9 +105,13 @@ pub(crate) fn run(
     }
     let board = Arc::new(Board::new(&domain, workshop.cache.as_ref().map(CacheStatus::of)));
     let names: Vec<String> = maps.iter().map(|map| map.name.clone()).collect();
-    let mut state = Maps::new(server, board.clone(), workshop.clone(), watched.clone());
+    let mut state =
+        Maps::new(server, domain.clone(), board.clone(), workshop.clone(), watched.clone());
     for (map, prepared) in ready {
         state.begin(map, prepared)?;
+    }
+    for (map, reason) in &fallbacks {
+        state.fell_back(map, reason);
     }
     let control = answer_with(board, orders.clone());
     // Maps are served without control rather than not at all.

@@ -6,11 +6,11 @@ use crate::cache::{Cache, InputHash, Key};
 use crate::source;
 use crate::trust::signable;
 use mapd_archive::{HEADER_LENGTH, Header};
-use mapd_client::{TrustError, TrustedKey, read_signature, signature_path};
+use mapd_client::{Domain, TrustError, TrustedKey, read_signature, signature_path};
 use std::fs::File;
 use std::io;
 use std::os::unix::fs::FileExt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -91,12 +91,12 @@ impl Workshop {
             return Err(failed("not a file".to_owned()));
         }
         let header = read_header(&file).map_err(|error| failed(error.to_string()))?;
-        let mut files = vec![map.source.clone()];
+        let mut files = vec![absolute(&map.source)];
         let signature = match self.trust {
             None => None,
             Some(_) => {
                 // A signature that comes after its archive is a change as well.
-                files.push(signature_path(&map.source));
+                files.push(signature_path(&absolute(&map.source)));
                 let read = read_signature(&map.source);
                 Some(read.map_err(|error| Refusal::Rejected(error.to_string()))?)
             }
@@ -124,20 +124,13 @@ impl Workshop {
         if !std::fs::metadata(&map.source).is_ok_and(|metadata| metadata.is_file()) {
             return Ok(None);
         }
-        let mut included = Vec::new();
-        let hash = InputHash::of(&map.source, |document| {
-            included = cache.includes(&Key::of_document(document, &folder));
-            included.clone()
-        });
-        let Ok(hash) = hash else { return Ok(None) };
+        let Ok((hash, files)) = cache.input_hash(&map.source, &folder) else { return Ok(None) };
         let key = Key::of_archive(&hash.input, &reading.hash(&options));
         let Some((file, length)) = cache.get(&key) else { return Ok(None) };
         let Ok(header) = read_header(&file) else {
             cache.remove(&key);
             return Ok(None);
         };
-        let mut files = vec![map.source.clone()];
-        files.append(&mut included);
         Ok(Some(Prepared {
             file: Arc::new(file),
             length,
@@ -150,9 +143,34 @@ impl Workshop {
         }))
     }
 
+    /// The archive that was served last under this name, where the map's settings allow it.
+    pub(crate) fn last_served(&self, domain: &Domain, map: &MapSettings) -> Option<Prepared> {
+        // What was served is not signed: only archives are, and of those none is kept.
+        let cache = self.cache.as_ref().filter(|_| map.last_good && self.trust.is_none())?;
+        let key = cache.last_served(&name_in_cache(domain, &map.name))?;
+        let (file, length) = cache.get(&key)?;
+        Some(Prepared {
+            header: read_header(&file).ok()?,
+            file: Arc::new(file),
+            length,
+            key: Some(key),
+            from_cache: true,
+            is_on_disk: true,
+            files: vec![absolute(&map.source)],
+            signature: None,
+        })
+    }
+
+    /// Notes that an archive is served. Without the note a later start can fall back on nothing, which it then says.
+    pub(crate) fn note_served(&self, domain: &Domain, map: &str, archive: &Prepared) {
+        if let (Some(cache), Some(key)) = (&self.cache, &archive.key) {
+            let _ = cache.remember_served(&name_in_cache(domain, map), key);
+        }
+    }
+
     fn compile(&self, map: &MapSettings) -> Result<Prepared, Refusal> {
         let failed = |error: io::Error| Refusal::Failed(format!("the compiled archive: {error}"));
-        let run = |output: &std::path::Path| {
+        let run = |output: &Path| {
             child::compile(map, output.as_os_str(), self.compile_memory, &self.cancelled)
         };
         // A cache that cannot be written any more is done without.
@@ -177,7 +195,7 @@ impl Workshop {
                 (file, length, header, None, told, false)
             }
         };
-        let mut files = vec![map.source.clone()];
+        let mut files = vec![absolute(&map.source)];
         files.extend(told.included);
         Ok(Prepared {
             file: Arc::new(file),
@@ -201,6 +219,15 @@ impl Workshop {
             cache.remember_includes(&Key::of_document(&hash.document, &folder), included)
         });
     }
+}
+
+/// A map's name among those of all domains that share a cache.
+fn name_in_cache(domain: &Domain, map: &str) -> String {
+    format!("{}{map}", domain.prefix())
+}
+
+fn absolute(path: &Path) -> PathBuf {
+    std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 
 fn read_header(file: &File) -> io::Result<Header> {

@@ -29,6 +29,8 @@ pub(crate) struct MapSettings {
     pub(crate) watch: bool,
     /// Reloads by signal and watch are staged.
     pub(crate) stage: bool,
+    /// At the start, serve what was served last if the file yields no map.
+    pub(crate) last_good: bool,
     /// Largest archive \[bytes\].
     pub(crate) max_bytes: Option<u64>,
 }

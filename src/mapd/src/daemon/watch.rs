@@ -5,11 +5,10 @@
 //! another folder, on volumes that are mounted anew, and includes that were not known before.
 
 use super::orders::{Change, Order, Orders};
+use crate::cache::Identity;
 use crate::control::Trigger;
 use std::collections::BTreeMap;
-use std::fs;
 use std::io;
-use std::os::unix::fs::MetadataExt;
 use std::path::PathBuf;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -23,20 +22,12 @@ const LOOK: Duration = Duration::from_millis(100);
 /// finished then.
 const QUIET: Duration = Duration::from_millis(400);
 
-/// What tells one state of a file from another: device, node, size, times of content and of node. `None`: not there.
-type Identity = Option<(u64, u64, u64, (i64, i64), (i64, i64))>;
-
-/// A state of several files.
-pub(crate) type Identities = Vec<Identity>;
+/// A state of several files; `None`: one that is not there.
+pub(crate) type Identities = Vec<Option<Identity>>;
 
 /// The state of files now.
 pub(crate) fn identities(files: &[PathBuf]) -> Identities {
-    let identity = |file: &PathBuf| {
-        let m = fs::metadata(file).ok()?;
-        let times = ((m.mtime(), m.mtime_nsec()), (m.ctime(), m.ctime_nsec()));
-        Some((m.dev(), m.ino(), m.len(), times.0, times.1))
-    };
-    files.iter().map(identity).collect()
+    files.iter().map(|file| Identity::of(file).ok()).collect()
 }
 
 /// A map's files as they were last read.
@@ -119,6 +110,7 @@ fn settled(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
 
     #[test]
     fn a_change_is_told_once_when_it_has_settled() {
