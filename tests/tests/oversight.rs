@@ -29,7 +29,11 @@ struct Logged {
 
 impl Logged {
     fn start(command: &mut Command, args: &[&str]) -> Self {
-        let mut child = command.arg("--load").arg(town()).args(args).spawn().expect("starts");
+        Self::spawn(command.arg("--load").arg(town()).args(args))
+    }
+
+    fn spawn(command: &mut Command) -> Self {
+        let mut child = command.spawn().expect("starts");
         let lines = BufReader::new(child.stderr.take().expect("stderr"));
         Self { child, lines }
     }
@@ -117,6 +121,28 @@ fn logs_as_text_and_as_json_and_as_grave_as_wanted() {
     });
     assert_eq!(daemon.terminate(), Some(0));
     assert_eq!(daemon.line(), None);
+}
+
+/// What the configuration file says counts where the command line is silent.
+#[test]
+fn a_configuration_file_may_say_it() {
+    let (place, folder) = (place(), tempfile::tempdir().expect("a folder"));
+    let file = folder.path().join("mapd.toml");
+    let text = format!(
+        "metrics = '127.0.0.1:0'\nscrub = 1\nno_cache = true\n[[map]]\nfile = '{}'\n",
+        town()
+    );
+    std::fs::write(&file, &text).expect("written");
+    let mut command = place.command();
+    command.arg("--config").arg(&file).args(["--log", "json", "--log-level", "debug"]);
+    let mut daemon = Logged::spawn(&mut command);
+    daemon.event("metrics at");
+    daemon.event("proves");
+    assert_eq!(daemon.terminate(), Some(0));
+    std::fs::write(&file, format!("trust = 'missing.pub'\n{text}")).expect("written");
+    let refused = place.command().arg("--config").arg(&file).output().expect("ends");
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(refused.status.code() == Some(1) && said.contains("missing.pub"), "{said}");
 }
 
 #[test]

@@ -393,7 +393,9 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
         let options = CompileArguments::of(matches);
         cli.oversight.log.init();
         let settings = cli.daemon.settings(&options, domain)?;
-        return daemon::run(settings, cli.trust.key()?, &cli.oversight);
+        let key = cli.trust.or(settings.trust.as_ref()).key()?;
+        let oversight = cli.oversight.or(&settings.oversight);
+        return daemon::run(settings, key, &oversight);
     };
     let exit = match command {
         Command::Compile { file, output, report, options, judging, memory_limit, for_daemon } => {

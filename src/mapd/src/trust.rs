@@ -15,6 +15,11 @@ pub(crate) struct TrustArgs {
 }
 
 impl TrustArgs {
+    /// This key, or if none is named, that of the configuration file.
+    pub(crate) fn or(self, file: Option<&PathBuf>) -> Self {
+        Self { trust: self.trust.or_else(|| file.cloned()) }
+    }
+
     /// The key, if one is named.
     ///
     /// Errors: it cannot be read.

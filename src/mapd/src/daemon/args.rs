@@ -134,7 +134,8 @@ impl DaemonArgs {
         let compile_memory = self.compile_memory.or(file.compile_memory).map(|size| size.0);
         let cache = self.cache(&file)?;
         let lock_memory = self.lock_memory || file.lock_memory;
-        Ok(Settings { domain, cache, compile_memory, lock_memory, maps })
+        let (trust, oversight) = (file.trust, file.oversight);
+        Ok(Settings { domain, cache, compile_memory, trust, oversight, lock_memory, maps })
     }
 
     /// The cache. One that was asked for must be usable; the default one is done without if it is not.

@@ -60,7 +60,7 @@ pub(crate) fn run(
     oversight: &OversightArgs,
 ) -> Result<Exit> {
     let cancelled = Arc::new(AtomicBool::new(false));
-    let Settings { domain, cache, compile_memory, lock_memory, maps } = settings;
+    let Settings { domain, cache, compile_memory, lock_memory, maps, .. } = settings;
     let workshop = Workshop { cache, compile_memory, trust, cancelled };
     let watched: WatchList = Arc::default();
     let (mut ready, mut fallbacks) = (Vec::new(), Vec::new());

@@ -18,6 +18,7 @@ use clap::Args;
 use mapd_client::Domain;
 use periodic::{Periodic, Stop};
 use std::net::SocketAddr;
+use std::num::NonZeroU32;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -36,8 +37,28 @@ pub(crate) struct OversightArgs {
     metrics_open: bool,
 
     /// Prove what is served, every byte of it, at this interval [s]
-    #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u32).range(1..))]
-    scrub: Option<u32>,
+    #[arg(long, value_name = "SECONDS")]
+    scrub: Option<NonZeroU32>,
+}
+
+/// The same, as far as a configuration file says it.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct OversightSettings {
+    pub(crate) metrics: Option<SocketAddr>,
+    pub(crate) metrics_open: bool,
+    pub(crate) scrub: Option<NonZeroU32>,
+}
+
+impl OversightArgs {
+    /// These, and where they are silent, what the configuration file says.
+    pub(crate) fn or(&self, file: &OversightSettings) -> Self {
+        Self {
+            log: self.log.clone(),
+            metrics: self.metrics.or(file.metrics),
+            metrics_open: self.metrics_open || file.metrics_open,
+            scrub: self.scrub.or(file.scrub),
+        }
+    }
 }
 
 /// Oversight of a daemon; ends when dropped.
@@ -80,7 +101,7 @@ impl Oversight {
             threads.push(attendant::start(domain, board, &maps, &stop));
         }
         if let Some(seconds) = args.scrub {
-            let interval = Duration::from_secs(u64::from(seconds));
+            let interval = Duration::from_secs(u64::from(seconds.get()));
             threads.push(scrubber::start(domain, board, &maps, interval, &stop));
         }
         Ok(Self { _threads: threads, _page: page })
