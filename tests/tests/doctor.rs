@@ -76,7 +76,7 @@ fn nothing_is_wrong_before_and_while_a_map_is_served() {
         ("attach lock", "free"),
         ("unfinished files", "none"),
         ("files of dead processes", "in use"),
-        ("rights", "only this user"),
+        ("rights", "nothing is open"),
         ("versions", &format!("iceoryx2 {},", iceoryx2())),
         ("daemon", &daemon.id().to_string()),
         ("attach", "page faults"),
@@ -88,6 +88,26 @@ fn nothing_is_wrong_before_and_while_a_map_is_served() {
     let text = String::from_utf8_lossy(&text.stdout).into_owned();
     assert!(text.lines().any(|line| line.starts_with("ok      attach ")), "{text}");
     assert_eq!(daemon.stop(), 0);
+}
+
+/// Whatever daemon and clients make: nobody else may read or write it.
+#[test]
+fn nothing_is_open_to_other_users() {
+    use std::os::unix::fs::PermissionsExt;
+    let place = place();
+    let _daemon = place.serve(&[&town()]);
+    let client = mapd_client::Client::connect_in(&place.domain(), "town", PATIENCE);
+    let client = client.expect("attaches");
+    let waited = client.wait_next(std::time::Duration::from_millis(50));
+    assert!(waited.is_err(), "nothing new comes, but the listener is made");
+    let mut all = place.segments();
+    assert!(all.len() > 5, "{all:?}");
+    // What lies below the root folder is behind its own mode.
+    all.push(place.domain().root().to_owned());
+    for path in all {
+        let mode = path.metadata().expect("there").permissions().mode();
+        assert_eq!(mode & 0o077, 0, "{} has mode {mode:o}", path.display());
+    }
 }
 
 #[test]
@@ -147,7 +167,7 @@ fn rights_that_are_too_wide() {
     open(&data.expect("a data segment"), 0o666);
     let output = doctor(&place);
     expect(&output, "root folder", "problem", "chmod 700");
-    expect(&output, "rights", "problem", "can be written by other users");
+    expect(&output, "rights", "problem", "is open to other users");
 }
 
 /// The program with limits, by the shell's `ulimit`.

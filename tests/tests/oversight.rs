@@ -1,6 +1,6 @@
 //! What a daemon shows while it runs: logs, metrics, the service manager's socket, proofs of what is served.
 
-use mapd_client::transport::AttachLock;
+use mapd_client::transport::{AttachLock, Subscription};
 use mapd_tests::manager::{Manager, WATCHDOG};
 use mapd_tests::place::{PATIENCE, Place};
 use serde_json::Value;
@@ -220,6 +220,18 @@ fn the_watchdog_falls_silent_where_newcomers_cannot_attach() {
     assert_eq!(manager.hear(2 * WATCHDOG), None, "pinged although nobody can attach");
     drop(guard);
     manager.expect("WATCHDOG=1");
+}
+
+#[test]
+fn the_published_hash_is_of_the_bytes_that_readers_see() {
+    let place = place();
+    let _daemon = place.serve(&[&town()]);
+    let until = Instant::now() + PATIENCE;
+    let subscription = Subscription::connect(&place.domain(), "town", until).expect("attaches");
+    let pinned = subscription.current();
+    let archive = mapd_archive::verify(pinned.bytes()).expect("proves");
+    assert_eq!(pinned.info().content_hash, archive.header.content_hash);
+    assert_eq!(pinned.info().input_hash, archive.header.provenance.input_hash);
 }
 
 #[test]

@@ -15,9 +15,6 @@ const SECOND_LOOK: Duration = Duration::from_millis(100);
 /// Longest wait for the attach lock: a daemon holds it for milliseconds.
 const LOCK_PATIENCE: Duration = Duration::from_millis(500);
 
-/// Rights of others than the owner to write.
-const OTHERS_WRITE: u32 = 0o022;
-
 /// Any rights of others than the owner.
 const OTHERS: u32 = 0o077;
 
@@ -144,13 +141,13 @@ fn leftovers(domain: &Domain, deserted: bool, out: &mut Vec<Finding>) {
 fn rights(domain: &Domain, out: &mut Vec<Finding>) {
     let open = segments(domain)
         .into_iter()
-        .find(|path| path.metadata().is_ok_and(|metadata| metadata.mode() & OTHERS_WRITE != 0));
+        .find(|path| path.metadata().is_ok_and(|metadata| metadata.mode() & OTHERS != 0));
     out.push(match open {
         Some(path) => Finding::problem(
             "rights",
-            format!("{} can be written by other users", path.display()),
+            format!("{} is open to other users", path.display()),
             "end all processes of the domain and start the daemon again; a daemon takes these rights away when it starts",
         ),
-        None => Finding::ok("rights", "only this user can write"),
+        None => Finding::ok("rights", "nothing is open to other users"),
     });
 }

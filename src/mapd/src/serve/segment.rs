@@ -8,8 +8,8 @@ use std::fs::{File, OpenOptions, Permissions};
 use std::io;
 use std::os::unix::fs::PermissionsExt;
 
-/// Mode of a published data segment: nobody changes it any more.
-const READ_ONLY: u32 = 0o444;
+/// Mode of a published data segment: nobody changes it any more, and other users do not even read it.
+const READ_ONLY: u32 = 0o400;
 
 /// The data segment of a publisher.
 pub(crate) struct Segment(File);
