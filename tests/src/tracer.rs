@@ -6,7 +6,7 @@ use nix::errno::Errno;
 use nix::sys::ptrace::{self, Options};
 use nix::sys::signal::{Signal, kill};
 use nix::sys::wait::{WaitPidFlag, WaitStatus, waitpid};
-use nix::unistd::Pid;
+use nix::unistd::{Pid, gettid};
 use std::collections::HashMap;
 use std::fmt;
 use std::io::{self, Write};
@@ -159,7 +159,8 @@ impl Traced {
 
     /// Ends children that outlive the program: they would wait for the tracer for ever.
     fn end_the_rest(&mut self) {
-        let us = format!("TracerPid:\t{}", Pid::this());
+        // The thread that traces, as the kernel demands, not its process.
+        let us = format!("TracerPid:\t{}", gettid());
         for pid in self.threads.keys().filter(|pid| **pid != self.leader) {
             let status = std::fs::read_to_string(format!("/proc/{pid}/status"));
             if status.is_ok_and(|status| status.lines().any(|line| line == us)) {
@@ -168,7 +169,16 @@ impl Traced {
             }
         }
         let group = Pid::from_raw(-self.leader.as_raw());
-        while waitpid(group, Some(WaitPidFlag::__WALL)).is_ok() {}
+        loop {
+            match waitpid(group, Some(WaitPidFlag::__WALL)) {
+                Ok(WaitStatus::Exited(..) | WaitStatus::Signaled(..)) | Err(Errno::EINTR) => {}
+                // One that has just been made, and stops for the first time.
+                Ok(status) => {
+                    let _ = status.pid().map(|pid| kill(pid, Signal::SIGKILL));
+                }
+                Err(_) => return,
+            }
+        }
     }
 
     fn has_executed(&self) -> io::Result<bool> {

@@ -28,7 +28,7 @@ const TOLERANCES: [(f64, f64); 3] = [(0.05, 0.01), (0.01, 0.002), (0.5, 0.1)];
 /// Single precision of points relative to their lane's origin, as a share of the lane's size.
 const ROUNDING: f64 = f32::EPSILON as f64;
 
-fn open(path: &Path, index_tolerance: f64, bound_tolerance: f64) -> Snapshot {
+fn open(path: &Path, (index_tolerance, bound_tolerance): (f64, f64)) -> Snapshot {
     let options = CompileOptions { index_tolerance, bound_tolerance, ..CompileOptions::default() };
     let file = std::fs::File::open(path).expect("the map can be read");
     let compiled = compile(file, &options, &mut |_| {}).expect("reading works");
@@ -69,35 +69,54 @@ fn worst(lane: &Lane<'_>, line: Polyline<'_>, exact: impl Fn(f64) -> DVec3) -> f
     worst
 }
 
+/// Compares all lines of a map; yields the number of points compared.
+fn check(snapshot: &Snapshot, name: &str, (center, bound): (f64, f64)) -> usize {
+    let mut compared = 0;
+    for row in 0..snapshot.map().tables().lanes.len() as u32 {
+        let lane = snapshot.map().lane_by_row(row).expect("a lane");
+        let road = lane.road();
+        let at =
+            |s: f64, t: f64| road.to_inertial(Track { s, t, h: 0.0 }).expect("a pose").position;
+        let centers = worst(&lane, lane.center_line(), |s| at(s, lane.edges_at(s).center()));
+        let bounds = worst(&lane, lane.border(), |s| at(s, lane.edges_at(s).outer));
+        for (line, off, limit) in [("centre line", centers, center), ("border", bounds, bound)] {
+            let key = lane.key();
+            assert!(off <= limit, "{name}: {line} of {key} is {off} m off, allowed {limit}");
+        }
+        compared += lane.border().len();
+    }
+    compared
+}
+
 #[test]
 fn no_polyline_exceeds_its_tolerance() {
     for path in carried_and(&MAPS) {
-        for (center, bound) in TOLERANCES {
-            let snapshot = open(&path, center, bound);
-            let mut compared = 0;
-            for row in 0..snapshot.map().tables().lanes.len() as u32 {
-                let lane = snapshot.map().lane_by_row(row).expect("a lane");
-                let road = lane.road();
-                let at = |s: f64, t: f64| {
-                    road.to_inertial(Track { s, t, h: 0.0 }).expect("a pose").position
-                };
-                let centers =
-                    worst(&lane, lane.center_line(), |s| at(s, lane.edges_at(s).center()));
-                let bounds = worst(&lane, lane.border(), |s| at(s, lane.edges_at(s).outer));
-                for (name, off, limit) in
-                    [("centre line", centers, center), ("border", bounds, bound)]
-                {
-                    assert!(
-                        off <= limit,
-                        "{}: {} of {} is {off} m off, allowed {limit}",
-                        path.display(),
-                        name,
-                        lane.key()
-                    );
-                }
-                compared += lane.border().len();
-            }
-            assert!(compared > 0, "{}", path.display());
+        for tolerances in TOLERANCES {
+            let snapshot = open(&path, tolerances);
+            assert!(check(&snapshot, &path.display().to_string(), tolerances) > 0);
+        }
+    }
+}
+
+/// A curve that is back at the same place wherever it is looked at is no straight line: ramps of whole turns.
+#[test]
+fn whole_turns_are_no_segment() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for turns in [1, 2, 3, 4, 6, 8, 16] {
+        let length = f64::from(turns) * std::f64::consts::TAU * 10.0;
+        let map = format!(
+            r#"<OpenDRIVE><header revMajor="1" revMinor="7"/><road id="1" length="{length}" junction="-1">
+<planView><geometry s="0" x="0" y="0" hdg="0" length="{length}"><arc curvature="0.1"/></geometry></planView>
+<elevationProfile><elevation s="0" a="0" b="0.05" c="0" d="0"/></elevationProfile>
+<lanes><laneSection s="0"><center><lane id="0"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes>
+</road></OpenDRIVE>"#
+        );
+        let path = folder.path().join(format!("{turns}.xodr"));
+        std::fs::write(&path, map).expect("a file");
+        for tolerances in TOLERANCES {
+            let name = format!("{turns} turns");
+            // Chords of a circle of 10 m that stay within half a metre are six at least.
+            assert!(check(&open(&path, tolerances), &name, tolerances) > 6 * turns as usize);
         }
     }
 }

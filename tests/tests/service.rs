@@ -400,6 +400,41 @@ fn a_stop_during_a_reload_ends_at_once() {
     assert!(scene.maps.is(&held, 0));
 }
 
+/// The process that compiles this file for a daemon, once there is one.
+fn compiler_of(file: &std::path::Path) -> u32 {
+    let until = Instant::now() + PATIENCE;
+    while Instant::now() < until {
+        for entry in fs::read_dir("/proc").expect("processes").flatten() {
+            let Ok(line) = fs::read(entry.path().join("cmdline")) else { continue };
+            let words: Vec<&[u8]> = line.split(|byte| *byte == 0).collect();
+            let file = file.as_os_str().as_encoded_bytes();
+            if words.contains(&file) && words.contains(&b"--for-daemon".as_slice()) {
+                return entry.file_name().to_string_lossy().parse().expect("a number");
+            }
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    panic!("nobody compiles {}", file.display());
+}
+
+#[test]
+fn a_compiler_that_is_killed_hurts_nobody() {
+    let scene = Scene::new(&[]);
+    fs::remove_file(scene.maps.path()).expect("removed");
+    let made = Command::new("mkfifo").arg(scene.maps.path()).status().expect("mkfifo runs");
+    assert!(made.success());
+    let report = std::thread::scope(|scope| {
+        let asked = scope.spawn(|| scene.reload());
+        let compiler = compiler_of(&scene.maps.path()).to_string();
+        assert!(Command::new("kill").args(["-KILL", &compiler]).status().expect("runs").success());
+        asked.join().expect("no panic")
+    });
+    scene.failed(&report, "signal: 9", 0);
+    scene.maps.put(1);
+    assert_eq!(scene.reload().result, ReloadResult::Published);
+    scene.has(1);
+}
+
 #[test]
 fn a_compiler_that_needs_too_much_memory_hurts_nobody() {
     let Scene { place, maps, daemon, client } = Scene::new(&[]);

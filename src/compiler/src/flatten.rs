@@ -3,15 +3,23 @@
 use glam::DVec3;
 use mapd_geometry::clamp;
 
-/// Halvings of one stretch. 2²⁰ pieces of a stretch that is not smooth at all are enough to stop at.
+/// Depth of cutting one stretch into two or more parts, and these again.
 const MAX_DEPTH: u32 = 20;
 /// Parts between two points at whose joints the curve is compared with its chord.
-const PARTS: usize = 8;
+const PARTS: usize = 4;
+/// Share at which it is compared as well: a curve that comes back to the joints again and again is not there too, because
+/// this is far from every simple fraction (1 − 1/φ).
+const ODD_SHARE: f64 = 0.381_966_011_250_105_1;
 /// Share of the tolerance that may be used up; the rest is for single precision.
 const SHARE: f64 = 0.95;
 /// Between two places the curve leaves the line through them by an eighth of the second difference there, if its second
 /// derivative is constant; doubled, because it is not.
 const BETWEEN: f64 = 2.0 / 8.0;
+
+/// Factor on the distance from the chord when it is shared out: what may lie between the places comes to an eighth of it.
+const ALLOWANCE: f64 = 1.15;
+/// Parts that a stretch is cut into at once: what a few places say of a long stretch may be far off.
+const MAX_PARTS: u32 = 64;
 
 /// A point of a polyline.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,12 +28,29 @@ pub(crate) struct Sample {
     pub(crate) position: DVec3,
 }
 
+/// A curve in space over s.
+pub(crate) trait Curve {
+    /// The place at s; none where it is not finite.
+    fn at(&mut self, s: f64) -> Option<DVec3>;
+
+    /// Whether the curve is known to be a segment from one s up to another: then it is not looked at in between.
+    fn is_straight(&mut self, _from: f64, _to: f64) -> bool {
+        false
+    }
+}
+
+impl<F: FnMut(f64) -> Option<DVec3>> Curve for F {
+    fn at(&mut self, s: f64) -> Option<DVec3> {
+        self(s)
+    }
+}
+
 /// Samples a curve that is smooth between consecutive `breaks` (ascending, at least two), so that no point of it lies
 /// farther than `tolerance` from the polyline. Where the curve jumps at a break, both sides become points of equal s.
 pub(crate) fn flatten(
     breaks: &[f64],
     tolerance: f64,
-    curve: &impl Fn(f64) -> Option<DVec3>,
+    curve: &mut impl Curve,
     out: &mut Vec<Sample>,
 ) -> Option<()> {
     out.clear();
@@ -33,14 +58,18 @@ pub(crate) fn flatten(
         let (start, end) = (pair[0], pair[1]);
         // Just below the break, where the records of this stretch still hold.
         let last = if end > start { end.next_down() } else { end };
-        let first = Sample { s: start, position: curve(start)? };
+        let first = Sample { s: start, position: curve.at(start)? };
         match out.last() {
             Some(before) if before.position.distance(first.position) <= 0.1 * tolerance => {}
             _ => out.push(first),
         }
         if end > start {
-            let last = Sample { s: end, position: curve(last)? };
-            refine(first, last, tolerance * SHARE, MAX_DEPTH, curve, out)?;
+            let last = Sample { s: end, position: curve.at(last)? };
+            if curve.is_straight(start, end) {
+                out.push(last);
+            } else {
+                refine(first, last, tolerance * SHARE, MAX_DEPTH, curve, out)?;
+            }
         }
     }
     Some(())
@@ -51,53 +80,88 @@ fn refine(
     b: Sample,
     tolerance: f64,
     depth: u32,
-    curve: &impl Fn(f64) -> Option<DVec3>,
+    curve: &mut impl Curve,
     out: &mut Vec<Sample>,
 ) -> Option<()> {
-    let at = |share: f64| a.s + share * (b.s - a.s);
-    let flat = depth == 0 || is_flat(a, b, tolerance, curve)?;
-    if flat {
+    let parts = if depth == 0 { 1 } else { parts(a, b, tolerance, curve)? };
+    if parts == 1 {
         out.push(b);
         return Some(());
     }
-    let middle = Sample { s: at(0.5), position: curve(at(0.5))? };
-    refine(a, middle, tolerance, depth - 1, curve, out)?;
-    refine(middle, b, tolerance, depth - 1, curve, out)
+    let mut from = a;
+    for i in 1..=parts {
+        let to = if i == parts {
+            b
+        } else {
+            let s = a.s + (b.s - a.s) * (f64::from(i) / f64::from(parts));
+            Sample { s, position: curve.at(s)? }
+        };
+        refine(from, to, tolerance, depth - 1, curve, out)?;
+        from = to;
+    }
+    Some(())
 }
 
-/// Whether a curve stays near the chord between two of its points: at the places that are looked at, and, as far as
-/// differences tell how it bends, between them.
-fn is_flat(
-    a: Sample,
-    b: Sample,
-    tolerance: f64,
-    curve: &impl Fn(f64) -> Option<DVec3>,
-) -> Option<bool> {
-    let place = |i: usize| curve(a.s + (b.s - a.s) * (i as f64 / PARTS as f64));
+/// Into how many parts a stretch is cut: one where the curve stays near the chord between two of its points, at the places
+/// that are looked at, and, as far as differences tell how it bends, between them.
+fn parts(a: Sample, b: Sample, tolerance: f64, curve: &mut impl Curve) -> Option<u32> {
+    let mut at = |share: f64| curve.at(a.s + (b.s - a.s) * share);
+    let mut place = |i: usize| at(i as f64 / PARTS as f64);
+    let chord = Chord::new(a.position, b.position);
     // The middle first: most stretches that are not flat show it there.
     let middle = place(PARTS / 2)?;
-    if distance_to_segment(middle, a.position, b.position) > tolerance {
-        return Some(false);
+    let off = chord.distance_squared(middle).sqrt();
+    if off > tolerance {
+        return Some(needed(off / tolerance));
     }
     let (mut before, mut here) = (a.position, place(1)?);
-    let (mut off, mut bend) = (0f64, 0f64);
+    let (mut off, mut bend) = (off * off, 0f64);
     for i in 1..PARTS {
-        off = off.max(distance_to_segment(here, a.position, b.position));
+        off = off.max(chord.distance_squared(here));
         let next = match i + 1 {
             PARTS => b.position,
             i if i == PARTS / 2 => middle,
             i => place(i)?,
         };
-        bend = bend.max((before - 2.0 * here + next).length());
+        bend = bend.max((before - 2.0 * here + next).length_squared());
         (before, here) = (here, next);
     }
-    Some(off + BETWEEN * bend <= tolerance)
+    off = off.max(chord.distance_squared(at(ODD_SHARE)?));
+    let excess = (off.sqrt() + BETWEEN * bend.sqrt()) / tolerance;
+    Some(if excess <= 1.0 { 1 } else { needed(excess) })
+}
+
+/// Parts into which a stretch is cut whose curve leaves the chord by more than the tolerance, so many times: the distance
+/// falls with the square of the length.
+fn needed(excess: f64) -> u32 {
+    // Not a number counts as the least. (Casts saturate.)
+    let parts = (excess * ALLOWANCE).sqrt().ceil() as u32;
+    if parts > MAX_PARTS { MAX_PARTS } else { parts.max(2) }
+}
+
+/// A segment that distances are measured from.
+struct Chord {
+    start: DVec3,
+    along: DVec3,
+    /// Inverse of the squared length; 0 without one.
+    inverse: f64,
+}
+
+impl Chord {
+    fn new(a: DVec3, b: DVec3) -> Self {
+        let along = b - a;
+        let squared = along.length_squared();
+        Self { start: a, along, inverse: if squared > 0.0 { 1.0 / squared } else { 0.0 } }
+    }
+
+    fn distance_squared(&self, p: DVec3) -> f64 {
+        let away = p - self.start;
+        let share = clamp(away.dot(self.along) * self.inverse, 0.0, 1.0);
+        (away - self.along * share).length_squared()
+    }
 }
 
 /// Distance of a point from a segment.
 pub(crate) fn distance_to_segment(p: DVec3, a: DVec3, b: DVec3) -> f64 {
-    let d = b - a;
-    let squared = d.length_squared();
-    let along = if squared > 0.0 { clamp((p - a).dot(d) / squared, 0.0, 1.0) } else { 0.0 };
-    p.distance(a + d * along)
+    Chord::new(a, b).distance_squared(p).sqrt()
 }

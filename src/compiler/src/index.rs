@@ -11,6 +11,8 @@ use rayon::prelude::*;
 
 /// Children of a node, places of a leaf.
 const WIDTH: usize = 16;
+/// Entries that one task orders.
+const TOGETHER: usize = 4096;
 /// Added to every reach, overshoot and height `[m]`, besides the tolerances: single precision within a leaf.
 const REACH_MARGIN: f64 = 1e-4;
 /// Points of one lane's centre line: segments are numbered with 16 bits.
@@ -51,7 +53,7 @@ impl Entry {
 
 /// Fills `index_levels`, `index_nodes` and `index_leaves`.
 pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), TooLarge> {
-    let mut entries: Vec<Entry> = {
+    let entries: Vec<Entry> = {
         let archive = view(rows);
         let map = Map::new(&archive, 0);
         let numbers: Vec<u32> = (0..rows.lanes.len() as u32).collect();
@@ -61,7 +63,7 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
         return Ok(());
     }
     u32::try_from(entries.len()).map_err(|_| TooLarge::new("index_leaves"))?;
-    order(&mut entries);
+    let entries = ordered_entries(entries);
     let (leaves, boxes): (Vec<_>, Vec<_>) = entries.par_chunks(WIDTH).map(leaf).unzip();
     let mut levels = Vec::new();
     let mut below = boxes;
@@ -159,33 +161,70 @@ fn extent(lane: &Lane<'_>, map_origin: DVec2, ends: [DVec2; 2], cuts: [f32; 2]) 
     extent
 }
 
-/// Orders entries so that consecutive sixteens lie close together, and sixteens of sixteens as well: halves along the
-/// longer side at multiples of whole subtrees. The order is total, so that the result does not depend on how it is
-/// sorted.
-fn order(entries: &mut [Entry]) {
+/// An entry while entries are ordered.
+#[derive(Clone, Copy)]
+struct Key {
+    /// Twice the middle, as numbers that compare as the coordinates do.
+    middle: [i64; 2],
+    /// Place of the entry, which breaks ties.
+    entry: u32,
+}
+
+impl Key {
+    fn new(entry: &Entry, number: u32) -> Self {
+        Self { middle: [0, 1].map(|axis| ordered(entry.middle(axis))), entry: number }
+    }
+}
+
+/// A number that compares as the coordinate does.
+fn ordered(value: f64) -> i64 {
+    let bits = value.to_bits() as i64;
+    bits ^ ((bits >> 63) & i64::MAX)
+}
+
+/// The coordinate of such a number.
+fn coordinate(ordered: i64) -> f64 {
+    f64::from_bits((ordered ^ ((ordered >> 63) & i64::MAX)) as u64)
+}
+
+/// Entries so ordered that consecutive sixteens lie close together, and sixteens of sixteens as well.
+fn ordered_entries(entries: Vec<Entry>) -> Vec<Entry> {
+    let numbered = entries.iter().zip(0..);
+    let mut keys: Vec<Key> = numbered.map(|(entry, number)| Key::new(entry, number)).collect();
+    order(&mut keys);
+    keys.par_iter().map(|key| entries[key.entry as usize]).collect()
+}
+
+/// Halves along the longer side at multiples of whole subtrees. The order is total, so that the result does not depend on
+/// how it is sorted.
+fn order(keys: &mut [Key]) {
     let mut unit = WIDTH;
-    while unit * WIDTH < entries.len() {
+    while unit * WIDTH < keys.len() {
         unit *= WIDTH;
     }
-    if entries.len() <= WIDTH {
-        entries.sort_by_key(|e| (e.lane, e.segment));
+    if keys.len() <= WIDTH {
+        keys.sort_unstable_by_key(|key| key.entry);
         return;
     }
-    let subtrees = entries.len().div_ceil(unit);
+    let subtrees = keys.len().div_ceil(unit);
     let middle = subtrees / 2 * unit;
-    let spread = |axis: usize| {
-        let low = entries.iter().map(|e| e.middle(axis)).fold(f64::INFINITY, f64::min);
-        let high = entries.iter().map(|e| e.middle(axis)).fold(f64::NEG_INFINITY, f64::max);
-        high - low
-    };
+    let (mut low, mut high) = ([i64::MAX; 2], [i64::MIN; 2]);
+    for key in keys.iter() {
+        for axis in 0..2 {
+            low[axis] = low[axis].min(key.middle[axis]);
+            high[axis] = high[axis].max(key.middle[axis]);
+        }
+    }
+    let spread = |axis: usize| coordinate(high[axis]) - coordinate(low[axis]);
     let axis = usize::from(spread(1) > spread(0));
-    entries.select_nth_unstable_by(middle, |p, q| {
-        p.middle(axis)
-            .total_cmp(&q.middle(axis))
-            .then((p.lane, p.segment).cmp(&(q.lane, q.segment)))
-    });
-    let (left, right) = entries.split_at_mut(middle);
-    rayon::join(|| order(left), || order(right));
+    keys.select_nth_unstable_by_key(middle, |key| (key.middle[axis], key.entry));
+    let (left, right) = keys.split_at_mut(middle);
+    if left.len() + right.len() < TOGETHER {
+        order(left);
+        order(right);
+    } else {
+        rayon::join(|| order(left), || order(right));
+    }
 }
 
 /// A box in double precision: smallest x, y, z, largest x, y, z.

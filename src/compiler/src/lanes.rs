@@ -1,46 +1,63 @@
 //! Samples every lane's centre line and border, through the queries that will answer later.
 
 use crate::TooLarge;
-use crate::flatten::{Sample, flatten};
+use crate::cuts::{Cuts, Memory};
+use crate::flatten::{Curve, Sample, flatten};
 use crate::options::CompileOptions;
 use glam::DVec3;
 use mapd_archive::{Archive, Header, LaneRow, PointRow, Provenance, Range, Rows};
-use mapd_query::{Lane, Map, Track};
+use mapd_query::{Lane, LaneEdges, Map};
 use rayon::prelude::*;
 
-/// Lanes that one task samples; small enough to share work evenly, large enough to be worth a task.
-const LANES_PER_TASK: usize = 64;
+/// Sections that one task samples; small enough to share work evenly, large enough to be worth a task.
+const SECTIONS_PER_TASK: usize = 16;
 
-/// The sampled lines of one lane.
+/// The sampled lines of some lanes.
 struct Lines {
-    origin: DVec3,
-    center: Vec<PointRow>,
-    border: Vec<PointRow>,
+    lanes: Vec<Line>,
+    /// Centre line and border, lane by lane.
+    points: Vec<PointRow>,
+    /// Smallest and largest coordinates of any point.
     bounds: [DVec3; 2],
 }
 
-/// Fills `points`, the lanes' ranges into them and the map's bounds. Lanes are sampled in parallel and joined in order.
+/// What the points of one lane are.
+struct Line {
+    lane: u32,
+    origin: DVec3,
+    /// Points of the centre line.
+    center: usize,
+    /// Points of the border, which follow.
+    border: usize,
+}
+
+/// Fills `points`, the lanes' ranges into them and the map's bounds. Sections are sampled in parallel and joined in order.
 pub(crate) fn sample(rows: &mut Rows, options: &CompileOptions) -> Result<(), TooLarge> {
-    let lines: Vec<Vec<Option<Lines>>> = {
+    let lines: Vec<Lines> = {
         let archive = view(rows);
         let map = Map::new(&archive, 0);
-        let numbers: Vec<u32> = (0..rows.lanes.len() as u32).collect();
-        numbers
-            .par_chunks(LANES_PER_TASK)
-            .map(|chunk| chunk.iter().map(|number| lines(map, *number, options)).collect())
-            .collect()
+        let numbers: Vec<u32> = (0..rows.sections.len() as u32).collect();
+        let chunks = numbers.par_chunks(SECTIONS_PER_TASK);
+        chunks.map(|sections| lines(map, sections, options)).collect()
     };
     let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for (lane, lines) in lines.into_iter().flatten().enumerate() {
-        let Some(lines) = lines else { continue };
-        let (Some(center), Some(border)) =
-            (append(&mut rows.points, &lines.center), append(&mut rows.points, &lines.border))
-        else {
-            return Err(TooLarge::at_lane("points", rows, lane as u32));
-        };
-        let row: &mut LaneRow = &mut rows.lanes[lane];
-        (row.center, row.border) = (center, border);
-        (row.x, row.y, row.z) = lines.origin.into();
+    rows.points.reserve_exact(lines.iter().map(|lines| lines.points.len()).sum());
+    for lines in lines {
+        let mut first = rows.points.len();
+        rows.points.extend_from_slice(&lines.points);
+        for line in &lines.lanes {
+            let middle = first + line.center;
+            let end = middle + line.border;
+            let (Some(center), Some(border)) =
+                (Range::between(first, middle), Range::between(middle, end))
+            else {
+                return Err(TooLarge::at_lane("points", rows, line.lane));
+            };
+            first = end;
+            let row: &mut LaneRow = &mut rows.lanes[line.lane as usize];
+            (row.center, row.border) = (center, border);
+            (row.x, row.y, row.z) = line.origin.into();
+        }
         low = low.min(lines.bounds[0]);
         high = high.max(lines.bounds[1]);
     }
@@ -58,48 +75,88 @@ pub(crate) fn view(rows: &Rows) -> Archive<'_> {
     Archive { header, tables: rows.as_tables() }
 }
 
-fn append(points: &mut Vec<PointRow>, new: &[PointRow]) -> Option<Range> {
-    let before = points.len();
-    points.extend_from_slice(new);
-    Range::between(before, points.len())
+/// Samples the lanes of some sections.
+fn lines(map: Map<'_>, sections: &[u32], options: &CompileOptions) -> Lines {
+    let bounds = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+    let mut lines = Lines { lanes: Vec::new(), points: Vec::new(), bounds };
+    let mut memory = Memory::new();
+    let mut samples = Vec::new();
+    for section in sections.iter().filter_map(|section| map.section_by_row(*section)) {
+        let Some(mut cuts) = Cuts::new(section, &mut memory) else { continue };
+        for (at, lane) in section.lanes().enumerate() {
+            let before = lines.points.len();
+            let along = (&mut cuts, at);
+            if line(&lane, along, options, &mut samples, &mut lines).is_none() {
+                lines.points.truncate(before);
+            }
+        }
+    }
+    lines.points.shrink_to_fit();
+    lines
 }
 
-fn lines(map: Map<'_>, number: u32, options: &CompileOptions) -> Option<Lines> {
-    let lane = map.lane_by_row(number)?;
-    let road = lane.road();
-    let origin = map.local_origin();
+/// Samples the lane that is the `at`-th of its section from the left. None for geometry that is not finite.
+fn line(
+    lane: &Lane<'_>,
+    (cuts, at): (&mut Cuts<'_, '_>, usize),
+    options: &CompileOptions,
+    samples: &mut Vec<Sample>,
+    lines: &mut Lines,
+) -> Option<()> {
+    let breaks = breaks(lane);
     let s_start = lane.section().s_start();
-    let breaks = breaks(&lane);
-    let at = |t: f64, s: f64| {
-        let pose = road.to_inertial(Track { s, t, h: 0.0 }).ok()?;
-        Some(DVec3::new(pose.position.x - origin.x, pose.position.y - origin.y, pose.position.z))
-    };
-    let mut samples = Vec::new();
-    let border = |s: f64| at(lane.edges_at(s).outer, s);
-    flatten(&breaks, options.bound_tolerance, &border, &mut samples)?;
-    let first = samples.first()?.position;
-    let mut bounds = [first; 2];
-    for sample in &samples {
+    let mut border = LaneCurve { cuts, lane: at, t: |edges: LaneEdges| edges.outer };
+    flatten(&breaks, options.bound_tolerance, &mut border, samples)?;
+    let origin = samples.first()?.position;
+    let mut bounds = lines.bounds;
+    for sample in samples.iter() {
         bounds = [bounds[0].min(sample.position), bounds[1].max(sample.position)];
     }
-    let border = points(&samples, first, s_start);
-    let center = if lane.number() == 0 {
-        Vec::new()
-    } else {
-        let center = |s: f64| at(lane.edges_at(s).center(), s);
-        flatten(&breaks, options.index_tolerance, &center, &mut samples)?;
-        points(&samples, first, s_start)
-    };
-    Some(Lines { origin: first, center, border, bounds })
+    // In the table the centre line comes first; the border gives the origin.
+    let outer = points(samples, origin, s_start).collect::<Vec<_>>();
+    let before = lines.points.len();
+    if lane.number() != 0 {
+        let mut center = LaneCurve { cuts, lane: at, t: LaneEdges::center };
+        flatten(&breaks, options.index_tolerance, &mut center, samples)?;
+        lines.points.extend(points(samples, origin, s_start));
+    }
+    let center = lines.points.len() - before;
+    lines.points.extend_from_slice(&outer);
+    let lane = lane.lane_id().row();
+    lines.lanes.push(Line { lane, origin, center, border: outer.len() });
+    lines.bounds = bounds;
+    Some(())
+}
+
+/// A line along a lane, between its edges.
+struct LaneCurve<'c, 'm, 'a, T> {
+    cuts: &'c mut Cuts<'m, 'a>,
+    /// Counted from the left.
+    lane: usize,
+    t: T,
+}
+
+impl<T: Fn(LaneEdges) -> f64> Curve for LaneCurve<'_, '_, '_, T> {
+    #[inline]
+    fn at(&mut self, s: f64) -> Option<DVec3> {
+        self.cuts.place(self.lane, s, &self.t)
+    }
+
+    fn is_straight(&mut self, from: f64, to: f64) -> bool {
+        self.cuts.is_straight(self.lane, from, to)
+    }
 }
 
 /// Points relative to an origin.
-fn points(samples: &[Sample], origin: DVec3, s_start: f64) -> Vec<PointRow> {
-    let relative = |sample: &Sample| {
+fn points(
+    samples: &[Sample],
+    origin: DVec3,
+    s_start: f64,
+) -> impl ExactSizeIterator<Item = PointRow> {
+    samples.iter().map(move |sample| {
         let p = sample.position - origin;
         PointRow { x: p.x as f32, y: p.y as f32, z: p.z as f32, s: (sample.s - s_start) as f32 }
-    };
-    samples.iter().map(relative).collect()
+    })
 }
 
 /// Every s of the lane's section at which some record that shapes it begins, with both ends.

@@ -18,6 +18,7 @@
 //! assert_eq!(mapd_archive::verify(&bytes).unwrap().tables.lanes.len(), 2);
 //! ```
 
+mod cuts;
 mod flatten;
 mod georeference;
 mod graph;
@@ -33,6 +34,7 @@ mod quarantine;
 mod report;
 mod rounds;
 mod signals;
+mod stream;
 mod too_large;
 
 pub use options::{CompileOptions, CyclePolicy, OffsetSign, OptionsError};
@@ -49,6 +51,7 @@ use quarantine::{Exclusions, Units};
 use report::Collector;
 use std::io::{self, Read};
 use std::path::PathBuf;
+use stream::Stream;
 pub(crate) use too_large::TooLarge;
 use too_large::{too_large, too_long};
 
@@ -284,11 +287,12 @@ fn read(
             inputs = inputs.with_include_folder(folder);
         }
         let source = inputs.open(Box::new(&mut hashing), "");
-        let mut reader = Reader::with_source(inputs, source, reading.limits);
-        let places = reader.places().clone();
+        let mut stream = Stream::new(Reader::with_source(inputs, source, reading.limits));
+        let places = stream.reader.places().clone();
         let mut checked = Vec::new();
         let mut checker = Checker::new(&reading.rules);
-        while let Some(item) = reader.next()? {
+        while let Some(item) = stream.next()? {
+            let reader = &mut stream.reader;
             let read = reader.take_findings();
             collector.add_units(&item);
             let Some(item) = without.filter(item, &mut quarantined) else {
@@ -334,6 +338,7 @@ fn read(
             progress(Progress::Reading { bytes: reader.bytes_read(), roads: lowering.roads() });
         }
         checker.finish();
+        let reader = &mut stream.reader;
         collector.add_read(reader.take_findings(), checker.take_findings(), &places, without);
         let stated = reader.stated_version().to_owned();
         (places, Version { stated, checked: reader.checked_version() })

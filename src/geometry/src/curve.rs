@@ -40,6 +40,12 @@ enum Shape<'a> {
 }
 
 impl<'a> Curve<'a> {
+    /// Whether the curve is a line that does not end before u `[m]`.
+    #[must_use]
+    pub fn is_line_up_to(&self, u: f64) -> bool {
+        matches!(self.shape, Shape::Line) && u <= self.length
+    }
+
     /// A view of the coefficients that [`compile`](crate::compile()) made for this kind and length `[m]`.
     ///
     /// `None` if their number does not fit the kind, or the length is negative or not finite.

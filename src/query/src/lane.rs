@@ -138,7 +138,9 @@ impl<'a> Lane<'a> {
     /// that is not finite.
     pub fn edge_points_at(&self, s: f64) -> Option<[DVec3; 2]> {
         let edges = self.edges_at(s);
-        self.road.points_across(s, [edges.inner, edges.outer])
+        let cut = self.road.cross_section(s)?;
+        let origin = self.map.origin().extend(0.0);
+        Some([edges.inner, edges.outer].map(|t| origin + cut.place(t)))
     }
 
     /// A place on the lane: at its end with what holds in its section, whatever begins with the next one.

@@ -16,6 +16,7 @@
 //! ```
 
 mod area;
+mod cross_section;
 mod error;
 #[cfg(feature = "geodesy")]
 mod geodetic;
@@ -46,6 +47,7 @@ mod surface;
 mod types;
 mod waypoints;
 
+pub use cross_section::{CrossSection, SectionCutter};
 pub use error::QueryError;
 #[cfg(feature = "geodesy")]
 pub use geodetic::GeodeticError;

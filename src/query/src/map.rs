@@ -120,6 +120,11 @@ impl<'a> Map<'a> {
         Lane::new(*self, row)
     }
 
+    /// The lane section in a row of the archive's table.
+    pub fn section_by_row(&self, row: u32) -> Option<LaneSection<'a>> {
+        LaneSection::new(*self, row)
+    }
+
     /// The road in a row of the archive's table.
     pub fn road_by_row(&self, row: u32) -> Option<Road<'a>> {
         Road::new(*self, row)

@@ -59,7 +59,13 @@ pub(crate) fn slope(records: &[ArchivedCubicRow], at: At) -> Slope {
     })
 }
 
+/// Cosine and sine of a superelevation; (1, 0) without any trigonometry where there is none.
 #[inline]
-fn cubic(r: &ArchivedCubicRow) -> Cubic {
+pub(crate) fn roll(angle: f64) -> (f64, f64) {
+    if angle == 0.0 { (1.0, 0.0) } else { mapd_geometry::cos_sin(angle) }
+}
+
+#[inline]
+pub(crate) fn cubic(r: &ArchivedCubicRow) -> Cubic {
     Cubic { a: r.a(), b: r.b(), c: r.c(), d: r.d() }
 }

@@ -197,22 +197,37 @@ impl<'a> Road<'a> {
 
     /// Superelevation at s `[rad]`; positive lifts the left side.
     pub fn superelevation_at(&self, s: f64) -> f64 {
-        profile::value(self.cubics(self.row.superelevations()), At::new(s))
+        profile::value(self.superelevations(), At::new(s))
     }
 
     /// Change of the superelevation by s `[rad/m]`.
     pub(crate) fn superelevation_slope(&self, at: At) -> f64 {
-        profile::slope(self.cubics(self.row.superelevations()), at).derivative
+        profile::slope(self.superelevations(), at).derivative
+    }
+
+    #[inline]
+    pub(crate) fn elevations(&self) -> &'a [ArchivedCubicRow] {
+        self.cubics(self.row.elevations())
+    }
+
+    #[inline]
+    pub(crate) fn superelevations(&self) -> &'a [ArchivedCubicRow] {
+        self.cubics(self.row.superelevations())
+    }
+
+    #[inline]
+    pub(crate) fn lane_offsets(&self) -> &'a [ArchivedCubicRow] {
+        self.cubics(self.row.lane_offsets())
     }
 
     #[inline]
     pub(crate) fn elevation(&self, at: At) -> f64 {
-        profile::value(self.cubics(self.row.elevations()), at)
+        profile::value(self.elevations(), at)
     }
 
     /// Elevation with its slope.
     pub(crate) fn elevation_slope(&self, at: At) -> profile::Slope {
-        profile::slope(self.cubics(self.row.elevations()), at)
+        profile::slope(self.elevations(), at)
     }
 
     /// Lane offset at s `[m]`; positive to the left.
@@ -222,7 +237,7 @@ impl<'a> Road<'a> {
 
     #[inline]
     pub(crate) fn lane_offset_slope(&self, at: At) -> profile::Slope {
-        profile::slope(self.cubics(self.row.lane_offsets()), at)
+        profile::slope(self.lane_offsets(), at)
     }
 
     /// Cosine and sine of the superelevation; (1, 0) without any trigonometry where the road has none.
@@ -235,11 +250,8 @@ impl<'a> Road<'a> {
     /// As [`Self::roll`], and the angle itself.
     #[inline]
     fn roll_angle(&self, at: At) -> (f64, f64, f64) {
-        let angle = profile::value(self.cubics(self.row.superelevations()), at);
-        if angle == 0.0 {
-            return (1.0, 0.0, angle);
-        }
-        let (cos, sin) = mapd_geometry::cos_sin(angle);
+        let angle = profile::value(self.superelevations(), at);
+        let (cos, sin) = profile::roll(angle);
         (cos, sin, angle)
     }
 
@@ -307,7 +319,7 @@ impl<'a> Road<'a> {
             return Err(QueryError::NotFinite);
         }
         let point = self.reference_at(at).ok_or(QueryError::Corrupt)?;
-        let elevation = profile::slope(self.cubics(self.row.elevations()), at);
+        let elevation = profile::slope(self.elevations(), at);
         let (roll_cos, roll_sin, superelevation) = self.roll_angle(at);
         let lateral = t * roll_cos - h * roll_sin;
         let origin = self.map.origin();
@@ -323,25 +335,6 @@ impl<'a> Road<'a> {
             superelevation,
             clamped: false,
         })
-    }
-
-    /// Inertial positions of two places beside each other on the plane h = 0; none for a damaged archive or s and t that are
-    /// not finite.
-    pub(crate) fn points_across(&self, s: f64, t: [f64; 2]) -> Option<[DVec3; 2]> {
-        if !(s.is_finite() && t[0].is_finite() && t[1].is_finite()) {
-            return None;
-        }
-        let at = At::new(clamp(s, 0.0, self.reference_end().max(0.0)));
-        let point = self.reference_at(at)?;
-        let z = profile::slope(self.cubics(self.row.elevations()), at).value;
-        let (roll_cos, roll_sin, _) = self.roll_angle(at);
-        let origin = self.map.origin();
-        Some(t.map(|t| {
-            let lateral = t * roll_cos;
-            let x = origin.x + (point.x - point.sin * lateral);
-            let y = origin.y + (point.y + point.cos * lateral);
-            DVec3::new(x, y, z + t * roll_sin)
-        }))
     }
 
     /// Track position of a point: the foot on the nearest place of the whole reference line. Without z in plan view

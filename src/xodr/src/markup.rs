@@ -1,6 +1,6 @@
 //! Pieces of markup: tags, comments, text.
 
-use crate::cursor::{Cursor, Markup, Name, RawAttribute, Tag, path_of};
+use crate::cursor::{Cursor, Markup, Name, RawAttribute, Scope, Tag, path_of};
 use crate::finding::{Severity, Span};
 use crate::rule_ids;
 use crate::source::Places;
@@ -35,6 +35,10 @@ impl Cursor<'_> {
                     self.pass_text(text);
                     continue;
                 }
+                None if self.scope == Scope::Batch && self.is_between_items() => {
+                    self.scope = Scope::WholeBatch;
+                    return Markup::Over;
+                }
                 None => {
                     self.unclosed();
                     return Markup::Over;
@@ -52,6 +56,11 @@ impl Cursor<'_> {
                 }
             }
         }
+    }
+
+    /// Whether nothing but the root is open.
+    fn is_between_items(&self) -> bool {
+        self.frames.len() == 1 && self.outer.is_empty() && !self.within_extension
     }
 
     #[cold]

@@ -68,13 +68,13 @@ fn curve_points(
     let shape =
         mapd_geometry::Curve::new(compiled.kind, start, curve.length, &compiled.coefficients)?;
     let share = |s: f64| if curve.length > 0.0 { s / curve.length } else { 0.0 };
-    let at = |s: f64| {
+    let mut at = |s: f64| {
         let p = shape.evaluate(s);
         let p = DVec3::new(p.x, p.y, z + (end_z - z) * share(s));
         p.is_finite().then_some(p)
     };
     let mut samples = Vec::new();
-    flatten(&[0.0, curve.length], tolerance, &at, &mut samples)?;
+    flatten(&[0.0, curve.length], tolerance, &mut at, &mut samples)?;
     let count = if with_end { samples.len() } else { samples.len().saturating_sub(1).max(1) };
     let placed = samples.iter().take(count);
     points.extend(placed.map(|p| point(p.position, height + (end_height - height) * share(p.s))));

@@ -126,7 +126,7 @@ fn sweep(line: &Line<'_>, repeat: &Repeat, end: f64, tolerance: f64) -> Option<C
     let breaks = line.breaks(repeat.s, end.max(repeat.s));
     let breaks = if breaks.len() > 1 { breaks } else { vec![repeat.s; 2] };
     let edge = |side: f64| {
-        let at = |s: f64| {
+        let mut at = |s: f64| {
             let ds = s - repeat.s;
             let t = repeat.t.at(ds, repeat.length) + 0.5 * side * width(repeat, ds);
             let z_offset = between(repeat.z_offset, ds, repeat.length);
@@ -134,7 +134,7 @@ fn sweep(line: &Line<'_>, repeat: &Repeat, end: f64, tolerance: f64) -> Option<C
             p.is_finite().then_some(p)
         };
         let mut samples = Vec::new();
-        flatten(&breaks, tolerance, &at, &mut samples)?;
+        flatten(&breaks, tolerance, &mut at, &mut samples)?;
         Some(samples)
     };
     let has_width = repeat.width != [0.0; 2] || repeat.radius != [0.0; 2];

@@ -9,7 +9,6 @@ use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use std::ffi::OsStr;
 use std::io::{self, BufRead, BufReader, Read};
-use std::os::unix::process::ExitStatusExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -75,6 +74,8 @@ pub(crate) fn compile(
         command.arg("--memory-limit").arg(ceiling.to_string());
     }
     command.args(map.options.as_slice());
+    // Where memory has run out, printing a backtrace needs some, and waits for a lock that is held: without, it ends.
+    command.env("RUST_BACKTRACE", "0").env_remove("RUST_LIB_BACKTRACE");
     command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().map_err(|error| failed("starting the compiler", error))?;
     let (stdout, stderr) = (child.stdout.take(), child.stderr.take());
@@ -108,8 +109,11 @@ pub(crate) fn compile(
                 .map_err(|error| failed("the compiler's answer", error.into()))
         }
         Some(code) if code == Exit::Rejected.code() => Err(Refusal::Rejected(reason(&said))),
-        Some(_) => Err(Refusal::Failed(reason(&said))),
-        None => Err(Refusal::Failed(killed(status, ceiling, &said))),
+        Some(code) if code == Exit::Environment.code() || code == Exit::Usage.code() => {
+            Err(Refusal::Failed(reason(&said)))
+        }
+        // A panic, or a signal.
+        _ => Err(Refusal::Failed(broken(status, ceiling, &said))),
     }
 }
 
@@ -146,14 +150,13 @@ fn reason(said: &VecDeque<String>) -> String {
     }
 }
 
-fn killed(status: ExitStatus, ceiling: Option<u64>, said: &VecDeque<String>) -> String {
-    let signal = status.signal().unwrap_or_default();
+fn broken(status: ExitStatus, ceiling: Option<u64>, said: &VecDeque<String>) -> String {
     let limit = match ceiling {
         Some(ceiling) => format!("; it was allowed {ceiling} bytes of memory (--compile-memory)"),
         None => String::new(),
     };
     let last = said.back().map(|line| format!(": {line}")).unwrap_or_default();
-    format!("the compiler was ended by signal {signal}{limit}{last}")
+    format!("the compiler ended with {status}{limit}{last}")
 }
 
 /// In the child: ends with the parent, and takes at most so much memory for its own data.
@@ -165,12 +168,21 @@ pub(crate) fn enter(parent_watches: bool, memory: Option<u64>) -> io::Result<()>
         let _ = rustix::process::set_parent_process_death_signal(Some(Signal::KILL));
     }
     if let Some(limit) = memory {
-        let limit = Rlimit { current: Some(limit), maximum: Some(limit) };
         // Private writable memory, of which the archive's pages are none: an allocation beyond it fails, which ends the
-        // process and nothing else.
-        rustix::process::setrlimit(Resource::Data, limit)?;
+        // process and nothing else. What the process has set aside already, such as a sanitizer's tables, does not count.
+        let limit = limit.saturating_add(own_data().unwrap_or(0));
+        let allowed = rustix::process::getrlimit(Resource::Data).maximum;
+        let limit = Some(allowed.map_or(limit, |allowed| allowed.min(limit)));
+        rustix::process::setrlimit(Resource::Data, Rlimit { current: limit, maximum: limit })?;
     }
     Ok(())
+}
+
+/// Private writable memory of this process now \[bytes\].
+fn own_data() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let kilobytes = status.lines().find_map(|line| line.strip_prefix("VmData:"))?;
+    kilobytes.trim().strip_suffix("kB")?.trim().parse::<u64>().ok()?.checked_mul(1024)
 }
 
 /// A file without a name, for a child to write into, and the name by which the child finds it.

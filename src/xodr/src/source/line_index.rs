@@ -10,7 +10,9 @@ pub struct Position {
 }
 
 /// Lines between two checkpoints: a look-up walks over at most so many lengths, a checkpoint costs 16 bytes.
-const STRIDE: usize = 1024;
+const STRIDE: usize = 64;
+/// Lines between two checkpoints where lengths are no longer kept.
+const COARSE_STRIDE: usize = 1024;
 /// Value bits in one byte of a stored length.
 const BITS: u32 = 7;
 /// Marks a byte of a stored length that another one follows.
@@ -18,7 +20,7 @@ const MORE: u8 = 1 << BITS;
 /// Bytes of lengths that are kept: about 20 million lines. Bounds what a file of empty lines can ask for.
 const LENGTHS: usize = 24 << 20;
 
-/// Where the lines of a document begin: about one byte a line, two for lines of 128 bytes and more.
+/// Where the lines of a document begin: about five bytes for four lines, more for lines of 128 bytes and more.
 ///
 /// Of lines beyond the first 24 MiB of lengths, one in 1,024 is kept. Places there are counted from that one: its line, and
 /// the bytes since.
@@ -26,8 +28,7 @@ const LENGTHS: usize = 24 << 20;
 pub struct LineIndex {
     /// Lengths of finished lines, line feed included, base 128, low digits first.
     lengths: Vec<u8>,
-    /// Every 1024th line: its offset in the input, its place in `lengths`.
-    checkpoints: Vec<(u64, usize)>,
+    checkpoints: Vec<Checkpoint>,
     /// Finished lines.
     lines: usize,
     /// Offset of the line that has not ended yet.
@@ -36,6 +37,17 @@ pub struct LineIndex {
     next: u64,
     /// Bytes that `lengths` may have.
     capacity: usize,
+}
+
+/// A line from which look-ups start.
+#[derive(Clone, Copy, Debug)]
+struct Checkpoint {
+    /// Its offset in the input.
+    start: u64,
+    /// Its length's place in `lengths`.
+    place: u32,
+    /// Its number, from 0.
+    line: u32,
 }
 
 impl Default for LineIndex {
@@ -60,10 +72,14 @@ impl LineIndex {
     }
 
     fn line(&mut self, end: u64) {
-        if self.lines.is_multiple_of(STRIDE) {
-            self.checkpoints.push((self.line_start, self.lengths.len()));
+        let is_kept = self.lengths.len() < self.capacity;
+        if self.lines.is_multiple_of(if is_kept { STRIDE } else { COARSE_STRIDE }) {
+            // Of lines beyond 32 bits, places say the largest number.
+            let number = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
+            let (place, line) = (number(self.lengths.len()), number(self.lines));
+            self.checkpoints.push(Checkpoint { start: self.line_start, place, line });
         }
-        if self.lengths.len() < self.capacity {
+        if is_kept {
             let mut length = end - self.line_start;
             while length >= u64::from(MORE) {
                 self.lengths.push(length as u8 | MORE);
@@ -86,12 +102,12 @@ impl LineIndex {
         if offset >= self.line_start {
             return at(self.lines, self.line_start);
         }
-        let after = self.checkpoints.partition_point(|(start, _)| *start <= offset);
-        let checkpoint = after.saturating_sub(1);
-        let Some(&(mut start, mut place)) = self.checkpoints.get(checkpoint) else {
+        let after = self.checkpoints.partition_point(|checkpoint| checkpoint.start <= offset);
+        let Some(checkpoint) = self.checkpoints.get(after.saturating_sub(1)) else {
             return at(0, 0);
         };
-        let mut line = checkpoint * STRIDE;
+        let (mut start, mut place) = (checkpoint.start, checkpoint.place as usize);
+        let mut line = checkpoint.line as usize;
         while let Some((length, next)) = self.length_at(place) {
             if offset < start + length {
                 break;

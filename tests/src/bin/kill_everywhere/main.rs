@@ -43,6 +43,9 @@ struct Options {
     /// Only at system calls of this name, such as `bind`
     #[arg(long)]
     call: Vec<String>,
+    /// Of each victim's moments at most so many, evenly spread [default: all]
+    #[arg(long)]
+    moments: Option<usize>,
     /// Kills of the victim `random`
     #[arg(long)]
     kills: Option<u32>,
@@ -90,7 +93,7 @@ fn run(options: &Options) -> Checked<bool> {
     watchdog::start();
     let all = Victim::value_variants();
     let victims = if options.victim.is_empty() { all } else { options.victim.as_slice() };
-    let most = if options.short { SHORT } else { usize::MAX };
+    let most = options.moments.unwrap_or(if options.short { SHORT } else { usize::MAX });
     let choice = Choice { most, calls: &options.call };
     let mut good = true;
     for victim in victims {

@@ -1,0 +1,286 @@
+//! A road cut across: what all lanes at one s have in common.
+
+use crate::profile::{self, At};
+use crate::road::{Piece, Road};
+use crate::section::LaneSection;
+use crate::types::LaneEdges;
+use glam::DVec3;
+use mapd_archive::{ArchivedCubicRow, ArchivedLaneRow, lane_flags};
+use mapd_geometry::{Cubic, clamp};
+
+/// The plane h = 0 of a road at one s: places beside each other differ by t alone (OpenDRIVE 1.8.1, 8.3).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CrossSection {
+    x: f64,
+    y: f64,
+    z: f64,
+    cos: f64,
+    sin: f64,
+    roll_cos: f64,
+    roll_sin: f64,
+}
+
+impl CrossSection {
+    /// The place at t `[m]`, relative to the map's local origin.
+    #[inline]
+    pub fn place(&self, t: f64) -> DVec3 {
+        let lateral = t * self.roll_cos;
+        DVec3::new(
+            self.x - self.sin * lateral,
+            self.y + self.cos * lateral,
+            self.z + t * self.roll_sin,
+        )
+    }
+}
+
+impl Road<'_> {
+    /// The road cut across at s `[m]`, which is moved to the reference line's end where it lies beyond. None for an s that is
+    /// not finite and for a damaged archive.
+    pub fn cross_section(&self, s: f64) -> Option<CrossSection> {
+        if !s.is_finite() {
+            return None;
+        }
+        let at = At::new(clamp(s, 0.0, self.reference_end().max(0.0)));
+        let point = self.reference_at(at)?;
+        let (roll_cos, roll_sin) = self.roll(at);
+        let (x, y, z) = (point.x, point.y, self.elevation(at));
+        Some(CrossSection { x, y, z, cos: point.cos, sin: point.sin, roll_cos, roll_sin })
+    }
+}
+
+/// Cuts the road across within one lane section, at many places: it looks up the records that hold once for all places
+/// where they do. Allocates for each section, not for each place.
+pub struct SectionCutter<'a> {
+    road: Road<'a>,
+    section: LaneSection<'a>,
+    /// Where the reference line ends.
+    end: f64,
+    frame: Option<Frame<'a>>,
+    lanes: Option<Widths>,
+}
+
+/// From which s on and up to which one the same records hold.
+#[derive(Clone, Copy)]
+struct Held {
+    from: f64,
+    to: f64,
+}
+
+/// What the reference line is made of for a while.
+struct Frame<'a> {
+    held: Held,
+    piece: Piece<'a>,
+    elevation: Record,
+    superelevation: Record,
+}
+
+/// What the lanes are made of for a while.
+struct Widths {
+    held: Held,
+    offset: Record,
+    /// From the centre lane outwards.
+    left: Vec<Width>,
+    right: Vec<Width>,
+}
+
+/// A record as it is evaluated; 0 everywhere where none holds.
+#[derive(Clone, Copy, Default)]
+struct Record {
+    s: f64,
+    cubic: Cubic,
+}
+
+/// Width or border of one lane.
+#[derive(Clone, Copy)]
+struct Width {
+    record: Record,
+    is_border: bool,
+}
+
+impl Record {
+    fn new(row: Option<&ArchivedCubicRow>) -> Self {
+        row.map_or(Self::default(), |row| Self { s: row.s(), cubic: profile::cubic(row) })
+    }
+
+    #[inline]
+    fn value(&self, s: f64) -> f64 {
+        self.cubic.value(s - self.s)
+    }
+
+    /// Whether it grows evenly.
+    fn is_even(&self) -> bool {
+        self.cubic.c == 0.0 && self.cubic.d == 0.0
+    }
+
+    fn is_zero(&self) -> bool {
+        self.is_even() && self.cubic.a == 0.0 && self.cubic.b == 0.0
+    }
+}
+
+impl Width {
+    /// The lane's edges; the next one's inner edge is its outer one.
+    #[inline]
+    fn step(&self, edge: &mut f64, s: f64, sign: f64) -> LaneEdges {
+        let (inner, record) = (*edge, self.record.value(s));
+        // As with a single lane: whatever is no positive number counts as no width.
+        let width = if record > 0.0 { record } else { 0.0 };
+        *edge = if self.is_border { record } else { inner + sign * width };
+        LaneEdges { inner, outer: *edge }
+    }
+}
+
+impl Held {
+    const ALWAYS: Self = Self { from: f64::NEG_INFINITY, to: f64::INFINITY };
+
+    fn contains(self, hold: f64) -> bool {
+        hold >= self.from && hold < self.to
+    }
+
+    fn covers(self, from: f64, to: f64) -> bool {
+        from >= self.from && to <= self.to
+    }
+
+    /// Between the start of what holds, the one before `next`, and that of the next.
+    fn narrow<T>(&mut self, rows: &[T], next: usize, start: impl Fn(&T) -> f64) {
+        if let Some(row) = next.checked_sub(1).and_then(|i| rows.get(i)) {
+            self.from = self.from.max(start(row));
+        }
+        if let Some(row) = rows.get(next) {
+            self.to = self.to.min(start(row));
+        }
+    }
+
+    /// The record that holds.
+    fn record<'a>(
+        &mut self,
+        rows: &'a [ArchivedCubicRow],
+        hold: f64,
+    ) -> Option<&'a ArchivedCubicRow> {
+        let next = rows.partition_point(|row| row.s() <= hold);
+        self.narrow(rows, next, ArchivedCubicRow::s);
+        next.checked_sub(1).and_then(|i| rows.get(i))
+    }
+}
+
+impl<'a> SectionCutter<'a> {
+    /// None for a damaged archive.
+    pub fn new(section: LaneSection<'a>) -> Option<Self> {
+        let road = section.road()?;
+        let end = road.reference_end().max(0.0);
+        Some(Self { road, section, end, frame: None, lanes: None })
+    }
+
+    /// As [`Road::cross_section`].
+    pub fn cut(&mut self, s: f64) -> Option<CrossSection> {
+        if !s.is_finite() {
+            return None;
+        }
+        let s = clamp(s, 0.0, self.end);
+        if !self.frame.as_ref().is_some_and(|frame| frame.held.contains(s)) {
+            self.frame = Some(Frame::at(&self.road, s)?);
+        }
+        let frame = self.frame.as_ref()?;
+        let point = frame.piece.curve.evaluate(s - frame.piece.s);
+        let (roll_cos, roll_sin) = profile::roll(frame.superelevation.value(s));
+        let (x, y, z) = (point.x, point.y, frame.elevation.value(s));
+        Some(CrossSection { x, y, z, cos: point.cos, sin: point.sin, roll_cos, roll_sin })
+    }
+
+    /// Edges at s of all lanes, from left to right, as [`crate::Lane::edges_at`] has them one by one. `edges` has a place
+    /// for each lane. None for a damaged archive, and for a section without a centre lane.
+    pub fn edges(&mut self, s: f64, edges: &mut [LaneEdges]) -> Option<()> {
+        let at = At::within(s, self.section.s_start(), self.section.s_end());
+        if !self.lanes.as_ref().is_some_and(|lanes| lanes.held.contains(at.hold)) {
+            self.lanes = Some(Widths::at(&self.road, &self.section, at.hold)?);
+        }
+        let widths = self.lanes.as_ref()?;
+        let offset = widths.offset.value(s);
+        let (left, right) = edges.split_at_mut_checked(widths.left.len())?;
+        let (center, right) = right.split_first_mut()?;
+        *center = LaneEdges { inner: offset, outer: offset };
+        let mut edge = offset;
+        for (width, edges) in widths.left.iter().zip(left.iter_mut().rev()) {
+            *edges = width.step(&mut edge, s, 1.0);
+        }
+        edge = offset;
+        for (width, edges) in widths.right.iter().zip(right) {
+            *edges = width.step(&mut edge, s, -1.0);
+        }
+        Some(())
+    }
+}
+
+impl SectionCutter<'_> {
+    /// Whether the edges of a lane, counted from the left, are known to be segments from one s up to another: the reference
+    /// line is a line, heights and widths grow evenly, and no width falls below 0 in between. False where that is not plain.
+    pub fn is_straight(&mut self, lane: usize, from: f64, to: f64) -> bool {
+        self.frame_is_straight(from, to) && self.lane_is_straight(lane, from, to).unwrap_or(false)
+    }
+
+    fn frame_is_straight(&mut self, from: f64, to: f64) -> bool {
+        // A cut puts the frame of that place in its place.
+        if to > self.end || self.cut(from).is_none() {
+            return false;
+        }
+        self.frame.as_ref().is_some_and(|frame| {
+            frame.held.covers(from, to)
+                && frame.piece.curve.is_line_up_to(to - frame.piece.s)
+                && frame.elevation.is_even()
+                && frame.superelevation.is_zero()
+        })
+    }
+
+    fn lane_is_straight(&mut self, lane: usize, from: f64, to: f64) -> Option<bool> {
+        if !self.lanes.as_ref().is_some_and(|lanes| lanes.held.contains(from)) {
+            self.lanes = Some(Widths::at(&self.road, &self.section, from)?);
+        }
+        let widths = self.lanes.as_ref()?;
+        let center = widths.left.len();
+        let inner = if lane < center {
+            widths.left.get(..center - lane)?
+        } else {
+            widths.right.get(..lane - center)?
+        };
+        let is_even = |width: &Width| {
+            let is_open = |s: f64| width.is_border || width.record.value(s) >= 0.0;
+            width.record.is_even() && is_open(from) && is_open(to)
+        };
+        let held = widths.held.covers(from, to);
+        Some(held && widths.offset.is_even() && inner.iter().all(is_even))
+    }
+}
+
+impl<'a> Frame<'a> {
+    fn at(road: &Road<'a>, s: f64) -> Option<Self> {
+        let mut held = Held::ALWAYS;
+        let rows = road.geometries();
+        let next = rows.partition_point(|row| row.s() <= s);
+        held.narrow(rows, next, |row| row.s());
+        // Before the first geometry, that one holds.
+        let piece = road.piece(rows.get(next.saturating_sub(1))?)?;
+        let elevation = Record::new(held.record(road.elevations(), s));
+        let superelevation = Record::new(held.record(road.superelevations(), s));
+        Some(Self { held, piece, elevation, superelevation })
+    }
+}
+
+impl Widths {
+    /// None for a section without a centre lane.
+    fn at(road: &Road<'_>, section: &LaneSection<'_>, hold: f64) -> Option<Self> {
+        let mut held = Held::ALWAYS;
+        let lanes = section.rows();
+        let center = lanes.binary_search_by(|lane| 0.cmp(&lane.number())).ok()?;
+        let is_temporary = lanes.first()?.flags() & lane_flags::TEMPORARY != 0;
+        let offsets =
+            if is_temporary { road.temporary_lane_offsets() } else { road.lane_offsets() };
+        let offset = Record::new(held.record(offsets, hold));
+        let cubics = section.map.tables().cubics;
+        let mut width = |lane: &ArchivedLaneRow| Width {
+            record: Record::new(held.record(lane.widths().of(cubics), hold)),
+            is_border: lane.flags() & lane_flags::BORDER != 0,
+        };
+        let left = lanes.get(..center)?.iter().rev().map(&mut width).collect();
+        let right = lanes.get(center + 1..)?.iter().map(&mut width).collect();
+        Some(Self { held, offset, left, right })
+    }
+}
