@@ -2,6 +2,7 @@
 
 use mapd_client::{Client, Snapshot, TrustError, TrustedKey, signature_path};
 use mapd_tests::place::{PATIENCE, Place};
+use mapd_tests::say;
 use std::path::{Path, PathBuf};
 use std::process::Output;
 use tempfile::TempDir;
@@ -218,6 +219,26 @@ fn a_secret_key_with_a_password() {
     assert!(output.status.success(), "{}", said(&output));
     let key = signed.path("sealed.pub");
     signed.run(&["inspect", &signed.archive(), "--trust", &key], Some(0));
+}
+
+/// The program minisign and mapd read each other's keys and signatures.
+#[test]
+fn minisign_agrees() {
+    let signed = Signed::new();
+    let minisign = |args: &[&str]| {
+        let mut command = signed.place.command_of("minisign");
+        let output = command.args(args).current_dir(signed.folder.path()).output().expect("runs");
+        assert!(output.status.success(), "{args:?}: {}", said(&output));
+    };
+    if std::process::Command::new("minisign").arg("-v").output().is_err() {
+        return say("SKIPPED: there is no minisign (Debian: apt-get install minisign)");
+    }
+    minisign(&["-G", "-W", "-p", "its.pub", "-s", "its.key"]);
+    signed.sign("its.key");
+    minisign(&["-Vm", "town.mapd", "-p", "its.pub"]);
+    std::fs::remove_file(signed.signature()).expect("removed");
+    minisign(&["-Sm", "town.mapd", "-s", "its.key"]);
+    signed.run(&["inspect", &signed.archive(), "--trust", &signed.path("its.pub")], Some(0));
 }
 
 /// Only archives that prove are signed.

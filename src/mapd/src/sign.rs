@@ -2,9 +2,10 @@
 
 use anyhow::{Context, Result, bail};
 use clap::Args;
+use ct_codecs::{Base64, Decoder};
 use mapd_archive::verify;
 use mapd_client::{Snapshot, signature_path};
-use minisign::SecretKeyBox;
+use minisign::{SecretKey, SecretKeyBox};
 use std::io::{Cursor, IsTerminal, Write};
 use std::path::PathBuf;
 
@@ -66,12 +67,10 @@ pub(crate) fn run(args: &SignArgs, out: &mut dyn Write) -> Result<()> {
     Ok(())
 }
 
-fn secret_key(path: &std::path::Path) -> Result<minisign::SecretKey> {
+fn secret_key(path: &std::path::Path) -> Result<SecretKey> {
     let name = path.display();
     let text = std::fs::read_to_string(path).with_context(|| format!("reading {name}"))?;
-    let sealed = |text: &str| SecretKeyBox::from_string(text).with_context(|| name.to_string());
-    // A key without password says so by itself.
-    if let Ok(key) = sealed(&text)?.into_unencrypted_secret_key() {
+    if let Some(key) = without_password(&text) {
         return Ok(key);
     }
     let password = match std::env::var(PASSWORD_VARIABLE) {
@@ -82,7 +81,13 @@ fn secret_key(path: &std::path::Path) -> Result<minisign::SecretKey> {
             bail!("{name} has a password: set {PASSWORD_VARIABLE}, or run this on a terminal")
         }
     };
-    sealed(&text)?
-        .into_secret_key(password)
+    SecretKeyBox::from_string(&text)
+        .and_then(|sealed| sealed.into_secret_key(password))
         .with_context(|| format!("{name}: no minisign secret key, or another password"))
+}
+
+/// A key that needs no password. Those of `minisign -G -W` have no checksum, which the crate would ask for.
+fn without_password(text: &str) -> Option<SecretKey> {
+    let bytes = Base64::decode_to_vec(text.lines().nth(1)?.trim(), None).ok()?;
+    SecretKey::from_bytes(&bytes).ok().filter(|key| !key.is_encrypted())
 }
