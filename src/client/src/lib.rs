@@ -24,13 +24,19 @@
 
 mod client;
 mod error;
+mod events;
 mod file;
 mod snapshot;
 pub mod transport;
+#[cfg(feature = "trust")]
+mod trust;
 
 pub use client::Client;
 pub use error::ClientError;
+pub use events::{Events, MapEvent};
 pub use mapd_archive as archive;
 pub use mapd_query::*;
 pub use snapshot::Snapshot;
 pub use transport::{AttachError, Domain};
+#[cfg(feature = "trust")]
+pub use trust::{SIGNATURE_SUFFIX, TrustError, TrustedKey, read_signature, signature_path};

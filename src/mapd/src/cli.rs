@@ -7,10 +7,12 @@ use crate::daemon::{self, DaemonArgs};
 use crate::exit::Exit;
 use crate::judging::JudgingArgs;
 use crate::ontology_args::OntologyArgs;
+use crate::oversight::OversightArgs;
 use crate::progress::Bar;
 use crate::query::{self, Kind};
 use crate::size::Size;
-use crate::{archive_file, check, export, inspect, report, source, status};
+use crate::trust::{TrustArgs, is_distrust};
+use crate::{archive_file, bench, check, doctor, export, inspect, report, sign, source, status};
 use anyhow::{Context, Result, bail};
 use clap::{ArgMatches, Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions, Snapshot};
@@ -35,6 +37,12 @@ struct Cli {
 
     #[command(flatten)]
     judging: JudgingArgs,
+
+    #[command(flatten)]
+    trust: TrustArgs,
+
+    #[command(flatten)]
+    oversight: OversightArgs,
 
     #[command(flatten)]
     domain: DomainArgs,
@@ -140,6 +148,16 @@ struct Opening {
     ontology: OntologyArgs,
 
     #[command(flatten)]
+    trust: TrustArgs,
+
+    #[command(flatten)]
+    live: Live,
+}
+
+/// Where live maps are.
+#[derive(Args)]
+struct Live {
+    #[command(flatten)]
     domain: DomainArgs,
 
     /// shm:NAME: longest wait for daemon and map [s]
@@ -147,15 +165,22 @@ struct Opening {
     wait: f64,
 }
 
+impl Live {
+    fn get(&self) -> Result<(Domain, Duration)> {
+        let wait = Duration::try_from_secs_f64(self.wait)
+            .map_err(|error| UsageError(format!("--wait: {error}")))?;
+        Ok((self.domain.domain()?, wait))
+    }
+}
+
 impl Opening {
     /// Opens a SOURCE; prints why there is no map where there is none.
     fn open(&self, source: &str) -> Result<Option<Snapshot>> {
-        let wait = Duration::try_from_secs_f64(self.wait)
-            .map_err(|error| UsageError(format!("--wait: {error}")))?;
+        let (domain, wait) = self.live.get()?;
         let reading = self.ontology.for_source(source::is_compiled(source))?;
         let options = self.frame.source(source)?;
         let compiling = (&reading, &options);
-        source::open_or_report(source, compiling, (&self.domain.domain()?, wait))
+        source::open_or_report(source, compiling, self.trust.key()?, (&domain, wait))
     }
 }
 
@@ -254,6 +279,30 @@ enum Command {
         /// As JSON: also sources, counts, memory, what is staged, what became of the last reload
         #[arg(long)]
         json: bool,
+        #[command(flatten)]
+        domain: DomainArgs,
+    },
+    /// Measure attaching and querying on this machine, beside open and mmap of the same bytes
+    Bench {
+        #[command(flatten)]
+        bench: bench::BenchArgs,
+        #[command(flatten)]
+        live: Live,
+    },
+    /// Examine this machine and what is served: memory, limits, stale files, versions, rights, attaching
+    #[command(after_help = "Ends with 0 where nothing is a problem, else with 1.")]
+    Doctor {
+        #[command(flatten)]
+        doctor: doctor::DoctorArgs,
+        #[command(flatten)]
+        live: Live,
+    },
+    /// Sign archives with Ed25519, in minisign's format; --trust then refuses all others
+    Sign(sign::SignArgs),
+    #[command(name = bench::SUBCOMMAND, hide = true)]
+    BenchClient {
+        #[command(flatten)]
+        client: bench::ClientArgs,
         #[command(flatten)]
         domain: DomainArgs,
     },
@@ -363,7 +412,11 @@ pub fn run() -> ExitCode {
         Err(error) if is_broken_pipe(&error) => Exit::Done.into(),
         Err(error) => {
             let _ = writeln!(io::stderr(), "mapd: {error:#}");
-            let exit = if error.is::<UsageError>() { Exit::Usage } else { Exit::Environment };
+            let exit = match error {
+                error if error.is::<UsageError>() => Exit::Usage,
+                error if is_distrust(&error) => Exit::Rejected,
+                _ => Exit::Environment,
+            };
             exit.into()
         }
     }
@@ -392,7 +445,11 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
         }
         let domain = cli.domain.prefix.is_some().then(|| cli.domain.domain()).transpose()?;
         let options = CompileArguments::of(matches);
-        return daemon::run(cli.daemon.settings(&options, domain)?);
+        cli.oversight.log.init();
+        let settings = cli.daemon.settings(&options, domain)?;
+        let key = cli.trust.or(settings.trust.as_ref()).key()?;
+        let oversight = cli.oversight.or(&settings.oversight);
+        return daemon::run(settings, key, &oversight);
     };
     let exit = match command {
         Command::Compile { file, output, report, options, judging, memory_limit, for_daemon } => {
@@ -463,6 +520,23 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
         }
         Command::Status { json, domain } => {
             status::run(&domain.domain()?, json, out)?;
+            Exit::Done
+        }
+        Command::Bench { bench, live } => {
+            let (domain, wait) = live.get()?;
+            bench::run(&bench, (&domain, wait), out)?;
+            Exit::Done
+        }
+        Command::Doctor { doctor, live } => {
+            let (domain, wait) = live.get()?;
+            doctor::run(&doctor, (&domain, wait), out)?
+        }
+        Command::Sign(sign) => {
+            sign::run(&sign, out)?;
+            Exit::Done
+        }
+        Command::BenchClient { client, domain } => {
+            bench::run_client(&client, &domain.domain()?, out)?;
             Exit::Done
         }
         Command::Reload { change, stage } => {

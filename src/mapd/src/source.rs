@@ -1,16 +1,17 @@
 //! SOURCE: an OpenDRIVE file, an archive, or a live map.
 
 use crate::report;
+use crate::trust::{NotSignable, signable};
 use anyhow::{Context, Result};
 use mapd_archive::encode;
-use mapd_client::{Client, Domain, Snapshot};
+use mapd_client::{Client, Domain, Snapshot, TrustedKey};
 use mapd_compiler::{Compilation, CompileOptions, Progress, ReadOptions, compile_from};
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// Prefix of a live map's name.
-const SHARED: &str = "shm:";
+pub(crate) const SHARED: &str = "shm:";
 /// How long to wait for a live map by default.
 pub const WAIT: Duration = Duration::from_secs(2);
 
@@ -105,12 +106,20 @@ pub fn open(
     }
 }
 
-/// Opens a SOURCE for a command that needs a map; prints why there is none.
+/// Opens a SOURCE for a command that needs a map; prints why there is none. With a key, only an archive that it has signed.
 pub(crate) fn open_or_report(
     source: &str,
     compiling: (&ReadOptions, &CompileOptions),
+    key: Option<TrustedKey>,
     live: (&Domain, Duration),
 ) -> Result<Option<Snapshot>> {
+    if let Some(key) = key {
+        if source.starts_with(SHARED) {
+            return Err(NotSignable::Live { name: source.to_owned() }.into());
+        }
+        signable(Path::new(source))?;
+        return Ok(Some(Snapshot::open_trusted(source, &key)?));
+    }
     let bar = crate::progress::Bar::new(Path::new(source));
     let opened = open(source, compiling, live, &mut |p| bar.show(p))?;
     bar.finish();

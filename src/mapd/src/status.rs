@@ -126,6 +126,11 @@ pub(crate) fn run(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<()
         if let Some(staged) = state.staged {
             writeln!(out, "    staged: generation {}, {} bytes", staged.generation, staged.bytes)?;
         }
+        for (what, check) in [("query of its own", state.self_queries), ("scrub", state.scrubs)] {
+            if check.last_failed == Some(true) {
+                writeln!(out, "    {what} failed: {}", check.last_error)?;
+            }
+        }
         if let Some(report) = state.last_reload {
             writeln!(out, "    {}", crate::daemon::sentence(&report))?;
         }

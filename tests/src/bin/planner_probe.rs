@@ -5,6 +5,10 @@
 //! - `write NAME`: writes to the map, which must end the process.
 //! - `connect NAME WAIT_MS`: attaches with a deadline and says what came of it.
 //! - `ask NAME WAIT_MS`: attaches, asks for a lane, detaches.
+//! - `populated NAME FILE`: minor page faults of queries all over a map whose pages are all mapped, and of the same without;
+//!   FILE is the same archive, on which everything is asked before, so that the program's own pages are not counted.
+//! - `hold NAME`: attaches, touches the whole map, says so, and ends when stdin does.
+//! - `empty`: makes a node of iceoryx2 and nothing else, says so, and ends when stdin does.
 //! - `follow NAME TRUTH`: follows every generation and asks it, until stdin ends; each answer must be the one that the file
 //!   TRUTH has for the generation's content: lines of content hash, x, y, lane.
 //! - `require NAME GENERATION WAIT_MS`: waits for this generation and no other.
@@ -13,8 +17,9 @@
 //! One `key value` per line on stdout.
 #![allow(unsafe_code, clippy::print_stdout)]
 
-use mapd_client::transport::Subscription;
-use mapd_client::{Client, Domain, NearestOptions, archive, glam::DVec2};
+use iceoryx2::prelude::{NodeBuilder, SignalHandlingMode};
+use mapd_client::transport::{Subscription, TransportService, iceoryx2_config, silence_iceoryx2};
+use mapd_client::{Client, Domain, NearestOptions, Snapshot, archive, glam::DVec2};
 use std::collections::BTreeMap;
 use std::io::{Read, Seek};
 use std::process::ExitCode;
@@ -36,6 +41,9 @@ fn main() -> ExitCode {
         ["write", map] => write(map),
         ["connect", map, wait] => milliseconds(wait).and_then(|wait| connect(map, wait)),
         ["ask", map, wait] => milliseconds(wait).and_then(|wait| ask(map, wait)),
+        ["populated", map, file] => populated(map, file),
+        ["hold", map] => hold(map),
+        ["empty"] => empty(),
         ["follow", map, truth] => follow(map, truth),
         ["require", map, generation, wait] => {
             milliseconds(wait).and_then(|wait| require(map, generation, wait))
@@ -222,6 +230,59 @@ fn faults(map: &str) -> Outcome {
             println!("segment {}", file.ok_or("no file")?);
         }
     }
+    Ok(())
+}
+
+/// Asks for the lane at a point of every lane; faults of the whole.
+fn ask_everywhere(
+    snapshot: &Snapshot,
+    faults: &mut Faults,
+) -> Result<u64, Box<dyn std::error::Error>> {
+    let map = snapshot.map();
+    let before = faults.count()?;
+    for lane in map.lanes() {
+        if let Some(point) = lane.center_line().positions().next() {
+            std::hint::black_box(map.nearest_lane(point.truncate(), &NearestOptions::default())?);
+        }
+    }
+    Ok(faults.count()? - before)
+}
+
+fn populated(map: &str, file: &str) -> Outcome {
+    let mut faults = Faults::new()?;
+    let file = Snapshot::open(file)?;
+    for _ in 0..3 {
+        ask_everywhere(&file, &mut faults)?;
+    }
+    for (name, populate) in [("without", false), ("with", true)] {
+        // Another attach maps the segment anew.
+        let client = Client::connect(map, WAIT)?;
+        client.set_populate(populate);
+        println!("{name} {}", ask_everywhere(&client.snapshot(), &mut faults)?);
+    }
+    Ok(())
+}
+
+fn hold(map: &str) -> Outcome {
+    let client = Client::connect(map, WAIT)?;
+    client.set_populate(true);
+    let mut faults = Faults::new()?;
+    ask_everywhere(&client.snapshot(), &mut faults)?;
+    println!("held {}", client.snapshot().bytes().len());
+    std::io::stdin().read_line(&mut String::new())?;
+    Ok(())
+}
+
+fn empty() -> Outcome {
+    silence_iceoryx2();
+    let config = iceoryx2_config(&Domain::from_env()?)?;
+    let node = NodeBuilder::new()
+        .config(&config)
+        .signal_handling_mode(SignalHandlingMode::Disabled)
+        .create::<TransportService>()?;
+    println!("held 0");
+    std::io::stdin().read_line(&mut String::new())?;
+    drop(node);
     Ok(())
 }
 

@@ -6,7 +6,7 @@
 //! Where both sides meet is a [`Domain`]: a prefix for every file in `/dev/shm` and a root folder there, mode 0700.
 //!
 //! ```text
-//! /dev/shm/mapd_…                     segments of iceoryx2: map data (0444), queues, service state
+//! /dev/shm/mapd_…                     segments of iceoryx2: map data (0400), queues, service state
 //! /dev/shm/mapd_root/.attach          flock: shared while a client attaches, exclusive while a daemon creates or cleans
 //! /dev/shm/mapd_root/.turn            flock: passed by everyone on the way to .attach, so that daemons get it in turn
 //! /dev/shm/mapd_root/.present         flock: shared by everyone who uses the domain; free, when it is deserted

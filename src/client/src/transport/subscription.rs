@@ -153,6 +153,11 @@ impl Subscription {
         }
     }
 
+    /// The process that serves the map now, 0 if it has not said; `None` if nobody does. Reads a small file.
+    pub fn served_by(&self) -> Option<u32> {
+        served_by(&self.domain, &self.map)
+    }
+
     /// The generation that waits to be served, if a daemon has staged one. Reads a small file; attaches to nothing.
     pub fn pending(&self) -> Option<GenerationInfo> {
         let (_, info) = read_staged(&self.domain, &self.map)?;
@@ -284,7 +289,9 @@ impl Inbox {
         let mut newest: Option<Pinned> = None;
         loop {
             if self.held.len() >= MAX_PINNED {
-                return Err(AttachError::TooManyPinned { map: map.to_owned() });
+                // What has just come is the last that can be held, and would not come again.
+                let full = || AttachError::TooManyPinned { map: map.to_owned() };
+                return newest.ok_or_else(full).map(Some);
             }
             // The last round, which finds nothing, also unmaps generations that nobody holds any more.
             let Some(sample) = self.ports.subscriber.receive().map_err(AttachError::iceoryx)?

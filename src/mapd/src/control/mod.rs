@@ -24,8 +24,8 @@ pub(crate) use board::unix_ns;
 pub use listener::ControlListener;
 pub use message::{Request, Response};
 pub use status::{
-    CacheStatus, DaemonStatus, GenerationStatus, MapCounts, MapState, ReloadReport, ReloadResult,
-    Trigger,
+    CacheStatus, CheckStatus, DaemonStatus, GenerationStatus, MapCounts, MapState, ReloadReport,
+    ReloadResult, Trigger,
 };
 
 use mapd_client::Domain;

@@ -1,8 +1,10 @@
 //! What a daemon says about itself.
 
+use super::board::unix_ns;
 use crate::cache::Cache;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
+use std::time::Duration;
 
 /// A daemon and all its maps, at one moment. What `mapd status --json`, logs and metrics are made of.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -68,6 +70,12 @@ pub struct MapState {
     pub failed: u64,
     /// What became of the last reload, rollback or activation; `None` if there was none since the first publication.
     pub last_reload: Option<ReloadReport>,
+    /// Queries that the daemon asks as a client would.
+    #[serde(default)]
+    pub self_queries: CheckStatus,
+    /// Proofs of what is served; see `--scrub`.
+    #[serde(default)]
+    pub scrubs: CheckStatus,
 }
 
 /// A generation.
@@ -153,4 +161,39 @@ pub enum ReloadResult {
     Unchanged,
     /// The generation before is still served; the reason says why.
     Failed,
+}
+
+/// What came of something that the daemon examines by itself again and again.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct CheckStatus {
+    /// Times that it succeeded.
+    pub ok: u64,
+    /// Times that it failed.
+    pub failures: u64,
+    /// Whether it failed the last time; `None` before the first.
+    pub last_failed: Option<bool>,
+    /// How long the last one took that succeeded \[s\].
+    pub last_seconds: f64,
+    /// When it was last done \[ns since the Unix epoch\].
+    pub last_unix_ns: u64,
+    /// Why it failed last; empty if it never did.
+    pub last_error: String,
+}
+
+impl CheckStatus {
+    /// Writes down that it succeeded, and how long it took.
+    pub fn succeeded(&mut self, taken: Duration) {
+        self.ok += 1;
+        self.last_failed = Some(false);
+        self.last_seconds = taken.as_secs_f64();
+        self.last_unix_ns = unix_ns();
+    }
+
+    /// Writes down that it failed, and why.
+    pub fn failed(&mut self, error: String) {
+        self.failures += 1;
+        self.last_failed = Some(true);
+        self.last_unix_ns = unix_ns();
+        self.last_error = error;
+    }
 }

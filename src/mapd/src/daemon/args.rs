@@ -57,6 +57,10 @@ pub(crate) struct DaemonArgs {
     /// Memory that compiling may take, such as 8GiB [default: three quarters of what is free]
     #[arg(long, value_name = "SIZE")]
     compile_memory: Option<Size>,
+
+    /// Keep what is served in memory, never in swap; needs a limit of locked memory of twice the largest map (ulimit -l)
+    #[arg(long)]
+    lock_memory: bool,
 }
 
 impl DaemonArgs {
@@ -129,7 +133,9 @@ impl DaemonArgs {
         }
         let compile_memory = self.compile_memory.or(file.compile_memory).map(|size| size.0);
         let cache = self.cache(&file)?;
-        Ok(Settings { domain, cache, compile_memory, maps })
+        let lock_memory = self.lock_memory || file.lock_memory;
+        let (trust, oversight) = (file.trust, file.oversight);
+        Ok(Settings { domain, cache, compile_memory, trust, oversight, lock_memory, maps })
     }
 
     /// The cache. One that was asked for must be usable; the default one is done without if it is not.

@@ -1,6 +1,6 @@
 //! Compiling in a process of its own: whatever a map does to its compiler, the maps that are served do not notice.
 
-use super::log::say;
+use super::log::{relay, say};
 use super::settings::MapSettings;
 use crate::exit::Exit;
 use crate::serve::available_memory;
@@ -89,7 +89,7 @@ pub(crate) fn compile(
             let mut lines = VecDeque::new();
             let stderr = stderr.map(BufReader::new).into_iter().flat_map(BufRead::lines);
             for line in stderr.map_while(io::Result::ok) {
-                say_as_it_is(&line);
+                relay(&line);
                 if lines.len() == LINES {
                     // The first line stays: it names the first error.
                     lines.remove(1);
@@ -115,13 +115,6 @@ pub(crate) fn compile(
         // A panic, or a signal.
         _ => Err(Refusal::Failed(broken(status, ceiling, &said))),
     }
-}
-
-/// Passes a line of the child on, which names its file itself.
-fn say_as_it_is(line: &str) {
-    use io::Write as _;
-    // A closed stderr is no reason to stop.
-    let _ = writeln!(io::stderr(), "{line}");
 }
 
 /// Waits for the child, and ends it if it is not wanted any more.

@@ -3,11 +3,14 @@
 use super::settings::MapSettings;
 use super::sources;
 use crate::compile_args::CompileArguments;
+use crate::oversight::OversightSettings;
 use crate::size::Size;
 use anyhow::{Context, Result};
 use mapd_client::Domain;
 use serde::Deserialize;
 use std::collections::BTreeMap;
+use std::net::SocketAddr;
+use std::num::NonZeroU32;
 use std::path::{Path, PathBuf};
 use toml::{Spanned, Value};
 
@@ -19,6 +22,9 @@ pub(crate) struct Configuration {
     pub(crate) no_cache: bool,
     pub(crate) cache_size: Option<Size>,
     pub(crate) compile_memory: Option<Size>,
+    pub(crate) lock_memory: bool,
+    pub(crate) trust: Option<PathBuf>,
+    pub(crate) oversight: OversightSettings,
     pub(crate) watch: bool,
     pub(crate) stage: bool,
     pub(crate) last_good: bool,
@@ -36,6 +42,13 @@ struct File {
     no_cache: bool,
     cache_size: Option<Size>,
     compile_memory: Option<Size>,
+    #[serde(default)]
+    lock_memory: bool,
+    trust: Option<PathBuf>,
+    metrics: Option<SocketAddr>,
+    #[serde(default)]
+    metrics_open: bool,
+    scrub: Option<NonZeroU32>,
     #[serde(default)]
     watch: bool,
     #[serde(default)]
@@ -110,6 +123,13 @@ impl Configuration {
             no_cache: file.no_cache,
             cache_size: file.cache_size,
             compile_memory: file.compile_memory,
+            lock_memory: file.lock_memory,
+            trust: file.trust.map(|key| folder.join(key)),
+            oversight: OversightSettings {
+                metrics: file.metrics,
+                metrics_open: file.metrics_open,
+                scrub: file.scrub,
+            },
             watch: file.watch,
             stage: file.stage,
             last_good: file.last_good,
@@ -177,6 +197,8 @@ mod tests {
     fn errors_name_line_and_column() {
         for (text, place, word) in [
             ("wach = true", "line 1, column 1", "wach"),
+            ("metrics = 'here'", "line 1, column 11", "address"),
+            ("scrub = 0", "line 1, column 9", "nonzero"),
             ("watch = 3", "line 1, column 9", "boolean"),
             ("cache_size = 'big'", "line 1, column 14", "bytes"),
             ("\nprefix = 'a_b_'", "line 2, column 10", "prefix"),

@@ -95,6 +95,23 @@ impl Maps {
         Ok(())
     }
 
+    /// Says what is served of a map.
+    pub(super) fn say_served(&self, map: &str) {
+        let Some(kept) = self.entries.get(map).and_then(|entry| entry.served.as_ref()) else {
+            return;
+        };
+        let GenerationStatus { generation, bytes, from_cache, .. } = kept.status;
+        let from = if from_cache { ", from the cache" } else { "" };
+        tracing::info!(
+            map,
+            generation,
+            bytes,
+            from_cache,
+            content = %kept.status.content_hash,
+            "serving {map}, generation {generation}, {bytes} bytes{from}"
+        );
+    }
+
     /// Notes that a map's file yields no map, and what was served last is served instead.
     pub(super) fn fell_back(&mut self, map: &str, reason: &str) {
         let generation = self.entries.get(map).and_then(|entry| entry.served.as_ref());
@@ -112,15 +129,6 @@ impl Maps {
         });
     }
 
-    /// What is served of a map, in words.
-    pub(super) fn served(&self, map: &str) -> String {
-        let served = self.entries.get(map).and_then(|entry| entry.served.as_ref());
-        served.map_or_else(String::new, |kept| {
-            let from = if kept.status.from_cache { ", from the cache" } else { "" };
-            format!("generation {}, {} bytes{from}", kept.status.generation, kept.status.bytes)
-        })
-    }
-
     /// Copies an archive into shared memory, proves it there, and sends or stages it.
     pub(super) fn fill(
         &mut self,
@@ -133,6 +141,7 @@ impl Maps {
         let mut hashes = ([0; 32], [0; 32]);
         let fill = |loan: &mut [u8]| -> Result<PublishMeta, Box<dyn Error + Send + Sync>> {
             archive.file.read_exact_at(loan, 0)?;
+            archive.prove_signature(self.workshop.trust.as_ref(), loan)?;
             let proved = verify(loan)?;
             if proved.header != archive.header {
                 return Err("the file has changed since it was prepared".into());

@@ -30,9 +30,11 @@ pub(crate) use child::{Told, enter as enter_child};
 
 use crate::control::{Board, CacheStatus, ControlListener, Request, Response, Trigger};
 use crate::exit::Exit;
+use crate::oversight::{Oversight, OversightArgs};
 use crate::serve::{Doorbell, Server, StopSignal};
 use anyhow::{Context, Result};
 use log::say;
+use mapd_client::TrustedKey;
 use maps::Maps;
 use orders::{Change, Order, Orders};
 use prepare::{Prepared, Workshop};
@@ -52,10 +54,14 @@ const LOOK_PATIENCE: Duration = Duration::from_millis(100);
 /// Serves every map until stopped. All are prepared before the first is published: either all are served or none.
 ///
 /// Errors: files, shared memory, or another daemon that serves a map of the same name.
-pub(crate) fn run(settings: Settings) -> Result<Exit> {
+pub(crate) fn run(
+    settings: Settings,
+    trust: Option<TrustedKey>,
+    oversight: &OversightArgs,
+) -> Result<Exit> {
     let cancelled = Arc::new(AtomicBool::new(false));
-    let Settings { domain, cache, compile_memory, maps } = settings;
-    let workshop = Workshop { cache, compile_memory, cancelled };
+    let Settings { domain, cache, compile_memory, lock_memory, maps, .. } = settings;
+    let workshop = Workshop { cache, compile_memory, trust, cancelled };
     let watched: WatchList = Arc::default();
     let (mut ready, mut fallbacks) = (Vec::new(), Vec::new());
     let mut exit = Exit::Done;
@@ -92,7 +98,8 @@ pub(crate) fn run(settings: Settings) -> Result<Exit> {
         .and_then(|_| door.ring_on(SIGHUP))
         .context("installing the handler of SIGHUP")?;
     let (orders, received) = Orders::new(door.ringer().context("a socket pair")?);
-    let mut server = Server::start_with(&domain, |notice| say(&notice.to_string()))?;
+    let mut server = Server::start_with(&domain, crate::oversight::log::notice)?;
+    server.lock_memory(lock_memory);
     if let Some(cache) = &workshop.cache {
         server.keep_generations_in(cache.folder());
     }
@@ -117,8 +124,9 @@ pub(crate) fn run(settings: Settings) -> Result<Exit> {
         false => None,
     };
     for name in &names {
-        say(&format!("serving {name}, {}", state.served(name)));
+        state.say_served(name);
     }
+    let watched_over = Oversight::start(oversight, &domain, &state.board, names)?;
     while !stop.is_requested() {
         state.server.run_until(&stop, &door)?;
         door.answer();
@@ -133,7 +141,7 @@ pub(crate) fn run(settings: Settings) -> Result<Exit> {
     }
     // Whoever waits for an answer hears that there is none, the compiler is ended, and the sockets are removed while the
     // maps are still claimed.
-    drop((watcher, received, worker, control));
+    drop((watched_over, watcher, received, worker, control));
     drop(state);
     say("stopped");
     Ok(Exit::Done)

@@ -4,8 +4,9 @@ use super::child::{self, Refusal};
 use super::settings::MapSettings;
 use crate::cache::{Cache, InputHash, Key};
 use crate::source;
+use crate::trust::signable;
 use mapd_archive::{HEADER_LENGTH, Header};
-use mapd_client::Domain;
+use mapd_client::{Domain, TrustError, TrustedKey, read_signature, signature_path};
 use std::fs::File;
 use std::io;
 use std::os::unix::fs::FileExt;
@@ -26,6 +27,24 @@ pub(crate) struct Prepared {
     pub(crate) is_on_disk: bool,
     /// All files that it comes from.
     pub(crate) files: Vec<PathBuf>,
+    /// Its signature, read when the archive was opened; only where a key is trusted.
+    pub(crate) signature: Option<String>,
+}
+
+impl Prepared {
+    /// Proves that these bytes, copied from the archive, are what was signed.
+    ///
+    /// Errors: they are not, or nothing is; only where a key is trusted.
+    pub(crate) fn prove_signature(
+        &self,
+        trust: Option<&TrustedKey>,
+        bytes: &[u8],
+    ) -> Result<(), TrustError> {
+        let Some(key) = trust else { return Ok(()) };
+        let name = self.files.first().map(|file| file.display().to_string()).unwrap_or_default();
+        // Without a signature an archive is not prepared where a key is trusted; no text is none that proves.
+        key.verify(&name, bytes, self.signature.as_deref().unwrap_or_default())
+    }
 }
 
 /// What preparing needs besides a map.
@@ -33,6 +52,8 @@ pub(crate) struct Prepared {
 pub(crate) struct Workshop {
     pub(crate) cache: Option<Cache>,
     pub(crate) compile_memory: Option<u64>,
+    /// Whose archives alone are served.
+    pub(crate) trust: Option<TrustedKey>,
     /// Set when the daemon ends.
     pub(crate) cancelled: Arc<AtomicBool>,
 }
@@ -42,6 +63,9 @@ impl Workshop {
     ///
     /// Errors: why there is no archive.
     pub(crate) fn prepare(&self, map: &MapSettings, anew: bool) -> Result<Prepared, Refusal> {
+        if self.trust.is_some() {
+            signable(&map.source).map_err(|error| Refusal::Rejected(error.to_string()))?;
+        }
         let prepared = if source::is_archive(&map.source) {
             self.open_archive(map)
         } else {
@@ -72,6 +96,16 @@ impl Workshop {
             return Err(failed("not a file".to_owned()));
         }
         let header = read_header(&file).map_err(|error| failed(error.to_string()))?;
+        let mut files = vec![absolute(&map.source)];
+        let signature = match self.trust {
+            None => None,
+            Some(_) => {
+                // A signature that comes after its archive is a change as well.
+                files.push(signature_path(&absolute(&map.source)));
+                let read = read_signature(&map.source);
+                Some(read.map_err(|error| Refusal::Rejected(error.to_string()))?)
+            }
+        };
         Ok(Prepared {
             file: Arc::new(file),
             length: metadata.len(),
@@ -79,7 +113,8 @@ impl Workshop {
             key: None,
             from_cache: false,
             is_on_disk: true,
-            files: vec![absolute(&map.source)],
+            files,
+            signature,
         })
     }
 
@@ -109,12 +144,14 @@ impl Workshop {
             from_cache: true,
             is_on_disk: true,
             files,
+            signature: None,
         }))
     }
 
     /// The archive that was served last under this name, where the map's settings allow it.
     pub(crate) fn last_served(&self, domain: &Domain, map: &MapSettings) -> Option<Prepared> {
-        let cache = self.cache.as_ref().filter(|_| map.last_good)?;
+        // What was served is not signed: only archives are, and of those none is kept.
+        let cache = self.cache.as_ref().filter(|_| map.last_good && self.trust.is_none())?;
         let key = cache.last_served(&name_in_cache(domain, &map.name))?;
         let (file, length) = cache.get(&key)?;
         Some(Prepared {
@@ -125,6 +162,7 @@ impl Workshop {
             from_cache: true,
             is_on_disk: true,
             files: vec![absolute(&map.source)],
+            signature: None,
         })
     }
 
@@ -172,6 +210,7 @@ impl Workshop {
             from_cache: false,
             is_on_disk,
             files,
+            signature: None,
         })
     }
 

@@ -2,6 +2,7 @@
 
 use crate::cache::Cache;
 use crate::compile_args::CompileArguments;
+use crate::oversight::OversightSettings;
 use mapd_client::Domain;
 use std::path::PathBuf;
 
@@ -13,6 +14,12 @@ pub(crate) struct Settings {
     pub(crate) cache: Option<Cache>,
     /// Memory that compiling may take \[bytes\]; [`super::child`] says what holds where nothing is said.
     pub(crate) compile_memory: Option<u64>,
+    /// The key whose archives alone are served, as the configuration file says.
+    pub(crate) trust: Option<PathBuf>,
+    /// Oversight, as the configuration file says.
+    pub(crate) oversight: OversightSettings,
+    /// Whether what is served is kept from swap.
+    pub(crate) lock_memory: bool,
     pub(crate) maps: Vec<MapSettings>,
 }
 

@@ -37,6 +37,21 @@ pub enum ServeError {
         /// How to get more.
         hint: &'static str,
     },
+    /// The map's pages cannot be locked.
+    #[error(
+        "map {map:?}: {needed} bytes cannot be locked in memory ({error}); the limit of locked memory is {limit}: raise it (ulimit -l, \
+         LimitMEMLOCK=) to twice the largest map, or serve without --lock-memory"
+    )]
+    NotLocked {
+        /// The map.
+        map: String,
+        /// Bytes to be locked.
+        needed: u64,
+        /// The limit of this process, in words.
+        limit: String,
+        /// What the system says.
+        error: std::io::Error,
+    },
     /// Shared memory has no room even for what serves a map.
     #[error(
         "serving needs {needed} bytes of shared memory besides the maps, {available} are left by {limit}; {hint}"

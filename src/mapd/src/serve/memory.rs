@@ -7,7 +7,7 @@ use mapd_client::transport::{ATTACH_ROOM, ClaimError, SHARED_MEMORY_FOLDER, free
 use std::fs;
 
 /// What a publisher needs besides the payload: header, allocator state, queues to all subscribers, rounding to pages.
-const OVERHEAD: u64 = 1 << 20;
+pub(crate) const OVERHEAD: u64 = 1 << 20;
 
 /// Bytes that something leaves us.
 struct Room {
@@ -96,20 +96,32 @@ pub(crate) fn refused(map: &str, length: u64, error: &std::io::Error) -> ServeEr
     }
 }
 
+/// The kernel refused to lock pages.
+pub(crate) fn not_locked(map: &str, length: u64, error: &std::io::Error) -> ServeError {
+    let limit = rustix::process::getrlimit(rustix::process::Resource::Memlock).current;
+    ServeError::NotLocked {
+        map: map.to_owned(),
+        needed: length,
+        limit: limit.map_or_else(|| "none".to_owned(), |bytes| format!("{bytes} bytes")),
+        error: std::io::Error::new(error.kind(), error.to_string()),
+    }
+}
+
 fn file_system() -> Option<Room> {
     let hint = "enlarge it (`mount -o remount,size=…`, for containers `--shm-size`)";
     Some(Room { available: free_bytes()?, limit: SHARED_MEMORY_FOLDER, hint })
 }
 
-fn machine() -> Option<Room> {
+/// What the machine leaves, swap included; `None` if the system does not say \[bytes\].
+pub(crate) fn machine_available() -> Option<u64> {
     let text = fs::read_to_string("/proc/meminfo").ok()?;
     let available = [field(&text, "MemAvailable:"), field(&text, "SwapFree:")];
     let kilobytes = available[0]?.saturating_add(available[1].unwrap_or(0));
-    Some(Room {
-        available: kilobytes.saturating_mul(1024),
-        limit: "the machine's memory",
-        hint: "free some",
-    })
+    Some(kilobytes.saturating_mul(1024))
+}
+
+fn machine() -> Option<Room> {
+    Some(Room { available: machine_available()?, limit: "the machine's memory", hint: "free some" })
 }
 
 /// What the control groups leave.

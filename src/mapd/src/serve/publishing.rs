@@ -3,6 +3,7 @@
 use super::error::ServeError;
 use super::greeter::greeting_meanwhile;
 use super::loan::{Filled, PublishMeta, fill_loan};
+use super::locked::LockedPages;
 use super::memory;
 use super::notice::Notice;
 use super::reserve::reserving;
@@ -20,6 +21,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 pub(crate) struct Staged {
     sample: Filled,
     segment: Segment,
+    locked: Option<LockedPages>,
     publisher: MapPublisher,
 }
 
@@ -131,7 +133,7 @@ impl Server {
         let filled =
             greeting_meanwhile(&self.maps, &self.lock, || self.fill(map, length, &publisher, fill));
         match filled {
-            Ok((sample, segment)) => Ok(Staged { sample, segment, publisher }),
+            Ok((sample, segment, locked)) => Ok(Staged { sample, segment, locked, publisher }),
             Err(error) => {
                 let exclusive = self.exclusive();
                 // Unlinks the segment, under the lock.
@@ -149,10 +151,12 @@ impl Server {
         length: usize,
         publisher: &MapPublisher,
         fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
-    ) -> Result<(Filled, Segment), ServeError> {
+    ) -> Result<(Filled, Segment, Option<LockedPages>), ServeError> {
         let segment =
             Segment::of(&self.domain, publisher).map_err(ServeError::io(SHARED_MEMORY_FOLDER))?;
         segment.reserve().map_err(|error| memory::refused(map, length as u64, &error))?;
+        let locked = self.lock_memory.then(|| segment.lock()).transpose();
+        let locked = locked.map_err(|error| memory::not_locked(map, length as u64, &error))?;
         let loan = publisher
             .loan_slice_uninit(chunks_for(length))
             .map_err(ServeError::iceoryx("loaning"))?;
@@ -163,13 +167,13 @@ impl Server {
         })?;
         // Nobody has written through it meanwhile, and nobody will.
         self.tell_if_failed("making the data segment read-only", segment.protect());
-        Ok((filled, segment))
+        Ok((filled, segment, locked))
     }
 
     /// Serves a generation instead of the one before.
     fn send(&mut self, map: &str, staged: Staged) -> Result<u64, ServeError> {
         let exclusive = self.exclusive();
-        let Staged { mut sample, segment, publisher } = staged;
+        let Staged { mut sample, segment, locked, publisher } = staged;
         sample.user_header_mut().published_unix_ns = unix_ns();
         let info = *sample.user_header();
         // Newcomers since it was made cost a queue each.
@@ -177,7 +181,7 @@ impl Server {
         reserving(|| sample.send()).map_err(ServeError::iceoryx("sending"))?;
         drop(segment);
         if let Some(ports) = self.maps.get_mut(map) {
-            ports.replace(publisher, info, exclusive.as_ref());
+            ports.replace((publisher, info), locked, exclusive.as_ref());
         }
         drop(exclusive);
         self.tell_if_failed("writing the record", write_published(&self.domain, map, Some(&info)));

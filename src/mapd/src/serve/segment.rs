@@ -1,5 +1,6 @@
 //! The file that holds a generation.
 
+use super::locked::LockedPages;
 use super::served_map::MapPublisher;
 use mapd_client::transport::{Domain, SHARED_MEMORY_FOLDER};
 use rustix::fs::FallocateFlags;
@@ -7,8 +8,8 @@ use std::fs::{File, OpenOptions, Permissions};
 use std::io;
 use std::os::unix::fs::PermissionsExt;
 
-/// Mode of a published data segment: nobody changes it any more.
-const READ_ONLY: u32 = 0o444;
+/// Mode of a published data segment: nobody changes it any more, and other users do not even read it.
+const READ_ONLY: u32 = 0o400;
 
 /// The data segment of a publisher.
 pub(crate) struct Segment(File);
@@ -41,6 +42,13 @@ impl Segment {
         Ok(rustix::io::retry_on_intr(|| {
             rustix::fs::fallocate(&self.0, FallocateFlags::empty(), 0, length)
         })?)
+    }
+
+    /// Keeps its pages in memory.
+    ///
+    /// Errors: see [`LockedPages::of`].
+    pub(crate) fn lock(&self) -> io::Result<LockedPages> {
+        LockedPages::of(&self.0)
     }
 
     /// Makes it read-only for good. Existing mappings stay what they are; iceoryx2 maps readers read-only anyway, but

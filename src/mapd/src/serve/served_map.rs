@@ -1,6 +1,7 @@
 //! One map of a server: its services, its publisher, its claim.
 
 use super::error::ServeError;
+use super::locked::LockedPages;
 use super::memory;
 use super::notice::Notice;
 use super::reserve::reserving;
@@ -20,6 +21,8 @@ pub(crate) type MapPublisher = Publisher<TransportService, [Chunk64], Generation
 /// The services and ports of a map. Fields are dropped in the order they are written.
 pub(crate) struct MapPorts {
     current: Option<(MapPublisher, GenerationInfo)>,
+    /// Pages of the current generation, where they are to stay in memory.
+    locked: Option<LockedPages>,
     pub(crate) woken: Listener<TransportService>,
     changed: Notifier<TransportService>,
     services: MapServices,
@@ -53,7 +56,7 @@ impl MapPorts {
             });
         match ports {
             Ok((services, woken, changed)) => {
-                Ok(Self { current: None, woken, changed, services, claim })
+                Ok(Self { current: None, locked: None, woken, changed, services, claim })
             }
             Err(error) => {
                 claim.release();
@@ -86,11 +89,12 @@ impl MapPorts {
     /// Makes a publisher whose sample was sent the current one and drops the one before: readers keep what they hold.
     pub(crate) fn replace(
         &mut self,
-        publisher: MapPublisher,
-        info: GenerationInfo,
+        current: (MapPublisher, GenerationInfo),
+        locked: Option<LockedPages>,
         _exclusive: Option<&AttachGuard>,
     ) {
-        self.current = Some((publisher, info));
+        self.current = Some(current);
+        self.locked = locked;
     }
 
     /// Tells those who wait.
@@ -130,8 +134,8 @@ impl MapPorts {
 
     /// Closes the ports, then gives up the claim.
     pub(crate) fn close(self) {
-        let Self { current, woken, changed, services, claim } = self;
-        drop((current, woken, changed, services));
+        let Self { current, locked, woken, changed, services, claim } = self;
+        drop((current, locked, woken, changed, services));
         claim.release();
     }
 }

@@ -10,6 +10,7 @@ use super::notice::Notice;
 use super::orphans;
 use super::publishing::Staged;
 use super::reserve::reserving;
+use super::rights;
 use super::served_map::MapPorts;
 use super::stop::StopSignal;
 use iceoryx2::prelude::{Node, NodeBuilder, SignalHandlingMode};
@@ -69,6 +70,7 @@ pub struct Server {
     pub(super) domain: Domain,
     pub(super) notify: Box<dyn Fn(&Notice)>,
     pub(super) generations: Generations,
+    pub(super) lock_memory: bool,
     patience: Cell<Duration>,
     next_round: Instant,
     rounds_missed: Cell<u32>,
@@ -115,6 +117,7 @@ impl Server {
             domain: domain.clone(),
             notify: Box::new(notify),
             generations: Generations::default(),
+            lock_memory: false,
             patience: Cell::new(LOCK_PATIENCE),
             next_round: Instant::now(),
             rounds_missed: Cell::new(0),
@@ -124,6 +127,7 @@ impl Server {
         let node = reserving(|| builder.create::<TransportService>())
             .map_err(ServeError::iceoryx("creating a node"))
             .map_err(memory::or_no_room)?;
+        server.tell_if_failed("keeping other users out", rights::tighten(domain));
         if let Some(guard) = &exclusive {
             cleanup::clean(domain, &node, guard, &server.notify);
             orphans::remove(domain, &node, guard, &server.notify);
@@ -137,6 +141,12 @@ impl Server {
     /// everybody has left it. What cannot be written there is told, and does not keep anything from being served.
     pub fn keep_generations_in(&mut self, folder: impl Into<PathBuf>) {
         self.generations.keep_in(folder.into());
+    }
+
+    /// Whether pages of what is published from now on are kept in memory (mlock(2)) until a newer generation is served. A
+    /// generation whose pages cannot be locked is refused with [`ServeError::NotLocked`].
+    pub fn lock_memory(&mut self, lock: bool) {
+        self.lock_memory = lock;
     }
 
     /// Claims a map before its first generation is ready, so that a second daemon fails at once and clients know that the

@@ -1,0 +1,199 @@
+//! Archives that are signed: Ed25519 over the Blake2b hash of the bytes, in minisign's format.
+//!
+//! ```text
+//! minisign -G -p map.pub -s map.key        a pair of keys, once
+//! mapd sign town.mapd --key map.key        writes town.mapd.minisig; `minisign -Sm town.mapd -s map.key` does the same
+//! mapd --load town.mapd --trust map.pub    refuses what is not signed by that key, or not the signed bytes
+//! ```
+//!
+//! ```no_run
+//! use mapd_client::{Snapshot, TrustedKey};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let key = TrustedKey::open("map.pub")?;
+//! let snapshot = Snapshot::open_trusted("town.mapd", &key)?;
+//! # Ok(())
+//! # }
+//! ```
+
+use crate::error::ClientError;
+use crate::snapshot::Snapshot;
+use minisign_verify::{Error as MinisignError, PublicKey, Signature};
+use std::ffi::OsString;
+use std::fmt;
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// What is added to an archive's name to name its signature.
+pub const SIGNATURE_SUFFIX: &str = ".minisig";
+
+/// Largest key or signature file that is read \[bytes\]: they have a few hundred.
+const LARGEST: u64 = 64 << 10;
+
+/// Why an archive is not trusted.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum TrustError {
+    /// The public key cannot be used.
+    #[error(
+        "{name}: expected a minisign public key, {reason}; name the file that `minisign -G` wrote with -p"
+    )]
+    Key {
+        /// The key's file.
+        name: String,
+        /// What is wrong.
+        reason: String,
+    },
+    /// There is no signature.
+    #[error("{archive} is not signed: {}: {reason}; sign it with `mapd sign {archive} --key SECRET`", signature.display())]
+    Unsigned {
+        /// The archive.
+        archive: String,
+        /// Where its signature should be.
+        signature: PathBuf,
+        /// What the system says.
+        reason: std::io::Error,
+    },
+    /// The signature is none that can be read.
+    #[error(
+        "{archive}: expected a minisign signature, found another text ({reason}); sign it again with `mapd sign`"
+    )]
+    Malformed {
+        /// The archive.
+        archive: String,
+        /// What is wrong.
+        reason: String,
+    },
+    /// The signature was made with another key.
+    #[error(
+        "{archive} is signed with another key than the trusted one; get the key of who signed it, or sign it again"
+    )]
+    OtherKey {
+        /// The archive.
+        archive: String,
+    },
+    /// The bytes are not those that were signed.
+    #[error(
+        "{archive} is not what was signed: the archive or its signature has been altered; get both again from their source"
+    )]
+    Altered {
+        /// The archive.
+        archive: String,
+    },
+}
+
+/// A public key: archives signed with its secret half are trusted.
+#[derive(Clone)]
+pub struct TrustedKey {
+    key: PublicKey,
+    name: Box<str>,
+}
+
+impl TrustedKey {
+    /// Reads a public key as `minisign -G` writes it.
+    ///
+    /// Errors: [`TrustError::Key`].
+    pub fn open(path: impl AsRef<Path>) -> Result<Self, TrustError> {
+        let path = path.as_ref();
+        let name = path.display().to_string();
+        match read(path) {
+            Ok(text) => Self::parse(&text, &name),
+            Err(error) => Err(TrustError::Key { name, reason: error.to_string() }),
+        }
+    }
+
+    /// A public key as text: that of its file, or the line of Base64 alone. `name` is for messages.
+    ///
+    /// Errors: [`TrustError::Key`].
+    pub fn parse(text: &str, name: &str) -> Result<Self, TrustError> {
+        let text = text.trim();
+        let key = match text.lines().count() {
+            1 => PublicKey::from_base64(text),
+            _ => PublicKey::decode(text),
+        };
+        let reason = |error: MinisignError| format!("found another text ({error})");
+        let key = key.map_err(|e| TrustError::Key { name: name.to_owned(), reason: reason(e) })?;
+        Ok(Self { key, name: name.into() })
+    }
+
+    /// Proves that these bytes are what the signature, a text in minisign's format, was made for. Linear in their number.
+    /// `archive` is for messages.
+    ///
+    /// Errors: [`TrustError::Malformed`], [`TrustError::OtherKey`], [`TrustError::Altered`].
+    pub fn verify(&self, archive: &str, bytes: &[u8], signature: &str) -> Result<(), TrustError> {
+        let archive = archive.to_owned();
+        let signature = match Signature::decode(signature) {
+            Ok(signature) => signature,
+            Err(error) => {
+                return Err(TrustError::Malformed { archive, reason: error.to_string() });
+            }
+        };
+        // Signatures over the bytes themselves, as minisign made them before 0.6, are refused: `false`.
+        self.key.verify(bytes, &signature, false).map_err(|error| match error {
+            MinisignError::UnexpectedKeyId => TrustError::OtherKey { archive },
+            MinisignError::InvalidSignature => TrustError::Altered { archive },
+            other => TrustError::Malformed { archive, reason: other.to_string() },
+        })
+    }
+
+    /// The same with the signature in the file beside the archive; see [`signature_path`].
+    ///
+    /// Errors: [`TrustError::Unsigned`]; those of [`TrustedKey::verify`].
+    pub fn verify_beside(&self, archive: &Path, bytes: &[u8]) -> Result<(), TrustError> {
+        self.verify(&archive.display().to_string(), bytes, &read_signature(archive)?)
+    }
+}
+
+impl fmt::Debug for TrustedKey {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("TrustedKey").field("name", &self.name).finish_non_exhaustive()
+    }
+}
+
+/// Where an archive's signature lies: `town.mapd.minisig` beside `town.mapd`.
+pub fn signature_path(archive: &Path) -> PathBuf {
+    let mut path = OsString::from(archive.as_os_str());
+    path.push(SIGNATURE_SUFFIX);
+    path.into()
+}
+
+/// Reads the signature that lies beside an archive.
+///
+/// Errors: [`TrustError::Unsigned`].
+pub fn read_signature(archive: &Path) -> Result<String, TrustError> {
+    let signature = signature_path(archive);
+    read(&signature).map_err(|reason| TrustError::Unsigned {
+        archive: archive.display().to_string(),
+        signature,
+        reason,
+    })
+}
+
+/// Reads a small text.
+fn read(path: &Path) -> std::io::Result<String> {
+    use std::io::Read;
+    let mut text = String::new();
+    std::fs::File::open(path)?.take(LARGEST).read_to_string(&mut text)?;
+    Ok(text)
+}
+
+impl Snapshot {
+    /// Opens a `.mapd` file in place if it is signed; the signature lies beside it, see [`signature_path`]. Reads the whole
+    /// file. Whoever may write the file may still change it afterwards: where that is not only the map's owner, have the
+    /// daemon serve it, which proves the bytes in shared memory.
+    ///
+    /// Errors: those of [`Snapshot::open`]; [`ClientError::Trust`].
+    pub fn open_trusted(path: impl AsRef<Path>, key: &TrustedKey) -> Result<Self, ClientError> {
+        let snapshot = Self::open(path.as_ref())?;
+        key.verify_beside(path.as_ref(), snapshot.bytes())?;
+        Ok(snapshot)
+    }
+
+    /// Proves that these are the bytes that a signature was made for, also of a generation in shared memory: for clients
+    /// that trust a key and not the daemon. Reads all bytes.
+    ///
+    /// Errors: [`ClientError::Trust`].
+    pub fn verify_signature(&self, key: &TrustedKey, signature: &str) -> Result<(), ClientError> {
+        Ok(key.verify(self.source_name(), self.bytes(), signature)?)
+    }
+}

@@ -1,0 +1,90 @@
+//! Queries in a process that is attached and warm, each timed by itself.
+
+use super::figures::{Comparison, keep};
+use super::places::{ends, places};
+use mapd_client::{Map, NearestOptions, RouteScratch, ShortestLength, Snapshot, VehicleClass};
+use std::time::{Duration, Instant};
+
+/// Queries in a row on one side before it is the other's turn: what disturbs the machine disturbs both.
+const TURN: usize = 128;
+
+/// Pairs of places that are tried for each route.
+const TRIES: usize = 20;
+
+/// Every kind of query on both sides; kinds that the map has nothing for are left out.
+pub(crate) fn compare(
+    (shared, file): (&Snapshot, &Snapshot),
+    (queries, routes): (usize, usize),
+) -> Vec<Comparison> {
+    let maps = (shared.map(), file.map());
+    let options = NearestOptions::default();
+    let mut out = Vec::new();
+    out.extend(run("clock alone", maps, &vec![(); queries], |_, ()| ()));
+    for (along, [nearest, to_track, to_inertial]) in [
+        (false, ["nearest lane, random", "x,y to s,t, random", "s,t to x,y,z, random"]),
+        (true, ["nearest lane, trajectory", "x,y to s,t, trajectory", "s,t to x,y,z, trajectory"]),
+    ] {
+        let places = places(maps.0, along, queries);
+        out.extend(run(nearest, maps, &places, |map, place| {
+            keep(map.nearest_lane(place.point(), &options));
+        }));
+        out.extend(run(to_track, maps, &places, |map, place| {
+            let road = map.road_by_row(place.road);
+            keep(road.map(|road| road.to_track(place.point())));
+        }));
+        out.extend(run(to_inertial, maps, &places, |map, place| {
+            let road = map.road_by_row(place.road);
+            keep(road.map(|road| road.to_inertial(place.track)));
+        }));
+    }
+    let mut scratch = RouteScratch::with_capacity(maps.0.lane_nodes().len());
+    let mut steps = Vec::new();
+    let cost = ShortestLength::default();
+    let car = VehicleClass::PassengerCar;
+    // Ends between which there is a way; of a map in many pieces, as many as are found.
+    let mut pairs = ends(maps.0, routes.saturating_mul(TRIES));
+    let mut found = 0;
+    pairs.retain(|[from, to]| {
+        let wanted = found < routes && {
+            let route = maps.0.route(*from, *to, car, &cost, &mut scratch, &mut steps);
+            matches!(route, Ok(Some(_)))
+        };
+        found += usize::from(wanted);
+        wanted
+    });
+    out.extend(run("route by length", maps, &pairs, |map, [from, to]| {
+        keep(map.route(*from, *to, car, &cost, &mut scratch, &mut steps));
+    }));
+    out
+}
+
+/// Asks everything once on each side, so that pages and caches are warm, then times it in turns.
+fn run<T>(
+    what: &'static str,
+    maps: (Map<'_>, Map<'_>),
+    inputs: &[T],
+    mut query: impl FnMut(Map<'_>, &T),
+) -> Option<Comparison> {
+    for map in [maps.0, maps.1] {
+        inputs.iter().for_each(|input| query(map, input));
+    }
+    let mut time = |map: Map<'_>, inputs: &[T], times: &mut Vec<Duration>| {
+        for input in inputs {
+            let start = Instant::now();
+            query(map, input);
+            times.push(start.elapsed());
+        }
+    };
+    let (mut shared, mut file) = (Vec::new(), Vec::new());
+    for (turn, inputs) in inputs.chunks(TURN).enumerate() {
+        // Who is second finds the inputs in the caches: each is as often.
+        if turn % 2 == 0 {
+            time(maps.0, inputs, &mut shared);
+            time(maps.1, inputs, &mut file);
+        } else {
+            time(maps.1, inputs, &mut file);
+            time(maps.0, inputs, &mut shared);
+        }
+    }
+    Comparison::new(what, shared, file)
+}

@@ -1,0 +1,143 @@
+//! The map under test: served by a daemon that runs, or by this process for the time of the benchmark.
+
+use crate::serve::{PublishMeta, Server, StopSignal};
+use crate::source::{self, Opened};
+use anyhow::{Context, Result, bail};
+use mapd_archive::LAYOUT_ID;
+use mapd_client::transport::list_maps;
+use mapd_client::{Client, Domain, Snapshot};
+use mapd_compiler::{CompileOptions, ReadOptions};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc;
+use std::time::Duration;
+
+/// Name of the map that this process serves.
+const NAME: &str = "bench";
+
+/// Longest wait for this process's own server.
+const WAIT: Duration = Duration::from_secs(10);
+
+/// A map in shared memory, and a file of the same bytes.
+pub(crate) struct Served {
+    pub(crate) domain: Domain,
+    pub(crate) name: String,
+    pub(crate) snapshot: Snapshot,
+    pub(crate) file: PathBuf,
+    _client: Client,
+}
+
+/// Removes a file at the end.
+struct Temporary(PathBuf);
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        // Nothing more can be done about a file that cannot be removed.
+        let _ = std::fs::remove_file(&self.0);
+    }
+}
+
+/// Has `work` run on a served map: on that of a running daemon for `shm:NAME`, and where no source is named and a daemon
+/// serves just one map; on one that this process serves meanwhile, in a domain of its own, for a file.
+///
+/// Errors: no source; it cannot be read, is rejected or does not fit into shared memory; what `work` says.
+pub(crate) fn with<T>(
+    source: Option<&str>,
+    (domain, wait): (&Domain, Duration),
+    work: impl FnOnce(&Served) -> Result<T>,
+) -> Result<T> {
+    let live = match source {
+        None => Some(the_only_map(domain)?),
+        Some(source) => source.strip_prefix(source::SHARED).map(str::to_owned),
+    };
+    if let Some(name) = live {
+        let client = Client::connect_in(domain, &name, wait)?;
+        let snapshot = client.snapshot();
+        let copy = copy_of(&snapshot)?;
+        let served = Served {
+            domain: domain.clone(),
+            name,
+            snapshot,
+            file: copy.0.clone(),
+            _client: client,
+        };
+        return work(&served);
+    }
+    let source = source.unwrap_or_default();
+    let compiling = (&ReadOptions::default(), &CompileOptions::default());
+    let opened = source::open(source, compiling, (domain, wait), &mut |_| {})?;
+    let archive = match opened {
+        Opened::Map(snapshot) => snapshot,
+        Opened::Rejected(_) => bail!("{source} is rejected; `mapd check {source}` says why"),
+    };
+    let path = Path::new(source);
+    let copy = (!source::is_archive(path)).then(|| copy_of(&archive)).transpose()?;
+    let file = copy.as_ref().map_or_else(|| path.to_owned(), |copy| copy.0.clone());
+    serve_meanwhile(&archive, |domain| {
+        let client = Client::connect_in(domain, NAME, WAIT)?;
+        let snapshot = client.snapshot();
+        let (domain, name) = (domain.clone(), NAME.to_owned());
+        work(&Served { domain, name, snapshot, file, _client: client })
+    })
+}
+
+fn the_only_map(domain: &Domain) -> Result<String> {
+    let mut alive: Vec<String> =
+        list_maps(domain)?.into_iter().filter(|map| map.alive).map(|map| map.name).collect();
+    match (alive.pop(), alive.is_empty()) {
+        (Some(name), true) => Ok(name),
+        (None, _) => bail!(
+            "no daemon serves a map here (prefix {}), and this program carries none: name a SOURCE, such as map.xodr",
+            domain.prefix()
+        ),
+        (Some(_), false) => bail!("several maps are served: name one as SOURCE, shm:NAME"),
+    }
+}
+
+fn copy_of(snapshot: &Snapshot) -> Result<Temporary> {
+    let path = std::env::temp_dir().join(format!("mapd-bench-{}.mapd", std::process::id()));
+    let temporary = Temporary(path);
+    std::fs::write(&temporary.0, snapshot.bytes())
+        .with_context(|| format!("writing {}", temporary.0.display()))?;
+    Ok(temporary)
+}
+
+/// Publishes an archive in a domain of this process alone and serves it while `work` runs.
+fn serve_meanwhile<T>(archive: &Snapshot, work: impl FnOnce(&Domain) -> Result<T>) -> Result<T> {
+    /// Stops the server even if the work panics: the scope waits for its thread.
+    struct StopAtEnd<'a>(&'a StopSignal);
+    impl Drop for StopAtEnd<'_> {
+        fn drop(&mut self) {
+            self.0.request();
+        }
+    }
+    let domain = Domain::new(&format!("mapdb{}_", std::process::id()))?;
+    let stop = StopSignal::new()?;
+    let (ready, served) = mpsc::channel();
+    std::thread::scope(|scope| {
+        let (domain, stopped) = (&domain, &stop);
+        let _at_end = StopAtEnd(&stop);
+        let serving = scope.spawn(move || -> Result<()> {
+            let mut server = Server::start(domain)?;
+            let bytes = archive.bytes();
+            let header = archive.header();
+            let mut layout_id = [0; 32];
+            layout_id[..LAYOUT_ID.len()].copy_from_slice(&LAYOUT_ID);
+            server.publish(NAME, bytes.len(), |loan| {
+                loan.copy_from_slice(bytes);
+                Ok(PublishMeta {
+                    layout_id,
+                    content_hash: header.content_hash,
+                    input_hash: header.provenance.input_hash,
+                })
+            })?;
+            // The receiver waits for it.
+            let _ = ready.send(());
+            Ok(server.run(stopped)?)
+        });
+        if served.recv().is_err() {
+            let end = serving.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            return Err(end.err().unwrap_or_else(|| anyhow::anyhow!("the server ended")));
+        }
+        work(domain)
+    })
+}

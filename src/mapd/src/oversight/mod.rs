@@ -1,0 +1,109 @@
+//! What shows that a daemon is well, while it runs: logs, metrics, queries of its own, the service manager's watchdog, and
+//! proofs of what is served.
+//!
+//! Everything here runs in threads beside the one that serves, looks at the maps as any client would, and writes what it
+//! finds on the daemon's [`Board`]. Nothing here can hold up serving.
+
+mod attendant;
+pub(crate) mod log;
+mod metrics;
+mod page;
+mod periodic;
+mod scrubber;
+mod self_query;
+
+use crate::control::Board;
+use anyhow::{Context, Result, ensure};
+use clap::Args;
+use mapd_client::Domain;
+use periodic::{Periodic, Stop};
+use std::net::SocketAddr;
+use std::num::NonZeroU32;
+use std::sync::Arc;
+use std::time::Duration;
+
+/// Options of oversight.
+#[derive(Args, Clone, Debug, Default)]
+pub(crate) struct OversightArgs {
+    #[command(flatten)]
+    pub(crate) log: log::LogArgs,
+
+    /// Answer Prometheus at this address, such as 127.0.0.1:9464
+    #[arg(long, value_name = "ADDRESS:PORT")]
+    metrics: Option<SocketAddr>,
+
+    /// Let --metrics listen at an address that other machines can reach
+    #[arg(long, requires = "metrics")]
+    metrics_open: bool,
+
+    /// Prove what is served, every byte of it, at this interval [s]
+    #[arg(long, value_name = "SECONDS")]
+    scrub: Option<NonZeroU32>,
+}
+
+/// The same, as far as a configuration file says it.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct OversightSettings {
+    pub(crate) metrics: Option<SocketAddr>,
+    pub(crate) metrics_open: bool,
+    pub(crate) scrub: Option<NonZeroU32>,
+}
+
+impl OversightArgs {
+    /// These, and where they are silent, what the configuration file says.
+    pub(crate) fn or(&self, file: &OversightSettings) -> Self {
+        Self {
+            log: self.log.clone(),
+            metrics: self.metrics.or(file.metrics),
+            metrics_open: self.metrics_open || file.metrics_open,
+            scrub: self.scrub.or(file.scrub),
+        }
+    }
+}
+
+/// Oversight of a daemon; ends when dropped.
+pub(crate) struct Oversight {
+    _threads: Vec<Periodic>,
+    _page: Option<page::Page>,
+}
+
+impl Drop for Oversight {
+    fn drop(&mut self) {
+        attendant::stopping();
+    }
+}
+
+impl Oversight {
+    /// Begins. The service manager hears that the daemon is ready once every map has answered a query, so that serving has to
+    /// begin soon.
+    ///
+    /// Errors: the port of the metrics cannot be had, or is open to others without --metrics-open.
+    pub(crate) fn start(
+        args: &OversightArgs,
+        domain: &Domain,
+        board: &Arc<Board>,
+        maps: Vec<String>,
+    ) -> Result<Self> {
+        let page = args.metrics.map(|address| {
+            ensure!(
+                address.ip().is_loopback() || args.metrics_open,
+                "--metrics {address} can be reached from other machines: say --metrics-open if that is meant"
+            );
+            let board = board.clone();
+            page::Page::serve(address, move || metrics::text(&board.status()))
+                .with_context(|| format!("--metrics {address}"))
+        });
+        let page = page.transpose()?;
+        let stop = Arc::new(Stop::default());
+        let mut threads = Vec::new();
+        // Where nobody looks, nobody asks.
+        if attendant::is_managed() || page.is_some() {
+            threads.push(attendant::start(domain, board, &maps, &stop));
+        }
+        if let Some(seconds) = args.scrub {
+            let interval = Duration::from_secs(u64::from(seconds.get()));
+            threads.push(scrubber::start(domain, board, &maps, interval, &stop));
+        }
+        Ok(Self { _threads: threads, _page: page })
+    }
+}

@@ -1,0 +1,58 @@
+//! A query as any client would ask it.
+
+use crate::serve::reserving;
+use mapd_client::transport::Domain;
+use mapd_client::{Client, ClientError, NearestOptions, QueryError};
+use std::time::{Duration, Instant};
+use thiserror::Error;
+
+/// Longest wait for the map: a client attaches in milliseconds, and daemons clean up for less than a second.
+const WAIT: Duration = Duration::from_secs(2);
+
+/// Why a daemon's own query has no answer.
+#[derive(Debug, Error)]
+pub(crate) enum SelfQueryError {
+    /// A newcomer cannot attach.
+    #[error(transparent)]
+    Client(#[from] ClientError),
+    /// The map cannot be asked.
+    #[error(transparent)]
+    Query(#[from] QueryError),
+    /// A newcomer gets an older generation than one before.
+    #[error("generation {found} came after {before}")]
+    WentBack {
+        /// The generation that came.
+        found: u64,
+        /// One that came earlier.
+        before: u64,
+    },
+}
+
+/// What an answer took.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Answered {
+    pub(crate) generation: u64,
+    pub(crate) taken: Duration,
+}
+
+/// Attaches anew, asks for the lane at a point of the map's middle lane, and detaches.
+///
+/// Errors: what a client would meet; a generation older than `before`.
+pub(crate) fn ask(domain: &Domain, map: &str, before: u64) -> Result<Answered, SelfQueryError> {
+    let start = Instant::now();
+    // What the client makes must not end the daemon by SIGBUS, should shared memory be filled up at this moment.
+    let client = reserving(|| Client::connect_in(domain, map, WAIT))?;
+    let snapshot = client.snapshot();
+    let view = snapshot.map();
+    let middle = u32::try_from(view.tables().lanes.len() / 2).unwrap_or(0);
+    if let Some(lane) = view.lane_by_row(middle)
+        && let Some(point) = lane.center_line().positions().next()
+    {
+        view.nearest_lane(point.truncate(), &NearestOptions::default())?;
+    }
+    let found = snapshot.generation();
+    if found < before {
+        return Err(SelfQueryError::WentBack { found, before });
+    }
+    Ok(Answered { generation: found, taken: start.elapsed() })
+}

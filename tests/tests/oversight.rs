@@ -1,0 +1,274 @@
+//! What a daemon shows while it runs: logs, metrics, the service manager's socket, proofs of what is served.
+
+use mapd_client::transport::{AttachLock, Subscription};
+use mapd_tests::manager::{Manager, WATCHDOG};
+use mapd_tests::place::{PATIENCE, Place};
+use serde_json::Value;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::os::unix::fs::PermissionsExt;
+use std::process::{Child, ChildStderr, Command};
+use std::time::{Duration, Instant};
+
+/// Queries in an interval: see `oversight::attendant`.
+const PER_INTERVAL: u32 = 3;
+
+fn place() -> Place {
+    Place::new(env!("CARGO_BIN_EXE_mapd_under_test"))
+}
+
+fn town() -> String {
+    mapd_tests::carried("town.xodr").display().to_string()
+}
+
+/// A daemon whose log is read line by line; killed at the end.
+struct Logged {
+    child: Child,
+    lines: BufReader<ChildStderr>,
+}
+
+impl Logged {
+    fn start(command: &mut Command, args: &[&str]) -> Self {
+        Self::spawn(command.arg("--load").arg(town()).args(args))
+    }
+
+    fn spawn(command: &mut Command) -> Self {
+        let mut child = command.spawn().expect("starts");
+        let lines = BufReader::new(child.stderr.take().expect("stderr"));
+        Self { child, lines }
+    }
+
+    fn line(&mut self) -> Option<String> {
+        let mut line = String::new();
+        let read = self.lines.read_line(&mut line).expect("stderr can be read");
+        (read > 0).then(|| line.trim_end().to_owned())
+    }
+
+    /// The next line of JSON whose message holds these words.
+    fn event(&mut self, words: &str) -> Value {
+        loop {
+            let line = self.line().expect("the daemon ended");
+            let event: Value = serde_json::from_str(&line).expect("a line of JSON");
+            if event["message"].as_str().is_some_and(|message| message.contains(words)) {
+                return event;
+            }
+        }
+    }
+
+    fn terminate(&mut self) -> Option<i32> {
+        let pid = self.child.id().to_string();
+        assert!(Command::new("kill").args(["-TERM", &pid]).status().expect("kill runs").success());
+        self.child.wait().expect("waited for").code()
+    }
+}
+
+impl Drop for Logged {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+fn until<T>(what: &str, mut look: impl FnMut() -> Option<T>) -> T {
+    let until = Instant::now() + PATIENCE;
+    loop {
+        if let Some(found) = look() {
+            return found;
+        }
+        assert!(Instant::now() < until, "{what} does not come");
+        std::thread::sleep(Duration::from_millis(20));
+    }
+}
+
+fn get(address: &str, request: &str) -> String {
+    let mut stream = TcpStream::connect(address).expect("connects");
+    write!(stream, "{request}\r\nHost: {address}\r\n\r\n").expect("written");
+    let mut answer = String::new();
+    stream.read_to_string(&mut answer).expect("an answer");
+    answer
+}
+
+/// The value of a line of the metrics.
+fn metric(address: &str, line: &str) -> Option<f64> {
+    let page = get(address, "GET /metrics HTTP/1.1");
+    page.lines().find_map(|l| l.strip_prefix(line)?.trim().parse().ok())
+}
+
+#[test]
+fn logs_as_text_and_as_json_and_as_grave_as_wanted() {
+    let place = place();
+    let mut daemon = Logged::start(&mut place.command(), &[]);
+    let text = until("the line", || daemon.line().filter(|line| line.contains("serving")));
+    assert!(text.starts_with("mapd: serving town, generation "), "{text}");
+    assert_eq!(daemon.terminate(), Some(0));
+    assert_eq!(daemon.line().as_deref(), Some("mapd: stopped"));
+
+    let mut daemon = Logged::start(
+        &mut place.command(),
+        &["--log", "json", "--log-level", "debug", "--metrics", "127.0.0.1:0"],
+    );
+    let event = daemon.event("serving");
+    assert_eq!((&event["map"], &event["level"]), (&"town".into(), &"INFO".into()));
+    assert!(event["generation"].is_u64() && event["bytes"].is_u64(), "{event}");
+    assert!(event["timestamp"].as_str().is_some_and(|time| time.contains('T')), "{event}");
+    daemon.event("ready");
+    assert_eq!(daemon.terminate(), Some(0));
+    daemon.event("stopped");
+
+    let mut daemon = Logged::start(&mut place.command(), &["--log-level", "error"]);
+    until("a generation", || {
+        place.command().args(["inspect", "shm:town"]).status().ok().filter(|s| s.success())
+    });
+    assert_eq!(daemon.terminate(), Some(0));
+    assert_eq!(daemon.line(), None);
+}
+
+/// What the configuration file says counts where the command line is silent.
+#[test]
+fn a_configuration_file_may_say_it() {
+    let (place, folder) = (place(), tempfile::tempdir().expect("a folder"));
+    let file = folder.path().join("mapd.toml");
+    let text = format!(
+        "metrics = '127.0.0.1:0'\nscrub = 1\nno_cache = true\n[[map]]\nfile = '{}'\n",
+        town()
+    );
+    std::fs::write(&file, &text).expect("written");
+    let mut command = place.command();
+    command.arg("--config").arg(&file).args(["--log", "json", "--log-level", "debug"]);
+    let mut daemon = Logged::spawn(&mut command);
+    daemon.event("metrics at");
+    daemon.event("proves");
+    assert_eq!(daemon.terminate(), Some(0));
+    std::fs::write(&file, format!("trust = 'missing.pub'\n{text}")).expect("written");
+    let refused = place.command().arg("--config").arg(&file).output().expect("ends");
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(refused.status.code() == Some(1) && said.contains("missing.pub"), "{said}");
+}
+
+#[test]
+fn metrics_are_read_over_http_by_this_machine_only() {
+    let place = place();
+    let args = ["--log", "json", "--metrics", "127.0.0.1:0"];
+    let mut daemon = Logged::start(&mut place.command(), &args);
+    let generation = daemon.event("serving")["generation"].as_f64();
+    let event = daemon.event("metrics at");
+    let address = event["address"].as_str().expect("an address").to_owned();
+    for (line, value) in [
+        ("mapd_map_generation{map=\"town\"}", generation.expect("a number")),
+        ("mapd_map_reload_failures_total{map=\"town\"}", 0.0),
+        ("mapd_checks_total{map=\"town\",check=\"self_query\",result=\"failed\"}", 0.0),
+    ] {
+        assert_eq!(metric(&address, line), Some(value), "{line}");
+    }
+    assert!(metric(&address, "mapd_map_archive_bytes{map=\"town\"}").is_some_and(|b| b > 1e5));
+    assert!(metric(&address, "mapd_shared_memory_free_bytes").is_some_and(|b| b > 0.0));
+    let ok = "mapd_checks_total{map=\"town\",check=\"self_query\",result=\"ok\"}";
+    until("a query of the daemon's own", || metric(&address, ok).filter(|count| *count >= 1.0));
+    assert!(get(&address, "GET / HTTP/1.1").starts_with("HTTP/1.1 404"));
+    assert!(get(&address, "POST /metrics HTTP/1.1").starts_with("HTTP/1.1 405"));
+    // Who connects and says nothing, or too much, is let go; the page is there again for others, and the map all along.
+    let silent = TcpStream::connect(&address).expect("connects");
+    let client = mapd_client::Client::connect_in(&place.domain(), "town", PATIENCE);
+    client.expect("attaches");
+    assert_eq!(metric(&address, "mapd_map_generation{map=\"town\"}"), generation);
+    drop(silent);
+    let mut endless = TcpStream::connect(&address).expect("connects");
+    let _ = endless.write_all(&vec![b'x'; 1 << 20]);
+    assert_eq!(metric(&address, "mapd_map_generation{map=\"town\"}"), generation);
+    assert_eq!(daemon.terminate(), Some(0));
+
+    let open = ["--load", &town(), "--metrics", "0.0.0.0:0"];
+    let refused = place.command().args(open).output().expect("ends");
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(refused.status.code() == Some(1) && said.contains("--metrics-open"), "{said}");
+}
+
+#[test]
+fn the_service_manager_hears_ready_then_the_watchdog_then_the_end() {
+    let (place, manager) = (place(), Manager::new());
+    let mut daemon = Logged::start(manager.listen_to(&mut place.command()), &[]);
+    manager.expect("READY=1");
+    // Ready means that a newcomer attaches at once.
+    let client = mapd_client::Client::connect_in(&place.domain(), "town", Duration::from_secs(2));
+    client.expect("attaches");
+    let start = Instant::now();
+    for _ in 0..2 * PER_INTERVAL {
+        manager.expect("WATCHDOG=1");
+    }
+    assert!(start.elapsed() >= WATCHDOG, "not by time: {:?}", start.elapsed());
+    assert_eq!(daemon.terminate(), Some(0));
+    loop {
+        match manager.hear(PATIENCE).as_deref() {
+            Some("STOPPING=1\n") => break,
+            Some("WATCHDOG=1\n") => {}
+            other => panic!("{other:?} instead of STOPPING=1"),
+        }
+    }
+}
+
+#[test]
+fn the_watchdog_falls_silent_where_newcomers_cannot_attach() {
+    let (place, manager) = (place(), Manager::new());
+    let _daemon = Logged::start(manager.listen_to(&mut place.command()), &[]);
+    manager.expect("READY=1");
+    manager.expect("WATCHDOG=1");
+    let lock = AttachLock::open(&place.domain()).expect("a lock");
+    let guard = lock.exclusive(Instant::now() + PATIENCE).expect("locks").expect("in time");
+    // One query may have been under way.
+    std::thread::sleep(WATCHDOG / PER_INTERVAL);
+    manager.drain();
+    assert_eq!(manager.hear(2 * WATCHDOG), None, "pinged although nobody can attach");
+    drop(guard);
+    manager.expect("WATCHDOG=1");
+}
+
+#[test]
+fn the_published_hash_is_of_the_bytes_that_readers_see() {
+    let place = place();
+    let _daemon = place.serve(&[&town()]);
+    let until = Instant::now() + PATIENCE;
+    let subscription = Subscription::connect(&place.domain(), "town", until).expect("attaches");
+    let pinned = subscription.current();
+    let archive = mapd_archive::verify(pinned.bytes()).expect("proves");
+    assert_eq!(pinned.info().content_hash, archive.header.content_hash);
+    assert_eq!(pinned.info().input_hash, archive.header.provenance.input_hash);
+}
+
+#[test]
+fn a_scrub_finds_a_changed_byte_and_the_watchdog_falls_silent() {
+    let (place, manager) = (place(), Manager::new());
+    let args =
+        ["--log", "json", "--log-level", "debug", "--scrub", "1", "--metrics", "127.0.0.1:0"];
+    let mut daemon = Logged::start(manager.listen_to(&mut place.command()), &args);
+    let generation = daemon.event("serving")["generation"].clone();
+    let address = daemon.event("metrics at")["address"].as_str().expect("an address").to_owned();
+    assert_eq!(daemon.event("proves")["generation"], generation);
+    let count = |result: &str| {
+        let line = format!("mapd_checks_total{{map=\"town\",check=\"scrub\",result=\"{result}\"}}");
+        metric(&address, &line).expect("a count")
+    };
+    assert!(count("ok") >= 1.0 && count("failed") == 0.0);
+    let data = place.segments().into_iter().find(|p| p.extension().is_some_and(|e| e == "data"));
+    let data = data.expect("a data segment");
+    std::fs::set_permissions(&data, std::fs::Permissions::from_mode(0o600)).expect("our own");
+    let mut bytes = std::fs::read(&data).expect("read");
+    let middle = bytes.len() / 2;
+    bytes[middle] ^= 1;
+    let file = std::fs::OpenOptions::new().write(true).open(&data).expect("opens");
+    std::os::unix::fs::FileExt::write_all_at(&file, &bytes[middle..=middle], middle as u64)
+        .expect("written");
+    let event = daemon.event("does not prove");
+    assert_eq!((&event["level"], &event["map"]), (&"ERROR".into(), &"town".into()));
+    until("the count", || (count("failed") >= 1.0).then_some(()));
+    let status = place.command().args(["status", "--json"]).output().expect("runs");
+    let status: Value = serde_json::from_slice(&status.stdout).expect("JSON");
+    let scrubs = &status[0]["state"]["scrubs"];
+    assert!(scrubs["failures"].as_u64() >= Some(1) && scrubs["last_failed"] == true, "{status}");
+    let status = place.command().arg("status").output().expect("runs");
+    let text = String::from_utf8_lossy(&status.stdout).into_owned();
+    assert!(text.contains("scrub failed: "), "{text}");
+    manager.drain();
+    std::thread::sleep(WATCHDOG / PER_INTERVAL);
+    manager.drain();
+    assert_eq!(manager.hear(2 * WATCHDOG), None, "pinged although memory is bad");
+}
