@@ -27,9 +27,12 @@ pub(crate) struct Table {
     pub(crate) doc: String,
     #[serde(default)]
     pub(crate) fields: Vec<Field>,
+    /// The table that writes the fields of the row type out; none where this one does.
+    #[serde(skip)]
+    pub(crate) fields_of: Option<String>,
 }
 
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Field {
     pub(crate) name: String,
@@ -53,16 +56,35 @@ impl Layout {
     pub(crate) fn read(path: &Path) -> Result<Self> {
         let text =
             std::fs::read_to_string(path).with_context(|| format!("reading {}", path.display()))?;
-        let layout: Self = toml::from_str(&text)?;
+        let mut layout: Self = toml::from_str(&text)?;
+        layout.share_rows();
         for table in &layout.tables {
             layout.check(table).with_context(|| format!("table {}", table.name))?;
         }
         Ok(layout)
     }
 
+    /// Gives tables that name a row type without fields those of the table that writes them out.
+    fn share_rows(&mut self) {
+        let written = |t: &&Table| t.row.is_some() && !t.fields.is_empty();
+        let of = |t: &Table| (t.row.clone(), t.name.clone(), t.fields.clone());
+        let known: Vec<_> = self.tables.iter().filter(written).map(of).collect();
+        for table in self.tables.iter_mut().filter(|t| t.row.is_some() && t.fields.is_empty()) {
+            if let Some((_, name, fields)) = known.iter().find(|(row, ..)| *row == table.row) {
+                table.fields_of = Some(name.clone());
+                table.fields = fields.clone();
+            }
+        }
+    }
+
     fn check(&self, table: &Table) -> Result<()> {
         ensure!(table.row.is_some() != table.scalar.is_some(), "needs either `row` or `scalar`");
         ensure!(table.row.is_some() != table.fields.is_empty(), "`fields` belong to `row`");
+        let writes = |t: &&Table| t.row.is_some() && t.row == table.row && t.fields_of.is_none();
+        ensure!(
+            self.tables.iter().filter(writes).count() <= 1,
+            "the row's fields are written twice"
+        );
         self.target(table.to.as_deref())?;
         let mut offset = 0;
         let mut align = 1;

@@ -42,7 +42,7 @@ fn rows_of(title: &str, tables: &[Table]) -> String {
     out += "use crate::table::Range;\n";
     out += "use bytemuck::{Pod, Zeroable};\nuse rkyv::Archive;\n";
     for table in tables {
-        let Some(row) = &table.row else { continue };
+        let Some(row) = table.row.as_ref().filter(|_| table.fields_of.is_none()) else { continue };
         let _ = write!(out, "\n/// {}\n", table.doc);
         out += "#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]\n";
         out += "#[rkyv(derive(Pod, Zeroable, Clone, Copy))]\n#[repr(C)]\n";
@@ -75,7 +75,7 @@ fn ident(field: &Field) -> &str {
 fn accessors_of(title: &str, part: &str, tables: &[Table]) -> String {
     let mut out = String::new();
     for table in tables {
-        let Some(row) = &table.row else { continue };
+        let Some(row) = table.row.as_ref().filter(|_| table.fields_of.is_none()) else { continue };
         let _ = writeln!(out, "\nimpl Archived{row} {{");
         for field in table.fields.iter().filter(|f| f.name != "reserved") {
             let _ = writeln!(out, "/// {}{}\n#[inline]", unit(field), field.doc);

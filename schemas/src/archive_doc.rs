@@ -26,6 +26,10 @@ fn render(layout: &Layout) -> Result<String> {
                 write!(out, "\nElements: `{scalar}`{to}, {} bytes each.\n", table.element_bytes());
             continue;
         }
+        if let Some(other) = &table.fields_of {
+            let _ = write!(out, "\nRows as in `{other}`, {} bytes each.\n", table.element_bytes());
+            continue;
+        }
         let _ = write!(
             out,
             "\n{} bytes a row.\n\n| at | field | type | unit | meaning |\n|---|---|---|---|---|\n",

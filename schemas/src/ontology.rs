@@ -11,8 +11,9 @@ const NOTE: &str = "// Written by `cargo run -p mapd-schemas` from schemas/ontol
 const START: &str = "<!-- classes: written from schemas/ontology/classes.toml -->\n";
 const END: &str = "<!-- end of classes -->\n";
 
-/// Code of the class that stands for what has no mapping, as in `src/archive/src/classes.rs`.
-const UNKNOWN: u16 = u16::MAX;
+/// Codes end below this: sets of classes are 256 bits, of which the last stands for what has no mapping
+/// (`src/archive/src/classes.rs`).
+const CODES_END: u16 = 255;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -26,6 +27,9 @@ struct Vocabulary {
 struct Group {
     name: String,
     doc: String,
+    /// Whether its classes are landmarks for localisation, where they do not say so themselves.
+    #[serde(default)]
+    landmark: bool,
     classes: Vec<Class>,
 }
 
@@ -35,6 +39,8 @@ struct Class {
     code: u16,
     name: String,
     doc: String,
+    /// Whether localisers find it again: it is fixed, seen from the road and has a place of its own.
+    landmark: Option<bool>,
 }
 
 /// Everything that follows from `schemas/ontology`.
@@ -85,7 +91,7 @@ impl Vocabulary {
     fn check(&self) -> Result<()> {
         let (mut codes, mut names) = (HashSet::new(), HashSet::new());
         for class in self.classes() {
-            ensure!(class.code != UNKNOWN, "code {UNKNOWN} stands for what has no mapping");
+            ensure!(class.code < CODES_END, "codes end below {CODES_END}, found {}", class.code);
             ensure!(codes.insert(class.code), "code {} stands twice", class.code);
             ensure!(names.insert(&class.name), "class {} stands twice", class.name);
         }
@@ -102,8 +108,10 @@ impl Vocabulary {
                 let (name, code) = (variant(&class.name), class.code);
                 let _ = writeln!(
                     out,
-                    "        /// {}\n        {name} = {code}, {:?};",
-                    class.doc, class.name
+                    "        /// {}\n        {name} = {code}, {:?}, {};",
+                    class.doc,
+                    class.name,
+                    class.landmark.unwrap_or(group.landmark)
                 );
             }
             out += "    }\n";
@@ -120,10 +128,15 @@ impl Vocabulary {
         let end = page.find(END).context("docs/ontology.md lacks the mark where classes end")?;
         let mut out = String::new();
         for group in &self.groups {
-            let _ =
-                write!(out, "\n**{}**\n\n| code | class | meaning |\n|---|---|---|\n", group.doc);
+            let _ = write!(
+                out,
+                "\n**{}**\n\n| code | class | landmark | meaning |\n|---|---|---|---|\n",
+                group.doc
+            );
             for class in &group.classes {
-                let _ = writeln!(out, "| {} | `{}` | {} |", class.code, class.name, class.doc);
+                let landmark = if class.landmark.unwrap_or(group.landmark) { "yes" } else { "" };
+                let Class { code, name, doc, .. } = class;
+                let _ = writeln!(out, "| {code} | `{name}` | {landmark} | {doc} |");
             }
         }
         out.push('\n');

@@ -3,7 +3,7 @@
 use mapd_archive::{AlignedBytes, HEADER_LENGTH};
 use mapd_client::{LaneTypes, Map, NearestOptions, Region, Snapshot, Track, glam::DVec2};
 use mapd_query::{
-    LanePlace, LaneSequences, RouteScratch, ShortestLength, ShortestTime, SignalsAhead,
+    ClassSet, LanePlace, LaneSequences, RouteScratch, ShortestLength, ShortestTime, SignalsAhead,
     VehicleClass, next_lane_change,
 };
 
@@ -83,14 +83,22 @@ pub fn ask_everything(bytes: AlignedBytes) {
 fn ask_signals(map: Map<'_>) {
     for signal in map.signals() {
         let _ = (signal.id(), signal.code(), signal.class(), signal.value(), signal.position());
-        let _ = (signal.dependencies().map(|link| link.id.len()).sum::<usize>(), signal.boards());
+        let _ = signal.dependencies().map(|link| link.id.len()).sum::<usize>();
+        for board in signal.boards() {
+            let _ = (board.position(), board.validities().count(), board.display_type());
+            let _ = (board.links().count(), board.dependencies().filter_map(|l| l.signal).count());
+            let _ = board.areas().map(|area| (area.position(), area.size())).last();
+        }
         let _ = (signal.links().filter_map(|link| link.signal).count(), signal.size());
         let _ = (signal.semantics().count(), signal.controllers().count(), signal.light());
         let _ = (signal.road().is_some(), signal.carrier().is_some(), signal.places().count());
-        let _ = map.signal_by_id(signal.id()).is_some();
+        let _ = (map.signal_by_id(signal.id()).is_some(), signal.movements().count());
     }
     for place in map.signal_places() {
         let _ = place.lanes().filter(|one| one.distance() > 1.0).map(|one| one.method()).last();
+    }
+    for member in map.board_groups() {
+        let _ = (member.group(), member.board().is_some(), member.id(), member.rank());
     }
     for controller in map.controllers() {
         let _ = (controller.id(), controller.signals().count(), controller.junctions().count());
@@ -98,11 +106,17 @@ fn ask_signals(map: Map<'_>) {
     for junction in map.junctions() {
         let _ = junction.controllers().filter_map(|one| one.controller()).count();
     }
+    let (point, mut landmarks) = (DVec2::new(20.0, 1.0), vec![]);
+    let _ = map.signals_near(point, 30.0, &mut vec![]);
+    let _ = map.signals_in(Region::around(point, 1e9), &mut vec![]);
+    let _ = map.landmarks_near(point, 30.0, ClassSet::ALL, &mut landmarks);
+    let _ = map.landmarks_in(Region::around(point, 1e9), ClassSet::LANDMARKS, &mut landmarks);
     let mut ahead = SignalsAhead::default();
     for lane in map.lanes() {
         let _ = lane.overtaking_rule_at(1.0);
         let _ = (lane.speed_rule_at(1.0), lane.turn(), lane.movement_stop_line().is_some());
         let _ = (lane.movement_lights().count(), lane.yields_to().count(), lane.entries().count());
+        let _ = (lane.movement_crossings().count(), lane.movement_lanes().count());
         let _ = (lane.lines_to_stop_at().count(), lane.crossings().count(), lane.movement_stop());
         let _ = (lane.stop_lines().count(), lane.crosswalks().count(), lane.access_at(1.0).count());
         let from = LanePlace { lane: lane.lane_id(), s: 1.0 };
@@ -122,6 +136,7 @@ fn ask_objects(map: Map<'_>) {
     }
     for object in map.objects().take(200) {
         let _ = (object.id(), object.class().name(), object.type_name(), object.validities().len());
+        let _ = object.signals().map(|signal| signal.id().len()).sum::<usize>();
         let _ = (object.position_on_surface().is_ok(), object.is_repeated(), object.height());
         for outline in object.outlines() {
             let _ = (outline.positions().count(), outline.heights().count(), outline.fill());
@@ -184,6 +199,7 @@ fn ask_graph(map: Map<'_>) {
         let _ = map.lane_sequences_behind(from, 60.0, car, &mut sequences);
         let _ = map.next_junction(from, 60.0, car);
         let _ = map.signals_along(&steps, &mut SignalsAhead::default());
+        let _ = map.lines_along(&steps, &mut vec![]);
     }
 }
 

@@ -186,7 +186,7 @@ fn routes_name_their_lanes() {
     check(
         &["route"],
         "from_road,from_s,from_lane,to_road,to_s,to_lane\n1,10,-1,1,50,-1\n1,130,-1,1,150,-2\n1,150,1,1,150,-1\n1,50,-1,1,10,-1\n1,10,-1,1,9999,-1\n",
-        "from_road,from_s,from_lane,to_road,to_s,to_lane,length,lane_changes,lanes,error\n1,10,-1,1,50,-1,40.0,0,1:0:-1,\n1,130,-1,1,150,-2,21.617243226856313,1,1:1:-1;1:1:-2,\n1,150,1,1,150,-1,,,,no way for passengerCar\n1,50,-1,1,10,-1,,,,no way for passengerCar\n1,10,-1,1,9999,-1,,,,\"s must lie between 0 and the road's length 200.0, found 9999.0\"\n",
+        "from_road,from_s,from_lane,to_road,to_s,to_lane,length,lane_changes,lanes,error\n1,10,-1,1,50,-1,40.0,0,1:0:-1,\n1,130,-1,1,150,-2,21.617243317691777,1,1:1:-1;1:1:-2,\n1,150,1,1,150,-1,,,,no way for passengerCar\n1,50,-1,1,10,-1,,,,no way for passengerCar\n1,10,-1,1,9999,-1,,,,\"s must lie between 0 and the road's length 200.0, found 9999.0\"\n",
     );
     check(
         &["route", "--vehicle", "pedestrian"],
@@ -320,6 +320,23 @@ fn a_table_of_ones_own_changes_what_signals_mean() {
     let (code, text) = compile(&["--ontology", &at("own.toml")]);
     assert_eq!(code, Some(0));
     assert!(text.contains("  stop   ") && !text.contains("no class for"), "{text}");
+    // Whatever compiles a map takes tables; what is compiled already does not.
+    let with_own = |command: &[&str], input: &str| {
+        let args: Vec<&str> = command.iter().copied().chain(["--ontology"]).collect();
+        let own = at("own.toml");
+        let output = run(&[&args[..], &[own.as_str()]].concat(), input);
+        let text = [output.stdout, output.stderr].map(|t| String::from_utf8_lossy(&t).into_owned());
+        (output.status.code(), text.concat())
+    };
+    let (map, archive) = (at("map.xodr"), at("map.mapd"));
+    let question = "x,y,radius\n70,5,1\n";
+    let (code, text) = with_own(&["query", &map, "landmarks"], question);
+    assert!(code == Some(0) && text.contains("1,X,stop,0.0,0,60.0,5.0,"), "{text}");
+    let (code, text) = with_own(&["inspect", &map], "");
+    assert!(code == Some(0) && text.contains("  stop   "), "{text}");
+    assert_eq!(with_own(&["export", &map, "--format", "svg"], "").0, Some(0));
+    let (code, text) = with_own(&["query", &archive, "landmarks"], question);
+    assert!(code == Some(2) && text.contains("this source is compiled already"), "{text}");
     let refused = run(&["compile", &at("map.xodr"), "--ontology", &at("wrong.toml")], "");
     let told = String::from_utf8_lossy(&refused.stderr).into_owned();
     assert_eq!(refused.status.code(), Some(2), "{told}");

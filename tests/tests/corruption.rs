@@ -104,6 +104,47 @@ fn flips_in_every_table_are_found_and_survived_even_with_fitting_hashes() {
     for map in ["town.xodr", "surfaces.xodr", "marks.xodr", "objects.xodr"] {
         flip_every_table(&archive(map));
     }
+    flip_every_table(&crossing());
+}
+
+/// A crossing with everything that signals can have, which fills every table of theirs.
+fn crossing() -> AlignedBytes {
+    let text = mapd_tests::crossroads::furnished();
+    let compiled = compile(text.as_bytes(), &CompileOptions::default(), &mut |_| {});
+    let compiled = compiled.expect("reading works");
+    let rows = compiled.rows.unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
+    let bytes = encode(&rows, &compiled.provenance).expect("encodes");
+    let archive = verify(&bytes).expect("proves");
+    let signals = |name: &str| {
+        let own = ["signal", "controller", "display_areas", "board_groups", "right_of_way"];
+        own.iter().any(|part| name.contains(part)) && name != "default_speeds"
+    };
+    for info in archive.tables.infos() {
+        assert!(info.count > 0 || !signals(info.name), "{} is empty", info.name);
+    }
+    bytes
+}
+
+/// What rows say about each other is proven: a reference moved to another row, a place left out or named twice.
+#[test]
+fn what_signals_and_their_index_say_is_proven() {
+    let good = crossing();
+    let places = places(&open(&good).expect("opens").tables, good.as_ptr() as usize);
+    for (table, found) in [
+        ("signal_index_items", "a place, each once"),
+        ("signal_index_levels", "nodes"),
+        ("object_signals", "links of objects"),
+    ] {
+        let (_, place) = places.iter().find(|(name, _)| *name == table).expect("a table");
+        let mut bad = good.clone();
+        // The last number becomes the first, or another one where there is but one.
+        let [first, last] = [place.start, place.end - 4];
+        bad[last] = if first == last { bad[first] ^ 1 } else { bad[first] };
+        seal(&mut bad);
+        let error = verify(&bad).err().unwrap_or_else(|| panic!("{table} is not proven"));
+        assert!(error.to_string().contains(found), "{table}: {error}");
+        ask_everything(bad);
+    }
 }
 
 fn flip_every_table(good: &AlignedBytes) {

@@ -5,10 +5,11 @@ use mapd_archive::encode;
 use mapd_client::Snapshot;
 use mapd_compiler::{CompileOptions, ReadOptions, compile_from};
 use mapd_query::{
-    Class, Lane, LanePlace, LineSource, Map, Relation, RouteScratch, ShortestLength, SignalsAhead,
-    SpeedOrigin, Turn, VehicleClass,
+    Class, Lane, LaneLine, LanePlace, LineAhead, LineSource, Map, Relation, RouteScratch,
+    ShortestLength, SignalsAhead, SpeedOrigin, Turn, VehicleClass,
 };
-use mapd_tests::crossroads::{ARMS, crossroads, light, signal};
+use mapd_tests::crossroads::{ARMS, crossroads, left_hand_crossroads, light, signal};
+use mapd_tests::graph_maps::{lane as graph_lane, section};
 use std::f64::consts::FRAC_PI_2;
 
 const CAR: VehicleClass = VehicleClass::PassengerCar;
@@ -29,8 +30,11 @@ fn lane<'a>(map: Map<'a>, key: &str) -> Lane<'a> {
     map.lane_by_key(&key).unwrap_or_else(|| panic!("no lane {key}"))
 }
 
+/// The lane of a connecting road, which has one.
 fn movement<'a>(map: Map<'a>, road: &str) -> Lane<'a> {
-    lane(map, &format!("{road}:0:-1"))
+    let road = map.road_by_id(road).unwrap_or_else(|| panic!("no road {road}"));
+    let section = road.section(0).expect("a section");
+    section.lanes().find(|lane| lane.number() != 0).expect("a lane")
 }
 
 /// Whom a movement yields to, and why.
@@ -40,6 +44,14 @@ fn yields(map: Map<'_>, road: &str) -> Vec<String> {
     let mut told: Vec<String> = told.collect();
     told.sort();
     told
+}
+
+/// Id of a line or crosswalk.
+fn id<'a>(map: Map<'a>, line: &LaneLine) -> &'a str {
+    match line.source {
+        LineSource::Signal(id) => map.signal(id).expect("known").id(),
+        LineSource::Object(id) => map.object(id).expect("known").id(),
+    }
 }
 
 /// The relation of two movements is seen alike from both sides.
@@ -100,11 +112,121 @@ fn each_movement_knows_its_light_line_and_group() {
             let incoming = of.entries().next().expect("a lane leads in");
             let crossing = incoming.crosswalks().next().expect("a crosswalk").signal();
             assert_eq!(crossing.id(), format!("C{from}"));
+            // It goes over the crosswalk of the arm that it comes from and of the one that it leads to.
+            let passed: Vec<_> = of.movement_crossings().map(|line| id(map, &line)).collect();
+            assert_eq!(passed, [format!("C{from}"), format!("C{to}")], "{from}{to}");
         }
     }
     let junction = map.junction_by_id("100").expect("the junction");
     let order: Vec<_> = junction.controllers().map(|c| (c.id(), c.sequence())).collect();
     assert_eq!(order, [("A", Some(0)), ("B", Some(1))]);
+}
+
+#[test]
+fn each_light_knows_what_it_governs() {
+    let snapshot = lit();
+    let map = snapshot.map();
+    for arm in 0..ARMS {
+        let signal = map.signal_by_id(&format!("L{arm}")).expect("a light");
+        let mut governed: Vec<&str> = signal.movements().map(|lane| lane.road().id()).collect();
+        governed.sort_unstable();
+        let others = (0..ARMS).filter(|to| *to != arm);
+        assert_eq!(governed, others.map(|to| format!("{arm}{to}")).collect::<Vec<_>>());
+    }
+    let sign = map.signal_by_id("V0").expect("a sign");
+    assert_eq!(sign.movements().count(), 0, "a sign governs none");
+}
+
+/// Lights of a whole junction under one controller do not switch together where their movements cross.
+#[test]
+fn one_controller_for_all_lights_still_lets_them_decide() {
+    let signals = std::array::from_fn(|arm| light(&format!("L{arm}")));
+    let controls: String = (0..ARMS).map(|arm| format!("<control signalId=\"L{arm}\"/>")).collect();
+    let beside = format!("<controller id=\"A\">{controls}</controller>");
+    let snapshot = open(&crossroads(signals, "", &beside));
+    let map = snapshot.map();
+    check_symmetry(map);
+    let with = |road: &str, other: &str| {
+        let own = movement(map, road);
+        let mut rows = own.right_of_way();
+        let row = rows.find(|row| row.other().is_some_and(|lane| lane.road().id() == other));
+        row.expect("they meet").relation()
+    };
+    assert_eq!([with("02", "13"), with("02", "31")], [Relation::Lights; 2]);
+    assert_eq!(with("03", "20"), Relation::Yields, "oncoming lights are green together");
+}
+
+/// A light whose orientation is against the lane that its validity names is for that lane.
+#[test]
+fn a_validity_goes_before_the_orientation() {
+    let text = crossroads(Default::default(), "", "");
+    let light = "<signal id=\"X\" s=\"0.5\" t=\"-4\" zOffset=\"3\" orientation=\"-\" dynamic=\"yes\" country=\"OpenDRIVE\" type=\"1000001\" subtype=\"-1\"><validity fromLane=\"-1\" toLane=\"-1\"/></signal>";
+    let (before, road) = text.split_once("<road id=\"02\"").expect("a connecting road");
+    let road = road.replacen("</road>", &format!("<signals>{light}</signals></road>"), 1);
+    let snapshot = open(&format!("{before}<road id=\"02\"{road}"));
+    let map = snapshot.map();
+    let lights = |road: &str| -> Vec<String> {
+        let of = movement(map, road);
+        of.movement_lights().map(|one| one.signal().id().to_owned()).collect()
+    };
+    assert_eq!((lights("02"), lights("03")), (vec!["X".to_owned()], vec![]));
+    let light = map.signal_by_id("X").expect("a light");
+    let governed: Vec<&str> = light.movements().map(|lane| lane.road().id()).collect();
+    assert_eq!(governed, ["02"]);
+    // Traffic from arm 0 meets it half a metre behind the arm's end.
+    let from = LanePlace { lane: lane(map, "0:0:1").lane_id(), s: 80.0 };
+    let mut ahead = SignalsAhead::default();
+    map.signals_ahead(from, 200.0, CAR, &mut ahead).expect("an answer");
+    assert_eq!(met(map, &ahead), [("X".to_owned(), 80.5)]);
+}
+
+/// A crosswalk that is written in one connecting road lies on all that begin there, whatever its orientation.
+#[test]
+fn a_crosswalk_in_a_junction_is_everybodys() {
+    let text = crossroads(Default::default(), "", "");
+    let (before, road) = text.split_once("<road id=\"02\"").expect("a connecting road");
+    for orientation in ["+", "-", "none"] {
+        let zebra = format!(
+            "<objects><object id=\"zebra\" type=\"crosswalk\" s=\"1\" t=\"-1.75\" zOffset=\"0\" orientation=\"{orientation}\" length=\"1\" width=\"3\" height=\"0.01\"/></objects>"
+        );
+        let road = road.replacen("</lanes>", &format!("</lanes>{zebra}"), 1);
+        let snapshot = open(&format!("{before}<road id=\"02\"{road}"));
+        let map = snapshot.map();
+        let passed = |road: &str| -> Vec<&str> {
+            movement(map, road).movement_crossings().map(|line| id(map, &line)).collect()
+        };
+        for road in ["01", "02", "03"] {
+            assert_eq!(passed(road), ["zebra"], "{road} {orientation}");
+        }
+        assert_eq!(passed("13"), [""; 0]);
+    }
+}
+
+/// Where the last metres before the junction are sections of their own, a light and its line are found all the same.
+#[test]
+fn short_sections_before_a_junction_hide_nothing() {
+    let arm = signal("L", 12.0, 5.0, "-", "1000001", "")
+        + &signal("S", 13.0, 1.75, "-", "294", "")
+        + &signal("C", 15.0, 0.0, "none", "293", "")
+        + &signal("far", 40.0, 5.0, "-", "1000001", "");
+    let text = crossroads([arm, String::new(), String::new(), String::new()], "", "");
+    // Arm 0 in sections of 3, 7 and 80 m.
+    let whole = section(0.0, &graph_lane(1, ""), &graph_lane(-1, ""));
+    let parts = section(0.0, &graph_lane(1, "s1"), &graph_lane(-1, "s-1"))
+        + &section(3.0, &graph_lane(1, "p1 s1"), &graph_lane(-1, "p-1 s-1"))
+        + &section(10.0, &graph_lane(1, "p1"), &graph_lane(-1, "p-1"));
+    let snapshot = open(&text.replacen(&whole, &parts, 1));
+    let map = snapshot.map();
+    let of = movement(map, "02");
+    let lights: Vec<&str> = of.movement_lights().map(|one| one.signal().id()).collect();
+    assert_eq!(lights, ["L"], "the other is 40 m away");
+    assert_eq!(of.movement_stop_line().map(|one| one.signal().id()), Some("S"));
+    assert_eq!(of.movement_stop().map(|line| id(map, &line)), Some("S"));
+    assert_eq!(of.movement_crossings().map(|line| id(map, &line)).collect::<Vec<_>>(), ["C"]);
+    let back = movement(map, "20");
+    assert_eq!(back.movement_crossings().map(|line| id(map, &line)).collect::<Vec<_>>(), ["C"]);
+    let light = map.signal_by_id("L").expect("a light");
+    assert_eq!(light.movements().count(), 3);
 }
 
 #[test]
@@ -182,22 +304,53 @@ fn lines_and_crosswalks_may_be_objects() {
     let arm = arm.replacen("</lanes>", &format!("</lanes><objects>{objects}</objects>"), 1);
     let snapshot = open(&format!("{before}<road id=\"1\"{arm}"));
     let map = snapshot.map();
-    let id = |line: &mapd_query::LaneLine| match line.source {
-        LineSource::Signal(id) => map.signal(id).expect("known").id(),
-        LineSource::Object(id) => map.object(id).expect("known").id(),
-    };
     // Traffic comes in against s: it meets the line's far side at 2 + 0.25, the crosswalk's at 5 + 2.
     let stop = movement(map, "13").movement_stop().expect("a line");
-    assert_eq!((id(&stop), stop.class), ("line", Class::StopLine));
+    assert_eq!((id(map, &stop), stop.class), ("line", Class::StopLine));
     assert!((stop.s - 2.25).abs() < 1e-4, "{stop:?}");
     let incoming = lane(map, "1:0:1");
     let crossings: Vec<_> = incoming.crossings().collect();
-    assert_eq!(crossings.iter().map(id).collect::<Vec<_>>(), ["zebra"]);
+    assert_eq!(crossings.iter().map(|line| id(map, line)).collect::<Vec<_>>(), ["zebra"]);
     assert!((crossings[0].s - 7.0).abs() < 1e-4, "{crossings:?}");
+    // A route from arm 1 to arm 3 passes both, and nothing of the other arm.
+    let place = |key: &str| LanePlace { lane: lane(map, key).lane_id(), s: 80.0 };
+    let (mut scratch, mut steps, mut lines) = (RouteScratch::default(), Vec::new(), Vec::new());
+    let (from, to) = (place("1:0:1"), place("3:0:-1"));
+    let route = map.route(from, to, CAR, &ShortestLength::default(), &mut scratch, &mut steps);
+    assert!(route.expect("an answer").is_some());
+    map.lines_along(&steps, &mut lines).expect("an answer");
+    let passed: Vec<_> = lines.iter().map(|one| (id(map, &one.line), one.distance)).collect();
+    let expected = [("zebra", 80.0 - 7.0), ("line", 80.0 - 2.25)];
+    assert_eq!(passed.len(), expected.len(), "{passed:?}");
+    for (found, expected) in passed.iter().zip(expected) {
+        assert!(found.0 == expected.0 && (found.1 - expected.1).abs() < 1e-4, "{passed:?}");
+    }
     // Without a line, at the light.
     let stop = movement(map, "02").movement_stop().expect("a light");
-    assert_eq!((id(&stop), stop.class, stop.s), ("L0", Class::TrafficLight, 1.0));
+    assert_eq!((id(map, &stop), stop.class, stop.s), ("L0", Class::TrafficLight, 1.0));
     assert_eq!(movement(map, "20").movement_stop(), None);
+}
+
+#[test]
+fn with_left_hand_traffic_turns_to_the_right_yield() {
+    let lights = std::array::from_fn(|arm| light(&format!("L{arm}")));
+    let snapshot = open(&left_hand_crossroads(lights, "", ""));
+    let map = snapshot.map();
+    check_symmetry(map);
+    for (to, turn) in [("01", Turn::Right), ("02", Turn::Straight), ("03", Turn::Left)] {
+        let of = movement(map, to);
+        assert_eq!(of.turn(), turn);
+        let lights: Vec<&str> = of.movement_lights().map(|one| one.signal().id()).collect();
+        assert_eq!(lights, ["L0"], "{to}");
+    }
+    let across = |id: &str| format!("{id} turn across oncoming traffic");
+    assert_eq!(yields(map, "01"), [across("20"), across("21")]);
+    assert_eq!(yields(map, "02"), [""; 0]);
+    assert_eq!(yields(map, "03"), [""; 0], "a turn to the near side crosses nobody");
+    // Without lights, who comes from the right goes first on this side of the road too.
+    let snapshot = open(&left_hand_crossroads(Default::default(), "", ""));
+    check_symmetry(snapshot.map());
+    assert!(yields(snapshot.map(), "02").contains(&"13 from the right".to_owned()));
 }
 
 /// What is met, with distances rounded to a centimetre.
@@ -223,6 +376,16 @@ fn a_route_meets_signals_in_their_order() {
     let straight = [("V0", 20.0), ("C0", 76.0), ("S0", 78.0), ("L0", 79.0), ("C2", 104.0)];
     let straight = straight.map(|(id, distance)| (id.to_owned(), distance));
     assert_eq!(met(map, &ahead), straight);
+
+    // Of these, the lines and crosswalks.
+    let mut lines = Vec::new();
+    map.lines_along(&steps, &mut lines).expect("an answer");
+    let rounded = |x: f64| (x * 100.0).round() / 100.0;
+    let name = |one: &LineAhead| (id(map, &one.line).to_owned(), rounded(one.distance));
+    assert_eq!(
+        lines.iter().map(name).collect::<Vec<_>>(),
+        [1, 2, 4].map(|i: usize| straight[i].clone())
+    );
 
     // All ways: a right turn's centre line has radius 10 − 1.75, a left turn's 10 + 1.75.
     map.signals_ahead(from, 110.0, CAR, &mut ahead).expect("an answer");

@@ -8,13 +8,13 @@ use std::path::Path;
 /// machine. They change when the layout or the compiler changes;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
-    ("one_road.xodr", "", "2118f59a2dcf164703d84775cbe4e04b62eb272bbebdbe3ffe7796ddc2ea7743"),
-    ("town.xodr", "", "f48f5f11042ff763e0a200668bbb5093a25d590a895891f6a7a5e4bb160316cb"),
-    ("one_road.xodr", "utm", "5ce22342c6e3f19098bccb8a93e03667a52fdc6897695179b0f728a876f4ac4b"),
+    ("one_road.xodr", "", "3b52907df4b2bcffd2f4eb7059c373c52662bb48ad0bbf806c1f5d256be3cf57"),
+    ("town.xodr", "", "5bd6400776c322244ff6e1459ccaccc66e141d5c599b13bd9992c936c305d356"),
+    ("one_road.xodr", "utm", "c7a0aece204428cd7ba64a323d23c7998df302d32a0d440560cbf84bf7862803"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "c25b5c50cbe9f04a5f4e78a71ccb4352191252dbb7652d0cdd8866c18fe0741e",
+        "c4f8f411e8c94663fb680de38960cac2398c12c8eedb7191e7fb6c58565b78df",
     ),
 ];
 

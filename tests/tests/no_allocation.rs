@@ -2,13 +2,14 @@
 #![allow(unsafe_code)]
 
 use mapd_archive::encode;
-use mapd_client::{LaneKey, LaneTypes, NearestOptions, Region, Snapshot, Track, glam::DVec2};
+use mapd_client::{
+    ClassSet, LaneKey, LaneTypes, NearestOptions, Region, Snapshot, Track, glam::DVec2,
+};
 use mapd_client::{
     LanePlace, LaneSequences, RouteScratch, ShortestTime, SignalsAhead, VehicleClass,
     next_lane_change,
 };
 use mapd_compiler::{CompileOptions, compile};
-use mapd_tests::crossroads::{crossroads, light, signal};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
@@ -41,11 +42,7 @@ const ROOM: usize = 4096;
 /// Signals at the crossing that the tests carry as code.
 #[test]
 fn queries_about_signals_do_not_allocate() {
-    let signals = std::array::from_fn(|arm| {
-        light(&format!("L{arm}"))
-            + &signal(&format!("V{arm}"), 60.0, 5.0, "-", "274", "value=\"50\" unit=\"km/h\"")
-    });
-    let text = crossroads(signals, "", "");
+    let text = mapd_tests::crossroads::furnished();
     let compiled = compile(text.as_bytes(), &CompileOptions::default(), &mut |_| {});
     let compiled = compiled.expect("reading works");
     let rows = compiled.rows.expect("accepted");
@@ -53,21 +50,47 @@ fn queries_about_signals_do_not_allocate() {
         Snapshot::from_bytes(encode(&rows, &compiled.provenance).expect("encodes")).expect("opens");
     let map = snapshot.map();
     let mut ahead = SignalsAhead::with_capacity(ROOM);
+    let (mut near, mut inside, mut landmarks) =
+        (Vec::with_capacity(ROOM), Vec::with_capacity(ROOM), Vec::with_capacity(ROOM));
+    let car = VehicleClass::PassengerCar;
+    let (mut scratch, mut steps, mut lines) = (
+        RouteScratch::with_capacity(map.lane_nodes().len()),
+        Vec::with_capacity(ROOM),
+        Vec::with_capacity(ROOM),
+    );
+    let place = |key: &str| {
+        let lane = map.lane_by_key(&key.parse().expect("a key")).expect("a lane");
+        LanePlace { lane: lane.lane_id(), s: 80.0 }
+    };
+    let (from, to, cost) = (place("0:0:1"), place("2:0:-1"), ShortestTime::default());
     let before = COUNT.with(Cell::get);
     let mut seen = 0;
+    map.route(from, to, car, &cost, &mut scratch, &mut steps).expect("an answer").expect("a route");
+    map.signals_along(&steps, &mut ahead).expect("an answer");
+    map.lines_along(&steps, &mut lines).expect("an answer");
+    seen += lines.len() + ahead.iter().len();
+    seen += map.signals().flat_map(|s| s.boards()).map(|b| b.areas().len()).sum::<usize>();
+    seen += map.objects().map(|object| object.signals().count()).sum::<usize>();
     for lane in map.lanes() {
         let from = LanePlace { lane: lane.lane_id(), s: 80.0 };
         map.signals_ahead(from, 200.0, VehicleClass::PassengerCar, &mut ahead).expect("an answer");
         seen += ahead.iter().filter(|one| map.signal_of(one).is_some()).count();
         seen += lane.movement_lights().count() + lane.yields_to().count();
         seen += usize::from(lane.movement_stop().is_some()) + lane.crossings().count();
+        seen += lane.movement_crossings().count();
         seen += usize::from(lane.overtaking_rule_at(5.0).all.is_some());
         seen += usize::from(lane.speed_rule_at(5.0).max.is_some()) + lane.access_at(5.0).count();
         seen += lane.traffic_lights().count() + usize::from(lane.movement_stop_line().is_some());
     }
-    seen +=
-        map.signals().map(|signal| signal.controllers().count() + signal.id().len()).sum::<usize>();
+    seen += map
+        .signals()
+        .map(|s| s.controllers().count() + s.id().len() + s.movements().count())
+        .sum::<usize>();
     seen += usize::from(map.signal_by_id("L1").is_some());
+    map.signals_near(DVec2::ZERO, 90.0, &mut near).expect("an answer");
+    map.signals_in(Region::around(DVec2::ZERO, 90.0), &mut inside).expect("an answer");
+    map.landmarks_near(DVec2::ZERO, 90.0, ClassSet::LANDMARKS, &mut landmarks).expect("an answer");
+    seen += near.len() + inside.len() + landmarks.len();
     let after = COUNT.with(Cell::get);
     assert!(seen > 100, "the queries found nothing to count");
     assert_eq!(after - before, 0, "queries allocated");
@@ -103,8 +126,12 @@ fn queries_do_not_allocate() {
         r#"<object id="1" type="tree" s="30" t="8" zOffset="0" radius="1" orientation="none"><repeat s="10" length="80" distance="10" tStart="8" tEnd="8" heightStart="2" heightEnd="2" zOffsetStart="0" zOffsetEnd="0"/></object>
 <object id="2" type="crosswalk" s="50" t="0" zOffset="0" orientation="none"><outlines><outline id="0"><cornerRoad s="48" t="-6" dz="0" height="0"/><cornerRoad s="52" t="-6" dz="0" height="0"/><cornerRoad s="52" t="3" dz="0" height="0"/></outline></outlines></object>"#,
     ));
-    let (mut near_objects, mut places, mut corners) =
-        (Vec::with_capacity(ROOM), Vec::with_capacity(ROOM), Vec::with_capacity(ROOM));
+    let (mut near_objects, mut places, mut corners, mut landmarks) = (
+        Vec::with_capacity(ROOM),
+        Vec::with_capacity(ROOM),
+        Vec::with_capacity(ROOM),
+        Vec::with_capacity(ROOM),
+    );
     let projector = mapd_client::Projector::new(
         "+proj=tmerc +lat_0=48 +lon_0=11 +ellps=bessel +towgs84=598.1,73.7,418.2,0.202,0.045,-2.455,6.7",
         mapd_client::Offset::default(),
@@ -160,6 +187,9 @@ fn queries_do_not_allocate() {
         let point = DVec2::new(f64::from(i * 5), 0.0);
         objects.objects_near(point, 20.0, &mut near_objects).expect("an answer");
         objects.objects_in(Region::around(point, 10.0), &mut places).expect("an answer");
+        objects
+            .landmarks_in(Region::around(point, 10.0), ClassSet::LANDMARKS, &mut landmarks)
+            .expect("an answer");
         for place in &places {
             let place = objects.placement(*place).expect("known");
             place.footprint(&mut corners);

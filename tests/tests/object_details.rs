@@ -282,3 +282,37 @@ fn an_object_of_a_junction_stands_along_its_line() {
     let away = (18.0f64 * 18.0 + 9.5 * 9.5).sqrt() - 1.5;
     assert!((at.distance() - away).abs() < 1e-5, "{}", at.distance());
 }
+
+/// The square of the carried map with an elevation grid that rises by 0.1 along its line and by 0.05 to the left of it.
+fn with_grid(height: f64, object: &str) -> String {
+    let text = std::fs::read_to_string(mapd_tests::carried("objects.xodr")).expect("the map");
+    let rows: String = (0..5)
+        .map(|i| {
+            let z = height + 0.5 * f64::from(i);
+            format!(r#"<elevation left="{:?}" center="{z:?}" right="{:?}"/>"#, z + 0.25, z - 0.25)
+        })
+        .collect();
+    let grid = format!(r#"<elevationGrid sStart="0" gridSpacing="5">{rows}</elevationGrid>"#);
+    let (before, behind) = text.split_once("<junction id=\"10\"").expect("the junction");
+    let behind = behind.replacen("</objects>", &format!("{object}</objects>{grid}"), 1);
+    format!("{before}<junction id=\"10\"{behind}")
+}
+
+#[test]
+fn a_junctions_grid_lifts_its_objects() {
+    let leaning = r#"<object id="stone" type="obstacle" s="10" t="-2" zOffset="0" perpToRoad="true" length="1" width="1" height="1" orientation="none"/>"#;
+    let snapshot = open(&with_grid(2.0, leaning));
+    let junction = snapshot.map().junction_by_id("10").expect("there");
+    let objects: Vec<_> = junction.objects().collect();
+    // 5 m ahead on the line the grid is 0.5 m higher; 2 m to the left of it by another 0.1 m.
+    near([objects[0].position()].into_iter(), &[[118.0, 15.0, 3.5]]);
+    near([objects[0].position_on_surface().expect("a place")].into_iter(), &[[118.0, 15.0, 3.6]]);
+    near([objects[1].position()].into_iter(), &[[122.0, 20.0, 3.0]]);
+    let (pitch, roll) = (objects[1].pitch(), objects[1].roll());
+    assert!((pitch + 0.1f64.atan()).abs() < 1e-6 && (roll - 0.05f64.atan()).abs() < 1e-6);
+    assert_eq!(objects[0].lanes().len(), 1, "the street is on its level");
+    // Ten metres above the street, it belongs to none of its lanes.
+    let above = open(&with_grid(10.0, ""));
+    let junction = above.map().junction_by_id("10").expect("there");
+    assert_eq!(junction.objects().next().expect("an object").lanes().len(), 0);
+}

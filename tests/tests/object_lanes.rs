@@ -38,6 +38,14 @@ fn a_validity_names_lanes_whatever_lies_below() {
         &object(r#"<validity fromLane="-1" toLane="0"/><validity fromLane="2" toLane="2"/>"#),
         &[(2, Validity, 140), (-1, Validity, 690)],
     );
+    // Of the lanes that it names, those that lead where it is for; all where none does.
+    let both = object(r#"<validity fromLane="-1" toLane="1"/>"#);
+    check(&both, &[(1, Validity, 340), (-1, Validity, 690)]);
+    let along = both.replace(r#"orientation="none""#, r#"orientation="+""#);
+    check(&along, &[(-1, Validity, 690)]);
+    let against = object(r#"<validity fromLane="-1" toLane="-1"/>"#);
+    let against = against.replace(r#"orientation="none""#, r#"orientation="-""#);
+    check(&against, &[(-1, Validity, 690)]);
     // Lanes that the road does not have: what counts is where it stands.
     check(&object(r#"<validity fromLane="-9" toLane="-7"/>"#), &[(2, Nearest, 140)]);
 }
@@ -83,6 +91,31 @@ fn what_lies_on_none_belongs_to_the_nearest() {
     // sidewalk, which is for both.
     let against = r#"<object id="1" type="pole" s="30" t="-9" zOffset="0" orientation="-"/>"#;
     check(against, &[(-2, Nearest, 300)]);
+}
+
+#[test]
+fn how_far_the_nearest_lane_may_be_is_an_option() {
+    use mapd_compiler::CompileOptions;
+    let objects = r#"<object id="1" type="tree" s="30" t="-26" zOffset="0" orientation="none"/>"#;
+    // A validity that names no lane of the road, so that what counts is where it stands.
+    let signals = r#"</objects><signals><signal id="1" s="30" t="-26" zOffset="0" orientation="+" dynamic="no" country="DE" type="206" subtype="-1"><validity fromLane="-9" toLane="-9"/></signal></signals>"#;
+    let text = document(&PLAIN, objects).replace("</objects>", signals);
+    // Both stand 20 m beside lane −2.
+    for (lane_reach, expected) in [(30.0, 1), (20.5, 1), (19.5, 0), (0.0, 0)] {
+        let options = CompileOptions { lane_reach, ..CompileOptions::default() };
+        options.validate().expect("in range");
+        let compiled = mapd_compiler::compile(text.as_bytes(), &options, &mut |_| {});
+        let rows = compiled.expect("reading works").rows.expect("rows");
+        let found = (rows.object_lanes.len(), rows.signal_lanes.len());
+        assert_eq!(found, (expected, expected), "{lane_reach}");
+        let is_default = options.hash() == CompileOptions::default().hash();
+        assert_eq!(is_default, options == CompileOptions::default(), "{lane_reach}");
+    }
+    for lane_reach in [-1.0, 2000.0, f64::NAN] {
+        let options = CompileOptions { lane_reach, ..CompileOptions::default() };
+        let refused = options.validate().expect_err("out of range").to_string();
+        assert!(refused.starts_with("lane reach must lie between 0 and 1000 m"), "{refused}");
+    }
 }
 
 #[test]

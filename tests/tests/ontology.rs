@@ -45,6 +45,7 @@ const CASES: &[Case] = &[
     (("DE", "262", "-1", "", 7.5, "t"), Class::MaximumWeight, 7500.0),
     (("DE", "265", "-1", "", 3.8, ""), Class::MaximumHeight, 3.8),
     (("DE", "9999", "-1", "", 0.0, ""), Class::Unknown, 0.0),
+    (("DE", "1000001", "-1", "", -1.0, ""), Class::TrafficLight, 0.0),
 ];
 
 fn code<'a>(case: &Case) -> SignalCode<'a> {
@@ -114,6 +115,7 @@ fn a_country_is_a_file() {
     assert_eq!((limit.class, limit.value), (Class::SpeedLimit, Some(20.0 * MPH)));
     assert_eq!(ask("205", "", None).class, Class::PriorityRoad, "overrides its base");
     assert_eq!(ask("206", "", None).class, Class::Stop, "from its base");
+    assert_eq!(ask("1000002", "", None).class, Class::PedestrianLight, "numbers of every country");
     assert_eq!(ask("L", "", None).light.map(|light| light.bulbs), Some(bulb::GREEN));
     let german = SignalCode { country: "DE", r#type: "205", ..SignalCode::default() };
     assert_eq!(ontology.signal(&german).class, Class::Yield, "others stay as they are");

@@ -55,7 +55,12 @@ fn faults_are_findings() {
     check("no lane", &compiled(false, &with(&light), ""), &["ok", "light"], &["signal_lanes"]);
     // From the higher lane to the lower one: a finding, and the lanes are those between.
     let turned = holding("turned", "none", "<validity fromLane=\"1\" toLane=\"-1\"/>");
-    check("from > to", &compiled(true, &with(&turned), ""), &["ok", "turned"], &[]);
+    check(
+        "from > to",
+        &compiled(true, &with(&turned), ""),
+        &["ok", "turned"],
+        &["signal.reference.from_lower_equal_to"],
+    );
     let a = holding("a", "+", "<dependency id=\"b\"/>");
     let b = holding("b", "+", "<dependency id=\"a\"/>");
     let looped = compiled(true, &with(&(a + &b)), "");
@@ -68,9 +73,14 @@ fn faults_are_findings() {
     let unreadable = holding("bad", "+", "").replace("s=\"20\"", "s=\"many\"");
     check("no s", &compiled(true, &with(&unreadable), ""), &["ok"], &["value"]);
     let control = "<controller id=\"c\"><control signalId=\"nowhere\"/><control signalId=\"ok\"/></controller>";
-    check("control", &compiled(true, &good, control), &["ok"], &[]);
+    check("control", &compiled(true, &good, control), &["ok"], &["ids.only_ref_defined_ids"]);
     let beyond = signal("beyond", 80.0, -5.0, "+", "206", "");
-    check("beyond the end", &compiled(true, &with(&beyond), ""), &["ok", "beyond"], &[]);
+    check(
+        "beyond the end",
+        &compiled(true, &with(&beyond), ""),
+        &["ok", "beyond"],
+        &["signal.on_road"],
+    );
 }
 
 /// Lane numbers and methods of one signal.

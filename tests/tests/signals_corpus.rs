@@ -2,7 +2,7 @@
 
 use mapd_archive::{Archive, Header, Provenance, Rows};
 use mapd_compiler::{Compilation, CompileOptions, ReadOptions, Verdict, compile_from};
-use mapd_query::Map;
+use mapd_query::{Class, Map};
 use std::collections::HashMap;
 
 /// Counts of one map: signals, references to signals, controllers.
@@ -75,4 +75,44 @@ fn every_signal_of_the_corpus_is_placed() {
         check(&name, &compiled, expected);
     }
     assert!(all > 600, "the corpus has {all} signals");
+}
+
+/// Lights of vehicles, and those of them that govern a movement; movements of vehicles, and those under a light. All 72 movements
+/// of Town01 have one, whose orientation is against the lane that its validity names; of Issue189, 36 lights stand at the
+/// map's edge.
+const GOVERNED: [(&str, [usize; 4]); 4] = [
+    ("ad_map_access/Town01", [36, 36, 72, 72]),
+    ("esmini/multi_intersections", [34, 34, 59, 59]),
+    ("Scenic/Issue189", [108, 72, 68, 62]),
+    ("maliput_malidrive/CrossingComplex8Course", [10, 10, 20, 20]),
+];
+
+#[test]
+fn lights_and_movements_of_several_vendors_find_each_other() {
+    let Some(maps) = mapd_tests::shared("maps") else {
+        mapd_tests::say("SKIPPED: no shared corpus beside the workspace");
+        return;
+    };
+    for (name, expected) in GOVERNED {
+        let snapshot = mapd_tests::maps::open(&maps.join(format!("{name}.xodr")));
+        let map = snapshot.map();
+        let lights: Vec<_> =
+            map.signals().filter(|signal| signal.class() == Class::TrafficLight).collect();
+        let governing = lights.iter().filter(|light| light.movements().next().is_some());
+        let movements: Vec<_> = map
+            .lanes()
+            .filter(|lane| lane.road().junction().is_some() && lane.kind().is_drivable())
+            .filter(|lane| lane.entries().next().is_some())
+            .collect();
+        let lit = movements.iter().filter(|lane| lane.movement_lights().next().is_some());
+        let found = [lights.len(), governing.count(), movements.len(), lit.count()];
+        assert_eq!(found, expected, "{name}");
+        for lane in &movements {
+            for light in lane.movement_lights() {
+                let start = lane.movement_start().lane_id();
+                let back = light.signal().movements().any(|other| other.lane_id() == start);
+                assert!(back, "{name}: {} does not know {}", light.signal().id(), lane.key());
+            }
+        }
+    }
 }

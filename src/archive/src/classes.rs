@@ -2,7 +2,7 @@
 
 /// Makes the enumerations of classes and their groups.
 macro_rules! classes {
-    ($($(#[$gdoc:meta])* $group:ident { $($(#[$doc:meta])* $class:ident = $code:literal, $text:literal;)* })*) => {
+    ($($(#[$gdoc:meta])* $group:ident { $($(#[$doc:meta])* $class:ident = $code:literal, $text:literal, $landmark:literal;)* })*) => {
         /// What a signal or object means (`docs/ontology.md`).
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[repr(u16)]
@@ -44,6 +44,11 @@ macro_rules! classes {
             /// The name.
             pub const fn name(self) -> &'static str {
                 match self { $($(Self::$class => $text,)*)* Self::Unknown => "unknown" }
+            }
+
+            /// Whether localisers find such a thing again: it is fixed, seen from the road and has a place of its own.
+            pub const fn is_landmark(self) -> bool {
+                match self { $($(Self::$class => $landmark,)*)* Self::Unknown => false }
             }
 
             /// The kind of class.

@@ -93,3 +93,24 @@ codes! {
         FromTheRight = 7, "from the right";
     }
 }
+
+impl Orientation {
+    /// Whether what is written so is for traffic that travels towards +s, or for that towards −s.
+    #[inline]
+    pub const fn is_for(self, forward: bool) -> bool {
+        match self {
+            Self::Along => forward,
+            Self::Against => !forward,
+            _ => true,
+        }
+    }
+
+    /// The same direction, seen from a road whose s runs the other way.
+    pub const fn turned(self) -> Self {
+        match self {
+            Self::Along => Self::Against,
+            Self::Against => Self::Along,
+            same => same,
+        }
+    }
+}

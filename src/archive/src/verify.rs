@@ -5,7 +5,7 @@ use crate::header::HEADER_LENGTH;
 use crate::open::{Archive, open};
 use crate::table::Range;
 use crate::verify_graph::graph;
-use crate::verify_objects::objects;
+use crate::verify_objects::{objects, signal_index};
 use crate::{NONE, Tables};
 
 /// Places in a node or leaf of the index.
@@ -14,7 +14,7 @@ const WIDTH: usize = 16;
 /// Opens an archive and proves it: content hash, finite numbers, known codes, references and ranges inside their
 /// tables, strings that are UTF-8, ascending `s`, sections that meet, an index that is a complete tree, a lane graph whose edges
 /// are mirrored, whose components are ordered and whose loops are closed where it says so, objects in the order of
-/// their roads with copies and lanes that know them, each place of theirs once in their index.
+/// their roads with copies and lanes that know them, each place of theirs and each signal once in their index.
 ///
 /// Errors: the first thing that is wrong, with table, row and field.
 pub fn verify(bytes: &[u8]) -> Result<Archive<'_>, VerifyError> {
@@ -32,6 +32,7 @@ pub fn verify(bytes: &[u8]) -> Result<Archive<'_>, VerifyError> {
     index(tables)?;
     graph(tables)?;
     objects(tables)?;
+    signal_index(tables)?;
     Ok(archive)
 }
 

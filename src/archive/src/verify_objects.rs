@@ -41,6 +41,7 @@ pub(crate) fn objects(tables: &Tables<'_>) -> Result<(), VerifyError> {
         }
     }
     by_lane(tables)?;
+    by_object(tables)?;
     index(tables)
 }
 
@@ -61,30 +62,66 @@ fn by_lane(tables: &Tables<'_>) -> Result<(), VerifyError> {
     Ok(())
 }
 
-/// The index holds every place once: of an object that is not repeated itself, of others their copies.
-fn index(tables: &Tables<'_>) -> Result<(), VerifyError> {
-    let items = tables.object_index_items;
-    tree(
-        "object_index_levels",
-        tables.object_index_levels,
-        tables.object_index_nodes.len(),
-        items.len(),
-    )?;
-    let objects = tables.objects.len();
-    let mut seen = vec![false; objects + tables.object_copies.len()];
-    for (row, item) in items.iter().enumerate() {
-        let check = Check { table: "object_index_items", row };
-        let is_template =
-            tables.objects.get(*item as usize).is_some_and(|object| object.copies().count > 0);
-        match seen.get_mut(*item as usize) {
-            Some(seen) if !*seen && !is_template => *seen = true,
-            _ => return check.fail("", "a place, each once", item),
+/// `object_signals` lists the links that name objects of the map, each once, by object.
+fn by_object(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    let at = |row| Check { table: "object_signals", row };
+    let links = tables.signal_links.iter().filter(|link| link.object() != NONE).count();
+    if tables.object_signals.len() != links {
+        return at(0).fail("", format!("{links} rows"), tables.object_signals.len());
+    }
+    let key = |row: u32| (tables.signal_links.get(row as usize).map(|link| link.object()), row);
+    for (row, number) in tables.object_signals.iter().enumerate() {
+        let before = row.checked_sub(1).and_then(|row| tables.object_signals.get(row));
+        let is_object = key(*number).0.is_some_and(|object| object != NONE);
+        if !is_object || before.is_some_and(|before| key(*before) >= key(*number)) {
+            return at(row).fail("", "links of objects, by object", number);
         }
     }
-    let templates = tables.objects.iter().filter(|object| object.copies().count > 0).count();
-    if items.len() + templates != seen.len() {
-        let expected = format!("{} places", seen.len() - templates);
-        return Check { table: "object_index_items", row: 0 }.fail("", expected, items.len());
+    Ok(())
+}
+
+/// The index holds every place once: of an object that is not repeated itself, of others their copies.
+fn index(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    let objects = tables.objects.len();
+    let is_template =
+        |item: usize| tables.objects.get(item).is_some_and(|object| object.copies().count > 0);
+    let index = (
+        ["object_index_levels", "object_index_items"],
+        tables.object_index_levels,
+        tables.object_index_nodes.len(),
+        tables.object_index_items,
+    );
+    each_once(index, objects + tables.object_copies.len(), |item| !is_template(item))
+}
+
+/// The signals' index is a complete tree that holds every signal once.
+pub(crate) fn signal_index(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    let index = (
+        ["signal_index_levels", "signal_index_items"],
+        tables.signal_index_levels,
+        tables.signal_index_nodes.len(),
+        tables.signal_index_items,
+    );
+    each_once(index, tables.signals.len(), |_| true)
+}
+
+/// A packed index is a complete tree over each of `count` things that belong into it, once.
+fn each_once(
+    ([levels_name, table], levels, nodes, items): ([&'static str; 2], &[u32], usize, &[u32]),
+    count: usize,
+    belongs: impl Fn(usize) -> bool,
+) -> Result<(), VerifyError> {
+    tree(levels_name, levels, nodes, items.len())?;
+    let mut seen = vec![false; count];
+    for (row, item) in items.iter().enumerate() {
+        match seen.get_mut(*item as usize) {
+            Some(seen) if !*seen && belongs(*item as usize) => *seen = true,
+            _ => return Check { table, row }.fail("", "a place, each once", item),
+        }
+    }
+    let expected = (0..count).filter(|item| belongs(*item)).count();
+    if items.len() != expected {
+        return Check { table, row: 0 }.fail("", format!("{expected} places"), items.len());
     }
     Ok(())
 }

@@ -3,16 +3,13 @@
 use crate::TooLarge;
 use crate::lanes::view;
 use crate::options::CompileOptions;
+use crate::packed::{ROUNDING, WIDTH, ordered, round_up, stack};
 use glam::{DVec2, DVec3};
 use mapd_archive::{IndexLeafRow, IndexNodeRow, NONE, Rows};
 use mapd_geometry::clamp;
 use mapd_query::{Lane, Map};
 use rayon::prelude::*;
 
-/// Children of a node, places of a leaf.
-const WIDTH: usize = 16;
-/// Entries that one task orders.
-const TOGETHER: usize = 4096;
 /// Added to every reach, overshoot and height `[m]`, besides the tolerances: single precision within a leaf.
 const REACH_MARGIN: f64 = 1e-4;
 /// Points of one lane's centre line: segments are numbered with 16 bits.
@@ -21,8 +18,6 @@ pub(crate) const MAX_POINTS: u32 = 1 << 16;
 const REACH_UNITS: f64 = 128.0;
 /// Units of `z_low` and `z_high` in a metre.
 const HEIGHT_UNITS: f64 = 16.0;
-/// Relative rounding of single precision, doubled twice: coordinates are rounded once here and once in a query.
-const ROUNDING: f64 = 4.0 * f32::EPSILON as f64;
 
 /// A segment of a centre line with the area it stands for, relative to the local origin.
 #[derive(Clone, Copy, Debug)]
@@ -63,26 +58,11 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
         return Ok(());
     }
     u32::try_from(entries.len()).map_err(|_| TooLarge::new("index_leaves"))?;
-    let entries = ordered_entries(entries);
+    let entries = ordered(entries, Entry::middle);
     let (leaves, boxes): (Vec<_>, Vec<_>) = entries.par_chunks(WIDTH).map(leaf).unzip();
-    let mut levels = Vec::new();
-    let mut below = boxes;
-    loop {
-        let (nodes, boxes): (Vec<_>, Vec<_>) = below.chunks(WIDTH).map(node).unzip();
-        let is_root = nodes.len() == 1;
-        levels.push(nodes);
-        below = boxes;
-        if is_root {
-            break;
-        }
-    }
-    let mut first = 0;
-    for nodes in levels.into_iter().rev() {
-        rows.index_levels.push(first);
-        first += nodes.len() as u32;
-        rows.index_nodes.extend(nodes);
-    }
-    rows.index_levels.push(first);
+    let (levels, nodes) = stack(boxes, node);
+    rows.index_levels = levels.into();
+    rows.index_nodes = nodes.into();
     rows.index_leaves = leaves.into();
     Ok(())
 }
@@ -159,72 +139,6 @@ fn extent(lane: &Lane<'_>, map_origin: DVec2, ends: [DVec2; 2], cuts: [f32; 2]) 
         }
     }
     extent
-}
-
-/// An entry while entries are ordered.
-#[derive(Clone, Copy)]
-struct Key {
-    /// Twice the middle, as numbers that compare as the coordinates do.
-    middle: [i64; 2],
-    /// Place of the entry, which breaks ties.
-    entry: u32,
-}
-
-impl Key {
-    fn new(entry: &Entry, number: u32) -> Self {
-        Self { middle: [0, 1].map(|axis| ordered(entry.middle(axis))), entry: number }
-    }
-}
-
-/// A number that compares as the coordinate does.
-fn ordered(value: f64) -> i64 {
-    let bits = value.to_bits() as i64;
-    bits ^ ((bits >> 63) & i64::MAX)
-}
-
-/// The coordinate of such a number.
-fn coordinate(ordered: i64) -> f64 {
-    f64::from_bits((ordered ^ ((ordered >> 63) & i64::MAX)) as u64)
-}
-
-/// Entries so ordered that consecutive sixteens lie close together, and sixteens of sixteens as well.
-fn ordered_entries(entries: Vec<Entry>) -> Vec<Entry> {
-    let numbered = entries.iter().zip(0..);
-    let mut keys: Vec<Key> = numbered.map(|(entry, number)| Key::new(entry, number)).collect();
-    order(&mut keys);
-    keys.par_iter().map(|key| entries[key.entry as usize]).collect()
-}
-
-/// Halves along the longer side at multiples of whole subtrees. The order is total, so that the result does not depend on
-/// how it is sorted.
-fn order(keys: &mut [Key]) {
-    let mut unit = WIDTH;
-    while unit * WIDTH < keys.len() {
-        unit *= WIDTH;
-    }
-    if keys.len() <= WIDTH {
-        keys.sort_unstable_by_key(|key| key.entry);
-        return;
-    }
-    let subtrees = keys.len().div_ceil(unit);
-    let middle = subtrees / 2 * unit;
-    let (mut low, mut high) = ([i64::MAX; 2], [i64::MIN; 2]);
-    for key in keys.iter() {
-        for axis in 0..2 {
-            low[axis] = low[axis].min(key.middle[axis]);
-            high[axis] = high[axis].max(key.middle[axis]);
-        }
-    }
-    let spread = |axis: usize| coordinate(high[axis]) - coordinate(low[axis]);
-    let axis = usize::from(spread(1) > spread(0));
-    keys.select_nth_unstable_by_key(middle, |key| (key.middle[axis], key.entry));
-    let (left, right) = keys.split_at_mut(middle);
-    if left.len() + right.len() < TOGETHER {
-        order(left);
-        order(right);
-    } else {
-        rayon::join(|| order(left), || order(right));
-    }
 }
 
 /// A box in double precision: smallest x, y, z, largest x, y, z.
@@ -318,10 +232,4 @@ fn node(children: &[Bounds]) -> (IndexNodeRow, Bounds) {
         all = join(all, *child);
     }
     (row, all)
-}
-
-/// To single precision, never smaller.
-pub(crate) fn round_up(value: f64) -> f32 {
-    let rounded = value as f32;
-    if f64::from(rounded) < value { rounded.next_up() } else { rounded }
 }

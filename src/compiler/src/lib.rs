@@ -31,10 +31,12 @@ mod lower;
 mod objects;
 mod options;
 mod origin;
+mod packed;
 mod quarantine;
 mod report;
 mod rounds;
 mod signals;
+mod stream;
 mod too_large;
 
 pub use mapd_geodesy::{Target, TargetError};
@@ -52,6 +54,7 @@ use quarantine::{Exclusions, Units};
 use report::Collector;
 use std::io::{self, Read};
 use std::path::PathBuf;
+use stream::Stream;
 pub(crate) use too_large::TooLarge;
 use too_large::{too_large, too_long};
 
@@ -179,6 +182,7 @@ fn build(
     if let Some(mut rows) = rows.filter(|_| compiled.verdict != Verdict::Rejected) {
         progress(Progress::Indexing { segments: rows.points.len() });
         objects::index(&mut rows);
+        signals::index(&mut rows);
         match index::build(&mut rows, options) {
             Ok(()) => compiled.rows = Some(rows),
             Err(error) => {
@@ -280,7 +284,7 @@ impl Document {
             Ok(findings) => self.collector.add_late(findings, &self.places),
             Err(error) => self.collector.add_late(vec![too_large(&error)], &self.places),
         }
-        let findings = signals::complete(&mut rows, &self.signals);
+        let findings = signals::complete(&mut rows, &self.signals, options);
         self.collector.add_late(findings, &self.places);
         Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
     }
@@ -303,11 +307,12 @@ fn read(
             inputs = inputs.with_include_folder(folder);
         }
         let source = inputs.open(Box::new(&mut hashing), "");
-        let mut reader = Reader::with_source(inputs, source, reading.limits);
-        let places = reader.places().clone();
+        let mut stream = Stream::new(Reader::with_source(inputs, source, reading.limits));
+        let places = stream.reader.places().clone();
         let mut checked = Vec::new();
         let mut checker = Checker::new(&reading.rules);
-        while let Some(item) = reader.next()? {
+        while let Some(item) = stream.next()? {
+            let reader = &mut stream.reader;
             let read = reader.take_findings();
             collector.add_units(&item);
             let Some(item) = without.filter(item, &mut quarantined) else {
@@ -353,6 +358,7 @@ fn read(
             progress(Progress::Reading { bytes: reader.bytes_read(), roads: lowering.roads() });
         }
         checker.finish();
+        let reader = &mut stream.reader;
         collector.add_read(reader.take_findings(), checker.take_findings(), &places, without);
         let stated = reader.stated_version().to_owned();
         (places, Version { stated, checked: reader.checked_version() })

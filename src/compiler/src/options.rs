@@ -7,6 +7,10 @@ use thiserror::Error;
 const INDEX_TOLERANCE: f64 = 0.05;
 /// Default of [`CompileOptions::bound_tolerance`] `[m]`.
 const BOUND_TOLERANCE: f64 = 0.01;
+/// Default of [`CompileOptions::lane_reach`] `[m]`: wider than half of any road with its verge.
+const LANE_REACH: f64 = 30.0;
+/// Reaches that make sense `[m]`: beyond, everything belongs to something.
+const REACHES: std::ops::RangeInclusive<f64> = 0.0..=1000.0;
 /// Default of [`CompileOptions::landmarks`].
 const LANDMARKS: u8 = 16;
 /// Landmarks that a search looks at.
@@ -21,6 +25,9 @@ pub struct CompileOptions {
     pub index_tolerance: f64,
     /// Largest distance of a lane's border from its polyline `[m]`. Default 0.01.
     pub bound_tolerance: f64,
+    /// Largest distance in plan view of an object or signal from the lane that it belongs to because it is the nearest `[m]`.
+    /// What names its lanes or stands on them belongs to these whatever the distance. Default 30.
+    pub lane_reach: f64,
     /// Which cycles of the lane graph are errors. Default: those that no road network may have.
     pub cycles: CyclePolicy,
     /// Number of landmarks; more than 32 count as 32. More make routing over long ways faster and the archive larger.
@@ -78,6 +85,7 @@ impl Default for CompileOptions {
         Self {
             index_tolerance: INDEX_TOLERANCE,
             bound_tolerance: BOUND_TOLERANCE,
+            lane_reach: LANE_REACH,
             cycles: CyclePolicy::default(),
             landmarks: LANDMARKS,
             offset_sign: OffsetSign::default(),
@@ -87,13 +95,16 @@ impl Default for CompileOptions {
 }
 
 impl CompileOptions {
-    /// Refuses tolerances out of range.
+    /// Refuses numbers out of range.
     pub fn validate(&self) -> Result<(), OptionsError> {
-        let all =
-            [("index tolerance", self.index_tolerance), ("bound tolerance", self.bound_tolerance)];
-        match all.into_iter().find(|(_, value)| !TOLERANCES.contains(value)) {
-            Some((name, found)) => {
-                Err(OptionsError { name, low: *TOLERANCES.start(), high: *TOLERANCES.end(), found })
+        let all = [
+            ("index tolerance", self.index_tolerance, TOLERANCES),
+            ("bound tolerance", self.bound_tolerance, TOLERANCES),
+            ("lane reach", self.lane_reach, REACHES),
+        ];
+        match all.into_iter().find(|(_, value, range)| !range.contains(value)) {
+            Some((name, found, range)) => {
+                Err(OptionsError { name, low: *range.start(), high: *range.end(), found })
             }
             None => Ok(()),
         }
@@ -104,6 +115,7 @@ impl CompileOptions {
         let mut hasher = blake3::Hasher::new();
         hasher.update(&self.index_tolerance.to_le_bytes());
         hasher.update(&self.bound_tolerance.to_le_bytes());
+        hasher.update(&self.lane_reach.to_le_bytes());
         hasher.update(&[self.cycles as u8, self.landmarks.min(MOST_LANDMARKS)]);
         hasher.update(&[self.offset_sign as u8]);
         if let Some(target) = &self.crs {

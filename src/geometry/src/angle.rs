@@ -1,6 +1,7 @@
 //! Angles.
 
 use core::f64::consts::{PI, TAU};
+use glam::DVec3;
 
 /// The same direction as `angle` `[rad]`, in (−π, π].
 ///
@@ -35,4 +36,11 @@ pub fn atan2(y: f64, x: f64) -> f64 {
 pub fn cos_sin(angle: f64) -> (f64, f64) {
     let (sin, cos) = libm::sincos(angle);
     (cos, sin)
+}
+
+/// The point so far to the left of a heading `[rad]` in plan view, and so far upwards of a point `[m]`.
+#[must_use]
+pub fn beside(origin: DVec3, heading: f64, left: f64, up: f64) -> DVec3 {
+    let (cos, sin) = cos_sin(heading);
+    origin + DVec3::new(-left * sin, left * cos, up)
 }

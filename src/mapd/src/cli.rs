@@ -2,12 +2,13 @@
 
 use crate::exit::Exit;
 use crate::judging::JudgingArgs;
+use crate::ontology_args::OntologyArgs;
 use crate::progress::Bar;
 use crate::query::{self, Kind};
 use crate::{archive_file, check, export, inspect, load, report, source, status};
 use anyhow::{Context, Result, bail};
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
-use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions};
+use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions, Snapshot};
 use mapd_compiler::{CompileOptions, CyclePolicy, OffsetSign, ReadOptions, Target};
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
@@ -54,6 +55,10 @@ struct Options {
     #[arg(long, value_name = "M", default_value_t = CompileOptions::default().bound_tolerance)]
     bound_tolerance: f64,
 
+    /// Largest distance of an object or signal from a lane that it belongs to as the nearest [m]
+    #[arg(long, value_name = "M", default_value_t = CompileOptions::default().lane_reach)]
+    lane_reach: f64,
+
     /// Landmarks for routing, 0 to 32: more are faster over long ways and larger
     #[arg(long, value_name = "N", default_value_t = CompileOptions::default().landmarks, value_parser = clap::value_parser!(u8).range(0..=32))]
     landmarks: u8,
@@ -69,9 +74,8 @@ struct Options {
     #[command(flatten)]
     frame: FrameArgs,
 
-    /// Table of what signals and objects mean, read before mapd's own; may be repeated (docs/ontology.md)
-    #[arg(long, value_name = "FILE")]
-    ontology: Vec<PathBuf>,
+    #[command(flatten)]
+    ontology: OntologyArgs,
 }
 
 #[derive(Args)]
@@ -87,7 +91,7 @@ impl FrameArgs {
     ///
     /// Errors: a frame is asked for, but the source is compiled already.
     fn source(&self, source: &str) -> Result<CompileOptions> {
-        if self.crs.is_some() && !source::is_compiled(source) {
+        if self.crs.is_some() && source::is_compiled(source) {
             let message = format!(
                 "--crs transforms OpenDRIVE files only; {source} keeps the frame it was compiled into"
             );
@@ -126,8 +130,15 @@ struct DomainArgs {
     prefix: Option<String>,
 }
 
+/// How a SOURCE is opened.
 #[derive(Args)]
-struct Live {
+struct Opening {
+    #[command(flatten)]
+    frame: FrameArgs,
+
+    #[command(flatten)]
+    ontology: OntologyArgs,
+
     #[command(flatten)]
     domain: DomainArgs,
 
@@ -136,11 +147,15 @@ struct Live {
     wait: f64,
 }
 
-impl Live {
-    fn get(&self) -> Result<(Domain, Duration)> {
+impl Opening {
+    /// Opens a SOURCE; prints why there is no map where there is none.
+    fn open(&self, source: &str) -> Result<Option<Snapshot>> {
         let wait = Duration::try_from_secs_f64(self.wait)
             .map_err(|error| UsageError(format!("--wait: {error}")))?;
-        Ok((self.domain.domain()?, wait))
+        let reading = self.ontology.for_source(source::is_compiled(source))?;
+        let options = self.frame.source(source)?;
+        let compiling = (&reading, &options);
+        source::open_or_report(source, compiling, (&self.domain.domain()?, wait))
     }
 }
 
@@ -185,9 +200,7 @@ enum Command {
         #[arg(long)]
         verify: bool,
         #[command(flatten)]
-        frame: FrameArgs,
-        #[command(flatten)]
-        live: Live,
+        opening: Opening,
     },
     /// Answer questions: CSV with a header row from stdin to stdout
     #[command(after_help = QUERY_HELP)]
@@ -212,9 +225,7 @@ enum Command {
         #[command(flatten)]
         route: query::RouteArgs,
         #[command(flatten)]
-        frame: FrameArgs,
-        #[command(flatten)]
-        live: Live,
+        opening: Opening,
     },
     /// Draw or convert a map
     Export {
@@ -230,9 +241,7 @@ enum Command {
         #[arg(long)]
         index_boxes: bool,
         #[command(flatten)]
-        frame: FrameArgs,
-        #[command(flatten)]
-        live: Live,
+        opening: Opening,
     },
     /// List the maps that are served
     Status {
@@ -262,6 +271,10 @@ Columns:
   successors  road_id,s,lane_id    successors in driving direction, joined by ;
   route       from_road,from_s,from_lane,to_road,to_s,to_lane
                                    length,lane_changes,lanes (keys in driving order, joined by ;)
+  objects     x,y,radius           a row for each place of an object, the nearest first:
+                                   id,class,distance,road_id,s,t,x,y,z
+  landmarks   x,y,radius[,classes] a row for each signal or object that localisers use, or of these classes (joined by ;):
+                                   id,class,distance,road_id,s,t,x,y,z,hdg,length,width,height,kind (signal or object)
   signals     road_id,s,lane_id,distance
                                    a row for each signal ahead, the nearest first, none where there is none:
                                    id,class,distance,road_id,s,t,x,y,z,state_machine (lamps:phases[:movements])
@@ -274,6 +287,7 @@ impl Options {
         CompileOptions {
             index_tolerance: self.index_tolerance,
             bound_tolerance: self.bound_tolerance,
+            lane_reach: self.lane_reach,
             landmarks: self.landmarks,
             cycles: match self.cycles {
                 Cycles::Illegal => CyclePolicy::Illegal,
@@ -293,14 +307,7 @@ impl Options {
 impl Options {
     /// How a document is read, by these options and the rules that apply.
     fn reading(&self, judging: &JudgingArgs) -> Result<ReadOptions> {
-        let mut reading = judging.apply(ReadOptions::default())?;
-        for path in &self.ontology {
-            let text = std::fs::read_to_string(path)
-                .with_context(|| format!("reading {}", path.display()))?;
-            let name = path.display().to_string();
-            reading.ontology.extend(&name, &text).map_err(|error| UsageError(error.to_string()))?;
-        }
-        Ok(reading)
+        self.ontology.apply(judging.apply(ReadOptions::default())?)
     }
 }
 
@@ -315,6 +322,7 @@ impl DomainArgs {
 
 /// Runs the program with the process's arguments.
 pub fn run() -> ExitCode {
+    crate::allocator::give_back();
     let cli = Cli::parse();
     match execute(cli) {
         Ok(exit) => exit.into(),
@@ -331,7 +339,7 @@ pub fn run() -> ExitCode {
 /// Wrong usage that only shows while running.
 #[derive(Debug, thiserror::Error)]
 #[error("{0}")]
-struct UsageError(String);
+pub(crate) struct UsageError(pub(crate) String);
 
 fn is_broken_pipe(error: &anyhow::Error) -> bool {
     error.chain().any(|cause| {
@@ -370,16 +378,13 @@ fn execute(cli: Cli) -> Result<Exit> {
             let options = CompileOptions { crs: frame.crs, ..CompileOptions::default() };
             check::run(&file, format, (&reading, &options), out)?.verdict.into()
         }
-        Command::Inspect { source, json, verify, frame, live } => {
-            let (domain, wait) = live.get()?;
-            match source::open_or_report(&source, &frame.source(&source)?, (&domain, wait))? {
-                Some(snapshot) => {
-                    inspect::run(&source, &snapshot, json, verify, out)?;
-                    Exit::Done
-                }
-                None => Exit::Rejected,
+        Command::Inspect { source, json, verify, opening } => match opening.open(&source)? {
+            Some(snapshot) => {
+                inspect::run(&source, &snapshot, json, verify, out)?;
+                Exit::Done
             }
-        }
+            None => Exit::Rejected,
+        },
         Command::Query {
             source,
             kind,
@@ -388,10 +393,8 @@ fn execute(cli: Cli) -> Result<Exit> {
             z_tolerance,
             heading_tolerance,
             route,
-            frame,
-            live,
+            opening,
         } => {
-            let (domain, wait) = live.get()?;
             let types = lane_types(&types)?;
             let options = NearestOptions {
                 radius,
@@ -400,7 +403,7 @@ fn execute(cli: Cli) -> Result<Exit> {
                 heading_tolerance,
                 ..NearestOptions::default()
             };
-            match source::open_or_report(&source, &frame.source(&source)?, (&domain, wait))? {
+            match opening.open(&source)? {
                 Some(snapshot) => {
                     query::run(
                         snapshot.map(),
@@ -420,9 +423,8 @@ fn execute(cli: Cli) -> Result<Exit> {
                 None => Exit::Rejected,
             }
         }
-        Command::Export { source, format, output, index_boxes, frame, live } => {
-            let (domain, wait) = live.get()?;
-            match source::open_or_report(&source, &frame.source(&source)?, (&domain, wait))? {
+        Command::Export { source, format, output, index_boxes, opening } => {
+            match opening.open(&source)? {
                 Some(snapshot) => {
                     let options = export::Options { index_boxes };
                     export::run(snapshot.map(), format, options, output.as_deref(), out)?;

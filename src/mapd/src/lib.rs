@@ -16,6 +16,7 @@
 //! # std::fs::remove_file(&path).unwrap();
 //! ```
 
+mod allocator;
 pub mod archive_file;
 mod check;
 pub mod cli;
@@ -26,6 +27,7 @@ mod inspect;
 mod judging;
 mod load;
 mod object_facts;
+mod ontology_args;
 mod progress;
 pub mod query;
 pub mod report;

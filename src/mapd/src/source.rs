@@ -27,9 +27,9 @@ pub fn is_archive(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension == "mapd")
 }
 
-/// Whether a SOURCE is an OpenDRIVE file, which is compiled when it is opened.
+/// Whether a SOURCE is a map that is compiled already: live, or an archive.
 pub(crate) fn is_compiled(source: &str) -> bool {
-    !source.starts_with(SHARED) && !is_archive(Path::new(source))
+    source.starts_with(SHARED) || is_archive(Path::new(source))
 }
 
 /// Compiles an OpenDRIVE file, compressed with gzip or not. Files are included from its folder.
@@ -86,7 +86,7 @@ pub(crate) fn open_input(path: &Path) -> Result<File> {
 /// Errors: files that cannot be read, archives of another layout, no such live map.
 pub fn open(
     source: &str,
-    options: &CompileOptions,
+    (reading, options): (&ReadOptions, &CompileOptions),
     (domain, wait): (&Domain, Duration),
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Opened> {
@@ -98,7 +98,7 @@ pub fn open(
     if is_archive(path) {
         return Ok(Opened::Map(Snapshot::open(path)?));
     }
-    let compiled = compile_file(path, options, progress)?;
+    let compiled = compile_file_with(path, reading, options, progress)?;
     match &compiled.rows {
         Some(rows) => Ok(Opened::Map(Snapshot::from_bytes(encode(rows, &compiled.provenance)?)?)),
         None => Ok(Opened::Rejected(Box::new(compiled))),
@@ -108,11 +108,11 @@ pub fn open(
 /// Opens a SOURCE for a command that needs a map; prints why there is none.
 pub(crate) fn open_or_report(
     source: &str,
-    options: &CompileOptions,
+    compiling: (&ReadOptions, &CompileOptions),
     live: (&Domain, Duration),
 ) -> Result<Option<Snapshot>> {
     let bar = crate::progress::Bar::new(Path::new(source));
-    let opened = open(source, options, live, &mut |p| bar.show(p))?;
+    let opened = open(source, compiling, live, &mut |p| bar.show(p))?;
     bar.finish();
     Ok(match opened {
         Opened::Map(snapshot) => Some(snapshot),

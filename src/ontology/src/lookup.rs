@@ -197,7 +197,8 @@ impl Ontology {
             .or_else(|| vendors().find_map(|t| best(of(t), question, |_| true)))
     }
 
-    /// Asks the country's table, then those that it is based on.
+    /// Asks the country's table, then those that it is based on, then the generic catalogue, whose own numbers mean the same
+    /// everywhere.
     fn along_bases<'a>(
         &'a self,
         country: &str,
@@ -205,19 +206,20 @@ impl Ontology {
     ) -> Option<&'a Ready> {
         let all = || self.user.iter().chain(self.standard.iter());
         let own = |table: &&Table| table.is_for(country) && table.name != SEMANTICS;
-        let mut table = all().find(own).or_else(|| all().find(|table| table.name == GENERIC))?;
+        let generic = || all().find(|table| table.name == GENERIC);
+        let mut next = all().find(own).or_else(generic);
         for _ in 0..DEEPEST_BASE {
+            let Some(table) = next else { break };
             if let Some(found) = ask(table) {
                 return Some(found);
             }
             // A user's table for a country that has one goes before it.
             let later = self.standard.iter().filter(own).find(|one| one.name == table.name);
-            table = match later.filter(|later| !std::ptr::eq(*later, table)) {
-                Some(later) => later,
-                None => all().find(|one| Some(&one.name) == table.base.as_ref())?,
-            };
+            next = later
+                .filter(|later| !std::ptr::eq(*later, table))
+                .or_else(|| all().find(|one| Some(&one.name) == table.base.as_ref()));
         }
-        None
+        generic().and_then(ask)
     }
 
     /// Texts of the user's tables, the last one first.

@@ -1,5 +1,6 @@
 //! Elevation grids of junctions.
 
+use crate::junction::Junction;
 use crate::map::Map;
 use glam::{DVec2, DVec3};
 use mapd_archive::{ArchivedElevationGridRow, ArchivedGridRowRow, ArchivedGridTransitionRow};
@@ -91,6 +92,50 @@ impl Grid<'_> {
     }
 }
 
+/// Height of a grid at a point (relative to the local origin) and its slopes by x and y; none in a damaged grid.
+fn at(map: &Map<'_>, row: &ArchivedElevationGridRow, point: DVec2) -> Option<(f64, DVec2)> {
+    let grid = Grid { map: *map, rows: row.rows().of(map.tables().grid_rows) };
+    let direction = DVec2::new(row.cos(), row.sin());
+    let away = point - DVec2::new(row.x(), row.y());
+    let spacing = row.spacing();
+    if spacing <= 0.0 {
+        return None;
+    }
+    let along = (away.dot(direction) - row.s_start()) / spacing;
+    let across = direction.perp_dot(away) / spacing;
+    let [z, by_along, by_across] = grid.height(along, across)?;
+    Some((z, (direction * by_along + direction.perp() * by_across) / spacing))
+}
+
+/// The grid of a junction.
+pub(crate) fn of_junction<'a>(
+    map: &Map<'a>,
+    junction: u32,
+) -> Option<&'a ArchivedElevationGridRow> {
+    let rows = map.tables().elevation_grids;
+    let at = rows.partition_point(|grid| grid.junction() < junction);
+    rows.get(at).filter(|grid| grid.junction() == junction)
+}
+
+impl Junction<'_> {
+    /// Height of the junction's elevation grid at a point in plan view `[m]` and its slopes by x and y, its edge held beyond it
+    /// (OpenDRIVE 1.8.1, 12.8); none without a grid. What a road of the junction looks like there, joints with their transitions
+    /// included, is [`crate::Road::surface_at`].
+    pub fn grid_height_at(&self, point: DVec2) -> Option<(f64, DVec2)> {
+        let row = of_junction(&self.map, self.junction_id().row())?;
+        at(&self.map, row, point - self.map.origin())
+    }
+
+    /// Places along the junction's reference line where rows of its elevation grid lie `[m]`, ascending; none without a grid.
+    pub fn grid_stations(&self) -> impl Iterator<Item = f64> + use<> {
+        let row = of_junction(&self.map, self.junction_id().row());
+        let (start, spacing, count) = row.map_or((0.0, 0.0, 0), |row| {
+            (row.s_start(), row.spacing(), row.rows().of(self.map.tables().grid_rows).len())
+        });
+        (0..count).map(move |i| start + i as f64 * spacing)
+    }
+}
+
 /// A point of a road's own surface (relative to the local origin) moved to the height of the grid, or between the two
 /// within a joint's transition; and the slopes of z by x and y there, from those of the road's own surface. A damaged grid
 /// changes nothing.
@@ -100,19 +145,8 @@ pub(crate) fn replace(
     position: DVec3,
     own: DVec2,
 ) -> (DVec3, DVec2) {
-    let tables = map.tables();
-    let grid = Grid { map: *map, rows: row.rows().of(tables.grid_rows) };
-    let direction = DVec2::new(row.cos(), row.sin());
-    let away = position.truncate() - DVec2::new(row.x(), row.y());
-    let spacing = row.spacing();
-    if spacing <= 0.0 {
-        return (position, own);
-    }
-    let along = (away.dot(direction) - row.s_start()) / spacing;
-    let across = direction.perp_dot(away) / spacing;
-    let Some([z, by_along, by_across]) = grid.height(along, across) else { return (position, own) };
-    let slopes = (direction * by_along + direction.perp() * by_across) / spacing;
-    let joints = row.transitions().of(tables.grid_transitions);
+    let Some((z, slopes)) = at(map, row, position.truncate()) else { return (position, own) };
+    let joints = row.transitions().of(map.tables().grid_transitions);
     // Of several transitions the one that is least done decides.
     let (share, share_slope) = joints
         .iter()

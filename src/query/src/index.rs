@@ -1,5 +1,6 @@
 //! Search in the packed spatial index: an R-tree of 16 children a node, flattened level by level.
 
+use crate::packed;
 use glam::{DVec2, Vec4};
 use mapd_archive::{ArchivedIndexLeafRow, NONE, Tables};
 
@@ -131,31 +132,14 @@ pub(crate) fn visit_box<'a>(
     high: DVec2,
     mut visit: impl FnMut(&'a ArchivedIndexLeafRow),
 ) {
-    let Some(depth) = tables.index_levels.len().checked_sub(1) else { return };
-    let mut stack = [(0u32, 0u32); STACK];
-    let mut top = 1;
-    while top > 0 {
-        top -= 1;
-        let Some(&(level, at)) = stack.get(top) else { return };
-        if level as usize == depth {
-            tables.index_leaves.get(at as usize).into_iter().for_each(&mut visit);
-            continue;
-        }
-        let first = tables.index_levels.get(level as usize).copied().unwrap_or(0);
-        let Some(node) = tables.index_nodes.get(first.wrapping_add(at) as usize) else { continue };
-        let (min_x, min_y, max_x, max_y) = (node.min_x(), node.min_y(), node.max_x(), node.max_y());
-        for k in 0..WIDTH {
-            let apart = f64::from(min_x[k]) > high.x
-                || f64::from(max_x[k]) < low.x
-                || f64::from(min_y[k]) > high.y
-                || f64::from(max_y[k]) < low.y;
-            if apart || top >= STACK {
-                continue;
-            }
-            stack[top] = (level + 1, at.wrapping_mul(WIDTH as u32).wrapping_add(k as u32));
-            top += 1;
-        }
-    }
+    let node = |row: usize| {
+        let node = tables.index_nodes.get(row)?;
+        Some([node.min_x(), node.min_y(), node.max_x(), node.max_y()])
+    };
+    let most = tables.index_nodes.len() + tables.index_leaves.len();
+    packed::visit_box((tables.index_levels, most), node, [low, high], |leaf| {
+        tables.index_leaves.get(leaf as usize).into_iter().for_each(&mut visit);
+    });
 }
 
 /// Squared distances of a point (relative to the leaf's origin) from the leaf's segments `[m²]`.

@@ -16,6 +16,7 @@
 //! ```
 
 mod area;
+mod class_set;
 mod cross_section;
 mod error;
 mod file_frame;
@@ -27,12 +28,14 @@ mod ids;
 mod index;
 mod junction;
 mod key;
+mod landmark;
 mod lane;
 mod lane_length;
 mod map;
 mod near;
 mod nearest;
 mod objects;
+mod packed;
 mod polyline;
 mod profile;
 mod quarantine;
@@ -48,6 +51,7 @@ mod surface;
 mod types;
 mod waypoints;
 
+pub use class_set::ClassSet;
 pub use cross_section::{CrossSection, SectionCutter};
 pub use error::QueryError;
 pub use file_frame::FileFrame;
@@ -61,6 +65,7 @@ pub use ids::{
 pub use index::{SegmentHit, nearest_segment};
 pub use junction::{Connection, Junction};
 pub use key::{LaneKey, LaneLayer, ParseLaneKeyError};
+pub use landmark::{Landmark, LandmarkSource};
 pub use lane::{Lane, LaneSpeed};
 pub use map::Map;
 pub use mapd_archive::{
@@ -89,9 +94,10 @@ pub use route::{
 };
 pub use section::LaneSection;
 pub use signals::{
-    Controller, JunctionController, LaneLine, LaneSignal, LightStates, LineSource, OvertakingRule,
-    RightOfWay, Signal, SignalAhead, SignalLink, SignalPlace, SignalSemantics, SignalsAhead,
-    SpeedOrigin, SpeedRule, Turn,
+    BoardGroupMember, Controller, DisplayArea, JunctionController, LaneLine, LaneSignal,
+    LightStates, LineAhead, LineSource, NearSignal, OvertakingRule, RightOfWay, Signal,
+    SignalAhead, SignalBoard, SignalLink, SignalPlace, SignalSemantics, SignalsAhead, SpeedOrigin,
+    SpeedRule, Turn,
 };
 pub use structures::{ObjectReference, Structure};
 pub use surface::{Material, Surface};

@@ -130,6 +130,11 @@ impl<'a> Map<'a> {
         Road::new(*self, row)
     }
 
+    /// The junction in a row of the archive's table.
+    pub fn junction_by_row(&self, row: u32) -> Option<Junction<'a>> {
+        Junction::new(*self, row)
+    }
+
     #[inline]
     pub(crate) fn origin(&self) -> DVec2 {
         self.row().map_or(DVec2::ZERO, |row| DVec2::new(row.origin_x(), row.origin_y()))

@@ -39,6 +39,21 @@ impl Region {
         Self { low: middle - half, high: middle + half }
     }
 
+    /// The rectangle around a circle; a radius below 0 counts as 0.
+    ///
+    /// Errors: numbers that are not finite.
+    pub(crate) fn around_circle(middle: DVec2, radius: f64) -> Result<Self, QueryError> {
+        if !(middle.is_finite() && radius.is_finite()) {
+            return Err(QueryError::NotFinite);
+        }
+        Ok(Self::around(middle, radius.max(0.0)))
+    }
+
+    /// Smallest and largest coordinates relative to an origin.
+    pub(crate) fn local(&self, origin: DVec2) -> [DVec2; 2] {
+        [self.low - origin, self.high - origin]
+    }
+
     pub(crate) fn check(&self) -> Result<(), QueryError> {
         let finite = self.low.is_finite() && self.high.is_finite();
         if finite { Ok(()) } else { Err(QueryError::NotFinite) }
@@ -138,7 +153,7 @@ impl Map<'_> {
     /// Lanes that the index does not rule out, each once, by row.
     fn candidates(&self, region: Region, out: &mut Vec<LaneId>) {
         out.clear();
-        let (low, high) = (region.low - self.origin(), region.high - self.origin());
+        let [low, high] = region.local(self.origin());
         let content = self.content();
         index::visit_box(self.tables(), low, high, |leaf| {
             let known = leaf.lane().iter().copied().filter(|lane| *lane != NONE);

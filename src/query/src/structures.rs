@@ -15,7 +15,7 @@ pub struct Structure<'a> {
 }
 
 /// Lane numbers from the lower to the higher one.
-fn validities<'a>(
+pub(crate) fn validities<'a>(
     map: Map<'a>,
     range: Range,
 ) -> impl ExactSizeIterator<Item = (i32, i32)> + use<'a> {

@@ -190,9 +190,7 @@ impl<'a> Road<'a> {
     }
 
     fn grid(&self) -> Option<&'a mapd_archive::ArchivedElevationGridRow> {
-        let rows = self.map.tables().elevation_grids;
-        let number = self.junction_row()?;
-        rows.binary_search_by(|row| row.junction().cmp(&number)).ok().and_then(|i| rows.get(i))
+        grid::of_junction(&self.map, self.junction_row()?)
     }
 
     /// The inner edge of the first level lane on t's side, if t lies beyond it.

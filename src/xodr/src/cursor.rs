@@ -9,8 +9,9 @@ use crate::findings::Findings;
 use crate::limits::{ELEMENT_BYTES, Limits};
 use crate::markup::Text;
 use crate::rule_ids;
+use crate::same::{same, without_prefix};
 use crate::schema::{AttributeSchema, Choice, ElementSchema};
-use crate::source::{Inputs, Source};
+use crate::source::Inputs;
 use crate::well_formed::Structure;
 use crate::window::{Stop, Window};
 use std::io;
@@ -53,6 +54,7 @@ pub(crate) struct Frame {
 }
 
 /// An element of the schema while it is being read.
+#[derive(Clone)]
 pub(crate) struct Open {
     pub(crate) schema: &'static ElementSchema,
     /// The start tag.
@@ -141,8 +143,20 @@ pub(crate) struct Cursor<'a> {
     pub(crate) within_extension: bool,
     /// Bytes that the top-level element has taken so far, as [`Limits::item_bytes`] counts them.
     pub(crate) spent: usize,
+    pub(crate) scope: Scope,
     pub(crate) over: bool,
     pub(crate) failed: Option<io::Error>,
+}
+
+/// What is read: the document, or a batch of its top-level elements by itself.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Scope {
+    Document,
+    Batch,
+    /// A batch whose text ended where the next top-level element could begin.
+    WholeBatch,
+    /// A batch that needs what only the document's own reader has.
+    Abandoned,
 }
 
 /// Path of open elements, such as `OpenDRIVE/road[@id=12]/planView`.
@@ -170,13 +184,9 @@ pub(crate) fn path_of(frames: &[Frame], names: &[u8]) -> String {
 }
 
 impl<'a> Cursor<'a> {
-    pub(crate) fn new(inputs: Inputs, source: Source<'a>, limits: Limits) -> Self {
+    pub(crate) fn new(inputs: Inputs, window: Window<'a>, limits: Limits) -> Self {
         Self {
-            window: Window::new(
-                source,
-                limits.tag_bytes.max(limits.text_bytes),
-                limits.extension_bytes,
-            ),
+            window,
             outer: Vec::new(),
             inputs,
             limits,
@@ -200,6 +210,7 @@ impl<'a> Cursor<'a> {
             structure: Structure::default(),
             within_extension: false,
             spent: 0,
+            scope: Scope::Document,
             over: false,
             failed: None,
         }
@@ -250,7 +261,7 @@ impl<'a> Cursor<'a> {
             open.next += 1;
             let name = self.bytes(raw.name);
             let known = open.schema.attributes;
-            let is = |slot: usize| known.get(slot).is_some_and(|a| a.name.as_bytes() == name);
+            let is = |slot: usize| known.get(slot).is_some_and(|a| same(a.name.as_bytes(), name));
             // Most files write attributes in the schema's order, some left out.
             let slot = if is(open.expected) {
                 open.expected
@@ -348,10 +359,9 @@ impl<'a> Cursor<'a> {
         if self.tag.declares && self.is_redeclared() {
             return None;
         }
-        let name =
-            self.bytes((1, 1 + self.tag.name as u32)).strip_prefix(self.prefix.as_slice())?;
+        let name = without_prefix(self.bytes((1, 1 + self.tag.name as u32)), &self.prefix)?;
         let children = open.schema.children;
-        let is = |slot: usize| children.get(slot).is_some_and(|c| c.name.as_bytes() == name);
+        let is = |slot: usize| children.get(slot).is_some_and(|c| same(c.name.as_bytes(), name));
         // Most children stand in rows of one kind.
         if is(open.last) {
             return Some(open.last);
@@ -359,27 +369,51 @@ impl<'a> Cursor<'a> {
         (open.last + 1..children.len()).chain(0..open.last).find(|slot| is(*slot))
     }
 
-    /// Takes note of a child.
+    /// Takes note of a child whose start tag has been read.
     #[inline]
     fn enter(&mut self, open: &mut Open, slot: usize) {
         let child = &open.schema.children[slot];
         let bit = 1 << slot;
+        let order = open.order;
+        self.count(open, slot);
+        let plain = open.schema.plain_children[self.version];
+        let again = open.repeated & bit & open.schema.single_children[self.version] != 0;
+        if bit & !plain != 0 || again || child.order < order {
+            self.check_child(open, child, again);
+        }
+        self.pending = child.name;
+        self.pending_variant = open.variant;
+    }
+
+    /// Remembers a child.
+    #[inline]
+    pub(crate) fn count(&mut self, open: &mut Open, slot: usize) {
+        let Some(child) = open.schema.children.get(slot) else { return };
+        let bit = 1 << slot;
         open.repeated |= open.children & bit;
         open.children |= bit;
         open.last = slot;
+        open.order = open.order.max(child.order);
         if open.schema.counted != 0
             && let Some(count) = self.counts.get_mut(open.counts + slot)
         {
             *count = count.saturating_add(1);
         }
-        let plain = open.schema.plain_children[self.version];
-        let again = open.repeated & bit & open.schema.single_children[self.version] != 0;
-        if bit & !plain != 0 || again || child.order < open.order {
-            self.check_child(open, child, again);
-        }
-        open.order = open.order.max(child.order);
-        self.pending = child.name;
-        self.pending_variant = open.variant;
+    }
+
+    /// Whether children may follow what an element has already, without a remark that is about what it has.
+    pub(crate) fn follows(&self, open: &Open, slots: impl Iterator<Item = usize>) -> bool {
+        let mut order = open.order;
+        let mut children = open.children;
+        slots.into_iter().all(|slot| {
+            let Some(child) = open.schema.children.get(slot) else { return false };
+            let bit = 1 << slot;
+            let again = children & bit & open.schema.single_children[self.version] != 0;
+            let fits = !again && child.order >= order;
+            children |= bit;
+            order = order.max(child.order);
+            fits
+        })
     }
 
     /// An element has ended: are the right children there?

@@ -22,9 +22,25 @@ struct More {
     count: usize,
 }
 
+/// A finding that is kept.
+pub(crate) struct Kept {
+    finding: Finding,
+    /// Type of the element that it is about, which is part of its kind.
+    element: &'static str,
+}
+
+/// What becomes of a finding, by its number among those of its kind.
+enum Fate {
+    Kept,
+    /// The first that is not.
+    First,
+    /// One more of those, by their place.
+    Later(usize),
+}
+
 /// Collects findings.
 pub(crate) struct Findings {
-    kept: Vec<Finding>,
+    kept: Vec<Kept>,
     counts: HashMap<Kind, (u32, Option<usize>)>,
     more: Vec<(Kind, More)>,
     limit: u32,
@@ -47,41 +63,95 @@ impl Findings {
         make: impl FnOnce() -> (String, String),
     ) {
         self.errors += usize::from(severity == Severity::Error);
+        let (kind, fate) = self.fate(rule, element, detail, 1);
+        match fate {
+            Fate::Kept => {
+                let (path, message) = make();
+                let (path, message) = (shown(path), shown(message));
+                let subject = shorten(detail, DETAIL_BYTES).into();
+                let hint = String::new();
+                let finding = Finding { rule, severity, span, path, subject, message, hint };
+                self.kept.push(Kept { finding, element });
+            }
+            Fate::First => {
+                let path = shown(make().0);
+                self.more.push((kind, More { severity, span, path, count: 1 }));
+            }
+            Fate::Later(at) => self.one_more(at, severity, 1),
+        }
+    }
+
+    /// Counts findings of a kind; what becomes of the first of them.
+    fn fate(
+        &mut self,
+        rule: &'static str,
+        element: &'static str,
+        detail: &str,
+        count: u32,
+    ) -> (Kind, Fate) {
         let mut kind = (rule, element, Box::from(shorten(detail, DETAIL_BYTES)));
         if self.counts.len() >= KINDS && !self.counts.contains_key(&kind) {
             kind = (rule, "", Box::default());
         }
-        let (count, more) = match self.counts.get_mut(&kind) {
+        let (counted, more) = match self.counts.get_mut(&kind) {
             Some(known) => known,
             None => self.counts.entry(kind.clone()).or_default(),
         };
-        *count = count.saturating_add(1);
-        if *count <= self.limit {
-            let (path, message) = make();
-            let (path, message) = (shown(path), shown(message));
-            let subject = shorten(detail, DETAIL_BYTES).into();
-            self.kept.push(Finding {
-                rule,
-                severity,
-                span,
-                path,
-                subject,
-                message,
-                hint: String::new(),
-            });
-            return;
-        }
-        match more.and_then(|at| self.more.get_mut(at)) {
-            Some((_, more)) => {
-                more.count += 1;
-                more.severity = more.severity.max(severity);
-            }
+        *counted = counted.saturating_add(count);
+        let fate = match *more {
+            _ if *counted <= self.limit => Fate::Kept,
+            Some(at) => Fate::Later(at),
             None => {
                 *more = Some(self.more.len());
-                let path = shown(make().0);
-                self.more.push((kind, More { severity, span, path, count: 1 }));
+                Fate::First
+            }
+        };
+        (kind, fate)
+    }
+
+    fn one_more(&mut self, at: usize, severity: Severity, count: usize) {
+        if let Some((_, more)) = self.more.get_mut(at) {
+            more.count += count;
+            more.severity = more.severity.max(severity);
+        }
+    }
+
+    /// Takes what is kept since the last call, for [`Findings::add_again`].
+    pub(crate) fn take_kept(&mut self) -> Vec<Kept> {
+        std::mem::take(&mut self.kept)
+    }
+
+    /// Adds a finding that another collector has kept.
+    pub(crate) fn add_again(&mut self, kept: Kept) {
+        let Kept { finding, element } = &kept;
+        let (kind, fate) = self.fate(finding.rule, element, &finding.subject, 1);
+        let (severity, span) = (finding.severity, finding.span);
+        match fate {
+            Fate::Kept => self.kept.push(kept),
+            Fate::First => {
+                self.more.push((kind, More { severity, span, path: kept.finding.path, count: 1 }));
+            }
+            Fate::Later(at) => self.one_more(at, severity, 1),
+        }
+    }
+
+    /// Adds what another collector has only counted, after all that it kept.
+    pub(crate) fn add_counts(&mut self, other: Self) {
+        self.errors += other.errors;
+        for ((rule, element, detail), more) in other.more {
+            let count = u32::try_from(more.count).unwrap_or(u32::MAX);
+            let (kind, fate) = self.fate(rule, element, &detail, count);
+            match fate {
+                // There are as many before it as are kept, for the other collector has the same limit.
+                Fate::Kept | Fate::First => self.more.push((kind, more)),
+                Fate::Later(at) => self.one_more(at, more.severity, more.count),
             }
         }
+    }
+
+    /// Whether kinds are no longer told apart: then it matters in which order findings came.
+    pub(crate) fn is_full(&self) -> bool {
+        self.counts.len() >= KINDS
     }
 
     /// The document has ended: one finding for each kind that had more than are kept.
@@ -95,22 +165,15 @@ impl Findings {
             let message =
                 format!("{} more findings like this ({what}), the first of them here", more.count);
             let (severity, span, path) = (more.severity, more.span, more.path);
-            let subject = detail;
-            self.kept.push(Finding {
-                rule,
-                severity,
-                span,
-                path,
-                subject,
-                message,
-                hint: String::new(),
-            });
+            let (subject, hint) = (detail, String::new());
+            let finding = Finding { rule, severity, span, path, subject, message, hint };
+            self.kept.push(Kept { finding, element });
         }
     }
 
     /// Takes the findings since the last call.
     pub(crate) fn take(&mut self) -> Vec<Finding> {
-        std::mem::take(&mut self.kept)
+        std::mem::take(&mut self.kept).into_iter().map(|kept| kept.finding).collect()
     }
 }
 

@@ -20,6 +20,7 @@
 //! ```
 
 mod attribute;
+mod batch;
 mod checks;
 mod cursor;
 mod element;
@@ -36,6 +37,7 @@ mod reader;
 mod reading;
 mod record;
 pub mod rule_ids;
+mod same;
 mod schema;
 pub mod source;
 pub mod values;
@@ -44,6 +46,7 @@ pub mod well_formed;
 mod window;
 
 pub use attribute::{Attribute, PositionOrEnd, SpeedLimit, Text, Value};
+pub use batch::{Batch, Context, Cutter, ReadBatch};
 pub use extension::{Extension, ExtensionKind, Extensions};
 pub use finding::{Finding, Severity, Span};
 pub use generated::*;

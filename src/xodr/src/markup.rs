@@ -1,8 +1,9 @@
 //! Pieces of markup: tags, comments, text.
 
-use crate::cursor::{Cursor, Markup, Name, RawAttribute, Tag, path_of};
+use crate::cursor::{Cursor, Markup, Name, RawAttribute, Scope, Tag, path_of};
 use crate::finding::{Severity, Span};
 use crate::rule_ids;
+use crate::same::{same, without_prefix};
 use crate::source::Places;
 use crate::values;
 use crate::well_formed::{self, Attributes, Fault, Faults};
@@ -35,6 +36,10 @@ impl Cursor<'_> {
                     self.pass_text(text);
                     continue;
                 }
+                None if self.scope == Scope::Batch && self.is_between_items() => {
+                    self.scope = Scope::WholeBatch;
+                    return Markup::Over;
+                }
                 None => {
                     self.unclosed();
                     return Markup::Over;
@@ -52,6 +57,11 @@ impl Cursor<'_> {
                 }
             }
         }
+    }
+
+    /// Whether nothing but the root is open.
+    fn is_between_items(&self) -> bool {
+        self.frames.len() == 1 && self.outer.is_empty() && !self.within_extension
     }
 
     #[cold]
@@ -200,7 +210,8 @@ impl Cursor<'_> {
         let written = self.window.ahead().get(2..end).unwrap_or_default();
         let matches = self.frames.last().is_some_and(|frame| match frame.name {
             Name::Known(name) => {
-                written.strip_prefix(self.prefix.as_slice()) == Some(name.as_bytes())
+                let local = without_prefix(written, &self.prefix);
+                local.is_some_and(|local| same(local, name.as_bytes()))
             }
             Name::Other(from, len) => self.names.get(from..from + len) == Some(written),
         });

@@ -1,10 +1,10 @@
 //! What an input has wrong as bytes, and files that are included.
 
-use crate::cursor::{Cursor, Markup};
+use crate::cursor::{Cursor, Markup, Scope};
 use crate::finding::{Severity, Span};
 use crate::markup::Text;
 use crate::rule_ids;
-use crate::source::{IncludeRefusal, NoteKind, Places, RefusalKind};
+use crate::source::{IncludeRefusal, Note, NoteKind, Places, RefusalKind};
 use crate::well_formed::Fault;
 use crate::window::{Stop, Window};
 
@@ -22,8 +22,15 @@ pub(crate) fn rule_of(kind: &RefusalKind) -> &'static str {
 impl Cursor<'_> {
     /// Turns the input's notes into findings.
     pub(crate) fn take_notes(&mut self) {
-        let file = self.window.source.file();
-        for note in self.window.source.take_notes() {
+        let notes = self.window.source.take_notes();
+        if !notes.is_empty() {
+            self.add_notes(notes, self.window.source.file());
+        }
+    }
+
+    /// Turns notes on a file into findings.
+    pub(crate) fn add_notes(&mut self, notes: Vec<Note>, file: u16) {
+        for note in notes {
             let severity = if note.kind.is_error() { Severity::Error } else { Severity::Warning };
             let rule = match note.kind {
                 NoteKind::TextBeforeMarkup => rule_ids::BEFORE_DECLARATION,
@@ -38,6 +45,11 @@ impl Cursor<'_> {
 
     /// Opens a file that stands for its root's children, and reads its root. False, with a finding, where it is not read.
     pub(crate) fn enter_include(&mut self, reference: &str, at: Span) -> bool {
+        if self.scope != Scope::Document {
+            self.scope = Scope::Abandoned;
+            self.over = true;
+            return true;
+        }
         let source = match self.inputs.include(reference, at.start) {
             Ok(source) => source,
             Err(refusal) => {

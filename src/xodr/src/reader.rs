@@ -1,8 +1,10 @@
 //! The stream of top-level elements.
 
+use crate::batch::{Batch, Context, Cutter, Known, Part, ReadBatch};
 use crate::cursor::{Cursor, Markup, Open, Step};
-use crate::extension::Extensions;
+use crate::extension::{Extension, Extensions};
 use crate::finding::{Finding, Severity, Span};
+use crate::findings::{Findings, Kept};
 use crate::generated::{Item, read_document, schema_document};
 use crate::limits::{ELEMENT_BYTES, Limits};
 use crate::markup::Text;
@@ -11,11 +13,13 @@ use crate::rule_ids;
 use crate::schema::NAMES;
 use crate::source::{Inputs, Places, Position, Source};
 use crate::well_formed::{Fault, Faults};
+use crate::window::Window;
+use std::collections::VecDeque;
 use std::io::{self, Read};
 use std::path::Path;
 
 /// Name of the root element.
-const ROOT: &str = "OpenDRIVE";
+pub(crate) const ROOT: &str = "OpenDRIVE";
 
 /// Where the walk stands.
 enum State {
@@ -31,6 +35,15 @@ pub struct Reader<'a> {
     extensions: Extensions,
     /// Bytes of these.
     extended: usize,
+    /// What was read ahead of it.
+    accepted: VecDeque<Accepted>,
+}
+
+/// A step of what was read ahead.
+enum Accepted {
+    Part(Part, Vec<Kept>),
+    /// The batch has ended.
+    Rest(Findings),
 }
 
 impl Reader<'static> {
@@ -54,11 +67,14 @@ impl<'a> Reader<'a> {
 
     /// A reader of the main input, opened with `inputs`, which says where files may be included from.
     pub fn with_source(inputs: Inputs, source: Source<'a>, limits: Limits) -> Self {
+        let limit = limits.tag_bytes.max(limits.text_bytes);
+        let window = Window::new(source, limit, limits.extension_bytes);
         Self {
-            cursor: Cursor::new(inputs, source, limits),
+            cursor: Cursor::new(inputs, window, limits),
             state: State::BeforeRoot,
             extensions: Extensions::default(),
             extended: 0,
+            accepted: VecDeque::new(),
         }
     }
 
@@ -213,21 +229,8 @@ impl<'a> Reader<'a> {
                 }
                 Step::Extension(extension) => {
                     cursor.spent = 0;
-                    let bytes = extension.text.len() + ELEMENT_BYTES;
-                    if self.extended + bytes <= cursor.limits.item_bytes {
-                        self.extended += bytes;
-                        self.extensions.push(extension);
-                    } else {
-                        let message = "expected less beyond the standard's own elements in the root, found more; not kept";
-                        let message = message.to_owned();
-                        cursor.add(
-                            rule_ids::NOT_KEPT,
-                            Severity::Warning,
-                            extension.span,
-                            "",
-                            message,
-                        );
-                    }
+                    let kept = (&mut self.extensions, &mut self.extended);
+                    keep(extension, kept, cursor);
                 }
                 Step::End => {
                     if !cursor.over {
@@ -238,5 +241,110 @@ impl<'a> Reader<'a> {
                 }
             }
         }
+    }
+}
+
+/// Keeps an extension of the root, as long as there are not too many.
+fn keep(
+    extension: Extension,
+    (extensions, extended): (&mut Extensions, &mut usize),
+    cursor: &mut Cursor<'_>,
+) {
+    let bytes = extension.text.len() + ELEMENT_BYTES;
+    if *extended + bytes <= cursor.limits.item_bytes {
+        *extended += bytes;
+        extensions.push(extension);
+        return;
+    }
+    let message =
+        "expected less beyond the standard's own elements in the root, found more; not kept";
+    cursor.add(rule_ids::NOT_KEPT, Severity::Warning, extension.span, "", message.to_owned());
+}
+
+/// Reading ahead. The same items and findings come as without it, in the same order.
+impl<'a> Reader<'a> {
+    /// Takes away the rest of the document, to be read in batches, and what their reading needs to know. None where that
+    /// cannot be done here, as within an included file. Sensible behind the header, which settles the version.
+    pub fn split(&mut self) -> Option<(Context, Cutter<'a>)> {
+        let State::Inside(root) = &self.state else { return None };
+        let cursor = &mut self.cursor;
+        if cursor.over || !cursor.outer.is_empty() || cursor.window.stop.is_some() {
+            return None;
+        }
+        let file = cursor.window.source.file();
+        let context = Context::new(Known {
+            limits: cursor.limits,
+            file,
+            version: cursor.version,
+            stated: cursor.stated.clone(),
+            prefix: cursor.prefix.clone(),
+            namespace: cursor.namespace.clone(),
+            root: (**root).clone(),
+            counts: cursor.counts.clone(),
+            structure: cursor.structure.clone(),
+        });
+        let nothing = cursor.inputs.nothing(file);
+        let rest = cursor.window.hand_over(nothing);
+        Some((context, Cutter::new(rest, &cursor.prefix)))
+    }
+
+    /// Takes what was read of the next batch; [`Reader::accepted`] hands it out. Errors: it cannot be read by itself, and is
+    /// given back: from it on the document has to be read as one, see [`Reader::go_on`].
+    pub fn accept(&mut self, mut read: ReadBatch) -> Result<(), Batch> {
+        let State::Inside(root) = &mut self.state else { return Err(read.batch) };
+        let slots = read.parts.iter().filter_map(|(slot, ..)| *slot);
+        if !read.is_whole || !self.cursor.follows(root, slots) {
+            return Err(read.batch);
+        }
+        let cursor = &mut self.cursor;
+        let notes = read.batch.take_notes();
+        cursor.add_notes(notes, cursor.window.source.file());
+        cursor.window.move_to(read.batch.start + read.batch.text.len() as u64);
+        for (slot, part, findings) in read.parts {
+            if let Some(slot) = slot {
+                cursor.count(root, slot);
+            }
+            self.accepted.push_back(Accepted::Part(part, findings));
+        }
+        self.accepted.push_back(Accepted::Rest(read.rest));
+        Ok(())
+    }
+
+    /// The next top-level element of the batch that was accepted last; none at its end.
+    pub fn accepted(&mut self) -> Option<Item> {
+        loop {
+            match self.accepted.pop_front()? {
+                Accepted::Part(part, findings) => {
+                    let cursor = &mut self.cursor;
+                    findings.into_iter().for_each(|kept| cursor.findings.add_again(kept));
+                    match part {
+                        Part::Item(item) => return Some(item),
+                        Part::Extension(extension) => {
+                            let kept = (&mut self.extensions, &mut self.extended);
+                            keep(extension, kept, cursor);
+                        }
+                    }
+                }
+                Accepted::Rest(mut findings) => {
+                    let kept = findings.take_kept();
+                    kept.into_iter().for_each(|kept| self.cursor.findings.add_again(kept));
+                    self.cursor.findings.add_counts(findings);
+                }
+            }
+        }
+    }
+
+    /// Reads on as if nothing had been taken away: first these batches, which follow each other, then what the cutter has.
+    pub fn go_on(&mut self, batches: impl IntoIterator<Item = Batch>, cutter: Cutter<'a>) {
+        let (mut text, mut start) = (Vec::new(), None);
+        for mut batch in batches {
+            start = start.or(Some(batch.start));
+            text.extend_from_slice(&batch.text);
+            self.cursor.add_notes(batch.take_notes(), cutter.source.file());
+        }
+        let start = start.unwrap_or(cutter.start);
+        text.extend_from_slice(&cutter.text);
+        let hold_limit = self.cursor.limits.extension_bytes;
+        self.cursor.window.go_on(text, start, cutter.source, hold_limit, cutter.stop);
     }
 }

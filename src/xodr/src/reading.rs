@@ -5,6 +5,7 @@ use crate::cursor::{Current, Cursor};
 use crate::finding::{Severity, Span};
 use crate::generated::schema_words::{COUNTRY_CODE, ROAD_END};
 use crate::rule_ids;
+use crate::same::same;
 use crate::schema::{Kind, NAMES, Range, V1_6, WordList, alike};
 use crate::values::{self, Lexical, Quirk, Speed};
 
@@ -302,7 +303,7 @@ impl Cursor<'_> {
     /// The rank of a word; none within for one that is not known, none at all for an empty value.
     pub(crate) fn word_of(&mut self, list: &'static WordList) -> Option<Option<usize>> {
         let raw = self.raw();
-        let Some(rank) = list.words.iter().position(|word| word.text.as_bytes() == raw) else {
+        let Some(rank) = list.words.iter().position(|word| same(word.text.as_bytes(), raw)) else {
             return self.unusual_word(list);
         };
         let word = &list.words[rank];

@@ -19,6 +19,16 @@ pub(crate) enum Stop {
     Failed(io::Error),
 }
 
+impl Stop {
+    /// What an error of reading means.
+    pub(crate) fn of(error: io::Error) -> Self {
+        match Source::refusal(&error) {
+            Some(refusal) => Self::Refused(refusal.clone()),
+            None => Self::Failed(error),
+        }
+    }
+}
+
 /// A window on the text of one input. The token is what lies between `start` and `at`; it stays while more is read.
 pub(crate) struct Window<'a> {
     pub(crate) source: Source<'a>,
@@ -38,6 +48,8 @@ pub(crate) struct Window<'a> {
     /// Bytes that may be held.
     hold_limit: usize,
     begun: bool,
+    /// Whether a token had more bytes than the limit, which is told only where text had to be read for it.
+    pub(crate) passed_limit: bool,
     pub(crate) stop: Option<Stop>,
 }
 
@@ -56,8 +68,58 @@ impl<'a> Window<'a> {
             limit,
             hold_limit,
             begun: false,
+            passed_limit: false,
             stop: None,
         }
+    }
+
+    /// A window on a text that is there as a whole, and where it begins.
+    pub(crate) fn over(text: Vec<u8>, base: u64, source: Source<'a>, limit: usize) -> Self {
+        let end = text.len();
+        Self {
+            source,
+            buffer: text,
+            start: 0,
+            at: 0,
+            end,
+            base,
+            hold: None,
+            limit,
+            hold_limit: usize::MAX,
+            begun: true,
+            passed_limit: false,
+            stop: Some(Stop::End),
+        }
+    }
+
+    /// Takes away the source, and the text of it that was not looked at yet with its place; nothing is left but an end.
+    pub(crate) fn hand_over(&mut self, nothing: Source<'a>) -> (Source<'a>, Vec<u8>, u64) {
+        let text = self.buffer.get(self.at..self.end).unwrap_or_default().to_vec();
+        let start = self.offset();
+        let empty = Self::over(Vec::new(), start, nothing, self.limit);
+        (std::mem::replace(self, empty).source, text, start)
+    }
+
+    /// Puts text before what the source still has; `stop` where it has nothing more.
+    pub(crate) fn go_on(
+        &mut self,
+        text: Vec<u8>,
+        base: u64,
+        source: Source<'a>,
+        hold_limit: usize,
+        stop: Option<Stop>,
+    ) {
+        *self = Self { hold_limit, stop, ..Self::over(text, base, source, self.limit) };
+    }
+
+    /// The text, of a window over one.
+    pub(crate) fn into_text(self) -> Vec<u8> {
+        self.buffer
+    }
+
+    /// Says where the next byte would stand, of a window over nothing.
+    pub(crate) fn move_to(&mut self, start: u64) {
+        self.base = start;
     }
 
     /// Start, as in spans, of the token.
@@ -87,6 +149,7 @@ impl<'a> Window<'a> {
 
     /// The token has `length` bytes.
     pub(crate) fn take(&mut self, length: usize) {
+        self.passed_limit |= length > self.limit;
         self.at = self.start.saturating_add(length).min(self.end);
     }
 
@@ -121,15 +184,12 @@ impl<'a> Window<'a> {
         (self.start, self.at, self.end) = (self.start - keep, self.at - keep, self.end - keep);
         self.hold = self.hold.map(|_| 0);
         if self.end == self.buffer.len() {
-            self.buffer.resize(self.buffer.len() * 2, 0);
+            self.buffer.resize((self.buffer.len() * 2).max(ROOM), 0);
         }
         let chunk = match self.source.fill_buf() {
             Ok(chunk) => chunk,
             Err(error) => {
-                self.stop = Some(match Source::refusal(&error) {
-                    Some(refusal) => Stop::Refused(refusal.clone()),
-                    None => Stop::Failed(error),
-                });
+                self.stop = Some(Stop::of(error));
                 return false;
             }
         };

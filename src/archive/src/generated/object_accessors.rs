@@ -338,7 +338,7 @@ impl ArchivedObjectLaneRow {
     }
 }
 
-impl ArchivedObjectIndexNodeRow {
+impl ArchivedBoxNodeRow {
     /// `[m]` Smallest x of each child.
     #[inline]
     pub fn min_x(&self) -> &[f32; 16] {

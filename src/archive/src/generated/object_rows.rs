@@ -193,7 +193,7 @@ const _: () = assert!(size_of::<ObjectLaneRow>() == 24 && size_of::<ArchivedObje
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
-pub struct ObjectIndexNodeRow {
+pub struct BoxNodeRow {
     /// `[m]` Smallest x of each child.
     pub min_x: [f32; 16],
     /// `[m]` Smallest y of each child.
@@ -203,9 +203,7 @@ pub struct ObjectIndexNodeRow {
     /// `[m]` Largest y of each child.
     pub max_y: [f32; 16],
 }
-const _: () = assert!(
-    size_of::<ObjectIndexNodeRow>() == 256 && size_of::<ArchivedObjectIndexNodeRow>() == 256
-);
+const _: () = assert!(size_of::<BoxNodeRow>() == 256 && size_of::<ArchivedBoxNodeRow>() == 256);
 
 /// Painted lines along objects, by object: along corners of an outline, or along a side.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]

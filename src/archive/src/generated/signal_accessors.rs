@@ -307,6 +307,16 @@ impl ArchivedSignalLinkRow {
     pub fn signal(&self) -> u32 {
         self.signal.to_native()
     }
+    /// The object that is named, where it is one and the map has it.
+    #[inline]
+    pub fn object(&self) -> u32 {
+        self.object.to_native()
+    }
+    /// The signal that names it, itself or by a board that it carries.
+    #[inline]
+    pub fn owner(&self) -> u32 {
+        self.owner.to_native()
+    }
     /// reference/@elementId verbatim.
     #[inline]
     pub fn id(&self) -> u32 {
@@ -383,10 +393,58 @@ impl ArchivedSignalBoardRow {
     pub fn display(&self) -> u32 {
         self.display.to_native()
     }
-    /// Number of its display areas.
+    /// Its display areas in file order.
     #[inline]
-    pub fn areas(&self) -> u32 {
+    pub fn areas(&self) -> Range {
         self.areas.to_native()
+    }
+    /// Lane numbers that it is written to hold for.
+    #[inline]
+    pub fn validities(&self) -> Range {
+        self.validities.to_native()
+    }
+    /// Signals that it controls or depends on.
+    #[inline]
+    pub fn dependencies(&self) -> Range {
+        self.dependencies.to_native()
+    }
+    /// Objects and signals that belong to it.
+    #[inline]
+    pub fn links(&self) -> Range {
+        self.links.to_native()
+    }
+}
+
+impl ArchivedDisplayAreaRow {
+    /// `[m]` displayArea/@width; −1 if not given as a number.
+    #[inline]
+    pub fn width(&self) -> f64 {
+        self.width.to_native()
+    }
+    /// `[m]` displayArea/@height; −1 if not given as a number.
+    #[inline]
+    pub fn height(&self) -> f64 {
+        self.height.to_native()
+    }
+    /// `[m]` Lateral place on the carrier.
+    #[inline]
+    pub fn v(&self) -> f64 {
+        self.v.to_native()
+    }
+    /// `[m]` Height on the carrier.
+    #[inline]
+    pub fn z(&self) -> f64 {
+        self.z.to_native()
+    }
+    /// The board.
+    #[inline]
+    pub fn board(&self) -> u32 {
+        self.board.to_native()
+    }
+    /// displayArea/@index; −1 if not given.
+    #[inline]
+    pub fn index(&self) -> i32 {
+        self.index.to_native()
     }
 }
 

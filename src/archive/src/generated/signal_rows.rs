@@ -144,7 +144,7 @@ pub struct SignalLaneRow {
 }
 const _: () = assert!(size_of::<SignalLaneRow>() == 16 && size_of::<ArchivedSignalLaneRow>() == 16);
 
-/// signal/dependency.
+/// signal/dependency, and those of boards.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -160,13 +160,17 @@ const _: () = assert!(
     size_of::<SignalDependencyRow>() == 12 && size_of::<ArchivedSignalDependencyRow>() == 12
 );
 
-/// signal/reference.
+/// signal/reference, and those of boards.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
 pub struct SignalLinkRow {
     /// The signal that is named, where it is one and the map has it.
     pub signal: u32,
+    /// The object that is named, where it is one and the map has it.
+    pub object: u32,
+    /// The signal that names it, itself or by a board that it carries.
+    pub owner: u32,
     /// reference/@elementId verbatim.
     pub id: u32,
     /// reference/@type.
@@ -176,7 +180,7 @@ pub struct SignalLinkRow {
     /// 0.
     pub reserved: [u8; 3],
 }
-const _: () = assert!(size_of::<SignalLinkRow>() == 16 && size_of::<ArchivedSignalLinkRow>() == 16);
+const _: () = assert!(size_of::<SignalLinkRow>() == 24 && size_of::<ArchivedSignalLinkRow>() == 24);
 
 /// Children of signal/semantics, and of the header's default regulations.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
@@ -216,13 +220,38 @@ pub struct SignalBoardRow {
     pub signal: u32,
     /// vmsBoard/@displayType.
     pub display: u32,
-    /// Number of its display areas.
-    pub areas: u32,
-    /// 0.
-    pub reserved: u32,
+    /// Its display areas in file order.
+    pub areas: Range,
+    /// Lane numbers that it is written to hold for.
+    pub validities: Range,
+    /// Signals that it controls or depends on.
+    pub dependencies: Range,
+    /// Objects and signals that belong to it.
+    pub links: Range,
 }
 const _: () =
-    assert!(size_of::<SignalBoardRow>() == 48 && size_of::<ArchivedSignalBoardRow>() == 48);
+    assert!(size_of::<SignalBoardRow>() == 72 && size_of::<ArchivedSignalBoardRow>() == 72);
+
+/// vmsBoard/displayArea, by board: parts of variable message boards (OpenDRIVE 1.8).
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct DisplayAreaRow {
+    /// `[m]` displayArea/@width; −1 if not given as a number.
+    pub width: f64,
+    /// `[m]` displayArea/@height; −1 if not given as a number.
+    pub height: f64,
+    /// `[m]` Lateral place on the carrier.
+    pub v: f64,
+    /// `[m]` Height on the carrier.
+    pub z: f64,
+    /// The board.
+    pub board: u32,
+    /// displayArea/@index; −1 if not given.
+    pub index: i32,
+}
+const _: () =
+    assert!(size_of::<DisplayAreaRow>() == 40 && size_of::<ArchivedDisplayAreaRow>() == 40);
 
 /// vmsGroup/vmsBoardReference, by group: variable message boards that work together (OpenDRIVE 1.8).
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]

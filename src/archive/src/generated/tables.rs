@@ -13,7 +13,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [190, 165, 194, 247, 56, 0, 86, 5, 59, 188, 173, 231, 50, 147, 195, 18];
+    [192, 165, 128, 128, 111, 25, 9, 172, 253, 81, 6, 17, 44, 234, 164, 136];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -116,14 +116,18 @@ pub struct Rows {
     pub signal_lanes: Table<SignalLaneRow>,
     /// Rows of `signal_lanes` by lane, then by place.
     pub lane_signals: Table<u32>,
-    /// signal/dependency.
+    /// signal/dependency, and those of boards.
     pub signal_dependencies: Table<SignalDependencyRow>,
-    /// signal/reference.
+    /// signal/reference, and those of boards.
     pub signal_links: Table<SignalLinkRow>,
+    /// Rows of `signal_links` that name objects of the map, by object, then by row.
+    pub object_signals: Table<u32>,
     /// Children of signal/semantics, and of the header's default regulations.
     pub signal_semantics: Table<SignalSemanticsRow>,
     /// signal/vmsBoard, by signal: variable message boards (OpenDRIVE 1.8).
     pub signal_boards: Table<SignalBoardRow>,
+    /// vmsBoard/displayArea, by board: parts of variable message boards (OpenDRIVE 1.8).
+    pub display_areas: Table<DisplayAreaRow>,
     /// vmsGroup/vmsBoardReference, by group: variable message boards that work together (OpenDRIVE 1.8).
     pub board_groups: Table<BoardGroupRow>,
     /// One row per controller, in file order: a signal group, whose signals switch together.
@@ -140,6 +144,12 @@ pub struct Rows {
     pub right_of_way: Table<RightOfWayRow>,
     /// header/defaultRegulations: speeds by type of road (OpenDRIVE 1.8.1, 6.4).
     pub default_speeds: Table<DefaultSpeedRow>,
+    /// First node of each level of the signals' index, root first, then the number of nodes. Empty if the map has no signals.
+    pub signal_index_levels: Table<u32>,
+    /// Packed R-tree over the places where signals stand, as that of objects.
+    pub signal_index_nodes: Table<BoxNodeRow>,
+    /// What lies below the last level: each signal once.
+    pub signal_index_items: Table<u32>,
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: Table<QuarantinedRow>,
     /// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
@@ -161,7 +171,7 @@ pub struct Rows {
     /// First node of each level of the objects' index, root first, then the number of nodes. Empty if the map has no objects.
     pub object_index_levels: Table<u32>,
     /// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie `object_index_items`. Boxes hold what objects cover in plan view, are relative to the local origin and rounded outwards; unused places are empty boxes.
-    pub object_index_nodes: Table<ObjectIndexNodeRow>,
+    pub object_index_nodes: Table<BoxNodeRow>,
     /// What lies below the last level: below the number of objects an object's row, above it that number plus the row of a copy. Each place of an object once.
     pub object_index_items: Table<u32>,
     /// Painted lines along objects, by object: along corners of an outline, or along a side.
@@ -247,8 +257,10 @@ impl Rows {
             lane_signals: (self.lane_signals.as_slice()),
             signal_dependencies: bytemuck::cast_slice(self.signal_dependencies.as_slice()),
             signal_links: bytemuck::cast_slice(self.signal_links.as_slice()),
+            object_signals: (self.object_signals.as_slice()),
             signal_semantics: bytemuck::cast_slice(self.signal_semantics.as_slice()),
             signal_boards: bytemuck::cast_slice(self.signal_boards.as_slice()),
+            display_areas: bytemuck::cast_slice(self.display_areas.as_slice()),
             board_groups: bytemuck::cast_slice(self.board_groups.as_slice()),
             controllers: bytemuck::cast_slice(self.controllers.as_slice()),
             controls: bytemuck::cast_slice(self.controls.as_slice()),
@@ -257,6 +269,9 @@ impl Rows {
             junction_priorities: bytemuck::cast_slice(self.junction_priorities.as_slice()),
             right_of_way: bytemuck::cast_slice(self.right_of_way.as_slice()),
             default_speeds: bytemuck::cast_slice(self.default_speeds.as_slice()),
+            signal_index_levels: (self.signal_index_levels.as_slice()),
+            signal_index_nodes: bytemuck::cast_slice(self.signal_index_nodes.as_slice()),
+            signal_index_items: (self.signal_index_items.as_slice()),
             quarantined: bytemuck::cast_slice(self.quarantined.as_slice()),
             objects: bytemuck::cast_slice(self.objects.as_slice()),
             object_outlines: bytemuck::cast_slice(self.object_outlines.as_slice()),
@@ -388,14 +403,18 @@ pub struct Tables<'a> {
     pub signal_lanes: &'a [ArchivedSignalLaneRow],
     /// Rows of `signal_lanes` by lane, then by place.
     pub lane_signals: &'a [u32],
-    /// signal/dependency.
+    /// signal/dependency, and those of boards.
     pub signal_dependencies: &'a [ArchivedSignalDependencyRow],
-    /// signal/reference.
+    /// signal/reference, and those of boards.
     pub signal_links: &'a [ArchivedSignalLinkRow],
+    /// Rows of `signal_links` that name objects of the map, by object, then by row.
+    pub object_signals: &'a [u32],
     /// Children of signal/semantics, and of the header's default regulations.
     pub signal_semantics: &'a [ArchivedSignalSemanticsRow],
     /// signal/vmsBoard, by signal: variable message boards (OpenDRIVE 1.8).
     pub signal_boards: &'a [ArchivedSignalBoardRow],
+    /// vmsBoard/displayArea, by board: parts of variable message boards (OpenDRIVE 1.8).
+    pub display_areas: &'a [ArchivedDisplayAreaRow],
     /// vmsGroup/vmsBoardReference, by group: variable message boards that work together (OpenDRIVE 1.8).
     pub board_groups: &'a [ArchivedBoardGroupRow],
     /// One row per controller, in file order: a signal group, whose signals switch together.
@@ -412,6 +431,12 @@ pub struct Tables<'a> {
     pub right_of_way: &'a [ArchivedRightOfWayRow],
     /// header/defaultRegulations: speeds by type of road (OpenDRIVE 1.8.1, 6.4).
     pub default_speeds: &'a [ArchivedDefaultSpeedRow],
+    /// First node of each level of the signals' index, root first, then the number of nodes. Empty if the map has no signals.
+    pub signal_index_levels: &'a [u32],
+    /// Packed R-tree over the places where signals stand, as that of objects.
+    pub signal_index_nodes: &'a [ArchivedBoxNodeRow],
+    /// What lies below the last level: each signal once.
+    pub signal_index_items: &'a [u32],
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: &'a [ArchivedQuarantinedRow],
     /// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
@@ -433,7 +458,7 @@ pub struct Tables<'a> {
     /// First node of each level of the objects' index, root first, then the number of nodes. Empty if the map has no objects.
     pub object_index_levels: &'a [u32],
     /// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie `object_index_items`. Boxes hold what objects cover in plan view, are relative to the local origin and rounded outwards; unused places are empty boxes.
-    pub object_index_nodes: &'a [ArchivedObjectIndexNodeRow],
+    pub object_index_nodes: &'a [ArchivedBoxNodeRow],
     /// What lies below the last level: below the number of objects an object's row, above it that number plus the row of a copy. Each place of an object once.
     pub object_index_items: &'a [u32],
     /// Painted lines along objects, by object: along corners of an outline, or along a side.
@@ -523,8 +548,10 @@ impl<'a> Tables<'a> {
             lane_signals: root.lane_signals.view_numbers(body, "lane_signals")?,
             signal_dependencies: root.signal_dependencies.view(body, "signal_dependencies")?,
             signal_links: root.signal_links.view(body, "signal_links")?,
+            object_signals: root.object_signals.view_numbers(body, "object_signals")?,
             signal_semantics: root.signal_semantics.view(body, "signal_semantics")?,
             signal_boards: root.signal_boards.view(body, "signal_boards")?,
+            display_areas: root.display_areas.view(body, "display_areas")?,
             board_groups: root.board_groups.view(body, "board_groups")?,
             controllers: root.controllers.view(body, "controllers")?,
             controls: root.controls.view(body, "controls")?,
@@ -533,6 +560,11 @@ impl<'a> Tables<'a> {
             junction_priorities: root.junction_priorities.view(body, "junction_priorities")?,
             right_of_way: root.right_of_way.view(body, "right_of_way")?,
             default_speeds: root.default_speeds.view(body, "default_speeds")?,
+            signal_index_levels: root
+                .signal_index_levels
+                .view_numbers(body, "signal_index_levels")?,
+            signal_index_nodes: root.signal_index_nodes.view(body, "signal_index_nodes")?,
+            signal_index_items: root.signal_index_items.view_numbers(body, "signal_index_items")?,
             quarantined: root.quarantined.view(body, "quarantined")?,
             objects: root.objects.view(body, "objects")?,
             object_outlines: root.object_outlines.view(body, "object_outlines")?,
@@ -564,7 +596,7 @@ impl<'a> Tables<'a> {
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 86] {
+    pub fn infos(&self) -> [TableInfo; 91] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -617,8 +649,10 @@ impl<'a> Tables<'a> {
             TableInfo::of("lane_signals", self.lane_signals),
             TableInfo::of("signal_dependencies", self.signal_dependencies),
             TableInfo::of("signal_links", self.signal_links),
+            TableInfo::of("object_signals", self.object_signals),
             TableInfo::of("signal_semantics", self.signal_semantics),
             TableInfo::of("signal_boards", self.signal_boards),
+            TableInfo::of("display_areas", self.display_areas),
             TableInfo::of("board_groups", self.board_groups),
             TableInfo::of("controllers", self.controllers),
             TableInfo::of("controls", self.controls),
@@ -627,6 +661,9 @@ impl<'a> Tables<'a> {
             TableInfo::of("junction_priorities", self.junction_priorities),
             TableInfo::of("right_of_way", self.right_of_way),
             TableInfo::of("default_speeds", self.default_speeds),
+            TableInfo::of("signal_index_levels", self.signal_index_levels),
+            TableInfo::of("signal_index_nodes", self.signal_index_nodes),
+            TableInfo::of("signal_index_items", self.signal_index_items),
             TableInfo::of("quarantined", self.quarantined),
             TableInfo::of("objects", self.objects),
             TableInfo::of("object_outlines", self.object_outlines),
@@ -669,6 +706,9 @@ const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
+const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());

@@ -418,9 +418,15 @@ impl Tables<'_> {
         for (i, row) in self.signal_links.iter().enumerate() {
             let check = Check { table: "signal_links", row: i };
             check.reference("signal", row.signal(), self.signals.len(), true)?;
+            check.reference("object", row.object(), self.objects.len(), true)?;
+            check.reference("owner", row.owner(), self.signals.len(), false)?;
             check.reference("id", row.id(), strings, false)?;
             check.reference("type", row.r#type(), strings, false)?;
             check.code("kind", row.kind(), 2)?;
+        }
+        for (i, row) in self.object_signals.iter().enumerate() {
+            let check = Check { table: "object_signals", row: i };
+            check.reference("", *row, self.signal_links.len(), false)?;
         }
         for (i, row) in self.signal_semantics.iter().enumerate() {
             let check = Check { table: "signal_semantics", row: i };
@@ -437,6 +443,18 @@ impl Tables<'_> {
             check.finite("z", row.z())?;
             check.reference("signal", row.signal(), self.signals.len(), false)?;
             check.reference("display", row.display(), strings, false)?;
+            check.range("areas", row.areas(), self.display_areas.len())?;
+            check.range("validities", row.validities(), self.lane_ranges.len())?;
+            check.range("dependencies", row.dependencies(), self.signal_dependencies.len())?;
+            check.range("links", row.links(), self.signal_links.len())?;
+        }
+        for (i, row) in self.display_areas.iter().enumerate() {
+            let check = Check { table: "display_areas", row: i };
+            check.finite("width", row.width())?;
+            check.finite("height", row.height())?;
+            check.finite("v", row.v())?;
+            check.finite("z", row.z())?;
+            check.reference("board", row.board(), self.signal_boards.len(), false)?;
         }
         for (i, row) in self.board_groups.iter().enumerate() {
             let check = Check { table: "board_groups", row: i };
@@ -483,6 +501,25 @@ impl Tables<'_> {
         for (i, row) in self.default_speeds.iter().enumerate() {
             let check = Check { table: "default_speeds", row: i };
             check.finite("max", row.max())?;
+        }
+        for (i, row) in self.signal_index_nodes.iter().enumerate() {
+            let check = Check { table: "signal_index_nodes", row: i };
+            for value in row.min_x() {
+                check.finite("min_x", f64::from(*value))?;
+            }
+            for value in row.min_y() {
+                check.finite("min_y", f64::from(*value))?;
+            }
+            for value in row.max_x() {
+                check.finite("max_x", f64::from(*value))?;
+            }
+            for value in row.max_y() {
+                check.finite("max_y", f64::from(*value))?;
+            }
+        }
+        for (i, row) in self.signal_index_items.iter().enumerate() {
+            let check = Check { table: "signal_index_items", row: i };
+            check.reference("", *row, self.signals.len(), false)?;
         }
         for (i, row) in self.quarantined.iter().enumerate() {
             let check = Check { table: "quarantined", row: i };

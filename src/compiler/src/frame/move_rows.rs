@@ -9,6 +9,7 @@ use mapd_archive::{CubicRow, GeometryRow, Range, Rows};
 use mapd_geometry::{Curve, CurveKind, CurveTransform, Start};
 use mapd_xodr::{Finding, Severity, Span};
 use rayon::prelude::*;
+use std::collections::HashMap;
 
 /// Geometries that one task moves.
 const GEOMETRIES_PER_TASK: usize = 64;
@@ -137,20 +138,27 @@ fn heights(shift: f64, lowering: &mut Lowering) {
         return;
     }
     let rows = &mut lowering.rows;
+    // Records may be those of several roads, and of widths: the shifted ones are new, each sequence once.
+    let mut shifted: HashMap<(u32, u32), Range> = HashMap::new();
     for road in rows.roads.iter_mut() {
-        let range = road.elevations;
-        let before_first = range.of(&rows.cubics).first().is_none_or(|first| first.s > 0.0);
-        if before_first {
+        let key = (road.elevations.first, road.elevations.count);
+        if let Some(known) = shifted.get(&key) {
+            road.elevations = *known;
+            continue;
+        }
+        let mut records = road.elevations.of(&rows.cubics).to_vec();
+        if records.first().is_none_or(|first| first.s > 0.0) {
             // Where no record holds, the height is 0.
-            let kept = range.of(&rows.cubics).to_vec();
-            let before = rows.cubics.len();
-            rows.cubics.push(CubicRow { s: 0.0, a: 0.0, b: 0.0, c: 0.0, d: 0.0 });
-            rows.cubics.extend_from_slice(&kept);
-            road.elevations = Range::between(before, rows.cubics.len()).unwrap_or_default();
+            records.insert(0, CubicRow { s: 0.0, a: 0.0, b: 0.0, c: 0.0, d: 0.0 });
         }
-        for at in road.elevations.rows(rows.cubics.len()) {
-            rows.cubics[at as usize].a += shift;
+        for record in &mut records {
+            record.a += shift;
         }
+        let before = rows.cubics.len();
+        rows.cubics.extend_from_slice(&records);
+        // A table that is too long is refused when it is written.
+        road.elevations = Range::between(before, rows.cubics.len()).unwrap_or_default();
+        shifted.insert(key, road.elevations);
     }
     for row in rows.grid_rows.iter_mut() {
         row.center += shift;

@@ -148,7 +148,6 @@ impl Lowering {
             };
             self.rows.cubics.push(CubicRow { s: s + ds, a, b, c, d });
         }
-        self.rows.cubics[before..].sort_by(|a, b| a.s.total_cmp(&b.s));
-        between(before, self.rows.cubics.len())
+        self.interned.add(&mut self.rows.cubics, before)
     }
 }

@@ -1,6 +1,7 @@
 //! One element after the other, from what the file says to flat rows.
 
 mod grid;
+mod interned;
 mod marks;
 mod need;
 mod object_details;
@@ -30,7 +31,7 @@ use mapd_xodr::{
     SpeedLimit, Text as _, TrafficRule, UnitSpeed, Value as _,
 };
 pub(crate) use need::{Part, UNUSABLE};
-pub(crate) use objects::Owner;
+pub(crate) use objects::{Owner, lanes, orientation};
 use sections::Layer;
 
 /// Value of `road/@junction` that means none.
@@ -74,6 +75,7 @@ pub(crate) struct Lowering {
     /// Where the map lies on Earth, as the header says it.
     pub(crate) placed: Placed,
     styles: marks::Styles,
+    interned: interned::Interned,
     pub(crate) signals: Pending,
     map: Option<MapRow>,
 }

@@ -128,8 +128,7 @@ impl Lowering {
                 .map(|attribute| attribute.value().unwrap_or(0.0));
             CubicRow { s, a, b, c, d }
         }));
-        self.rows.cubics[before..].sort_by(|a, b| a.s.total_cmp(&b.s));
-        between(before, self.rows.cubics.len())
+        self.interned.add(&mut self.rows.cubics, before)
     }
 
     /// Appends heights and materials of the lane whose row comes next.

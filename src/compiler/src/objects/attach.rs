@@ -12,8 +12,6 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_4;
 
-/// Distance `[m]` within which an object that lies on no lane belongs to the nearest one.
-pub(crate) const REACH: f64 = 25.0;
 /// A lane that lies farther above or below the road at the object's place than this `[m]` is on another level.
 const LEVEL: f64 = 3.0;
 /// The nearest lane must run along the object's road up to this angle `[rad]`.
@@ -62,6 +60,7 @@ pub(super) struct Reference {
 pub(super) fn attach(
     rows: &mut Rows,
     references: &[(u32, Reference)],
+    reach: f64,
 ) -> Result<Vec<usize>, TooLarge> {
     let found: Vec<Vec<ObjectLaneRow>> = {
         let archive = view(rows);
@@ -71,7 +70,7 @@ pub(super) fn attach(
             map.object_by_row(row).map_or_else(Vec::new, |object| {
                 let first = references.partition_point(|(of, _)| *of < row);
                 let own = references[first..].iter().take_while(|(of, _)| *of == row);
-                lanes_of(map, &near, &object, own.map(|(_, reference)| reference))
+                lanes_of((map, &near), &object, own.map(|(_, reference)| reference), reach)
             })
         };
         (0..rows.objects.len() as u32).into_par_iter().map(one).collect()
@@ -99,10 +98,10 @@ pub(super) fn attach(
 
 /// Rows of an object's lanes, nearer ones first.
 fn lanes_of<'a>(
-    map: Map<'_>,
-    near: &NearLanes,
+    (map, near): (Map<'_>, &NearLanes),
     object: &Object<'_>,
     references: impl Iterator<Item = &'a Reference>,
+    reach: f64,
 ) -> Vec<ObjectLaneRow> {
     let mut places = Places::default();
     let validities: Vec<(i32, i32)> = object.validities().collect();
@@ -112,7 +111,8 @@ fn lanes_of<'a>(
         let mut is_named = false;
         if let Some((road, area)) = area {
             let area = area.lengthened((placement.s() + object.valid_length()).min(road.length()));
-            is_named = by_validity(&road, &area, &validities, &mut places);
+            let meant = (&validities[..], object.orientation());
+            is_named = by_validity(&road, &area, meant, &mut places);
             if !is_named {
                 by_position(&road, &area, object.orientation(), &mut places);
             }
@@ -126,13 +126,14 @@ fn lanes_of<'a>(
         let corner = vec![DVec2::new(reference.s, reference.t)];
         let Some(area) = TrackArea::new(corner) else { continue };
         let area = area.lengthened((reference.s + reference.valid_length).min(road.length()));
-        if !by_validity(&road, &area, &reference.validities, &mut places) {
+        let meant = (&reference.validities[..], reference.orientation);
+        if !by_validity(&road, &area, meant, &mut places) {
             by_position(&road, &area, reference.orientation, &mut places);
         }
     }
     if places.0.is_empty() {
         for placement in object.placements() {
-            nearest(map, near, &placement, &mut probes, &mut places);
+            nearest((map, near), &placement, reach, &mut probes, &mut places);
         }
     }
     let number = object.object_id().row();
@@ -173,58 +174,62 @@ fn area(road: &Road<'_>, placement: &ObjectPlacement<'_>) -> Option<TrackArea> {
     TrackArea::new(corners.iter().map(track).collect::<Option<Vec<_>>>()?)
 }
 
-/// Lanes that the file names. False where it names none that the road has there.
+/// Lanes that the file names, those that lead where the object is for, if any does. False where it names none that the road has
+/// there.
 fn by_validity(
     road: &Road<'_>,
     area: &TrackArea,
-    validities: &[(i32, i32)],
+    (validities, orientation): (&[(i32, i32)], Orientation),
     places: &mut Places,
 ) -> bool {
-    let is_meant = |number: i32| {
-        number != 0 && validities.iter().any(|(from, to)| *from <= number && number <= *to)
-    };
-    let mut any = false;
-    for lane in area.sections(road).flat_map(|section| section.lanes()) {
-        if !is_meant(lane.number()) {
-            continue;
-        }
-        if let Some(stretch) = area.on(&lane, true) {
-            places.add(&lane, stretch, LaneMethod::Validity);
-            any = true;
-        }
-    }
-    any
+    let is_meant =
+        |number: i32| validities.iter().any(|(from, to)| *from <= number && number <= *to);
+    let meant = lanes_in(road, area).filter(|lane| is_meant(lane.number()));
+    let named = meant.filter_map(|lane| Some((lane, area.on(&lane, true)?)));
+    add_leading(named, orientation, LaneMethod::Validity, places)
 }
 
 /// Whether a lane leads where something is for. What nobody drives on leads everywhere.
 fn leads(lane: &Lane<'_>, orientation: Orientation) -> bool {
-    let free = lane.is_bidirectional() || !lane.kind().is_drivable();
-    match orientation {
-        Orientation::Along => free || lane.is_forward(),
-        Orientation::Against => free || !lane.is_forward(),
-        _ => true,
-    }
+    !lane.kind().is_drivable() || lane.is_bidirectional() || orientation.is_for(lane.is_forward())
 }
 
 /// Lanes of the object's own road that its area lies on; those that lead where it is for, if any does.
 fn by_position(road: &Road<'_>, area: &TrackArea, orientation: Orientation, places: &mut Places) {
-    let lanes = area.sections(road).flat_map(|section| section.lanes());
-    let on: Vec<(Lane<'_>, Stretch)> = lanes
-        .filter(|lane| lane.number() != 0)
-        .filter_map(|lane| Some((lane, area.on(&lane, false)?)))
-        .collect();
-    let any_leads = on.iter().any(|(lane, _)| leads(lane, orientation));
-    for (lane, stretch) in on {
-        if !any_leads || leads(&lane, orientation) {
-            places.add(&lane, stretch, LaneMethod::Track);
-        }
-    }
+    let on = lanes_in(road, area).filter_map(|lane| Some((lane, area.on(&lane, false)?)));
+    add_leading(on, orientation, LaneMethod::Track, places);
 }
 
-/// Height of the road at an object's place `[m]`, which lanes of other roads are compared with; none for an object of a
-/// junction, whose line has no height.
+/// Lanes but lane 0 of the sections that an area lies in.
+fn lanes_in<'a>(road: &Road<'a>, area: &TrackArea) -> impl Iterator<Item = Lane<'a>> {
+    area.sections(road).flat_map(|section| section.lanes()).filter(|lane| lane.number() != 0)
+}
+
+/// Adds of these lanes those that lead where something is for; all where none does. False where there are none.
+fn add_leading<'a>(
+    lanes: impl Iterator<Item = (Lane<'a>, Stretch)>,
+    orientation: Orientation,
+    method: LaneMethod,
+    places: &mut Places,
+) -> bool {
+    let lanes: Vec<(Lane<'_>, Stretch)> = lanes.collect();
+    let any_leads = lanes.iter().any(|(lane, _)| leads(lane, orientation));
+    for (lane, stretch) in &lanes {
+        if !any_leads || leads(lane, orientation) {
+            places.add(lane, *stretch, method);
+        }
+    }
+    !lanes.is_empty()
+}
+
+/// Height of the road, or of the junction's elevation grid, at an object's place `[m]`, which lanes of other roads are compared
+/// with; none for an object of a junction without a grid, whose line has no height.
 fn ground(placement: &ObjectPlacement<'_>) -> Option<f64> {
-    placement.object().road().map(|road| road.elevation_at(placement.s()))
+    let object = placement.object();
+    match object.road() {
+        Some(road) => Some(road.elevation_at(placement.s())),
+        None => Some(object.junction()?.grid_height_at(placement.position().truncate())?.0),
+    }
 }
 
 /// Whether a place on a lane is on the level of the object's.
@@ -273,18 +278,18 @@ impl Candidate {
     }
 }
 
-/// The nearest lane that runs along the object's road and leads where the object is for; of what is swept along a road,
+/// The nearest lane within `most` `[m]` that runs along the object's road and leads where the object is for; of what is swept along a road,
 /// the nearest to each of some points.
 fn nearest(
-    map: Map<'_>,
-    near: &NearLanes,
+    (map, near): (Map<'_>, &NearLanes),
     placement: &ObjectPlacement<'_>,
+    most: f64,
     probes: &mut Vec<DVec2>,
     places: &mut Places,
 ) {
     let object = placement.object();
-    let most = if placement.is_swept() { SWEPT_PROBES } else { PROBES.1 };
-    placement.probes(PROBES.0, most, probes);
+    let count = if placement.is_swept() { SWEPT_PROBES } else { PROBES.1 };
+    placement.probes(PROBES.0, count, probes);
     let own = object.road();
     let own_row = own.map_or(NONE, |road| road.road_id().row());
     let track = mapd_query::Track { s: placement.s(), t: 0.0, h: 0.0 };
@@ -301,23 +306,20 @@ fn nearest(
         let is_opposed = turned > std::f64::consts::FRAC_PI_2;
         let parallel = turned.min(std::f64::consts::PI - turned) <= MOST_TURNED;
         // Along one road may be against the s of another.
-        let orientation = match (object.orientation(), is_opposed) {
-            (Orientation::Along, true) => Orientation::Against,
-            (Orientation::Against, true) => Orientation::Along,
-            (same, _) => same,
-        };
+        let written = object.orientation();
+        let orientation = if is_opposed { written.turned() } else { written };
         parallel && leads(lane, orientation)
     };
     let mut best: Option<Candidate> = None;
     for probe in probes.iter() {
         let mut of_probe: Option<Candidate> = None;
-        let reach = REACH.min(best.map_or(REACH, |best| best.distance));
+        let reach = best.map_or(most, |best| most.min(best.distance));
         for (lane, at) in near.around(map, *probe, reach, |_| true) {
             let is_other = lane.road().road_id().row() != own_row;
             let row = lane.lane_id().row();
             let distance = (at.distance - round).max(0.0);
             let new = Candidate { distance, is_other, row, s: at.s };
-            if at.distance <= REACH && new.wins_over(of_probe) && fits(&lane, &at) {
+            if at.distance <= most && new.wins_over(of_probe) && fits(&lane, &at) {
                 of_probe = Some(new);
             }
         }

@@ -1,16 +1,16 @@
 //! The reference line that objects are placed along: a road's, or that of a junction.
 
 use super::written::Objects;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use mapd_archive::{ArchivedGeometryRow, NONE, ObjectRow};
 use mapd_geometry::{Attitude, Curve, CurveKind, Start, atan2, clamp};
-use mapd_query::{Map, Road, Track};
+use mapd_query::{Junction, Map, Road, Track};
 
 /// A reference line.
 pub(super) enum Line<'a> {
     Road(Map<'a>, Road<'a>),
-    /// A junction's line has no height of its own.
-    Junction(Map<'a>, &'a [ArchivedGeometryRow]),
+    /// A junction's line, as high as the junction's elevation grid there; without one it has no height.
+    Junction(Junction<'a>, Map<'a>, &'a [ArchivedGeometryRow]),
 }
 
 /// A place beside a reference line.
@@ -34,14 +34,15 @@ impl<'a> Line<'a> {
             return Some(Self::Road(map, road));
         }
         let (_, range) = written.junction_lines.iter().find(|(of, _)| *of == row.junction)?;
-        Some(Self::Junction(map, range.of(map.tables().geometries)))
+        let junction = map.junction_by_row(row.junction)?;
+        Some(Self::Junction(junction, map, range.of(map.tables().geometries)))
     }
 
     /// Largest s of the line `[m]`.
     pub(super) fn end(&self) -> f64 {
         match self {
             Self::Road(_, road) => road.reference_end(),
-            Self::Junction(_, rows) => rows.last().map_or(0.0, |g| g.s() + g.length()),
+            Self::Junction(_, _, rows) => rows.last().map_or(0.0, |g| g.s() + g.length()),
         }
     }
 
@@ -62,7 +63,7 @@ impl<'a> Line<'a> {
                     clamped,
                 }
             }
-            Self::Junction(map, rows) => {
+            Self::Junction(junction, map, rows) => {
                 let after = rows.partition_point(|g| g.s() <= inside);
                 let g = rows.get(after.saturating_sub(1))?;
                 let start =
@@ -71,12 +72,19 @@ impl<'a> Line<'a> {
                 let kind = CurveKind::from_code(g.kind())?;
                 let point =
                     Curve::new(kind, start, g.length(), coefficients)?.evaluate(inside - g.s());
-                // 0 in the file's own frame.
-                let height = map.file_frame().map_or(0.0, |frame| frame.height_shift());
+                let on_line = map.local_origin() + DVec2::new(point.x, point.y);
+                let (z, slope) = junction.grid_height_at(on_line).unwrap_or_else(|| {
+                    // 0 in the file's own frame.
+                    let shift = map.file_frame().map_or(0.0, |frame| frame.height_shift());
+                    (shift, DVec2::ZERO)
+                });
+                let along = DVec2::new(point.cos, point.sin);
+                let pitch = -atan2(slope.dot(along), 1.0);
+                let roll = atan2(slope.dot(along.perp()), 1.0);
                 Station {
-                    position: DVec3::new(point.x - t * point.sin, point.y + t * point.cos, height),
+                    position: DVec3::new(point.x - t * point.sin, point.y + t * point.cos, z),
                     heading: point.heading,
-                    inclined: Attitude::new(point.heading, 0.0, 0.0),
+                    inclined: Attitude::new(point.heading, pitch, roll),
                     clamped,
                 }
             }
@@ -88,7 +96,9 @@ impl<'a> Line<'a> {
     pub(super) fn breaks(&self, from: f64, to: f64) -> Vec<f64> {
         let mut breaks: Vec<f64> = match self {
             Self::Road(_, road) => road.shape_breaks().collect(),
-            Self::Junction(_, rows) => rows.iter().map(|g| g.s()).collect(),
+            Self::Junction(junction, _, rows) => {
+                rows.iter().map(|g| g.s()).chain(junction.grid_stations()).collect()
+            }
         };
         breaks.retain(|s| *s > from && *s < to);
         breaks.extend([from, to]);

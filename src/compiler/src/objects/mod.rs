@@ -96,14 +96,14 @@ pub(crate) fn build(
     if rows.objects.is_empty() {
         return Ok(findings);
     }
-    let unattached = attach::attach(rows, &references)?;
+    let unattached = attach::attach(rows, &references, options.lane_reach)?;
     let archive = view(rows);
     let map = Map::new(&archive, 0);
     findings.extend(unattached.iter().filter_map(|number| {
         let object = written.objects.get(*number)?;
         let message = format!(
             "no lane that it may belong to lies within {} m; it stays with its road alone",
-            attach::REACH
+            options.lane_reach
         );
         let finding = finding(map, object, object.span, Severity::Info, message);
         Some(Finding { rule: "mapd:compile.object_lane", ..finding })

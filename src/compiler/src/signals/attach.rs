@@ -8,20 +8,17 @@ use mapd_geometry::clamp;
 use mapd_query::{Lane, Map, Road};
 use mapd_xodr::{Finding, Severity};
 
-/// A signal that names no lane belongs to none that lies farther away `[m]`: wider than any road's half with its verge.
-const FARTHEST_LANE: f64 = 30.0;
-
 /// Lanes of a place: row of the lane and its distance `[m]`.
 type Found = (LaneMethod, Vec<(u32, f64)>);
 
 /// Fills the signals' places, their lanes and the lanes' signals.
-pub(super) fn attach(rows: &mut Rows, resolved: &Resolved) -> Vec<Finding> {
+pub(super) fn attach(rows: &mut Rows, resolved: &Resolved, reach: f64) -> Vec<Finding> {
     let mut findings = Vec::new();
     let found: Vec<Option<Found>> = {
         let archive = view(rows);
         let map = Map::new(&archive, 0);
         let roads: Vec<Road<'_>> = map.roads().collect();
-        let lanes = |place: &PlaceWritten| lanes_of(roads.get(place.road as usize)?, place);
+        let lanes = |place: &PlaceWritten| lanes_of(roads.get(place.road as usize)?, place, reach);
         resolved.places.iter().map(lanes).collect()
     };
     for (place, found) in resolved.places.iter().zip(found) {
@@ -66,8 +63,8 @@ pub(super) fn attach(rows: &mut Rows, resolved: &Resolved) -> Vec<Finding> {
 }
 
 /// By validity; without any, all lanes that travel the way the signal is for (OpenDRIVE 1.8.1, 14.2); if there are none, the
-/// lane that it stands on; else the nearest that travels that way.
-fn lanes_of(road: &Road<'_>, place: &PlaceWritten) -> Option<Found> {
+/// lane that it stands on; else the nearest within `reach` `[m]` that travels that way.
+fn lanes_of(road: &Road<'_>, place: &PlaceWritten, reach: f64) -> Option<Found> {
     let s = clamp(place.s, 0.0, road.length());
     let section = road.section_at(s)?;
     let far = |lane: &Lane<'_>| {
@@ -77,10 +74,11 @@ fn lanes_of(road: &Road<'_>, place: &PlaceWritten) -> Option<Found> {
     };
     let row = |lane: Lane<'_>| (lane.lane_id().row(), far(&lane));
     let lanes = || section.lanes().filter(|lane| lane.number() != 0);
-    let fits = |lane: &Lane<'_>| travels(lane, place.orientation);
+    let orientation = Orientation::from_code(place.orientation);
+    let fits = |lane: &Lane<'_>| lane.is_bidirectional() || orientation.is_for(lane.is_forward());
     let named = |lane: &Lane<'_>| {
         let number = lane.number();
-        place.validity.iter().any(|(a, b)| (*a.min(b)..=*a.max(b)).contains(&number))
+        place.validity.iter().any(|(a, b)| (*a..=*b).contains(&number))
     };
     // Lane 0 alone is nobody's lane: exporters write it for "not known".
     let says = place.validity.iter().any(|range| *range != (0, 0));
@@ -103,16 +101,7 @@ fn lanes_of(road: &Road<'_>, place: &PlaceWritten) -> Option<Found> {
         return Some((LaneMethod::Track, vec![row(lane)]));
     }
     let nearest = lanes().filter(fits).filter(|lane| lane.width_at(s) > 0.0).map(row);
-    let nearest = nearest.filter(|(_, distance)| *distance <= FARTHEST_LANE);
+    let nearest = nearest.filter(|(_, distance)| *distance <= reach);
     let nearest = nearest.min_by(|a, b| a.1.total_cmp(&b.1))?;
     Some((LaneMethod::Nearest, vec![nearest]))
-}
-
-/// Whether a lane travels a way.
-fn travels(lane: &Lane<'_>, orientation: u8) -> bool {
-    match Orientation::from_code(orientation) {
-        Orientation::Along => lane.is_forward() || lane.is_bidirectional(),
-        Orientation::Against => !lane.is_forward() || lane.is_bidirectional(),
-        _ => true,
-    }
 }

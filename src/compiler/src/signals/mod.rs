@@ -2,18 +2,22 @@
 //! coordinates and lanes.
 
 mod attach;
+mod index;
+mod objects;
 mod place;
 mod read;
 mod resolve;
 mod right_of_way;
 mod semantics;
 
+use crate::options::CompileOptions;
 use glam::DVec3;
 use mapd_archive::{BoardGroupRow, ControlRow, ControllerRow, Rows, SignalRow};
 use mapd_ontology::Ontology;
 use mapd_xodr::source::Places;
 use mapd_xodr::{Finding, Span};
 
+pub(crate) use index::build as index;
 pub(crate) use resolve::resolve;
 
 /// Rule of signals that are for no lane.
@@ -33,7 +37,7 @@ pub(crate) struct Pending {
 /// A signal whose row stands in the table already.
 struct Written {
     span: Span,
-    /// Lanes as written: from, to.
+    /// Lanes that it is written to be for, from the lower to the higher number.
     validity: Vec<(i32, i32)>,
     position: Position,
     /// Lateral and upward place on the board's carrier `[m]`.
@@ -99,9 +103,14 @@ impl Resolved {
 }
 
 /// Fills positions, lanes and right of way of a map whose lane graph is complete. What belongs to no lane is a finding.
-pub(crate) fn complete(rows: &mut Rows, resolved: &Resolved) -> Vec<Finding> {
+pub(crate) fn complete(
+    rows: &mut Rows,
+    resolved: &Resolved,
+    options: &CompileOptions,
+) -> Vec<Finding> {
+    objects::resolve(rows);
     place::place(rows, resolved);
-    let findings = attach::attach(rows, resolved);
+    let findings = attach::attach(rows, resolved, options.lane_reach);
     right_of_way::build(rows);
     findings
 }

@@ -4,9 +4,9 @@ use super::{Position, Resolved};
 use crate::lanes::view;
 use glam::DVec3;
 use mapd_archive::{Orientation, Rows, SignalRow, signal_flags};
-use mapd_geometry::{clamp, cos_sin, normalize_angle};
+use mapd_geometry::{beside, clamp, normalize_angle};
 use mapd_query::{Map, Road, Track};
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 
 /// A place in space and the direction of the face's normal.
 type Standing = (DVec3, f64);
@@ -74,7 +74,5 @@ fn on_road(road: &Road<'_>, [s, t, z, h]: [f64; 4], orientation: u8) -> Option<S
 
 /// On a board: v to the left of the carrier's face, z above the carrier.
 fn on((origin, facing): Standing, (v, z): (f64, f64), own: Option<Standing>) -> Standing {
-    let (cos, sin) = cos_sin(facing + FRAC_PI_2);
-    let own = own.map_or(facing, |(_, own)| own);
-    (origin + DVec3::new(v * cos, v * sin, z), own)
+    (beside(origin, facing, v, z), own.map_or(facing, |(_, own)| own))
 }

@@ -2,10 +2,11 @@
 
 use super::semantics::{Meant, meant};
 use super::{Pending, Position, Reference, Written, empty_row};
-use crate::lower::{Lowering, Part, between};
+use crate::lower::{Lowering, Part, between, lanes, orientation};
 use mapd_archive::{
-    BoardGroupRow, Class, ControlRow, ControllerRow, NONE, SignalBoardRow, SignalDependencyRow,
-    SignalLinkRow, SignalSemanticsRow, signal_flags, signal_values,
+    BoardGroupRow, Class, ControlRow, ControllerRow, DisplayAreaRow, LaneRangeRow, NONE,
+    SignalBoardRow, SignalDependencyRow, SignalLinkRow, SignalSemanticsRow, signal_flags,
+    signal_values,
 };
 use mapd_ontology::{Meaning, SignalCode};
 use mapd_xodr::{
@@ -102,7 +103,7 @@ impl Lowering {
                 id,
                 s,
                 t,
-                orientation: orientation(reference.orientation.value()),
+                orientation: orientation(reference.orientation.value()).code(),
                 validity: lanes(&reference.validity),
                 span: reference.span,
             });
@@ -138,11 +139,15 @@ impl Lowering {
         (row.country, row.country_revision, row.text, row.unit) =
             (country, country_revision, text, unit);
         (row.road, row.carrier) = (road, carrier);
-        row.dependencies = self.dependencies(signal.dependency);
-        row.links = self.links_of(signal.reference);
+        // What a board of signs depends on and refers to is its carrier's.
+        let boards = signal.static_board.iter();
+        let dependencies = boards.clone().flat_map(|board| &board.dependency);
+        row.dependencies = self.dependencies(signal.dependency.iter().chain(dependencies));
+        let links = boards.flat_map(|board| &board.reference);
+        row.links = self.links_of(signal.reference.iter().chain(links), number);
         row.semantics = self.semantics(&stated);
         row.class = meaning.class.code();
-        row.orientation = orientation(signal.orientation);
+        row.orientation = orientation(signal.orientation).code();
         row.dynamic = u8::from(signal.dynamic);
         (row.bulbs, row.phases, row.arrows) = (light.bulbs, light.phases, light.arrows);
         row.has_value = bit(signal.value.is_some(), signal_values::WRITTEN)
@@ -188,33 +193,68 @@ impl Lowering {
     ) {
         let before = self.rows.signal_boards.len();
         for board in signal.vms_board {
-            let display = board.display_type.value().map_or("", xodr::DisplayType::name);
-            let display = self.strings.add(display);
-            self.rows.signal_boards.push(SignalBoardRow {
-                width: board.display_width.value().unwrap_or(-1.0),
-                height: board.display_height.value().unwrap_or(-1.0),
-                v: board.v.value().unwrap_or(0.0),
-                z: board.z.value().unwrap_or(0.0),
-                signal: carrier,
-                display,
-                areas: board.display_area.len() as u32,
-                reserved: 0,
-            });
+            self.vms_board(board, carrier);
         }
         let range = between(before, self.rows.signal_boards.len());
         if let Some(row) = self.rows.signals.get_mut(carrier as usize) {
             row.boards = range;
         }
         let Some(deeper) = deep.checked_sub(1) else { return };
-        for sign in signal.static_board.iter().flat_map(|board| &board.sign) {
+        for (board, sign) in
+            signal.static_board.iter().flat_map(|b| b.sign.iter().map(move |s| (b, s)))
+        {
             let sign: &BoardSign = sign;
             let shift = (sign.v.value().unwrap_or(0.0), sign.z.value().unwrap_or(0.0));
             let row = self.signal(&common!(sign), (road, carrier), at, Some(shift));
+            // A sign is for the lanes that its board is for, unless it says otherwise.
+            if let Some(written) = self.signals.signals.last_mut()
+                && written.validity.is_empty()
+            {
+                written.validity = lanes(&board.validity);
+            }
             self.boards(&common!(sign), (road, row), at, deeper);
         }
     }
 
-    fn dependencies(&mut self, written: &[xodr::SignalDependency]) -> mapd_archive::Range {
+    /// Appends a variable message board with its display areas.
+    fn vms_board(&mut self, board: &xodr::VmsBoard, carrier: u32) {
+        let number = self.rows.signal_boards.len() as u32;
+        let display = board.display_type.value().map_or("", xodr::DisplayType::name);
+        let display = self.strings.add(display);
+        let before = self.rows.display_areas.len();
+        self.rows.display_areas.extend(board.display_area.iter().map(|area| DisplayAreaRow {
+            width: size(area.width.text()),
+            height: size(area.height.text()),
+            v: area.v.value().unwrap_or(0.0),
+            z: area.z.value().unwrap_or(0.0),
+            board: number,
+            index: area.index.value().unwrap_or(-1),
+        }));
+        let areas = between(before, self.rows.display_areas.len());
+        let before = self.rows.lane_ranges.len();
+        let ranges = lanes(&board.validity).into_iter();
+        self.rows.lane_ranges.extend(ranges.map(|(from, to)| LaneRangeRow { from, to }));
+        let validities = between(before, self.rows.lane_ranges.len());
+        let dependencies = self.dependencies(board.dependency.iter());
+        let links = self.links_of(board.reference.iter(), carrier);
+        self.rows.signal_boards.push(SignalBoardRow {
+            width: board.display_width.value().unwrap_or(-1.0),
+            height: board.display_height.value().unwrap_or(-1.0),
+            v: board.v.value().unwrap_or(0.0),
+            z: board.z.value().unwrap_or(0.0),
+            signal: carrier,
+            display,
+            areas,
+            validities,
+            dependencies,
+            links,
+        });
+    }
+
+    fn dependencies<'a>(
+        &mut self,
+        written: impl Iterator<Item = &'a xodr::SignalDependency>,
+    ) -> mapd_archive::Range {
         let before = self.rows.signal_dependencies.len();
         for dependency in written {
             let id = self.strings.add(dependency.id.text());
@@ -224,12 +264,18 @@ impl Lowering {
         between(before, self.rows.signal_dependencies.len())
     }
 
-    fn links_of(&mut self, written: &[xodr::SignalLink]) -> mapd_archive::Range {
+    fn links_of<'a>(
+        &mut self,
+        written: impl Iterator<Item = &'a xodr::SignalLink>,
+        owner: u32,
+    ) -> mapd_archive::Range {
         let before = self.rows.signal_links.len();
         for link in written {
             let signal = xodr::ReferenceElementType::Signal;
             let row = SignalLinkRow {
                 signal: NONE,
+                object: NONE,
+                owner,
                 id: self.strings.add(link.element_id.text()),
                 r#type: self.strings.add(link.r#type.text()),
                 kind: u8::from(link.element_type.value() == Some(signal)),
@@ -314,18 +360,9 @@ fn position(signal: &Common<'_>, add: &mut dyn FnMut(&str) -> u32) -> Position {
     Position::Track
 }
 
-/// As the archive has it; a word that is none of the standard's says nothing.
-fn orientation(word: Option<xodr::Orientation>) -> u8 {
-    match word {
-        Some(xodr::Orientation::Plus) => mapd_archive::Orientation::Along.code(),
-        Some(xodr::Orientation::Minus) => mapd_archive::Orientation::Against.code(),
-        _ => mapd_archive::Orientation::Both.code(),
-    }
-}
-
-fn lanes(validity: &[LaneValidity]) -> Vec<(i32, i32)> {
-    let written = |v: &LaneValidity| Some((v.from_lane.value()?, v.to_lane.value()?));
-    validity.iter().filter_map(written).collect()
+/// A size `[m]` that the schema has as text; −1 where it is no number.
+fn size(text: &str) -> f64 {
+    text.trim().parse().ok().filter(|size: &f64| size.is_finite() && *size >= 0.0).unwrap_or(-1.0)
 }
 
 fn rank(sequence: Option<u32>) -> i32 {

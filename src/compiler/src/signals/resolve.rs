@@ -63,11 +63,14 @@ fn signal_places(
     findings: &mut Vec<Finding>,
 ) -> Vec<PlaceWritten> {
     let rows = lowering.rows.signals.iter().zip(&pending.signals).enumerate();
+    // A sign on a board is for the lanes that the board's carrier is for, unless it says otherwise. Carriers come first.
+    let mut validities: Vec<&[(i32, i32)]> = Vec::with_capacity(pending.signals.len());
     let mut out: Vec<PlaceWritten> = rows
         .map(|(number, (row, written))| {
-            // A sign on a board is for the lanes that the board's carrier is for, unless it says otherwise.
-            let carrier = pending.signals.get(row.carrier as usize);
-            let inherited = carrier.filter(|_| written.validity.is_empty());
+            let of_carrier = validities.get(row.carrier as usize).copied().unwrap_or_default();
+            let own = &written.validity[..];
+            let validity = if own.is_empty() { of_carrier } else { own };
+            validities.push(validity);
             PlaceWritten {
                 signal: number as u32,
                 road: row.road,
@@ -75,7 +78,7 @@ fn signal_places(
                 t: row.t,
                 orientation: row.orientation,
                 kind: 0,
-                validity: inherited.unwrap_or(written).validity.clone(),
+                validity: validity.to_vec(),
                 span: written.span,
                 line: row.line,
                 column: row.column,

@@ -128,8 +128,10 @@ fn relation(
     let both_lit = !own.lights.is_empty() && !other.lights.is_empty();
     let together = own.lights.iter().any(|light| other.lights.contains(light));
     let angle = normalize_angle(other.heading - own.heading);
-    // Oncoming lights are green together more often than not, whether or not one controller has both.
-    if both_lit && !together && angle.abs() < ONCOMING {
+    // Oncoming lights are green together more often than not, whether or not one controller has both. Those from the side never
+    // are: exporters that write one controller for a whole junction do not mean that they switch together.
+    let apart = !together || angle.abs() > BESIDE;
+    if both_lit && apart && angle.abs() < ONCOMING {
         return (Relation::Lights, RelationReason::Lights);
     }
     if !both_lit

@@ -3,7 +3,7 @@
 use super::earth::Earth;
 use super::route::Router;
 use super::row::Row;
-use super::signals;
+use super::{landmarks, signals};
 use clap::ValueEnum;
 use mapd_client::{Lane, Map, NearestOptions, Point, QueryError, Road, Track};
 use mapd_query::glam::DVec2;
@@ -34,6 +34,8 @@ pub enum Kind {
     Route,
     /// `x,y,radius` → a row for each object there: id,class,distance,road_id,s,t,x,y,z
     Objects,
+    /// `x,y,radius[,classes]` → a row for each landmark for localisation there: as objects, and hdg,length,width,height,kind
+    Landmarks,
     /// `road_id,s,lane_id,distance` → a row for each signal ahead: id,class,distance,road_id,s,t,x,y,z,state_machine
     Signals,
 }
@@ -51,6 +53,7 @@ impl Kind {
             Self::Successors => "successors",
             Self::Route => "route",
             Self::Objects => "objects",
+            Self::Landmarks => "landmarks",
             Self::Signals => "signals",
         }
     }
@@ -66,7 +69,7 @@ impl Kind {
             Self::Track => &[&["road_id", "x", "y"]],
             Self::Route => &[&["from_road", "from_s", "from_lane", "to_road", "to_s", "to_lane"]],
             Self::Signals => &[&["road_id", "s", "lane_id", "distance"]],
-            Self::Objects => &[&["x", "y", "radius"]],
+            Self::Objects | Self::Landmarks => &[&["x", "y", "radius"]],
         }
     }
 
@@ -83,13 +86,14 @@ impl Kind {
             Self::Successors => &["successors"],
             Self::Route => &["length", "lane_changes", "lanes"],
             Self::Objects => &["id", "class", "distance", "road_id", "s", "t", "x", "y", "z"],
+            Self::Landmarks => landmarks::COLUMNS,
             Self::Signals => signals::COLUMNS,
         }
     }
 
     /// Whether it answers with any number of rows.
     pub(crate) fn lists(self) -> bool {
-        matches!(self, Self::Objects | Self::Signals)
+        matches!(self, Self::Objects | Self::Landmarks | Self::Signals)
     }
 
     /// Answers one row; the error says why there is no answer.
@@ -151,6 +155,7 @@ impl Kind {
             }
             Self::Route => router.answer(map, row, out)?,
             Self::Objects => super::objects::answer(map, row, out)?,
+            Self::Landmarks => landmarks::answer(map, row, out)?,
             Self::Signals => {
                 let (lane, s) = lane(map, row)?;
                 signals::answer(map, (&lane, s), row.number("distance")?, router.vehicle(), out)?;

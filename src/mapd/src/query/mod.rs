@@ -6,6 +6,7 @@
 
 pub(crate) mod earth;
 mod kinds;
+mod landmarks;
 mod objects;
 mod route;
 mod row;

@@ -3,14 +3,10 @@
 use super::kinds::{number, numbers, text};
 use super::row::Row;
 use mapd_client::Map;
-use mapd_query::glam::DVec2;
 
 /// The places of objects within `radius` of x and y, nearest first: the columns of one after those of the other.
 pub(crate) fn answer(map: Map<'_>, row: &Row<'_>, out: &mut Vec<String>) -> Result<(), String> {
-    let (point, radius) = (DVec2::new(row.number("x")?, row.number("y")?), row.number("radius")?);
-    if radius < 0.0 {
-        return Err(format!("radius must not be negative, found {radius:?}"));
-    }
+    let (point, radius) = row.circle()?;
     let mut near = Vec::new();
     map.objects_near(point, radius, &mut near).map_err(text)?;
     for found in near {

@@ -1,6 +1,7 @@
 //! One row of the input, by column names.
 
 use csv::StringRecord;
+use mapd_query::glam::DVec2;
 
 /// A row with its header.
 pub(crate) struct Row<'a> {
@@ -43,6 +44,16 @@ impl<'a> Row<'a> {
             Ok(text) if text.trim().is_empty() => Ok(None),
             Ok(_) => self.number(name).map(Some),
         }
+    }
+
+    /// A point and a radius that is not negative, from the columns x, y and radius.
+    pub(crate) fn circle(&self) -> Result<(DVec2, f64), String> {
+        let point = DVec2::new(self.number("x")?, self.number("y")?);
+        let radius = self.number("radius")?;
+        if radius < 0.0 {
+            return Err(format!("radius must not be negative, found {radius:?}"));
+        }
+        Ok((point, radius))
     }
 
     /// A lane number.

@@ -1,19 +1,12 @@
-//! Objects near a point and in a rectangle, through a packed R-tree of 16 children a node.
+//! Objects near a point and in a rectangle.
 
 use super::object::Object;
 use super::placement::{ObjectPlacement, PlacementId};
 use crate::error::QueryError;
 use crate::map::Map;
+use crate::packed;
 use crate::region::Region;
 use glam::DVec2;
-use mapd_archive::Tables;
-
-/// Children of a node.
-const WIDTH: usize = 16;
-/// Levels of the index: 16⁸ places. A damaged archive may state more.
-const LEVELS: usize = 8;
-/// Places on the search stack: 15 siblings on each of these levels and some more.
-const STACK: usize = 160;
 
 /// An object near a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,10 +41,8 @@ impl<'a> Map<'a> {
         out: &mut Vec<NearObject>,
     ) -> Result<(), QueryError> {
         out.clear();
-        if !(point.is_finite() && radius.is_finite()) {
-            return Err(QueryError::NotFinite);
-        }
-        self.visit_places(Region::around(point, radius.max(0.0)), |place| {
+        let region = Region::around_circle(point, radius)?;
+        self.visit_places(region, |place| {
             let distance = place.distance(point);
             if distance <= radius {
                 out.push(NearObject { place: place.placement_id(), distance });
@@ -79,10 +70,11 @@ impl<'a> Map<'a> {
     }
 
     /// Places whose boxes meet a rectangle.
-    fn visit_places(&self, region: Region, mut visit: impl FnMut(ObjectPlacement<'a>)) {
-        let (low, high) = (region.low - self.origin(), region.high - self.origin());
-        let map = *self;
-        items_in(self.tables(), low, high, |item| {
+    pub(crate) fn visit_places(&self, region: Region, mut visit: impl FnMut(ObjectPlacement<'a>)) {
+        let (map, tables) = (*self, self.tables());
+        let index =
+            (tables.object_index_levels, tables.object_index_nodes, tables.object_index_items);
+        packed::visit_items(index, region.local(self.origin()), |item| {
             if let Some(place) = map.place_of_item(item) {
                 visit(place);
             }
@@ -99,37 +91,6 @@ impl<'a> Map<'a> {
                 let row = tables.object_copies.get(copy as usize)?;
                 ObjectPlacement::of_copy(Object::new(*self, row.object())?, copy)
             }
-        }
-    }
-}
-
-/// Items of the index whose boxes meet a box, relative to the local origin.
-fn items_in(tables: &Tables<'_>, low: DVec2, high: DVec2, mut visit: impl FnMut(u32)) {
-    let depth = tables.object_index_levels.len().checked_sub(1);
-    let Some(depth) = depth.filter(|depth| (1..=LEVELS).contains(depth)) else { return };
-    let (low_x, low_y, high_x, high_y) = (low.x as f32, low.y as f32, high.x as f32, high.y as f32);
-    let mut stack = [(0u32, 0u32); STACK];
-    let mut top = 1;
-    while top > 0 {
-        top -= 1;
-        let Some((level, at)) = stack.get(top).copied() else { return };
-        if level as usize >= depth {
-            tables.object_index_items.get(at as usize).copied().into_iter().for_each(&mut visit);
-            continue;
-        }
-        let first = tables.object_index_levels.get(level as usize).copied().unwrap_or(0);
-        let node = tables.object_index_nodes.get(first.wrapping_add(at) as usize);
-        let Some(node) = node else { continue };
-        let (min_x, min_y, max_x, max_y) = (node.min_x(), node.min_y(), node.max_x(), node.max_y());
-        for k in 0..WIDTH {
-            let meets =
-                min_x[k] <= high_x && max_x[k] >= low_x && min_y[k] <= high_y && max_y[k] >= low_y;
-            if !meets {
-                continue;
-            }
-            let Some(place) = stack.get_mut(top) else { return };
-            *place = (level + 1, at.wrapping_mul(WIDTH as u32).wrapping_add(k as u32));
-            top += 1;
         }
     }
 }

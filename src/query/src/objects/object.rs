@@ -88,8 +88,8 @@ impl<'a> Object<'a> {
         self.template().position()
     }
 
-    /// As [`Object::position`], but zOffset above the road's surface there, as some tools place objects. Of an object of a
-    /// junction the same as `position`.
+    /// As [`Object::position`], but zOffset above the surface there, as some tools place objects: that of the road, or of the
+    /// junction's elevation grid, without which an object of a junction is where `position` says.
     ///
     /// Errors: a damaged archive.
     pub fn position_on_surface(&self) -> Result<DVec3, QueryError> {
@@ -98,7 +98,12 @@ impl<'a> Object<'a> {
                 let surface = road.surface_at(self.s(), self.t())?;
                 Ok(self.position().with_z(surface.position.z + self.z_offset()))
             }
-            None => Ok(self.position()),
+            None => {
+                let position = self.position();
+                let junction = self.junction();
+                let grid = junction.and_then(|j| j.grid_height_at(position.truncate()));
+                Ok(grid.map_or(position, |(z, _)| position.with_z(z + self.z_offset())))
+            }
         }
     }
 

@@ -5,6 +5,7 @@ use super::lane::LaneSignal;
 use crate::error::QueryError;
 use crate::graph::LaneNode;
 use crate::ids::{LaneId, SignalId};
+use crate::lane::Lane;
 use crate::map::Map;
 use crate::route::{LanePlace, RouteStep};
 use mapd_archive::VehicleClass;
@@ -162,13 +163,8 @@ impl<'a> Map<'a> {
             let last = i + 1 == steps.len();
             for one in lane.signals().filter(|one| one.is_for(step.forward)) {
                 let at = one.s_on(&lane);
-                let behind = if step.forward { at < step.s_from } else { at > step.s_from };
-                let beyond = if step.forward { at > step.s_to } else { at < step.s_to };
-                // What stands where a change of lane happens counts once, on the lane that is driven on.
-                let changed = at == step.s_to && step.s_from == step.s_to && !last;
-                if !(behind || beyond || changed) {
-                    let distance = passed + lane.length_between(step.s_from, at);
-                    out.add(&one, step.lane, at, distance);
+                if let Some(distance) = met(&lane, step, at, last) {
+                    out.add(&one, step.lane, at, passed + distance);
                 }
             }
             passed += lane.length_between(step.s_from, step.s_to);
@@ -181,4 +177,13 @@ impl<'a> Map<'a> {
     pub fn signal_of(&self, ahead: &SignalAhead) -> Option<Signal<'a>> {
         self.signal(ahead.signal).ok()
     }
+}
+
+/// Distance from where a step of a route begins to a place on its lane `[m]`; none where the step does not come by it.
+pub(super) fn met(lane: &Lane<'_>, step: &RouteStep, at: f64, is_last: bool) -> Option<f64> {
+    let behind = if step.forward { at < step.s_from } else { at > step.s_from };
+    let beyond = if step.forward { at > step.s_to } else { at < step.s_to };
+    // What stands where a change of lane happens counts once, on the lane that is driven on.
+    let changed = at == step.s_to && step.s_from == step.s_to && !is_last;
+    (!(behind || beyond || changed)).then(|| lane.length_between(step.s_from, at))
 }

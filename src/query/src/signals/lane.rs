@@ -3,7 +3,7 @@
 use super::{Signal, SignalPlace};
 use crate::lane::Lane;
 use crate::map::Map;
-use mapd_archive::{ArchivedSignalLaneRow, Class, LaneMethod, Orientation};
+use mapd_archive::{ArchivedSignalLaneRow, Class, LaneMethod};
 
 /// A signal at a place, for a lane.
 #[derive(Clone, Copy)]
@@ -55,13 +55,20 @@ impl<'a> LaneSignal<'a> {
         mapd_geometry::clamp(self.place.s(), start, section.s_end().max(start))
     }
 
-    /// Whether it is for traffic that travels towards +s, or for that towards −s.
+    /// Whether it is for traffic that travels towards +s, or for that towards −s: as its orientation says. Where the file names a
+    /// lane that travels the other way, the lane is meant (RoadRunner writes lights of connecting roads so).
     pub fn is_for(&self, forward: bool) -> bool {
-        match self.place.orientation() {
-            Orientation::Along => forward,
-            Orientation::Against => !forward,
-            _ => true,
-        }
+        self.place.orientation().is_for(forward) || self.is_for_lane_alone(forward)
+    }
+
+    /// Whether the lane is named against the orientation, and this is the direction in which it is travelled.
+    fn is_for_lane_alone(&self, forward: bool) -> bool {
+        self.method() == LaneMethod::Validity
+            && self.lane().is_some_and(|lane| {
+                !lane.is_bidirectional()
+                    && lane.is_forward() == forward
+                    && !self.place.orientation().is_for(lane.is_forward())
+            })
     }
 
     /// Its number among all places of signals.

@@ -1,15 +1,24 @@
 //! Stop lines and crosswalks, whether the file writes them as signals or as objects.
 
+use crate::error::QueryError;
 use crate::ids::{LaneId, ObjectId, SignalId};
 use crate::lane::Lane;
+use crate::map::Map;
+use crate::route::RouteStep;
+use crate::signals::ahead::met;
 use crate::signals::movement::ENTRY_REACH;
-use mapd_archive::{Class, Orientation};
+use mapd_archive::Class;
 
 /// An object this near to a lane lies on it `[m]`: markings end a little before the lane's edges.
 const ON_LANE: f64 = 0.5;
 
+/// Lines at which traffic stops or gives way.
+const TO_STOP_AT: &[Class] = &[Class::StopLine, Class::WaitingLine];
+/// What crosses lanes.
+const CROSSINGS: &[Class] = &[Class::Crosswalk, Class::BicycleCrossing];
+
 /// Who says that there is a line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum LineSource {
     /// A signal.
     Signal(SignalId),
@@ -30,19 +39,64 @@ pub struct LaneLine {
     pub s: f64,
 }
 
+/// A stop line or crosswalk that a route passes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LineAhead {
+    /// The line.
+    pub line: LaneLine,
+    /// Distance along the lanes' centre lines from the route's start `[m]`.
+    pub distance: f64,
+}
+
+impl Map<'_> {
+    /// Stop lines, lines to give way at, crosswalks and bicycle crossings along a route, nearest first, whether the file writes
+    /// them as signals or as objects; one over several lanes stands once for each that is driven on. `out` is emptied first; it
+    /// grows only if its capacity is too small.
+    ///
+    /// Errors: ids of another map.
+    pub fn lines_along(
+        &self,
+        steps: &[RouteStep],
+        out: &mut Vec<LineAhead>,
+    ) -> Result<(), QueryError> {
+        out.clear();
+        let mut passed = 0.0;
+        for (i, step) in steps.iter().enumerate() {
+            let lane = self.lane(step.lane)?;
+            let last = i + 1 == steps.len();
+            for line in [TO_STOP_AT, CROSSINGS].iter().flat_map(|c| lane.lines(c, step.forward)) {
+                if let Some(distance) = met(&lane, step, line.s, last) {
+                    out.push(LineAhead { line, distance: passed + distance });
+                }
+            }
+            passed += lane.length_between(step.s_from, step.s_to);
+        }
+        // Sorting in place allocates nothing; what lies at one place keeps an order of its own.
+        out.sort_unstable_by(|a, b| {
+            a.distance.total_cmp(&b.distance).then(a.line.source.cmp(&b.line.source))
+        });
+        Ok(())
+    }
+}
+
 impl<'a> Lane<'a> {
     /// Lines at which the lane's traffic stops or gives way: signals first, then objects.
     pub fn lines_to_stop_at(&self) -> impl Iterator<Item = LaneLine> + use<'a> {
-        self.lines(&[Class::StopLine, Class::WaitingLine])
+        self.lines(TO_STOP_AT, self.is_forward())
     }
 
     /// Crosswalks and bicycle crossings over the lane: signals first, then objects.
     pub fn crossings(&self) -> impl Iterator<Item = LaneLine> + use<'a> {
-        self.lines(&[Class::Crosswalk, Class::BicycleCrossing])
+        self.lines(CROSSINGS, self.is_forward())
     }
 
-    fn lines(&self, classes: &'static [Class]) -> impl Iterator<Item = LaneLine> + use<'a> {
-        let (lane, forward) = (*self, self.is_forward());
+    /// Lines of these classes for traffic towards +s, or for that towards −s.
+    fn lines(
+        &self,
+        classes: &'static [Class],
+        forward: bool,
+    ) -> impl Iterator<Item = LaneLine> + use<'a> {
+        let lane = *self;
         let signals =
             self.signals().filter(move |one| one.is_for(forward)).map(move |one| LaneLine {
                 source: LineSource::Signal(one.signal().signal_id()),
@@ -52,11 +106,10 @@ impl<'a> Lane<'a> {
             });
         let objects = self.objects().filter_map(move |one| {
             let object = one.object().filter(|_| one.distance() <= ON_LANE)?;
-            let is_for = match object.orientation() {
-                Orientation::Along => forward,
-                Orientation::Against => !forward,
-                _ => true,
-            };
+            // An object's lanes are those that it is for; its orientation, along its own road, tells the two directions of one lane.
+            let is_own = object.road().is_some_and(|road| road.road_id() == lane.road().road_id());
+            let both = is_own && lane.is_bidirectional();
+            let is_for = !both || object.orientation().is_for(forward);
             let (low, high) = one.s_range();
             is_for.then(|| LaneLine {
                 source: LineSource::Object(object.object_id()),
@@ -68,23 +121,21 @@ impl<'a> Lane<'a> {
         signals.chain(objects).filter(move |line| classes.contains(&line.class))
     }
 
+    /// Distance of a place on the lane from its end, or from its beginning, in driving direction `[m]`.
+    fn away(&self, s: f64, from_end: bool) -> f64 {
+        let section = self.section();
+        let at_high = self.is_forward() == from_end;
+        self.length_between(s, if at_high { section.s_end() } else { section.s_start() })
+    }
+
     /// Where the movement through this lane of a junction stops: at the marked line nearest to the junction, up to 30 m before
     /// it or on the movement's first lane; without one at its light. None where neither is known.
     pub fn movement_stop(&self) -> Option<LaneLine> {
         let start = self.movement_start();
-        let before = |lane: &Lane<'a>, s: f64| {
-            let section = lane.section();
-            let end = if lane.is_forward() { section.s_end() } else { section.s_start() };
-            lane.length_between(s, end)
-        };
-        let leading = self.entries().flat_map(|lane| {
-            lane.lines_to_stop_at().map(move |line| (before(&lane, line.s), line))
+        let leading = self.approaches().flat_map(|(lane, before)| {
+            lane.lines_to_stop_at().map(move |line| (before + lane.away(line.s, true), line))
         });
-        let inside = start.lines_to_stop_at().map(|line| {
-            let section = start.section();
-            let begin = if start.is_forward() { section.s_start() } else { section.s_end() };
-            (start.length_between(begin, line.s), line)
-        });
+        let inside = start.lines_to_stop_at().map(|line| (start.away(line.s, false), line));
         let near = leading.chain(inside).filter(|(distance, _)| *distance <= ENTRY_REACH);
         let marked = near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, line)| line);
         marked.or_else(|| {
@@ -94,5 +145,20 @@ impl<'a> Lane<'a> {
             let (class, s) = (light.signal().class(), light.s_on(&lane));
             Some(LaneLine { source, class, lane: lane.lane_id(), s })
         })
+    }
+
+    /// Crosswalks and bicycle crossings that the movement through this lane of a junction passes: up to 30 m before it, on its
+    /// own lanes, and up to 30 m behind it.
+    pub fn movement_crossings(&self) -> impl Iterator<Item = LaneLine> + use<'a> {
+        let before = self.approaches().flat_map(|(lane, before)| {
+            let near = move |line: &LaneLine| before + lane.away(line.s, true) <= ENTRY_REACH;
+            lane.crossings().filter(near)
+        });
+        let inside = self.movement_lanes().flat_map(|lane| lane.crossings());
+        let behind = self.departures().flat_map(|(lane, behind)| {
+            let near = move |line: &LaneLine| behind + lane.away(line.s, false) <= ENTRY_REACH;
+            lane.crossings().filter(near)
+        });
+        before.chain(inside).chain(behind)
     }
 }

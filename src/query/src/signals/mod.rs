@@ -1,19 +1,25 @@
 //! Signals: what they are, where they count, what they mean for a lane.
 
 mod ahead;
+mod board;
 mod controller;
 mod lane;
 mod last_sign;
 mod lines;
+mod link;
 mod movement;
+mod near;
 mod overtaking;
 mod speed;
 
 pub use ahead::{SignalAhead, SignalsAhead};
+pub use board::{BoardGroupMember, DisplayArea, SignalBoard};
 pub use controller::{Controller, JunctionController};
 pub use lane::LaneSignal;
-pub use lines::{LaneLine, LineSource};
+pub use lines::{LaneLine, LineAhead, LineSource};
+pub use link::SignalLink;
 pub use movement::{RightOfWay, Turn};
+pub use near::NearSignal;
 pub use overtaking::OvertakingRule;
 pub use speed::{SpeedOrigin, SpeedRule};
 
@@ -82,19 +88,6 @@ pub struct SignalSemantics<'a> {
     pub unit: &'a str,
     /// What it means.
     pub class: Class,
-}
-
-/// Something that a signal names.
-#[derive(Clone, Copy)]
-pub struct SignalLink<'a> {
-    /// The signal, where it is one and the map has it.
-    pub signal: Option<Signal<'a>>,
-    /// Id as written.
-    pub id: &'a str,
-    /// `type` as written.
-    pub kind: &'a str,
-    /// Whether an object is named.
-    pub is_object: bool,
 }
 
 /// A place where a signal counts: on its own road, or on one that refers to it.
@@ -218,37 +211,10 @@ impl<'a> Signal<'a> {
         Self::new(self.map, self.row.carrier())
     }
 
-    /// Number of variable message boards that it carries (1.8).
-    pub fn boards(&self) -> usize {
-        self.row.boards().of(self.map.tables().signal_boards).len()
-    }
-
     /// What a traffic light can show; none for what is no light.
     pub fn light(&self) -> Option<LightStates> {
         let (bulbs, phases, arrows) = (self.row.bulbs(), self.row.phases(), self.row.arrows());
         (bulbs != 0).then_some(LightStates { bulbs, phases, arrows })
-    }
-
-    /// Signals that it controls or depends on.
-    pub fn dependencies(&self) -> impl ExactSizeIterator<Item = SignalLink<'a>> + use<'a> {
-        let (map, tables) = (self.map, self.map.tables());
-        self.row.dependencies().of(tables.signal_dependencies).iter().map(move |row| SignalLink {
-            signal: Self::new(map, row.signal()),
-            id: string(tables, row.id()),
-            kind: string(tables, row.r#type()),
-            is_object: false,
-        })
-    }
-
-    /// Objects and signals that belong to it.
-    pub fn links(&self) -> impl ExactSizeIterator<Item = SignalLink<'a>> + use<'a> {
-        let (map, tables) = (self.map, self.map.tables());
-        self.row.links().of(tables.signal_links).iter().map(move |row| SignalLink {
-            signal: Self::new(map, row.signal()),
-            id: string(tables, row.id()),
-            kind: string(tables, row.r#type()),
-            is_object: row.kind() == 0,
-        })
     }
 
     /// What it says itself that it means (1.8, 1.9).

@@ -1,6 +1,8 @@
 //! Movements through a junction: a movement is a lane of a connecting road, seen from its entry.
 
+use super::Signal;
 use super::lane::LaneSignal;
+use crate::ids::LaneId;
 use crate::lane::Lane;
 use crate::map::Map;
 use mapd_archive::{ArchivedRightOfWayRow, Class, Relation, RelationReason};
@@ -64,7 +66,40 @@ impl<'a> RightOfWay<'a> {
     }
 }
 
+/// The lane of the only id.
+fn sole<'a>(map: Map<'a>, mut ids: impl Iterator<Item = LaneId>) -> Option<Lane<'a>> {
+    let id = ids.next()?;
+    Lane::new(map, id.row()).filter(|_| ids.next().is_none())
+}
+
+impl<'a> Signal<'a> {
+    /// First lanes of the movements through junctions that this light governs, place by place. Of what is no light, and of a
+    /// light for people on foot, none. Looks at all places of the map.
+    pub fn movements(&self) -> impl Iterator<Item = Lane<'a>> + use<'a> {
+        let own = self.signal_id();
+        let governed = move |lane: &Lane<'a>| {
+            lane.movement_lights().any(|one| one.signal().signal_id() == own)
+        };
+        let lanes = self.places().flat_map(|place| place.lanes()).filter_map(|one| one.lane());
+        lanes.flat_map(|lane| lane.movements_ahead()).filter(governed)
+    }
+}
+
 impl<'a> Lane<'a> {
+    /// First lanes of the movements that begin on this lane of a junction, or that it leads to near one.
+    fn movements_ahead(self) -> impl Iterator<Item = Lane<'a>> + use<'a> {
+        let in_junction = |lane: &Lane<'a>| lane.road().junction_row().is_some();
+        let own = Some(self).filter(in_junction).map(|lane| lane.movement_start());
+        // The last lane before the junction; what lies between is passed over.
+        let last = self.run(false, -self.whole()).last();
+        let last = last.map(|(lane, _)| lane).filter(|_| own.is_none());
+        let map = self.map;
+        let next = last
+            .into_iter()
+            .flat_map(move |lane| lane.successors().filter_map(move |id| Lane::new(map, id.row())));
+        own.into_iter().chain(next.filter(in_junction))
+    }
+
     /// Heading of the lane's traffic `[rad]`, in (−π, π], at its beginning or end in driving direction.
     pub fn driving_heading(&self, at_end: bool) -> f64 {
         let section = self.section();
@@ -115,6 +150,47 @@ impl<'a> Lane<'a> {
         self.movement_start().predecessors().filter_map(move |id| Lane::new(map, id.row()))
     }
 
+    /// Lanes of the junction that the movement through this one goes over, first to last; itself where it is in no junction.
+    pub fn movement_lanes(&self) -> impl Iterator<Item = Lane<'a>> + use<'a> {
+        self.movement_start().pieces(false)
+    }
+
+    /// Lanes that lead to the movement, and those before them as long as each follows one alone and begins less than 30 m before
+    /// the junction; each with the distance from its end to the junction `[m]`.
+    pub(super) fn approaches(&self) -> impl Iterator<Item = (Lane<'a>, f64)> + use<'a> {
+        self.entries().flat_map(|lane| lane.run(true, 0.0))
+    }
+
+    /// As `approaches`, for lanes that the movement leads to: each with the distance from the junction to its beginning.
+    pub(super) fn departures(&self) -> impl Iterator<Item = (Lane<'a>, f64)> + use<'a> {
+        let map = self.map;
+        let last = self.pieces(false).last().unwrap_or(*self);
+        let next = last.successors().filter_map(move |id| Lane::new(map, id.row()));
+        next.flat_map(|lane| lane.run(false, 0.0))
+    }
+
+    /// This lane and those before (or behind) it, near a junction: until there is a fork or another junction, or the reach ends;
+    /// each with the lengths of those passed `[m]`, counted from `start`.
+    fn run(self, before: bool, start: f64) -> impl Iterator<Item = (Lane<'a>, f64)> + use<'a> {
+        let step = move |(lane, passed): &(Lane<'a>, f64)| {
+            let next = if before {
+                sole(lane.map, lane.predecessors())
+            } else {
+                sole(lane.map, lane.successors())
+            };
+            let next = next.filter(|next| next.road().junction_row().is_none())?;
+            let passed = passed + lane.whole();
+            (passed <= ENTRY_REACH).then_some((next, passed))
+        };
+        std::iter::successors(Some((self, start)), step).take(MOST_PIECES)
+    }
+
+    /// Length of its centre line `[m]`.
+    fn whole(&self) -> f64 {
+        let section = self.section();
+        self.length_between(section.s_start(), section.s_end())
+    }
+
     /// Signals at the entry of the movement through this lane of a junction: those of its first lane, then those of the lanes
     /// that lead in, up to 30 m before. Lights with arrows only where they are for the movement. With each comes its
     /// distance before the junction `[m]`, negative inside.
@@ -126,12 +202,12 @@ impl<'a> Lane<'a> {
             let begin = if forward { section.s_start() } else { section.s_end() };
             (one, -start.length_between(begin, one.s_on(&start)))
         });
-        let leading = self.entries().flat_map(move |lane| {
+        let leading = self.approaches().flat_map(move |(lane, after)| {
             let section = lane.section();
             let end = if lane.is_forward() { section.s_end() } else { section.s_start() };
             lane.signals()
                 .filter(move |one| one.is_for(lane.is_forward()))
-                .map(move |one| (one, lane.length_between(one.s_on(&lane), end)))
+                .map(move |one| (one, after + lane.length_between(one.s_on(&lane), end)))
         });
         own.chain(leading.filter(|(_, before)| *before <= ENTRY_REACH)).filter(move |(one, _)| {
             let signal = one.signal();

@@ -10,7 +10,7 @@ use crate::place::{SectionIn, Side, is_left_hand, junction_of, number, text, val
 use crate::profile::{borders_at, elevation_at, outermost_at, superelevation_at};
 use mapd_xodr::{
     Attribute, ContactPoint, ElementType, Item, Junction, LaneDirection, LaneType, LayerType,
-    LinkedElement, Objects, ReferenceElementType, Road, Signals, Span,
+    LinkedElement, Objects, Road, Span,
 };
 
 /// Cross-sections are this far apart at most `[m]`.
@@ -25,7 +25,7 @@ const STATION_STEP_MIN: f64 = 0.5;
 /// Cross-sections of one road at most: a bound on memory for hostile files.
 const STATIONS_OF_A_ROAD: usize = 100_000;
 
-type Text = Option<Attribute<Box<str>>>;
+pub(super) type Text = Option<Attribute<Box<str>>>;
 
 impl Network {
     /// Takes what is kept of a top-level element.
@@ -88,13 +88,13 @@ impl Network {
         }
     }
 
-    fn part(&mut self, kind: PartKind, id: &Text, span: Span, road: Option<usize>) {
+    pub(super) fn part(&mut self, kind: PartKind, id: &Text, span: Span, road: Option<usize>) {
         if let Some(id) = id {
             self.parts.push(Part { kind, id: id.value.clone(), span, road });
         }
     }
 
-    fn refer(
+    pub(super) fn refer(
         &mut self,
         kinds: &'static [PartKind],
         id: &Text,
@@ -170,53 +170,6 @@ impl Network {
                 "objects/objectReference/@id",
                 from,
                 object.span,
-            );
-        }
-    }
-
-    fn add_signals(&mut self, signals: &Signals, from: &Text, road: usize) {
-        for signal in &signals.signal {
-            self.part(PartKind::Signal, &signal.id, signal.span, Some(road));
-            for dependency in &signal.dependency {
-                self.refer(
-                    &[PartKind::Signal],
-                    &dependency.id,
-                    "signal/dependency/@id",
-                    ("signal", &signal.id),
-                    dependency.span,
-                );
-            }
-            for reference in &signal.reference {
-                let kinds: &[PartKind] = match value(&reference.element_type) {
-                    Some(ReferenceElementType::Signal) => &[PartKind::Signal],
-                    Some(ReferenceElementType::Object) => &[PartKind::Object],
-                    _ => &[PartKind::Signal, PartKind::Object],
-                };
-                self.refer(
-                    kinds,
-                    &reference.element_id,
-                    "signal/reference/@elementId",
-                    ("signal", &signal.id),
-                    reference.span,
-                );
-            }
-            if let Some(position) = &signal.position_road {
-                self.refer(
-                    &[PartKind::Road],
-                    &position.road_id,
-                    "signal/positionRoad/@roadId",
-                    ("signal", &signal.id),
-                    position.span,
-                );
-            }
-        }
-        for reference in &signals.signal_reference {
-            self.refer(
-                &[PartKind::Signal],
-                &reference.id,
-                "signals/signalReference/@id",
-                ("road", from),
-                reference.span,
             );
         }
     }

@@ -191,6 +191,8 @@ pub enum PartKind {
     Object,
     /// `signal`
     Signal,
+    /// `sign` on a board
+    Sign,
     /// `tunnel`
     Tunnel,
     /// `bridge`
@@ -212,6 +214,7 @@ impl PartKind {
             Self::Station => "station",
             Self::Object => "object",
             Self::Signal => "signal",
+            Self::Sign => "sign",
             Self::Tunnel => "tunnel",
             Self::Bridge => "bridge",
             Self::Switch => "switch",

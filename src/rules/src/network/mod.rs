@@ -2,6 +2,7 @@
 //! id, never the elements themselves.
 
 mod collect;
+mod collect_signals;
 mod facts;
 mod joints;
 mod overlap;

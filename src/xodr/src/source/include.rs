@@ -98,6 +98,11 @@ impl Inputs {
         &self.shared.places
     }
 
+    /// A source that has ended, of a file's number.
+    pub(crate) fn nothing(&self, file: u16) -> Source<'static> {
+        Source::nothing(self.shared.clone(), file)
+    }
+
     /// Opens an input that is no file, such as bytes in memory.
     pub fn open<'a>(&mut self, input: Box<dyn Read + Send + 'a>, name: &str) -> Source<'a> {
         self.push(input, name, None, None)

@@ -94,6 +94,11 @@ impl<'a> Source<'a> {
         }
     }
 
+    /// A source that has ended.
+    pub(super) fn nothing(shared: Shared, file: u16) -> Self {
+        Self { ended: true, ..Self::new(Box::new(io::empty()), shared, file) }
+    }
+
     /// The number of this file in [`Places`].
     pub fn file(&self) -> u16 {
         self.file

@@ -53,7 +53,8 @@ pub(super) static RULES: &[Rule] = &[
 fn unique(network: &Network, sink: &mut Sink<'_>) {
     let mut first: HashMap<(PartKind, &str), &Part> = HashMap::new();
     let mut told: HashSet<(PartKind, &str)> = HashSet::new();
-    for part in &network.parts {
+    // Signs on one board may share an id: no rule gives them a class of their own.
+    for part in network.parts.iter().filter(|part| part.kind != PartKind::Sign) {
         let key = (part.kind, &*part.id);
         let Some(before) = first.get(&key) else {
             first.insert(key, part);
@@ -106,7 +107,7 @@ fn signals_only(network: &Network, sink: &mut Sink<'_>) {
     let references = network.references.iter().filter(|r| r.what == "signals/signalReference/@id");
     for reference in references {
         let id = &*reference.id;
-        if known.contains(&(PartKind::Signal, id)) {
+        if [PartKind::Signal, PartKind::Sign].iter().any(|kind| known.contains(&(*kind, id))) {
             continue;
         }
         if let Some((kind, _)) = known.iter().filter(|(_, other)| *other == id).min() {

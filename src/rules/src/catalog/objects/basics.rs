@@ -1,8 +1,8 @@
 //! What an object is.
 
 use crate::example::Example::Objects as In;
-use crate::place::{ObjectIn, number};
-use crate::rule::Check::Object;
+use crate::place::{ObjectIn, RoadIn, number};
+use crate::rule::Check::{Object, Road};
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
 
@@ -53,7 +53,56 @@ pub(super) static RULES: &[Rule] = &[
         ],
     )
     .within(&[BEHIND]),
+    Rule::warning(
+        "mapd:xodr:1.4.0:object.size",
+        "Length, width and radius of an object are not negative.",
+        Object(size),
+        [
+            In(
+                r#"<object id="1" type="pole" s="10" t="4" zOffset="0" orientation="none" length="1" width="1" height="3"/>"#,
+            ),
+            In(
+                r#"<object id="1" type="pole" s="10" t="4" zOffset="0" orientation="none" length="1" width="-1" height="3"/>"#,
+            ),
+        ],
+    ),
+    Rule::warning(
+        "mapd:xodr:1.4.0:structure.on_road",
+        "A bridge or tunnel lies along its road.",
+        Road(structures),
+        [
+            In(r#"<bridge id="1" s="10" length="20" type="steel"/>"#),
+            In(r#"<bridge id="1" s="10" length="200" type="steel"/>"#),
+        ],
+    )
+    .within(&[BEHIND]),
 ];
+
+fn size(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
+    let object = of.object;
+    for (name, size) in
+        [("length", &object.length), ("width", &object.width), ("radius", &object.radius)]
+    {
+        let size = number(size);
+        if size < 0.0 {
+            sink.add(object.span, format_args!("@{name} of 0 or more"), size);
+        }
+    }
+}
+
+fn structures(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
+    let Some(objects) = of.road.objects.as_deref() else { return };
+    let end = number(&of.road.length);
+    let bridges = objects.bridge.iter().map(|b| (b.span, &b.s, &b.length));
+    let tunnels = objects.tunnel.iter().map(|t| (t.span, &t.s, &t.length));
+    for (span, s, length) in bridges.chain(tunnels) {
+        let (from, length) = (number(s), number(length));
+        if from < -BEHIND.value || from + length > end + BEHIND.value {
+            let expected = format_args!("a stretch from 0 to {end}, the road's length");
+            sink.add(span, expected, format_args!("{from} to {}", from + length));
+        }
+    }
+}
 
 fn round_or_angular(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
     let is = |value: &Option<mapd_xodr::Attribute<f64>>| number(value) > 0.0;

@@ -1,0 +1,206 @@
+//! Batches of top-level elements, each of which can be read by itself.
+//!
+//! A [`Cutter`] cuts the text behind the end of a road or junction. Whether the cut is right is only known when the batch has
+//! been read: an end tag may stand in a comment. A batch counts if those before it ended between two elements and it does
+//! itself; from the first on that does not, the document is read on as one.
+
+use crate::cursor::{Cursor, Name, Open, Scope, Step};
+use crate::extension::Extension;
+use crate::findings::{Findings, Kept};
+use crate::generated::{Item, read_document};
+use crate::limits::Limits;
+use crate::source::{Inputs, Note, Source};
+use crate::well_formed::Structure;
+use crate::window::{Stop, Window};
+use std::io::BufRead as _;
+use std::sync::Arc;
+
+/// Bytes of text that a batch has at least. The longest part of a batch's cost that does not grow with it is taking it from
+/// one thread to another, some microseconds; a batch of this size takes a millisecond.
+const BATCH_BYTES: usize = 256 << 10;
+/// Bytes of text in which no end of a road or junction is found: such a document is read on as one.
+const CUTLESS_BYTES: usize = 8 << 20;
+/// Top-level elements that are large or many; behind their ends the text is cut.
+const CUT_BEHIND: [&str; 2] = ["road", "junction"];
+
+/// Text that begins between two top-level elements, if the text before it does not end within one.
+pub struct Batch {
+    pub(crate) text: Vec<u8>,
+    /// Start, as in spans, of its first byte.
+    pub(crate) start: u64,
+    notes: Vec<Note>,
+}
+
+impl Batch {
+    /// Takes what the input has wrong in it as bytes.
+    pub(crate) fn take_notes(&mut self) -> Vec<Note> {
+        std::mem::take(&mut self.notes)
+    }
+}
+
+/// Cuts what is left of a document into batches.
+pub struct Cutter<'a> {
+    pub(crate) source: Source<'a>,
+    /// Text that is in no batch yet.
+    pub(crate) text: Vec<u8>,
+    pub(crate) start: u64,
+    /// Bytes of it in which no end was found.
+    searched: usize,
+    /// Why there is no more text.
+    pub(crate) stop: Option<Stop>,
+    ends: [Vec<u8>; 2],
+    least: usize,
+}
+
+impl<'a> Cutter<'a> {
+    pub(crate) fn new((source, text, start): (Source<'a>, Vec<u8>, u64), prefix: &[u8]) -> Self {
+        let ends = CUT_BEHIND.map(|name| [b"</", prefix, name.as_bytes(), b">"].concat());
+        Self { source, text, start, searched: 0, stop: None, ends, least: BATCH_BYTES }
+    }
+
+    /// Sets the bytes of text that a batch has at least, instead of 256 KiB.
+    pub fn with_batch_bytes(mut self, least: usize) -> Self {
+        self.least = least;
+        self
+    }
+
+    /// The next batch; none where the rest of the document has to be read as one, which is so at its end at the latest.
+    #[expect(clippy::should_implement_trait, reason = "where it ends, there is more to read")]
+    pub fn next(&mut self) -> Option<Batch> {
+        loop {
+            if self.text.len() >= self.least {
+                if let Some(end) = self.end() {
+                    let rest = self.text.split_off(end);
+                    let text = std::mem::replace(&mut self.text, rest);
+                    let start = self.start;
+                    self.start += text.len() as u64;
+                    self.searched = 0;
+                    return Some(Batch { text, start, notes: self.source.take_notes() });
+                }
+                if self.text.len() > CUTLESS_BYTES {
+                    return None;
+                }
+            }
+            if !self.more() {
+                return None;
+            }
+        }
+    }
+
+    /// Where the first road or junction ends that makes the batch large enough.
+    fn end(&mut self) -> Option<usize> {
+        // A tag may have been read in part.
+        let longest = self.ends.iter().map(Vec::len).max().unwrap_or_default();
+        let from = self.searched.max(self.least.saturating_sub(longest));
+        let rest = self.text.get(from..).unwrap_or_default();
+        let ends = self.ends.iter();
+        let ends = ends.filter_map(|tag| Some(memchr::memmem::find(rest, tag)? + tag.len()));
+        self.searched = self.text.len().saturating_sub(longest);
+        ends.min().map(|end| from + end)
+    }
+
+    fn more(&mut self) -> bool {
+        if self.stop.is_some() {
+            return false;
+        }
+        let count = match self.source.fill_buf() {
+            Ok(chunk) => {
+                self.text.extend_from_slice(chunk);
+                chunk.len()
+            }
+            Err(error) => {
+                self.stop = Some(Stop::of(error));
+                return false;
+            }
+        };
+        if count == 0 {
+            self.stop = Some(Stop::End);
+        }
+        self.source.consume(count);
+        count > 0
+    }
+}
+
+/// What the reading of a batch needs to know of the document: the root as it is open, and the version.
+#[derive(Clone)]
+pub struct Context(Arc<Known>);
+
+pub(crate) struct Known {
+    pub(crate) limits: Limits,
+    pub(crate) file: u16,
+    pub(crate) version: usize,
+    pub(crate) stated: String,
+    pub(crate) prefix: Vec<u8>,
+    pub(crate) namespace: Vec<u8>,
+    pub(crate) root: Open,
+    pub(crate) counts: Vec<u16>,
+    pub(crate) structure: Structure,
+}
+
+/// A child of the root.
+pub(crate) enum Part {
+    Item(Item),
+    Extension(Extension),
+}
+
+/// A batch that has been read.
+pub struct ReadBatch {
+    pub(crate) batch: Batch,
+    /// Children of the root with their slots, if the schema has them, and the findings about each.
+    pub(crate) parts: Vec<(Option<usize>, Part, Vec<Kept>)>,
+    /// What was found behind the last of them, and what was not kept.
+    pub(crate) rest: Findings,
+    /// Whether it ends between two top-level elements.
+    pub(crate) is_whole: bool,
+}
+
+impl ReadBatch {
+    /// The batch, unread.
+    pub fn into_batch(self) -> Batch {
+        self.batch
+    }
+}
+
+impl Context {
+    pub(crate) fn new(known: Known) -> Self {
+        Self(Arc::new(known))
+    }
+
+    /// Reads a batch, on any thread.
+    pub fn read(&self, batch: Batch) -> ReadBatch {
+        let known = &*self.0;
+        let Batch { text, start, notes } = batch;
+        let inputs = Inputs::new(known.limits.source);
+        let limit = known.limits.tag_bytes.max(known.limits.text_bytes);
+        let window = Window::over(text, start, inputs.nothing(known.file), limit);
+        let mut cursor = Cursor::new(inputs, window, known.limits);
+        cursor.version = known.version;
+        cursor.stated.clone_from(&known.stated);
+        cursor.prefix.clone_from(&known.prefix);
+        cursor.namespace.clone_from(&known.namespace);
+        cursor.counts.clone_from(&known.counts);
+        cursor.structure = known.structure.clone();
+        cursor.push_frame(Name::Known(crate::reader::ROOT), 0);
+        cursor.scope = Scope::Batch;
+        let mut root = known.root.clone();
+        let mut parts = Vec::new();
+        while !cursor.over {
+            let (slot, part) = match cursor.next_child(&mut root) {
+                Step::Child(slot) => match read_document::item(slot, &mut cursor) {
+                    Some(item) => (Some(slot), Part::Item(item)),
+                    None => break,
+                },
+                Step::Extension(extension) => (None, Part::Extension(extension)),
+                Step::End => break,
+            };
+            cursor.spent = 0;
+            parts.push((slot, part, cursor.findings.take_kept()));
+        }
+        let is_whole = cursor.scope == Scope::WholeBatch
+            && !cursor.findings.is_full()
+            && !cursor.window.passed_limit;
+        let rest = std::mem::replace(&mut cursor.findings, Findings::new(0));
+        let batch = Batch { text: cursor.window.into_text(), start, notes };
+        ReadBatch { batch, parts, rest, is_whole }
+    }
+}

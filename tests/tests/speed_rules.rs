@@ -1,0 +1,162 @@
+//! Which speed limit holds, and who says so; signals that say themselves what they mean.
+
+use mapd_query::{Class, SpeedOrigin, VehicleClass};
+use mapd_tests::object_maps::{ObjectRoad, PLAIN, document, open};
+
+const KMH: f64 = 1.0 / 3.6;
+
+/// What stands in a map for these tests, all of it optional.
+#[derive(Default)]
+struct Rules<'a> {
+    /// Children of the header's `defaultRegulations`.
+    regulations: &'a str,
+    /// `type` elements of the road.
+    types: &'a str,
+    /// What lane −1 holds beside its width.
+    lane: &'a str,
+    signals: &'a str,
+}
+
+fn map(rules: &Rules<'_>) -> String {
+    let header = format!(
+        r#"<header revMajor="1" revMinor="9"><defaultRegulations>{}</defaultRegulations></header>"#,
+        rules.regulations
+    );
+    let signals = format!("</objects><signals>{}</signals>", rules.signals);
+    let lane = r#"<lane id="-1" type="driving" level="false"><width sOffset="0" a="3.5" b="0" c="0" d="0"/>"#;
+    document(&ObjectRoad { version: "1.9", ..PLAIN }, "")
+        .replace(r#"<header revMajor="1" revMinor="9"/>"#, &header)
+        .replace("<planView>", &format!("{}<planView>", rules.types))
+        .replace(lane, &format!("{lane}{}", rules.lane))
+        .replace("</objects>", &signals)
+}
+
+fn sign(id: &str, s: f64, kind: &str, inside: &str) -> String {
+    format!(
+        r#"<signal id="{id}" s="{s}" t="-5" zOffset="2" orientation="+" dynamic="no" {kind}>{inside}</signal>"#
+    )
+}
+
+/// Limits at places of a lane: s, metres per second if any, who says so.
+fn check(rules: &Rules<'_>, lane: i32, expected: &[(f64, Option<f64>, SpeedOrigin)]) {
+    let snapshot = open(&map(rules));
+    let section = snapshot.map().road_by_id("1").expect("the road").section(0).expect("a section");
+    let lane = section.lane(lane).expect("a lane");
+    for (s, max, origin) in expected {
+        let rule = lane.speed_rule_at(*s);
+        assert_eq!(rule.origin, *origin, "at {s}: {rule:?}");
+        let fits = match (rule.max, max) {
+            (Some(found), Some(max)) => found == *max || (found - max).abs() < 1e-12,
+            (found, max) => found == *max,
+        };
+        assert!(fits, "at {s}: {rule:?}, expected {max:?}");
+        assert_eq!(rule.signal.is_some(), *origin == SpeedOrigin::Signal);
+    }
+}
+
+const TOWN: &str = r#"<roadRegulations type="town"><semantics><speed type="maximum" value="50" unit="km/h"/></semantics></roadRegulations>"#;
+
+use SpeedOrigin::{Default as ByDefault, Lane, None as Nobody, RoadType, Signal};
+
+#[test]
+fn a_sign_goes_before_the_lane_before_the_road_before_the_header() {
+    let signals =
+        sign("V", 80.0, r#"country="DE" type="274" subtype="-1" value="30" unit="km/h""#, "")
+            + &sign(
+                "E",
+                95.0,
+                r#"country="DE" type="278" subtype="-1" value="30" unit="km/h""#,
+                "",
+            );
+    let rules = Rules {
+        regulations: TOWN,
+        types: r#"<type s="0" type="town"/><type s="40" type="rural"><speed max="100" unit="km/h"/></type>"#,
+        lane: r#"<speed sOffset="60" max="70" unit="km/h"/>"#,
+        signals: &signals,
+    };
+    let ahead = [
+        (10.0, Some(50.0 * KMH), ByDefault),
+        (40.0, Some(100.0 * KMH), RoadType),
+        (60.0, Some(70.0 * KMH), Lane),
+        (80.0, Some(30.0 * KMH), Signal),
+        (94.0, Some(30.0 * KMH), Signal),
+        (95.0, Some(70.0 * KMH), Lane),
+    ];
+    check(&rules, -1, &ahead);
+    // Neither the sign nor the lane's record is for the other direction.
+    check(&rules, 1, &[(10.0, Some(50.0 * KMH), ByDefault), (90.0, Some(100.0 * KMH), RoadType)]);
+    // Without the one, the next: nobody at last.
+    check(&Rules { signals: "", ..rules }, -1, &[(90.0, Some(70.0 * KMH), Lane)]);
+    check(&Rules { signals: "", lane: "", ..rules }, -1, &[(90.0, Some(100.0 * KMH), RoadType)]);
+    check(&Rules { regulations: TOWN, ..Rules::default() }, -1, &[(90.0, None, Nobody)]);
+    check(&Rules::default(), -1, &[(90.0, None, Nobody)]);
+}
+
+#[test]
+fn no_limit_is_a_rule_and_undefined_is_none() {
+    let road =
+        |max: &str| format!(r#"<type s="0" type="town"><speed max="{max}" unit="km/h"/></type>"#);
+    let of = |types: &str, expected| {
+        check(&Rules { regulations: TOWN, types, ..Rules::default() }, -1, &[expected]);
+    };
+    of(&road("no limit"), (5.0, Some(f64::INFINITY), RoadType));
+    of(&road("undefined"), (5.0, Some(50.0 * KMH), ByDefault));
+    of(&road("60"), (5.0, Some(60.0 * KMH), RoadType));
+}
+
+#[test]
+fn semantics_go_before_the_code() {
+    let meant = |inside: &str| format!("<semantics>{inside}</semantics>");
+    for (inside, class, value) in [
+        (
+            r#"<speed type="maximum" value="30" unit="mph"/>"#,
+            Class::SpeedLimit,
+            Some(30.0 * 0.44704),
+        ),
+        (r#"<speed type="zone" value="20" unit="km/h"/>"#, Class::SpeedLimitZone, Some(20.0 * KMH)),
+        (r#"<priority type="yield"/>"#, Class::Yield, None),
+        (r#"<priority type="4way"/>"#, Class::Stop, None),
+        (r#"<priority type="stopLine"/>"#, Class::StopLine, None),
+        (r#"<lane type="noOvertakeTrucks"/>"#, Class::NoOvertakingByTrucks, None),
+        (r#"<warning/>"#, Class::Warning, None),
+    ] {
+        // By its code, a stop sign.
+        let signals = sign("1", 20.0, r#"country="DE" type="206" subtype="-1""#, &meant(inside));
+        let snapshot = open(&map(&Rules { signals: &signals, ..Rules::default() }));
+        let signal = snapshot.map().signal_by_id("1").expect("the signal");
+        assert_eq!(signal.class(), class, "{inside}");
+        let fits = match (signal.value(), value) {
+            (Some(found), Some(value)) => (found - value).abs() < 1e-12,
+            (found, value) => found == value,
+        };
+        assert!(fits, "{inside}: {:?}", signal.value());
+        assert_eq!(signal.semantics().next().map(|one| one.class), Some(class), "{inside}");
+        assert_eq!(signal.code()[2], "206", "what is written stays");
+    }
+}
+
+#[test]
+fn a_temporary_or_invalidated_sign_says_so() {
+    let kind = r#"country="DE" type="274" subtype="-1" value="30" unit="km/h" temporary="true""#;
+    let gone = kind.replace("temporary", "invalidated");
+    let signals = sign("T", 20.0, kind, "") + &sign("I", 60.0, &gone.replace("30", "10"), "");
+    let rules = Rules { signals: &signals, ..Rules::default() };
+    let snapshot = open(&map(&rules));
+    let signal = |id| snapshot.map().signal_by_id(id).expect("a signal");
+    assert!(signal("T").is_temporary() && !signal("T").is_invalidated());
+    assert!(signal("I").is_invalidated());
+    // What no longer holds changes nothing.
+    check(&rules, -1, &[(10.0, None, Nobody), (80.0, Some(30.0 * KMH), Signal)]);
+}
+
+#[test]
+fn access_is_asked_by_lane_and_place() {
+    let lane = r#"<access sOffset="0" rule="allow" restriction="bus"/><access sOffset="50" rule="deny" restriction="trucks"/>"#;
+    let snapshot = open(&map(&Rules { lane, ..Rules::default() }));
+    let section = snapshot.map().road_by_id("1").expect("the road").section(0).expect("a section");
+    let lane = section.lane(-1).expect("a lane");
+    assert_eq!(lane.access_at(10.0).collect::<Vec<_>>(), [VehicleClass::Bus]);
+    assert!(lane.allows_at(60.0, VehicleClass::PassengerCar));
+    assert!(lane.access_at(60.0).all(|class| lane.allows_at(60.0, class)));
+    assert!(!lane.allows_at(60.0, VehicleClass::Truck));
+}
