@@ -16,6 +16,15 @@ const SMALL: f64 = 1e-4;
 /// Largest number of corrections towards [`RESIDUAL`]; one is enough wherever one is needed at all.
 const REFINEMENTS: usize = 3;
 
+/// Step of a derivative `[rad]`, 6 m: what it neglects is a millionth of a correction.
+const PROBE: f64 = 1e-6;
+/// Sine of the angle between the images of east and north below which they do not span the plane.
+const SLANTED: f64 = 0.01;
+/// Names of conformal projections, of which one derivative tells the other.
+const CONFORMAL: [&str; 5] = ["merc", "lcc", "stere", "sterea", "somerc"];
+/// Names of projections whose inverse needs no correction: geodesics are solved to nanometres.
+const EXACT: [&str; 1] = ["aeqd"];
+
 /// Names of the transverse Mercator projection in PROJ.
 const TRANSVERSE: [&str; 3] = ["utm", "tmerc", "etmerc"];
 /// Parameters that ask for another form of it, or for something that only proj4rs knows.
@@ -134,11 +143,20 @@ impl Plane {
 fn refined(both: &(Proj, Proj), plane: DVec2) -> Result<(f64, f64), ProjectionError> {
     let mut aim = plane;
     let mut place = unproject(both, aim)?;
+    if EXACT.contains(&both.0.projname()) {
+        return Ok(place);
+    }
     for _ in 0..REFINEMENTS {
-        let missed = plane - project(both, place.0, place.1)?;
+        let there = project(both, place.0, place.1)?;
+        let missed = plane - there;
         let most = missed.abs().max_element();
         if most <= RESIDUAL {
             break;
+        }
+        if most <= SMALL
+            && let Some(better) = step(both, place, there, missed)
+        {
+            return Ok(better);
         }
         aim += missed;
         place = unproject(both, aim)?;
@@ -147,6 +165,30 @@ fn refined(both: &(Proj, Proj), plane: DVec2) -> Result<(f64, f64), ProjectionEr
         }
     }
     Ok(place)
+}
+
+/// One of Newton's steps towards a point that a place misses; none where the projection has no two directions, as at a pole.
+fn step(
+    both: &(Proj, Proj),
+    (longitude, latitude): (f64, f64),
+    there: DVec2,
+    missed: DVec2,
+) -> Option<(f64, f64)> {
+    let north = (project(both, longitude, latitude - PROBE).ok()? - there) / -PROBE;
+    let east = if CONFORMAL.contains(&both.0.projname()) {
+        // As long as on the ellipsoid in relation to the way north, and square to it.
+        let (a, b) = both.1.ellipse_parameters();
+        let e2 = 1.0 - (b / a) * (b / a);
+        let (sin, cos) = libm::sincos(latitude);
+        north.perp() * -(cos * (1.0 - e2 * sin * sin) / (1.0 - e2))
+    } else {
+        (project(both, longitude + PROBE, latitude).ok()? - there) / PROBE
+    };
+    let area = east.perp_dot(north);
+    if area.abs() <= SLANTED * east.length() * north.length() {
+        return None;
+    }
+    Some((longitude + missed.perp_dot(north) / area, latitude + east.perp_dot(missed) / area))
 }
 
 fn unproject((plane, earth): &(Proj, Proj), point: DVec2) -> Result<(f64, f64), ProjectionError> {

@@ -128,7 +128,7 @@ impl<'a> Curve<'a> {
             y: position.y,
             cos: tangent.x,
             sin: tangent.y,
-            heading: self.start.heading + self.turned(u),
+            heading: self.start.heading + self.turned_of(u, frame.tangent),
             curvature: frame.curvature,
         }
     }
@@ -280,6 +280,15 @@ impl<'a> Curve<'a> {
         }
     }
 
+    /// As [`Self::turned`], where the tangent in the curve's own frame is known.
+    #[inline]
+    fn turned_of(&self, u: f64, tangent: DVec2) -> f64 {
+        match &self.shape {
+            Shape::Transformed(transformed) => transformed.heading(u, tangent),
+            _ => self.turned(u),
+        }
+    }
+
     /// Heading relative to the start `[rad]`; `u` lies on the curve.
     #[inline]
     fn turned(&self, u: f64) -> f64 {
@@ -288,7 +297,7 @@ impl<'a> Curve<'a> {
             Shape::Arc { curvature } => curvature * u,
             Shape::Spiral(spiral) => spiral.heading(u),
             Shape::Parametric(parametric) => parametric.heading(u),
-            Shape::Transformed(transformed) => transformed.heading(u),
+            Shape::Transformed(transformed) => transformed.heading(u, transformed.frame(u).tangent),
         }
     }
 }

@@ -1,9 +1,12 @@
 //! Curves that were moved into another plane: position from polynomial pieces, direction and curvature from their derivatives.
 
-use crate::piecewise::{Pieces, derivatives, point_and_derivative};
+use crate::piecewise::{Pieces, derivatives};
 use crate::point::{Frame, Jet};
 use crate::primitive::{TERMS, TRANSFORMED_PIECE};
 use glam::DVec2;
+
+/// Tangent of an angle below which four terms of the arc tangent's series are exact to 1e-19.
+const NEARLY_STRAIGHT: f64 = 0.01;
 
 /// A compiled transformed curve. Its speed |dr/du| is the local scale of the transformation, not 1.
 #[derive(Clone, Copy, Debug)]
@@ -11,28 +14,37 @@ pub(crate) struct Transformed<'a> {
     pub(crate) pieces: Pieces<'a, TRANSFORMED_PIECE>,
 }
 
-/// The heading of a piece's middle relative to the start `[rad]`, and x(τ), y(τ).
+/// x(τ) and y(τ), which follow the heading of the piece's middle.
 #[inline]
-fn split(piece: &[f64; TRANSFORMED_PIECE]) -> (f64, &[f64; 2 * TERMS]) {
+fn split(piece: &[f64; TRANSFORMED_PIECE]) -> &[f64; 2 * TERMS] {
     const NONE: &[f64; 2 * TERMS] = &[0.0; 2 * TERMS];
-    let [heading, ..] = *piece;
-    (heading, piece.last_chunk().unwrap_or(NONE))
+    piece.last_chunk().unwrap_or(NONE)
 }
 
 impl Transformed<'_> {
-    /// Heading relative to the start `[rad]`, continuous: a piece turns by less than half a circle from its middle.
-    pub(crate) fn heading(&self, u: f64) -> f64 {
-        let (piece, t) = self.pieces.find(u);
-        let (middle, xy) = split(piece);
-        let (_, slope) = point_and_derivative(xy, t);
-        let (_, at_middle) = point_and_derivative(xy, 0.0);
-        middle + libm::atan2(at_middle.perp_dot(slope), at_middle.dot(slope))
+    /// Heading relative to the start `[rad]` of the unit tangent at `u`, continuous: a piece turns by less than half a circle from
+    /// its middle.
+    #[inline]
+    pub(crate) fn heading(&self, u: f64, tangent: DVec2) -> f64 {
+        let (piece, _) = self.pieces.find(u);
+        let [middle, ..] = *piece;
+        // The slope at the middle.
+        let at_middle = DVec2::new(piece[2], piece[2 + TERMS]);
+        let (aside, along) = (at_middle.perp_dot(tangent), at_middle.dot(tangent));
+        let ratio = aside / along;
+        middle
+            + if along > 0.0 && ratio.abs() < NEARLY_STRAIGHT {
+                let square = ratio * ratio;
+                ratio * (1.0 - square * (1.0 / 3.0 - square * (0.2 - square * (1.0 / 7.0))))
+            } else {
+                libm::atan2(aside, along)
+            }
     }
 
     #[inline]
     pub(crate) fn frame(&self, u: f64) -> Frame {
         let (piece, t) = self.pieces.find(u);
-        let (position, first, second) = derivatives(split(piece).1, t);
+        let (position, first, second) = derivatives(split(piece), t);
         let length = first.length();
         let per_length = 1.0 / length;
         Frame {
@@ -46,7 +58,7 @@ impl Transformed<'_> {
     #[inline]
     pub(crate) fn jet(&self, u: f64) -> Jet {
         let (piece, t) = self.pieces.find(u);
-        let (position, first, second) = derivatives(split(piece).1, t);
+        let (position, first, second) = derivatives(split(piece), t);
         let rate = self.pieces.rate();
         Jet { position, first: first * rate, second: second * (rate * rate) }
     }

@@ -14,7 +14,7 @@ use crate::options::CompileOptions;
 use crate::signals::Resolved;
 use charts::{Charts, Local, Way};
 use glam::{DVec2, DVec3};
-use mapd_archive::{FileFrameRow, Rows};
+use mapd_archive::{FileFrameRow, GeometryRow, Rows};
 use mapd_geodesy::{Doubt, Offset, Projector, Target};
 use mapd_geometry::normalize_angle;
 use mapd_xodr::{Finding, Severity};
@@ -29,6 +29,8 @@ const SCALE_DEVIATION: f64 = 0.002;
 /// Height over which the effect of heights on a datum's shift is measured `[m]`.
 const HEIGHT_PROBE: f64 = 100.0;
 
+/// Heights that a map may have on average, before and after `[m]`; what is higher is none of a road.
+const HIGHEST: f64 = 1e6;
 /// How exact projections are `[m]`: those computed here, and those of proj4rs, whose inverse is corrected to 0.1 µm.
 const EXACT: [f64; 2] = [1e-8, 2e-7];
 /// What the largest difference seen is multiplied by to bound those that are not.
@@ -94,6 +96,16 @@ impl Extent {
         (extent.low.is_finite() && extent.high.is_finite()).then_some(extent)
     }
 
+    /// Where the map is, by one more measure: the median start of its geometries. A road that lies astray does not move it.
+    fn median(&self, rows: &Rows) -> DVec3 {
+        let median = |of: fn(&GeometryRow) -> f64| {
+            let mut all: Vec<f64> = rows.geometries.iter().map(of).collect();
+            let half = all.len() / 2;
+            if all.is_empty() { 0.0 } else { *all.select_nth_unstable_by(half, f64::total_cmp).1 }
+        };
+        DVec3::new(median(|g| g.x), median(|g| g.y), self.middle().z)
+    }
+
     fn middle(&self) -> DVec3 {
         self.low.midpoint(self.high)
     }
@@ -134,41 +146,55 @@ impl Frame {
             ));
             return None;
         }
-        let extent = Extent::of(rows)?;
-        let middle = extent.middle();
-        let mut told = Vec::new();
-        let (file_offset, is_negated) = placed.applied(middle, options.offset_sign, &mut told);
-        let of_file = match Projector::new(&placed.definition, file_offset) {
-            Ok(projector) => projector,
-            Err(error) => {
-                refuse(format!("the map cannot be transformed into {target}: {error}"));
-                return None;
-            }
+        if rows.geometries.is_empty() {
+            return None;
+        }
+        let Some(extent) = Extent::of(rows) else {
+            refuse(format!("the map cannot be transformed into {target}: it reaches to infinity"));
+            return None;
         };
-        let Ok(place) = of_file.to_geodetic(middle) else {
-            refuse(format!(
-                "the map cannot be transformed into {target}: its middle ({:.1}, {:.1}) lies outside the area of its own projection",
+        let mut why = String::new();
+        for middle in [extent.middle(), extent.median(rows)] {
+            let mut told = Vec::new();
+            let applied = placed.applied(middle, options.offset_sign, &mut told);
+            match Self::about_place(target, placed, &extent, middle, applied) {
+                Ok(frame) => {
+                    findings.append(&mut told);
+                    return Some(frame);
+                }
+                // What is wrong with where most of the map is tells more.
+                Err(error) => why = error,
+            }
+        }
+        refuse(format!("the map cannot be transformed into {target}: {why}"));
+        None
+    }
+
+    /// The frame for a map with this middle and offset. Errors: why there is none.
+    fn about_place(
+        target: &Target,
+        placed: &Placed,
+        extent: &Extent,
+        middle: DVec3,
+        (file_offset, is_negated): (Offset, bool),
+    ) -> Result<Self, String> {
+        let of_file = Projector::new(&placed.definition, file_offset).map_err(|e| e.to_string())?;
+        let place = of_file.to_geodetic(middle).map_err(|_| {
+            format!(
+                "its middle ({:.1}, {:.1}) lies outside the area of its own projection",
                 middle.x, middle.y
-            ));
-            return None;
-        };
+            )
+        })?;
         let definition = target.definition(place);
-        let of_target = match Projector::new(&definition, Offset::default()) {
-            Ok(projector) => projector,
-            Err(error) => {
-                refuse(format!("the map cannot be transformed into {target}: {error}"));
-                return None;
-            }
-        };
+        let of_target =
+            Projector::new(&definition, Offset::default()).map_err(|e| e.to_string())?;
         let way = Way { from: of_file.clone(), to: of_target.clone() };
-        let Some(image) = way.image(middle) else {
-            refuse(format!(
-                "the map cannot be transformed into {target}: its middle (latitude {:.6}, longitude {:.6}) lies outside that frame's area",
+        let image = way.image(middle).ok_or_else(|| {
+            format!(
+                "its middle (latitude {:.6}, longitude {:.6}) lies outside that frame's area",
                 place.latitude, place.longitude
-            ));
-            return None;
-        };
-        findings.append(&mut told);
+            )
+        })?;
         let height_shift = image.z - middle.z;
         let shifts = extent.probes().map(|p| way.image(p).map(|image| image.z - p.z));
         let off = shifts.iter().flatten().map(|shift| UNSEEN * (shift - height_shift).abs());
@@ -177,11 +203,15 @@ impl Frame {
         let lean = way
             .image(middle + DVec3::Z * HEIGHT_PROBE)
             .map_or(0.0, |above| above.truncate().distance(image.truncate()) / HEIGHT_PROBE);
-        let relief = 0.5 * (extent.high.z - extent.low.z);
+        let lean_error = UNSEEN * lean * 0.5 * (extent.high.z - extent.low.z);
+        let is_sane = lean_error.is_finite() && height_error.is_finite();
+        if !is_sane || image.z.abs().max(middle.z.abs()) > HIGHEST {
+            return Err("its heights are none on Earth".to_owned());
+        }
         let both = of_file.is_reproducible() && of_target.is_reproducible();
         let exact = EXACT[usize::from(!both)];
         let back = Way { from: of_target, to: of_file };
-        Some(Self {
+        Ok(Self {
             definition,
             target: target.text().to_owned(),
             file_offset,
@@ -190,7 +220,7 @@ impl Frame {
             back: Charts::new(back, image.z),
             height_shift,
             height_error,
-            error: UNSEEN * lean * relief + exact,
+            error: lean_error + exact,
             scale: [f64::INFINITY, f64::NEG_INFINITY],
             strings: [0; 2],
         })

@@ -73,10 +73,11 @@ impl<'a> Line<'a> {
                 let point =
                     Curve::new(kind, start, g.length(), coefficients)?.evaluate(inside - g.s());
                 let on_line = map.local_origin() + DVec2::new(point.x, point.y);
-                // Without a grid 0 in the file's own frame.
-                let plane =
-                    (map.file_frame().map_or(0.0, |frame| frame.height_shift()), DVec2::ZERO);
-                let (z, slope) = junction.grid_height_at(on_line).unwrap_or(plane);
+                let (z, slope) = junction.grid_height_at(on_line).unwrap_or_else(|| {
+                    // 0 in the file's own frame.
+                    let shift = map.file_frame().map_or(0.0, |frame| frame.height_shift());
+                    (shift, DVec2::ZERO)
+                });
                 let along = DVec2::new(point.cos, point.sin);
                 let pitch = -atan2(slope.dot(along), 1.0);
                 let roll = atan2(slope.dot(along.perp()), 1.0);

@@ -160,7 +160,9 @@ impl Network {
         let mut cells: Vec<((i64, i64), u32)> = Vec::new();
         for (rank, stretch) in stretches.iter().enumerate() {
             let [x0, y0, x1, y1] = stretch.bounds.map(|value| (value / CELL).floor() as i64);
-            if (x1 - x0 + 1).saturating_mul(y1 - y0 + 1) > CELLS_OF_A_STRETCH {
+            let [width, height] = [x1.saturating_sub(x0), y1.saturating_sub(y0)];
+            if width.saturating_add(1).saturating_mul(height.saturating_add(1)) > CELLS_OF_A_STRETCH
+            {
                 continue;
             }
             for x in x0..=x1 {
