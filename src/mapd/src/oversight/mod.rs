@@ -33,7 +33,7 @@ pub(crate) struct OversightArgs {
     metrics: Option<SocketAddr>,
 
     /// Let --metrics listen at an address that other machines can reach
-    #[arg(long, requires = "metrics")]
+    #[arg(long)]
     metrics_open: bool,
 
     /// Prove what is served, every byte of it, at this interval [s]
