@@ -8,13 +8,13 @@ use std::path::Path;
 /// machine. They change when the layout or the compiler changes;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
-    ("one_road.xodr", "", "3b52907df4b2bcffd2f4eb7059c373c52662bb48ad0bbf806c1f5d256be3cf57"),
-    ("town.xodr", "", "5bd6400776c322244ff6e1459ccaccc66e141d5c599b13bd9992c936c305d356"),
-    ("one_road.xodr", "utm", "c7a0aece204428cd7ba64a323d23c7998df302d32a0d440560cbf84bf7862803"),
+    ("one_road.xodr", "", "08e9528b7e5f25899e616d5a353b0a96d5747ea9c31236aa383d7733c4b01d73"),
+    ("town.xodr", "", "b11b4eb5d37c8a424e770da5221b3337d311a50b196d9c6ec5fa859e8c8c2072"),
+    ("one_road.xodr", "utm", "ab767d2f22579220bd8c05e7e5dcd2ba9b92148991e2126ae1a591d0211d9731"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "c4f8f411e8c94663fb680de38960cac2398c12c8eedb7191e7fb6c58565b78df",
+        "2d8afbf5e068b951adb814af58ce1e219476ade35495a9f002e7a5c8c2b212ad",
     ),
 ];
 

@@ -12,6 +12,10 @@ use rayon::prelude::*;
 /// Sections that one task samples; small enough to share work evenly, large enough to be worth a task.
 const SECTIONS_PER_TASK: usize = 16;
 
+/// Share of the index' tolerance that centre lines use up. Shorter segments have sharper rectangles around them, which saves
+/// queries more than the segments cost.
+const INDEX_SHARE: f64 = 0.4;
+
 /// The sampled lines of some lanes.
 struct Lines {
     lanes: Vec<Line>,
@@ -117,7 +121,7 @@ fn line(
     let before = lines.points.len();
     if lane.number() != 0 {
         let mut center = LaneCurve { cuts, lane: at, t: LaneEdges::center };
-        flatten(&breaks, options.index_tolerance, &mut center, samples)?;
+        flatten(&breaks, INDEX_SHARE * options.index_tolerance, &mut center, samples)?;
         lines.points.extend(points(samples, origin, s_start));
     }
     let center = lines.points.len() - before;
