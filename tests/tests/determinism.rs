@@ -8,13 +8,13 @@ use std::path::Path;
 /// machine. They change when the layout or the compiler changes;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
-    ("one_road.xodr", "", "08e9528b7e5f25899e616d5a353b0a96d5747ea9c31236aa383d7733c4b01d73"),
-    ("town.xodr", "", "b11b4eb5d37c8a424e770da5221b3337d311a50b196d9c6ec5fa859e8c8c2072"),
-    ("one_road.xodr", "utm", "ab767d2f22579220bd8c05e7e5dcd2ba9b92148991e2126ae1a591d0211d9731"),
+    ("one_road.xodr", "", "ec175461fe85f68eb98a248ec72a2dbccd2a25f46397baad8e90d74ed823b4b7"),
+    ("town.xodr", "", "809be0313263a1094b6d7c086582f2cc2cc4d665b9f1205c1dfb8c4ccd757b98"),
+    ("one_road.xodr", "utm", "b47669492c7994454af9e688585b0a438e7b585591b76b60c936dff597f28d53"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "2d8afbf5e068b951adb814af58ce1e219476ade35495a9f002e7a5c8c2b212ad",
+        "d828ea85d9a46963bf6042b81e083cea94f0487fe7b73daca7b9ad9c585e4d31",
     ),
 ];
 
