@@ -63,19 +63,30 @@ pub fn write_staged(domain: &Domain, map: &str, info: Option<&GenerationInfo>) -
 fn write_record(path: PathBuf, info: Option<&GenerationInfo>) -> io::Result<()> {
     match info {
         Some(info) => replace_text(&path, &print(info)),
-        None => match fs::remove_file(&path) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
-            _ => Ok(()),
-        },
+        None => remove_text(&path),
     }
+}
+
+/// Removes a file, and what whoever was killed while replacing it has left.
+fn remove_text(path: &Path) -> io::Result<()> {
+    [unfinished(path), path.to_owned()].iter().try_for_each(|file| match fs::remove_file(file) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    })
+}
+
+/// Where a text stands until it is whole.
+fn unfinished(path: &Path) -> PathBuf {
+    let mut new = path.as_os_str().to_owned();
+    new.push(".new");
+    new.into()
 }
 
 /// Replaces a file so that a reader sees the old text or the new one.
 ///
 /// Errors: what the system says.
 pub fn replace_text(path: &Path, text: &str) -> io::Result<()> {
-    let mut new = path.as_os_str().to_owned();
-    new.push(".new");
+    let new = unfinished(path);
     fs::write(&new, text)?;
     fs::rename(&new, path)
 }
@@ -150,5 +161,24 @@ mod tests {
                 "a cut record is not the whole one: {cut}"
             );
         }
+    }
+
+    /// A daemon that was killed while it replaced a record left the new one behind for good.
+    #[test]
+    fn an_unfinished_record_goes_with_the_finished_one() {
+        let folder = std::env::temp_dir().join(format!("mapd-record-{}", std::process::id()));
+        fs::create_dir_all(&folder).expect("a folder");
+        let path = folder.join("town.staged");
+        for left in [
+            vec![],
+            vec![path.clone()],
+            vec![unfinished(&path)],
+            vec![unfinished(&path), path.clone()],
+        ] {
+            left.iter().for_each(|file| fs::write(file, "text").expect("written"));
+            remove_text(&path).expect("removed");
+            assert_eq!(fs::read_dir(&folder).expect("the folder").count(), 0, "{left:?}");
+        }
+        fs::remove_dir(&folder).expect("removed");
     }
 }
