@@ -97,6 +97,29 @@ fn grown(region: Region, by: f64) -> Region {
     Region { low: region.low - by, high: region.high + by }
 }
 
+/// Empty places of the index met rectangles that reach beyond single precision, and were counted among what may be looked at.
+#[test]
+fn nothing_is_missing_in_the_largest_rectangle() {
+    let everywhere = Region { low: DVec2::MIN, high: DVec2::MAX };
+    for (path, snapshot) in maps() {
+        let map = snapshot.map();
+        let (low, high) = map.bounds();
+        let around = Region { low: low.truncate() - 1000.0, high: high.truncate() + 1000.0 };
+        let found = [everywhere, around].map(|region| {
+            let (mut lanes, mut places, mut signals) = (Vec::new(), Vec::new(), Vec::new());
+            map.lanes_in(region, LaneTypes::ALL, &mut lanes).expect("an answer");
+            map.objects_in(region, &mut places).expect("an answer");
+            map.signals_in(region, &mut signals).expect("an answer");
+            lanes.sort_by_key(|lane| lane.row());
+            places.sort();
+            signals.sort_by_key(|signal| signal.row());
+            (lanes, places, signals)
+        });
+        assert_eq!(found[0], found[1], "{}", path.display());
+        assert!(found[0].0.len() > 1, "{}", path.display());
+    }
+}
+
 #[test]
 fn lanes_in_a_rectangle_are_those_whose_area_meets_it() {
     // The grid's step and the borders' tolerance.

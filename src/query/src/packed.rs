@@ -37,7 +37,9 @@ pub(crate) fn visit_box<'a>(
         let Some(boxes) = node(first.wrapping_add(at) as usize) else { continue };
         let [min_x, min_y, max_x, max_y] = boxes;
         for k in 0..WIDTH {
-            let apart = f64::from(min_x[k]) > high.x
+            // A place without a child has an empty box, which meets nothing, however large the region.
+            let apart = min_x[k] > max_x[k]
+                || f64::from(min_x[k]) > high.x
                 || f64::from(max_x[k]) < low.x
                 || f64::from(min_y[k]) > high.y
                 || f64::from(max_y[k]) < low.y;
