@@ -8,13 +8,13 @@ use std::path::Path;
 /// machine. They change when the layout or the compiler changes;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
-    ("one_road.xodr", "", "ec175461fe85f68eb98a248ec72a2dbccd2a25f46397baad8e90d74ed823b4b7"),
-    ("town.xodr", "", "809be0313263a1094b6d7c086582f2cc2cc4d665b9f1205c1dfb8c4ccd757b98"),
-    ("one_road.xodr", "utm", "b47669492c7994454af9e688585b0a438e7b585591b76b60c936dff597f28d53"),
+    ("one_road.xodr", "", "3c303a100cbe87283ce85613d5213c81f5d32397fbcd48f0074aafff92769aa9"),
+    ("town.xodr", "", "e1c3c121c886629a203a086c7c7832441a306f794f87becd6ebdd07afe326457"),
+    ("one_road.xodr", "utm", "8c87ec749fb7b02649581b0abdea1484e154aad10c1dc7eaf9c7378318a4760b"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "d828ea85d9a46963bf6042b81e083cea94f0487fe7b73daca7b9ad9c585e4d31",
+        "44530f12527fccff749dd1095df7bce3b1c47a65cffb98a63e502a3417888d27",
     ),
 ];
 

@@ -13,7 +13,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [192, 165, 128, 128, 111, 25, 9, 172, 253, 81, 6, 17, 44, 234, 164, 136];
+    [255, 209, 33, 154, 80, 102, 176, 113, 78, 169, 119, 180, 211, 244, 21, 216];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]

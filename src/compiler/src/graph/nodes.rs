@@ -51,6 +51,8 @@ fn add(lowering: &mut Lowering, cuts: &Cuts, lane: usize) {
                 s_from,
                 length: 0.0,
                 time: 0.0,
+                anchor_length: 0,
+                anchor_time: 0,
                 access,
                 flags: if way { node_flags::FORWARD } else { 0 },
                 reserved: 0,
