@@ -201,6 +201,9 @@ fn verify_table(t: &Table) -> String {
     if t.scalar.as_deref() == Some("f64") {
         checks += "check.finite(\"\", *row)?;\n";
     }
+    if t.scalar.as_deref() == Some("f32") {
+        checks += "check.finite(\"\", f64::from(*row))?;\n";
+    }
     if let Some(to) = &t.to {
         let _ = writeln!(checks, "check.reference(\"\", *row, {}, false)?;", count(to));
     }

@@ -8,13 +8,13 @@ use std::path::Path;
 /// machine. They change when the layout or the compiler changes;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
-    ("one_road.xodr", "", "3c303a100cbe87283ce85613d5213c81f5d32397fbcd48f0074aafff92769aa9"),
-    ("town.xodr", "", "e1c3c121c886629a203a086c7c7832441a306f794f87becd6ebdd07afe326457"),
-    ("one_road.xodr", "utm", "8c87ec749fb7b02649581b0abdea1484e154aad10c1dc7eaf9c7378318a4760b"),
+    ("one_road.xodr", "", "b936da37f3ee65e7b61eb2dd6ba91b8a05dafb473601bda415b42717cfe4ea3e"),
+    ("town.xodr", "", "408ae4d787a7b5d05bc06da3adadc125d80583a50e122d93ca4a43803eff9d52"),
+    ("one_road.xodr", "utm", "3fb724fac5fcdc5dafcbb2e28f8e54f435316756457de6da7a5fe3cca4bf99d0"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "44530f12527fccff749dd1095df7bce3b1c47a65cffb98a63e502a3417888d27",
+        "a5c9949fdb5e4f14a2e2f81adffd2a1f6ae0ed3f7f63b3440a7df811d2a75def",
     ),
 ];
 

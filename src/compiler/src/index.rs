@@ -12,8 +12,6 @@ use rayon::prelude::*;
 
 /// Added to every reach, overshoot and height `[m]`, besides the tolerances: single precision within a leaf.
 const REACH_MARGIN: f64 = 1e-4;
-/// Points of one lane's centre line: segments are numbered with 16 bits.
-pub(crate) const MAX_POINTS: u32 = 1 << 16;
 /// Units of `reach` and `overshoot` in a metre.
 const REACH_UNITS: f64 = 128.0;
 /// Units of `z_low` and `z_high` in a metre.
@@ -71,15 +69,11 @@ fn lane_entries(map: Map<'_>, number: u32, options: &CompileOptions) -> Vec<Entr
     let Some(lane) = map.lane_by_row(number).filter(|lane| !lane.is_temporary()) else {
         return Vec::new();
     };
-    let row = &map.tables().lanes[number as usize];
-    let origin = DVec2::new(row.x(), row.y());
-    let at = |i: usize| {
-        let p = &lane.center_line().points[i];
-        (origin + DVec2::new(f64::from(p.x()), f64::from(p.y())), p.s())
-    };
+    let line = lane.center_line();
+    let at = |i: usize| Some((line.position(i)?.truncate() - map.local_origin(), line.station(i)?));
     let mut entries = Vec::new();
-    for i in 0..lane.center_line().len().saturating_sub(1) {
-        let ((a, s_a), (b, s_b)) = (at(i), at(i + 1));
+    for i in 0..line.len().saturating_sub(1) {
+        let (Some((a, s_a)), Some((b, s_b))) = (at(i), at(i + 1)) else { continue };
         if s_a == s_b {
             // Both sides of a jump: no area between them.
             continue;
@@ -105,17 +99,13 @@ impl Extent {
 
 /// The extent of a lane's area between two s. The area lies in the hull of both borders' stretches, and what is asked of
 /// it (how far to the sides, beyond the ends, up and down) is greatest at a point of theirs, or where they are cut.
-fn extent(lane: &Lane<'_>, map_origin: DVec2, ends: [DVec2; 2], cuts: [f32; 2]) -> Extent {
+fn extent(lane: &Lane<'_>, map_origin: DVec2, ends: [DVec2; 2], cuts: [f64; 2]) -> Extent {
     let along = ends[1] - ends[0];
     let length = along.length();
     let mut extent = Extent::NONE;
     for border in [lane.left_bound(), lane.right_bound()] {
-        let origin = border.origin - map_origin.extend(0.0);
-        let point = |i: usize| {
-            let p = border.points.get(i)?;
-            let offset = DVec3::new(f64::from(p.x()), f64::from(p.y()), f64::from(p.z()));
-            Some((origin + offset, p.s()))
-        };
+        let point =
+            |i: usize| Some((border.position(i)? - map_origin.extend(0.0), border.station(i)?));
         let mut visit = |p: DVec3| {
             let away = p.truncate() - ends[0];
             let (forward, sideways) = if length > 0.0 {
@@ -127,14 +117,14 @@ fn extent(lane: &Lane<'_>, map_origin: DVec2, ends: [DVec2; 2], cuts: [f32; 2]) 
             extent.overshoot = extent.overshoot.max(-forward).max(forward - length);
             extent.z = [extent.z[0].min(p.z), extent.z[1].max(p.z)];
         };
-        let from = border.points.partition_point(|p| p.s() < cuts[0]);
-        let to = border.points.partition_point(|p| p.s() <= cuts[1]);
+        let from = border.points_before(cuts[0]);
+        let to = border.points_before(cuts[1].next_up());
         (from..to).filter_map(point).for_each(|(p, _)| visit(p));
         for (cut, i) in [(cuts[0], from), (cuts[1], to)] {
             if let (Some((p, s_p)), Some((q, s_q))) = (i.checked_sub(1).and_then(point), point(i))
                 && s_q > s_p
             {
-                visit(p.lerp(q, clamp(f64::from((cut - s_p) / (s_q - s_p)), 0.0, 1.0)));
+                visit(p.lerp(q, clamp((cut - s_p) / (s_q - s_p), 0.0, 1.0)));
             }
         }
     }
