@@ -9,7 +9,7 @@ use std::path::Path;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
     ("one_road.xodr", "", "b936da37f3ee65e7b61eb2dd6ba91b8a05dafb473601bda415b42717cfe4ea3e"),
-    ("town.xodr", "", "408ae4d787a7b5d05bc06da3adadc125d80583a50e122d93ca4a43803eff9d52"),
+    ("town.xodr", "", "b37f1f25c0fa925866317e16576db00ad0c714da90e118b3e501a6960fe47e8a"),
     ("one_road.xodr", "utm", "3fb724fac5fcdc5dafcbb2e28f8e54f435316756457de6da7a5fe3cca4bf99d0"),
     (
         "one_road.xodr",

@@ -1,7 +1,7 @@
 //! Anchors: nodes that have a place in the landmarks' tables, and how far behind its anchor each of the others lies.
 //!
-//! A node that is entered from one other alone needs no place of its own: with the way w from its anchor a to it, any
-//! landmark L, d(L, v) ≤ d(L, a) + w and d(v, L) ≥ d(a, L) − w, and on a way that passes a both are equal.
+//! A node that is entered from one other alone, which leads to it alone, needs no place of its own: with the way w from its
+//! anchor a to it and any landmark L, d(L, v) ≤ d(L, a) + w and d(v, L) ≥ d(a, L) − w, both equal but for changes of lane.
 
 use super::csr::in_order;
 use mapd_archive::{NONE, Rows, VehicleClass};
@@ -16,19 +16,19 @@ pub(super) struct Anchored {
     pub(super) anchor: u32,
     /// Length and time from the anchor's beginning to the node's, in steps, rounded up.
     pub(super) steps: [u16; 2],
-    /// Forks of the way from the anchor.
-    forks: u8,
 }
 
-const NOT_YET: Anchored = Anchored { anchor: NONE, steps: [0; 2], forks: 0 };
+const NOT_YET: Anchored = Anchored { anchor: NONE, steps: [0; 2] };
 
-/// Forks that a way from an anchor may have: behind each, bounds to landmarks on the other branch get weaker.
-const MOST_FORKS: u8 = 1;
-
-/// The nodes' anchors, of the steps for length and time. What is an anchor depends on names only, not on the order of the
-/// file.
-pub(super) fn find(rows: &Rows, steps: [f64; 2]) -> Vec<Anchored> {
+/// The nodes' anchors, of the steps for length and time; some nodes, as landmarks, are anchors in any case. What is an anchor depends on names
+/// only, not on the order of the file.
+pub(super) fn find(rows: &Rows, fixed: &[u32], steps: [f64; 2]) -> Vec<Anchored> {
     let mut anchors = vec![NOT_YET; rows.lane_nodes.len()];
+    for node in fixed {
+        if let Some(own) = anchors.get_mut(*node as usize) {
+            own.anchor = *node;
+        }
+    }
     let (mut way, mut on_way) = (Vec::new(), vec![false; rows.lane_nodes.len()]);
     for node in in_order(rows).filter(|node| is_open(rows, *node)) {
         // Back to a node whose anchor is known, that is one itself, or that closes a loop.
@@ -85,13 +85,14 @@ fn parent(rows: &Rows, node: u32) -> Option<u32> {
 /// The anchor of what follows a node.
 fn behind(rows: &Rows, node: u32, own: Anchored, [length, time]: [f64; 2]) -> Option<Anchored> {
     let row = rows.lane_nodes.get(node as usize)?;
-    let ahead = open_ends(rows, &rows.successor_offsets, &rows.successors, node).count();
-    let forks = own.forks + u8::from(ahead > 1);
+    let mut ahead = open_ends(rows, &rows.successor_offsets, &rows.successors, node);
+    // Behind a fork, distances to landmarks on another branch say nothing of this one.
+    let is_fork = ahead.nth(1).is_some();
     let add = |before: u16, more: f32, step: f64| {
         // At least one: 0 stands for the anchor itself.
         let sum = f64::from(before) + (f64::from(more) / step).ceil().max(1.0);
         (sum <= MOST_STEPS).then_some(sum as u16)
     };
     let steps = [add(own.steps[0], row.length, length)?, add(own.steps[1], row.time, time)?];
-    (forks <= MOST_FORKS).then_some(Anchored { anchor: own.anchor, steps, forks })
+    (!is_fork).then_some(Anchored { anchor: own.anchor, steps })
 }

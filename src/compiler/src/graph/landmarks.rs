@@ -80,7 +80,10 @@ pub(crate) fn find(rows: &Rows, landmarks: usize) -> Landmarks {
         .map(|(network, place)| network.distances(place, |weight| weight.time))
         .collect();
     let sizes = [step(&lengths), step(&times)];
-    let anchors = anchors::find(rows, sizes);
+    // Places in the network ascend with the nodes.
+    let node_of = |place: &u32| places.iter().position(|own| own == place).unwrap_or(0) as u32;
+    let fixed: Vec<u32> = chosen.iter().map(node_of).collect();
+    let anchors = anchors::find(rows, &fixed, sizes);
     // Anchors in the nodes' order, by their places in the network, and each one's place in the tables.
     let mut kept = Vec::new();
     let mut tables = vec![NONE; places.len()];

@@ -6,19 +6,16 @@
 //! n changes, L + n·p ≥ min(1, p/q)·(L + n·q).
 //!
 //! Anchors alone have distances: a way of length w leads from an anchor a to the node v, so that the rest from v costs at least
-//! the rest from a less w. In the same way a target is replaced by the next anchor ahead of it.
+//! the rest from a less w. What a target's distances are is found from the anchors around it, once for a search (`Around`).
 
+use super::around::Around;
 use super::cost::CostBound;
 use crate::graph::LaneNode;
-use crate::lane::edges_of;
 use crate::map::Map;
-use mapd_archive::{ArchivedLaneNodeRow, NONE, VehicleClass};
+use mapd_archive::{ArchivedLaneNodeRow, NONE};
 
 /// Landmarks that a search looks at; an archive may have more.
 const MOST: usize = 32;
-/// Nodes on the way from a target to an anchor: a way from an anchor forks once, and what it leads to is one, or ends it.
-/// Without an anchor after so many there are no bounds.
-const MOST_AHEAD: usize = 4096;
 /// Share of a bound that is used, so that rounding of sums cannot make it too large.
 const SAFE: f64 = 1.0 - 1e-9;
 
@@ -31,8 +28,6 @@ pub(super) struct Bounds<'a> {
     target: [u16; 2 * MOST],
     /// Cost per unit of a difference; 0 where there are no bounds.
     step: f64,
-    /// Steps from the target to the anchor ahead of it that bounds lead to.
-    beyond: u16,
     /// Whether distances are times.
     times: bool,
 }
@@ -42,8 +37,7 @@ impl<'a> Bounds<'a> {
     pub(super) fn new(map: Map<'a>, bound: CostBound, target: &LaneNode<'a>) -> Self {
         let tables = map.tables();
         let times = matches!(bound, CostBound::PerSecond { .. });
-        let none =
-            Self { distances: &[], width: 0, target: [0; 2 * MOST], step: 0.0, beyond: 0, times };
+        let none = Self { distances: &[], width: 0, target: [0; 2 * MOST], step: 0.0, times };
         let Some(graph) = tables.graph.first() else { return none };
         let (distances, step, cost, change, stored) = match bound {
             CostBound::None => return none,
@@ -62,16 +56,39 @@ impl<'a> Bounds<'a> {
         if count == 0 || count > MOST || !(step > 0.0 && step.is_finite()) {
             return none;
         }
-        let steps = Steps { length: graph.length_step(), time: graph.time_step(), times };
-        let Some((place, beyond)) = steps.anchor_ahead(map, target) else { return none };
-        let at = place as usize * width;
-        let Some(row) = distances.get(at..at + width) else { return none };
+        let (unit, change) = match times {
+            true => (graph.time_step(), graph.change_time()),
+            false => (graph.length_step(), graph.change_length()),
+        };
+        let around = Around::new(map, target, times, change);
+        let row = |place: u32| distances.get(place as usize * width..)?.get(..width);
+        // Nothing known of a landmark: differences become 0.
         let mut target = [0; 2 * MOST];
-        for (i, (own, stored)) in target.iter_mut().zip(row).enumerate() {
-            // No way from the landmark says nothing; no way to it neither. Both make the difference 0.
-            *own = if i < count && *stored == u16::MAX { 0 } else { *stored };
+        target[count..width].fill(u16::MAX);
+        let (from, to) = target.split_at_mut(count);
+        // To the target at least the least over the anchors behind it, of those that a landmark has a way to.
+        let mut least = [u16::MAX; MOST];
+        for (place, way) in around.behind() {
+            let Some(row) = row(place) else { continue };
+            let way = (way / unit) as u16;
+            for (least, stored) in least.iter_mut().zip(&row[..count]) {
+                // What there is a way to is no farther than one step before the mark for none.
+                let whole = stored.saturating_add(way).min(u16::MAX - 1);
+                *least = (*least).min(if *stored == u16::MAX { u16::MAX } else { whole });
+            }
         }
-        Self { distances, width, target, step: step * SAFE, beyond, times }
+        for (own, least) in from.iter_mut().zip(least) {
+            *own = if least == u16::MAX { 0 } else { least };
+        }
+        // From the target at most the way by any anchor ahead.
+        for (place, way) in around.ahead() {
+            let Some(row) = row(place) else { continue };
+            let way = (way / unit).ceil() as u16;
+            for (own, stored) in to.iter_mut().zip(&row[count..]) {
+                *own = (*own).min(stored.saturating_add(way));
+            }
+        }
+        Self { distances, width, target, step: step * SAFE, times }
     }
 
     /// Least cost from the beginning of a node to that of the target.
@@ -91,42 +108,8 @@ impl<'a> Bounds<'a> {
         for (own, target) in row[count..].iter().zip(&self.target[count..self.width]) {
             most = most.max(own.saturating_sub(*target));
         }
-        // The way from the node's anchor is not left any more, that from the target to its anchor never was.
+        // The way from the node's anchor is behind.
         let way = if self.times { node.anchor_time() } else { node.anchor_length() };
-        f64::from(most.saturating_sub(1).saturating_sub(way).saturating_sub(self.beyond))
-            * self.step
-    }
-}
-
-/// Steps of the tables.
-struct Steps {
-    length: f64,
-    time: f64,
-    times: bool,
-}
-
-impl Steps {
-    /// Place of the next anchor from a node's beginning on, and the steps up to it, rounded up.
-    fn anchor_ahead(&self, map: Map<'_>, node: &LaneNode<'_>) -> Option<(u32, u16)> {
-        let tables = map.tables();
-        let (mut node, mut way) = (*node, 0f64);
-        for _ in 0..MOST_AHEAD {
-            if node.row.bound() == NONE {
-                return None;
-            }
-            if node.row.anchor_length() == 0 {
-                return Some((node.row.bound(), way.ceil() as u16))
-                    .filter(|_| way < f64::from(u16::MAX));
-            }
-            way += if self.times {
-                node.travel_time() / self.time
-            } else {
-                node.length() / self.length
-            };
-            let ahead = edges_of(tables.successor_offsets, tables.successors, node.number);
-            let motor = |node: &LaneNode<'_>| node.row.access() & VehicleClass::MOTOR != 0;
-            node = ahead.iter().find_map(|next| LaneNode::new(map, *next).filter(motor))?;
-        }
-        None
+        f64::from(most.saturating_sub(1).saturating_sub(way)) * self.step
     }
 }
