@@ -182,7 +182,7 @@ fn metrics_are_read_over_http_by_this_machine_only() {
     let open = ["--load", &town(), "--metrics", "0.0.0.0:0"];
     let refused = place.command().args(open).output().expect("ends");
     let said = String::from_utf8_lossy(&refused.stderr).into_owned();
-    assert!(refused.status.code() == Some(1) && said.contains("--metrics-open"), "{said}");
+    assert!(refused.status.code() == Some(2) && said.contains("--metrics-open"), "{said}");
 }
 
 #[test]

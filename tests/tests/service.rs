@@ -261,7 +261,9 @@ fn a_reload_takes_the_place_of_what_is_staged() {
     // Staged goes back, too.
     scene.maps.put(0);
     assert_eq!(scene.reload().result, ReloadResult::Unchanged);
-    assert!(scene.client.pending().is_some(), "nothing has changed");
+    assert!(scene.client.pending().is_none(), "the file does not hold it any more");
+    scene.maps.put(1);
+    let staged = scene.stage().generation.max(Some(staged)).expect("a number");
     scene.maps.put_text(b"nonsense");
     scene.failed(&scene.reload(), "rejected", 0);
     assert!(scene.client.pending().is_some(), "a map that is rejected takes no place");

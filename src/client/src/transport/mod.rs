@@ -42,6 +42,7 @@ mod attach;
 mod attach_lock;
 mod claim;
 mod config;
+mod deadline;
 mod domain;
 mod error;
 mod limits;
@@ -59,6 +60,7 @@ pub use attach::AttachTiming;
 pub use attach_lock::{AttachGuard, AttachLock};
 pub use claim::{Claim, ClaimError, served_by};
 pub use config::{TransportService, iceoryx2_config, silence_iceoryx2};
+pub(crate) use deadline::after;
 pub use domain::{
     DEFAULT_PREFIX, Domain, DomainError, MAX_PREFIX_LENGTH, PREFIX_VARIABLE, SHARED_MEMORY_FOLDER,
 };

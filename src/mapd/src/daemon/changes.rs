@@ -68,7 +68,12 @@ impl Maps {
         };
         self.follow_includes(&change.map, &prepared);
         if let Some(generation) = self.is_served(&change.map, &prepared) {
-            let reason = "the file yields the archive that is served".to_owned();
+            let reason = match self.give_up_staged(&change.map) {
+                Some(staged) => format!(
+                    "the file yields the archive that is served; generation {staged}, which was staged, is given up"
+                ),
+                None => "the file yields the archive that is served".to_owned(),
+            };
             return self.ended(&change, (ReloadResult::Unchanged, Some(generation), reason));
         }
         match self.fill(&change.map, &prepared, change.stage) {
@@ -109,6 +114,14 @@ impl Maps {
         self.ended(change, (ReloadResult::Failed, None, error.to_string()));
     }
 
+    /// Gives up what is staged: the file does not hold it any more. Its generation.
+    fn give_up_staged(&mut self, map: &str) -> Option<u64> {
+        let staged = self.entries.get_mut(map)?.staged.take()?;
+        self.server.give_up_staged(map);
+        self.forget_staged(map);
+        Some(staged.0.status.generation)
+    }
+
     fn forget_staged(&mut self, map: &str) {
         let is_staged = self.server.maps().iter().any(|m| m.name == map && m.staged.is_some());
         if is_staged {
@@ -136,7 +149,7 @@ impl Maps {
                     "there is nothing to go back to, for there is no cache (--cache DIR)"
                 }
                 _ => {
-                    "there is nothing to go back to: no other generation has been served since the daemon started"
+                    "there is nothing to go back to: nothing else has been served since the daemon started, or all of it has been gone back to"
                 }
             };
             return (ReloadResult::Failed, None, reason.to_owned());

@@ -6,13 +6,16 @@
 use rustix::event::{PollFd, PollFlags, poll};
 use std::fmt;
 use std::io::{self, Read, Write};
-use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::net::{TcpListener, TcpStream};
 use std::os::unix::net::UnixStream;
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 /// How long a request may take in all.
 const PATIENCE: Duration = Duration::from_secs(2);
+
+/// Pause where connections cannot be taken.
+const PAUSE: Duration = Duration::from_millis(100);
 
 /// Longest head of a request \[bytes\].
 const LONGEST_HEAD: usize = 8 << 10;
@@ -29,12 +32,11 @@ pub(crate) struct Page {
 impl Page {
     /// Begins to listen.
     ///
-    /// Errors: the address cannot be had.
+    /// Errors: no thread can be had.
     pub(crate) fn serve(
-        address: SocketAddr,
+        listener: TcpListener,
         text: impl Fn() -> Result<String, fmt::Error> + Send + 'static,
     ) -> io::Result<Self> {
-        let listener = TcpListener::bind(address)?;
         listener.set_nonblocking(true)?;
         tracing::info!(address = %listener.local_addr()?, "metrics at http://{}/metrics", listener.local_addr()?);
         let (stop, stopped) = UnixStream::pair()?;
@@ -70,9 +72,12 @@ fn listen(
         if !waits[1].revents().is_empty() {
             return;
         }
-        if let Ok((stream, _)) = listener.accept() {
+        match listener.accept() {
             // Whoever hangs up or says nothing has no answer.
-            let _ = answer(stream, text);
+            Ok((stream, _)) => drop(answer(stream, text)),
+            Err(error) if error.kind() == io::ErrorKind::WouldBlock => {}
+            // As without descriptors that are left.
+            Err(_) => std::thread::sleep(PAUSE),
         }
     }
 }

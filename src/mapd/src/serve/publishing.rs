@@ -96,7 +96,14 @@ impl Server {
         sent
     }
 
-    /// Gives up what is staged.
+    /// Gives up what is staged, if anything is.
+    pub fn give_up_staged(&mut self, map: &str) {
+        if self.staged.contains_key(map) {
+            let exclusive = self.exclusive();
+            self.unstage(map, exclusive.as_ref());
+        }
+    }
+
     pub(super) fn unstage(&mut self, map: &str, _exclusive: Option<&AttachGuard>) {
         if let Some(staged) = self.staged.remove(map) {
             drop(staged);
