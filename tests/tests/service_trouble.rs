@@ -185,11 +185,46 @@ fn a_map_that_is_withdrawn_cannot_be_activated() {
         assert_eq!(report.result, ReloadResult::Unchanged, "{report:?}");
         assert!(report.reason.contains("given up"), "{report:?}");
         assert_eq!(place.state("map").staged, None);
-        let activated = place.change("map", &Request::Activate { map: "map".to_owned() });
-        assert_eq!(activated.result, ReloadResult::Failed, "{activated:?}");
+        let activated = place.ask("map", &Request::Activate { map: "map".to_owned() });
+        assert!(matches!(activated, Some(Response::Refused { .. })), "{activated:?}");
         let client = Client::connect_in(&place.domain(), "map", PATIENCE).expect("attaches");
         assert!(maps.is(&client.snapshot(), 0) && client.pending().is_none());
     }
+}
+
+/// An archive that was written over in place while it could be gone back to.
+#[test]
+fn what_is_lost_is_left_out_when_going_back() {
+    let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+    let archive = maps.folder().join("map.mapd");
+    let compile = |number| {
+        maps.put(number);
+        let mut command = place.command();
+        command.arg("compile").arg(maps.path()).arg("-o").arg(&archive);
+        assert!(command.output().expect("ends").status.success());
+    };
+    let change = |request: Request| place.change("map", &request);
+    let reload = || change(Request::Reload { map: "map".to_owned(), stage: false });
+    let rollback = || change(Request::Rollback { map: "map".to_owned(), stage: false });
+    compile(0);
+    let _daemon = place.serve(&[&archive.display().to_string()]);
+    let first = place.state("map").served.expect("served").generation;
+    compile(1);
+    assert_eq!(reload().result, ReloadResult::Published);
+    let aside = maps.folder().join("aside");
+    fs::rename(&archive, &aside).expect("renamed");
+    compile(0);
+    assert_eq!(reload().result, ReloadResult::Published);
+    fs::write(&aside, "written over").expect("written");
+    let report = rollback();
+    assert_eq!(report.result, ReloadResult::Published, "{report:?}");
+    let said =
+        [format!("what generation {first} was"), format!("generation {} is lost", first + 1)];
+    assert!(said.iter().all(|words| report.reason.contains(words)), "{report:?}");
+    assert_eq!(place.state("map").rollbacks, 0);
+    let request = Request::Rollback { map: "map".to_owned(), stage: false };
+    let answer = place.ask("map", &request);
+    assert!(matches!(answer, Some(Response::Refused { .. })), "{answer:?}");
 }
 
 /// Who sends a byte now and then has two seconds in all, and who is refused meanwhile hears why.

@@ -71,7 +71,8 @@ impl Client {
     ///
     /// Errors: the transport failed, or the new archive cannot be read; the old snapshot stays what it was.
     pub fn refresh(&self) -> Result<Snapshot, ClientError> {
-        match self.subscription.latest()? {
+        // One that could not be opened is no better the next time, and told each time.
+        match self.subscription.newer_than(self.snapshot().generation())? {
             Some(pinned) => self.keep(self.open(pinned)?),
             None => Ok(self.snapshot()),
         }

@@ -71,7 +71,7 @@ pub use pinned::Pinned;
 pub use presence::Presence;
 pub use record::{
     GENERATION_SUFFIX, read_generation, read_published, read_staged, replace_text,
-    write_generation, write_published, write_staged,
+    replace_text_durably, write_generation, write_published, write_staged,
 };
 pub use room::{ATTACH_ROOM, free_bytes};
 pub use status::{MapStatus, list_maps};

@@ -127,6 +127,13 @@ impl Subscription {
         Ok(Some(state.current.clone()))
     }
 
+    /// As [`Subscription::latest`], but newer than `than` instead of any handed out before.
+    pub(crate) fn newer_than(&self, than: u64) -> Result<Option<Pinned>, AttachError> {
+        self.latest()?;
+        let state = self.state();
+        Ok(Some(&state.current).filter(|current| current.info().generation > than).cloned())
+    }
+
     /// Waits for a generation newer than `than`; one that has been received already counts. Keeps the deadline even if
     /// the daemon has died, and gets the generation of a restarted one. Several threads may wait.
     ///

@@ -87,15 +87,21 @@ fn answer(mut stream: TcpStream, text: &dyn Fn() -> Result<String, fmt::Error>) 
     stream.set_write_timeout(Some(PATIENCE))?;
     let head = read_head(&mut stream)?;
     let mut words = head.split(' ');
-    let (status, body) = match (words.next(), words.next()) {
-        (Some("GET"), Some("/metrics")) => match text() {
+    let (method, path) = (words.next(), words.next());
+    // What is asked beyond the path chooses nothing here.
+    let path = path.map(|path| path.split_once('?').map_or(path, |(path, _)| path));
+    let (status, body) = match (method, path) {
+        (Some("GET" | "HEAD"), Some("/metrics")) => match text() {
             Ok(text) => ("200 OK", text),
             Err(_) => ("500 Internal Server Error", String::new()),
         },
-        (Some("GET"), Some(_)) => ("404 Not Found", "the metrics are at /metrics\n".to_owned()),
+        (Some("GET" | "HEAD"), Some(_)) => {
+            ("404 Not Found", "the metrics are at /metrics\n".to_owned())
+        }
         _ => ("405 Method Not Allowed", String::new()),
     };
     let length = body.len();
+    let body = if method == Some("HEAD") { "" } else { body.as_str() };
     write!(
         stream,
         "HTTP/1.1 {status}\r\nContent-Type: {CONTENT_TYPE}\r\nContent-Length: {length}\r\nConnection: close\r\n\r\n{body}"
