@@ -408,7 +408,7 @@ fn compiler_of(file: &std::path::Path) -> u32 {
             let Ok(line) = fs::read(entry.path().join("cmdline")) else { continue };
             let words: Vec<&[u8]> = line.split(|byte| *byte == 0).collect();
             let file = file.as_os_str().as_encoded_bytes();
-            if words.contains(&file) && words.contains(&b"--for-daemon".as_slice()) {
+            if words.contains(&file) && words.contains(&b"--child".as_slice()) {
                 return entry.file_name().to_string_lossy().parse().expect("a number");
             }
         }

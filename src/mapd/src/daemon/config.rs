@@ -10,7 +10,7 @@ use mapd_client::Domain;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::net::SocketAddr;
-use std::num::NonZeroU32;
+use std::num::{NonZeroU32, NonZeroUsize};
 use std::path::{Path, PathBuf};
 use toml::{Spanned, Value};
 
@@ -22,6 +22,7 @@ pub(crate) struct Configuration {
     pub(crate) no_cache: bool,
     pub(crate) cache_size: Option<Size>,
     pub(crate) compile_memory: Option<Size>,
+    pub(crate) threads: Option<NonZeroUsize>,
     pub(crate) lock_memory: bool,
     pub(crate) trust: Option<PathBuf>,
     pub(crate) oversight: OversightSettings,
@@ -42,6 +43,7 @@ struct File {
     no_cache: bool,
     cache_size: Option<Size>,
     compile_memory: Option<Size>,
+    threads: Option<NonZeroUsize>,
     #[serde(default)]
     lock_memory: bool,
     trust: Option<PathBuf>,
@@ -123,6 +125,7 @@ impl Configuration {
             no_cache: file.no_cache,
             cache_size: file.cache_size,
             compile_memory: file.compile_memory,
+            threads: file.threads,
             lock_memory: file.lock_memory,
             trust: file.trust.map(|key| folder.join(key)),
             oversight: OversightSettings {
