@@ -129,6 +129,7 @@ impl Shared<'_> {
             if self.plan.force { None } else { up_to_date::known(tile, &self.plan.options) };
         if let Some(known) = known {
             row.is_up_to_date = true;
+            remove_left(tile);
             row.finish(known.exit, known.counts, Some(known.facts));
         } else if !self.compile(number, tile, means, &mut row) {
             return None;
@@ -164,8 +165,7 @@ impl Shared<'_> {
         let ended = child::run(&work, &mut hear, &mut reading, &self.cancelled, None);
         let whole = matches!(ended, Ok((End::Exit(_), _)));
         if !whole {
-            draft::remove_left(&tile.archive);
-            draft::remove_left(&tile.report);
+            remove_left(tile);
         }
         match ended {
             // Want of memory has many faces: threads that cannot be had, files that cannot be mapped.
@@ -198,6 +198,12 @@ impl Shared<'_> {
         self.meter.say(&format!("mapd: {}: {reason}\n", row.tile));
         row.fail(reason);
     }
+}
+
+/// Removes what a run that was killed has left of a tile.
+fn remove_left(tile: &Tile) {
+    draft::remove_left(&tile.archive);
+    draft::remove_left(&tile.report);
 }
 
 /// How far all tiles are, together.
