@@ -7,6 +7,7 @@ use crate::compile_args::CompileArguments;
 use crate::exit::Exit;
 use crate::report::Counts;
 use crate::size::Size;
+use mapd_compiler::Progress;
 use rustix::process::{Resource, Rlimit, Signal};
 use serde::{Deserialize, Serialize};
 use std::ffi::OsStr;
@@ -57,9 +58,20 @@ pub(crate) struct ArchiveFacts {
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Message {
     /// How far it is.
-    Reading { bytes: u64, roads: usize },
+    Progress(#[serde(with = "ProgressOnTheWay")] Progress),
     /// Its last word.
     Told(Told),
+}
+
+/// As [`Progress`].
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "Progress", rename_all = "snake_case")]
+enum ProgressOnTheWay {
+    Reading { bytes: u64, roads: usize },
+    Linking { roads: usize },
+    Sampling { lanes: usize },
+    Graph { nodes: usize },
+    Indexing { segments: usize },
 }
 
 /// Where a child writes to.
@@ -99,14 +111,13 @@ pub(crate) fn default_memory() -> Option<u64> {
     Some(crate::serve::available_memory()? / SHARE.1 * SHARE.0)
 }
 
-/// Runs a child to its end. `said` is given each line of its standard error, from another thread; `reading` how far it is,
-/// bytes and roads.
+/// Runs a child to its end. `said` is given each line of its standard error, from another thread; `progress` how far it is.
 ///
 /// Errors: it cannot be started; it takes longer than `deadline`; `cancelled`.
 pub(crate) fn run(
     work: &Work<'_>,
     said: &mut (dyn FnMut(&str) + Send),
-    reading: &mut (dyn FnMut(u64, usize) + Send),
+    progress: &mut (dyn FnMut(Progress) + Send),
     cancelled: &AtomicBool,
     deadline: Option<Duration>,
 ) -> io::Result<(End, Told)> {
@@ -118,7 +129,7 @@ pub(crate) fn run(
             let mut told = Told::default();
             for line in lines(stdout) {
                 match serde_json::from_str(&line) {
-                    Ok(Message::Reading { bytes, roads }) => reading(bytes, roads),
+                    Ok(Message::Progress(now)) => progress(now),
                     Ok(Message::Told(last)) => told = last,
                     // Of what is said when a process breaks down.
                     Err(_) => {}

@@ -184,16 +184,16 @@ impl Lines {
         if !self.is_due(now) {
             return None;
         }
-        let mut line = format!("{}: {:.1} MB", self.name, megabytes(bytes));
+        let mut line = format!("{}: {}", self.name, amount(bytes as f64));
         let seconds = now.saturating_sub(self.reading_since).as_secs_f64();
         let rate = if seconds > 0.0 { bytes as f64 / seconds } else { 0.0 };
         // Bytes of included files, or of a file that grows, are not in the sum.
         let total = self.total.max(bytes);
         if self.total > 0 {
             let share = 100.0 * bytes as f64 / total as f64;
-            let _ = write!(line, " of {:.1} MB ({share:.0} %)", megabytes(total));
+            let _ = write!(line, " of {} ({share:.0} %)", amount(total as f64));
         }
-        let _ = write!(line, ", {made}, {:.1} MB/s", rate / 1e6);
+        let _ = write!(line, ", {made}, {}/s", amount(rate));
         if self.total > 0 && rate > 0.0 {
             let _ = write!(line, ", {:.0} s left", (total - bytes) as f64 / rate);
         }
@@ -207,8 +207,11 @@ impl Lines {
     }
 }
 
-fn megabytes(bytes: u64) -> f64 {
-    bytes as f64 / 1e6
+/// Bytes as people read them.
+fn amount(bytes: f64) -> String {
+    let units = [(1e9, "GB"), (1e6, "MB")];
+    let (unit, name) = units.into_iter().find(|(unit, _)| bytes >= *unit).unwrap_or((1e3, "kB"));
+    format!("{:.1} {name}", bytes / unit)
 }
 
 /// Bytes of a file, or of what it holds if it is compressed (as gzip's last field has them: of the last member, modulo 4 GiB);
@@ -236,13 +239,13 @@ mod tests {
         let mut lines = Lines::new("a.xodr", 10_000_000, Duration::from_secs(5));
         let mut read = |seconds, bytes| lines.read(Duration::from_secs(seconds), bytes, "3 roads");
         assert_eq!(read(1, 1_000_000), None);
-        let line = "a.xodr: 2.5 MB of 10.0 MB (25 %), 3 roads, 0.5 MB/s, 15 s left";
+        let line = "a.xodr: 2.5 MB of 10.0 MB (25 %), 3 roads, 500.0 kB/s, 15 s left";
         assert_eq!(read(5, 2_500_000).as_deref(), Some(line));
         assert_eq!(read(9, 5_000_000), None);
         // Read again from the start, without some part.
         assert_eq!(
             read(10, 0).as_deref(),
-            Some("a.xodr: 0.0 MB of 10.0 MB (0 %), 3 roads, 0.0 MB/s")
+            Some("a.xodr: 0.0 kB of 10.0 MB (0 %), 3 roads, 0.0 kB/s")
         );
         let line = "a.xodr: 20.0 MB of 20.0 MB (100 %), 3 roads, 2.0 MB/s, 0 s left";
         assert_eq!(read(20, 20_000_000).as_deref(), Some(line), "more than expected");
@@ -254,7 +257,7 @@ mod tests {
     fn of_pipes_the_size_is_not_known() {
         let mut lines = Lines::new("pipe", 0, Duration::ZERO);
         let line = lines.read(Duration::from_secs(2), 1_000_000, "3 roads");
-        assert_eq!(line.as_deref(), Some("pipe: 1.0 MB, 3 roads, 0.5 MB/s"));
+        assert_eq!(line.as_deref(), Some("pipe: 1.0 MB, 3 roads, 500.0 kB/s"));
         assert_eq!(decoded_bytes(Path::new("/dev/null")), 0);
     }
 }

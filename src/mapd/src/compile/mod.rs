@@ -27,7 +27,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
-/// Shortest time between two messages of a child about how far it is.
+/// Shortest time between two messages of a child about how much it has read.
 const MESSAGES: Duration = Duration::from_millis(200);
 
 /// Said at the end of `mapd help compile`.
@@ -35,7 +35,8 @@ pub(crate) const HELP: &str = "\
 Several files, a folder or --output-dir: each file is a tile, compiled in a process of its own, several at once. Beside
 DIR/NAME.mapd lies DIR/NAME.report.json with all findings. Folders are searched with all within them for .xodr and .xodrz, and
 keep their shape in DIR. A tile whose archive is what it would become anyway, by input, included files, options and
-program, is left alone. Ends with a table on stdout.
+program, is left alone. Jobs share the memory and, unless --threads says
+how many each of them has, the cores. Ends with a table on stdout; docs/tiles.md has more.
 
 Exit codes: 0 done and accepted, 3 a map was accepted with quarantined parts, 4 a map was rejected, 2 wrong usage, 1 the
 environment failed, which includes that compiling needed more memory than --max-memory. Of several tiles the worst counts:
@@ -146,11 +147,11 @@ fn be_child(
         out.flush()
     };
     let mut progress = |progress: Progress| {
-        let Progress::Reading { bytes, roads } = progress else { return };
-        if told_at.is_none_or(|at| at.elapsed() >= MESSAGES) {
+        let is_reading = matches!(progress, Progress::Reading { .. });
+        if !is_reading || told_at.is_none_or(|at| at.elapsed() >= MESSAGES) {
             told_at = Some(Instant::now());
             failed = std::mem::replace(&mut failed, Ok(()))
-                .and_then(|()| tell(&Message::Reading { bytes, roads }));
+                .and_then(|()| tell(&Message::Progress(progress)));
         }
     };
     let (verdict, told) = one::compile(file, &target, (&reading, &options), &mut progress)?;
@@ -228,8 +229,8 @@ fn in_child(
         has_input: true,
     };
     let mut said = |line: &str| meter.say(&format!("{line}\n"));
-    let mut reading = |bytes, roads| meter.read(bytes, || format!("reading, {roads} roads"));
-    let ended = child::run(&work, &mut said, &mut reading, &AtomicBool::new(false), None);
+    let mut progress = |progress| meter.show(progress);
+    let ended = child::run(&work, &mut said, &mut progress, &AtomicBool::new(false), None);
     meter.finish();
     let (end, told) = ended.context("the compiler")?;
     match end {

@@ -12,6 +12,7 @@ use crate::draft;
 use crate::exit::Exit;
 use crate::progress::{Manner, Meter, decoded_bytes};
 use anyhow::{Context, Result};
+use mapd_compiler::Progress;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -161,7 +162,11 @@ impl Shared<'_> {
             said.push_str(line);
             said.push('\n');
         };
-        let mut reading = |bytes, roads| self.meter.read(number, bytes, roads);
+        let mut reading = |progress| {
+            if let Progress::Reading { bytes, roads } = progress {
+                self.meter.read(number, bytes, roads);
+            }
+        };
         let ended = child::run(&work, &mut hear, &mut reading, &self.cancelled, None);
         let whole = matches!(ended, Ok((End::Exit(_), _)));
         if !whole {

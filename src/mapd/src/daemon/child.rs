@@ -80,7 +80,7 @@ pub(crate) fn compile(
         }
         said.push_back(line.to_owned());
     };
-    let ended = child::run(&work, &mut hear, &mut |_, _| {}, cancelled, Some(DEADLINE));
+    let ended = child::run(&work, &mut hear, &mut |_| {}, cancelled, Some(DEADLINE));
     let (end, told) = ended.map_err(|error| Refusal::Failed(format!("the compiler: {error}")))?;
     match end {
         End::Exit(Exit::Done | Exit::Quarantined) => Ok(told),
