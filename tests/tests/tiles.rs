@@ -1,9 +1,13 @@
 //! `mapd compile` of many files: one archive and one report each, whatever becomes of the others.
 
+use mapd_tests::place::PATIENCE;
+use nix::sys::signal::{Signal, kill};
+use nix::unistd::Pid;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
@@ -320,4 +324,68 @@ fn a_limit_of_memory_is_told_and_leaves_nothing() {
     assert_eq!((code, found), (1, rows(&one)), "{table}");
     let reason = table["tiles"][0]["reason"].as_str().expect("a reason");
     assert!(reason.contains(&size), "{reason}");
+}
+
+/// The processes that a process has started.
+fn children(process: u32) -> Vec<i32> {
+    let tasks = fs::read_dir(format!("/proc/{process}/task")).into_iter().flatten().flatten();
+    let of = |task: fs::DirEntry| fs::read_to_string(task.path().join("children"));
+    let text: String = tasks.flat_map(of).collect();
+    text.split_whitespace().filter_map(|number| number.parse().ok()).collect()
+}
+
+/// Starts compiling a folder of three tiles, of which the second is a pipe that nobody writes to, and waits until its compiler
+/// waits for it. That one is returned.
+fn wait_for_a_pipe(scene: &Scene) -> (Child, Pid) {
+    let pipe = scene.at("maps/b.xodr");
+    assert!(Command::new("mkfifo").arg(&pipe).status().expect("runs").success());
+    let mut command = Command::new(MAPD);
+    command.args(["compile", "maps", "--output-dir", "out", "--jobs", "1", "--json"]);
+    command.stdout(Stdio::piped()).stderr(Stdio::piped()).current_dir(scene.folder.path());
+    let parent = command.spawn().expect("starts");
+    let until = Instant::now() + PATIENCE;
+    loop {
+        let waits = |child: &i32| {
+            let line = fs::read_to_string(format!("/proc/{child}/cmdline"));
+            line.is_ok_and(|line| line.contains("maps/b.xodr"))
+        };
+        if let Some(child) = children(parent.id()).into_iter().find(waits) {
+            return (parent, Pid::from_raw(child));
+        }
+        assert!(Instant::now() < until, "nobody compiles the pipe");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
+fn outcomes(output: &Output) -> (Vec<String>, String) {
+    let table: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let tiles = table["tiles"].as_array().expect("rows");
+    let outcomes = tiles.iter().map(|row| row["outcome"].as_str().expect("text").to_owned());
+    (outcomes.collect(), tiles[1]["reason"].as_str().expect("a reason").to_owned())
+}
+
+#[test]
+fn a_compiler_that_is_killed_takes_its_tile_alone() {
+    let scene = Scene::new(&[("maps/a.xodr", "one_road"), ("maps/c.xodr", "one_road")]);
+    let (parent, child) = wait_for_a_pipe(&scene);
+    kill(child, Signal::SIGKILL).expect("killed");
+    let output = parent.wait_with_output().expect("ends");
+    let (outcomes, reason) = outcomes(&output);
+    assert_eq!(outcomes, ["accepted", "failed", "accepted"]);
+    assert!(reason.contains("signal: 9"), "{reason}");
+    assert!(text(&output.stderr).starts_with("mapd: maps/b.xodr: "), "{}", text(&output.stderr));
+    assert_eq!(output.status.code(), Some(1));
+}
+
+#[test]
+fn who_is_asked_to_end_does_so_with_a_table() {
+    let scene = Scene::new(&[("maps/a.xodr", "one_road"), ("maps/c.xodr", "one_road")]);
+    let (parent, child) = wait_for_a_pipe(&scene);
+    kill(Pid::from_raw(parent.id().cast_signed()), Signal::SIGTERM).expect("sent");
+    let output = parent.wait_with_output().expect("ends");
+    let (outcomes, _) = outcomes(&output);
+    assert_eq!(outcomes, ["accepted", "failed", "failed"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(kill(child, None).is_err(), "the compiler has ended");
+    assert_eq!(scene.files().iter().filter(|file| file.starts_with("out")).count(), 2);
 }
