@@ -437,16 +437,18 @@ fn a_compiler_that_is_killed_hurts_nobody() {
 
 #[test]
 fn a_compiler_that_needs_too_much_memory_hurts_nobody() {
-    let Scene { place, maps, daemon, client } = Scene::new(&[]);
-    assert_eq!(daemon.stop(), 0);
-    // From the cache: nothing is compiled yet.
-    let daemon = serve(&place, &maps, &["--compile-memory", "1MiB"]);
-    client.wait_next(PATIENCE).expect("the next generation");
-    let scene = Scene { place, maps, daemon, client };
-    scene.maps.put(1);
-    scene.failed(&scene.reload(), "memory", 0);
-    let refused = scene.place.command().args(["reload", "map"]).output().expect("ends");
-    assert_eq!(refused.status.code(), Some(4), "{}", text(&refused));
+    for option in ["--compile-memory", "--max-memory"] {
+        let Scene { place, maps, daemon, client } = Scene::new(&[]);
+        assert_eq!(daemon.stop(), 0);
+        // From the cache: nothing is compiled yet.
+        let daemon = serve(&place, &maps, &[option, "1MiB"]);
+        client.wait_next(PATIENCE).expect("the next generation");
+        let scene = Scene { place, maps, daemon, client };
+        scene.maps.put(1);
+        scene.failed(&scene.reload(), "memory", 0);
+        let refused = scene.place.command().args(["reload", "map"]).output().expect("ends");
+        assert_eq!(refused.status.code(), Some(4), "{}", text(&refused));
+    }
 }
 
 #[test]

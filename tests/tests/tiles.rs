@@ -334,6 +334,22 @@ fn children(process: u32) -> Vec<i32> {
     text.split_whitespace().filter_map(|number| number.parse().ok()).collect()
 }
 
+/// The compiler of a tile, once it has been started.
+fn compiler_of(tile: &str, parent: u32) -> Pid {
+    let compiles = |child: &i32| {
+        let line = fs::read_to_string(format!("/proc/{child}/cmdline"));
+        line.is_ok_and(|line| line.contains(tile))
+    };
+    let until = Instant::now() + PATIENCE;
+    while Instant::now() < until {
+        if let Some(child) = children(parent).into_iter().find(compiles) {
+            return Pid::from_raw(child);
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    panic!("nobody compiles {tile}");
+}
+
 /// Starts compiling a folder of three tiles, of which the second is a pipe that nobody writes to, and waits until its compiler
 /// waits for it. That one is returned.
 fn wait_for_a_pipe(scene: &Scene) -> (Child, Pid) {
@@ -343,18 +359,8 @@ fn wait_for_a_pipe(scene: &Scene) -> (Child, Pid) {
     command.args(["compile", "maps", "--output-dir", "out", "--jobs", "1", "--json"]);
     command.stdout(Stdio::piped()).stderr(Stdio::piped()).current_dir(scene.folder.path());
     let parent = command.spawn().expect("starts");
-    let until = Instant::now() + PATIENCE;
-    loop {
-        let waits = |child: &i32| {
-            let line = fs::read_to_string(format!("/proc/{child}/cmdline"));
-            line.is_ok_and(|line| line.contains("maps/b.xodr"))
-        };
-        if let Some(child) = children(parent.id()).into_iter().find(waits) {
-            return (parent, Pid::from_raw(child));
-        }
-        assert!(Instant::now() < until, "nobody compiles the pipe");
-        std::thread::sleep(Duration::from_millis(5));
-    }
+    let child = compiler_of("maps/b.xodr", parent.id());
+    (parent, child)
 }
 
 fn outcomes(output: &Output) -> (Vec<String>, String) {

@@ -154,8 +154,12 @@ fn be_child(
                 .and_then(|()| tell(&Message::Progress(progress)));
         }
     };
-    let (verdict, told) = one::compile(file, &target, (&reading, &options), &mut progress)?;
+    let (verdict, mut told) = one::compile(file, &target, (&reading, &options), &mut progress)?;
     failed?;
+    if to == ChildOutput::At {
+        // They are in the report; a name that is no text cannot be told.
+        told.included.clear();
+    }
     tell(&Message::Told(told))?;
     Ok(verdict.into())
 }
