@@ -432,7 +432,7 @@ fn compiler_of(file: &std::path::Path) -> u32 {
             let Ok(line) = fs::read(entry.path().join("cmdline")) else { continue };
             let words: Vec<&[u8]> = line.split(|byte| *byte == 0).collect();
             let file = file.as_os_str().as_encoded_bytes();
-            if words.contains(&file) && words.contains(&b"--for-daemon".as_slice()) {
+            if words.contains(&file) && words.contains(&b"--child".as_slice()) {
                 return entry.file_name().to_string_lossy().parse().expect("a number");
             }
         }
@@ -461,16 +461,18 @@ fn a_compiler_that_is_killed_hurts_nobody() {
 
 #[test]
 fn a_compiler_that_needs_too_much_memory_hurts_nobody() {
-    let Scene { place, maps, daemon, client } = Scene::new(&[]);
-    assert_eq!(daemon.stop(), 0);
-    // From the cache: nothing is compiled yet.
-    let daemon = serve(&place, &maps, &["--compile-memory", "1MiB"]);
-    client.wait_next(PATIENCE).expect("the next generation");
-    let scene = Scene { place, maps, daemon, client };
-    scene.maps.put(1);
-    scene.failed(&scene.reload(), "memory", 0);
-    let refused = scene.place.command().args(["reload", "map"]).output().expect("ends");
-    assert_eq!(refused.status.code(), Some(4), "{}", text(&refused));
+    for option in ["--compile-memory", "--max-memory"] {
+        let Scene { place, maps, daemon, client } = Scene::new(&[]);
+        assert_eq!(daemon.stop(), 0);
+        // From the cache: nothing is compiled yet.
+        let daemon = serve(&place, &maps, &[option, "1MiB"]);
+        client.wait_next(PATIENCE).expect("the next generation");
+        let scene = Scene { place, maps, daemon, client };
+        scene.maps.put(1);
+        scene.failed(&scene.reload(), "memory", 0);
+        let refused = scene.place.command().args(["reload", "map"]).output().expect("ends");
+        assert_eq!(refused.status.code(), Some(4), "{}", text(&refused));
+    }
 }
 
 #[test]

@@ -26,7 +26,6 @@ mod worker;
 
 pub(crate) use args::DaemonArgs;
 pub(crate) use changes::sentence;
-pub(crate) use child::{Told, enter as enter_child};
 
 use crate::control::{Board, CacheStatus, ControlListener, Request, Response, Trigger};
 use crate::exit::Exit;
@@ -69,8 +68,8 @@ pub(crate) fn run(
         .context("installing the handler of SIGHUP")?;
     let metrics = oversight.open_metrics()?;
     let cancelled = stop.flag();
-    let Settings { domain, cache, compile_memory, lock_memory, maps, .. } = settings;
-    let workshop = Workshop { cache, compile_memory, trust, cancelled };
+    let Settings { domain, cache, means, lock_memory, maps, .. } = settings;
+    let workshop = Workshop { cache, means, trust, cancelled };
     let watched: WatchList = Arc::default();
     let (mut ready, mut fallbacks) = (Vec::new(), Vec::new());
     let mut exit = Exit::Done;
