@@ -176,6 +176,25 @@ fn what_a_map_includes_is_watched_as_well() {
     fs::write(&part, road(50.0)).expect("written");
     client.wait_next(PATIENCE).expect("the next generation");
     assert_eq!(length(&client), 50.0);
+    // One that comes after the document that includes it, and is mended once more.
+    fs::write(&map, text.replace("part.xml", "late.xml")).expect("written");
+    let failed = |times| {
+        let until = Instant::now() + PATIENCE;
+        while place.state("map").failed < times && Instant::now() < until {
+            std::thread::sleep(Duration::from_millis(20));
+        }
+        assert_eq!(place.state("map").failed, times);
+    };
+    failed(1);
+    let late = folder.path().join("late.xml");
+    fs::write(&late, "<OpenDRIVE><road").expect("written");
+    failed(2);
+    fs::write(&late, road(60.0)).expect("written");
+    client.wait_next(PATIENCE).expect("the next generation");
+    assert_eq!(length(&client), 60.0);
+    fs::write(&map, text).expect("written");
+    client.wait_next(PATIENCE).expect("the next generation");
+    assert_eq!(length(&client), 50.0);
     // The archive in the cache is that of both files as they are now.
     assert_eq!(daemon.stop(), 0);
     let _daemon = place.serve(&[map.to_str().expect("text")]);

@@ -227,6 +227,7 @@ fn round(
     let (mut compilation, causes, units) =
         document.collector.finish(document.provenance, document.version, document.quarantined);
     compilation.included = files;
+    compilation.missing = document.places.missing();
     Ok(Round { rows, compilation, causes, units, roads, length })
 }
 

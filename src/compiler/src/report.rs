@@ -84,6 +84,8 @@ pub struct Compilation {
     pub provenance: Provenance,
     /// Files that the document included, each as it can be opened, in the order in which it did.
     pub included: Vec<PathBuf>,
+    /// Files that it wanted to include and that cannot be read.
+    pub missing: Vec<PathBuf>,
     /// The document's revision.
     pub version: Version,
     /// Findings in file order.
@@ -273,6 +275,7 @@ impl Collector {
             rows: None,
             provenance,
             included: Vec::new(),
+            missing: Vec::new(),
             version,
             diagnostics: self.diagnostics,
             dropped,

@@ -38,6 +38,9 @@ const NO_BACKTRACE: [&str; 2] = [
 pub(crate) struct Told {
     /// Files that the document includes.
     pub(crate) included: Vec<PathBuf>,
+    /// Files that it wants to include and that cannot be read.
+    #[serde(default)]
+    pub(crate) missing: Vec<PathBuf>,
     pub(crate) counts: Counts,
     /// Nothing for a rejected map.
     pub(crate) archive: Option<ArchiveFacts>,

@@ -159,6 +159,7 @@ fn be_child(
     if to == ChildOutput::At {
         // They are in the report; a name that is no text cannot be told.
         told.included.clear();
+        told.missing.clear();
     }
     tell(&Message::Told(told))?;
     Ok(verdict.into())

@@ -31,7 +31,8 @@ pub(super) fn compile(
     let name = file.display().to_string();
     report::print(&name, &compiled);
     let included: Vec<PathBuf> = compiled.included.iter().map(|file| absolute(file)).collect();
-    let mut told = Told { included, counts: report::counts(&compiled), archive: None };
+    let missing = compiled.missing.iter().map(|file| absolute(file)).collect();
+    let mut told = Told { included, missing, counts: report::counts(&compiled), archive: None };
     let mut unnamed = None;
     let mut report = report::report(&name, &compiled);
     if let Some(rows) = &compiled.rows {

@@ -5,6 +5,7 @@ use super::log::say;
 use super::maps::{Kept, Maps, UNASKED_RELOADS};
 use super::orders::{Change, Job};
 use super::prepare::Prepared;
+use super::watch::watch_more;
 use super::worker::Worker;
 use crate::control::{ReloadReport, ReloadResult, Response, Trigger, unix_ns};
 use crate::serve::ServeError;
@@ -74,6 +75,7 @@ impl Maps {
         let prepared = match prepared {
             Ok(prepared) => prepared,
             Err(refusal) => {
+                watch_more(&self.watched, &change.map, &refusal);
                 return self
                     .ended(&change, (ReloadResult::Failed, None, refusal.reason().to_owned()));
             }

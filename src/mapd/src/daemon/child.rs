@@ -26,19 +26,38 @@ const LINES: usize = 64;
 pub(crate) enum Refusal {
     /// The map is rejected.
     Rejected(String),
+    /// The map is rejected, and other files than its own may mend it.
+    RejectedWith(String, OtherFiles),
     /// Something else failed.
     Failed(String),
 }
 
+/// Files that a document includes.
+#[derive(Clone, Debug)]
+pub(crate) struct OtherFiles {
+    /// Those that were read.
+    pub(crate) included: Vec<PathBuf>,
+    /// Those that could not be.
+    pub(crate) missing: Vec<PathBuf>,
+}
+
 impl Refusal {
     pub(crate) fn reason(&self) -> &str {
-        let (Self::Rejected(reason) | Self::Failed(reason)) = self;
+        let (Self::Rejected(reason) | Self::RejectedWith(reason, _) | Self::Failed(reason)) = self;
         reason
+    }
+
+    /// Files besides the map's own that may mend it.
+    pub(crate) fn other_files(&self) -> Option<&OtherFiles> {
+        match self {
+            Self::RejectedWith(_, files) => Some(files),
+            Self::Rejected(_) | Self::Failed(_) => None,
+        }
     }
 
     pub(crate) fn exit(&self) -> Exit {
         match self {
-            Self::Rejected(_) => Exit::Rejected,
+            Self::Rejected(_) | Self::RejectedWith(..) => Exit::Rejected,
             Self::Failed(_) => Exit::Environment,
         }
     }
@@ -84,7 +103,10 @@ pub(crate) fn compile(
     let (end, told) = ended.map_err(|error| Refusal::Failed(format!("the compiler: {error}")))?;
     match end {
         End::Exit(Exit::Done | Exit::Quarantined) => Ok(told),
-        End::Exit(Exit::Rejected) => Err(Refusal::Rejected(reason(&said))),
+        End::Exit(Exit::Rejected) => {
+            let files = OtherFiles { included: told.included, missing: told.missing };
+            Err(Refusal::RejectedWith(reason(&said), files))
+        }
         End::Exit(Exit::Environment | Exit::Usage) => Err(Refusal::Failed(reason(&said))),
         End::OutOfMemory { .. } => Err(Refusal::Failed(end.reason(memory, LIMIT))),
         End::Broken(_) => {

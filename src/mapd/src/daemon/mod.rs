@@ -87,6 +87,7 @@ pub(crate) fn run(
                     Some(prepared) => {
                         say(&format!("map {}: going on with what was published last", map.name));
                         watch(&watched, map, &prepared, before);
+                        watch::watch_more(&watched, &map.name, &refusal);
                         ready.push((map.clone(), prepared));
                         fallbacks.push((map.name.clone(), refusal.reason().to_owned()));
                     }
