@@ -232,16 +232,16 @@ enum Command {
         #[arg(value_enum)]
         kind: Kind,
         /// nearest: largest distance from a lane's area [m]
-        #[arg(long, value_name = "M", default_value_t = NearestOptions::default().radius)]
+        #[arg(long, value_name = "M", default_value_t = NearestOptions::default().radius, value_parser = distance)]
         radius: f64,
         /// nearest: lane types that count, separated by commas, or `drivable` [default: all]
         #[arg(long, value_name = "TYPES", value_delimiter = ',')]
         types: Vec<String>,
         /// nearest: largest difference in z [m], where the input has z
-        #[arg(long, value_name = "M")]
+        #[arg(long, value_name = "M", value_parser = distance)]
         z_tolerance: Option<f64>,
         /// nearest: largest difference from the lane's driving direction [rad], where the input has hdg
-        #[arg(long, value_name = "RAD")]
+        #[arg(long, value_name = "RAD", value_parser = distance)]
         heading_tolerance: Option<f64>,
         #[command(flatten)]
         route: query::RouteArgs,
@@ -386,10 +386,11 @@ impl Options {
 
 impl DomainArgs {
     pub(crate) fn domain(&self) -> Result<Domain> {
-        Ok(match &self.prefix {
-            Some(prefix) => Domain::new(prefix)?,
-            None => Domain::from_env()?,
-        })
+        let domain = match &self.prefix {
+            Some(prefix) => Domain::new(prefix),
+            None => Domain::from_env(),
+        };
+        domain.map_err(|error| UsageError(error.to_string()).into())
     }
 }
 
@@ -409,6 +410,15 @@ pub fn run() -> ExitCode {
             };
             exit.into()
         }
+    }
+}
+
+/// A distance or the size of an angle: finite, and not negative.
+fn distance(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().map_err(|error| error.to_string())?;
+    match number.is_finite() && number >= 0.0 {
+        true => Ok(number),
+        false => Err("expected a finite number that is not negative".to_owned()),
     }
 }
 

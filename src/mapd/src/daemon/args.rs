@@ -90,7 +90,7 @@ impl DaemonArgs {
         };
         let domain = match (domain, file.domain.take()) {
             (Some(domain), _) | (None, Some(domain)) => domain,
-            (None, None) => Domain::from_env()?,
+            (None, None) => Domain::from_env().map_err(|error| UsageError(error.to_string()))?,
         };
         let mut maps = Vec::new();
         for mut map in std::mem::take(&mut file.maps) {
@@ -102,7 +102,7 @@ impl DaemonArgs {
         }
         let files = sources::expand(&self.load)?;
         if self.name.is_some() && files.len() != 1 {
-            bail!("--name goes with one map, found {}", files.len());
+            bail!(UsageError(format!("--name goes with one map, found {}", files.len())));
         }
         for source in files {
             maps.push(MapSettings {
@@ -120,12 +120,12 @@ impl DaemonArgs {
         }
         let mut names = BTreeSet::new();
         for map in &maps {
-            check_map_name(&map.name)?;
+            check_map_name(&map.name).map_err(|error| UsageError(error.to_string()))?;
             if !names.insert(map.name.clone()) {
-                bail!(
+                bail!(UsageError(format!(
                     "two maps would be named {}; give one another name, or serve it from a daemon of its own with --name",
                     map.name
-                );
+                )));
             }
             // What makes no sense is wrong usage now, and not a reload that fails later.
             let wrong = |error: anyhow::Error| UsageError(format!("map {}: {error:#}", map.name));

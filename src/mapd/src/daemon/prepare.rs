@@ -95,7 +95,17 @@ impl Workshop {
         if !metadata.is_file() {
             return Err(failed("not a file".to_owned()));
         }
-        let header = read_header(&file).map_err(|error| failed(error.to_string()))?;
+        let header = read_header(&file).map_err(|error| match error.kind() {
+            io::ErrorKind::UnexpectedEof => Refusal::Rejected(format!(
+                "{}: no archive, or one that was cut off: {} bytes, a header alone has {HEADER_LENGTH}",
+                map.source.display(),
+                metadata.len()
+            )),
+            io::ErrorKind::Other => {
+                Refusal::Rejected(format!("{}: {error}", map.source.display()))
+            }
+            _ => failed(error.to_string()),
+        })?;
         let mut files = vec![absolute(&map.source)];
         let signature = match self.trust {
             None => None,
