@@ -252,9 +252,9 @@ fn two_inputs_of_one_output_are_refused() {
     for wrong in [
         &["x", "-o", "a.mapd"][..],
         &["x", "--report", "a.json"],
-        &["x/a.xodr", "--json"],
-        &["x/a.xodr", "--jobs", "2"],
-        &["x/a.xodr", "--force"],
+        &["x/a.xodr", "-o", "a.mapd", "--json"],
+        &["x/a.xodr", "-o", "a.mapd", "--jobs", "2"],
+        &["x/a.xodr", "--report", "a.json", "--output-dir", "out"],
         &["x", "--jobs", "0"],
         &["x", "--threads", "0"],
         &["x", "--progress-interval", "-1"],
@@ -266,6 +266,21 @@ fn two_inputs_of_one_output_are_refused() {
     // The same file under two names is one.
     let (code, found, _) = scene.table(&["x/a.xodr", "link/a.xodr", "x/../x/a.xodr"]);
     assert_eq!((code, found.len()), (0, 1));
+}
+
+/// A pattern of a shell may find one file as well.
+#[test]
+fn a_single_tile_has_a_table_if_one_is_asked_for() {
+    let scene = Scene::new(&[("a.xodr", "one_road")]);
+    let (code, found, _) = scene.table(&["a.xodr"]);
+    assert_eq!((code, found), (0, rows(&[("a.xodr", "accepted", false)])));
+    let text_of = |args: &[&str]| text(&scene.run(args).stdout);
+    let jobs = text_of(&["a.xodr", "--jobs", "3"]);
+    assert!(jobs.contains("accepted, up to date"), "{jobs}");
+    for args in [&["a.xodr"][..], &["a.xodr", "--force"], &["a.xodr", "-o", "a.mapd", "--force"]] {
+        let line = text_of(args);
+        assert!(line.starts_with("a.mapd: ") && line.lines().count() == 1, "{line}");
+    }
 }
 
 #[test]

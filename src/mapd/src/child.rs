@@ -226,10 +226,15 @@ fn wait(
 }
 
 /// Whether a line is what a process without memory says: the bytes that it asked for. Several threads may say so at once, one
-/// into the other, so that they cannot be read.
+/// into the other: then it is one of their numbers, if one can be read.
 fn last_words(line: &str) -> Option<Option<u64>> {
-    let rest = line.strip_prefix(NO_MEMORY.0)?;
-    Some(rest.strip_suffix(NO_MEMORY.1).and_then(|bytes| bytes.parse().ok()))
+    let (start, end) = NO_MEMORY;
+    let rest = line.replace(start, "").replace(end, "");
+    if line.is_empty() || !rest.bytes().all(|byte| byte.is_ascii_digit()) {
+        return None;
+    }
+    let number = line.rsplit(start).next().and_then(|last| last.split(end).next());
+    Some(number.and_then(|bytes| bytes.parse().ok()))
 }
 
 impl End {
@@ -296,7 +301,18 @@ mod tests {
         let asked = |line: &str| last_words(line);
         assert_eq!(asked("memory allocation of 4096 bytes failed"), Some(Some(4096)));
         // Two threads at once.
-        assert_eq!(asked("memory allocation of memory allocation of 41 bytes failed"), Some(None));
+        assert_eq!(
+            asked("memory allocation of memory allocation of 41 bytes failed"),
+            Some(Some(41))
+        );
+        assert_eq!(
+            asked("memory allocation of 7memory allocation of 41 bytes failed"),
+            Some(Some(41))
+        );
+        assert_eq!(asked("memory allocation of "), Some(None));
+        assert_eq!(asked(" bytes failed"), Some(None));
+        assert_eq!(asked("41"), Some(Some(41)));
+        assert_eq!(asked(""), None);
         assert_eq!(asked("a.xodr:1:1: memory allocation of 4096 bytes failed"), None);
         let said = too_little(Some(64 << 20), Some(1 << 20), "--max-memory");
         assert!(

@@ -30,9 +30,12 @@ use std::time::{Duration, Instant};
 /// Shortest time between two messages of a child about how much it has read.
 const MESSAGES: Duration = Duration::from_millis(200);
 
+/// Options that make tiles of whatever is compiled, a single file as well.
+const TABLE: [&str; 3] = ["output_dir", "jobs", "json"];
+
 /// Said at the end of `mapd help compile`.
 pub(crate) const HELP: &str = "\
-Several files, a folder or --output-dir: each file is a tile, compiled in a process of its own, several at once. Beside
+Several files, a folder, --output-dir, --jobs or --json: each file is a tile, compiled in a process of its own, several at once. Beside
 DIR/NAME.mapd lies DIR/NAME.report.json with all findings. Folders are searched with all within them for .xodr and .xodrz, and
 keep their shape in DIR. A tile whose archive is what it would become anyway, by input, included files, options and
 program, is left alone. Jobs share the memory and, unless --threads says
@@ -50,7 +53,7 @@ pub(crate) struct CompileCommand {
     inputs: Vec<PathBuf>,
 
     /// Archive to write, of a single file [default: FILE with the ending .mapd]
-    #[arg(short, long, value_name = "OUT.mapd", conflicts_with = "output_dir")]
+    #[arg(short, long, value_name = "OUT.mapd", conflicts_with_all = TABLE)]
     output: Option<PathBuf>,
 
     /// Folder for archives and reports; made if it is not there [default: beside each file]
@@ -58,10 +61,10 @@ pub(crate) struct CompileCommand {
     output_dir: Option<PathBuf>,
 
     /// Write all findings as JSON, of a single file
-    #[arg(long, value_name = "R.json", conflicts_with = "output_dir")]
+    #[arg(long, value_name = "R.json", conflicts_with_all = TABLE)]
     report: Option<PathBuf>,
 
-    /// Compile tiles also where they are up to date
+    /// Compile tiles also where they are up to date; a single file is in any case
     #[arg(long)]
     force: bool,
 
@@ -115,6 +118,8 @@ pub(crate) fn run(
     }
     let is_many = command.inputs.len() > 1
         || command.output_dir.is_some()
+        || command.jobs.is_some()
+        || command.json
         || command.inputs.iter().any(|input| input.is_dir());
     match command.inputs.as_slice() {
         [file] if !is_many => compile_one(&command, file, matches, out),
@@ -171,14 +176,6 @@ fn compile_one(
     matches: &ArgMatches,
     out: &mut dyn Write,
 ) -> Result<Exit> {
-    for (is_said, option) in
-        [(command.json, "--json"), (command.jobs.is_some(), "--jobs"), (command.force, "--force")]
-    {
-        if is_said {
-            let message = format!("{option} goes with several files, a folder or --output-dir");
-            bail!(UsageError(message));
-        }
-    }
     let manner = command.progress.manner()?;
     let archive = command.output.clone().unwrap_or_else(|| file.with_extension("mapd"));
     if archive == file {
