@@ -11,6 +11,7 @@ use crate::ontology_args::OntologyArgs;
 use crate::oversight::OversightArgs;
 use crate::progress::ProgressArgs;
 use crate::query::{self, Kind};
+use crate::same_file::is_same_file;
 use crate::threads::ThreadsArg;
 use crate::trust::{TrustArgs, is_distrust};
 use crate::{bench, check, doctor, export, inspect, sign, source, status};
@@ -508,6 +509,11 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
             }
         }
         Command::Export { source, format, output, index_boxes, opening } => {
+            let is_source = |output: &&PathBuf| is_same_file(output, source.as_ref());
+            if let Some(output) = output.as_ref().filter(is_source) {
+                let message = format!("{} would overwrite its source", output.display());
+                bail!(UsageError(message));
+            }
             match opening.open(&source)? {
                 Some(snapshot) => {
                     let options = export::Options { index_boxes };

@@ -42,6 +42,7 @@ mod oversight;
 mod progress;
 pub mod query;
 pub mod report;
+mod same_file;
 pub mod serve;
 mod sign;
 mod signal_facts;

@@ -15,6 +15,7 @@ use crate::draft;
 use crate::exit::Exit;
 use crate::judging::JudgingArgs;
 use crate::progress::{Meter, ProgressArgs};
+use crate::same_file::is_same_file;
 use crate::size::Size;
 use crate::threads::ThreadsArg;
 use anyhow::{Context, Result, bail};
@@ -178,11 +179,15 @@ fn compile_one(
 ) -> Result<Exit> {
     let manner = command.progress.manner()?;
     let archive = command.output.clone().unwrap_or_else(|| file.with_extension("mapd"));
-    if archive == file {
-        bail!("{} would overwrite its source; name another file with -o", archive.display());
+    if is_same_file(&archive, file) {
+        let message =
+            format!("{} would overwrite its source; name another file with -o", archive.display());
+        bail!(UsageError(message));
     }
-    if command.report.as_deref().is_some_and(|report| report == file || report == archive) {
-        bail!("the report would overwrite the map; name another file with --report");
+    let is_map = |report: &Path| is_same_file(report, file) || is_same_file(report, &archive);
+    if command.report.as_deref().is_some_and(is_map) {
+        let message = "the report would overwrite the map; name another file with --report";
+        bail!(UsageError(message.to_owned()));
     }
     let target = Target { archive, report: command.report.clone(), is_there: false };
     let reading = command.options.reading(&command.judging)?;

@@ -3,8 +3,9 @@
 use super::up_to_date::Record;
 use crate::archive_file;
 use crate::child::{ArchiveFacts, Told};
+use crate::same_file::is_same_file;
 use crate::{draft, report, source};
-use anyhow::Result;
+use anyhow::{Result, bail};
 use mapd_archive::{HEADER_LENGTH, Header, Rows};
 use mapd_compiler::{CompileOptions, Progress, ReadOptions, Verdict};
 use std::path::{Path, PathBuf};
@@ -31,6 +32,12 @@ pub(super) fn compile(
     let name = file.display().to_string();
     report::print(&name, &compiled);
     let included: Vec<PathBuf> = compiled.included.iter().map(|file| absolute(file)).collect();
+    let targets = [Some(&target.archive), target.report.as_ref()];
+    for target in targets.into_iter().flatten() {
+        if included.iter().any(|file| is_same_file(file, target)) {
+            bail!("{} would overwrite a file that the map includes", target.display());
+        }
+    }
     let missing = compiled.missing.iter().map(|file| absolute(file)).collect();
     let mut told = Told { included, missing, counts: report::counts(&compiled), archive: None };
     let mut unnamed = None;
