@@ -63,3 +63,61 @@ fn copies_beyond_a_maps_limit_are_not_even_made() {
     }
     assert_eq!(rows(compiled).object_copies.len(), MOST_COPIES);
 }
+
+/// An outline with these corners (u, v) beside s = 50.
+fn outline(corners: impl Iterator<Item = (f64, f64)>) -> String {
+    let mut text = String::from(
+        r#"<object id="1" type="building" s="50" t="0" zOffset="0" hdg="0" orientation="none"><outlines><outline id="0" closed="true">"#,
+    );
+    for (u, v) in corners {
+        let _ = write!(text, r#"<cornerLocal u="{u:.6}" v="{v:.6}" z="0" height="1"/>"#);
+    }
+    text + "</outline></outlines></object>"
+}
+
+/// Lanes of the only object: number, stretch of s, rounded to decimetres.
+fn lanes(map: Map<'_>) -> Vec<(i32, [i64; 2])> {
+    let object = map.objects().next().expect("an object");
+    let round = |s: f64| (s * 10.0).round() as i64;
+    let row = |at: mapd_query::ObjectLane<'_>| {
+        let (from, to) = at.s_range();
+        (at.lane().expect("a lane").number(), [round(from), round(to)])
+    };
+    let mut lanes: Vec<_> = object.lanes().map(row).collect();
+    lanes.sort_unstable();
+    lanes
+}
+
+/// Every corner was compared with every other one, and that again for every lane.
+#[test]
+fn corners_of_an_outline_are_not_compared_with_each_other() {
+    let ellipse = |count: usize| {
+        outline((0..count).map(move |i| {
+            let angle = std::f64::consts::TAU * i as f64 / count as f64;
+            (40.0 * angle.cos(), 3.0 * angle.sin())
+        }))
+    };
+    // Half of the corners' stations are used, and all of them: the same lanes along the same stretches.
+    let few = open(&document(&PLAIN, &ellipse(400)));
+    let many = document(&PLAIN, &ellipse(40_000));
+    soon("an outline of many corners", &many);
+    assert_eq!(lanes(few.map()), lanes(open(&many).map()));
+    assert_eq!(lanes(few.map()), [(-1, [100, 900]), (1, [100, 900])]);
+}
+
+/// Of an outline with many corners, not all are looked at one by one; none is passed over.
+#[test]
+fn a_narrow_corner_among_many_reaches_its_lane() {
+    // Along t = 30 but for one corner that is a tenth of a millimetre wide, at s = 50.01 on lane −1.
+    let (count, length) = (10_000, 80.0);
+    let far = |i: i32| (f64::from(i) * length / f64::from(count) - 40.0, 30.0);
+    let there = (0..=5000).map(far).chain([(0.010_05, -2.0), (0.010_1, 30.0)]);
+    let back = [(40.0, 30.0), (40.0, 31.0), (-40.0, 31.0)];
+    let corners = there.chain((5002..count).map(far)).chain(back);
+    let snapshot = open(&document(&PLAIN, &outline(corners)));
+    let found = lanes(snapshot.map());
+    assert!(
+        found.iter().any(|(lane, [from, to])| *lane == -1 && *from <= 501 && *to >= 499),
+        "{found:?}"
+    );
+}
