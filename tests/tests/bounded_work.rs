@@ -121,3 +121,33 @@ fn a_narrow_corner_among_many_reaches_its_lane() {
         "{found:?}"
     );
 }
+
+/// Every pair of lanes looked through all priorities of the map.
+#[test]
+fn priorities_are_looked_up_not_looked_through() {
+    let mut text = String::from(r#"<OpenDRIVE><header revMajor="1" revMinor="7"/>"#);
+    for id in 0..100 {
+        let heading = f64::from(id) * 0.031;
+        let (x, y) = (-50.0 * heading.cos(), -50.0 * heading.sin());
+        let _ = write!(
+            text,
+            r#"<road id="{id}" length="100" junction="9"><planView><geometry s="0" x="{x:?}" y="{y:?}" hdg="{heading:?}" length="100"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3.5" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>"#
+        );
+    }
+    text.push_str(r#"<junction id="9" name="">"#);
+    for road in 0..100_000 {
+        let _ = write!(text, r#"<priority high="{}" low="1"/>"#, 1000 + road);
+    }
+    // Of two rows that contradict each other the first counts.
+    text.push_str(
+        r#"<priority high="3" low="5"/><priority high="5" low="3"/></junction></OpenDRIVE>"#,
+    );
+    let rows = rows(soon("priorities of a junction", &text));
+    let found = rows
+        .right_of_way
+        .iter()
+        .filter(|row| row.reason == RelationReason::JunctionPriority.code());
+    let relations: Vec<u8> = found.map(|row| row.relation).collect();
+    assert_eq!(relations, [Relation::Priority.code(), Relation::Yields.code()]);
+    assert!(rows.right_of_way.len() > 9000, "{} pairs", rows.right_of_way.len());
+}
