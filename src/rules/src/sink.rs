@@ -1,5 +1,7 @@
 //! Where rules put what they find.
 
+use crate::checker::is_left_out;
+use crate::looker::Found;
 use crate::rule::{Minor, Rule};
 use mapd_xodr::{Finding, Severity, Span};
 use std::fmt::{self, Write as _};
@@ -39,14 +41,13 @@ pub(crate) fn write_path(steps: &[Step<'_>]) -> String {
 /// Takes the findings of one rule about one element.
 pub struct Sink<'a> {
     pub(crate) rule: &'static Rule,
+    pub(crate) rank: usize,
     pub(crate) severity: Severity,
     pub(crate) version: Minor,
     pub(crate) path: &'a [Step<'a>],
-    pub(crate) out: &'a mut Vec<Finding>,
+    pub(crate) out: &'a mut Vec<(usize, Found)>,
     /// Findings of the rule so far.
     pub(crate) count: &'a mut u32,
-    pub(crate) left_out: &'a mut Option<(Span, Severity)>,
-    pub(crate) left_out_count: &'a mut u32,
     pub(crate) limit: u32,
 }
 
@@ -118,23 +119,20 @@ impl Sink<'_> {
         found: impl fmt::Display,
     ) {
         *self.count = self.count.saturating_add(1);
-        // Errors are all kept: each takes a part out of use. They use up the others' places all the same.
-        if *self.count > self.limit && severity < Severity::Error {
-            let left_out = self.left_out.get_or_insert((span, severity));
-            left_out.1 = left_out.1.max(severity);
-            *self.left_out_count = self.left_out_count.saturating_add(1);
+        if is_left_out(*self.count, self.limit, severity) {
+            match self.out.last_mut() {
+                Some((rank, Found::LeftOut(_, worst, count))) if *rank == self.rank => {
+                    *worst = severity.max(*worst);
+                    *count = count.saturating_add(1);
+                }
+                _ => self.out.push((self.rank, Found::LeftOut(span, severity, 1))),
+            }
             return;
         }
         let message = format!("expected {expected}, found {found}");
         let rule = self.rule.id;
-        self.out.push(Finding {
-            rule,
-            severity,
-            span,
-            path,
-            subject: "".into(),
-            message,
-            hint: String::new(),
-        });
+        let (subject, hint) = ("".into(), String::new());
+        let finding = Finding { rule, severity, span, path, subject, message, hint };
+        self.out.push((self.rank, Found::Finding(finding)));
     }
 }

@@ -140,6 +140,8 @@ pub(crate) struct Known {
 /// A child of the root.
 pub(crate) enum Part {
     Item(Item),
+    /// An item that was taken away.
+    Taken,
     Extension(Extension),
 }
 
@@ -155,6 +157,27 @@ pub struct ReadBatch {
 }
 
 impl ReadBatch {
+    /// Takes the top-level elements away, in the order of the document; [`Reader::handed`](crate::Reader::handed) says where
+    /// each of them was. None if one of them is a header, or the batch is certain to be refused.
+    pub fn take_items(&mut self) -> Option<Vec<Item>> {
+        if !self.is_whole || self.has_header() {
+            return None;
+        }
+        let items = self.parts.iter_mut().filter_map(|(_, part, _)| match part {
+            Part::Item(_) => match std::mem::replace(part, Part::Taken) {
+                Part::Item(item) => Some(item),
+                Part::Taken | Part::Extension(_) => None,
+            },
+            Part::Taken | Part::Extension(_) => None,
+        });
+        Some(items.collect())
+    }
+
+    /// Whether one of the elements is a header, from which on another version may count.
+    pub(crate) fn has_header(&self) -> bool {
+        self.parts.iter().any(|(_, part, _)| matches!(part, Part::Item(Item::Header(_))))
+    }
+
     /// The batch, unread.
     pub fn into_batch(self) -> Batch {
         self.batch

@@ -39,6 +39,14 @@ pub struct Reader<'a> {
     accepted: VecDeque<Accepted>,
 }
 
+/// A top-level element of a batch.
+pub enum Handed {
+    /// The element.
+    Item(Item),
+    /// It was taken away: [`ReadBatch::take_items`].
+    Taken,
+}
+
 /// A step of what was read ahead.
 enum Accepted {
     Part(Part, Vec<Kept>),
@@ -124,7 +132,7 @@ impl<'a> Reader<'a> {
 
     /// Line and column of a span's start in its file.
     pub fn position(&self, start: u64) -> Position {
-        self.places().place(start).position
+        self.places().position(start)
     }
 
     /// Bytes of decoded text read so far of the file that is being read.
@@ -293,7 +301,7 @@ impl<'a> Reader<'a> {
     pub fn accept(&mut self, mut read: ReadBatch) -> Result<(), Batch> {
         let State::Inside(root) = &mut self.state else { return Err(read.batch) };
         let slots = read.parts.iter().filter_map(|(slot, ..)| *slot);
-        if !read.is_whole || !self.cursor.follows(root, slots) {
+        if !read.is_whole || read.has_header() || !self.cursor.follows(root, slots) {
             return Err(read.batch);
         }
         let cursor = &mut self.cursor;
@@ -310,15 +318,26 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// The next top-level element of the batch that was accepted last; none at its end.
+    /// The next top-level element of the batch that was accepted last; none at its end. Those that were taken away are passed
+    /// over.
     pub fn accepted(&mut self) -> Option<Item> {
+        loop {
+            if let Handed::Item(item) = self.handed()? {
+                return Some(item);
+            }
+        }
+    }
+
+    /// As [`Reader::accepted`], but tells where an element was that [`ReadBatch::take_items`] took away.
+    pub fn handed(&mut self) -> Option<Handed> {
         loop {
             match self.accepted.pop_front()? {
                 Accepted::Part(part, findings) => {
                     let cursor = &mut self.cursor;
                     findings.into_iter().for_each(|kept| cursor.findings.add_again(kept));
                     match part {
-                        Part::Item(item) => return Some(item),
+                        Part::Item(item) => return Some(Handed::Item(item)),
+                        Part::Taken => return Some(Handed::Taken),
                         Part::Extension(extension) => {
                             let kept = (&mut self.extensions, &mut self.extended);
                             keep(extension, kept, cursor);
