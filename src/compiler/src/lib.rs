@@ -310,7 +310,7 @@ fn read(
     let mut lowering = Lowering::new(Arc::clone(&ontology));
     let mut collector = Collector::new(without);
     let mut quarantined = Vec::new();
-    let (places, version) = {
+    let (places, version, mut checker, read) = {
         let mut inputs = Inputs::new(reading.limits.source);
         if let Some(folder) = &reading.include_folder {
             inputs = inputs.with_include_folder(folder);
@@ -365,17 +365,24 @@ fn read(
             let (bytes, roads) = (stream.reader.bytes_read(), roads.unwrap_or(lowering.roads()));
             progress(Progress::Reading { bytes, roads });
         }
-        checker.finish();
         let reader = &mut stream.reader;
-        collector.add_read(reader.take_findings(), checker.take_findings(), &places, without);
         let stated = reader.stated_version().to_owned();
-        (places, Version { stated, checked: reader.checked_version() })
+        let version = Version { stated, checked: reader.checked_version() };
+        (places, version, checker, reader.take_findings())
     };
     progress(Progress::Linking { roads: lowering.roads() });
     let mut late = Vec::new();
-    lowering.finish_reading(&mut late);
-    links::resolve(&mut lowering, without, &mut late);
-    let signals = signals::resolve(&mut lowering, &places, &mut late);
+    let whole = checker.whole();
+    let (looked, signals) = rayon::join(
+        || part::look(&whole),
+        || {
+            lowering.finish_reading(&mut late);
+            links::resolve(&mut lowering, without, &mut late);
+            signals::resolve(&mut lowering, &places, &mut late)
+        },
+    );
+    checker.end(whole, looked);
+    collector.add_read(read, checker.take_findings(), &places, without);
     collector.add(late, &places);
     let mut graph = graph::Written::default();
     if !collector.is_rejected() {

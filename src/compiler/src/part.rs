@@ -3,9 +3,10 @@
 use crate::lower::{Lowering, Owner};
 use crate::quarantine::Units;
 use mapd_ontology::Ontology;
-use mapd_rules::{Checker, Looked, Looker, Network};
+use mapd_rules::{Checker, Looked, Looker, Network, Whole};
 use mapd_xodr::source::Places;
 use mapd_xodr::{Finding, Item, ReadBatch, Span, Text as _};
+use rayon::prelude::*;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -59,6 +60,25 @@ impl Plan {
         let elements = elements.collect();
         Some(Lowered { elements, network: looker.into_network(), units, lowering })
     }
+}
+
+/// What all rules on the document as a whole find, in their order.
+pub(crate) fn look(whole: &Whole) -> Vec<Looked> {
+    let needs_overlaps = |check: usize| whole.needs_overlaps(check);
+    let first_overlaps = (0..whole.checks()).find(|check| needs_overlaps(*check));
+    let (first, mut all) = rayon::join(
+        || first_overlaps.map(|check| whole.look(check)),
+        || {
+            let others = (0..whole.checks()).into_par_iter();
+            let look = |check| (!needs_overlaps(check)).then(|| whole.look(check));
+            others.map(look).collect::<Vec<_>>()
+        },
+    );
+    if let Some(place) = first_overlaps.and_then(|check| all.get_mut(check)) {
+        *place = first;
+    }
+    let all = all.into_iter().enumerate();
+    all.map(|(check, looked)| looked.unwrap_or_else(|| whole.look(check))).collect()
 }
 
 /// Appends what a top-level element says to the rows.

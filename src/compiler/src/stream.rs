@@ -70,7 +70,8 @@ impl<'a> Stream<'a> {
             };
             match ahead.next(plan)? {
                 Some((read, lowered)) => match self.reader.accept(read) {
-                    Ok(()) => {
+                    Ok(room) => {
+                        ahead.cutter.give_back(room);
                         if let Some(lowered) = lowered {
                             return Ok(Some(Next::Part(lowered)));
                         }

@@ -2,8 +2,9 @@
 
 use crate::looker::{Found, Looked, Looker, Rules};
 use crate::network::Network;
-use crate::rule::{Check, Minor, NEWEST};
+use crate::rule::{Minor, NEWEST};
 use crate::settings::Settings;
+use crate::whole::Whole;
 use mapd_xodr::{Finding, Item, Severity, Span};
 use std::sync::Arc;
 
@@ -106,16 +107,22 @@ impl Checker {
 
     /// Looks at the document as a whole, which has ended.
     pub fn finish(&mut self) {
+        let whole = self.whole();
+        let looked = (0..whole.checks()).map(|check| whole.look(check)).collect::<Vec<_>>();
+        self.end(whole, looked);
+    }
+
+    /// The document as a whole, which has ended, to be looked at on any thread; [`Checker::end`] takes what was found.
+    pub fn whole(&mut self) -> Whole {
         let mut network = std::mem::take(&mut self.looker.network);
         network.finish();
-        let rules = Arc::clone(&self.looker.rules);
-        for rank in rules.lists.network.iter().copied() {
-            if let Check::Network(check) = rules.applied[rank].rule.check {
-                self.looker.apply((&rules, rank), &[], |sink| check(&network, sink));
-            }
-        }
-        let looked = Looked(std::mem::take(&mut self.looker.found));
-        self.keep(looked);
+        Whole { rules: Arc::clone(&self.looker.rules), network }
+    }
+
+    /// Takes what all checks of the document as a whole found, in their order.
+    pub fn end(&mut self, whole: Whole, looked: impl IntoIterator<Item = Looked>) {
+        let Whole { rules, network } = whole;
+        self.keep(Looked(looked.into_iter().flat_map(|looked| looked.0).collect()));
         self.looker.network = network;
         for (applied, left_out) in rules.applied.iter().zip(&self.left_out) {
             if let Some((span, severity, count)) = *left_out {

@@ -36,6 +36,7 @@ mod settings;
 mod sink;
 pub mod structural;
 mod walk;
+mod whole;
 
 pub use checker::Checker;
 pub use documentation::documentation;
@@ -46,3 +47,4 @@ pub use place::{LaneIn, ObjectIn, RoadIn, SectionIn, Side, SignalIn};
 pub use rule::{Check, Minor, NEWEST, Rule, Tolerance};
 pub use settings::{Grade, Profile, Settings};
 pub use sink::Sink;
+pub use whole::Whole;

@@ -53,7 +53,7 @@ impl Lists {
                 Check::JunctionGroup(_) => &mut lists.junction_group,
                 Check::Station(_) => &mut lists.station,
                 Check::VmsGroup(_) => &mut lists.vms_group,
-                Check::Network(_) => &mut lists.network,
+                Check::Network(_) | Check::Overlaps(_) => &mut lists.network,
             };
             list.push(rank);
         }
@@ -103,11 +103,17 @@ pub struct Looker {
 
 impl Looker {
     pub(crate) fn new(rules: Rules) -> Self {
-        let counts = vec![0; rules.applied.len()];
-        Self { rules: Arc::new(rules), counts, found: Vec::new(), network: Network::default() }
+        Self::with(&Arc::new(rules))
     }
 
-    /// One with the same rules that has seen nothing.
+    /// One with these rules that has seen nothing.
+    pub(crate) fn with(rules: &Arc<Rules>) -> Self {
+        let counts = vec![0; rules.applied.len()];
+        let (rules, network) = (Arc::clone(rules), Network::default());
+        Self { rules, counts, found: Vec::new(), network }
+    }
+
+    /// One with the same rules that knows how much was found so far.
     pub(crate) fn another(&self) -> Self {
         let (rules, counts) = (Arc::clone(&self.rules), self.counts.clone());
         Self { rules, counts, found: Vec::new(), network: Network::default() }

@@ -23,8 +23,8 @@ pub(crate) enum Key<'a> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Step<'a>(pub(crate) &'static str, pub(crate) Key<'a>);
 
-/// Writes `OpenDRIVE/road[@id=7]/…`.
-pub(crate) fn write_path(steps: &[Step<'_>]) -> String {
+/// Writes `OpenDRIVE/road[@id=7]/…`, and below it the path of a part, if there is one.
+fn write_path(steps: &[Step<'_>], part: &str) -> String {
     let mut path = String::from("OpenDRIVE");
     for Step(name, key) in steps {
         // Writing to a string cannot fail.
@@ -34,6 +34,10 @@ pub(crate) fn write_path(steps: &[Step<'_>]) -> String {
             Key::Lane(id) => write!(path, "/{name}[@id={id}]"),
             Key::S(s) => write!(path, "/{name}[@s={s}]"),
         };
+    }
+    if !part.is_empty() {
+        path.push('/');
+        path.push_str(part);
     }
     path
 }
@@ -70,12 +74,8 @@ impl Sink<'_> {
         expected: impl fmt::Display,
         found: impl fmt::Display,
     ) {
-        let mut path = write_path(self.path);
-        if !part.is_empty() {
-            path.push('/');
-            path.push_str(part);
-        }
-        self.add_at(path, self.severity, span, expected, found);
+        let path = self.path;
+        self.add_at(|| write_path(path, part), self.severity, span, expected, found);
     }
 
     /// A finding less bad than the rule's usual ones.
@@ -101,18 +101,14 @@ impl Sink<'_> {
         expected: impl fmt::Display,
         found: impl fmt::Display,
     ) {
-        let mut path = write_path(&[Step(element, Key::Id(id))]);
-        if !part.is_empty() {
-            path.push('/');
-            path.push_str(part);
-        }
+        let path = || write_path(&[Step(element, Key::Id(id))], part);
         self.add_at(path, self.severity, span, expected, found);
     }
 
     /// A finding with its own path.
     pub(crate) fn add_at(
         &mut self,
-        path: String,
+        path: impl FnOnce() -> String,
         severity: Severity,
         span: Span,
         expected: impl fmt::Display,
@@ -131,7 +127,7 @@ impl Sink<'_> {
         }
         let message = format!("expected {expected}, found {found}");
         let rule = self.rule.id;
-        let (subject, hint) = ("".into(), String::new());
+        let (path, subject, hint) = (path(), "".into(), String::new());
         let finding = Finding { rule, severity, span, path, subject, message, hint };
         self.out.push((self.rank, Found::Finding(finding)));
     }
