@@ -254,6 +254,11 @@ impl Collector {
         self.units.add(item);
     }
 
+    /// Takes the places of the parts of the elements that come next.
+    pub(crate) fn append_units(&mut self, units: Units) {
+        self.units.append(units);
+    }
+
     pub(crate) fn is_rejected(&self) -> bool {
         self.rejecting > 0
     }

@@ -72,6 +72,13 @@ impl Places {
         Place { file: file.name.clone(), position: file.lines.position(Self::offset_of(start)) }
     }
 
+    /// Line and column of a start in its file.
+    pub fn position(&self, start: u64) -> Position {
+        let files = self.lock();
+        let file = files.get(usize::from(Self::file_of(start)));
+        file.map_or_else(Position::default, |file| file.lines.position(Self::offset_of(start)))
+    }
+
     /// Where the file of a start was included; none for the main file.
     pub fn included_at(&self, start: u64) -> Option<u64> {
         self.lock().get(usize::from(Self::file_of(start)))?.included_at
