@@ -37,6 +37,7 @@ mod graph_codes;
 mod header;
 mod lane_row;
 mod mark_codes;
+mod moves;
 mod object_codes;
 mod open;
 mod points;
@@ -55,6 +56,7 @@ pub use codes::{
 };
 pub use error::{OpenError, VerifyError, WriteError};
 pub use generated::{
+    append::Moves,
     beside_rows::*,
     classes::{Class, ClassGroup},
     network_rows::*,
@@ -66,6 +68,7 @@ pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_fla
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
 pub use lane_row::{MOST_OF_LANE, section_step};
 pub use mark_codes::{MarkLaneChange, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight};
+pub use moves::Moved;
 pub use object_codes::{
     ObjectShape, ObjectSide, OutlineFill, PlatformSide, StructureKind, SwitchPosition, copy_flags,
     object_flags, outline_flags,
@@ -79,4 +82,4 @@ pub use signal_codes::{
 pub use strings::StringTable;
 pub use table::{ArchivedRange, ArchivedTable, Range, Table, TableInfo};
 pub use verify::verify;
-pub use write::{AlignedBytes, encode, encode_into, encoded_length};
+pub use write::{AlignedBytes, encode, encode_into, encode_to, encoded_length};

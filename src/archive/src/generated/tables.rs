@@ -13,7 +13,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [154, 8, 161, 207, 43, 8, 234, 28, 55, 238, 173, 65, 194, 181, 96, 60];
+    [105, 86, 218, 139, 23, 89, 80, 209, 121, 28, 185, 143, 164, 75, 32, 136];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]

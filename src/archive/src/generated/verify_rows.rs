@@ -128,6 +128,16 @@ impl Tables<'_> {
         for (i, row) in self.lanes.iter().enumerate() {
             let check = Check { table: "lanes", row: i };
             check.reference("section", row.section(), self.sections.len(), false)?;
+            check.range(
+                "first_width",
+                crate::Range { first: row.first_width(), count: row.width_count().into() },
+                self.cubics.len(),
+            )?;
+            check.range(
+                "first_node",
+                crate::Range { first: row.first_node(), count: row.node_count().into() },
+                self.lane_nodes.len(),
+            )?;
             check.reference("first_mark", row.first_mark(), self.road_marks.len(), true)?;
         }
         for (i, row) in self.lane_speeds.iter().enumerate() {

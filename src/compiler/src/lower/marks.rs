@@ -4,8 +4,8 @@ use super::need::Part;
 use super::surface::place;
 use super::{Lowering, between};
 use mapd_archive::{
-    CubicRow, MarkLaneChange, NONE, Range, RoadMarkColor, RoadMarkKind, RoadMarkLineRow,
-    RoadMarkRow, RoadMarkRule, RoadMarkStyleRow, RoadMarkWeight, Rows,
+    CubicRow, MarkLaneChange, Moved, Moves, NONE, Range, RoadMarkColor, RoadMarkKind,
+    RoadMarkLineRow, RoadMarkRow, RoadMarkRule, RoadMarkStyleRow, RoadMarkWeight, Rows,
 };
 use mapd_xodr::{self as xodr, Finding, Severity, Text as _, Value as _};
 use std::collections::HashMap;
@@ -54,6 +54,41 @@ impl Styles {
         rows.road_mark_styles.push(RoadMarkStyleRow { lines, ..style });
         self.known.insert(key, number);
         number
+    }
+}
+
+impl Styles {
+    /// Adds the styles of a part of a map, which has `moves` for what they refer to; where each comes to lie.
+    pub(super) fn append(&mut self, rows: &mut Rows, part: &Rows, moves: &Moves) -> Moved {
+        let places = part.road_mark_styles.iter().enumerate().map(|(row, style)| {
+            // Row 0 of a part is not used.
+            if row == 0 {
+                return 0;
+            }
+            let before = rows.road_mark_lines.len();
+            rows.road_mark_lines.extend_from_slice(style.lines.of(&part.road_mark_lines));
+            let mut style = RoadMarkStyleRow { lines: Range::default(), ..*style };
+            style.move_by(moves);
+            self.add(rows, style, before)
+        });
+        Moved::To(places.collect())
+    }
+
+    /// Adds the sequences of marks of a part, whose styles have come to lie elsewhere; where each comes to lie.
+    pub(super) fn append_marks(&mut self, rows: &mut Rows, part: &Rows, styles: &Moved) -> Moved {
+        let mut places = vec![NONE; part.road_marks.len()];
+        // Row 0 of a part is not used.
+        let marks = part.road_marks.get(1..).unwrap_or_default();
+        let mut at = 1;
+        for own in marks.split_inclusive(|mark| mark.last != 0) {
+            let own: Vec<_> =
+                own.iter().map(|mark| (mark.s_offset, styles.row(mark.style))).collect();
+            if let Some(place) = places.get_mut(at) {
+                *place = self.sequence(rows, &own);
+            }
+            at += own.len();
+        }
+        Moved::To(places)
     }
 }
 

@@ -2,7 +2,7 @@
 //! the nearest one that fits.
 
 use super::near_lanes::NearLanes;
-use super::track_area::{Stretch, TrackArea};
+use super::track_area::{Profile, Stretch, TrackArea};
 use crate::TooLarge;
 use crate::lanes::view;
 use glam::DVec2;
@@ -111,10 +111,11 @@ fn lanes_of<'a>(
         let mut is_named = false;
         if let Some((road, area)) = area {
             let area = area.lengthened((placement.s() + object.valid_length()).min(road.length()));
+            let area = area.along(&road);
             let meant = (&validities[..], object.orientation());
-            is_named = by_validity(&road, &area, meant, &mut places);
+            is_named = by_validity(&area, meant, &mut places);
             if !is_named {
-                by_position(&road, &area, object.orientation(), &mut places);
+                by_position(&area, object.orientation(), &mut places);
             }
         }
         if !is_named {
@@ -126,9 +127,10 @@ fn lanes_of<'a>(
         let corner = vec![DVec2::new(reference.s, reference.t)];
         let Some(area) = TrackArea::new(corner) else { continue };
         let area = area.lengthened((reference.s + reference.valid_length).min(road.length()));
+        let area = area.along(&road);
         let meant = (&reference.validities[..], reference.orientation);
-        if !by_validity(&road, &area, meant, &mut places) {
-            by_position(&road, &area, reference.orientation, &mut places);
+        if !by_validity(&area, meant, &mut places) {
+            by_position(&area, reference.orientation, &mut places);
         }
     }
     if places.0.is_empty() {
@@ -177,14 +179,13 @@ fn area(road: &Road<'_>, placement: &ObjectPlacement<'_>) -> Option<TrackArea> {
 /// Lanes that the file names, those that lead where the object is for, if any does. False where it names none that the road has
 /// there.
 fn by_validity(
-    road: &Road<'_>,
-    area: &TrackArea,
+    area: &Profile<'_>,
     (validities, orientation): (&[(i32, i32)], Orientation),
     places: &mut Places,
 ) -> bool {
     let is_meant =
         |number: i32| validities.iter().any(|(from, to)| *from <= number && number <= *to);
-    let meant = lanes_in(road, area).filter(|lane| is_meant(lane.number()));
+    let meant = lanes_in(area).filter(|lane| is_meant(lane.number()));
     let named = meant.filter_map(|lane| Some((lane, area.on(&lane, true)?)));
     add_leading(named, orientation, LaneMethod::Validity, places)
 }
@@ -195,14 +196,14 @@ fn leads(lane: &Lane<'_>, orientation: Orientation) -> bool {
 }
 
 /// Lanes of the object's own road that its area lies on; those that lead where it is for, if any does.
-fn by_position(road: &Road<'_>, area: &TrackArea, orientation: Orientation, places: &mut Places) {
-    let on = lanes_in(road, area).filter_map(|lane| Some((lane, area.on(&lane, false)?)));
+fn by_position(area: &Profile<'_>, orientation: Orientation, places: &mut Places) {
+    let on = lanes_in(area).filter_map(|lane| Some((lane, area.on(&lane, false)?)));
     add_leading(on, orientation, LaneMethod::Track, places);
 }
 
 /// Lanes but lane 0 of the sections that an area lies in.
-fn lanes_in<'a>(road: &Road<'a>, area: &TrackArea) -> impl Iterator<Item = Lane<'a>> {
-    area.sections(road).flat_map(|section| section.lanes()).filter(|lane| lane.number() != 0)
+fn lanes_in<'a>(area: &Profile<'a>) -> impl Iterator<Item = Lane<'a>> {
+    area.sections().flat_map(|section| section.lanes()).filter(|lane| lane.number() != 0)
 }
 
 /// Adds of these lanes those that lead where something is for; all where none does. False where there are none.

@@ -33,7 +33,10 @@ impl<'a> Line<'a> {
             let road = map.road_by_row(row.road)?;
             return Some(Self::Road(map, road));
         }
-        let (_, range) = written.junction_lines.iter().find(|(of, _)| *of == row.junction)?;
+        // In order of the junctions' rows.
+        let lines = &written.junction_lines;
+        let found = lines.partition_point(|(of, _)| *of < row.junction);
+        let (_, range) = lines.get(found).filter(|(of, _)| *of == row.junction)?;
         let junction = map.junction_by_row(row.junction)?;
         Some(Self::Junction(junction, map, range.of(map.tables().geometries)))
     }

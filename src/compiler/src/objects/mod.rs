@@ -1,5 +1,6 @@
 //! Places objects (docs/objects.md): their origins, axes and shapes in space, by the functions that queries use.
 
+mod append;
 mod attach;
 mod beside;
 mod details;
@@ -58,7 +59,7 @@ pub(crate) struct Shape {
 /// A place of a repeated object; a swept one has an outline of its own.
 pub(crate) struct Copy {
     row: ObjectCopyRow,
-    shape: Option<Shape>,
+    shape: Option<Box<Shape>>,
 }
 
 /// What is known of an object once it is placed.
@@ -79,16 +80,18 @@ pub(crate) fn build(
     // Those of junctions have no road, whose number is the largest.
     written.objects.sort_by_key(|object| object.row.road);
     let mut findings = Vec::new();
-    let mut copies_left = repeat::MOST_COPIES_OF_A_MAP;
-    for objects in written.objects.chunks(OBJECTS_PER_TASK * rayon::current_num_threads().max(1)) {
+    let rooms = rooms(rows, &written);
+    let at_once = OBJECTS_PER_TASK * rayon::current_num_threads().max(1);
+    for (objects, rooms) in written.objects.chunks(at_once).zip(rooms.chunks(at_once)) {
         let placed: Vec<Placed> = {
             let archive = view(rows);
             let map = Map::new(&archive, 0);
-            let one = |object: &Object| place(map, &written, object, options);
-            objects.par_iter().map(one).collect()
+            let one =
+                |(object, room): (&Object, &usize)| place(map, &written, (object, *room), options);
+            objects.par_iter().zip(rooms).map(one).collect()
         };
         for (object, placed) in objects.iter().zip(placed) {
-            append(rows, object, placed, &mut copies_left, &mut findings)?;
+            append(rows, object, placed, &mut findings)?;
         }
     }
     rows.objects_by_id = by_id(rows).into();
@@ -111,6 +114,27 @@ pub(crate) fn build(
     Ok(findings)
 }
 
+/// Copies that each object may make, as many as it asks for until the map's are used up. Shared out before any is made:
+/// making them is what takes memory.
+fn rooms(rows: &Rows, written: &Objects) -> Vec<usize> {
+    let archive = view(rows);
+    let map = Map::new(&archive, 0);
+    let mut left = repeat::MOST_COPIES_OF_A_MAP;
+    let room = |object: &Object| {
+        let asked = asked(Line::of(map, written, &object.row).as_ref(), object);
+        let room = asked.min(left);
+        left -= room;
+        room
+    };
+    written.objects.iter().map(room).collect()
+}
+
+/// Copies that an object's repetitions ask for.
+fn asked(line: Option<&Line<'_>>, object: &Object) -> usize {
+    let counts = line.map(|line| object.repeats.iter().map(|repeat| repeat::count(line, repeat)));
+    counts.into_iter().flatten().fold(0, usize::saturating_add)
+}
+
 /// Rows in byte order of their ids, then of the rows themselves.
 fn by_id(rows: &Rows) -> Vec<u32> {
     let tables = rows.as_tables();
@@ -120,7 +144,13 @@ fn by_id(rows: &Rows) -> Vec<u32> {
     order
 }
 
-fn place(map: Map<'_>, written: &Objects, object: &Object, options: &CompileOptions) -> Placed {
+/// Places an object that may make so many copies.
+fn place(
+    map: Map<'_>,
+    written: &Objects,
+    (object, room): (&Object, usize),
+    options: &CompileOptions,
+) -> Placed {
     let line = Line::of(map, written, &object.row);
     let mut row = object.row;
     let mut findings = Vec::new();
@@ -136,14 +166,24 @@ fn place(map: Map<'_>, written: &Objects, object: &Object, options: &CompileOpti
         .iter()
         .filter_map(|outline| outline::shape(line, &standing, outline, options.bound_tolerance))
         .collect();
-    let mut copies = Vec::new();
+    let mut copies = Vec::with_capacity(room);
     for repeat in &object.repeats {
-        match repeat::copies(line, object, repeat, options.bound_tolerance, &mut copies) {
+        let within = (options.bound_tolerance, room - copies.len());
+        match repeat::copies(line, object, repeat, within, &mut copies) {
             Ok(()) => {}
             Err(message) => {
                 findings.push(finding(map, object, repeat.span, Severity::Warning, message));
             }
         }
+    }
+    let lost = asked(Some(line), object) - room;
+    if lost > 0 {
+        let message = format!(
+            "the map's objects are repeated more than {} times; {lost} repetitions are left out",
+            repeat::MOST_COPIES_OF_A_MAP
+        );
+        let span = object.repeats.first().map_or(object.span, |repeat| repeat.span);
+        findings.push(finding(map, object, span, Severity::Warning, message));
     }
     let details = object.details.as_deref();
     let skeletons =
@@ -155,7 +195,6 @@ fn append(
     rows: &mut Rows,
     object: &Object,
     placed: Placed,
-    copies_left: &mut usize,
     findings: &mut Vec<Finding>,
 ) -> Result<(), TooLarge> {
     let number = u32::try_from(rows.objects.len()).map_err(|_| TooLarge::new("objects"))?;
@@ -168,19 +207,16 @@ fn append(
     row.outlines = Range::between(before, rows.object_outlines.len())
         .ok_or_else(|| TooLarge::new("object_outlines"))?;
     let before = rows.object_copies.len();
-    let kept = placed.copies.len().min(*copies_left);
-    let lost = placed.copies.len() - kept;
-    for copy in placed.copies.into_iter().take(kept) {
+    for copy in placed.copies {
         let mut copy_row = ObjectCopyRow { object: number, ..copy.row };
         if let Some(shape) = copy.shape {
             let before = rows.object_outlines.len();
-            append_shape(rows, shape)?;
+            append_shape(rows, *shape)?;
             copy_row.outlines = Range::between(before, rows.object_outlines.len())
                 .ok_or_else(|| TooLarge::new("object_outlines"))?;
         }
         rows.object_copies.push(copy_row);
     }
-    *copies_left -= kept;
     row.copies = Range::between(before, rows.object_copies.len())
         .ok_or_else(|| TooLarge::new("object_copies"))?;
     row.validities = beside::lane_ranges(rows, &object.validities)?;
@@ -190,16 +226,6 @@ fn append(
     }
     rows.objects.push(row);
     findings.extend(placed.findings);
-    if lost > 0 {
-        let message = format!(
-            "the map's objects are repeated more than {} times; {lost} repetitions are left out",
-            repeat::MOST_COPIES_OF_A_MAP
-        );
-        let span = object.repeats.first().map_or(object.span, |repeat| repeat.span);
-        let path = "OpenDRIVE/road/objects/object/repeat".to_owned();
-        let rule = "mapd:compile.object_repeat";
-        findings.push(crate::finding(rule, Severity::Warning, span, path, message, ""));
-    }
     Ok(())
 }
 

@@ -21,25 +21,52 @@ pub(crate) const MOST_COPIES_OF_A_MAP: usize = 2_000_000;
 /// rounded.
 const END: f64 = 1e-6;
 
-/// Adds the copies that a repetition makes on the road; what would stand beyond its end is left out.
+/// Copies that a repetition asks for, by its numbers alone: those beyond the line's end and beyond [`MOST_COPIES`] are not
+/// counted.
+pub(super) fn count(line: &Line<'_>, repeat: &Repeat) -> usize {
+    if !begins_on(line.end(), repeat) {
+        return 0;
+    }
+    if repeat.distance <= 0.0 {
+        return 1;
+    }
+    let intervals = intervals(line.end(), repeat);
+    if intervals < MOST_COPIES as f64 { intervals as usize + 1 } else { MOST_COPIES }
+}
+
+fn begins_on(road_end: f64, repeat: &Repeat) -> bool {
+    repeat.s >= -END && repeat.s <= road_end + END
+}
+
+/// Distances between copies that fit on the line.
+fn intervals(road_end: f64, repeat: &Repeat) -> f64 {
+    let end = (repeat.s + repeat.length).min(road_end);
+    ((end - repeat.s + END) / repeat.distance).floor().max(0.0)
+}
+
+/// Adds the copies that a repetition makes on the road, `room` at most; what would stand beyond its end is left out.
 ///
-/// Errors: why some of them or all are left out.
+/// Errors: why some of them or all are left out, but for want of room.
 pub(super) fn copies(
     line: &Line<'_>,
     object: &Object,
     repeat: &Repeat,
-    tolerance: f64,
+    (tolerance, room): (f64, usize),
     out: &mut Vec<Copy>,
 ) -> Result<(), String> {
     let road_end = line.end();
     let end = (repeat.s + repeat.length).min(road_end);
-    if !(repeat.s >= -END && repeat.s <= road_end + END) {
+    if !begins_on(road_end, repeat) {
         return Err(format!(
             "the repetition begins at s = {}, the road ends at {road_end}; it is left out",
             repeat.s
         ));
     }
+    let count = count(line, repeat).min(room);
     if repeat.distance <= 0.0 {
+        if count == 0 {
+            return Ok(());
+        }
         let swept = if repeat.is_detached {
             straight(line, repeat, end)
         } else {
@@ -48,13 +75,12 @@ pub(super) fn copies(
         out.push(swept.ok_or("the repetition's places are not numbers; it is left out")?);
         return Ok(());
     }
-    let wanted = ((end - repeat.s + END) / repeat.distance).floor().max(0.0);
-    let count = if wanted < MOST_COPIES as f64 { wanted as usize + 1 } else { MOST_COPIES };
     for i in 0..count {
         let ds = i as f64 * repeat.distance;
         let copy = instance(line, object, repeat, ds);
         out.push(copy.ok_or("a repetition's place is no number; the others are left out")?);
     }
+    let wanted = intervals(road_end, repeat);
     if wanted >= MOST_COPIES as f64 {
         return Err(format!(
             "the object is repeated {wanted:.0} times; those after {MOST_COPIES} are left out"
@@ -204,5 +230,5 @@ fn swept(
         flags: copy_flags::SWEPT,
         reserved: 0,
     };
-    Some(Copy { row, shape: Some(Shape { row: outline, points, corners: Vec::new() }) })
+    Some(Copy { row, shape: Some(Box::new(Shape { row: outline, points, corners: Vec::new() })) })
 }

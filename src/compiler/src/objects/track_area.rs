@@ -7,6 +7,9 @@ use mapd_query::{Lane, LaneSection, Road};
 /// rounded.
 const TOUCH: f64 = 0.02;
 
+/// Corners whose places along the road are looked at: a building of 500 m every half metre. More are looked at in groups.
+const MOST_STATIONS: usize = 1000;
+
 /// Corners (s, t) of an area; one corner is a point, two are a line.
 pub(super) struct TrackArea {
     corners: Vec<DVec2>,
@@ -34,79 +37,126 @@ impl TrackArea {
         self
     }
 
-    /// Smallest and largest t of the area at s; at its nearest corner where s lies beyond it.
-    fn across(&self, s: f64) -> [f64; 2] {
-        let [mut low_t, mut high_t] = [f64::INFINITY, f64::NEG_INFINITY];
-        for (i, a) in self.corners.iter().enumerate() {
-            let b = self.corners[(i + 1) % self.corners.len()];
-            let (low, high) = if a.x <= b.x { (*a, b) } else { (b, *a) };
-            if low.x <= s && s <= high.x {
-                let share = if high.x > low.x { (s - low.x) / (high.x - low.x) } else { 0.0 };
-                let t = low.y + (high.y - low.y) * share;
-                (low_t, high_t) = (low_t.min(t), high_t.max(t));
-                if low.x == high.x {
-                    (low_t, high_t) = (low_t.min(high.y), high_t.max(high.y));
-                }
-            }
-        }
-        if low_t > high_t {
-            let distance = |c: &DVec2| (c.x - s).abs();
-            let nearest = self.corners.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
-            return nearest.map_or([0.0; 2], |corner| [corner.y; 2]);
-        }
-        [low_t, high_t]
+    /// The area as it is compared with the lanes of a road.
+    pub(super) fn along<'a>(self, road: &Road<'a>) -> Profile<'a> {
+        let sections: Vec<LaneSection<'a>> = self.sections(road).collect();
+        let ends = sections.iter().flat_map(|section| {
+            self.s.map(|s| mapd_geometry::clamp(s, section.s_start(), section.s_end()))
+        });
+        let mut stations = self.stations();
+        stations.extend(ends);
+        stations.sort_by(f64::total_cmp);
+        stations.dedup();
+        let across = self.across(&stations);
+        Profile { sections, stations, across }
     }
 
-    /// Places along the road at which the area is compared with lanes: its corners, and the middles between them.
+    /// Places along the road at which the area is compared with lanes: its corners, and the middles between them; of many
+    /// corners, some.
     fn stations(&self) -> Vec<f64> {
         let mut stations: Vec<f64> = self.corners.iter().map(|c| c.x).collect();
         stations.push(self.s[1]);
         stations.sort_by(f64::total_cmp);
         stations.dedup();
+        let last = stations.len() - 1;
+        if stations.len() > MOST_STATIONS {
+            let share = |i: usize| stations[i * last / (MOST_STATIONS - 1)];
+            stations = (0..MOST_STATIONS).map(share).collect();
+        }
         let middles: Vec<f64> = stations.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
         stations.extend(middles);
-        stations.sort_by(f64::total_cmp);
         stations
     }
 
-    /// How far the area lies to the side of a lane at s `[m]`; negative by as much as it reaches into it.
-    fn gap(&self, lane: &Lane<'_>, s: f64) -> f64 {
-        let edges = lane.edges_at(s);
-        let (low, high) = (edges.inner.min(edges.outer), edges.inner.max(edges.outer));
-        let [from, to] = self.across(s);
-        (low - to).max(from - high)
+    /// Smallest and largest t of the area at each of some s in ascending order; at its nearest corner where s lies beyond it.
+    /// Corners between two of them, of an area with many, count at the nearer one.
+    fn across(&self, stations: &[f64]) -> Vec<[f64; 2]> {
+        const NOTHING: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
+        let mut across = vec![NOTHING; stations.len()];
+        let mut add = |at: usize, t: f64| {
+            if let Some([low, high]) = across.get_mut(at) {
+                (*low, *high) = (low.min(t), high.max(t));
+            }
+        };
+        for (i, a) in self.corners.iter().enumerate() {
+            let b = self.corners[(i + 1) % self.corners.len()];
+            let (low, high) = if a.x <= b.x { (*a, b) } else { (b, *a) };
+            let first = stations.partition_point(|s| *s < low.x);
+            let held = stations[first..].iter().enumerate().take_while(|(_, s)| **s <= high.x);
+            for (i, s) in held {
+                let share = if high.x > low.x { (s - low.x) / (high.x - low.x) } else { 0.0 };
+                add(first + i, low.y + (high.y - low.y) * share);
+                if low.x == high.x {
+                    add(first + i, high.y);
+                }
+            }
+            // A corner between two stations, of which not all corners are one.
+            let after = stations.partition_point(|s| *s < a.x);
+            if after > 0 && stations.get(after).is_some_and(|s| *s > a.x) {
+                let is_nearer = a.x - stations[after - 1] < stations[after] - a.x;
+                add(if is_nearer { after - 1 } else { after }, a.y);
+            }
+        }
+        // Beyond all corners, the outermost; the first of several.
+        let by_s = |a: &&DVec2, b: &&DVec2| a.x.total_cmp(&b.x);
+        let first = self.corners.iter().min_by(by_s);
+        let last = self.corners.iter().rev().max_by(by_s);
+        for (s, of) in stations.iter().zip(&mut across).filter(|(_, of)| of[0] > of[1]) {
+            let nearest = if first.is_some_and(|first| *s < first.x) { first } else { last };
+            *of = nearest.map_or([0.0; 2], |corner| [corner.y; 2]);
+        }
+        across
+    }
+
+    /// Sections that the area reaches into.
+    fn sections<'a>(&self, road: &Road<'a>) -> impl Iterator<Item = LaneSection<'a>> {
+        let (first, last) = (road.section_at(self.s[0]), road.section_at(self.s[1]));
+        let number = |section: Option<LaneSection<'_>>| section.map(|section| section.number());
+        let (from, to) = (number(first).unwrap_or(0), number(last).unwrap_or(0));
+        let road = *road;
+        (from..=to).filter_map(move |number| road.section(number))
+    }
+}
+
+/// An area seen along a road.
+pub(super) struct Profile<'a> {
+    /// Sections that it reaches into.
+    sections: Vec<LaneSection<'a>>,
+    /// Places along the road, ascending.
+    stations: Vec<f64>,
+    /// Smallest and largest t of the area there.
+    across: Vec<[f64; 2]>,
+}
+
+impl<'a> Profile<'a> {
+    /// Sections that the area reaches into.
+    pub(super) fn sections(&self) -> impl Iterator<Item = LaneSection<'a>> {
+        self.sections.iter().copied()
     }
 
     /// The stretch of a lane along which the area lies on it, or beside it if `beside`. A lane without width is under
     /// nothing.
     pub(super) fn on(&self, lane: &Lane<'_>, beside: bool) -> Option<Stretch> {
         let section = lane.section();
-        let within = |s: f64| mapd_geometry::clamp(s, section.s_start(), section.s_end());
+        let (start, end) = (section.s_start(), section.s_end());
         let mut found: Option<Stretch> = None;
-        let mut add = |s: f64| {
-            let gap = self.gap(lane, s);
-            let [from, to] = self.across(s);
+        let first = self.stations.partition_point(|s| *s < start);
+        let stations = self.stations.iter().zip(&self.across).skip(first);
+        for (s, [from, to]) in stations.take_while(|(s, _)| **s <= end) {
+            // How far the area lies to the side of the lane; negative by as much as it reaches into it.
+            let edges = lane.edges_at(*s);
+            let (low, high) = (edges.inner.min(edges.outer), edges.inner.max(edges.outer));
+            let gap = (low - to).max(from - high);
             // What is narrower than a touch is on the lane if it is there at all.
             let least = if to - from > TOUCH { -TOUCH } else { 0.0 };
-            if !beside && (gap > least || lane.width_at(s) <= 0.0) {
-                return;
+            if !beside && (gap > least || lane.width_at(*s) <= 0.0) {
+                continue;
             }
             let distance = gap.max(0.0);
-            let stretch = found.get_or_insert(Stretch { s: [s, s], distance });
-            stretch.s = [stretch.s[0].min(s), stretch.s[1].max(s)];
+            let stretch = found.get_or_insert(Stretch { s: [*s, *s], distance });
+            stretch.s = [stretch.s[0].min(*s), stretch.s[1].max(*s)];
             stretch.distance = stretch.distance.min(distance);
-        };
-        let inside = self.stations().into_iter().filter(|s| within(*s) == *s);
-        inside.chain(self.s.map(within)).for_each(&mut add);
+        }
         found
-    }
-
-    /// Sections that the area reaches into.
-    pub(super) fn sections<'a>(&self, road: &Road<'a>) -> impl Iterator<Item = LaneSection<'a>> {
-        let (first, last) = (road.section_at(self.s[0]), road.section_at(self.s[1]));
-        let number = |section: Option<LaneSection<'_>>| section.map(|section| section.number());
-        let (from, to) = (number(first).unwrap_or(0), number(last).unwrap_or(0));
-        let road = *road;
-        (from..=to).filter_map(move |number| road.section(number))
     }
 }

@@ -12,7 +12,7 @@ use mapd_xodr::Span;
 #[derive(Default)]
 pub(crate) struct Objects {
     pub(crate) objects: Vec<Object>,
-    /// Reference lines of junctions that have objects: (junction, geometries).
+    /// Reference lines of junctions that have objects: (junction, geometries), in order of their rows.
     pub(crate) junction_lines: Vec<(u32, Range)>,
     pub(crate) references: Vec<Reference>,
     pub(crate) structures: Vec<Structure>,

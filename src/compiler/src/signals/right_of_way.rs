@@ -49,6 +49,19 @@ enum Sign {
     Priority,
 }
 
+/// The first row of `junction/priority` by junction, road with priority and road without.
+struct Priorities(HashMap<(u32, u32, u32), u32>);
+
+impl Priorities {
+    fn new(rows: &[JunctionPriorityRow]) -> Self {
+        let mut first = HashMap::new();
+        for (number, row) in (0u32..).zip(rows) {
+            first.entry((row.junction, row.high, row.low)).or_insert(number);
+        }
+        Self(first)
+    }
+}
+
 /// Says of `conflicts` who goes first.
 pub(super) fn build(rows: &mut Rows) {
     let found: Vec<Option<(Relation, RelationReason)>> = {
@@ -58,6 +71,7 @@ pub(super) fn build(rows: &mut Rows) {
         numbers.dedup();
         let read = |number: &u32| Some((*number, movement(&map.lane_by_row(*number)?)));
         let movements: HashMap<u32, Movement> = numbers.par_iter().filter_map(read).collect();
+        let priorities = Priorities::new(&rows.junction_priorities);
         let of = |row: &ConflictRow| {
             // Where roads cross on another level of meaning (crossings of 1.8), no rule of junctions applies.
             if row.kind == ConflictKind::Crossing.code() {
@@ -65,7 +79,7 @@ pub(super) fn build(rows: &mut Rows) {
             }
             let (own, other) = (movements.get(&row.lane)?, movements.get(&row.other)?);
             let one_entry = own.entry.is_some() && own.entry == other.entry;
-            (!one_entry).then(|| relation(own, other, &rows.junction_priorities))
+            (!one_entry).then(|| relation(own, other, &priorities))
         };
         rows.conflicts.iter().map(of).collect()
     };
@@ -117,7 +131,7 @@ fn sign(class: Class) -> Sign {
 fn relation(
     own: &Movement,
     other: &Movement,
-    priorities: &[JunctionPriorityRow],
+    priorities: &Priorities,
 ) -> (Relation, RelationReason) {
     let both_lit = !own.lights.is_empty() && !other.lights.is_empty();
     let together = own.lights.iter().any(|light| other.lights.contains(light));
@@ -149,19 +163,33 @@ fn by_sign(own: &Movement, other: &Movement) -> Option<(Relation, RelationReason
 fn by_priority(
     own: &Movement,
     other: &Movement,
-    priorities: &[JunctionPriorityRow],
+    priorities: &Priorities,
 ) -> Option<(Relation, RelationReason)> {
-    let has = |movement: &Movement, road: u32| {
-        movement.connecting.row() == road
-            || movement.entry.is_some_and(|(entry, _)| entry.row() == road)
-    };
-    let of_junction = priorities.iter().filter(|row| Some(row.junction) == own.junction);
-    let mut found = of_junction.filter_map(|row| {
-        let wins = has(own, row.high) && has(other, row.low);
-        let loses = has(own, row.low) && has(other, row.high);
-        (wins != loses).then_some(loses)
-    });
-    found.next().map(|loses| (yields_if(loses), RelationReason::JunctionPriority))
+    let junction = own.junction?;
+    let (mine, theirs) = (roads(own), roads(other));
+    let is_of = |roads: [Option<u32>; 2], road: u32| roads.contains(&Some(road));
+    let mut found: Option<(u32, bool)> = None;
+    // Of all rows that could tell the two apart, the first counts.
+    for (high, low) in [(mine, theirs), (theirs, mine)] {
+        for high in high.into_iter().flatten() {
+            for low in low.into_iter().flatten() {
+                let wins = is_of(mine, high) && is_of(theirs, low);
+                let loses = is_of(mine, low) && is_of(theirs, high);
+                let row = priorities.0.get(&(junction, high, low)).filter(|_| wins != loses);
+                if let Some(row) = row
+                    && found.is_none_or(|(first, _)| *row < first)
+                {
+                    found = Some((*row, loses));
+                }
+            }
+        }
+    }
+    found.map(|(_, loses)| (yields_if(loses), RelationReason::JunctionPriority))
+}
+
+/// Rows of the roads by which `junction/priority` may name a movement: the connecting one, and the one that leads to it.
+fn roads(movement: &Movement) -> [Option<u32>; 2] {
+    [Some(movement.connecting.row()), movement.entry.map(|(entry, _)| entry.row())]
 }
 
 fn by_direction(own: &Movement, other: &Movement, angle: f64) -> (Relation, RelationReason) {
