@@ -1,6 +1,6 @@
 //! What a small file may ask of the compiler: work and memory are bounded by limits and by the file's size.
 
-use mapd_archive::{RelationReason, Rows};
+use mapd_archive::{NO_RELATION, RelationReason, Rows};
 use mapd_compiler::Compilation;
 use mapd_query::{Map, Relation};
 use mapd_tests::object_maps::{PLAIN, compile, document, open};
@@ -143,11 +143,10 @@ fn priorities_are_looked_up_not_looked_through() {
         r#"<priority high="3" low="5"/><priority high="5" low="3"/></junction></OpenDRIVE>"#,
     );
     let rows = rows(soon("priorities of a junction", &text));
-    let found = rows
-        .right_of_way
-        .iter()
-        .filter(|row| row.reason == RelationReason::JunctionPriority.code());
+    let found =
+        rows.conflicts.iter().filter(|row| row.reason == RelationReason::JunctionPriority.code());
     let relations: Vec<u8> = found.map(|row| row.relation).collect();
     assert_eq!(relations, [Relation::Priority.code(), Relation::Yields.code()]);
-    assert!(rows.right_of_way.len() > 9000, "{} pairs", rows.right_of_way.len());
+    let pairs = rows.conflicts.iter().filter(|row| row.relation != NO_RELATION).count();
+    assert!(pairs > 9000, "{pairs} pairs");
 }
