@@ -8,13 +8,13 @@ use std::path::Path;
 /// machine. They change when the layout or the compiler changes;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
-    ("one_road.xodr", "", "b72b7f5d9cce8c217066e4ec98083be9b5e6b0bd67d3fd039991cb7130b56962"),
-    ("town.xodr", "", "da0bb72b279cd7a4e8e5a22bb580e11d59d0a2cb692d648c9211a657e1b59594"),
-    ("one_road.xodr", "utm", "3aaacde197717315a1d4deba39fd0c9a25a7e31f2a6cfad461ab7eacf4dd0d44"),
+    ("one_road.xodr", "", "f8308827b8935fd2a5646ac3d395d2da845210bae5c4dc8c70270a6a15484941"),
+    ("town.xodr", "", "3943f1d7d98cf78c8a5498ea57a474c63d6041e711eb8e5e4737a8b481bc9ca3"),
+    ("one_road.xodr", "utm", "c321282ac4914528370a58e13781ca6a03e0b6d0708e3a70c61aebad69634c56"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "fdd151e0301e6cc5bcd826db6a07a0a5a6aa24f6044086c8fcd993d4da4c2ca8",
+        "4bd8d1484bc19036178b489a2e1fd8e755835669602491dde8eb053d99073f31",
     ),
 ];
 
