@@ -136,7 +136,8 @@ fn parts(a: Sample, b: Sample, tolerance: f64, curve: &mut impl Curve) -> Option
 fn needed(excess: f64) -> u32 {
     // Not a number counts as the least. (Casts saturate.)
     let parts = (excess * ALLOWANCE).sqrt().ceil() as u32;
-    if parts > MAX_PARTS { MAX_PARTS } else { parts.max(2) }
+    // Not with `if` and `max`: rustc 1.95 forgets the upper bound then, in some builds.
+    parts.clamp(2, MAX_PARTS)
 }
 
 /// A segment that distances are measured from.
@@ -164,4 +165,18 @@ impl Chord {
 /// Distance of a point from a segment.
 pub(crate) fn distance_to_segment(p: DVec3, a: DVec3, b: DVec3) -> f64 {
     Chord::new(a, b).distance_squared(p).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stretch_is_cut_into_two_to_so_many_parts() {
+        for (excess, parts) in
+            [(f64::NAN, 2), (0.0, 2), (1.0, 2), (5000.0, MAX_PARTS), (f64::INFINITY, MAX_PARTS)]
+        {
+            assert_eq!(needed(std::hint::black_box(excess)), parts, "{excess}");
+        }
+    }
 }
