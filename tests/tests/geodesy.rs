@@ -341,6 +341,52 @@ fn projections_of_a_sphere_keep_the_datum_of_the_ellipsoid() {
     }
 }
 
+/// Values that PROJ refuses: places were wrong, or nowhere, and nothing was said.
+#[test]
+fn values_that_proj_refuses_are_refused() {
+    let refused = [
+        "+proj=utm +datum=WGS84",
+        "+proj=utm +lon_0=9 +datum=WGS84",
+        "+proj=utm +zone=0 +datum=WGS84",
+        "+proj=utm +zone=61 +datum=WGS84",
+        "+proj=utm +zone=-32 +datum=WGS84",
+        "+proj=utm +zone=32.7 +datum=WGS84",
+        "+proj=tmerc +lat_0=490 +lon_0=8 +datum=WGS84",
+        "+proj=tmerc +lat_0=-90.001 +lon_0=8 +datum=WGS84",
+        "+proj=tmerc +lat_0=90d30'N +lon_0=8 +datum=WGS84",
+        "+proj=tmerc +lat_0=1.6r +lon_0=8 +datum=WGS84",
+        "+proj=tmerc +lat_0=nan +lon_0=8 +datum=WGS84",
+        "+proj=lcc +lat_1=100 +lat_2=40 +lon_0=8",
+        "+proj=merc +lat_ts=100",
+        "+proj=tmerc +lon_0=8 +k=0",
+        "+proj=tmerc +lon_0=8 +k_0=-1",
+        "+proj=tmerc +lon_0=8 +ellps=bessel +towgs84=nan,0,0",
+        "+proj=tmerc +lon_0=8 +ellps=bessel +towgs84=1e300,0,0",
+        "+proj=tmerc +lon_0=8 +ellps=bessel +towgs84=inf,0,0",
+        "+proj=tmerc +lon_0=8 +ellps=bessel +towgs84=1,2",
+    ];
+    for text in refused {
+        let read = Reference::read(text).expect(text).definition;
+        assert!(read.is_err(), "{text}: {read:?}");
+        assert!(Projector::new(text, Offset::default()).is_err(), "{text}");
+    }
+    // What looks odd and is none of it, with the latitude of the plane's origin.
+    let sound = [
+        ("+proj=tmerc +lat_0=90 +lon_0=8 +datum=WGS84", 90.0),
+        ("+proj=tmerc +lat_0=49d30'36\"N +lon_0=8 +datum=WGS84", 49.51),
+        ("+proj=tmerc +lat_0=30'S +lon_0=8 +datum=WGS84", -0.5),
+        ("+proj=tmerc +lat_0=0.5r +lon_0=8 +datum=WGS84", 28.647_889_756_541_16),
+        ("+proj=tmerc +lat_0=49 +lon_0=8000 +datum=WGS84", 49.0),
+    ];
+    for (text, latitude) in sound {
+        let origin = projector(text, Offset::default()).to_geodetic(DVec3::ZERO).expect(text);
+        assert!((origin.latitude - latitude).abs() < 1e-9, "{text}: {origin:?}");
+    }
+    // Heights that count downwards are no more understood than axes that point west.
+    let down = Reference::read("+proj=utm +zone=32 +datum=WGS84 +axis=end").expect("a reference");
+    assert_eq!(down.doubts, [Doubt::Axes("end".into())]);
+}
+
 #[test]
 fn places_that_are_none_have_errors_of_their_own() {
     use mapd_geodesy::{DefinitionError, ProjectionError};
