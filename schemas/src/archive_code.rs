@@ -3,10 +3,10 @@
 use crate::archive::{Field, Layout, Table, array_of};
 use std::fmt::Write as _;
 
-const NOTE: &str = "// Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.\n\n";
+pub(crate) const NOTE: &str = "// Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.\n\n";
 
 /// Parts of the generated code, so that no file grows too long: name, first table, what the tables hold.
-const PARTS: [(&str, &str, &str); 4] = [
+pub(crate) const PARTS: [(&str, &str, &str); 4] = [
     ("network", "", "the network and its index"),
     ("beside", "surfaces", "what is derived from the network and lies beside it"),
     ("signal", "signals", "signals and of what is left out"),
@@ -68,7 +68,7 @@ fn rows_of(title: &str, tables: &[Table]) -> String {
 }
 
 /// The field's name in Rust.
-fn ident(field: &Field) -> &str {
+pub(crate) fn ident(field: &Field) -> &str {
     if field.name == "type" { "r#type" } else { &field.name }
 }
 

@@ -12,6 +12,7 @@
 //! assert!(table.element("Geometry").unwrap().attributes.iter().any(|a| a.name == "hdg"));
 //! ```
 
+mod append_code;
 mod archive;
 mod archive_code;
 mod archive_doc;
@@ -34,6 +35,8 @@ pub fn outputs(root: &Path) -> Result<Vec<Output>> {
         .with_context(|| format!("reading {}", format_page.display()))?;
     let folder = "src/archive/src/generated";
     let mut outputs = vec![
+        (format!("{folder}/append.rs"), append_code::append(&layout)),
+        (format!("{folder}/move_rows.rs"), append_code::move_rows(&layout)),
         (format!("{folder}/tables.rs"), archive_code::tables(&layout)),
         (format!("{folder}/verify_rows.rs"), archive_code::verification(&layout)),
         ("docs/format.md".to_owned(), archive_doc::splice(&page, &layout)?),

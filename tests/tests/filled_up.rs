@@ -11,7 +11,7 @@ use std::io::Read;
 use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::process::{Command, ExitStatus, Stdio};
-use std::sync::Mutex;
+use std::sync::{Mutex, PoisonError};
 use syscalls::Sysno;
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
@@ -24,6 +24,10 @@ const STEP: usize = 11;
 
 /// Likewise of a reload, which is longer: it has a compiler.
 const RELOAD_STEP: usize = 41;
+
+/// One test at a time: a process that is being forked by one holds, for a moment, the locks of clients of the other, as if they
+/// were still there.
+static ALONE: Mutex<()> = Mutex::new(());
 
 fn stage() -> Stage {
     let map = mapd_tests::carried("one_road.xodr");
@@ -53,6 +57,7 @@ fn stop_when_waiting(pid: Pid, moment: &Moment) {
 
 #[test]
 fn while_a_daemon_starts_publishes_and_stops() {
+    let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
     in_small_shared_memory(SHARED_MEMORY, || {
         let stage = stage();
         let mut moments = Vec::new();
@@ -135,6 +140,7 @@ fn reloading(
 
 #[test]
 fn while_a_daemon_reloads() {
+    let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
     in_small_shared_memory(SHARED_MEMORY, || {
         let folder = tempfile::tempdir().expect("a folder");
         let map = folder.path().join("one_road.xodr");

@@ -167,6 +167,9 @@ fn metrics_are_read_over_http_by_this_machine_only() {
     let ok = "mapd_checks_total{map=\"town\",check=\"self_query\",result=\"ok\"}";
     until("a query of the daemon's own", || metric(&address, ok).filter(|count| *count >= 1.0));
     assert!(get(&address, "GET / HTTP/1.1").starts_with("HTTP/1.1 404"));
+    assert!(get(&address, "GET /metrics?from=here HTTP/1.1").starts_with("HTTP/1.1 200"));
+    let head = get(&address, "HEAD /metrics HTTP/1.1");
+    assert!(head.starts_with("HTTP/1.1 200") && head.ends_with("\r\n\r\n"), "{head}");
     assert!(get(&address, "POST /metrics HTTP/1.1").starts_with("HTTP/1.1 405"));
     // Who connects and says nothing, or too much, is let go; the page is there again for others, and the map all along.
     let silent = TcpStream::connect(&address).expect("connects");
@@ -182,7 +185,7 @@ fn metrics_are_read_over_http_by_this_machine_only() {
     let open = ["--load", &town(), "--metrics", "0.0.0.0:0"];
     let refused = place.command().args(open).output().expect("ends");
     let said = String::from_utf8_lossy(&refused.stderr).into_owned();
-    assert!(refused.status.code() == Some(1) && said.contains("--metrics-open"), "{said}");
+    assert!(refused.status.code() == Some(2) && said.contains("--metrics-open"), "{said}");
 }
 
 #[test]

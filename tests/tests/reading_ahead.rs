@@ -163,6 +163,7 @@ fn odd_documents_read_in_batches_are_the_same() {
         ("an end with space", roads.replace("</road>", "</road\n>")),
         ("junctions first", format!("{junction}{roads}{junction}")),
         ("junctions in between", format!("{roads}{junction}{roads}{junction}{roads}")),
+        ("roads behind junctions, many times", format!("{junction}{roads}").repeat(8)),
         ("a second header", format!("{roads}<header revMajor=\"1\" revMinor=\"4\"/>{roads}")),
         ("an element too many", format!("{roads}</road>{roads}")),
         ("an element without end", format!("{roads}<road id=\"x\">{roads}")),

@@ -1,7 +1,7 @@
 //! A daemon in service: maps change under readers, and whatever goes wrong has a clear outcome and leaves the served map as
 //! it is.
 
-use mapd::control::{ReloadReport, ReloadResult, Request, Trigger};
+use mapd::control::{ReloadReport, ReloadResult, Request, Response, Trigger};
 use mapd_client::Client;
 use mapd_tests::place::{Daemon, PATIENCE, Place};
 use mapd_tests::two_maps::TwoMaps;
@@ -57,6 +57,27 @@ impl Scene {
     fn gets(&self, number: usize) {
         let next = self.client.wait_next(PATIENCE).expect("the next generation");
         assert!(self.maps.is(&next, number), "generation {}", next.generation());
+    }
+
+    /// What was asked for makes no sense now: it is refused with this word, and nothing is counted or written over.
+    fn refused(&self, request: &Request, word: &str, number: usize) {
+        let before = self.place.state("map");
+        match self.place.ask("map", request) {
+            Some(Response::Refused { reason }) => assert!(reason.contains(word), "{reason}"),
+            other => panic!("{other:?}"),
+        }
+        let state = self.place.state("map");
+        assert_eq!((state.failed, state.last_reload), (before.failed, before.last_reload));
+        self.has(number);
+    }
+
+    fn no_rollback(&self, number: usize) {
+        let request = Request::Rollback { map: "map".to_owned(), stage: false };
+        self.refused(&request, "nothing to go back to", number);
+    }
+
+    fn no_activation(&self, number: usize) {
+        self.refused(&Request::Activate { map: "map".to_owned() }, "nothing is staged", number);
     }
 
     /// Something failed with this word, and the map of this number is served as before.
@@ -155,6 +176,25 @@ fn what_a_map_includes_is_watched_as_well() {
     fs::write(&part, road(50.0)).expect("written");
     client.wait_next(PATIENCE).expect("the next generation");
     assert_eq!(length(&client), 50.0);
+    // One that comes after the document that includes it, and is mended once more.
+    fs::write(&map, text.replace("part.xml", "late.xml")).expect("written");
+    let failed = |times| {
+        let until = Instant::now() + PATIENCE;
+        while place.state("map").failed < times && Instant::now() < until {
+            std::thread::sleep(Duration::from_millis(20));
+        }
+        assert_eq!(place.state("map").failed, times);
+    };
+    failed(1);
+    let late = folder.path().join("late.xml");
+    fs::write(&late, "<OpenDRIVE><road").expect("written");
+    failed(2);
+    fs::write(&late, road(60.0)).expect("written");
+    client.wait_next(PATIENCE).expect("the next generation");
+    assert_eq!(length(&client), 60.0);
+    fs::write(&map, text).expect("written");
+    client.wait_next(PATIENCE).expect("the next generation");
+    assert_eq!(length(&client), 50.0);
     // The archive in the cache is that of both files as they are now.
     assert_eq!(daemon.stop(), 0);
     let _daemon = place.serve(&[map.to_str().expect("text")]);
@@ -183,7 +223,7 @@ fn a_bad_map_leaves_the_old_one_served_and_says_why() {
 #[test]
 fn rollback_goes_back_step_by_step_under_new_numbers() {
     let scene = Scene::new(&[]);
-    scene.failed(&scene.rollback(false), "nothing to go back to", 0);
+    scene.no_rollback(0);
     let first = scene.client.snapshot().generation();
     scene.maps.put(1);
     scene.reload();
@@ -197,7 +237,7 @@ fn rollback_goes_back_step_by_step_under_new_numbers() {
         scene.has(number);
     }
     assert_eq!(scene.client.snapshot().generation(), first + 4);
-    scene.failed(&scene.rollback(false), "nothing to go back to", 0);
+    scene.no_rollback(0);
 }
 
 #[test]
@@ -206,7 +246,8 @@ fn without_a_cache_there_is_nothing_to_go_back_to_but_reloads_work() {
     scene.maps.put(1);
     assert_eq!(scene.reload().result, ReloadResult::Published);
     scene.has(1);
-    scene.failed(&scene.rollback(false), "--cache", 1);
+    let request = Request::Rollback { map: "map".to_owned(), stage: false };
+    scene.refused(&request, "--cache", 1);
     assert!(!scene.place.cache().exists());
 }
 
@@ -215,7 +256,7 @@ fn a_staged_generation_is_pending_until_it_is_activated() {
     let scene = Scene::new(&[]);
     let first = scene.client.snapshot().generation();
     assert!(scene.client.pending().is_none());
-    scene.failed(&scene.activate(), "nothing is staged", 0);
+    scene.no_activation(0);
     scene.maps.put(1);
     let staged = scene.stage();
     assert_eq!(staged.result, ReloadResult::Staged, "{staged:?}");
@@ -261,7 +302,9 @@ fn a_reload_takes_the_place_of_what_is_staged() {
     // Staged goes back, too.
     scene.maps.put(0);
     assert_eq!(scene.reload().result, ReloadResult::Unchanged);
-    assert!(scene.client.pending().is_some(), "nothing has changed");
+    assert!(scene.client.pending().is_none(), "the file does not hold it any more");
+    scene.maps.put(1);
+    let staged = scene.stage().generation.max(Some(staged)).expect("a number");
     scene.maps.put_text(b"nonsense");
     scene.failed(&scene.reload(), "rejected", 0);
     assert!(scene.client.pending().is_some(), "a map that is rejected takes no place");
@@ -269,7 +312,7 @@ fn a_reload_takes_the_place_of_what_is_staged() {
     let report = scene.reload();
     assert!(report.result == ReloadResult::Published && report.generation > Some(staged));
     assert!(scene.client.pending().is_none());
-    scene.failed(&scene.activate(), "nothing is staged", 1);
+    scene.no_activation(1);
     assert_eq!(scene.rollback(true).result, ReloadResult::Staged);
     scene.has(1);
     assert_eq!(scene.activate().result, ReloadResult::Published);
@@ -408,7 +451,7 @@ fn compiler_of(file: &std::path::Path) -> u32 {
             let Ok(line) = fs::read(entry.path().join("cmdline")) else { continue };
             let words: Vec<&[u8]> = line.split(|byte| *byte == 0).collect();
             let file = file.as_os_str().as_encoded_bytes();
-            if words.contains(&file) && words.contains(&b"--for-daemon".as_slice()) {
+            if words.contains(&file) && words.contains(&b"--child".as_slice()) {
                 return entry.file_name().to_string_lossy().parse().expect("a number");
             }
         }
@@ -437,16 +480,18 @@ fn a_compiler_that_is_killed_hurts_nobody() {
 
 #[test]
 fn a_compiler_that_needs_too_much_memory_hurts_nobody() {
-    let Scene { place, maps, daemon, client } = Scene::new(&[]);
-    assert_eq!(daemon.stop(), 0);
-    // From the cache: nothing is compiled yet.
-    let daemon = serve(&place, &maps, &["--compile-memory", "1MiB"]);
-    client.wait_next(PATIENCE).expect("the next generation");
-    let scene = Scene { place, maps, daemon, client };
-    scene.maps.put(1);
-    scene.failed(&scene.reload(), "memory", 0);
-    let refused = scene.place.command().args(["reload", "map"]).output().expect("ends");
-    assert_eq!(refused.status.code(), Some(4), "{}", text(&refused));
+    for option in ["--compile-memory", "--max-memory"] {
+        let Scene { place, maps, daemon, client } = Scene::new(&[]);
+        assert_eq!(daemon.stop(), 0);
+        // From the cache: nothing is compiled yet.
+        let daemon = serve(&place, &maps, &[option, "1MiB"]);
+        client.wait_next(PATIENCE).expect("the next generation");
+        let scene = Scene { place, maps, daemon, client };
+        scene.maps.put(1);
+        scene.failed(&scene.reload(), "memory", 0);
+        let refused = scene.place.command().args(["reload", "map"]).output().expect("ends");
+        assert_eq!(refused.status.code(), Some(4), "{}", text(&refused));
+    }
 }
 
 #[test]
@@ -658,6 +703,11 @@ fn another_layout_is_told_and_leaves_what_is_held() {
         ready.wait();
         let told = client.wait_next(PATIENCE).err().expect("another layout").to_string();
         assert!(told.contains("layout") && told.contains("abab"), "{told}");
+        // Not the first time alone.
+        for _ in 0..2 {
+            let told = client.refresh().err().expect("another layout").to_string();
+            assert!(told.contains("layout"), "{told}");
+        }
         assert!(maps.is(&client.snapshot(), 0), "what is held stays");
         let fresh = Client::connect_in(&domain, "map", PATIENCE).err().expect("another layout");
         assert!(fresh.to_string().contains("layout"), "{fresh}");

@@ -298,7 +298,12 @@ fn another_transport_revision_is_told_so() {
     let root = place.domain().root().to_owned();
     let record = root.join("town.published");
     let text = std::fs::read_to_string(&record).expect("the record");
-    std::fs::write(&record, text.replacen("revision 1\n", "revision 99\n", 1)).expect("written");
+    std::fs::write(&record, {
+        let ours = format!("revision {}\n", mapd_client::transport::TRANSPORT_REVISION);
+        assert!(text.starts_with(&ours), "{text}");
+        text.replacen(&ours, "revision 99\n", 1)
+    })
+    .expect("written");
     for entry in std::fs::read_dir(root.join("services")).expect("services").flatten() {
         std::fs::remove_file(entry.path()).expect("removed");
     }

@@ -36,6 +36,7 @@ mod generated;
 mod graph_codes;
 mod header;
 mod mark_codes;
+mod moves;
 mod object_codes;
 mod open;
 mod signal_codes;
@@ -52,6 +53,7 @@ pub use codes::{
 };
 pub use error::{OpenError, VerifyError, WriteError};
 pub use generated::{
+    append::Moves,
     beside_rows::*,
     classes::{Class, ClassGroup},
     network_rows::*,
@@ -62,6 +64,7 @@ pub use generated::{
 pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_flags};
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
 pub use mark_codes::{MarkLaneChange, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight};
+pub use moves::Moved;
 pub use object_codes::{
     ObjectShape, ObjectSide, OutlineFill, PlatformSide, StructureKind, SwitchPosition, copy_flags,
     object_flags, outline_flags,

@@ -1,18 +1,41 @@
 //! The string table while it is filled: each text once.
 
 use std::collections::HashMap;
+use std::hash::{BuildHasher as _, BuildHasherDefault, Hasher, RandomState};
+
+/// Takes numbers that are hashes already.
+#[derive(Default)]
+struct Hashed(u64);
+
+impl Hasher for Hashed {
+    fn finish(&self) -> u64 {
+        self.0
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        // Only 64-bit numbers are asked for.
+        bytes.iter().for_each(|byte| self.0 = self.0.rotate_left(8) ^ u64::from(*byte));
+    }
+
+    fn write_u64(&mut self, hash: u64) {
+        self.0 = hash;
+    }
+}
 
 /// Collects strings and gives each a number. String 0 is empty.
 #[derive(Debug)]
 pub struct StringTable {
-    numbers: HashMap<Box<str>, u32>,
+    /// Numbers by the hashes of their texts; where one is taken by another text, by the next that is not.
+    numbers: HashMap<u64, u32, BuildHasherDefault<Hashed>>,
+    hasher: RandomState,
     bytes: Vec<u8>,
     offsets: Vec<u32>,
 }
 
 impl Default for StringTable {
     fn default() -> Self {
-        let mut table = Self { numbers: HashMap::new(), bytes: Vec::new(), offsets: vec![0] };
+        let (numbers, hasher) = (HashMap::default(), RandomState::new());
+        let mut table = Self { numbers, hasher, bytes: Vec::new(), offsets: vec![0] };
         table.add("");
         table
     }
@@ -24,23 +47,46 @@ impl StringTable {
     /// Numbers and offsets have 32 bits. A text that no longer fits gets number 0: the caller refuses such a map by
     /// [`StringTable::is_full`].
     pub fn add(&mut self, text: &str) -> u32 {
-        if let Some(number) = self.numbers.get(text) {
-            return *number;
-        }
+        self.add_bytes(text.as_bytes())
+    }
+
+    fn add_bytes(&mut self, text: &[u8]) -> u32 {
+        let hash = match self.find(text) {
+            Ok(number) => return number,
+            Err(hash) => hash,
+        };
         let (Ok(number), Ok(end)) =
             (u32::try_from(self.offsets.len() - 1), u32::try_from(self.bytes.len() + text.len()))
         else {
             return 0;
         };
-        self.bytes.extend_from_slice(text.as_bytes());
+        self.bytes.extend_from_slice(text);
         self.offsets.push(end);
-        self.numbers.insert(text.into(), number);
+        self.numbers.insert(hash, number);
         number
+    }
+
+    /// Adds the texts of another table in its order; the number here of each number there.
+    pub fn append(&mut self, other: &Self) -> Vec<u32> {
+        let numbers = 0..other.offsets.len().saturating_sub(1) as u32;
+        numbers.map(|number| self.add_bytes(other.bytes_of(number))).collect()
     }
 
     /// Number of a text that has been added before.
     pub fn number(&self, text: &str) -> Option<u32> {
-        self.numbers.get(text).copied()
+        self.find(text.as_bytes()).ok()
+    }
+
+    /// Number of a text, or where it would be entered.
+    fn find(&self, text: &[u8]) -> Result<u32, u64> {
+        let mut hash = self.hasher.hash_one(text);
+        while let Some(number) = self.numbers.get(&hash) {
+            if self.bytes_of(*number) == text {
+                return Ok(*number);
+            }
+            hash = hash.wrapping_add(1);
+        }
+        Err(hash)
     }
 
     /// Bytes of the text with a number; empty if there is none.

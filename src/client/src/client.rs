@@ -2,7 +2,7 @@
 
 use crate::error::ClientError;
 use crate::snapshot::Snapshot;
-use crate::transport::{AttachTiming, Domain, Pinned, Subscription};
+use crate::transport::{AttachTiming, Domain, Pinned, Subscription, after};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -27,8 +27,25 @@ impl Client {
 
     /// As [`Client::connect`], in a given domain.
     pub fn connect_in(domain: &Domain, map: &str, deadline: Duration) -> Result<Self, ClientError> {
-        let until = Instant::now() + deadline;
-        let subscription = Subscription::connect(domain, map, until)?;
+        let until = after(deadline);
+        Self::with(Subscription::connect(domain, map, until)?, map, until)
+    }
+
+    /// As [`Client::connect_in`], with a place that is kept for daemons where clients have taken all of theirs: so that a
+    /// daemon can look at what it serves.
+    ///
+    /// Errors: as [`Client::connect_in`].
+    #[doc(hidden)]
+    pub fn connect_in_reserve(
+        domain: &Domain,
+        map: &str,
+        deadline: Duration,
+    ) -> Result<Self, ClientError> {
+        let until = after(deadline);
+        Self::with(Subscription::connect_in_reserve(domain, map, until)?, map, until)
+    }
+
+    fn with(subscription: Subscription, map: &str, until: Instant) -> Result<Self, ClientError> {
         let pinned = subscription.wait_newer(0, until)?;
         let current = Mutex::new(Snapshot::from_pinned(pinned, map)?);
         let populate = AtomicBool::new(false);
@@ -54,7 +71,8 @@ impl Client {
     ///
     /// Errors: the transport failed, or the new archive cannot be read; the old snapshot stays what it was.
     pub fn refresh(&self) -> Result<Snapshot, ClientError> {
-        match self.subscription.latest()? {
+        // One that could not be opened is no better the next time, and told each time.
+        match self.subscription.newer_than(self.snapshot().generation())? {
             Some(pinned) => self.keep(self.open(pinned)?),
             None => Ok(self.snapshot()),
         }
@@ -73,7 +91,7 @@ impl Client {
         than: u64,
         deadline: Duration,
     ) -> Result<Snapshot, ClientError> {
-        let pinned = self.subscription.wait_newer(than, Instant::now() + deadline)?;
+        let pinned = self.subscription.wait_newer(than, after(deadline))?;
         self.keep(self.open(pinned)?)
     }
 
@@ -110,7 +128,7 @@ impl Client {
         if held.generation() == generation {
             return Ok(held);
         }
-        let pinned = self.subscription.wait_for(generation, Instant::now() + deadline)?;
+        let pinned = self.subscription.wait_for(generation, after(deadline))?;
         let wanted = self.open(pinned)?;
         self.keep(wanted.clone())?;
         Ok(wanted)

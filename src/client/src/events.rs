@@ -3,7 +3,7 @@
 use crate::client::Client;
 use crate::error::ClientError;
 use crate::snapshot::Snapshot;
-use crate::transport::AttachError;
+use crate::transport::{AttachError, after};
 use std::fmt;
 use std::time::{Duration, Instant};
 
@@ -85,7 +85,7 @@ impl Events<'_> {
     /// Errors: the transport failed, or the new archive cannot be read; what is held stays what it was, and the next call
     /// goes on.
     pub fn next(&mut self, deadline: Duration) -> Result<Option<MapEvent>, ClientError> {
-        let until = Instant::now() + deadline;
+        let until = after(deadline);
         loop {
             if let Some(event) = self.look() {
                 return Ok(Some(event));

@@ -32,6 +32,7 @@ mod objects;
 mod options;
 mod origin;
 mod packed;
+mod part;
 mod quarantine;
 mod report;
 mod rounds;
@@ -45,16 +46,19 @@ pub use quarantine::{OnError, PartKind, Policy, QuarantinedPart, Treatment};
 pub use report::{Compilation, Diagnostic, Progress, Verdict, Version};
 
 use hashing::HashingReader;
-use lower::{Lowering, Owner};
+use lower::Lowering;
 use mapd_archive::{Provenance, Rows};
 use mapd_rules::Checker;
 use mapd_xodr::source::{Inputs, Places};
-use mapd_xodr::{Finding, Item, Limits, Reader, Severity, Span, Text as _};
+use mapd_xodr::{Finding, Item, Limits, Reader, Severity};
+use part::{Element, Plan};
 use quarantine::{Exclusions, Units};
 use report::Collector;
+use std::collections::VecDeque;
 use std::io::{self, Read};
 use std::path::PathBuf;
-use stream::Stream;
+use std::sync::Arc;
+use stream::{Next, Stream};
 pub(crate) use too_large::TooLarge;
 use too_large::{too_large, too_long};
 
@@ -71,6 +75,8 @@ pub struct ReadOptions {
     pub policy: Policy,
     /// What signals and objects mean.
     pub ontology: mapd_ontology::Ontology,
+    /// Bytes of text that a thread reads, checks and lowers at once, at least; none: 256 KiB. It does not show in the archive.
+    pub batch_bytes: Option<usize>,
 }
 
 impl ReadOptions {
@@ -227,6 +233,7 @@ fn round(
     let (mut compilation, causes, units) =
         document.collector.finish(document.provenance, document.version, document.quarantined);
     compilation.included = files;
+    compilation.missing = document.places.missing();
     Ok(Round { rows, compilation, causes, units, roads, length })
 }
 
@@ -300,76 +307,83 @@ fn read(
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Document> {
     let mut hashing = HashingReader::new(input);
-    let mut lowering = Lowering::new(reading.ontology.clone());
+    let ontology = Arc::new(reading.ontology.clone());
+    let mut lowering = Lowering::new(Arc::clone(&ontology));
     let mut collector = Collector::new(without);
     let mut quarantined = Vec::new();
-    let (places, version) = {
+    let (places, version, mut checker, read) = {
         let mut inputs = Inputs::new(reading.limits.source);
         if let Some(folder) = &reading.include_folder {
             inputs = inputs.with_include_folder(folder);
         }
         let source = inputs.open(Box::new(&mut hashing), "");
-        let mut stream = Stream::new(Reader::with_source(inputs, source, reading.limits));
+        let reader = Reader::with_source(inputs, source, reading.limits);
+        let mut stream = Stream::new(reader, reading.batch_bytes);
         let places = stream.reader.places().clone();
-        let mut checked = Vec::new();
         let mut checker = Checker::new(&reading.rules);
-        while let Some(item) = stream.next()? {
-            let reader = &mut stream.reader;
-            let read = reader.take_findings();
-            collector.add_units(&item);
-            let Some(item) = without.filter(item, &mut quarantined) else {
-                collector.add_read(read, Vec::new(), &places, without);
-                continue;
-            };
-            match &item {
-                // What refers to its lanes and links is seen as if it were not there.
-                Item::Road(road) if without.is_bare(road.span.start) => checker.item_apart(&item),
-                _ => checker.item(&item),
-            }
-            checked.append(&mut checker.take_findings());
-            match item {
-                Item::Header(header) => lowering.header(&header, &mut checked),
-                Item::Road(road) => {
-                    let number = lowering.rows.roads.len();
-                    lowering.road(&road, reader.position(road.span.start), &mut checked);
-                    let is_there = lowering.rows.roads.len() > number;
-                    if let Some(railroad) = road.railroad.as_deref().filter(|_| is_there) {
-                        lowering.switches(number as u32, railroad);
-                    }
-                    if let Some(objects) = road.objects.as_deref().filter(|_| is_there) {
-                        let owner = Owner::Road(number as u32, road.id.text());
-                        let position = |span: Span| reader.position(span.start);
-                        let with = (&reading.ontology, position);
-                        lowering.objects(owner, objects, with, &mut checked);
+        // What was lowered on other threads, and the roads before it.
+        let (mut elements, mut before) = (VecDeque::new(), 0);
+        loop {
+            // What is left out is so before anything looks at it.
+            let plan = || without.is_empty().then(|| Plan::new(&checker, &ontology, &places));
+            let Some(next) = stream.next(&plan)? else { break };
+            let read = stream.reader.take_findings();
+            let mut checked = Vec::new();
+            let mut roads = None;
+            match next {
+                Next::Part(part) => {
+                    before = lowering.roads();
+                    checker.add_network(part.network);
+                    collector.append_units(part.units);
+                    lowering.append(part.lowering);
+                    elements = part.elements;
+                    collector.add_read(read, checked, &places, without);
+                    continue;
+                }
+                Next::Lowered => {
+                    let mut element: Element = elements.pop_front().unwrap_or_default();
+                    checker.looked(element.looked);
+                    checked = checker.take_findings();
+                    checked.append(&mut element.built);
+                    roads = Some(before + element.roads);
+                }
+                Next::Item(item) => {
+                    collector.add_units(&item);
+                    if let Some(item) = without.filter(item, &mut quarantined) {
+                        match &item {
+                            // What refers to its lanes and links is seen as if it were not there.
+                            Item::Road(road) if without.is_bare(road.span.start) => {
+                                checker.item_apart(&item);
+                            }
+                            _ => checker.item(&item),
+                        }
+                        checked = checker.take_findings();
+                        part::lower(&mut lowering, item, &places, &mut checked);
                     }
                 }
-                Item::Station(station) => lowering.station(&station),
-                Item::Junction(junction) => {
-                    let number = lowering.rows.junctions.len();
-                    let position = |span: Span| reader.position(span.start);
-                    let with = (&reading.ontology, position);
-                    lowering.junction_objects(&junction, number as u32, with, &mut checked);
-                    let position = reader.position(junction.span.start);
-                    lowering.junction(*junction, position, &mut checked);
-                }
-                Item::Controller(controller) => lowering.controller(&controller),
-                Item::VmsGroup(group) => lowering.board_group(&group),
-                _ => {}
             }
-            collector.add_read(read, std::mem::take(&mut checked), &places, without);
-            progress(Progress::Reading { bytes: reader.bytes_read(), roads: lowering.roads() });
+            collector.add_read(read, checked, &places, without);
+            let (bytes, roads) = (stream.reader.bytes_read(), roads.unwrap_or(lowering.roads()));
+            progress(Progress::Reading { bytes, roads });
         }
-        checker.finish();
         let reader = &mut stream.reader;
-        collector.add_read(reader.take_findings(), checker.take_findings(), &places, without);
         let stated = reader.stated_version().to_owned();
-        (places, Version { stated, checked: reader.checked_version() })
+        let version = Version { stated, checked: reader.checked_version() };
+        (places, version, checker, reader.take_findings())
     };
     progress(Progress::Linking { roads: lowering.roads() });
     let mut late = Vec::new();
-    lowering.finish_reading(&mut late);
-    links::resolve(&mut lowering, without, &mut late);
-    let signals = signals::resolve(&mut lowering, &places, &mut late);
+    let whole = checker.whole();
+    let (looked, signals) = rayon::join(
+        || part::look(&whole),
+        || {
+            lowering.finish_reading(&mut late);
+            links::resolve(&mut lowering, without, &mut late);
+            signals::resolve(&mut lowering, &places, &mut late)
+        },
+    );
+    checker.end(whole, looked);
+    collector.add_read(read, checker.take_findings(), &places, without);
     collector.add(late, &places);
     let mut graph = graph::Written::default();
     if !collector.is_rejected() {

@@ -84,6 +84,8 @@ pub struct Compilation {
     pub provenance: Provenance,
     /// Files that the document included, each as it can be opened, in the order in which it did.
     pub included: Vec<PathBuf>,
+    /// Files that it wanted to include and that cannot be read.
+    pub missing: Vec<PathBuf>,
     /// The document's revision.
     pub version: Version,
     /// Findings in file order.
@@ -252,6 +254,11 @@ impl Collector {
         self.units.add(item);
     }
 
+    /// Takes the places of the parts of the elements that come next.
+    pub(crate) fn append_units(&mut self, units: Units) {
+        self.units.append(units);
+    }
+
     pub(crate) fn is_rejected(&self) -> bool {
         self.rejecting > 0
     }
@@ -273,6 +280,7 @@ impl Collector {
             rows: None,
             provenance,
             included: Vec::new(),
+            missing: Vec::new(),
             version,
             diagnostics: self.diagnostics,
             dropped,

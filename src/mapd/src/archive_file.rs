@@ -1,22 +1,27 @@
 //! Writing `.mapd` files: exact size, straight into the file's pages, visible under its name only when whole.
 #![allow(unsafe_code)]
 
+use crate::draft::Draft;
 use anyhow::{Context, Result};
 use mapd_archive::{Header, Provenance, Rows, encode_into, encoded_length};
 use memmap2::MmapMut;
 use rustix::fs::FallocateFlags;
-use std::fs::{self, File, OpenOptions};
-use std::path::{Path, PathBuf};
+use std::fs::{File, OpenOptions};
+use std::path::Path;
 
-/// Removes an unfinished file.
-struct Unfinished(Option<PathBuf>);
+/// An archive that is written but for its name.
+pub(crate) struct Written {
+    draft: Draft,
+    /// Its header.
+    pub(crate) header: Header,
+}
 
-impl Drop for Unfinished {
-    fn drop(&mut self) {
-        if let Some(path) = &self.0 {
-            // Nothing more can be done about a file that cannot be removed.
-            let _ = fs::remove_file(path);
-        }
+impl Written {
+    /// Gives it its name, so that a reader sees the old file or the new one.
+    ///
+    /// Errors: what the system says; nothing is left behind.
+    pub(crate) fn publish(self) -> Result<()> {
+        Ok(self.draft.publish()?)
     }
 }
 
@@ -24,17 +29,21 @@ impl Drop for Unfinished {
 ///
 /// Errors: the folder cannot be written, or the disk is full; nothing is left behind.
 pub fn write(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Header> {
-    let name = path.file_name().with_context(|| format!("{} names no file", path.display()))?;
-    let mut temporary = std::ffi::OsString::from(".");
-    temporary.push(name);
-    temporary.push(format!(".{}.tmp", std::process::id()));
-    let temporary = path.with_file_name(temporary);
-    let mut unfinished = Unfinished(Some(temporary.clone()));
-    let context = || format!("writing {}", path.display());
-    let header = fill(&temporary, rows, provenance).with_context(context)?;
-    fs::rename(&temporary, path).with_context(context)?;
-    unfinished.0 = None;
+    let written = prepare(path, rows, provenance)?;
+    let header = written.header;
+    written.publish().with_context(|| format!("writing {}", path.display()))?;
     Ok(header)
+}
+
+/// Writes an archive to the disk that will be at `path`.
+///
+/// Errors: the folder cannot be written, or the disk is full; nothing is left behind.
+pub(crate) fn prepare(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Written> {
+    let context = || format!("writing {}", path.display());
+    let draft = Draft::begin(path).with_context(context)?;
+    let (header, map) = fill(draft.file(), rows, provenance).with_context(context)?;
+    map.flush().with_context(context)?;
+    Ok(Written { draft, header })
 }
 
 /// Writes an archive into a file that is there already and that nobody reads yet: a temporary file, or one without a name
@@ -44,17 +53,10 @@ pub fn write(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Header
 pub fn write_into(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Header> {
     let context = || format!("writing {}", path.display());
     let file = OpenOptions::new().read(true).write(true).open(path).with_context(context)?;
-    Ok(fill_file(&file, rows, provenance).with_context(context)?.0)
+    Ok(fill(&file, rows, provenance).with_context(context)?.0)
 }
 
-fn fill(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Header> {
-    let file = OpenOptions::new().read(true).write(true).create(true).truncate(true).open(path)?;
-    let (header, map) = fill_file(&file, rows, provenance)?;
-    map.flush()?;
-    Ok(header)
-}
-
-fn fill_file(file: &File, rows: &Rows, provenance: &Provenance) -> Result<(Header, MmapMut)> {
+fn fill(file: &File, rows: &Rows, provenance: &Provenance) -> Result<(Header, MmapMut)> {
     let length = encoded_length(rows)?;
     // Reserves the blocks: a full disk is an error here instead of a signal while filling.
     rustix::fs::fallocate(file, FallocateFlags::empty(), 0, length as u64).or_else(|error| {
@@ -64,8 +66,8 @@ fn fill_file(file: &File, rows: &Rows, provenance: &Provenance) -> Result<(Heade
             Err(error)
         }
     })?;
-    // SAFETY: the file is new and this process's own (its id is in the name, or its parent made it for this process), with
-    // no reader before it is whole; its blocks are reserved, so that writing cannot fault.
+    // SAFETY: the file is this process's own (locked or with the process's id in its name, or its parent made it for this
+    // process), with no reader before it is whole; its blocks are reserved, so that writing cannot fault.
     let mut map = unsafe { MmapMut::map_mut(file)? };
     let header = encode_into(rows, provenance, &mut map)?;
     Ok((header, map))

@@ -1,6 +1,7 @@
 //! The command line.
 
 use crate::change::ChangeArgs;
+use crate::compile::{self, CompileCommand};
 use crate::compile_args::CompileArguments;
 use crate::control::Request;
 use crate::daemon::{self, DaemonArgs};
@@ -8,12 +9,13 @@ use crate::exit::Exit;
 use crate::judging::JudgingArgs;
 use crate::ontology_args::OntologyArgs;
 use crate::oversight::OversightArgs;
-use crate::progress::Bar;
+use crate::progress::ProgressArgs;
 use crate::query::{self, Kind};
-use crate::size::Size;
+use crate::same_file::is_same_file;
+use crate::threads::ThreadsArg;
 use crate::trust::{TrustArgs, is_distrust};
-use crate::{archive_file, bench, check, doctor, export, inspect, report, sign, source, status};
-use anyhow::{Context, Result, bail};
+use crate::{bench, check, doctor, export, inspect, sign, source, status};
+use anyhow::{Result, bail};
 use clap::{ArgMatches, Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions, Snapshot};
 use mapd_compiler::{CompileOptions, CyclePolicy, OffsetSign, ReadOptions, Target};
@@ -50,6 +52,9 @@ struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
 }
+
+/// Name of the command that compiles.
+const COMPILE: &str = "compile";
 
 const EXIT_CODES: &str = "Exit codes: 0 done and accepted, 3 accepted with quarantined parts, 4 map rejected, 2 wrong usage, 1 the environment failed.";
 
@@ -186,27 +191,9 @@ impl Opening {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Compile an OpenDRIVE file into an archive
-    Compile {
-        /// OpenDRIVE file
-        file: PathBuf,
-        /// Archive to write [default: FILE with the ending .mapd]
-        #[arg(short, long, value_name = "OUT.mapd")]
-        output: Option<PathBuf>,
-        /// Write all findings as JSON
-        #[arg(long, value_name = "R.json")]
-        report: Option<PathBuf>,
-        #[command(flatten)]
-        options: Options,
-        #[command(flatten)]
-        judging: JudgingArgs,
-        /// Memory that compiling may take for its own data, such as 4GiB; beyond it the command is aborted
-        #[arg(long, value_name = "SIZE")]
-        memory_limit: Option<Size>,
-        /// As a daemon's child: into the file OUT.mapd that is there, ending with the parent, its answer as JSON
-        #[arg(long, hide = true, requires = "output")]
-        for_daemon: bool,
-    },
+    /// Compile OpenDRIVE files into archives
+    #[command(name = COMPILE, after_help = compile::HELP)]
+    Compile(Box<CompileCommand>),
     /// Say everything that is wrong with an OpenDRIVE file, without building the map
     #[command(after_help = CHECK_HELP)]
     Check {
@@ -218,7 +205,11 @@ enum Command {
         #[command(flatten)]
         frame: FrameArgs,
         #[command(flatten)]
-        reading: check::ReadArgs,
+        reading: Box<check::ReadArgs>,
+        #[command(flatten)]
+        threads: ThreadsArg,
+        #[command(flatten)]
+        progress: ProgressArgs,
     },
     /// Show what a map holds
     Inspect {
@@ -242,16 +233,16 @@ enum Command {
         #[arg(value_enum)]
         kind: Kind,
         /// nearest: largest distance from a lane's area [m]
-        #[arg(long, value_name = "M", default_value_t = NearestOptions::default().radius)]
+        #[arg(long, value_name = "M", default_value_t = NearestOptions::default().radius, value_parser = distance)]
         radius: f64,
         /// nearest: lane types that count, separated by commas, or `drivable` [default: all]
         #[arg(long, value_name = "TYPES", value_delimiter = ',')]
         types: Vec<String>,
         /// nearest: largest difference in z [m], where the input has z
-        #[arg(long, value_name = "M")]
+        #[arg(long, value_name = "M", value_parser = distance)]
         z_tolerance: Option<f64>,
         /// nearest: largest difference from the lane's driving direction [rad], where the input has hdg
-        #[arg(long, value_name = "RAD")]
+        #[arg(long, value_name = "RAD", value_parser = distance)]
         heading_tolerance: Option<f64>,
         #[command(flatten)]
         route: query::RouteArgs,
@@ -396,10 +387,11 @@ impl Options {
 
 impl DomainArgs {
     pub(crate) fn domain(&self) -> Result<Domain> {
-        Ok(match &self.prefix {
-            Some(prefix) => Domain::new(prefix)?,
-            None => Domain::from_env()?,
-        })
+        let domain = match &self.prefix {
+            Some(prefix) => Domain::new(prefix),
+            None => Domain::from_env(),
+        };
+        domain.map_err(|error| UsageError(error.to_string()).into())
     }
 }
 
@@ -419,6 +411,15 @@ pub fn run() -> ExitCode {
             };
             exit.into()
         }
+    }
+}
+
+/// A distance or the size of an angle: finite, and not negative.
+fn distance(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().map_err(|error| error.to_string())?;
+    match number.is_finite() && number >= 0.0 {
+        true => Ok(number),
+        false => Err("expected a finite number that is not negative".to_owned()),
     }
 }
 
@@ -452,16 +453,15 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
         return daemon::run(settings, key, &oversight);
     };
     let exit = match command {
-        Command::Compile { file, output, report, options, judging, memory_limit, for_daemon } => {
-            daemon::enter_child(for_daemon, memory_limit.map(|size| size.0))
-                .context("limiting memory")?;
-            let reading = options.reading(&judging)?;
-            let options = options.validated()?;
-            compile(&file, (output, for_daemon), report, (&reading, &options), out)?
+        Command::Compile(command) => {
+            let matches = matches.subcommand_matches(COMPILE).unwrap_or(matches);
+            compile::run(*command, matches, out)?
         }
-        Command::Check { file, format, frame, reading } => {
+        Command::Check { file, format, frame, reading, threads, progress } => {
+            threads.start(None)?;
+            let manner = progress.manner()?;
             let options = CompileOptions { crs: frame.crs, ..CompileOptions::default() };
-            check::run(&file, format, (&reading, &options), out)?.verdict.into()
+            check::run(&file, format, (&reading, &options), manner, out)?.verdict.into()
         }
         Command::Inspect { source, json, verify, opening } => match opening.open(&source)? {
             Some(snapshot) => {
@@ -509,6 +509,11 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
             }
         }
         Command::Export { source, format, output, index_boxes, opening } => {
+            let is_source = |output: &&PathBuf| is_same_file(output, source.as_ref());
+            if let Some(output) = output.as_ref().filter(is_source) {
+                let message = format!("{} would overwrite its source", output.display());
+                bail!(UsageError(message));
+            }
             match opening.open(&source)? {
                 Some(snapshot) => {
                     let options = export::Options { index_boxes };
@@ -549,51 +554,6 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
     };
     out.flush()?;
     Ok(exit)
-}
-
-fn compile(
-    file: &std::path::Path,
-    (output, for_daemon): (Option<PathBuf>, bool),
-    report_to: Option<PathBuf>,
-    (reading, options): (&ReadOptions, &CompileOptions),
-    out: &mut dyn Write,
-) -> Result<Exit> {
-    let bar = Bar::new(file);
-    let compiled = source::compile_file_with(file, reading, options, &mut |p| bar.show(p))?;
-    bar.finish();
-    let name = file.display().to_string();
-    report::print(&name, &compiled);
-    if let Some(path) = report_to {
-        let mut json = serde_json::to_vec_pretty(&report::report(&name, &compiled))?;
-        json.push(b'\n');
-        std::fs::write(&path, json).with_context(|| format!("writing {}", path.display()))?;
-    }
-    if let Some(rows) = &compiled.rows {
-        let output = output.unwrap_or_else(|| file.with_extension("mapd"));
-        if output == file {
-            bail!("{} would overwrite its source; name another file with -o", output.display());
-        }
-        if for_daemon {
-            archive_file::write_into(&output, rows, &compiled.provenance)?;
-            serde_json::to_writer(out, &daemon::Told { included: absolute(&compiled.included) })?;
-            return Ok(compiled.verdict.into());
-        }
-        let header = archive_file::write(&output, rows, &compiled.provenance)?;
-        writeln!(
-            out,
-            "{}: {} bytes, {} roads, {} lanes, content {}",
-            output.display(),
-            header.body_length + mapd_archive::HEADER_LENGTH as u64,
-            rows.roads.len(),
-            rows.lanes.iter().filter(|lane| lane.number != 0).count(),
-            report::hex(&header.content_hash)
-        )?;
-    }
-    Ok(compiled.verdict.into())
-}
-
-fn absolute(files: &[PathBuf]) -> Vec<PathBuf> {
-    files.iter().map(|file| std::path::absolute(file).unwrap_or_else(|_| file.clone())).collect()
 }
 
 /// The set of lane types that names stand for.

@@ -30,6 +30,12 @@ impl Exit {
         }
     }
 
+    /// What a process's exit code says; `None` for those of other ends, such as a panic's.
+    pub fn from_code(code: u8) -> Option<Self> {
+        let all = [Self::Done, Self::Environment, Self::Usage, Self::Quarantined, Self::Rejected];
+        all.into_iter().find(|exit| exit.code() == code)
+    }
+
     /// The worse of two: the environment, then rejected maps, then those with parts in quarantine.
     #[must_use]
     pub fn worst(self, other: Self) -> Self {

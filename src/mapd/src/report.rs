@@ -1,9 +1,10 @@
 //! What a compilation found: as text for people, as JSON for programs.
 
+use crate::compile::Record;
 use mapd_compiler::{Compilation, Diagnostic, QuarantinedPart, Treatment, Verdict};
 use mapd_xodr::source::Places;
 use mapd_xodr::{Severity, rule_ids};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
 use std::io::Write as _;
 
@@ -20,6 +21,14 @@ pub struct Report<'a> {
     quarantined: Vec<ReportedPart<'a>>,
     counts: Counts,
     not_kept: usize,
+    archive: Option<Record>,
+}
+
+impl Report<'_> {
+    /// With what became of the map.
+    pub(crate) fn of_archive(self, archive: Record) -> Self {
+        Self { archive: Some(archive), ..self }
+    }
 }
 
 /// A finding as JSON.
@@ -97,7 +106,7 @@ pub(crate) fn verdict_name(verdict: Verdict) -> &'static str {
 }
 
 /// How many findings there are, those not kept among them.
-#[derive(Serialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Counts {
     pub(crate) errors: usize,
     pub(crate) warnings: usize,
@@ -172,6 +181,7 @@ pub fn report<'a>(file: &'a str, compiled: &'a Compilation) -> Report<'a> {
         quarantined: compiled.quarantined.iter().map(part).collect(),
         counts: counts(compiled),
         not_kept: compiled.dropped.iter().sum(),
+        archive: None,
     }
 }
 

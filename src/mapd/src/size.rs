@@ -1,6 +1,7 @@
 //! Sizes as people write them.
 
 use serde::{Deserialize, Deserializer};
+use std::fmt;
 use std::str::FromStr;
 
 /// Units, of 1024 and of 1000.
@@ -19,6 +20,17 @@ const UNITS: [(&str, u64); 9] = [
 /// A number of bytes: `4096`, `512 MiB`, `2GB`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Size(pub(crate) u64);
+
+impl fmt::Display for Size {
+    /// In the largest unit of which it is a whole number, else in bytes.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let units = UNITS.iter().filter(|(_, unit)| unit.is_power_of_two() && *unit > 1);
+        match units.rev().find(|(_, unit)| self.0 > 0 && self.0.is_multiple_of(*unit)) {
+            Some((name, unit)) => write!(f, "{} {name}", self.0 / unit),
+            None => write!(f, "{} bytes", self.0),
+        }
+    }
+}
 
 impl FromStr for Size {
     type Err = String;
@@ -64,6 +76,19 @@ impl<'de> Deserialize<'de> for Size {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn sizes_are_written_exactly() {
+        for (size, text) in [
+            (0, "0 bytes"),
+            (1000, "1000 bytes"),
+            (1024, "1 KiB"),
+            (3 << 29, "1536 MiB"),
+            (1 << 40, "1 TiB"),
+        ] {
+            assert_eq!(Size(size).to_string(), text);
+        }
+    }
 
     #[test]
     fn sizes() {

@@ -120,7 +120,7 @@ pub(crate) fn open_or_report(
         signable(Path::new(source))?;
         return Ok(Some(Snapshot::open_trusted(source, &key)?));
     }
-    let bar = crate::progress::Bar::new(Path::new(source));
+    let bar = crate::progress::Meter::of_file(Path::new(source), crate::progress::Manner::Bar);
     let opened = open(source, compiling, live, &mut |p| bar.show(p))?;
     bar.finish();
     Ok(match opened {

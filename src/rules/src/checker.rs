@@ -1,157 +1,131 @@
 //! Shows a document to the rules, element by element.
 
-use crate::catalog;
-use crate::line::ReferenceLine;
+use crate::looker::{Found, Looked, Looker, Rules};
 use crate::network::Network;
-use crate::rule::{Check, Minor, NEWEST, Rule};
+use crate::rule::{Minor, NEWEST};
 use crate::settings::Settings;
-use crate::sink::{Sink, Step};
+use crate::whole::Whole;
 use mapd_xodr::{Finding, Item, Severity, Span};
+use std::sync::Arc;
 
 /// Oldest version that the rules know.
 const OLDEST: Minor = 4;
 
-/// A rule as it is applied.
-pub(crate) struct Applied {
-    pub(crate) rule: &'static Rule,
-    pub(crate) severity: Severity,
-    pub(crate) count: u32,
-    /// The first finding that was not kept, and the severity of the worst.
-    left_out: Option<(Span, Severity)>,
-    left_out_count: u32,
-}
-
-/// Rules by what they look at.
-#[derive(Default)]
-pub(crate) struct Lists {
-    pub(crate) header: Vec<usize>,
-    pub(crate) road: Vec<usize>,
-    pub(crate) section: Vec<usize>,
-    pub(crate) lane: Vec<usize>,
-    pub(crate) center_lane: Vec<usize>,
-    pub(crate) object: Vec<usize>,
-    pub(crate) signal: Vec<usize>,
-    pub(crate) junction: Vec<usize>,
-    pub(crate) controller: Vec<usize>,
-    pub(crate) junction_group: Vec<usize>,
-    pub(crate) station: Vec<usize>,
-    pub(crate) vms_group: Vec<usize>,
-    pub(crate) network: Vec<usize>,
-}
-
-impl Lists {
-    fn new(applied: &[Applied]) -> Self {
-        let mut lists = Self::default();
-        for (rank, applied) in applied.iter().enumerate() {
-            let list = match applied.rule.check {
-                Check::Header(_) => &mut lists.header,
-                Check::Road(_) => &mut lists.road,
-                Check::Section(_) => &mut lists.section,
-                Check::Lane(_) => &mut lists.lane,
-                Check::CenterLane(_) => &mut lists.center_lane,
-                Check::Object(_) => &mut lists.object,
-                Check::Signal(_) => &mut lists.signal,
-                Check::Junction(_) => &mut lists.junction,
-                Check::Controller(_) => &mut lists.controller,
-                Check::JunctionGroup(_) => &mut lists.junction_group,
-                Check::Station(_) => &mut lists.station,
-                Check::VmsGroup(_) => &mut lists.vms_group,
-                Check::Network(_) => &mut lists.network,
-            };
-            list.push(rank);
-        }
-        lists
-    }
-}
+/// Findings of a rule that are not kept: the place of the first, the severity of the worst, how many.
+type LeftOut = Option<(Span, Severity, u32)>;
 
 /// Checks a document while it streams by.
 pub struct Checker {
     settings: Settings,
-    pub(crate) version: Minor,
-    pub(crate) applied: Vec<Applied>,
-    pub(crate) lists: Lists,
-    network: Network,
+    looker: Looker,
+    /// By rule.
+    left_out: Vec<LeftOut>,
     findings: Vec<Finding>,
 }
 
 impl Checker {
     /// A checker with nothing seen yet. Until a header says otherwise, documents are of the newest version.
     pub fn new(settings: &Settings) -> Self {
-        let mut checker = Self {
-            settings: settings.clone(),
-            version: NEWEST,
-            applied: Vec::new(),
-            lists: Lists::default(),
-            network: Network::default(),
-            findings: Vec::new(),
-        };
-        checker.select();
-        checker
-    }
-
-    /// Chooses the rules for the version.
-    fn select(&mut self) {
-        let applied = catalog::all()
-            .filter(|rule| self.settings.applies(rule, self.version))
-            .filter_map(|rule| Some((rule, self.settings.severity(rule)?)));
-        self.applied = applied
-            .map(|(rule, severity)| Applied {
-                rule,
-                severity,
-                count: 0,
-                left_out: None,
-                left_out_count: 0,
-            })
-            .collect();
-        self.lists = Lists::new(&self.applied);
+        let looker = Looker::new(Rules::new(settings, NEWEST));
+        let left_out = vec![None; looker.counts.len()];
+        Self { settings: settings.clone(), looker, left_out, findings: Vec::new() }
     }
 
     /// Looks at a top-level element, and keeps what the rules on the network need of it.
     pub fn item(&mut self, item: &Item) {
-        let line = self.look(item);
-        self.network.add(item, &line);
+        self.select(item);
+        let (looked, _) = self.looker.item(item);
+        self.keep(looked);
     }
 
     /// Looks at a top-level element by itself: to the rules on the network it is not there.
     pub fn item_apart(&mut self, item: &Item) {
-        self.look(item);
+        self.select(item);
+        self.looker.look(item);
+        let looked = Looked(std::mem::take(&mut self.looker.found));
+        self.keep(looked);
     }
 
-    /// Applies the rules on elements; yields a road's reference line.
-    fn look(&mut self, item: &Item) -> ReferenceLine {
-        if let Item::Header(header) = item {
-            let minor = header.rev_minor.map_or(i32::from(NEWEST), |minor| minor.value);
-            self.version = Minor::try_from(minor.clamp(i32::from(OLDEST), i32::from(NEWEST)))
-                .unwrap_or(NEWEST);
-            self.select();
-        }
+    /// Looks at elements behind the header, on any thread; what it finds comes back with [`Checker::looked`].
+    pub fn looker(&self) -> Looker {
+        self.looker.another()
+    }
+
+    /// Takes what was found in the next top-level element.
+    pub fn looked(&mut self, looked: Looked) {
+        let limit = self.looker.rules.limit;
+        let decided = looked.0.into_iter().map(|(rank, found)| {
+            let more = if let Found::LeftOut(_, _, count) = found { count } else { 1 };
+            let count = self.looker.counts.get_mut(rank).map_or(0, |count| {
+                *count = count.saturating_add(more);
+                *count
+            });
+            match found {
+                Found::Finding(finding) if is_left_out(count, limit, finding.severity) => {
+                    (rank, Found::LeftOut(finding.span, finding.severity, 1))
+                }
+                found => (rank, found),
+            }
+        });
+        let decided = Looked(decided.collect());
+        self.keep(decided);
+    }
+
+    /// Takes what the rules on the network need of the next top-level elements.
+    pub fn add_network(&mut self, network: Network) {
+        self.looker.network.append(network);
+    }
+
+    /// Chooses the rules for the version that a header states.
+    fn select(&mut self, item: &Item) {
+        let Item::Header(header) = item else { return };
+        let minor = header.rev_minor.map_or(i32::from(NEWEST), |minor| minor.value);
+        let version = Minor::try_from(minor.clamp(i32::from(OLDEST), i32::from(NEWEST)));
+        let rules = Rules::new(&self.settings, version.unwrap_or(NEWEST));
+        self.looker.counts = vec![0; rules.applied.len()];
+        self.left_out = vec![None; rules.applied.len()];
+        self.looker.rules = Arc::new(rules);
+    }
+
+    /// Keeps findings that are counted already.
+    fn keep(&mut self, looked: Looked) {
         let before = self.findings.len();
-        let line = match item {
-            Item::Road(road) => ReferenceLine::new(road.plan_view.as_deref()),
-            _ => ReferenceLine::default(),
-        };
-        self.walk(item, &line);
+        for (rank, found) in looked.0 {
+            match found {
+                Found::Finding(finding) => self.findings.push(finding),
+                Found::LeftOut(span, severity, count) => {
+                    let Some(left_out) = self.left_out.get_mut(rank) else { continue };
+                    let (_, worst, all) = left_out.get_or_insert((span, severity, 0));
+                    *worst = severity.max(*worst);
+                    *all = all.saturating_add(count);
+                }
+            }
+        }
         // Each element is walked once per kind of check; findings come in file order all the same.
         self.findings[before..].sort_by_key(|finding| finding.span.start);
-        line
     }
 
     /// Looks at the document as a whole, which has ended.
     pub fn finish(&mut self) {
-        let mut network = std::mem::take(&mut self.network);
+        let whole = self.whole();
+        let looked = (0..whole.checks()).map(|check| whole.look(check)).collect::<Vec<_>>();
+        self.end(whole, looked);
+    }
+
+    /// The document as a whole, which has ended, to be looked at on any thread; [`Checker::end`] takes what was found.
+    pub fn whole(&mut self) -> Whole {
+        let mut network = std::mem::take(&mut self.looker.network);
         network.finish();
-        let before = self.findings.len();
-        let ranks = self.lists.network.clone();
-        for rank in ranks {
-            if let Check::Network(check) = self.applied[rank].rule.check {
-                self.apply(rank, &[], |sink| check(&network, sink));
-            }
-        }
-        self.findings[before..].sort_by_key(|finding| finding.span.start);
-        self.network = network;
-        for applied in &self.applied {
-            if let Some((span, severity)) = applied.left_out {
-                let count = applied.left_out_count;
+        Whole { rules: Arc::clone(&self.looker.rules), network }
+    }
+
+    /// Takes what all checks of the document as a whole found, in their order.
+    pub fn end(&mut self, whole: Whole, looked: impl IntoIterator<Item = Looked>) {
+        let Whole { rules, network } = whole;
+        self.keep(Looked(looked.into_iter().flat_map(|looked| looked.0).collect()));
+        self.looker.network = network;
+        for (applied, left_out) in rules.applied.iter().zip(&self.left_out) {
+            if let Some((span, severity, count)) = *left_out {
                 let message = format!("{count} more findings of this rule, the first of them here");
                 self.findings.push(Finding {
                     rule: applied.rule.id,
@@ -173,28 +147,12 @@ impl Checker {
 
     /// What is kept of the document.
     pub fn network(&self) -> &Network {
-        &self.network
+        &self.looker.network
     }
+}
 
-    /// Lets a rule look at something.
-    pub(crate) fn apply(
-        &mut self,
-        rank: usize,
-        path: &[Step<'_>],
-        look: impl FnOnce(&mut Sink<'_>),
-    ) {
-        let Some(applied) = self.applied.get_mut(rank) else { return };
-        let mut sink = Sink {
-            rule: applied.rule,
-            severity: applied.severity,
-            version: self.version,
-            path,
-            out: &mut self.findings,
-            count: &mut applied.count,
-            left_out: &mut applied.left_out,
-            left_out_count: &mut applied.left_out_count,
-            limit: self.settings.findings_of_a_rule,
-        };
-        look(&mut sink);
-    }
+/// Whether a finding is only counted, as the rule's so-manieth. Errors are all kept: each takes a part out of use. They use
+/// up the others' places all the same.
+pub(crate) fn is_left_out(count: u32, limit: u32, severity: Severity) -> bool {
+    count > limit && severity < Severity::Error
 }

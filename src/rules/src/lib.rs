@@ -2,7 +2,7 @@
 //! one valid and one invalid example.
 //!
 //! A [`Checker`] is shown each top-level element of a document once, then looks at the compact [`Network`] that it kept of
-//! them. To add a rule, write its function and an entry beside it in a file of [`catalog`].
+//! them; a [`Looker`] does the former on any thread. To add a rule, write its function and an entry beside it in a file of [`catalog`].
 //!
 //! Invariants: rules read, they change nothing; the document is never whole in memory; nothing panics, whatever a document
 //! says. Deliberately absent: what the schema says already (see [`structural`]), and any decision about what to do.
@@ -27,6 +27,7 @@ mod checker;
 mod documentation;
 mod example;
 pub mod line;
+mod looker;
 pub mod network;
 mod place;
 mod profile;
@@ -35,12 +36,15 @@ mod settings;
 mod sink;
 pub mod structural;
 mod walk;
+mod whole;
 
 pub use checker::Checker;
 pub use documentation::documentation;
 pub use example::Example;
+pub use looker::{Looked, Looker};
 pub use network::{Network, extent};
 pub use place::{LaneIn, ObjectIn, RoadIn, SectionIn, Side, SignalIn};
 pub use rule::{Check, Minor, NEWEST, Rule, Tolerance};
 pub use settings::{Grade, Profile, Settings};
 pub use sink::Sink;
+pub use whole::Whole;

@@ -54,6 +54,8 @@ pub enum Check {
     VmsGroup(fn(&VmsGroup, &mut Sink<'_>)),
     /// All of the document in compact form, once it has ended.
     Network(fn(&Network, &mut Sink<'_>)),
+    /// As `Network`, by a look at all overlaps of roads.
+    Overlaps(fn(&Network, &mut Sink<'_>)),
 }
 
 /// A rule of the catalog.

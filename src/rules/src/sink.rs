@@ -1,5 +1,7 @@
 //! Where rules put what they find.
 
+use crate::checker::is_left_out;
+use crate::looker::Found;
 use crate::rule::{Minor, Rule};
 use mapd_xodr::{Finding, Severity, Span};
 use std::fmt::{self, Write as _};
@@ -21,8 +23,8 @@ pub(crate) enum Key<'a> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Step<'a>(pub(crate) &'static str, pub(crate) Key<'a>);
 
-/// Writes `OpenDRIVE/road[@id=7]/…`.
-pub(crate) fn write_path(steps: &[Step<'_>]) -> String {
+/// Writes `OpenDRIVE/road[@id=7]/…`, and below it the path of a part, if there is one.
+fn write_path(steps: &[Step<'_>], part: &str) -> String {
     let mut path = String::from("OpenDRIVE");
     for Step(name, key) in steps {
         // Writing to a string cannot fail.
@@ -33,20 +35,23 @@ pub(crate) fn write_path(steps: &[Step<'_>]) -> String {
             Key::S(s) => write!(path, "/{name}[@s={s}]"),
         };
     }
+    if !part.is_empty() {
+        path.push('/');
+        path.push_str(part);
+    }
     path
 }
 
 /// Takes the findings of one rule about one element.
 pub struct Sink<'a> {
     pub(crate) rule: &'static Rule,
+    pub(crate) rank: usize,
     pub(crate) severity: Severity,
     pub(crate) version: Minor,
     pub(crate) path: &'a [Step<'a>],
-    pub(crate) out: &'a mut Vec<Finding>,
+    pub(crate) out: &'a mut Vec<(usize, Found)>,
     /// Findings of the rule so far.
     pub(crate) count: &'a mut u32,
-    pub(crate) left_out: &'a mut Option<(Span, Severity)>,
-    pub(crate) left_out_count: &'a mut u32,
     pub(crate) limit: u32,
 }
 
@@ -69,12 +74,8 @@ impl Sink<'_> {
         expected: impl fmt::Display,
         found: impl fmt::Display,
     ) {
-        let mut path = write_path(self.path);
-        if !part.is_empty() {
-            path.push('/');
-            path.push_str(part);
-        }
-        self.add_at(path, self.severity, span, expected, found);
+        let path = self.path;
+        self.add_at(|| write_path(path, part), self.severity, span, expected, found);
     }
 
     /// A finding less bad than the rule's usual ones.
@@ -100,41 +101,34 @@ impl Sink<'_> {
         expected: impl fmt::Display,
         found: impl fmt::Display,
     ) {
-        let mut path = write_path(&[Step(element, Key::Id(id))]);
-        if !part.is_empty() {
-            path.push('/');
-            path.push_str(part);
-        }
+        let path = || write_path(&[Step(element, Key::Id(id))], part);
         self.add_at(path, self.severity, span, expected, found);
     }
 
     /// A finding with its own path.
     pub(crate) fn add_at(
         &mut self,
-        path: String,
+        path: impl FnOnce() -> String,
         severity: Severity,
         span: Span,
         expected: impl fmt::Display,
         found: impl fmt::Display,
     ) {
         *self.count = self.count.saturating_add(1);
-        // Errors are all kept: each takes a part out of use. They use up the others' places all the same.
-        if *self.count > self.limit && severity < Severity::Error {
-            let left_out = self.left_out.get_or_insert((span, severity));
-            left_out.1 = left_out.1.max(severity);
-            *self.left_out_count = self.left_out_count.saturating_add(1);
+        if is_left_out(*self.count, self.limit, severity) {
+            match self.out.last_mut() {
+                Some((rank, Found::LeftOut(_, worst, count))) if *rank == self.rank => {
+                    *worst = severity.max(*worst);
+                    *count = count.saturating_add(1);
+                }
+                _ => self.out.push((self.rank, Found::LeftOut(span, severity, 1))),
+            }
             return;
         }
         let message = format!("expected {expected}, found {found}");
         let rule = self.rule.id;
-        self.out.push(Finding {
-            rule,
-            severity,
-            span,
-            path,
-            subject: "".into(),
-            message,
-            hint: String::new(),
-        });
+        let (path, subject, hint) = (path(), "".into(), String::new());
+        let finding = Finding { rule, severity, span, path, subject, message, hint };
+        self.out.push((self.rank, Found::Finding(finding)));
     }
 }

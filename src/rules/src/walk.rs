@@ -1,7 +1,7 @@
 //! The walk through an element, to each part that some rule looks at.
 
-use crate::checker::Checker;
 use crate::line::ReferenceLine;
+use crate::looker::{Looker, Rules};
 use crate::place::{LaneIn, ObjectIn, RoadIn, SectionIn, Side, SignalIn, number, text};
 use crate::rule::Check;
 use crate::sink::{Key, Step};
@@ -9,94 +9,93 @@ use mapd_xodr::{Item, Junction, Objects, Road};
 
 /// Applies each rule of a list to something.
 macro_rules! apply {
-    ($self:ident, $list:ident, $kind:ident, $path:expr, $element:expr) => {
-        for at in 0..$self.lists.$list.len() {
-            let rank = $self.lists.$list[at];
-            if let Some(Check::$kind(check)) = $self.applied.get(rank).map(|a| a.rule.check) {
-                $self.apply(rank, $path, |sink| check($element, sink));
+    ($self:ident, $rules:ident, $list:ident, $kind:ident, $path:expr, $element:expr) => {
+        for rank in $rules.lists.$list.iter().copied() {
+            if let Some(Check::$kind(check)) = $rules.applied.get(rank).map(|a| a.rule.check) {
+                $self.apply(($rules, rank), $path, |sink| check($element, sink));
             }
         }
     };
 }
 
-impl Checker {
+impl Looker {
     /// Applies the rules on single elements.
-    pub(crate) fn walk(&mut self, item: &Item, line: &ReferenceLine) {
+    pub(crate) fn walk(&mut self, rules: &Rules, item: &Item, line: &ReferenceLine) {
         match item {
             Item::Header(header) => {
-                apply!(self, header, Header, &[Step("header", Key::None)], header);
+                apply!(self, rules, header, Header, &[Step("header", Key::None)], header);
             }
-            Item::Road(road) => self.road(road, line),
+            Item::Road(road) => self.road(rules, road, line),
             Item::Controller(controller) => {
                 let step = Step("controller", Key::Id(text(&controller.id)));
-                apply!(self, controller, Controller, &[step], controller);
+                apply!(self, rules, controller, Controller, &[step], controller);
             }
-            Item::Junction(junction) => self.junction(junction),
+            Item::Junction(junction) => self.junction(rules, junction),
             Item::JunctionGroup(group) => {
                 let step = Step("junctionGroup", Key::Id(text(&group.id)));
-                apply!(self, junction_group, JunctionGroup, &[step], group);
+                apply!(self, rules, junction_group, JunctionGroup, &[step], group);
             }
             Item::Station(station) => {
                 let step = Step("station", Key::Id(text(&station.id)));
-                apply!(self, station, Station, &[step], station);
+                apply!(self, rules, station, Station, &[step], station);
             }
             Item::VmsGroup(group) => {
                 let step = Step("vmsGroup", Key::Id(text(&group.id)));
-                apply!(self, vms_group, VmsGroup, &[step], group);
+                apply!(self, rules, vms_group, VmsGroup, &[step], group);
             }
         }
     }
 
-    fn road(&mut self, road: &Road, line: &ReferenceLine) {
+    fn road(&mut self, rules: &Rules, road: &Road, line: &ReferenceLine) {
         let step = Step("road", Key::Id(text(&road.id)));
-        apply!(self, road, Road, &[step], &RoadIn { road, line });
+        apply!(self, rules, road, Road, &[step], &RoadIn { road, line });
         for lanes in &road.lanes {
             for (index, section) in lanes.lane_section.iter().enumerate() {
-                self.section(&SectionIn { road, lanes, section, index }, step);
+                self.section(rules, &SectionIn { road, lanes, section, index }, step);
             }
         }
         if let Some(objects) = &road.objects {
-            self.objects(objects, Some(road), step);
+            self.objects(rules, objects, Some(road), step);
         }
         for signal in road.signals.iter().flat_map(|signals| &signals.signal) {
             let path =
                 [step, Step("signals", Key::None), Step("signal", Key::Id(text(&signal.id)))];
-            apply!(self, signal, Signal, &path, &SignalIn { road, signal });
+            apply!(self, rules, signal, Signal, &path, &SignalIn { road, signal });
         }
     }
 
-    fn section(&mut self, section: &SectionIn<'_>, road: Step<'_>) {
+    fn section(&mut self, rules: &Rules, section: &SectionIn<'_>, road: Step<'_>) {
         let here = Step("laneSection", Key::S(number(&section.section.s)));
         let path = [road, Step("lanes", Key::None), here];
-        apply!(self, section, Section, &path, section);
+        apply!(self, rules, section, Section, &path, section);
         for (side, name) in [(Side::Left, "left"), (Side::Right, "right")] {
             for lane in section.side(side) {
                 let id = lane.id.map_or(0, |id| id.value);
                 let [a, b, c] = path;
                 let path = [a, b, c, Step(name, Key::None), Step("lane", Key::Lane(id))];
-                apply!(self, lane, Lane, &path, &LaneIn { section: *section, side, lane });
+                apply!(self, rules, lane, Lane, &path, &LaneIn { section: *section, side, lane });
             }
         }
         for lane in section.section.center.iter().flat_map(|center| &center.lane) {
             let [a, b, c] = path;
             let path = [a, b, c, Step("center", Key::None), Step("lane", Key::Lane(0))];
-            apply!(self, center_lane, CenterLane, &path, lane);
+            apply!(self, rules, center_lane, CenterLane, &path, lane);
         }
     }
 
-    fn objects(&mut self, objects: &Objects, road: Option<&Road>, step: Step<'_>) {
+    fn objects(&mut self, rules: &Rules, objects: &Objects, road: Option<&Road>, step: Step<'_>) {
         for object in &objects.object {
             let path =
                 [step, Step("objects", Key::None), Step("object", Key::Id(text(&object.id)))];
-            apply!(self, object, Object, &path, &ObjectIn { road, object });
+            apply!(self, rules, object, Object, &path, &ObjectIn { road, object });
         }
     }
 
-    fn junction(&mut self, junction: &Junction) {
+    fn junction(&mut self, rules: &Rules, junction: &Junction) {
         let step = Step("junction", Key::Id(text(&junction.id)));
-        apply!(self, junction, Junction, &[step], junction);
+        apply!(self, rules, junction, Junction, &[step], junction);
         if let Some(objects) = &junction.objects {
-            self.objects(objects, None, step);
+            self.objects(rules, objects, None, step);
         }
     }
 }

@@ -6,6 +6,7 @@
 
 use crate::cursor::{Cursor, Name, Open, Scope, Step};
 use crate::extension::Extension;
+use crate::finding::Span;
 use crate::findings::{Findings, Kept};
 use crate::generated::{Item, read_document};
 use crate::limits::Limits;
@@ -20,6 +21,8 @@ use std::sync::Arc;
 const BATCH_BYTES: usize = 256 << 10;
 /// Bytes of text in which no end of a road or junction is found: such a document is read on as one.
 const CUTLESS_BYTES: usize = 8 << 20;
+/// Rooms that are larger than so many of the smallest batches are not kept for others.
+const ROOM_BATCHES: usize = 4;
 /// Top-level elements that are large or many; behind their ends the text is cut.
 const CUT_BEHIND: [&str; 2] = ["road", "junction"];
 
@@ -50,12 +53,23 @@ pub struct Cutter<'a> {
     pub(crate) stop: Option<Stop>,
     ends: [Vec<u8>; 2],
     least: usize,
+    /// Room of batches that are done with.
+    spare: Vec<Vec<u8>>,
 }
 
 impl<'a> Cutter<'a> {
     pub(crate) fn new((source, text, start): (Source<'a>, Vec<u8>, u64), prefix: &[u8]) -> Self {
         let ends = CUT_BEHIND.map(|name| [b"</", prefix, name.as_bytes(), b">"].concat());
-        Self { source, text, start, searched: 0, stop: None, ends, least: BATCH_BYTES }
+        Self {
+            source,
+            text,
+            start,
+            searched: 0,
+            stop: None,
+            ends,
+            least: BATCH_BYTES,
+            spare: Vec::new(),
+        }
     }
 
     /// Sets the bytes of text that a batch has at least, instead of 256 KiB.
@@ -70,7 +84,9 @@ impl<'a> Cutter<'a> {
         loop {
             if self.text.len() >= self.least {
                 if let Some(end) = self.end() {
-                    let rest = self.text.split_off(end);
+                    let mut rest = self.spare.pop().unwrap_or_default();
+                    rest.extend_from_slice(self.text.get(end..).unwrap_or_default());
+                    self.text.truncate(end);
                     let text = std::mem::replace(&mut self.text, rest);
                     let start = self.start;
                     self.start += text.len() as u64;
@@ -84,6 +100,14 @@ impl<'a> Cutter<'a> {
             if !self.more() {
                 return None;
             }
+        }
+    }
+
+    /// Takes the room of a batch that is done with, for those to come.
+    pub fn give_back(&mut self, mut room: Vec<u8>) {
+        if room.capacity() <= ROOM_BATCHES * self.least {
+            room.clear();
+            self.spare.push(room);
         }
     }
 
@@ -140,14 +164,38 @@ pub(crate) struct Known {
 /// A child of the root.
 pub(crate) enum Part {
     Item(Item),
+    /// An item that was taken away.
+    Taken,
     Extension(Extension),
+}
+
+/// A child of the root, with what was found about it.
+pub(crate) struct ReadPart {
+    /// Its slot, if the schema has it.
+    pub(crate) slot: Option<usize>,
+    pub(crate) part: Part,
+    pub(crate) findings: Vec<Kept>,
+    pub(crate) entered: Entered,
+}
+
+/// Where the start tag of a child of the root was read, before anything within.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Entered {
+    /// The start tag.
+    pub(crate) span: Span,
+    /// Findings about it up to here.
+    pub(crate) findings: usize,
+    /// Type of the element that was read last; empty where that is in the batch before.
+    pub(crate) kind: &'static str,
 }
 
 /// A batch that has been read.
 pub struct ReadBatch {
     pub(crate) batch: Batch,
-    /// Children of the root with their slots, if the schema has them, and the findings about each.
-    pub(crate) parts: Vec<(Option<usize>, Part, Vec<Kept>)>,
+    /// Children of the root.
+    pub(crate) parts: Vec<ReadPart>,
+    /// Type of the element that was read last; empty if none was.
+    pub(crate) kind: &'static str,
     /// What was found behind the last of them, and what was not kept.
     pub(crate) rest: Findings,
     /// Whether it ends between two top-level elements.
@@ -155,6 +203,26 @@ pub struct ReadBatch {
 }
 
 impl ReadBatch {
+    /// Takes the top-level elements away, in the order of the document; [`Reader::handed`](crate::Reader::handed) says where
+    /// each of them was. None if one of them is a header, or the batch is certain to be refused.
+    pub fn take_items(&mut self) -> Option<Vec<Item>> {
+        if !self.is_whole || self.has_header() {
+            return None;
+        }
+        let is_item = |read: &&mut ReadPart| matches!(read.part, Part::Item(_));
+        let items = self.parts.iter_mut().filter(is_item);
+        let items = items.filter_map(|read| match std::mem::replace(&mut read.part, Part::Taken) {
+            Part::Item(item) => Some(item),
+            Part::Taken | Part::Extension(_) => None,
+        });
+        Some(items.collect())
+    }
+
+    /// Whether one of the elements is a header, from which on another version may count.
+    pub(crate) fn has_header(&self) -> bool {
+        self.parts.iter().any(|read| matches!(read.part, Part::Item(Item::Header(_))))
+    }
+
     /// The batch, unread.
     pub fn into_batch(self) -> Batch {
         self.batch
@@ -184,8 +252,14 @@ impl Context {
         cursor.scope = Scope::Batch;
         let mut root = known.root.clone();
         let mut parts = Vec::new();
+        cursor.kind = "";
         while !cursor.over {
-            let (slot, part) = match cursor.next_child(&mut root) {
+            // Whether an element stands behind others is seen where batches are taken one after the other.
+            root.order = 0;
+            let step = cursor.next_child(&mut root);
+            let findings = cursor.findings.kept();
+            let entered = Entered { span: cursor.tag.span, findings, kind: cursor.kind };
+            let (slot, part) = match step {
                 Step::Child(slot) => match read_document::item(slot, &mut cursor) {
                     Some(item) => (Some(slot), Part::Item(item)),
                     None => break,
@@ -194,13 +268,15 @@ impl Context {
                 Step::End => break,
             };
             cursor.spent = 0;
-            parts.push((slot, part, cursor.findings.take_kept()));
+            let findings = cursor.findings.take_kept();
+            parts.push(ReadPart { slot, part, findings, entered });
         }
         let is_whole = cursor.scope == Scope::WholeBatch
             && !cursor.findings.is_full()
             && !cursor.window.passed_limit;
         let rest = std::mem::replace(&mut cursor.findings, Findings::new(0));
+        let kind = cursor.kind;
         let batch = Batch { text: cursor.window.into_text(), start, notes };
-        ReadBatch { batch, parts, rest, is_whole }
+        ReadBatch { batch, parts, kind, rest, is_whole }
     }
 }

@@ -165,17 +165,22 @@ impl Cursor<'_> {
             self.add(rule_ids::OCCURRENCE, Severity::Error, span, child.name, message);
         }
         if child.order < open.order {
-            let last = open
-                .schema
-                .children
-                .iter()
-                .rev()
-                .find(|c| c.order == open.order && c.versions & alike(self.version as u8) != 0);
-            let last = last.or_else(|| open.schema.children.iter().find(|c| c.order == open.order));
-            let last = last.map_or("", |last| last.name);
-            let message = format!("expected {} before {last}, found it behind", child.name);
+            let message = self.misplaced(open, child);
             self.add(rule_ids::ORDER, Severity::Warning, span, child.name, message);
         }
+    }
+
+    /// What there is to say about a child behind others that it should stand before.
+    pub(crate) fn misplaced(&self, open: &Open, child: &ChildSchema) -> String {
+        let last = open
+            .schema
+            .children
+            .iter()
+            .rev()
+            .find(|c| c.order == open.order && c.versions & alike(self.version as u8) != 0);
+        let last = last.or_else(|| open.schema.children.iter().find(|c| c.order == open.order));
+        let last = last.map_or("", |last| last.name);
+        format!("expected {} before {last}, found it behind", child.name)
     }
 
     /// Children that are missing, as bits; counts and choices.

@@ -401,18 +401,14 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Whether children may follow what an element has already, without a remark that is about what it has.
-    pub(crate) fn follows(&self, open: &Open, slots: impl Iterator<Item = usize>) -> bool {
-        let mut order = open.order;
+    /// Whether none of these children is there once too often, with those that an element has already.
+    pub(crate) fn are_new(&self, open: &Open, slots: impl Iterator<Item = usize>) -> bool {
         let mut children = open.children;
         slots.into_iter().all(|slot| {
-            let Some(child) = open.schema.children.get(slot) else { return false };
             let bit = 1 << slot;
             let again = children & bit & open.schema.single_children[self.version] != 0;
-            let fits = !again && child.order >= order;
             children |= bit;
-            order = order.max(child.order);
-            fits
+            !again
         })
     }
 

@@ -116,6 +116,11 @@ impl Findings {
         }
     }
 
+    /// Number of those kept that were not taken yet.
+    pub(crate) fn kept(&self) -> usize {
+        self.kept.len()
+    }
+
     /// Takes what is kept since the last call, for [`Findings::add_again`].
     pub(crate) fn take_kept(&mut self) -> Vec<Kept> {
         std::mem::take(&mut self.kept)

@@ -51,6 +51,6 @@ pub use extension::{Extension, ExtensionKind, Extensions};
 pub use finding::{Finding, Severity, Span};
 pub use generated::*;
 pub use limits::Limits;
-pub use reader::Reader;
+pub use reader::{Handed, Reader};
 pub use record::CubicRecord;
 pub use source::{LineIndex, Position};

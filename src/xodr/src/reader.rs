@@ -1,6 +1,6 @@
 //! The stream of top-level elements.
 
-use crate::batch::{Batch, Context, Cutter, Known, Part, ReadBatch};
+use crate::batch::{Batch, Context, Cutter, Entered, Known, Part, ReadBatch, ReadPart};
 use crate::cursor::{Cursor, Markup, Open, Step};
 use crate::extension::{Extension, Extensions};
 use crate::finding::{Finding, Severity, Span};
@@ -39,11 +39,27 @@ pub struct Reader<'a> {
     accepted: VecDeque<Accepted>,
 }
 
+/// A top-level element of a batch.
+pub enum Handed {
+    /// The element.
+    Item(Item),
+    /// It was taken away: [`ReadBatch::take_items`].
+    Taken,
+}
+
 /// A step of what was read ahead.
 enum Accepted {
-    Part(Part, Vec<Kept>),
+    /// A child of the root, and what was found about it.
+    Part(Part, Vec<Kept>, Option<Misplaced>),
     /// The batch has ended.
     Rest(Findings),
+}
+
+/// A child of the root that stands behind others that it should stand before.
+struct Misplaced {
+    name: &'static str,
+    entered: Entered,
+    message: String,
 }
 
 impl Reader<'static> {
@@ -124,7 +140,7 @@ impl<'a> Reader<'a> {
 
     /// Line and column of a span's start in its file.
     pub fn position(&self, start: u64) -> Position {
-        self.places().place(start).position
+        self.places().position(start)
     }
 
     /// Bytes of decoded text read so far of the file that is being read.
@@ -288,37 +304,66 @@ impl<'a> Reader<'a> {
         Some((context, Cutter::new(rest, &cursor.prefix)))
     }
 
-    /// Takes what was read of the next batch; [`Reader::accepted`] hands it out. Errors: it cannot be read by itself, and is
+    /// Takes what was read of the next batch; [`Reader::accepted`] hands it out. Yields the room of its text. Errors: it cannot be read by itself, and is
     /// given back: from it on the document has to be read as one, see [`Reader::go_on`].
-    pub fn accept(&mut self, mut read: ReadBatch) -> Result<(), Batch> {
+    pub fn accept(&mut self, mut read: ReadBatch) -> Result<Vec<u8>, Batch> {
         let State::Inside(root) = &mut self.state else { return Err(read.batch) };
-        let slots = read.parts.iter().filter_map(|(slot, ..)| *slot);
-        if !read.is_whole || !self.cursor.follows(root, slots) {
+        let slots = read.parts.iter().filter_map(|part| part.slot);
+        if !read.is_whole || read.has_header() || !self.cursor.are_new(root, slots) {
             return Err(read.batch);
         }
         let cursor = &mut self.cursor;
         let notes = read.batch.take_notes();
         cursor.add_notes(notes, cursor.window.source.file());
         cursor.window.move_to(read.batch.start + read.batch.text.len() as u64);
-        for (slot, part, findings) in read.parts {
+        for ReadPart { slot, part, findings, entered } in read.parts {
+            let child = slot.and_then(|slot| root.schema.children.get(slot));
+            let misplaced = child.filter(|child| child.order < root.order).map(|child| {
+                let kind = if entered.kind.is_empty() { cursor.kind } else { entered.kind };
+                let (name, message) = (child.name, cursor.misplaced(root, child));
+                Misplaced { name, entered: Entered { kind, ..entered }, message }
+            });
             if let Some(slot) = slot {
                 cursor.count(root, slot);
             }
-            self.accepted.push_back(Accepted::Part(part, findings));
+            self.accepted.push_back(Accepted::Part(part, findings, misplaced));
+        }
+        if !read.kind.is_empty() {
+            cursor.kind = read.kind;
         }
         self.accepted.push_back(Accepted::Rest(read.rest));
-        Ok(())
+        Ok(read.batch.text)
     }
 
-    /// The next top-level element of the batch that was accepted last; none at its end.
+    /// The next top-level element of the batch that was accepted last; none at its end. Those that were taken away are passed
+    /// over.
     pub fn accepted(&mut self) -> Option<Item> {
         loop {
+            if let Handed::Item(item) = self.handed()? {
+                return Some(item);
+            }
+        }
+    }
+
+    /// As [`Reader::accepted`], but tells where an element was that [`ReadBatch::take_items`] took away.
+    pub fn handed(&mut self) -> Option<Handed> {
+        loop {
             match self.accepted.pop_front()? {
-                Accepted::Part(part, findings) => {
+                Accepted::Part(part, mut findings, misplaced) => {
                     let cursor = &mut self.cursor;
+                    if let Some(Misplaced { name, entered, message }) = misplaced {
+                        let behind = findings.split_off(entered.findings.min(findings.len()));
+                        findings.into_iter().for_each(|kept| cursor.findings.add_again(kept));
+                        findings = behind;
+                        let kind = std::mem::replace(&mut cursor.kind, entered.kind);
+                        let (rule, severity) = (rule_ids::ORDER, Severity::Warning);
+                        cursor.add(rule, severity, entered.span, name, message);
+                        cursor.kind = kind;
+                    }
                     findings.into_iter().for_each(|kept| cursor.findings.add_again(kept));
                     match part {
-                        Part::Item(item) => return Some(item),
+                        Part::Item(item) => return Some(Handed::Item(item)),
+                        Part::Taken => return Some(Handed::Taken),
                         Part::Extension(extension) => {
                             let kept = (&mut self.extensions, &mut self.extended);
                             keep(extension, kept, cursor);

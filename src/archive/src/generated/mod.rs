@@ -1,8 +1,10 @@
 //! Code written from `schemas/archive.toml` and `schemas/ontology`.
 
+pub(crate) mod append;
 mod beside_accessors;
 pub(crate) mod beside_rows;
 pub(crate) mod classes;
+mod move_rows;
 mod network_accessors;
 pub(crate) mod network_rows;
 mod object_accessors;

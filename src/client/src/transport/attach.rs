@@ -19,6 +19,7 @@ use iceoryx2::port::subscriber::{Subscriber, SubscriberCreateError};
 use iceoryx2::prelude::{Node, NodeBuilder, ServiceName, SignalHandlingMode};
 use iceoryx2::service::builder::event::EventOpenError;
 use iceoryx2::service::builder::publish_subscribe::PublishSubscribeOpenError;
+use iceoryx2::service::port_factory::PortFactory as _;
 use iceoryx2::service::port_factory::publish_subscribe::PortFactory;
 use std::io;
 use std::sync::Arc;
@@ -62,6 +63,7 @@ pub(crate) struct Ports {
 pub(crate) fn open_ports(
     domain: &Domain,
     map: &str,
+    most: usize,
     deadline: Instant,
 ) -> Result<Ports, AttachError> {
     let mut clock = Instant::now();
@@ -87,6 +89,10 @@ pub(crate) fn open_ports(
         .user_header::<GenerationInfo>()
         .open()
         .map_err(|error| service_error(domain, map, error))?;
+    // iceoryx2 has places for more, which are kept; a few clients that come at one moment may take one of them.
+    if service.dynamic_config().number_of_subscribers() >= most {
+        return Err(AttachError::TooManySubscribers { map: map.to_owned() });
+    }
     timing.service = lap();
     let subscriber = service.subscriber_builder().create().map_err(|error| match error {
         SubscriberCreateError::ExceedsMaxSupportedSubscribers => {

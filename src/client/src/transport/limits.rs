@@ -6,10 +6,14 @@
 use super::error::AttachError;
 
 /// Revision of everything that both sides must agree on: limits, user header, lock protocol. Part of service names.
-pub const TRANSPORT_REVISION: u32 = 1;
+pub const TRANSPORT_REVISION: u32 = 2;
 
-/// Subscriptions that one map can have at a time.
+/// Subscriptions that clients of one map can have at a time.
 pub const MAX_SUBSCRIBERS: usize = 64;
+
+/// Subscriptions that one map can have in all: beyond those of clients some for daemons, which look at what they serve, and
+/// for clients that come at one moment.
+pub const MAX_SUBSCRIPTIONS: usize = MAX_SUBSCRIBERS + 8;
 
 /// Nodes that can have one map open at a time: one per subscription and per daemon, and room for killed ones that the
 /// daemon has not cleaned up yet (it does so about once a second).
@@ -37,6 +41,9 @@ pub const MAX_EVENT_DAEMONS: usize = 4;
 
 /// Longest map name in bytes.
 pub const MAX_MAP_NAME_LENGTH: usize = 100;
+
+/// Name of a daemon's node, by which it is told from those of clients; process ids are not, for containers have their own.
+pub const DAEMON_NODE: &str = "mapd";
 
 /// Name of the publish-subscribe service of a map.
 pub fn service_name(map: &str) -> String {

@@ -42,6 +42,7 @@ mod attach;
 mod attach_lock;
 mod claim;
 mod config;
+mod deadline;
 mod domain;
 mod error;
 mod limits;
@@ -59,6 +60,7 @@ pub use attach::AttachTiming;
 pub use attach_lock::{AttachGuard, AttachLock};
 pub use claim::{Claim, ClaimError, served_by};
 pub use config::{TransportService, iceoryx2_config, silence_iceoryx2};
+pub(crate) use deadline::after;
 pub use domain::{
     DEFAULT_PREFIX, Domain, DomainError, MAX_PREFIX_LENGTH, PREFIX_VARIABLE, SHARED_MEMORY_FOLDER,
 };
@@ -69,7 +71,7 @@ pub use pinned::Pinned;
 pub use presence::Presence;
 pub use record::{
     GENERATION_SUFFIX, read_generation, read_published, read_staged, replace_text,
-    write_generation, write_published, write_staged,
+    replace_text_durably, write_generation, write_published, write_staged,
 };
 pub use room::{ATTACH_ROOM, free_bytes};
 pub use status::{MapStatus, list_maps};

@@ -3,8 +3,8 @@
 use super::domain::Domain;
 use super::limits::TRANSPORT_REVISION;
 use super::payload::GenerationInfo;
-use std::fs;
-use std::io;
+use std::fs::{self, File};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Suffix of the file of the last generation number of a map.
@@ -89,6 +89,21 @@ pub fn replace_text(path: &Path, text: &str) -> io::Result<()> {
     let new = unfinished(path);
     fs::write(&new, text)?;
     fs::rename(&new, path)
+}
+
+/// As [`replace_text`], and the text is on the disk when it returns: after a power cut there is the old one or the new one.
+///
+/// Errors: what the system says.
+pub fn replace_text_durably(path: &Path, text: &str) -> io::Result<()> {
+    let new = unfinished(path);
+    let mut file = File::create(&new)?;
+    file.write_all(text.as_bytes())?;
+    file.sync_all()?;
+    fs::rename(&new, path)?;
+    match path.parent() {
+        Some(folder) => File::open(folder)?.sync_all(),
+        None => Ok(()),
+    }
 }
 
 fn print(info: &GenerationInfo) -> String {

@@ -5,7 +5,7 @@ use super::claim::{SUFFIX, served_by};
 use super::config::{TransportService, iceoryx2_config, silence_iceoryx2};
 use super::domain::Domain;
 use super::error::AttachError;
-use super::limits::service_name;
+use super::limits::{DAEMON_NODE, service_name};
 use super::payload::GenerationInfo;
 use super::record::read_published;
 use super::user::check_owner;
@@ -45,8 +45,7 @@ pub fn list_maps(domain: &Domain) -> Result<Vec<MapStatus>, AttachError> {
     let status = |name: String| {
         let alive = served_by(domain, &name).is_some();
         let info = read_published(domain, &name).map(|(_, info)| info);
-        let subscribers =
-            info.and_then(|info| count_subscriptions(domain, &name, info.daemon_pid)).unwrap_or(0);
+        let subscribers = info.and_then(|_| count_subscriptions(domain, &name)).unwrap_or(0);
         MapStatus { name, alive, info, subscribers }
     };
     Ok(names.into_iter().map(status).collect())
@@ -70,7 +69,7 @@ fn claimed_names(domain: &Domain) -> io::Result<Vec<String>> {
 }
 
 /// Living nodes that have the map's service open, without the daemon's: each subscription has one of its own.
-fn count_subscriptions(domain: &Domain, map: &str, daemon_pid: u64) -> Option<usize> {
+fn count_subscriptions(domain: &Domain, map: &str) -> Option<usize> {
     let lock = AttachLock::open(domain).ok()?;
     let _guard = lock.shared(Instant::now() + LOCK_PATIENCE).ok()??;
     let name = ServiceName::new(&service_name(map)).ok()?;
@@ -78,10 +77,9 @@ fn count_subscriptions(domain: &Domain, map: &str, daemon_pid: u64) -> Option<us
     let details =
         TransportService::details(&name, &config, MessagingPattern::PublishSubscribe).ok()??;
     let living = |state: &NodeState<TransportService>| match state {
-        NodeState::Alive(node) => node
-            .id()
-            .pid::<TransportService>()
-            .is_ok_and(|pid| i64::from(pid.value()) != daemon_pid as i64),
+        NodeState::Alive(node) => {
+            node.details().as_ref().is_some_and(|details| details.name().as_str() != DAEMON_NODE)
+        }
         _ => false,
     };
     Some(details.dynamic_details?.nodes.iter().filter(|state| living(state)).count())

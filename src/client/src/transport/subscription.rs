@@ -5,7 +5,7 @@ use super::claim::served_by;
 use super::config::{TransportService, silence_iceoryx2};
 use super::domain::Domain;
 use super::error::AttachError;
-use super::limits::{MAX_PINNED, check_map_name};
+use super::limits::{MAX_PINNED, MAX_SUBSCRIBERS, MAX_SUBSCRIPTIONS, check_map_name};
 use super::payload::GenerationInfo;
 use super::pinned::{Pinned, Watch};
 use super::record::read_staged;
@@ -66,11 +66,29 @@ impl Subscription {
     /// Errors: what was missing at the deadline; at once, what no waiting helps against: wrong names, another user's
     /// daemon, another release's daemon.
     pub fn connect(domain: &Domain, map: &str, deadline: Instant) -> Result<Self, AttachError> {
+        Self::connect_among(domain, map, MAX_SUBSCRIBERS, deadline)
+    }
+
+    /// As [`Subscription::connect`], for a daemon that looks at what it serves: also where clients have taken all places.
+    pub(crate) fn connect_in_reserve(
+        domain: &Domain,
+        map: &str,
+        deadline: Instant,
+    ) -> Result<Self, AttachError> {
+        Self::connect_among(domain, map, MAX_SUBSCRIPTIONS, deadline)
+    }
+
+    fn connect_among(
+        domain: &Domain,
+        map: &str,
+        most: usize,
+        deadline: Instant,
+    ) -> Result<Self, AttachError> {
         check_map_name(map)?;
         silence_iceoryx2();
         let mut pause = FIRST_PAUSE;
         let mut inbox = loop {
-            match open_ports(domain, map, deadline).map_err(AttachError::or_no_room) {
+            match open_ports(domain, map, most, deadline).map_err(AttachError::or_no_room) {
                 Ok(ports) => break Inbox { ports, held: Vec::new() },
                 Err(error) if error.may_pass() && Instant::now() < deadline => {
                     sleep(&mut pause, deadline)
@@ -107,6 +125,13 @@ impl Subscription {
         }
         state.handed_out = state.current.info().generation;
         Ok(Some(state.current.clone()))
+    }
+
+    /// As [`Subscription::latest`], but newer than `than` instead of any handed out before.
+    pub(crate) fn newer_than(&self, than: u64) -> Result<Option<Pinned>, AttachError> {
+        self.latest()?;
+        let state = self.state();
+        Ok(Some(&state.current).filter(|current| current.info().generation > than).cloned())
     }
 
     /// Waits for a generation newer than `than`; one that has been received already counts. Keeps the deadline even if

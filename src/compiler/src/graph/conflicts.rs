@@ -207,6 +207,7 @@ fn meet(
     // Whether the kind does not depend on where the lanes meet.
     let settled = merge || part || zone == ZoneKind::Crossing;
     let mut cross = false;
+    let mut hint = 0;
     for one in from_both_ends(&a.cells).filter(|one| one.bounds.meets(&b.bounds)) {
         let blocks = b.cells.chunks(BLOCK).zip(&b.blocks);
         let near = blocks.filter(|(_, bounds)| bounds.meets(&one.bounds));
@@ -218,7 +219,7 @@ fn meet(
             // Within what is known to be common, only a crossing could be news.
             if (known && (settled || cross))
                 || (one.z - two.z).abs() > CLEARANCE
-                || !overlap(one, two)
+                || !overlap(one, two, &mut hint)
             {
                 continue;
             }
@@ -252,14 +253,26 @@ fn from_both_ends(cells: &[Cell]) -> impl Iterator<Item = &Cell> {
     })
 }
 
-/// Whether two convex quadrangles share more than a strip: no edge's normal keeps them apart.
-fn overlap(a: &Cell, b: &Cell) -> bool {
-    let apart = |side: &Side, corners: &[DVec2; 4]| {
-        let other = reach(corners, side.normal);
-        side.reach.1.min(other.1) - side.reach.0.max(other.0) <= STRIP
+/// Whether two convex quadrangles share more than a strip: no edge's normal keeps them apart. `hint` is the edge that kept
+/// apart those before, which are likely to lie alike: the first one's, then the other's.
+fn overlap(a: &Cell, b: &Cell, hint: &mut usize) -> bool {
+    let apart = |at: usize| {
+        let (own, other) = if at < 4 { (a, b) } else { (b, a) };
+        own.sides.get(at % 4).copied().flatten().is_some_and(|side| {
+            let other = reach(&other.corners, side.normal);
+            side.reach.1.min(other.1) - side.reach.0.max(other.0) <= STRIP
+        })
     };
-    !a.sides.iter().flatten().any(|side| apart(side, &b.corners))
-        && !b.sides.iter().flatten().any(|side| apart(side, &a.corners))
+    if apart(*hint) {
+        return false;
+    }
+    match (0..8).find(|at| at != hint && apart(*at)) {
+        Some(at) => {
+            *hint = at;
+            false
+        }
+        None => true,
+    }
 }
 
 fn sides(corners: &[DVec2; 4]) -> [Option<Side>; 4] {

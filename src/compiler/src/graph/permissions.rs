@@ -1,6 +1,6 @@
 //! Who may use a lane, and where lanes may be changed, as the file says it.
 
-use mapd_archive::{LaneType, VehicleClass};
+use mapd_archive::{LaneType, Moved, VehicleClass};
 use mapd_xodr::{
     AccessRestrictionType as Restriction, AccessRule, LaneAccess, LaneChange, RoadMark, Value as _,
 };
@@ -57,6 +57,14 @@ impl Permissions {
             let Some(s) = set.first().map(|first| s_of(first)) else { continue };
             self.accesses.push(Access { lane: row, s, classes: classes(base, set) });
         }
+    }
+
+    /// Appends those of a part of a map, whose lanes come to lie elsewhere.
+    pub(crate) fn append(&mut self, part: Self, lanes: &Moved) {
+        let marks = part.marks.into_iter();
+        self.marks.extend(marks.map(|mark| Mark { lane: lanes.row(mark.lane), ..mark }));
+        let accesses = part.accesses.into_iter();
+        self.accesses.extend(accesses.map(|a| Access { lane: lanes.row(a.lane), ..a }));
     }
 
     pub(crate) fn marks(&self, lane: u32) -> &[Mark] {

@@ -12,7 +12,7 @@ const RULE: &str = "mapd:compile.elevation_grid";
 
 /// A joint of a junction with a grid, until its road is known.
 pub(crate) struct Joint {
-    grid: usize,
+    pub(super) grid: usize,
     road: String,
     contact: ContactPoint,
     /// Lanes between whose outer edges the joint lies; none: the whole road.

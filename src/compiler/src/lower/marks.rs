@@ -4,8 +4,8 @@ use super::need::Part;
 use super::surface::place;
 use super::{Lowering, between};
 use mapd_archive::{
-    CubicRow, MarkLaneChange, Range, RoadMarkColor, RoadMarkKind, RoadMarkLineRow, RoadMarkRow,
-    RoadMarkRule, RoadMarkStyleRow, RoadMarkWeight, Rows,
+    CubicRow, MarkLaneChange, Moved, Moves, Range, RoadMarkColor, RoadMarkKind, RoadMarkLineRow,
+    RoadMarkRow, RoadMarkRule, RoadMarkStyleRow, RoadMarkWeight, Rows,
 };
 use mapd_xodr::{self as xodr, Finding, Severity, Text as _, Value as _};
 use std::collections::HashMap;
@@ -32,6 +32,24 @@ impl Styles {
         rows.road_mark_styles.push(RoadMarkStyleRow { lines, ..style });
         self.0.insert(key, number);
         number
+    }
+}
+
+impl Styles {
+    /// Adds the styles of a part of a map, which has `moves` for what they refer to; where each comes to lie.
+    pub(super) fn append(&mut self, rows: &mut Rows, part: &Rows, moves: &Moves) -> Moved {
+        let places = part.road_mark_styles.iter().enumerate().map(|(row, style)| {
+            // Row 0 of a part is not used.
+            if row == 0 {
+                return 0;
+            }
+            let before = rows.road_mark_lines.len();
+            rows.road_mark_lines.extend_from_slice(style.lines.of(&part.road_mark_lines));
+            let mut style = RoadMarkStyleRow { lines: Range::default(), ..*style };
+            style.move_by(moves);
+            self.add(rows, style, before)
+        });
+        Moved::To(places.collect())
     }
 }
 

@@ -1,5 +1,6 @@
 //! One element after the other, from what the file says to flat rows.
 
+mod append;
 mod grid;
 mod interned;
 mod marks;
@@ -33,6 +34,7 @@ use mapd_xodr::{
 pub(crate) use need::{Part, UNUSABLE};
 pub(crate) use objects::{Owner, lanes, orientation};
 use sections::Layer;
+use std::sync::Arc;
 
 /// Value of `road/@junction` that means none.
 const NO_JUNCTION: &str = "-1";
@@ -82,7 +84,7 @@ pub(crate) struct Lowering {
 
 impl Lowering {
     /// Nothing yet; `ontology` says what signals mean.
-    pub(crate) fn new(ontology: mapd_ontology::Ontology) -> Self {
+    pub(crate) fn new(ontology: Arc<mapd_ontology::Ontology>) -> Self {
         Self { signals: Pending::new(ontology), ..Self::default() }
     }
 

@@ -87,7 +87,7 @@ impl Lowering {
         for station in placed.chunk_by(|(s, _), (z, _)| s == z) {
             let first = self.rows.cubics.len();
             self.rows.cubics.extend(station.iter().map(|(_, row)| *row));
-            let records = between(first, self.rows.cubics.len());
+            let records = self.interned.add_apart(&self.rows.cubics, first);
             let s = station.first().map_or(0.0, |(s, _)| *s);
             self.rows.shape_stations.push(ShapeStationRow { s, records });
         }

@@ -1,5 +1,6 @@
 //! Places objects (docs/objects.md): their origins, axes and shapes in space, by the functions that queries use.
 
+mod append;
 mod attach;
 mod beside;
 mod details;

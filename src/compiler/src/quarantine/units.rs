@@ -68,6 +68,12 @@ impl Units {
         Some(self.begins.get(after.checked_sub(1)?)?.1)
     }
 
+    /// Takes the places of the parts of the elements that come next.
+    pub(crate) fn append(&mut self, next: Self) {
+        self.is_sorted = false;
+        self.begins.extend(next.begins);
+    }
+
     /// Takes the places of a top-level element's parts.
     pub(crate) fn add(&mut self, item: &Item) {
         self.is_sorted = false;

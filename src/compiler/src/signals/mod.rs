@@ -1,6 +1,7 @@
 //! Signals, controllers and right of way (docs/signals.md): first as written, then ids become rows, then places become
 //! coordinates and lanes.
 
+mod append;
 mod attach;
 mod index;
 mod objects;
@@ -16,6 +17,7 @@ use mapd_archive::{BoardGroupRow, ControlRow, ControllerRow, Rows, SignalRow};
 use mapd_ontology::Ontology;
 use mapd_xodr::source::Places;
 use mapd_xodr::{Finding, Span};
+use std::sync::Arc;
 
 pub(crate) use index::build as index;
 pub(crate) use resolve::resolve;
@@ -27,7 +29,7 @@ pub(crate) const SIGNAL_LANES: &str = "mapd:compile.signal_lanes";
 #[derive(Default)]
 pub(crate) struct Pending {
     /// What signals mean.
-    pub(crate) ontology: Ontology,
+    pub(crate) ontology: Arc<Ontology>,
     signals: Vec<Written>,
     references: Vec<Reference>,
     controllers: Vec<(ControllerRow, Vec<ControlRow>, Span)>,

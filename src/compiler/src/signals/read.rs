@@ -340,7 +340,7 @@ impl Lowering {
 
 impl Pending {
     /// Nothing yet, with a vocabulary.
-    pub(crate) fn new(ontology: mapd_ontology::Ontology) -> Self {
+    pub(crate) fn new(ontology: std::sync::Arc<mapd_ontology::Ontology>) -> Self {
         Self { ontology, ..Self::default() }
     }
 }

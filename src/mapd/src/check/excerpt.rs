@@ -93,6 +93,21 @@ fn collect(path: &Path, wanted: &mut [Around]) {
     }
 }
 
+/// The text with a dot for each character that would do something to a terminal instead of being seen: a map may come from
+/// anywhere. One for one, so that columns stay.
+fn printable(bytes: &[u8]) -> String {
+    let shown = |c: char| match c {
+        '\t' => ' ',
+        // What turns the direction of writing around.
+        '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => {
+            '·'
+        }
+        c if c.is_control() => '·',
+        c => c,
+    };
+    String::from_utf8_lossy(bytes).chars().map(shown).collect()
+}
+
 fn finish(around: &Around) -> Option<Excerpt> {
     let at = usize::try_from(around.place - around.begin).ok()?;
     let (before, after) = around.bytes.split_at_checked(at)?;
@@ -100,10 +115,10 @@ fn finish(around: &Around) -> Option<Excerpt> {
     let more = end.is_none() && around.bytes.len() as u64 == around.end - around.begin;
     let after = after.get(..end.unwrap_or(after.len()))?;
     // Characters may be cut at both ends.
-    let before = String::from_utf8_lossy(before).replace('\t', " ");
-    let after = String::from_utf8_lossy(after).replace('\t', " ");
+    let after = after.strip_suffix(b"\r").unwrap_or(after);
+    let [before, after] = [before, after].map(printable);
     let before = before.trim_start_matches('\u{fffd}');
-    let after = after.trim_end_matches(['\u{fffd}', '\r']);
+    let after = after.trim_end_matches('\u{fffd}');
     let (head, tail) = (if around.cut { "…" } else { "" }, if more { "…" } else { "" });
     let before = format!("{head}{before}");
     Some(Excerpt { before: before.chars().count(), text: format!("{before}{after}{tail}") })

@@ -7,7 +7,7 @@ mod text;
 mod xqar;
 
 use crate::judging::JudgingArgs;
-use crate::progress::Bar;
+use crate::progress::{Manner, Meter};
 use crate::source;
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
@@ -94,9 +94,10 @@ pub(crate) fn run(
     file: &Path,
     format: Format,
     (reading, options): (&ReadArgs, &CompileOptions),
+    manner: Manner,
     out: &mut dyn Write,
 ) -> Result<Compilation> {
-    let bar = Bar::new(file);
+    let bar = Meter::of_file(file, manner);
     // What cannot be opened is said in words of its own.
     drop(source::open_input(file)?);
     let reading = reading.options(file)?;

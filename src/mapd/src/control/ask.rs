@@ -3,6 +3,7 @@
 use super::message::{Request, Response};
 use super::{LONGEST_LINE, socket_path};
 use mapd_client::Domain;
+use rustix::net::{self, AddressFamily, SocketAddrUnix, SocketFlags, SocketType, socket_with};
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::os::unix::net::UnixStream;
 use std::time::Duration;
@@ -70,17 +71,35 @@ pub fn ask(
     exchange(domain, map, request, wait).map_err(fail)
 }
 
+/// Connects without waiting: to a daemon that takes no more requests, as one that is stopped, connecting waits for ever.
+fn connect(domain: &Domain, map: &str) -> io::Result<UnixStream> {
+    let flags = SocketFlags::NONBLOCK | SocketFlags::CLOEXEC;
+    let socket = socket_with(AddressFamily::UNIX, SocketType::STREAM, flags, None)?;
+    net::connect(&socket, &SocketAddrUnix::new(socket_path(domain, map))?)?;
+    let stream = UnixStream::from(socket);
+    stream.set_nonblocking(false)?;
+    Ok(stream)
+}
+
 fn exchange(domain: &Domain, map: &str, request: &Request, wait: Duration) -> io::Result<Response> {
-    let mut stream = UnixStream::connect(socket_path(domain, map))?;
+    let mut stream = connect(domain, map)?;
     // A timeout of zero would be refused.
     let wait = Some(wait.max(Duration::from_millis(1)));
     stream.set_read_timeout(wait)?;
     stream.set_write_timeout(wait)?;
     let mut line = serde_json::to_vec(request)?;
     line.push(b'\n');
-    stream.write_all(&line)?;
+    // Whoever is refused may have been answered already, and not be listened to.
+    let written = match stream.write_all(&line) {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Err(error),
+        other => Ok(other?),
+    };
     let mut answer = String::new();
-    BufReader::new(stream.take(LONGEST_LINE)).read_line(&mut answer)?;
+    let read = BufReader::new(stream.take(LONGEST_LINE)).read_line(&mut answer);
+    if answer.is_empty() {
+        written?;
+    }
+    read?;
     if !answer.ends_with('\n') {
         return Err(io::ErrorKind::UnexpectedEof.into());
     }

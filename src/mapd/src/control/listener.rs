@@ -1,25 +1,31 @@
 //! The daemon's side of the sockets.
 
 use super::message::{Request, Response};
-use super::{LONGEST_LINE, socket_path};
+use super::socket_path;
 use mapd_client::Domain;
 use rustix::event::{PollFd, PollFlags, poll};
 use std::fmt;
 use std::fs::{self, Permissions};
-use std::io::{self, BufRead, BufReader, Read, Write};
+use std::io::{self, Read, Write};
 use std::os::unix::fs::PermissionsExt;
 use std::os::unix::net::{UnixListener, UnixStream};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::JoinHandle;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Mode of a socket: the daemon's user alone.
 const SOCKET_MODE: u32 = 0o600;
 
-/// How long who asks may take to say what, and to take the answer.
+/// How long who asks may take in all to say what, and then to take the answer.
 const PATIENCE: Duration = Duration::from_secs(2);
+
+/// Longest request: a command and a name \[bytes\].
+const LONGEST_REQUEST: usize = 4 << 10;
+
+/// Pause where connections cannot be taken, as without descriptors that are left.
+const PAUSE: Duration = Duration::from_millis(100);
 
 /// Requests that are answered at a time; who comes later is refused.
 const MOST_CONNECTIONS: usize = 32;
@@ -98,8 +104,16 @@ fn listen(stopped: &UnixStream, listeners: &[UnixListener], answer: &Arc<Answer>
             return;
         }
         for listener in listeners {
-            while let Ok((stream, _)) = listener.accept() {
-                connect(stream, &busy, answer);
+            loop {
+                match listener.accept() {
+                    Ok((stream, _)) => connect(stream, &busy, answer),
+                    Err(error) if error.kind() == io::ErrorKind::WouldBlock => break,
+                    Err(error) => {
+                        tracing::debug!(%error, "a request cannot be taken: {error}");
+                        std::thread::sleep(PAUSE);
+                        break;
+                    }
+                }
             }
         }
     }
@@ -139,18 +153,36 @@ fn prepare(stream: &UnixStream) -> io::Result<()> {
 
 fn serve(stream: &UnixStream, answer: &Answer) -> io::Result<()> {
     prepare(stream)?;
-    let mut line = String::new();
-    BufReader::new(stream.take(LONGEST_LINE)).read_line(&mut line)?;
+    let line = read_request(stream)?;
     if line.is_empty() {
         return Ok(());
     }
-    let response = match serde_json::from_str(&line) {
+    let response = match serde_json::from_slice(&line) {
         Ok(request) => answer(request),
         Err(error) => {
             Response::Refused { reason: format!("the request is not understood: {error}") }
         }
     };
     reply(stream, &response)
+}
+
+/// Reads up to the end of a line, within [`PATIENCE`] in all.
+fn read_request(mut stream: &UnixStream) -> io::Result<Vec<u8>> {
+    let until = Instant::now() + PATIENCE;
+    let mut line = Vec::new();
+    let mut buffer = [0; 512];
+    while !line.contains(&b'\n') {
+        let left = until.saturating_duration_since(Instant::now());
+        if left.is_zero() || line.len() > LONGEST_REQUEST {
+            return Err(io::ErrorKind::InvalidData.into());
+        }
+        stream.set_read_timeout(Some(left))?;
+        match stream.read(&mut buffer)? {
+            0 => break,
+            count => line.extend_from_slice(buffer.get(..count).unwrap_or_default()),
+        }
+    }
+    Ok(line)
 }
 
 fn reply(mut stream: &UnixStream, response: &Response) -> io::Result<()> {

@@ -170,13 +170,16 @@ pub struct CheckStatus {
     pub ok: u64,
     /// Times that it failed.
     pub failures: u64,
-    /// Whether it failed the last time; `None` before the first.
+    /// Times that it could not be done for want of room, which says nothing of what is examined.
+    #[serde(default)]
+    pub skipped: u64,
+    /// Whether it failed the last time that it was done; `None` before the first.
     pub last_failed: Option<bool>,
     /// How long the last one took that succeeded \[s\].
     pub last_seconds: f64,
     /// When it was last done \[ns since the Unix epoch\].
     pub last_unix_ns: u64,
-    /// Why it failed last; empty if it never did.
+    /// Why it failed last, or could not be done; empty if that never happened.
     pub last_error: String,
 }
 
@@ -187,6 +190,13 @@ impl CheckStatus {
         self.last_failed = Some(false);
         self.last_seconds = taken.as_secs_f64();
         self.last_unix_ns = unix_ns();
+    }
+
+    /// Writes down that it could not be done, and why.
+    pub fn skipped(&mut self, error: String) {
+        self.skipped += 1;
+        self.last_unix_ns = unix_ns();
+        self.last_error = error;
     }
 
     /// Writes down that it failed, and why.

@@ -1,5 +1,6 @@
 //! A daemon's arguments, and what they and the configuration file make together.
 
+use super::child::Means;
 use super::config::Configuration;
 use super::log::say;
 use super::settings::{MapSettings, Settings};
@@ -8,6 +9,7 @@ use crate::cache::{self, Cache};
 use crate::cli::UsageError;
 use crate::compile_args::CompileArguments;
 use crate::size::Size;
+use crate::threads::ThreadsArg;
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use mapd_client::Domain;
@@ -55,8 +57,11 @@ pub(crate) struct DaemonArgs {
     cache_size: Option<Size>,
 
     /// Memory that compiling may take, such as 8GiB [default: three quarters of what is free]
-    #[arg(long, value_name = "SIZE")]
+    #[arg(long, visible_alias = "max-memory", value_name = "SIZE")]
     compile_memory: Option<Size>,
+
+    #[command(flatten)]
+    threads: ThreadsArg,
 
     /// Keep what is served in memory, never in swap; needs a limit of locked memory of twice the largest map (ulimit -l)
     #[arg(long)]
@@ -85,7 +90,7 @@ impl DaemonArgs {
         };
         let domain = match (domain, file.domain.take()) {
             (Some(domain), _) | (None, Some(domain)) => domain,
-            (None, None) => Domain::from_env()?,
+            (None, None) => Domain::from_env().map_err(|error| UsageError(error.to_string()))?,
         };
         let mut maps = Vec::new();
         for mut map in std::mem::take(&mut file.maps) {
@@ -97,7 +102,7 @@ impl DaemonArgs {
         }
         let files = sources::expand(&self.load)?;
         if self.name.is_some() && files.len() != 1 {
-            bail!("--name goes with one map, found {}", files.len());
+            bail!(UsageError(format!("--name goes with one map, found {}", files.len())));
         }
         for source in files {
             maps.push(MapSettings {
@@ -115,12 +120,12 @@ impl DaemonArgs {
         }
         let mut names = BTreeSet::new();
         for map in &maps {
-            check_map_name(&map.name)?;
+            check_map_name(&map.name).map_err(|error| UsageError(error.to_string()))?;
             if !names.insert(map.name.clone()) {
-                bail!(
+                bail!(UsageError(format!(
                     "two maps would be named {}; give one another name, or serve it from a daemon of its own with --name",
                     map.name
-                );
+                )));
             }
             // What makes no sense is wrong usage now, and not a reload that fails later.
             let wrong = |error: anyhow::Error| UsageError(format!("map {}: {error:#}", map.name));
@@ -131,11 +136,14 @@ impl DaemonArgs {
                 "there is no map to serve: name one with --load or in the configuration".into()
             ));
         }
-        let compile_memory = self.compile_memory.or(file.compile_memory).map(|size| size.0);
+        let means = Means {
+            memory: self.compile_memory.or(file.compile_memory).map(|size| size.0),
+            threads: self.threads.get().or(file.threads),
+        };
         let cache = self.cache(&file)?;
         let lock_memory = self.lock_memory || file.lock_memory;
         let (trust, oversight) = (file.trust, file.oversight);
-        Ok(Settings { domain, cache, compile_memory, trust, oversight, lock_memory, maps })
+        Ok(Settings { domain, cache, means, trust, oversight, lock_memory, maps })
     }
 
     /// The cache. One that was asked for must be usable; the default one is done without if it is not.

@@ -5,6 +5,7 @@ use super::log::say;
 use super::maps::{Kept, Maps, UNASKED_RELOADS};
 use super::orders::{Change, Job};
 use super::prepare::Prepared;
+use super::watch::watch_more;
 use super::worker::Worker;
 use crate::control::{ReloadReport, ReloadResult, Response, Trigger, unix_ns};
 use crate::serve::ServeError;
@@ -20,6 +21,18 @@ impl Maps {
             return answer(&change, Response::Refused { reason });
         }
         let outcome = match change.trigger {
+            Trigger::Activate if !self.is_staged(&change.map) => {
+                // Not a change that failed: there was none.
+                let reason = format!(
+                    "nothing is staged; stage a generation first with `mapd reload {} --stage`",
+                    change.map
+                );
+                return answer(&change, Response::Refused { reason });
+            }
+            Trigger::Rollback if !self.has_before(&change.map) => {
+                let reason = self.nothing_to_go_back_to(&change.map).to_owned();
+                return answer(&change, Response::Refused { reason });
+            }
             Trigger::Rollback => self.roll_back(&change),
             Trigger::Activate => self.activate(&change.map),
             Trigger::Start | Trigger::Signal | Trigger::Watch | Trigger::Reload => {
@@ -62,13 +75,19 @@ impl Maps {
         let prepared = match prepared {
             Ok(prepared) => prepared,
             Err(refusal) => {
+                watch_more(&self.watched, &change.map, &refusal);
                 return self
                     .ended(&change, (ReloadResult::Failed, None, refusal.reason().to_owned()));
             }
         };
         self.follow_includes(&change.map, &prepared);
         if let Some(generation) = self.is_served(&change.map, &prepared) {
-            let reason = "the file yields the archive that is served".to_owned();
+            let reason = match self.give_up_staged(&change.map) {
+                Some(staged) => format!(
+                    "the file yields the archive that is served; generation {staged}, which was staged, is given up"
+                ),
+                None => "the file yields the archive that is served".to_owned(),
+            };
             return self.ended(&change, (ReloadResult::Unchanged, Some(generation), reason));
         }
         match self.fill(&change.map, &prepared, change.stage) {
@@ -109,9 +128,20 @@ impl Maps {
         self.ended(change, (ReloadResult::Failed, None, error.to_string()));
     }
 
+    /// Gives up what is staged: the file does not hold it any more. Its generation.
+    fn give_up_staged(&mut self, map: &str) -> Option<u64> {
+        let staged = self.entries.get_mut(map)?.staged.take()?;
+        self.server.give_up_staged(map);
+        self.forget_staged(map);
+        Some(staged.0.status.generation)
+    }
+
+    fn is_staged(&self, map: &str) -> bool {
+        self.server.maps().iter().any(|served| served.name == map && served.staged.is_some())
+    }
+
     fn forget_staged(&mut self, map: &str) {
-        let is_staged = self.server.maps().iter().any(|m| m.name == map && m.staged.is_some());
-        if is_staged {
+        if self.is_staged(map) {
             return;
         }
         if let Some(entry) = self.entries.get_mut(map) {
@@ -127,49 +157,73 @@ impl Maps {
     }
 
     fn roll_back(&mut self, change: &Change) -> Outcome {
-        let Some(entry) = self.entries.get(&change.map) else {
-            return (ReloadResult::Failed, None, String::new());
-        };
-        let Some(back) = entry.before.back().cloned() else {
-            let reason = match (&self.workshop.cache, entry.served.as_ref()) {
-                (None, Some(served)) if !served.archive.is_on_disk => {
-                    "there is nothing to go back to, for there is no cache (--cache DIR)"
+        let mut lost = Vec::new();
+        while let Some(back) =
+            self.entries.get(&change.map).and_then(|entry| entry.before.back()).cloned()
+        {
+            let before = back.status.generation;
+            match self.fill(&change.map, &back.archive, change.stage) {
+                Ok(status) => {
+                    let generation = status.generation;
+                    let kept = Kept { archive: back.archive, status };
+                    let result = self.take(change, kept, true);
+                    lost.insert(0, format!("what generation {before} was"));
+                    return (result, Some(generation), lost.join("; "));
                 }
-                _ => {
-                    "there is nothing to go back to: no other generation has been served since the daemon started"
+                Err(error @ ServeError::Fill { .. }) => {
+                    // Its file has been written over: it can never be gone back to.
+                    lost.push(format!("generation {before} is lost: {error}"));
+                    self.forget_back(&change.map);
                 }
-            };
-            return (ReloadResult::Failed, None, reason.to_owned());
-        };
-        match self.fill(&change.map, &back.archive, change.stage) {
-            Ok(status) => {
-                let (generation, before) = (status.generation, back.status.generation);
-                let kept = Kept { archive: back.archive, status };
-                let result = self.take(change, kept, true);
-                (result, Some(generation), format!("what generation {before} was"))
+                Err(error) => {
+                    self.forget_staged(&change.map);
+                    return (ReloadResult::Failed, None, error.to_string());
+                }
             }
-            Err(error) => {
-                self.forget_staged(&change.map);
-                (ReloadResult::Failed, None, error.to_string())
+        }
+        self.forget_staged(&change.map);
+        lost.insert(0, self.nothing_to_go_back_to(&change.map).to_owned());
+        (ReloadResult::Failed, None, lost.join("; "))
+    }
+
+    fn has_before(&self, map: &str) -> bool {
+        self.entries.get(map).is_some_and(|entry| !entry.before.is_empty())
+    }
+
+    /// Forgets the generation that would be gone back to first.
+    fn forget_back(&mut self, map: &str) {
+        let Some(entry) = self.entries.get_mut(map) else { return };
+        entry.before.pop_back();
+        let rollbacks = entry.before.len();
+        self.board.map(map, |state| state.rollbacks = rollbacks);
+    }
+
+    fn nothing_to_go_back_to(&self, map: &str) -> &'static str {
+        let served = self.entries.get(map).and_then(|entry| entry.served.as_ref());
+        match (&self.workshop.cache, served) {
+            (None, Some(served)) if !served.archive.is_on_disk => {
+                "there is nothing to go back to, for there is no cache (--cache DIR)"
+            }
+            _ => {
+                "there is nothing to go back to: nothing else has been served since the daemon started, or all of it has been gone back to"
             }
         }
     }
 
     fn activate(&mut self, map: &str) -> Outcome {
-        let activated = self.server.activate(map);
-        let staged = self.entries.get_mut(map).and_then(|entry| entry.staged.take());
-        match (activated, staged) {
-            (Ok(generation), Some((mut kept, back))) => {
-                kept.status.published_unix_ns = unix_ns();
-                self.now_served(map, kept, back);
-                (ReloadResult::Published, Some(generation), String::new())
-            }
-            (Ok(generation), None) => (ReloadResult::Published, Some(generation), String::new()),
-            (Err(error), _) => {
+        let generation = match self.server.activate(map) {
+            Ok(generation) => generation,
+            Err(error) => {
                 self.forget_staged(map);
-                (ReloadResult::Failed, None, error.to_string())
+                return (ReloadResult::Failed, None, error.to_string());
             }
+        };
+        let staged = self.entries.get_mut(map).and_then(|entry| entry.staged.take());
+        if let Some((mut kept, back)) = staged {
+            kept.status.published_unix_ns = unix_ns();
+            self.now_served(map, kept, back);
         }
+        (ReloadResult::Published, Some(generation), String::new())
     }
 
     /// Files that the document includes since it was read again are watched as well.

@@ -10,7 +10,7 @@ use mapd_client::Domain;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::net::SocketAddr;
-use std::num::NonZeroU32;
+use std::num::{NonZeroU32, NonZeroUsize};
 use std::path::{Path, PathBuf};
 use toml::{Spanned, Value};
 
@@ -22,6 +22,7 @@ pub(crate) struct Configuration {
     pub(crate) no_cache: bool,
     pub(crate) cache_size: Option<Size>,
     pub(crate) compile_memory: Option<Size>,
+    pub(crate) threads: Option<NonZeroUsize>,
     pub(crate) lock_memory: bool,
     pub(crate) trust: Option<PathBuf>,
     pub(crate) oversight: OversightSettings,
@@ -42,6 +43,7 @@ struct File {
     no_cache: bool,
     cache_size: Option<Size>,
     compile_memory: Option<Size>,
+    threads: Option<NonZeroUsize>,
     #[serde(default)]
     lock_memory: bool,
     trust: Option<PathBuf>,
@@ -123,6 +125,7 @@ impl Configuration {
             no_cache: file.no_cache,
             cache_size: file.cache_size,
             compile_memory: file.compile_memory,
+            threads: file.threads,
             lock_memory: file.lock_memory,
             trust: file.trust.map(|key| folder.join(key)),
             oversight: OversightSettings {
@@ -177,7 +180,7 @@ fn at(text: &str, offset: usize, error: &str) -> String {
 mod tests {
     use super::*;
 
-    const GOOD: &str = "prefix = 'veh_'\ncache_size = '1 GiB'\nwatch = true\noptions = { landmarks = 4 }\n\
+    const GOOD: &str = "prefix = 'veh_'\ncache_size = '1 GiB'\nthreads = 4\nwatch = true\noptions = { landmarks = 4 }\n\
         [[map]]\nfile = 'town.xodr'\n\
         [[map]]\nfile = '/maps/a.xodr'\nname = 'ring'\nwatch = false\nmax_bytes = 1000\noptions.landmarks = 0\noptions.ontology = ['x.toml']\n";
 
@@ -185,6 +188,7 @@ mod tests {
     fn maps_have_their_own_names_and_options() {
         let file = Configuration::parse(GOOD, Path::new("/etc/mapd")).expect("good");
         assert_eq!(file.domain, Domain::new("veh_").ok());
+        assert_eq!(file.threads, NonZeroUsize::new(4));
         let [town, ring] = file.maps.as_slice() else { panic!("two maps") };
         assert_eq!((town.name.as_str(), town.watch, town.max_bytes), ("town", true, None));
         assert_eq!(town.source, Path::new("/etc/mapd/town.xodr"));
@@ -199,6 +203,7 @@ mod tests {
             ("wach = true", "line 1, column 1", "wach"),
             ("metrics = 'here'", "line 1, column 11", "address"),
             ("scrub = 0", "line 1, column 9", "nonzero"),
+            ("threads = 0", "line 1, column 11", "nonzero"),
             ("watch = 3", "line 1, column 9", "boolean"),
             ("cache_size = 'big'", "line 1, column 14", "bytes"),
             ("\nprefix = 'a_b_'", "line 2, column 10", "prefix"),

@@ -62,28 +62,52 @@ impl Maps {
         Self { server, domain, entries: ByName::new(), board, workshop, watched }
     }
 
-    /// Serves a map for the first time. If the archive comes from the cache and does not prove, it is compiled after all.
+    /// Serves all maps for the first time. Several are filled and proved before the first is sent: either all are served or
+    /// none is.
     ///
-    /// Errors: why it cannot be served.
-    pub(super) fn begin(&mut self, map: MapSettings, prepared: Prepared) -> anyhow::Result<()> {
+    /// Errors: why one cannot be served; then none is.
+    pub(super) fn begin_all(&mut self, maps: Vec<(MapSettings, Prepared)>) -> anyhow::Result<()> {
+        let stage = maps.len() > 1;
+        let mut filled = Vec::new();
+        for (map, prepared) in maps {
+            let kept = self.begin(&map, prepared, stage)?;
+            filled.push((map, kept));
+        }
+        for (map, mut kept) in filled {
+            if stage {
+                self.server.activate(&map.name)?;
+                kept.status.published_unix_ns = unix_ns();
+            }
+            self.began(map, kept);
+        }
+        Ok(())
+    }
+
+    /// Fills a map's first generation. If the archive comes from the cache and does not prove, it is compiled after all.
+    fn begin(
+        &mut self,
+        map: &MapSettings,
+        prepared: Prepared,
+        stage: bool,
+    ) -> anyhow::Result<Kept> {
         let name = map.name.clone();
         let key = prepared.key.filter(|_| prepared.from_cache);
-        let status = match (self.fill(&name, &prepared, false), key, &self.workshop.cache) {
+        let status = match (self.fill(&name, &prepared, stage), key, &self.workshop.cache) {
             (Err(ServeError::Fill { .. }), Some(key), Some(cache)) => {
                 cache.remove(&key);
                 let prepared = self
                     .workshop
-                    .prepare(&map, true)
+                    .prepare(map, true)
                     .map_err(|refusal| anyhow::anyhow!("map {name}: {}", refusal.reason()))?;
-                let status = self.fill(&name, &prepared, false)?;
-                return self.began(map, Kept { archive: prepared, status });
+                let status = self.fill(&name, &prepared, stage)?;
+                return Ok(Kept { archive: prepared, status });
             }
             (status, ..) => status?,
         };
-        self.began(map, Kept { archive: prepared, status })
+        Ok(Kept { archive: prepared, status })
     }
 
-    fn began(&mut self, map: MapSettings, kept: Kept) -> anyhow::Result<()> {
+    fn began(&mut self, map: MapSettings, kept: Kept) {
         let name = map.name;
         self.board.map(&name, |state| {
             state.source = map.source;
@@ -92,7 +116,6 @@ impl Maps {
         let entry = MapEntry { served: None, staged: None, reloads: 0, before: VecDeque::new() };
         self.entries.insert(name.clone(), entry);
         self.now_served(&name, kept, false);
-        Ok(())
     }
 
     /// Says what is served of a map.

@@ -26,12 +26,11 @@ mod worker;
 
 pub(crate) use args::DaemonArgs;
 pub(crate) use changes::sentence;
-pub(crate) use child::{Told, enter as enter_child};
 
 use crate::control::{Board, CacheStatus, ControlListener, Request, Response, Trigger};
 use crate::exit::Exit;
 use crate::oversight::{Oversight, OversightArgs};
-use crate::serve::{Doorbell, Server, StopSignal};
+use crate::serve::{Doorbell, ServeError, Server, StopSignal};
 use anyhow::{Context, Result};
 use log::say;
 use mapd_client::TrustedKey;
@@ -59,9 +58,18 @@ pub(crate) fn run(
     trust: Option<TrustedKey>,
     oversight: &OversightArgs,
 ) -> Result<Exit> {
-    let cancelled = Arc::new(AtomicBool::new(false));
-    let Settings { domain, cache, compile_memory, lock_memory, maps, .. } = settings;
-    let workshop = Workshop { cache, compile_memory, trust, cancelled };
+    // First of all: a signal that comes while maps are compiled is obeyed, not died of.
+    let stop = StopSignal::install().context("installing the handlers of SIGINT and SIGTERM")?;
+    let door = Doorbell::new().context("a socket pair")?;
+    let hangup = Arc::new(AtomicBool::new(false));
+    // The flag is set before the bell rings: handlers run in the order they were registered.
+    signal_hook::flag::register(SIGHUP, hangup.clone())
+        .and_then(|_| door.ring_on(SIGHUP))
+        .context("installing the handler of SIGHUP")?;
+    let metrics = oversight.open_metrics()?;
+    let cancelled = stop.flag();
+    let Settings { domain, cache, means, lock_memory, maps, .. } = settings;
+    let workshop = Workshop { cache, means, trust, cancelled };
     let watched: WatchList = Arc::default();
     let (mut ready, mut fallbacks) = (Vec::new(), Vec::new());
     let mut exit = Exit::Done;
@@ -72,12 +80,14 @@ pub(crate) fn run(
                 watch(&watched, map, &prepared, before);
                 ready.push((map.clone(), prepared));
             }
+            Err(_) if stop.is_requested() => break,
             Err(refusal) => {
                 child::tell(&map.name, &refusal);
                 match workshop.last_served(&domain, map) {
                     Some(prepared) => {
                         say(&format!("map {}: going on with what was published last", map.name));
                         watch(&watched, map, &prepared, before);
+                        watch::watch_more(&watched, &map.name, &refusal);
                         ready.push((map.clone(), prepared));
                         fallbacks.push((map.name.clone(), refusal.reason().to_owned()));
                     }
@@ -86,17 +96,14 @@ pub(crate) fn run(
             }
         }
     }
+    if stop.is_requested() {
+        say("stopped before anything was served");
+        return Ok(Exit::Done);
+    }
     if exit != Exit::Done {
         say("nothing is served: a map was rejected, or could not be compiled");
         return Ok(exit);
     }
-    let stop = StopSignal::install().context("installing the handlers of SIGINT and SIGTERM")?;
-    let door = Doorbell::new().context("a socket pair")?;
-    let hangup = Arc::new(AtomicBool::new(false));
-    // The flag is set before the bell rings: handlers run in the order they were registered.
-    signal_hook::flag::register(SIGHUP, hangup.clone())
-        .and_then(|_| door.ring_on(SIGHUP))
-        .context("installing the handler of SIGHUP")?;
     let (orders, received) = Orders::new(door.ringer().context("a socket pair")?);
     let mut server = Server::start_with(&domain, crate::oversight::log::notice)?;
     server.lock_memory(lock_memory);
@@ -107,8 +114,15 @@ pub(crate) fn run(
     let names: Vec<String> = maps.iter().map(|map| map.name.clone()).collect();
     let mut state =
         Maps::new(server, domain.clone(), board.clone(), workshop.clone(), watched.clone());
-    for (map, prepared) in ready {
-        state.begin(map, prepared)?;
+    if let Err(error) = state.begin_all(ready) {
+        return match error.downcast_ref::<ServeError>() {
+            // Bytes that do not prove: no other start makes them good.
+            Some(ServeError::Fill { .. }) => {
+                say(&format!("nothing is served: {error:#}"));
+                Ok(Exit::Rejected)
+            }
+            _ => Err(error),
+        };
     }
     for (map, reason) in &fallbacks {
         state.fell_back(map, reason);
@@ -126,7 +140,7 @@ pub(crate) fn run(
     for name in &names {
         state.say_served(name);
     }
-    let watched_over = Oversight::start(oversight, &domain, &state.board, names)?;
+    let watched_over = Oversight::start(oversight, metrics, &domain, &state.board, names)?;
     while !stop.is_requested() {
         state.server.run_until(&stop, &door)?;
         door.answer();
@@ -141,7 +155,9 @@ pub(crate) fn run(
     }
     // Whoever waits for an answer hears that there is none, the compiler is ended, and the sockets are removed while the
     // maps are still claimed.
-    drop((watched_over, watcher, received, worker, control));
+    // What watches over the daemon may be attaching at this moment, and is greeted until it has ended.
+    state.server.meanwhile(|| drop(watched_over))?;
+    drop((watcher, received, worker, control));
     drop(state);
     say("stopped");
     Ok(Exit::Done)

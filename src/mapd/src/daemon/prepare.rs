@@ -1,6 +1,6 @@
 //! From a map's source to an archive in a file: as it is, from the cache, or compiled.
 
-use super::child::{self, Refusal};
+use super::child::{self, Means, Refusal};
 use super::settings::MapSettings;
 use crate::cache::{Cache, InputHash, Key};
 use crate::source;
@@ -51,7 +51,7 @@ impl Prepared {
 #[derive(Clone, Debug)]
 pub(crate) struct Workshop {
     pub(crate) cache: Option<Cache>,
-    pub(crate) compile_memory: Option<u64>,
+    pub(crate) means: Means,
     /// Whose archives alone are served.
     pub(crate) trust: Option<TrustedKey>,
     /// Set when the daemon ends.
@@ -95,7 +95,17 @@ impl Workshop {
         if !metadata.is_file() {
             return Err(failed("not a file".to_owned()));
         }
-        let header = read_header(&file).map_err(|error| failed(error.to_string()))?;
+        let header = read_header(&file).map_err(|error| match error.kind() {
+            io::ErrorKind::UnexpectedEof => Refusal::Rejected(format!(
+                "{}: no archive, or one that was cut off: {} bytes, a header alone has {HEADER_LENGTH}",
+                map.source.display(),
+                metadata.len()
+            )),
+            io::ErrorKind::Other => {
+                Refusal::Rejected(format!("{}: {error}", map.source.display()))
+            }
+            _ => failed(error.to_string()),
+        })?;
         let mut files = vec![absolute(&map.source)];
         let signature = match self.trust {
             None => None,
@@ -175,9 +185,8 @@ impl Workshop {
 
     fn compile(&self, map: &MapSettings) -> Result<Prepared, Refusal> {
         let failed = |error: io::Error| Refusal::Failed(format!("the compiled archive: {error}"));
-        let run = |output: &Path| {
-            child::compile(map, output.as_os_str(), self.compile_memory, &self.cancelled)
-        };
+        let run =
+            |output: &Path| child::compile(map, output.as_os_str(), self.means, &self.cancelled);
         // A cache that cannot be written any more is done without.
         let begun = self.cache.as_ref().and_then(|cache| Some((cache, cache.begin().ok()?)));
         let (file, length, header, key, told, is_on_disk) = match begun {

@@ -1,5 +1,6 @@
 //! What a daemon is to do.
 
+use super::child::Means;
 use crate::cache::Cache;
 use crate::compile_args::CompileArguments;
 use crate::oversight::OversightSettings;
@@ -12,8 +13,8 @@ pub(crate) struct Settings {
     pub(crate) domain: Domain,
     /// Where archives are kept.
     pub(crate) cache: Option<Cache>,
-    /// Memory that compiling may take \[bytes\]; [`super::child`] says what holds where nothing is said.
-    pub(crate) compile_memory: Option<u64>,
+    /// What compiling may take.
+    pub(crate) means: Means,
     /// The key whose archives alone are served, as the configuration file says.
     pub(crate) trust: Option<PathBuf>,
     /// Oversight, as the configuration file says.

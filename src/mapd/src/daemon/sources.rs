@@ -1,5 +1,6 @@
 //! Files and folders of maps.
 
+use crate::cli::UsageError;
 use anyhow::{Context, Result, bail};
 use std::path::{Path, PathBuf};
 
@@ -18,7 +19,8 @@ pub(crate) fn expand(files: &[PathBuf]) -> Result<Vec<PathBuf>> {
             .filter(|path| is_map(path))
             .collect();
         if maps.is_empty() {
-            bail!("{} holds no .xodr, .xodrz or .mapd file", file.display());
+            let message = format!("{} holds no .xodr, .xodrz or .mapd file", file.display());
+            bail!(UsageError(message));
         }
         maps.sort();
         out.extend(maps);
@@ -32,9 +34,7 @@ fn is_map(path: &Path) -> bool {
 
 pub(crate) fn stem(file: &Path) -> Result<String> {
     let stem = file.file_stem().and_then(|stem| stem.to_str());
-    Ok(stem
-        .with_context(|| {
-            format!("{} has no name that is text; give one with --name", file.display())
-        })?
-        .to_owned())
+    let nameless =
+        || UsageError(format!("{} has no name that is text; give one with --name", file.display()));
+    Ok(stem.ok_or_else(nameless)?.to_owned())
 }

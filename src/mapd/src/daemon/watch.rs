@@ -4,6 +4,7 @@
 //! notifications of the kernel do not: files on network and overlay file systems, behind symbolic links that are turned to
 //! another folder, on volumes that are mounted anew, and includes that were not known before.
 
+use super::child::{OtherFiles, Refusal};
 use super::orders::{Change, Order, Orders};
 use crate::cache::Identity;
 use crate::control::Trigger;
@@ -39,6 +40,22 @@ pub(crate) struct Watched {
 
 /// The files of all watched maps. The thread that serves writes down what it has read.
 pub(crate) type WatchList = Arc<Mutex<BTreeMap<String, Watched>>>;
+
+/// What else may mend a map that was rejected is watched besides what it was made of before: with it the map may be accepted.
+pub(crate) fn watch_more(list: &WatchList, map: &str, refusal: &Refusal) {
+    let Some(OtherFiles { included, missing }) = refusal.other_files() else { return };
+    let mut list = list.lock().unwrap_or_else(PoisonError::into_inner);
+    let Some(watched) = list.get_mut(map) else { return };
+    // One that was missing was not there, whether or not it has come since.
+    let included = included.iter().map(|file| (file, Identity::of(file).ok()));
+    let missing = missing.iter().map(|file| (file, None));
+    for (file, read) in included.chain(missing) {
+        if !watched.files.contains(file) {
+            watched.files.push(file.clone());
+            watched.read.push(read);
+        }
+    }
+}
 
 /// Watches in a thread of its own, which dropping ends.
 pub(crate) struct Watcher {
@@ -87,7 +104,8 @@ fn settled(
     for (map, watched) in list.lock().unwrap_or_else(PoisonError::into_inner).iter_mut() {
         let seen = identities(&watched.files);
         // A file that is being replaced may be gone for a moment; one that stays away is not read.
-        if seen == watched.read || seen.contains(&None) {
+        let is_gone = |(read, seen): (&Option<_>, &Option<_>)| read.is_some() && seen.is_none();
+        if seen == watched.read || watched.read.iter().zip(&seen).any(is_gone) {
             changed.remove(map);
             continue;
         }

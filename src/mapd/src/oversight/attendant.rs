@@ -1,19 +1,24 @@
-//! The service manager's view: ready once every map has answered a query of the daemon's own, and alive as long as they do.
+//! The service manager's view: ready once every map has answered a query of the daemon's own, and alive as long as none
+//! answers wrongly or not at all. Where there is no room to ask, nothing is known to be wrong, and a daemon that is started
+//! again would have less of it: that alone never keeps the watchdog waiting.
 
 use super::periodic::{Periodic, Stop};
-use super::self_query::ask;
+use super::self_query::{WAIT, ask};
 use crate::control::Board;
 use mapd_client::Domain;
 use sd_notify::NotifyState;
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Pause before a first query that failed is tried again.
 const PAUSE: Duration = Duration::from_millis(100);
 
 /// Queries in one interval of the watchdog: two may fail or come late before the service manager acts.
 const PER_INTERVAL: u32 = 3;
+
+/// Wait for a map where those before it have used up the time.
+const LEAST_WAIT: Duration = Duration::from_millis(20);
 
 /// Begins to attend.
 pub(super) fn start(
@@ -25,7 +30,7 @@ pub(super) fn start(
     let (domain, board, maps) = (domain.clone(), board.clone(), maps.to_vec());
     Periodic::spawn("attendant", stop, move |stop| {
         let mut seen = BTreeMap::new();
-        while !all_answer(&domain, &board, &maps, &mut seen) {
+        while ask_all(&domain, &board, &maps, &mut seen, (WAIT, stop)) != Answers::All {
             if stop.sleep(PAUSE) {
                 return;
             }
@@ -34,9 +39,11 @@ pub(super) fn start(
         tell(&[NotifyState::Ready, NotifyState::Status(&status)]);
         tracing::debug!("ready: every map has answered a query of the daemon's own");
         let Some(interval) = sd_notify::watchdog_enabled() else { return };
-        while !stop.sleep(interval / PER_INTERVAL) {
+        let pause = interval / PER_INTERVAL;
+        let wait = WAIT.min(pause);
+        while !stop.sleep(pause) {
             let sound = board.status().maps.iter().all(|map| map.scrubs.last_failed != Some(true));
-            if all_answer(&domain, &board, &maps, &mut seen) && sound {
+            if ask_all(&domain, &board, &maps, &mut seen, (wait, stop)) != Answers::Wrong && sound {
                 tell(&[NotifyState::Watchdog]);
             }
         }
@@ -59,26 +66,48 @@ fn tell(states: &[NotifyState<'_>]) {
     }
 }
 
+/// What came of asking all maps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Answers {
+    All,
+    /// There was no room to ask some of them.
+    NoRoom,
+    Wrong,
+}
+
 /// Asks every map; writes down what came of it.
-fn all_answer(
+fn ask_all(
     domain: &Domain,
     board: &Board,
     maps: &[String],
     seen: &mut BTreeMap<String, u64>,
-) -> bool {
-    let mut all = true;
+    (wait, stop): (Duration, &Stop),
+) -> Answers {
+    let mut all = Answers::All;
+    // For all maps together, so that the watchdog hears in time also where each query waits for room.
+    let until = Instant::now() + wait;
     for map in maps {
+        if stop.is_requested() {
+            return Answers::NoRoom;
+        }
         let before = seen.get(map).copied().unwrap_or(0);
-        match ask(domain, map, before) {
+        let left = until.saturating_duration_since(Instant::now()).max(LEAST_WAIT);
+        match ask(domain, map, before, left) {
             Ok(answered) => {
                 seen.insert(map.clone(), answered.generation);
                 board.map(map, |state| state.self_queries.succeeded(answered.taken));
+            }
+            Err(error) if error.is_no_verdict() => {
+                let text = error.to_string();
+                tracing::warn!(map = %map, error = %text, "map {map}: no room for a query of the daemon's own: {text}");
+                board.map(map, |state| state.self_queries.skipped(text));
+                all = all.max(Answers::NoRoom);
             }
             Err(error) => {
                 let text = error.to_string();
                 tracing::error!(map = %map, error = %text, "map {map}: a query of the daemon's own failed: {text}");
                 board.map(map, |state| state.self_queries.failed(text));
-                all = false;
+                all = Answers::Wrong;
             }
         }
     }

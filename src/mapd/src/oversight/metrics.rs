@@ -120,6 +120,7 @@ pub(crate) fn text(status: &DaemonStatus) -> Result<String, std::fmt::Error> {
             let of = |result| OfCheck { map: map.name.clone(), check, result };
             counts.get_or_create(&of("ok")).inc_by(state.ok);
             counts.get_or_create(&of("failed")).inc_by(state.failures);
+            counts.get_or_create(&of("skipped")).inc_by(state.skipped);
             if state.ok > 0 {
                 seconds.get_or_create(&of("ok")).set(state.last_seconds);
             }

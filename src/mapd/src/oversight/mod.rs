@@ -12,12 +12,13 @@ mod periodic;
 mod scrubber;
 mod self_query;
 
+use crate::cli::UsageError;
 use crate::control::Board;
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result, bail};
 use clap::Args;
 use mapd_client::Domain;
 use periodic::{Periodic, Stop};
-use std::net::SocketAddr;
+use std::net::{SocketAddr, TcpListener};
 use std::num::NonZeroU32;
 use std::sync::Arc;
 use std::time::Duration;
@@ -61,6 +62,27 @@ impl OversightArgs {
     }
 }
 
+/// Where the metrics will be read: had before anything is served, so that a daemon that cannot have it serves nothing.
+pub(crate) struct MetricsPort(Option<TcpListener>);
+
+impl OversightArgs {
+    /// Opens the port of the metrics, if they are asked for.
+    ///
+    /// Errors: the port cannot be had, or is open to others without --metrics-open.
+    pub(crate) fn open_metrics(&self) -> Result<MetricsPort> {
+        let Some(address) = self.metrics else { return Ok(MetricsPort(None)) };
+        if !address.ip().is_loopback() && !self.metrics_open {
+            let message = format!(
+                "--metrics {address} can be reached from other machines: say --metrics-open if that is meant"
+            );
+            bail!(UsageError(message));
+        }
+        let listener =
+            TcpListener::bind(address).with_context(|| format!("--metrics {address}"))?;
+        Ok(MetricsPort(Some(listener)))
+    }
+}
+
 /// Oversight of a daemon; ends when dropped.
 pub(crate) struct Oversight {
     _threads: Vec<Periodic>,
@@ -77,21 +99,17 @@ impl Oversight {
     /// Begins. The service manager hears that the daemon is ready once every map has answered a query, so that serving has to
     /// begin soon.
     ///
-    /// Errors: the port of the metrics cannot be had, or is open to others without --metrics-open.
+    /// Errors: no thread can be had for the metrics.
     pub(crate) fn start(
         args: &OversightArgs,
+        MetricsPort(port): MetricsPort,
         domain: &Domain,
         board: &Arc<Board>,
         maps: Vec<String>,
     ) -> Result<Self> {
-        let page = args.metrics.map(|address| {
-            ensure!(
-                address.ip().is_loopback() || args.metrics_open,
-                "--metrics {address} can be reached from other machines: say --metrics-open if that is meant"
-            );
+        let page = port.map(|listener| {
             let board = board.clone();
-            page::Page::serve(address, move || metrics::text(&board.status()))
-                .with_context(|| format!("--metrics {address}"))
+            page::Page::serve(listener, move || metrics::text(&board.status())).context("--metrics")
         });
         let page = page.transpose()?;
         let stop = Arc::new(Stop::default());

@@ -6,13 +6,16 @@
 use rustix::event::{PollFd, PollFlags, poll};
 use std::fmt;
 use std::io::{self, Read, Write};
-use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::net::{TcpListener, TcpStream};
 use std::os::unix::net::UnixStream;
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 /// How long a request may take in all.
 const PATIENCE: Duration = Duration::from_secs(2);
+
+/// Pause where connections cannot be taken.
+const PAUSE: Duration = Duration::from_millis(100);
 
 /// Longest head of a request \[bytes\].
 const LONGEST_HEAD: usize = 8 << 10;
@@ -29,12 +32,11 @@ pub(crate) struct Page {
 impl Page {
     /// Begins to listen.
     ///
-    /// Errors: the address cannot be had.
+    /// Errors: no thread can be had.
     pub(crate) fn serve(
-        address: SocketAddr,
+        listener: TcpListener,
         text: impl Fn() -> Result<String, fmt::Error> + Send + 'static,
     ) -> io::Result<Self> {
-        let listener = TcpListener::bind(address)?;
         listener.set_nonblocking(true)?;
         tracing::info!(address = %listener.local_addr()?, "metrics at http://{}/metrics", listener.local_addr()?);
         let (stop, stopped) = UnixStream::pair()?;
@@ -70,9 +72,12 @@ fn listen(
         if !waits[1].revents().is_empty() {
             return;
         }
-        if let Ok((stream, _)) = listener.accept() {
+        match listener.accept() {
             // Whoever hangs up or says nothing has no answer.
-            let _ = answer(stream, text);
+            Ok((stream, _)) => drop(answer(stream, text)),
+            Err(error) if error.kind() == io::ErrorKind::WouldBlock => {}
+            // As without descriptors that are left.
+            Err(_) => std::thread::sleep(PAUSE),
         }
     }
 }
@@ -82,15 +87,21 @@ fn answer(mut stream: TcpStream, text: &dyn Fn() -> Result<String, fmt::Error>) 
     stream.set_write_timeout(Some(PATIENCE))?;
     let head = read_head(&mut stream)?;
     let mut words = head.split(' ');
-    let (status, body) = match (words.next(), words.next()) {
-        (Some("GET"), Some("/metrics")) => match text() {
+    let (method, path) = (words.next(), words.next());
+    // What is asked beyond the path chooses nothing here.
+    let path = path.map(|path| path.split_once('?').map_or(path, |(path, _)| path));
+    let (status, body) = match (method, path) {
+        (Some("GET" | "HEAD"), Some("/metrics")) => match text() {
             Ok(text) => ("200 OK", text),
             Err(_) => ("500 Internal Server Error", String::new()),
         },
-        (Some("GET"), Some(_)) => ("404 Not Found", "the metrics are at /metrics\n".to_owned()),
+        (Some("GET" | "HEAD"), Some(_)) => {
+            ("404 Not Found", "the metrics are at /metrics\n".to_owned())
+        }
         _ => ("405 Method Not Allowed", String::new()),
     };
     let length = body.len();
+    let body = if method == Some("HEAD") { "" } else { body.as_str() };
     write!(
         stream,
         "HTTP/1.1 {status}\r\nContent-Type: {CONTENT_TYPE}\r\nContent-Length: {length}\r\nConnection: close\r\n\r\n{body}"

@@ -17,6 +17,11 @@ impl Stop {
         self.wake.notify_all();
     }
 
+    /// Whether it is time to end.
+    pub(crate) fn is_requested(&self) -> bool {
+        *self.stopped.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// Sleeps, at most so long; whether it is time to end.
     pub(crate) fn sleep(&self, time: Duration) -> bool {
         let until = Instant::now() + time;
@@ -32,7 +37,13 @@ impl Stop {
     }
 }
 
-/// A thread; stopped and waited for when dropped.
+/// How long the end of a daemon waits for a thread: one that proves gigabytes ends with the process.
+const PATIENCE: Duration = Duration::from_secs(2);
+
+/// Pause between two looks at it.
+const PAUSE: Duration = Duration::from_millis(1);
+
+/// A thread; stopped, and waited for, when dropped.
 pub(crate) struct Periodic {
     stop: Arc<Stop>,
     thread: Option<JoinHandle<()>>,
@@ -58,7 +69,12 @@ impl Periodic {
 impl Drop for Periodic {
     fn drop(&mut self) {
         self.stop.request();
-        if let Some(thread) = self.thread.take() {
+        let until = Instant::now() + PATIENCE;
+        let ended = |thread: &JoinHandle<()>| thread.is_finished();
+        while self.thread.as_ref().is_some_and(|thread| !ended(thread)) && Instant::now() < until {
+            std::thread::sleep(PAUSE);
+        }
+        if let Some(thread) = self.thread.take().filter(ended) {
             // A panic there has been printed; it is no reason to serve no more.
             let _ = thread.join();
         }

@@ -23,6 +23,9 @@ pub(super) fn start(
     Periodic::spawn("scrubber", stop, move |stop| {
         while !stop.sleep(interval) {
             for map in &maps {
+                if stop.is_requested() {
+                    return;
+                }
                 one(&domain, &board, map);
             }
         }
@@ -31,7 +34,17 @@ pub(super) fn start(
 
 fn one(domain: &Domain, board: &Board, map: &str) {
     let start = Instant::now();
-    match prove(domain, map) {
+    let client = match reserving(|| Client::connect_in_reserve(domain, map, WAIT)) {
+        Ok(client) => client,
+        Err(error) => {
+            // Bytes that nobody has looked at are not known to be bad.
+            let text = error.to_string();
+            board.map(map, |state| state.scrubs.skipped(text.clone()));
+            tracing::warn!(map = %map, error = %text, "map {map}: nothing is proved, for the daemon cannot attach: {text}");
+            return;
+        }
+    };
+    match prove(&client) {
         Ok(generation) => {
             let taken = start.elapsed();
             board.map(map, |state| state.scrubs.succeeded(taken));
@@ -47,8 +60,7 @@ fn one(domain: &Domain, board: &Board, map: &str) {
 
 /// Proves the bytes that readers see, through a mapping like theirs, against the hash that was published with them. The
 /// generation is let go afterwards.
-fn prove(domain: &Domain, map: &str) -> Result<u64, ClientError> {
-    let client = reserving(|| Client::connect_in(domain, map, WAIT))?;
+fn prove(client: &Client) -> Result<u64, ClientError> {
     let snapshot = client.snapshot();
     snapshot.verify()?;
     Ok(snapshot.generation())

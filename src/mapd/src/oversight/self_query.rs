@@ -2,12 +2,12 @@
 
 use crate::serve::reserving;
 use mapd_client::transport::Domain;
-use mapd_client::{Client, ClientError, NearestOptions, QueryError};
+use mapd_client::{AttachError, Client, ClientError, NearestOptions, QueryError};
 use std::time::{Duration, Instant};
 use thiserror::Error;
 
-/// Longest wait for the map: a client attaches in milliseconds, and daemons clean up for less than a second.
-const WAIT: Duration = Duration::from_secs(2);
+/// Longest wait for a map: a client attaches in milliseconds, and daemons clean up for less than a second.
+pub(crate) const WAIT: Duration = Duration::from_secs(2);
 
 /// Why a daemon's own query has no answer.
 #[derive(Debug, Error)]
@@ -28,6 +28,22 @@ pub(crate) enum SelfQueryError {
     },
 }
 
+impl SelfQueryError {
+    /// Whether this says nothing of what is served: there was no room to look at it.
+    pub(crate) fn is_no_verdict(&self) -> bool {
+        matches!(self, Self::Client(error) if could_not_look(error))
+    }
+}
+
+/// Whether a client met nothing but a lack of room for itself: shared memory is full, or all places are taken. Readers keep
+/// what they have, and another daemon could serve nothing better.
+fn could_not_look(error: &ClientError) -> bool {
+    matches!(
+        error,
+        ClientError::Attach(AttachError::NoRoom { .. } | AttachError::TooManySubscribers { .. })
+    )
+}
+
 /// What an answer took.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Answered {
@@ -35,13 +51,18 @@ pub(crate) struct Answered {
     pub(crate) taken: Duration,
 }
 
-/// Attaches anew, asks for the lane at a point of the map's middle lane, and detaches.
+/// Attaches anew, within `wait`, asks for the lane at a point of the map's middle lane, and detaches.
 ///
 /// Errors: what a client would meet; a generation older than `before`.
-pub(crate) fn ask(domain: &Domain, map: &str, before: u64) -> Result<Answered, SelfQueryError> {
+pub(crate) fn ask(
+    domain: &Domain,
+    map: &str,
+    before: u64,
+    wait: Duration,
+) -> Result<Answered, SelfQueryError> {
     let start = Instant::now();
     // What the client makes must not end the daemon by SIGBUS, should shared memory be filled up at this moment.
-    let client = reserving(|| Client::connect_in(domain, map, WAIT))?;
+    let client = reserving(|| Client::connect_in_reserve(domain, map, wait))?;
     let snapshot = client.snapshot();
     let view = snapshot.map();
     let middle = u32::try_from(view.tables().lanes.len() / 2).unwrap_or(0);

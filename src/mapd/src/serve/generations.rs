@@ -11,7 +11,7 @@
 use super::error::ServeError;
 use super::notice::Notice;
 use mapd_client::transport::{
-    Domain, GENERATION_SUFFIX, read_generation, replace_text, write_generation,
+    Domain, GENERATION_SUFFIX, read_generation, replace_text_durably, write_generation,
 };
 use std::fs;
 use std::io;
@@ -40,16 +40,21 @@ impl Generations {
         map: &str,
         notify: &dyn Fn(&Notice),
     ) -> Result<u64, ServeError> {
-        let path = || domain.root().join(map);
-        let here = read_generation(domain, map).map_err(ServeError::io(path()))?;
+        let path = || domain.root().join(format!("{map}{GENERATION_SUFFIX}"));
         let kept = self.folder.as_ref().map(|folder| kept_file(folder, domain, map));
-        let last = here.max(kept.as_deref().map_or(0, read_kept));
+        let known = kept.as_deref().map_or(0, read_kept);
+        let here = match read_generation(domain, map) {
+            // Nonsense here is no reason to serve nothing where the number is known.
+            Err(error) if error.kind() == io::ErrorKind::InvalidData && known > 0 => 0,
+            other => other.map_err(ServeError::io(path()))?,
+        };
+        let last = here.max(known);
         let before = if last == 0 { unix_ms() } else { last };
         let next = before.checked_add(1).ok_or(io::ErrorKind::InvalidData.into());
         let next = next.map_err(ServeError::io(path()))?;
         write_generation(domain, map, next).map_err(ServeError::io(path()))?;
         if let Some(file) = kept
-            && let Err(error) = replace_text(&file, &next.to_string())
+            && let Err(error) = replace_text_durably(&file, &next.to_string())
         {
             // The domain knows it; after its end the clock does.
             notify(&Notice::Failed {

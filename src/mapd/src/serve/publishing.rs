@@ -88,6 +88,11 @@ impl Server {
     ///
     /// Errors: [`ServeError::NothingStaged`]; iceoryx2 refuses, and what was served before is still served.
     pub fn activate(&mut self, map: &str) -> Result<u64, ServeError> {
+        if !self.staged.contains_key(map) {
+            return Err(ServeError::NothingStaged { map: map.to_owned() });
+        }
+        // Without room it stays staged, under its number.
+        memory::check_queue()?;
         let Some(staged) = self.staged.remove(map) else {
             return Err(ServeError::NothingStaged { map: map.to_owned() });
         };
@@ -96,7 +101,14 @@ impl Server {
         sent
     }
 
-    /// Gives up what is staged.
+    /// Gives up what is staged, if anything is.
+    pub fn give_up_staged(&mut self, map: &str) {
+        if self.staged.contains_key(map) {
+            let exclusive = self.exclusive();
+            self.unstage(map, exclusive.as_ref());
+        }
+    }
+
     pub(super) fn unstage(&mut self, map: &str, _exclusive: Option<&AttachGuard>) {
         if let Some(staged) = self.staged.remove(map) {
             drop(staged);

@@ -4,7 +4,7 @@ use super::cleanup;
 use super::doorbell::Doorbell;
 use super::error::ServeError;
 use super::generations::Generations;
-use super::greeter::greet_until;
+use super::greeter::{greet_until, greeting_meanwhile};
 use super::memory;
 use super::notice::Notice;
 use super::orphans;
@@ -13,11 +13,11 @@ use super::reserve::reserving;
 use super::rights;
 use super::served_map::MapPorts;
 use super::stop::StopSignal;
-use iceoryx2::prelude::{Node, NodeBuilder, SignalHandlingMode};
+use iceoryx2::prelude::{Node, NodeBuilder, NodeName, SignalHandlingMode};
 use mapd_client::transport::{
-    AttachGuard, AttachLock, Claim, Domain, GenerationInfo, Presence, TransportService,
-    check_map_name, check_owner, iceoryx2_config, silence_iceoryx2, unfinished_segments,
-    write_published, write_staged,
+    AttachGuard, AttachLock, Claim, DAEMON_NODE, Domain, GenerationInfo, Presence,
+    TransportService, check_map_name, check_owner, iceoryx2_config, silence_iceoryx2,
+    unfinished_segments, write_published, write_staged,
 };
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -122,8 +122,11 @@ impl Server {
             next_round: Instant::now(),
             rounds_missed: Cell::new(0),
         };
-        let builder =
-            NodeBuilder::new().config(&config).signal_handling_mode(SignalHandlingMode::Disabled);
+        let name = NodeName::new(DAEMON_NODE).map_err(ServeError::iceoryx("naming a node"))?;
+        let builder = NodeBuilder::new()
+            .name(&name)
+            .config(&config)
+            .signal_handling_mode(SignalHandlingMode::Disabled);
         let node = reserving(|| builder.create::<TransportService>())
             .map_err(ServeError::iceoryx("creating a node"))
             .map_err(memory::or_no_room)?;
@@ -194,6 +197,13 @@ impl Server {
     /// Errors: the wait fails.
     pub fn run_until(&mut self, stop: &StopSignal, door: &Doorbell) -> Result<(), ServeError> {
         self.serve((stop, Some(door)))
+    }
+
+    /// Does something that waits for clients of this server, and greets them meanwhile.
+    ///
+    /// Errors: no socket pair can be had.
+    pub fn meanwhile<T>(&self, work: impl FnOnce() -> T) -> Result<T, ServeError> {
+        greeting_meanwhile(&self.maps, &self.lock, || Ok(work()))
     }
 
     fn serve(&mut self, until: (&StopSignal, Option<&Doorbell>)) -> Result<(), ServeError> {

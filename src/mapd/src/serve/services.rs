@@ -43,7 +43,7 @@ impl MapServices {
                 .subscriber_max_buffer_size(shared::SUBSCRIBER_BUFFER)
                 .subscriber_max_borrowed_samples(shared::SUBSCRIBER_BORROWED)
                 .max_publishers(shared::MAX_PUBLISHERS)
-                .max_subscribers(shared::MAX_SUBSCRIBERS)
+                .max_subscribers(shared::MAX_SUBSCRIPTIONS)
                 .max_nodes(shared::MAX_NODES)
                 .enable_safe_overflow(true)
                 .open_or_create()

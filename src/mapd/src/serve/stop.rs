@@ -54,6 +54,11 @@ impl StopSignal {
         let _ = (&self.sender).write(&[0]);
     }
 
+    /// What is set once stopping was asked for.
+    pub fn flag(&self) -> Arc<AtomicBool> {
+        self.requested.clone()
+    }
+
     /// Whether stopping was asked for.
     pub fn is_requested(&self) -> bool {
         self.requested.load(Ordering::SeqCst)

@@ -1,6 +1,7 @@
 //! What rules need to keep of a document after it has streamed by: a few hundred bytes for each road, lane and part with an
 //! id, never the elements themselves.
 
+mod append;
 mod collect;
 mod collect_signals;
 mod facts;

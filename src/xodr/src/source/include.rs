@@ -128,12 +128,21 @@ impl Inputs {
         if self.shared.places.files() >= files {
             return Err(IncludeRefusal::Files(files));
         }
-        let (path, real) = self.resolve(reference)?;
+        let (path, real) = self.resolve(reference).inspect_err(|refusal| self.note(refusal))?;
         if self.open.iter().any(|open| open.path.as_ref() == Some(&real)) {
             return Err(IncludeRefusal::Cycle(real));
         }
-        let file = File::open(&real).map_err(|error| unreadable(&path, &error))?;
+        let file = File::open(&real)
+            .map_err(|error| unreadable(&path, &error))
+            .inspect_err(|refusal| self.note(refusal))?;
         Ok(self.push(Box::new(file), &path.display().to_string(), Some(real), Some(at)))
+    }
+
+    /// Whoever waits for a file to come wants to know which.
+    fn note(&self, refusal: &IncludeRefusal) {
+        if let IncludeRefusal::Unreadable(path, _) = refusal {
+            self.shared.places.add_missing(path.clone());
+        }
     }
 
     /// The innermost included file has been read: back to the one that includes it.

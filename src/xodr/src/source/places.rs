@@ -1,7 +1,9 @@
 //! Places in a document that consists of several files.
 
 use super::line_index::{LineIndex, Position};
+use std::collections::BTreeSet;
 use std::fmt;
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Bits of a start that hold the offset in a file: 256 TiB. The file's number stands above them.
@@ -43,7 +45,7 @@ struct File {
 /// assert_eq!(inputs.places().place(4).to_string(), "tiny.xodr:2:1");
 /// ```
 #[derive(Clone, Debug, Default)]
-pub struct Places(Arc<Mutex<Vec<File>>>);
+pub struct Places(Arc<Mutex<Vec<File>>>, Arc<Mutex<BTreeSet<PathBuf>>>);
 
 impl Places {
     /// The number of the file that a start lies in; 0 is the main file.
@@ -70,6 +72,13 @@ impl Places {
         Place { file: file.name.clone(), position: file.lines.position(Self::offset_of(start)) }
     }
 
+    /// Line and column of a start in its file.
+    pub fn position(&self, start: u64) -> Position {
+        let files = self.lock();
+        let file = files.get(usize::from(Self::file_of(start)));
+        file.map_or_else(Position::default, |file| file.lines.position(Self::offset_of(start)))
+    }
+
     /// Where the file of a start was included; none for the main file.
     pub fn included_at(&self, start: u64) -> Option<u64> {
         self.lock().get(usize::from(Self::file_of(start)))?.included_at
@@ -78,6 +87,19 @@ impl Places {
     /// Number of files opened so far.
     pub fn files(&self) -> usize {
         self.lock().len()
+    }
+
+    /// Files that were to be included and cannot be read, by name.
+    pub fn missing(&self) -> Vec<PathBuf> {
+        self.1.lock().unwrap_or_else(PoisonError::into_inner).iter().cloned().collect()
+    }
+
+    /// Notes that a file cannot be read. No more are noted than there can be files.
+    pub(super) fn add_missing(&self, path: PathBuf) {
+        let mut missing = self.1.lock().unwrap_or_else(PoisonError::into_inner);
+        if missing.len() < usize::from(u16::MAX) {
+            missing.insert(path);
+        }
     }
 
     /// Adds a file. Those beyond the numbers that there are share the last one.

@@ -117,7 +117,7 @@ fn cycles(network: &Network, sink: &mut Sink<'_>) {
         told.extend(path.iter().copied());
         let place = reference.path();
         sink.add_at(
-            place,
+            || place,
             sink.severity,
             reference.span,
             "no way back to the signal",
@@ -157,7 +157,7 @@ fn partners(network: &Network, sink: &mut Sink<'_>) {
             let place = reference.path();
             let found = format_args!("switch {}, which does not", reference.id);
             sink.add_at(
-                place,
+                || place,
                 sink.severity,
                 reference.span,
                 "a partner that names this switch",
@@ -180,7 +180,7 @@ fn joined(network: &Network, sink: &mut Sink<'_>) {
             let place = reference.path();
             let found = format_args!("road {main}, the main track of switch {partner}");
             sink.add_at(
-                place,
+                || place,
                 sink.severity,
                 reference.span,
                 "a side track between the two",

@@ -32,6 +32,6 @@ fn centered(network: &Network, sink: &mut Sink<'_>) {
         let found =
             format_args!("road {} at ({:.0}, {:.0})", road.id, road.bounds[0], road.bounds[1]);
         let expected = format_args!("coordinates below {} m and an offset", FAR.value);
-        sink.add_at("OpenDRIVE/header".to_owned(), sink.severity, span, expected, found);
+        sink.add_at(|| "OpenDRIVE/header".to_owned(), sink.severity, span, expected, found);
     }
 }

@@ -79,9 +79,9 @@ fn unique(network: &Network, sink: &mut Sink<'_>) {
         };
         let expected = format!("an id that no other {name} has");
         if told.insert(key) && part.kind == PartKind::Road {
-            sink.add_at(path(before), severity, before.span, &expected, &part.id);
+            sink.add_at(|| path(before), severity, before.span, &expected, &part.id);
         }
-        sink.add_at(path(part), severity, part.span, &expected, &part.id);
+        sink.add_at(|| path(part), severity, part.span, &expected, &part.id);
     }
 }
 
@@ -98,7 +98,7 @@ fn defined(network: &Network, sink: &mut Sink<'_>) {
         let kinds: Vec<&str> = reference.kinds.iter().map(|kind| kind.name()).collect();
         let expected = format!("the id of a {}", kinds.join(" or "));
         let found = format_args!("{}, which is not there", reference.id);
-        sink.add_at(reference.path(), sink.severity, reference.span, expected, found);
+        sink.add_at(|| reference.path(), sink.severity, reference.span, expected, found);
     }
 }
 

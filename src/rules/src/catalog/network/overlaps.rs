@@ -2,7 +2,7 @@
 
 use crate::example::Example::Document;
 use crate::network::{CLEARANCE, Network, Overlap, RoadFacts, TOUCH};
-use crate::rule::Check::Network as All;
+use crate::rule::Check::Overlaps as All;
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
 

@@ -1,0 +1,67 @@
+//! Where the rows of a part of a map come to lie in the whole.
+
+use crate::codes::NONE;
+use crate::table::Range;
+
+/// Where the rows of one table come to lie.
+///
+/// Row 0 of a part's table is never used ([`Rows::part`](crate::Rows::part)): 0, and an empty range from 0 on, stay what
+/// they are, as [`NONE`] does.
+#[derive(Clone, Debug)]
+pub enum Moved {
+    /// One after the other behind those that are there.
+    Behind(Behind),
+    /// Each where its place in this list says. [`Rows::append`](crate::Rows::append) leaves the table alone.
+    To(Vec<u32>),
+    /// Ranges of them, each of the first where the second says, by first row and count; others nowhere.
+    /// [`Rows::append`](crate::Rows::append) leaves the table alone.
+    Ranges(Vec<(Range, Range)>),
+}
+
+/// By how much rows move: see [`Moved::behind`].
+#[derive(Clone, Copy, Debug)]
+pub struct Behind(u32);
+
+impl Moved {
+    /// Behind so many rows. Tables that outgrow 32 bits are refused before anything is written.
+    pub fn behind(rows: usize) -> Self {
+        Self::Behind(Behind((rows as u32).wrapping_sub(1)))
+    }
+
+    /// Whether the rows come one after the other behind those that are there.
+    pub fn is_behind(&self) -> bool {
+        matches!(self, Self::Behind(_))
+    }
+
+    /// Where a row comes to lie.
+    #[inline]
+    pub fn row(&self, row: u32) -> u32 {
+        if row == 0 || row == NONE {
+            return row;
+        }
+        match self {
+            Self::Behind(Behind(by)) => row.wrapping_add(*by),
+            Self::To(places) => places.get(row as usize).copied().unwrap_or(NONE),
+            Self::Ranges(_) => NONE,
+        }
+    }
+
+    /// Where a range of rows comes to lie.
+    #[inline]
+    pub fn range(&self, range: Range) -> Range {
+        if range.first == 0 {
+            return range;
+        }
+        match self {
+            Self::Behind(Behind(by)) => {
+                Range { first: range.first.wrapping_add(*by), count: range.count }
+            }
+            Self::To(_) => Range::default(),
+            Self::Ranges(places) => {
+                let key = |range: &Range| (range.first, range.count);
+                let place = places.binary_search_by_key(&key(&range), |(from, _)| key(from));
+                place.ok().and_then(|at| places.get(at)).map_or_else(Range::default, |(_, to)| *to)
+            }
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! Top-level elements, checked and lowered: one by one, or a batch of them by itself on any thread.
+
+use crate::lower::{Lowering, Owner};
+use crate::quarantine::Units;
+use mapd_ontology::Ontology;
+use mapd_rules::{Checker, Looked, Looker, Network, Whole};
+use mapd_xodr::source::Places;
+use mapd_xodr::{Finding, Item, ReadBatch, Span, Text as _};
+use rayon::prelude::*;
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+/// What the lowering of a batch needs to know.
+pub(crate) struct Plan {
+    looker: Looker,
+    ontology: Arc<Ontology>,
+    places: Places,
+}
+
+/// What was found in an element.
+#[derive(Default)]
+pub(crate) struct Element {
+    /// By the rules on elements.
+    pub(crate) looked: Looked,
+    /// By what built rows from it.
+    pub(crate) built: Vec<Finding>,
+    /// Roads in the rows of the part up to it.
+    pub(crate) roads: usize,
+}
+
+/// What a batch was lowered to.
+pub(crate) struct Lowered {
+    pub(crate) elements: VecDeque<Element>,
+    pub(crate) network: Network,
+    pub(crate) units: Units,
+    pub(crate) lowering: Lowering,
+}
+
+impl Plan {
+    /// For batches of a document of which the header was seen.
+    pub(crate) fn new(checker: &Checker, ontology: &Arc<Ontology>, places: &Places) -> Self {
+        let (ontology, places) = (Arc::clone(ontology), places.clone());
+        Self { looker: checker.looker(), ontology, places }
+    }
+
+    /// Checks and lowers what was read of a batch; none where its elements have to be looked at one by one.
+    pub(crate) fn lower(self, read: &mut ReadBatch) -> Option<Lowered> {
+        let Self { mut looker, ontology, places } = self;
+        let items = read.take_items()?;
+        let mut lowering = Lowering::part(ontology);
+        let mut units = Units::default();
+        let none = lowering.roads();
+        let elements = items.into_iter().map(|item| {
+            units.add(&item);
+            let (looked, _) = looker.item(&item);
+            let mut built = Vec::new();
+            lower(&mut lowering, item, &places, &mut built);
+            Element { looked, built, roads: lowering.roads() - none }
+        });
+        let elements = elements.collect();
+        Some(Lowered { elements, network: looker.into_network(), units, lowering })
+    }
+}
+
+/// What all rules on the document as a whole find, in their order.
+pub(crate) fn look(whole: &Whole) -> Vec<Looked> {
+    let needs_overlaps = |check: usize| whole.needs_overlaps(check);
+    let first_overlaps = (0..whole.checks()).find(|check| needs_overlaps(*check));
+    let (first, mut all) = rayon::join(
+        || first_overlaps.map(|check| whole.look(check)),
+        || {
+            let others = (0..whole.checks()).into_par_iter();
+            let look = |check| (!needs_overlaps(check)).then(|| whole.look(check));
+            others.map(look).collect::<Vec<_>>()
+        },
+    );
+    if let Some(place) = first_overlaps.and_then(|check| all.get_mut(check)) {
+        *place = first;
+    }
+    let all = all.into_iter().enumerate();
+    all.map(|(check, looked)| looked.unwrap_or_else(|| whole.look(check))).collect()
+}
+
+/// Appends what a top-level element says to the rows.
+pub(crate) fn lower(
+    lowering: &mut Lowering,
+    item: Item,
+    places: &Places,
+    findings: &mut Vec<Finding>,
+) {
+    let ontology = Arc::clone(&lowering.signals.ontology);
+    let position = |span: Span| places.position(span.start);
+    match item {
+        Item::Header(header) => lowering.header(&header, findings),
+        Item::Road(road) => {
+            let number = lowering.roads();
+            lowering.road(&road, position(road.span), findings);
+            let is_there = lowering.roads() > number;
+            if let Some(railroad) = road.railroad.as_deref().filter(|_| is_there) {
+                lowering.switches(number as u32, railroad);
+            }
+            if let Some(objects) = road.objects.as_deref().filter(|_| is_there) {
+                let owner = Owner::Road(number as u32, road.id.text());
+                lowering.objects(owner, objects, (&ontology, position), findings);
+            }
+        }
+        Item::Station(station) => lowering.station(&station),
+        Item::Junction(junction) => {
+            let number = lowering.rows.junctions.len();
+            lowering.junction_objects(&junction, number as u32, (&ontology, position), findings);
+            let at = position(junction.span);
+            lowering.junction(*junction, at, findings);
+        }
+        Item::Controller(controller) => lowering.controller(&controller),
+        Item::VmsGroup(group) => lowering.board_group(&group),
+        Item::JunctionGroup(_) => {}
+    }
+}

@@ -1,0 +1,323 @@
+//! Compiling in a process of its own: whatever a map does to its compiler, nobody else notices.
+//!
+//! The child is this program as `mapd compile` with hidden options. It says on its standard output, a line of JSON each, how
+//! far it is and what it made; on its standard error what a user would see. It ends with its parent.
+
+use crate::compile_args::CompileArguments;
+use crate::exit::Exit;
+use crate::report::Counts;
+use crate::size::Size;
+use mapd_compiler::Progress;
+use rustix::process::{Resource, Rlimit, Signal};
+use serde::{Deserialize, Serialize};
+use std::ffi::OsStr;
+use std::io::{self, BufRead, BufReader, Read};
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+/// Of the memory that is free, what compiling may take where nothing is said: three of four parts.
+const SHARE: (u64, u64) = (3, 4);
+
+/// Pauses between two looks at the child.
+const PAUSES: (Duration, Duration) = (Duration::from_micros(500), Duration::from_millis(20));
+
+/// What the standard library says, around the bytes, when memory cannot be had; then it ends the process by SIGABRT.
+const NO_MEMORY: (&str, &str) = ("memory allocation of ", " bytes failed");
+
+/// What it says next, which is of use to nobody.
+const NO_BACKTRACE: [&str; 2] = [
+    "skipping backtrace printing to avoid potential recursion",
+    "note: run with `RUST_BACKTRACE=1` environment variable to display a backtrace",
+];
+
+/// What a child has made.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub(crate) struct Told {
+    /// Files that the document includes.
+    pub(crate) included: Vec<PathBuf>,
+    /// Files that it wants to include and that cannot be read.
+    #[serde(default)]
+    pub(crate) missing: Vec<PathBuf>,
+    pub(crate) counts: Counts,
+    /// Nothing for a rejected map.
+    pub(crate) archive: Option<ArchiveFacts>,
+}
+
+/// What an archive holds.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub(crate) struct ArchiveFacts {
+    pub(crate) bytes: u64,
+    pub(crate) roads: usize,
+    pub(crate) lanes: usize,
+    /// As hexadecimal digits.
+    pub(crate) content_hash: String,
+}
+
+/// A line of a child's standard output.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Message {
+    /// How far it is.
+    Progress(#[serde(with = "ProgressOnTheWay")] Progress),
+    /// Its last word.
+    Told(Told),
+}
+
+/// As [`Progress`].
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "Progress", rename_all = "snake_case")]
+enum ProgressOnTheWay {
+    Reading { bytes: u64, roads: usize },
+    Linking { roads: usize },
+    Sampling { lanes: usize },
+    Graph { nodes: usize },
+    Indexing { segments: usize },
+}
+
+/// Where a child writes to.
+pub(crate) enum Output<'a> {
+    /// Into a file that is there and that nobody reads yet.
+    Into(&'a OsStr),
+    /// To a file that appears when it is whole; the report before it.
+    At { archive: &'a Path, report: Option<&'a Path> },
+}
+
+/// What a child is to do.
+pub(crate) struct Work<'a> {
+    pub(crate) source: &'a Path,
+    pub(crate) output: Output<'a>,
+    pub(crate) options: &'a CompileArguments,
+    /// Bytes that it may take for its own data.
+    pub(crate) memory: Option<u64>,
+    /// Threads [default: all cores].
+    pub(crate) threads: Option<NonZeroUsize>,
+    /// Whether it has this process's standard input, from which a map may come.
+    pub(crate) has_input: bool,
+}
+
+/// How a child ended.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum End {
+    /// As a command does.
+    Exit(Exit),
+    /// It needed more than it was allowed: this many bytes, for one allocation, as far as it could say so.
+    OutOfMemory { asked: Option<u64> },
+    /// By a panic or a signal.
+    Broken(ExitStatus),
+}
+
+/// Memory that compiling may take where nothing is said \[bytes\]; `None` if the system does not say what is free.
+pub(crate) fn default_memory() -> Option<u64> {
+    Some(crate::serve::available_memory()? / SHARE.1 * SHARE.0)
+}
+
+/// Runs a child to its end. `said` is given each line of its standard error, from another thread; `progress` how far it is.
+///
+/// Errors: it cannot be started; it takes longer than `deadline`; `cancelled`.
+pub(crate) fn run(
+    work: &Work<'_>,
+    said: &mut (dyn FnMut(&str) + Send),
+    progress: &mut (dyn FnMut(Progress) + Send),
+    cancelled: &AtomicBool,
+    deadline: Option<Duration>,
+) -> io::Result<(End, Told)> {
+    let mut child = command(work).spawn()?;
+    let (stdout, stderr) = (child.stdout.take(), child.stderr.take());
+    let mut no_memory = None;
+    let (status, told) = std::thread::scope(|scope| {
+        let listening = scope.spawn(move || {
+            let mut told = Told::default();
+            for line in lines(stdout) {
+                match serde_json::from_str(&line) {
+                    Ok(Message::Progress(now)) => progress(now),
+                    Ok(Message::Told(last)) => told = last,
+                    // Of what is said when a process breaks down.
+                    Err(_) => {}
+                }
+            }
+            told
+        });
+        let relaying = scope.spawn(|| {
+            for line in lines(stderr) {
+                match last_words(&line) {
+                    None if NO_BACKTRACE.contains(&line.as_str()) => {}
+                    Some(asked) => no_memory = Some(asked.or(no_memory.flatten())),
+                    None => said(&line),
+                }
+            }
+        });
+        let status = wait(&mut child, cancelled, deadline);
+        // Panics of the callbacks are theirs.
+        let told = listening.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+        relaying.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+        (status, told)
+    });
+    let status = status?;
+    let exit = status.code().and_then(|code| Exit::from_code(u8::try_from(code).ok()?));
+    let end = match (exit, no_memory) {
+        (Some(exit), _) => End::Exit(exit),
+        (None, Some(asked)) => End::OutOfMemory { asked },
+        (None, None) => End::Broken(status),
+    };
+    Ok((end, told))
+}
+
+fn lines(from: Option<impl Read>) -> impl Iterator<Item = String> {
+    from.map(BufReader::new).into_iter().flat_map(BufRead::lines).map_while(io::Result::ok)
+}
+
+fn command(work: &Work<'_>) -> Command {
+    // The program that runs, also after another one has taken its name.
+    let mut command = Command::new("/proc/self/exe");
+    command.arg("compile").arg("--quiet");
+    match work.output {
+        Output::Into(file) => command.arg("--child").arg("into").arg("-o").arg(file),
+        Output::At { archive, report } => {
+            command.arg("--child").arg("at").arg("-o").arg(archive);
+            if let Some(report) = report {
+                command.arg("--report").arg(report);
+            }
+            &mut command
+        }
+    };
+    if let Some(memory) = work.memory {
+        command.arg("--max-memory").arg(memory.to_string());
+    }
+    if let Some(threads) = work.threads {
+        command.arg("--threads").arg(threads.to_string());
+    }
+    command.args(work.options.as_slice()).arg("--").arg(work.source);
+    // Where memory has run out, printing a backtrace needs some, and waits for a lock that is held: without, it ends.
+    command.env("RUST_BACKTRACE", "0").env_remove("RUST_LIB_BACKTRACE");
+    command.stdin(if work.has_input { Stdio::inherit() } else { Stdio::null() });
+    command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    command
+}
+
+/// Waits for the child, and ends it if it is not wanted any more.
+fn wait(
+    child: &mut Child,
+    cancelled: &AtomicBool,
+    deadline: Option<Duration>,
+) -> io::Result<ExitStatus> {
+    let (mut pause, longest) = PAUSES;
+    let begun = Instant::now();
+    loop {
+        if let Some(status) = child.try_wait()? {
+            return Ok(status);
+        }
+        let late = deadline.filter(|deadline| begun.elapsed() >= *deadline);
+        if late.is_some() || cancelled.load(Ordering::Relaxed) {
+            child.kill()?;
+            child.wait()?;
+            return Err(match late {
+                Some(deadline) => {
+                    io::Error::other(format!("takes longer than {} s", deadline.as_secs()))
+                }
+                None => io::Error::other("given up, for its parent ends"),
+            });
+        }
+        std::thread::sleep(pause);
+        pause = (pause * 2).min(longest);
+    }
+}
+
+/// Whether a line is what a process without memory says: the bytes that it asked for. Several threads may say so at once, one
+/// into the other: then it is one of their numbers, if one can be read.
+fn last_words(line: &str) -> Option<Option<u64>> {
+    let (start, end) = NO_MEMORY;
+    let rest = line.replace(start, "").replace(end, "");
+    if line.is_empty() || !rest.bytes().all(|byte| byte.is_ascii_digit()) {
+        return None;
+    }
+    let number = line.rsplit(start).next().and_then(|last| last.split(end).next());
+    Some(number.and_then(|bytes| bytes.parse().ok()))
+}
+
+impl End {
+    /// Why there is no archive. `limit`: bytes that it was allowed, by an option of this name.
+    pub(crate) fn reason(&self, limit: Option<u64>, option: &str) -> String {
+        match self {
+            Self::OutOfMemory { asked } => too_little(limit, *asked, option),
+            Self::Broken(status) => match limit {
+                Some(limit) => format!(
+                    "the compiler ended with {status}; it was allowed {} of memory ({option})",
+                    Size(limit)
+                ),
+                None => format!("the compiler ended with {status}"),
+            },
+            Self::Exit(exit) => format!("the compiler ended with {}", exit.code()),
+        }
+    }
+}
+
+fn too_little(limit: Option<u64>, asked: Option<u64>, option: &str) -> String {
+    let limit = match limit {
+        Some(limit) => format!("the {} of {option}", Size(limit)),
+        None => "the memory that the system gives it".to_owned(),
+    };
+    let needed = match asked {
+        Some(asked) => format!(": when they were used up, another {} were needed", Size(asked)),
+        None => String::new(),
+    };
+    format!("compiling needs more than {limit}{needed}")
+}
+
+/// In the child: ends with the parent.
+pub(crate) fn end_with_parent() {
+    // Without it the child would end a while later, for nobody.
+    let _ = rustix::process::set_parent_process_death_signal(Some(Signal::KILL));
+}
+
+/// In the child: takes at most so much memory for its own data \[bytes\].
+///
+/// Errors: the limit cannot be set.
+pub(crate) fn limit_memory(limit: u64) -> io::Result<()> {
+    // Private writable memory, of which the archive's pages are none: an allocation beyond it fails, which ends the
+    // process and nothing else. What the process has set aside already, such as a sanitizer's tables, does not count.
+    let limit = limit.saturating_add(own_data().unwrap_or(0));
+    let allowed = rustix::process::getrlimit(Resource::Data).maximum;
+    let limit = Some(allowed.map_or(limit, |allowed| allowed.min(limit)));
+    rustix::process::setrlimit(Resource::Data, Rlimit { current: limit, maximum: limit })?;
+    Ok(())
+}
+
+/// Private writable memory of this process now \[bytes\].
+fn own_data() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let kilobytes = status.lines().find_map(|line| line.strip_prefix("VmData:"))?;
+    kilobytes.trim().strip_suffix("kB")?.trim().parse::<u64>().ok()?.checked_mul(1024)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_failed_is_read_from_the_last_words() {
+        let asked = |line: &str| last_words(line);
+        assert_eq!(asked("memory allocation of 4096 bytes failed"), Some(Some(4096)));
+        // Two threads at once.
+        assert_eq!(
+            asked("memory allocation of memory allocation of 41 bytes failed"),
+            Some(Some(41))
+        );
+        assert_eq!(
+            asked("memory allocation of 7memory allocation of 41 bytes failed"),
+            Some(Some(41))
+        );
+        assert_eq!(asked("memory allocation of "), Some(None));
+        assert_eq!(asked(" bytes failed"), Some(None));
+        assert_eq!(asked("41"), Some(Some(41)));
+        assert_eq!(asked(""), None);
+        assert_eq!(asked("a.xodr:1:1: memory allocation of 4096 bytes failed"), None);
+        let said = too_little(Some(64 << 20), Some(1 << 20), "--max-memory");
+        assert!(
+            said.contains("64 MiB of --max-memory") && said.contains("another 1 MiB"),
+            "{said}"
+        );
+    }
+}

@@ -1,0 +1,166 @@
+//! Looks at elements by themselves, on any thread.
+//!
+//! What a rule finds does not depend on other elements, but how many of its findings are kept does. A [`Looker`] keeps what
+//! may be kept; a [`Checker`](crate::Checker) takes it in the order of the document and decides.
+
+use crate::catalog;
+use crate::line::ReferenceLine;
+use crate::network::Network;
+use crate::rule::{Check, Minor, Rule};
+use crate::settings::Settings;
+use crate::sink::{Sink, Step};
+use mapd_xodr::{Finding, Item, Severity, Span};
+use std::sync::Arc;
+
+/// A rule as it is applied.
+pub(crate) struct Applied {
+    pub(crate) rule: &'static Rule,
+    pub(crate) severity: Severity,
+}
+
+/// Rules by what they look at.
+#[derive(Default)]
+pub(crate) struct Lists {
+    pub(crate) header: Vec<usize>,
+    pub(crate) road: Vec<usize>,
+    pub(crate) section: Vec<usize>,
+    pub(crate) lane: Vec<usize>,
+    pub(crate) center_lane: Vec<usize>,
+    pub(crate) object: Vec<usize>,
+    pub(crate) signal: Vec<usize>,
+    pub(crate) junction: Vec<usize>,
+    pub(crate) controller: Vec<usize>,
+    pub(crate) junction_group: Vec<usize>,
+    pub(crate) station: Vec<usize>,
+    pub(crate) vms_group: Vec<usize>,
+    pub(crate) network: Vec<usize>,
+}
+
+impl Lists {
+    fn new(applied: &[Applied]) -> Self {
+        let mut lists = Self::default();
+        for (rank, applied) in applied.iter().enumerate() {
+            let list = match applied.rule.check {
+                Check::Header(_) => &mut lists.header,
+                Check::Road(_) => &mut lists.road,
+                Check::Section(_) => &mut lists.section,
+                Check::Lane(_) => &mut lists.lane,
+                Check::CenterLane(_) => &mut lists.center_lane,
+                Check::Object(_) => &mut lists.object,
+                Check::Signal(_) => &mut lists.signal,
+                Check::Junction(_) => &mut lists.junction,
+                Check::Controller(_) => &mut lists.controller,
+                Check::JunctionGroup(_) => &mut lists.junction_group,
+                Check::Station(_) => &mut lists.station,
+                Check::VmsGroup(_) => &mut lists.vms_group,
+                Check::Network(_) | Check::Overlaps(_) => &mut lists.network,
+            };
+            list.push(rank);
+        }
+        lists
+    }
+}
+
+/// The rules that apply to documents of one version.
+pub(crate) struct Rules {
+    pub(crate) version: Minor,
+    pub(crate) applied: Vec<Applied>,
+    pub(crate) lists: Lists,
+    /// Findings of one rule that are kept where they are no errors.
+    pub(crate) limit: u32,
+}
+
+impl Rules {
+    pub(crate) fn new(settings: &Settings, version: Minor) -> Self {
+        let applied = catalog::all()
+            .filter(|rule| settings.applies(rule, version))
+            .filter_map(|rule| Some(Applied { rule, severity: settings.severity(rule)? }))
+            .collect::<Vec<_>>();
+        let lists = Lists::new(&applied);
+        Self { version, applied, lists, limit: settings.findings_of_a_rule }
+    }
+}
+
+/// What a rule found.
+pub(crate) enum Found {
+    Finding(Finding),
+    /// Findings beyond those kept: the place of the first, the severity of the worst, how many.
+    LeftOut(Span, Severity, u32),
+}
+
+/// What the rules on elements found in one of them, in the order in which they did.
+#[derive(Default)]
+pub struct Looked(pub(crate) Vec<(usize, Found)>);
+
+/// Looks at top-level elements by themselves.
+pub struct Looker {
+    pub(crate) rules: Arc<Rules>,
+    /// Findings so far by rule: no more than the whole document has up to here.
+    pub(crate) counts: Vec<u32>,
+    pub(crate) found: Vec<(usize, Found)>,
+    pub(crate) network: Network,
+}
+
+impl Looker {
+    pub(crate) fn new(rules: Rules) -> Self {
+        Self::with(&Arc::new(rules))
+    }
+
+    /// One with these rules that has seen nothing.
+    pub(crate) fn with(rules: &Arc<Rules>) -> Self {
+        let counts = vec![0; rules.applied.len()];
+        let (rules, network) = (Arc::clone(rules), Network::default());
+        Self { rules, counts, found: Vec::new(), network }
+    }
+
+    /// One with the same rules that knows how much was found so far.
+    pub(crate) fn another(&self) -> Self {
+        let (rules, counts) = (Arc::clone(&self.rules), self.counts.clone());
+        Self { rules, counts, found: Vec::new(), network: Network::default() }
+    }
+
+    /// Looks at a top-level element, and keeps what the rules on the network need of it; yields a road's reference line, too.
+    pub fn item(&mut self, item: &Item) -> (Looked, ReferenceLine) {
+        let line = self.look(item);
+        self.network.add(item, &line);
+        (Looked(std::mem::take(&mut self.found)), line)
+    }
+
+    /// What is kept of the elements that were looked at.
+    pub fn into_network(self) -> Network {
+        self.network
+    }
+
+    /// Applies the rules on elements; yields a road's reference line.
+    pub(crate) fn look(&mut self, item: &Item) -> ReferenceLine {
+        let line = match item {
+            Item::Road(road) => ReferenceLine::new(road.plan_view.as_deref()),
+            _ => ReferenceLine::default(),
+        };
+        let rules = Arc::clone(&self.rules);
+        self.walk(&rules, item, &line);
+        line
+    }
+
+    /// Lets a rule look at something.
+    pub(crate) fn apply(
+        &mut self,
+        (rules, rank): (&Rules, usize),
+        path: &[Step<'_>],
+        look: impl FnOnce(&mut Sink<'_>),
+    ) {
+        let applied = rules.applied.get(rank).zip(self.counts.get_mut(rank));
+        let Some((applied, count)) = applied else { return };
+        let mut sink = Sink {
+            rule: applied.rule,
+            rank,
+            severity: applied.severity,
+            version: rules.version,
+            path,
+            out: &mut self.found,
+            count,
+            limit: rules.limit,
+        };
+        look(&mut sink);
+    }
+}

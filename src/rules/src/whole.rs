@@ -1,0 +1,41 @@
+//! The document as a whole, once it has ended.
+
+use crate::looker::{Looked, Looker, Rules};
+use crate::network::Network;
+use crate::rule::Check;
+use std::sync::Arc;
+
+/// What is kept of a document that has ended, and the rules that look at it. Each may do so on another thread.
+pub struct Whole {
+    pub(crate) rules: Arc<Rules>,
+    pub(crate) network: Network,
+}
+
+impl Whole {
+    /// Number of rules that look at the document as a whole.
+    pub fn checks(&self) -> usize {
+        self.rules.lists.network.len()
+    }
+
+    /// Whether a rule looks at all overlaps of roads. Finding them takes longer than any other rule, and who comes first
+    /// keeps the others waiting.
+    pub fn needs_overlaps(&self, check: usize) -> bool {
+        let rank = self.rules.lists.network.get(check);
+        let applied = rank.and_then(|rank| self.rules.applied.get(*rank));
+        applied.is_some_and(|applied| matches!(applied.rule.check, Check::Overlaps(_)))
+    }
+
+    /// Applies a rule.
+    pub fn look(&self, check: usize) -> Looked {
+        let Some(rank) = self.rules.lists.network.get(check).copied() else {
+            return Looked::default();
+        };
+        let mut looker = Looker::with(&self.rules);
+        if let Some(Check::Network(check) | Check::Overlaps(check)) =
+            self.rules.applied.get(rank).map(|applied| applied.rule.check)
+        {
+            looker.apply((&self.rules, rank), &[], |sink| check(&self.network, sink));
+        }
+        Looked(looker.found)
+    }
+}

@@ -1,0 +1,317 @@
+//! A daemon in trouble that is not its own: no room, too many clients, clients that dawdle, signals at the wrong moment. What is
+//! served stays served, and whoever asks hears the truth.
+
+use mapd::control::{ReloadResult, Request, Response, ask};
+use mapd_client::{AttachError, Client, ClientError};
+use mapd_tests::manager::{Manager, WATCHDOG};
+use mapd_tests::place::{PATIENCE, Place};
+use mapd_tests::small::{Filler, in_small_shared_memory};
+use mapd_tests::two_maps::TwoMaps;
+use std::fs;
+use std::io::Write;
+use std::os::unix::net::UnixStream;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
+
+/// Room for one small map and all that serves it.
+const SHARED_MEMORY: u64 = 8 << 20;
+
+fn town() -> String {
+    mapd_tests::carried("town.xodr").display().to_string()
+}
+
+/// The socket on which the only map of this place is asked about.
+fn control_socket(place: &Place) -> std::path::PathBuf {
+    let entries = fs::read_dir(place.domain().root()).expect("the root folder");
+    let mut sockets = entries
+        .flatten()
+        .filter(|entry| entry.file_name().to_string_lossy().starts_with("control-"))
+        .map(|entry| entry.path());
+    sockets.next().expect("a socket")
+}
+
+/// The watchdog once had a sound daemon killed where nobody, so not the daemon either, could attach for want of memory.
+#[test]
+fn full_shared_memory_is_no_reason_to_be_killed() {
+    in_small_shared_memory(SHARED_MEMORY, || {
+        let (place, manager) = (Place::new(MAPD), Manager::new());
+        let mut command = place.command();
+        manager.listen_to(&mut command).args(["--scrub", "1", "--load", &town()]);
+        let _daemon = place.spawn(command);
+        manager.expect("READY=1");
+        let filler = Filler::fill().expect("filled");
+        let until = Instant::now() + 4 * WATCHDOG;
+        manager.drain();
+        let mut pings = 0;
+        while Instant::now() < until {
+            pings += usize::from(manager.hear(WATCHDOG).as_deref() == Some("WATCHDOG=1\n"));
+        }
+        drop(filler);
+        assert!(pings >= 3, "{pings} pings while shared memory was full");
+        let state = place.state("town");
+        assert!(state.self_queries.skipped > 0, "{:?}", state.self_queries);
+        assert_eq!((state.self_queries.failures, state.scrubs.failures), (0, 0));
+    });
+}
+
+/// Clients are refused at a number of their own, and the daemon still looks at what it serves.
+#[test]
+fn places_are_kept_for_the_daemon() {
+    use mapd_client::transport::MAX_SUBSCRIBERS;
+    let (place, manager) = (Place::new(MAPD), Manager::new());
+    let mut command = place.command();
+    manager.listen_to(&mut command).args(["--load", &town()]);
+    let _daemon = place.spawn(command);
+    manager.expect("READY=1");
+    let connect = |wait| Client::connect_in(&place.domain(), "town", wait);
+    let clients: Vec<_> =
+        (0..MAX_SUBSCRIBERS).map(|_| connect(PATIENCE).expect("attaches")).collect();
+    let refused = connect(Duration::from_millis(50)).err();
+    let refused = refused.expect("one more than there are places");
+    let is_full = matches!(&refused, ClientError::Attach(AttachError::TooManySubscribers { .. }));
+    assert!(is_full && refused.to_string().contains("64"), "{refused}");
+    let asked = place.state("town").self_queries.ok;
+    manager.drain();
+    manager.expect("WATCHDOG=1");
+    manager.expect("WATCHDOG=1");
+    let queries = place.state("town").self_queries;
+    assert!(queries.ok > asked && queries.failures + queries.skipped == 0, "{queries:?}");
+    drop(clients);
+    connect(PATIENCE).expect("there is room again");
+}
+
+#[test]
+fn who_waits_for_ever_may_say_so() {
+    let place = Place::new(MAPD);
+    let _daemon = place.serve(&[&town()]);
+    let client = Client::connect_in(&place.domain(), "town", Duration::MAX).expect("attaches");
+    let generation = client.snapshot().generation();
+    client.require(generation, Duration::MAX).expect("is served");
+    let wait = place.command().args(["inspect", "shm:nothing", "--wait", "1e19"]).spawn();
+    let mut wait = wait.expect("starts");
+    std::thread::sleep(Duration::from_millis(300));
+    assert!(wait.try_wait().expect("looked at").is_none(), "it waits");
+    wait.kill().and_then(|()| wait.wait()).expect("ended");
+}
+
+/// A signal that came while maps were compiled ended the daemon as if it knew none.
+#[test]
+fn signals_at_the_start_are_obeyed() {
+    let (place, folder) = (Place::new(MAPD), tempfile::tempdir().expect("a folder"));
+    // A file whose text comes later: the compiler waits for it.
+    let start = |name: &str| {
+        let file = folder.path().join(name);
+        assert!(Command::new("mkfifo").arg(&file).status().expect("mkfifo runs").success());
+        let daemon = place.start(&[&file.display().to_string(), "--no-cache"]);
+        (daemon, fs::OpenOptions::new().write(true).open(&file).expect("somebody reads"))
+    };
+    let (daemon, mut pipe) = start("town.xodr");
+    daemon.signal("HUP");
+    pipe.write_all(&fs::read(town()).expect("the town")).expect("written");
+    drop(pipe);
+    let client = Client::connect_in(&place.domain(), "town", PATIENCE).expect("serves after all");
+    drop(client);
+    drop(daemon);
+    let (daemon, pipe) = start("other.xodr");
+    assert_eq!(daemon.stop(), 0, "SIGTERM before anything was served");
+    drop(pipe);
+}
+
+/// The daemon's own queries wait for the daemon, which at the end waits for them.
+#[test]
+fn a_daemon_ends_at_once_whatever_it_looks_at() {
+    let (place, folder) = (Place::new(MAPD), tempfile::tempdir().expect("a folder"));
+    for number in 0..12 {
+        fs::copy(town(), folder.path().join(format!("m{number}.xodr"))).expect("copied");
+    }
+    let path = folder.path().display().to_string();
+    for _ in 0..3 {
+        let daemon = place.serve(&[&path, "--scrub", "1"]);
+        // Within the first scrub, which begins after a second.
+        std::thread::sleep(Duration::from_millis(1010));
+        let start = Instant::now();
+        assert_eq!(daemon.stop(), 0);
+        assert!(start.elapsed() < Duration::from_secs(8), "{:?}", start.elapsed());
+    }
+}
+
+/// Either all maps are served or none: an archive that does not prove shows only when it is copied.
+#[test]
+fn of_several_maps_all_are_served_or_none() {
+    let (place, folder) = (Place::new(MAPD), tempfile::tempdir().expect("a folder"));
+    let [good, bad] = ["a.mapd", "b.mapd"].map(|name| folder.path().join(name));
+    let mut compile = place.command();
+    let compiled = compile.args(["compile", &town(), "-o"]).arg(&good).output().expect("runs");
+    assert!(compiled.status.success());
+    let mut bytes = fs::read(&good).expect("an archive");
+    let middle = bytes.len() / 2;
+    bytes[middle] ^= 1;
+    fs::write(&bad, &bytes).expect("written");
+    let output = |args: &[&str]| {
+        let output = place.command().arg("--load").args(args).output().expect("ends");
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    let [good, bad] = [good, bad].map(|path| path.display().to_string());
+    let (code, said) = output(&[&good, &bad]);
+    assert_eq!(code, Some(4), "{said}");
+    assert!(!said.contains("serving") && said.contains("map \"b\""), "{said}");
+    for (bytes, words) in [(&b"hi"[..], "cut off: 2 bytes"), (&[7; 4096], "archive")] {
+        fs::write(&bad, bytes).expect("written");
+        let (code, said) = output(&[&bad]);
+        assert!(code == Some(4) && said.contains(words), "{code:?} {said}");
+    }
+    let daemon = place.serve(&[&good, &town()]);
+    for map in ["a", "town"] {
+        Client::connect_in(&place.domain(), map, PATIENCE).expect("is served");
+        assert!(place.state(map).staged.is_none(), "{map}");
+    }
+    drop(daemon);
+}
+
+/// What the file does not hold any more is not served later.
+#[test]
+fn a_map_that_is_withdrawn_cannot_be_activated() {
+    let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+    let _daemon = place.serve(&[&maps.path().display().to_string()]);
+    let reload = |stage| place.change("map", &Request::Reload { map: "map".to_owned(), stage });
+    for stage in [true, false] {
+        maps.put(1);
+        let staged = reload(true);
+        assert_eq!(staged.result, ReloadResult::Staged);
+        maps.put(0);
+        let report = reload(stage);
+        assert_eq!(report.result, ReloadResult::Unchanged, "{report:?}");
+        assert!(report.reason.contains("given up"), "{report:?}");
+        assert_eq!(place.state("map").staged, None);
+        let activated = place.ask("map", &Request::Activate { map: "map".to_owned() });
+        assert!(matches!(activated, Some(Response::Refused { .. })), "{activated:?}");
+        let client = Client::connect_in(&place.domain(), "map", PATIENCE).expect("attaches");
+        assert!(maps.is(&client.snapshot(), 0) && client.pending().is_none());
+    }
+}
+
+/// An archive that was written over in place while it could be gone back to.
+#[test]
+fn what_is_lost_is_left_out_when_going_back() {
+    let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+    let archive = maps.folder().join("map.mapd");
+    let compile = |number| {
+        maps.put(number);
+        let mut command = place.command();
+        command.arg("compile").arg(maps.path()).arg("-o").arg(&archive);
+        assert!(command.output().expect("ends").status.success());
+    };
+    let change = |request: Request| place.change("map", &request);
+    let reload = || change(Request::Reload { map: "map".to_owned(), stage: false });
+    let rollback = || change(Request::Rollback { map: "map".to_owned(), stage: false });
+    compile(0);
+    let _daemon = place.serve(&[&archive.display().to_string()]);
+    let first = place.state("map").served.expect("served").generation;
+    compile(1);
+    assert_eq!(reload().result, ReloadResult::Published);
+    let aside = maps.folder().join("aside");
+    fs::rename(&archive, &aside).expect("renamed");
+    compile(0);
+    assert_eq!(reload().result, ReloadResult::Published);
+    fs::write(&aside, "written over").expect("written");
+    let report = rollback();
+    assert_eq!(report.result, ReloadResult::Published, "{report:?}");
+    let said =
+        [format!("what generation {first} was"), format!("generation {} is lost", first + 1)];
+    assert!(said.iter().all(|words| report.reason.contains(words)), "{report:?}");
+    assert_eq!(place.state("map").rollbacks, 0);
+    let request = Request::Rollback { map: "map".to_owned(), stage: false };
+    let answer = place.ask("map", &request);
+    assert!(matches!(answer, Some(Response::Refused { .. })), "{answer:?}");
+}
+
+/// Who sends a byte now and then has two seconds in all, and who is refused meanwhile hears why.
+#[test]
+fn dawdlers_keep_others_out_for_a_moment_only() {
+    let place = Place::new(MAPD);
+    let _daemon = place.serve(&[&town()]);
+    let socket = control_socket(&place);
+    let mut dawdlers: Vec<_> =
+        (0..32).map(|_| UnixStream::connect(&socket).expect("connects")).collect();
+    let until = Instant::now() + PATIENCE;
+    let (mut refused, mut answered) = (0, false);
+    while !answered && Instant::now() < until {
+        for dawdler in &mut dawdlers {
+            // Fails once it has been hung up on.
+            let _ = dawdler.write_all(b" ");
+        }
+        match ask(&place.domain(), "town", &Request::Status, PATIENCE).expect("an answer") {
+            Response::Refused { reason } => {
+                assert!(reason.contains("32 requests"), "{reason}");
+                refused += 1;
+            }
+            _ => answered = true,
+        }
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    assert!(answered && refused > 0, "{refused} refused");
+}
+
+/// A daemon that is stopped keeps whoever asks waiting no longer than they wish, however many have asked before.
+#[test]
+fn nobody_waits_for_ever_for_a_daemon_that_is_stopped() {
+    let place = Place::new(MAPD);
+    let daemon = place.serve(&[&town()]);
+    daemon.signal("STOP");
+    let socket = control_socket(&place);
+    // Who has gone again keeps its place in the line. The line's length is the kernel's; none that is known has more places.
+    let most = 10_000;
+    let mut connected = 0;
+    while connected < most {
+        let (done, asked) = std::sync::mpsc::channel();
+        let path = socket.clone();
+        std::thread::spawn(move || done.send(UnixStream::connect(path).map(drop)));
+        match asked.recv_timeout(Duration::from_millis(500)) {
+            Ok(Ok(())) => connected += 1,
+            Ok(Err(error)) => panic!("{error}"),
+            Err(_) => break,
+        }
+    }
+    assert!(connected < most, "the line is never full");
+    let start = Instant::now();
+    let answer = ask(&place.domain(), "town", &Request::Status, Duration::from_millis(200));
+    assert!(answer.is_err(), "{answer:?}");
+    assert!(start.elapsed() < Duration::from_secs(5), "{:?}", start.elapsed());
+    daemon.signal("CONT");
+}
+
+#[test]
+fn wrong_usage_is_told_from_a_failing_environment() {
+    let (place, folder) = (Place::new(MAPD), tempfile::tempdir().expect("a folder"));
+    let (town, empty) = (town(), folder.path().display().to_string());
+    let check = |args: &[&str]| {
+        let mut command = place.command();
+        let output = command.args(args).stdin(Stdio::null()).output().expect("ends");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{args:?}: {said}");
+        assert!(!said.contains("serving"), "{args:?}: {said}");
+    };
+    for args in [
+        &["--load", &town, "--prefix", "x"][..],
+        &["status", "--prefix", "x"],
+        &["--load", &town, "--name", "a b"],
+        &["--load", &town, &town],
+        &["--load", &town, &town, "--name", "one"],
+        &["--load", &empty],
+        &["--load", &town, "--metrics", "0.0.0.0:0"],
+        &["query", &town, "nearest", "--radius", "nan"],
+        &["query", &town, "nearest", "--radius=-3"],
+        &["query", &town, "nearest", "--z-tolerance", "inf"],
+    ] {
+        check(args);
+    }
+    // A port that is in use is the environment's fault, and shows before anything is served.
+    let taken = std::net::TcpListener::bind("127.0.0.1:0").expect("a port");
+    let address = taken.local_addr().expect("an address").to_string();
+    let mut command = place.command();
+    let output = command.args(["--load", &town, "--metrics", &address]).output().expect("ends");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.code() == Some(1) && !said.contains("serving"), "{said}");
+}
