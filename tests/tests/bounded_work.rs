@@ -143,11 +143,9 @@ fn priorities_are_looked_up_not_looked_through() {
         r#"<priority high="3" low="5"/><priority high="5" low="3"/></junction></OpenDRIVE>"#,
     );
     let rows = rows(soon("priorities of a junction", &text));
-    let found = rows
-        .right_of_way
-        .iter()
-        .filter(|row| row.reason == RelationReason::JunctionPriority.code());
+    let found =
+        rows.conflicts.iter().filter(|row| row.reason == RelationReason::JunctionPriority.code());
     let relations: Vec<u8> = found.map(|row| row.relation).collect();
     assert_eq!(relations, [Relation::Priority.code(), Relation::Yields.code()]);
-    assert!(rows.right_of_way.len() > 9000, "{} pairs", rows.right_of_way.len());
+    assert!(rows.conflicts.len() > 9000, "{} pairs", rows.conflicts.len());
 }
