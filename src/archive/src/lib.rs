@@ -76,4 +76,4 @@ pub use signal_codes::{
 pub use strings::StringTable;
 pub use table::{ArchivedRange, ArchivedTable, Range, Table, TableInfo};
 pub use verify::verify;
-pub use write::{AlignedBytes, encode, encode_into, encoded_length};
+pub use write::{AlignedBytes, encode, encode_into, encode_to, encoded_length};
