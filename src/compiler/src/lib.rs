@@ -391,11 +391,17 @@ fn read(
         graph = graph::build(&mut lowering, &places, &mut late).map_err(io::Error::other)?;
         collector.add_late(late, &places);
     }
-    let provenance = Provenance {
-        input_hash: hashing.finish(included(&places))?,
-        options_hash: [0; 8],
-        compiler_version: crate::version(),
+    let most = reading.limits.source.decoded_bytes;
+    let input_hash = match hashing.finish(included(&places), most)? {
+        Some(hash) => hash,
+        // Nothing is made of it that the hash would have to name.
+        None if collector.is_rejected() => [0; 32],
+        None => {
+            return Err(io::Error::other(format!("more than {most} bytes follow the document")));
+        }
     };
+    let provenance =
+        Provenance { input_hash, options_hash: [0; 8], compiler_version: crate::version() };
     lowering.quarantine(&quarantined);
     Ok(Document { lowering, graph, signals, collector, places, provenance, version, quarantined })
 }
