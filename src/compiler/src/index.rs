@@ -12,8 +12,6 @@ use rayon::prelude::*;
 
 /// Added to every reach, overshoot and height `[m]`, besides the tolerances: single precision within a leaf.
 const REACH_MARGIN: f64 = 1e-4;
-/// Points of one lane's centre line: segments are numbered with 16 bits.
-pub(crate) const MAX_POINTS: u32 = 1 << 16;
 /// Units of `reach` and `overshoot` in a metre.
 const REACH_UNITS: f64 = 128.0;
 /// Units of `z_low` and `z_high` in a metre.

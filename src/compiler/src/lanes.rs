@@ -1,8 +1,9 @@
 //! Samples every lane's centre line and border, through the queries that will answer later.
 
 use crate::TooLarge;
+use crate::allowance::Allowance;
 use crate::cuts::{Cuts, Memory};
-use crate::flatten::{Curve, Sample, flatten};
+use crate::flatten::{Curve, Fault, Sample, flatten};
 use crate::options::CompileOptions;
 use glam::DVec3;
 use mapd_archive::{Archive, Header, LaneRow, PointRow, Provenance, Range, Rows};
@@ -21,6 +22,8 @@ struct Lines {
     lanes: Vec<Line>,
     /// Centre line and border, lane by lane.
     points: Vec<PointRow>,
+    /// Lanes whose lines have too many points.
+    long: Vec<u32>,
     /// Smallest and largest coordinates of any point.
     bounds: [DVec3; 2],
 }
@@ -36,15 +39,25 @@ struct Line {
 }
 
 /// Fills `points`, the lanes' ranges into them and the map's bounds. Sections are sampled in parallel and joined in order.
-pub(crate) fn sample(rows: &mut Rows, options: &CompileOptions) -> Result<(), TooLarge> {
+/// Yields lanes whose lines have more points than lines may have; of a section with such a lane, not all lanes are looked at.
+/// Where the allowance is exceeded, nothing of it is of use.
+pub(crate) fn sample(
+    rows: &mut Rows,
+    options: &CompileOptions,
+    allowance: &Allowance,
+) -> Result<Vec<u32>, TooLarge> {
     let lines: Vec<Lines> = {
         let archive = view(rows);
         let map = Map::new(&archive, 0);
         let numbers: Vec<u32> = (0..rows.sections.len() as u32).collect();
         let chunks = numbers.par_chunks(SECTIONS_PER_TASK);
-        chunks.map(|sections| lines(map, sections, options)).collect()
+        chunks.map(|sections| lines(map, sections, options, allowance)).collect()
     };
     let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    if allowance.is_exceeded() {
+        return Ok(Vec::new());
+    }
+    let mut long = Vec::new();
     rows.points.reserve_exact(lines.iter().map(|lines| lines.points.len()).sum());
     for lines in lines {
         let mut first = rows.points.len();
@@ -62,6 +75,7 @@ pub(crate) fn sample(rows: &mut Rows, options: &CompileOptions) -> Result<(), To
             (row.center, row.border) = (center, border);
             (row.x, row.y, row.z) = line.origin.into();
         }
+        long.extend(lines.long);
         low = low.min(lines.bounds[0]);
         high = high.max(lines.bounds[1]);
     }
@@ -69,7 +83,7 @@ pub(crate) fn sample(rows: &mut Rows, options: &CompileOptions) -> Result<(), To
         (map.min_x, map.min_y, map.min_z) = (low.x + map.origin_x, low.y + map.origin_y, low.z);
         (map.max_x, map.max_y, map.max_z) = (high.x + map.origin_x, high.y + map.origin_y, high.z);
     }
-    Ok(())
+    Ok(long)
 }
 
 /// Unfinished rows, seen as an archive.
@@ -80,38 +94,48 @@ pub(crate) fn view(rows: &Rows) -> Archive<'_> {
 }
 
 /// Samples the lanes of some sections.
-fn lines(map: Map<'_>, sections: &[u32], options: &CompileOptions) -> Lines {
+fn lines(map: Map<'_>, sections: &[u32], options: &CompileOptions, allowance: &Allowance) -> Lines {
     let bounds = [DVec3::INFINITY, DVec3::NEG_INFINITY];
-    let mut lines = Lines { lanes: Vec::new(), points: Vec::new(), bounds };
+    let mut lines = Lines { lanes: Vec::new(), points: Vec::new(), long: Vec::new(), bounds };
     let mut memory = Memory::new();
     let mut samples = Vec::new();
     for section in sections.iter().filter_map(|section| map.section_by_row(*section)) {
         let Some(mut cuts) = Cuts::new(section, &mut memory) else { continue };
+        let long = lines.long.len();
         for (at, lane) in section.lanes().enumerate() {
+            if lines.long.len() > long || allowance.is_exceeded() {
+                break;
+            }
             let before = lines.points.len();
             let along = (&mut cuts, at);
-            if line(&lane, along, options, &mut samples, &mut lines).is_none() {
+            if let Err(fault) = line(&lane, along, options, &mut samples, &mut lines) {
                 lines.points.truncate(before);
+                if fault == Fault::TooManyPoints {
+                    lines.long.push(lane.lane_id().row());
+                }
             }
+            allowance.take(lines.points.len() - before);
         }
     }
     lines.points.shrink_to_fit();
     lines
 }
 
-/// Samples the lane that is the `at`-th of its section from the left. None for geometry that is not finite.
+/// Samples the lane that is the `at`-th of its section from the left.
+///
+/// Errors: as those of [`flatten`].
 fn line(
     lane: &Lane<'_>,
     (cuts, at): (&mut Cuts<'_, '_>, usize),
     options: &CompileOptions,
     samples: &mut Vec<Sample>,
     lines: &mut Lines,
-) -> Option<()> {
+) -> Result<(), Fault> {
     let breaks = breaks(lane);
     let s_start = lane.section().s_start();
     let mut border = LaneCurve { cuts, lane: at, t: |edges: LaneEdges| edges.outer };
     flatten(&breaks, options.bound_tolerance, &mut border, samples)?;
-    let origin = samples.first()?.position;
+    let origin = samples.first().ok_or(Fault::NotFinite)?.position;
     let mut bounds = lines.bounds;
     for sample in samples.iter() {
         bounds = [bounds[0].min(sample.position), bounds[1].max(sample.position)];
@@ -129,7 +153,7 @@ fn line(
     let lane = lane.lane_id().row();
     lines.lanes.push(Line { lane, origin, center, border: outer.len() });
     lines.bounds = bounds;
-    Some(())
+    Ok(())
 }
 
 /// A line along a lane, between its edges.

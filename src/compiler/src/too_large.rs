@@ -1,11 +1,12 @@
 //! What does not fit the tables.
 
-use crate::{finding, index};
+use crate::finding;
+use crate::flatten::MOST_POINTS;
 use mapd_archive::{NONE, Rows};
 use mapd_xodr::{Finding, Severity};
 
 /// Rule of maps and lanes that do not fit the tables.
-const TOO_LARGE: &str = "mapd:compile.too_large";
+pub(crate) const TOO_LARGE: &str = "mapd:compile.too_large";
 
 /// A table outgrew 32-bit row numbers.
 #[derive(Debug)]
@@ -52,17 +53,15 @@ pub(crate) fn too_large(error: &TooLarge) -> Finding {
     finding(TOO_LARGE, Severity::Error, span, path, error.to_string(), hint)
 }
 
-/// A lane bends so often that its polyline outgrows what the index can name.
+/// A lane bends so often that its polyline outgrows what a line may have, and the index can name.
 pub(crate) fn too_long(rows: &Rows, lane: u32, road_spans: &[mapd_xodr::Span]) -> Finding {
     let (row, id) = road_of(rows, lane).unwrap_or_default();
-    let (number, points) =
-        rows.lanes.get(lane as usize).map_or((0, 0), |lane| (lane.number, lane.center.count));
+    let number = rows.lanes.get(lane as usize).map_or(0, |lane| lane.number);
     let span = road_spans.get(row as usize).copied().unwrap_or_default();
     let path = format!("OpenDRIVE/road[@id={id}]");
     let message = format!(
-        "expected lanes of at most {} points, found {points} for lane {number} of road {id}",
-        index::MAX_POINTS
+        "expected lanes of at most {MOST_POINTS} points, and no more than their lengths explain, found more for lane {number} of road {id}"
     );
-    let hint = "split the road, or compile with a larger index tolerance";
+    let hint = "split the road, or compile with larger tolerances";
     finding(TOO_LARGE, Severity::Error, span, path, message, hint)
 }
