@@ -41,6 +41,8 @@ pub(crate) struct Field {
     pub(crate) to: Option<String>,
     #[serde(default)]
     pub(crate) optional: bool,
+    /// The field that says how many rows from here on are meant.
+    pub(crate) count: Option<String>,
     pub(crate) codes: Option<u32>,
     pub(crate) unit: Option<String>,
     pub(crate) doc: String,
@@ -94,6 +96,10 @@ impl Layout {
             offset += size.bytes;
             align = align.max(size.align);
             self.target(field.to.as_deref())?;
+            if let Some(count) = &field.count {
+                let is_count = |f: &Field| f.name == *count && f.kind == "u16";
+                ensure!(table.fields.iter().any(is_count), "no count {count} of type u16");
+            }
         }
         ensure!(
             offset % align == 0,

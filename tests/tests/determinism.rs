@@ -8,13 +8,13 @@ use std::path::Path;
 /// machine. They change when the layout or the compiler changes;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
-    ("one_road.xodr", "", "ec175461fe85f68eb98a248ec72a2dbccd2a25f46397baad8e90d74ed823b4b7"),
-    ("town.xodr", "", "809be0313263a1094b6d7c086582f2cc2cc4d665b9f1205c1dfb8c4ccd757b98"),
-    ("one_road.xodr", "utm", "b47669492c7994454af9e688585b0a438e7b585591b76b60c936dff597f28d53"),
+    ("one_road.xodr", "", "b936da37f3ee65e7b61eb2dd6ba91b8a05dafb473601bda415b42717cfe4ea3e"),
+    ("town.xodr", "", "b37f1f25c0fa925866317e16576db00ad0c714da90e118b3e501a6960fe47e8a"),
+    ("one_road.xodr", "utm", "3fb724fac5fcdc5dafcbb2e28f8e54f435316756457de6da7a5fe3cca4bf99d0"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "d828ea85d9a46963bf6042b81e083cea94f0487fe7b73daca7b9ad9c585e4d31",
+        "a5c9949fdb5e4f14a2e2f81adffd2a1f6ae0ed3f7f63b3440a7df811d2a75def",
     ),
 ];
 

@@ -21,8 +21,8 @@ const ALLOWANCE: f64 = 1.15;
 /// Parts that a stretch is cut into at once: what a few places say of a long stretch may be far off.
 const MAX_PARTS: u32 = 64;
 
-/// Points that one line may have: the index numbers segments of a lane with 16 bits.
-pub(crate) const MOST_POINTS: usize = 1 << 16;
+/// Points that one line may have: what the row of a lane can count.
+const MOST_POINTS: usize = mapd_archive::MOST_OF_LANE;
 /// Points that a line of any length may have besides two for each break.
 const LEAST_POINTS: usize = 1024;
 /// Points beyond these for each metre of s: one of a circle of 1 m within 1 mm has 11. A cubic of the file may be of any
@@ -175,7 +175,8 @@ fn parts(a: Sample, b: Sample, tolerance: f64, curve: &mut impl Curve) -> Option
 fn needed(excess: f64) -> u32 {
     // Not a number counts as the least. (Casts saturate.)
     let parts = (excess * ALLOWANCE).sqrt().ceil() as u32;
-    if parts > MAX_PARTS { MAX_PARTS } else { parts.max(2) }
+    // Not with `if` and `max`: rustc 1.95 forgets the upper bound then, in some builds.
+    parts.clamp(2, MAX_PARTS)
 }
 
 /// A segment that distances are measured from.
@@ -203,4 +204,18 @@ impl Chord {
 /// Distance of a point from a segment.
 pub(crate) fn distance_to_segment(p: DVec3, a: DVec3, b: DVec3) -> f64 {
     Chord::new(a, b).distance_squared(p).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stretch_is_cut_into_two_to_so_many_parts() {
+        for (excess, parts) in
+            [(f64::NAN, 2), (0.0, 2), (1.0, 2), (5000.0, MAX_PARTS), (f64::INFINITY, MAX_PARTS)]
+        {
+            assert_eq!(needed(std::hint::black_box(excess)), parts, "{excess}");
+        }
+    }
 }

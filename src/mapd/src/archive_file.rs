@@ -1,10 +1,8 @@
-//! Writing `.mapd` files: exact size, straight into the file's pages, visible under its name only when whole.
-#![allow(unsafe_code)]
+//! Writing `.mapd` files: exact size, straight from the tables, visible under their name only when whole.
 
 use crate::draft::Draft;
 use anyhow::{Context, Result};
-use mapd_archive::{Header, Provenance, Rows, encode_into, encoded_length};
-use memmap2::MmapMut;
+use mapd_archive::{Header, Provenance, Rows, encode_to, encoded_length};
 use rustix::fs::FallocateFlags;
 use std::fs::{File, OpenOptions};
 use std::path::Path;
@@ -41,8 +39,8 @@ pub fn write(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Header
 pub(crate) fn prepare(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Written> {
     let context = || format!("writing {}", path.display());
     let draft = Draft::begin(path).with_context(context)?;
-    let (header, map) = fill(draft.file(), rows, provenance).with_context(context)?;
-    map.flush().with_context(context)?;
+    let header = fill(draft.file(), rows, provenance).with_context(context)?;
+    draft.file().sync_data().with_context(context)?;
     Ok(Written { draft, header })
 }
 
@@ -53,22 +51,16 @@ pub(crate) fn prepare(path: &Path, rows: &Rows, provenance: &Provenance) -> Resu
 pub fn write_into(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Header> {
     let context = || format!("writing {}", path.display());
     let file = OpenOptions::new().read(true).write(true).open(path).with_context(context)?;
-    Ok(fill(&file, rows, provenance).with_context(context)?.0)
+    fill(&file, rows, provenance).with_context(context)
 }
 
-fn fill(file: &File, rows: &Rows, provenance: &Provenance) -> Result<(Header, MmapMut)> {
-    let length = encoded_length(rows)?;
-    // Reserves the blocks: a full disk is an error here instead of a signal while filling.
-    rustix::fs::fallocate(file, FallocateFlags::empty(), 0, length as u64).or_else(|error| {
-        if error == rustix::io::Errno::OPNOTSUPP {
-            file.set_len(length as u64).map_err(|_| error)
-        } else {
-            Err(error)
-        }
-    })?;
-    // SAFETY: the file is this process's own (locked or with the process's id in its name, or its parent made it for this
-    // process), with no reader before it is whole; its blocks are reserved, so that writing cannot fault.
-    let mut map = unsafe { MmapMut::map_mut(file)? };
-    let header = encode_into(rows, provenance, &mut map)?;
-    Ok((header, map))
+fn fill(file: &File, rows: &Rows, provenance: &Provenance) -> Result<Header> {
+    let length = encoded_length(rows)? as u64;
+    file.set_len(length)?;
+    // Reserves the blocks: a full disk shows at once. Not every file system can.
+    match rustix::fs::fallocate(file, FallocateFlags::empty(), 0, length) {
+        Err(rustix::io::Errno::OPNOTSUPP) | Ok(()) => {}
+        Err(error) => return Err(error.into()),
+    }
+    Ok(encode_to(rows, provenance, &mut &*file)?)
 }

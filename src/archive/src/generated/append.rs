@@ -22,10 +22,6 @@ pub struct Moves {
     pub sections: Moved,
     /// `lanes`.
     pub lanes: Moved,
-    /// `lane_speeds`.
-    pub lane_speeds: Moved,
-    /// `points`.
-    pub points: Moved,
     /// `junctions`.
     pub junctions: Moved,
     /// `connections`.
@@ -114,6 +110,7 @@ impl Rows {
             sections: unused(),
             lanes: unused(),
             lane_speeds: unused(),
+            point_stations: unused(),
             points: unused(),
             junctions: unused(),
             connections: unused(),
@@ -207,8 +204,6 @@ impl Rows {
             road_types: Moved::behind(self.road_types.len()),
             sections: Moved::behind(self.sections.len()),
             lanes: Moved::behind(self.lanes.len()),
-            lane_speeds: Moved::behind(self.lane_speeds.len()),
-            points: Moved::behind(self.points.len()),
             junctions: Moved::behind(self.junctions.len()),
             connections: Moved::behind(self.connections.len()),
             connection_lane_links: Moved::behind(self.connection_lane_links.len()),
@@ -286,12 +281,11 @@ impl Rows {
             self.lanes.extend_from_slice(part.lanes.get(1..).unwrap_or_default());
             self.lanes.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.lane_speeds.is_behind() {
-            self.lane_speeds.extend_from_slice(part.lane_speeds.get(1..).unwrap_or_default());
-        }
-        if moves.points.is_behind() {
-            self.points.extend_from_slice(part.points.get(1..).unwrap_or_default());
-        }
+        let before = self.lane_speeds.len();
+        self.lane_speeds.extend_from_slice(part.lane_speeds.get(1..).unwrap_or_default());
+        self.lane_speeds.iter_mut().skip(before).for_each(|row| row.move_by(moves));
+        self.point_stations.extend_from_slice(part.point_stations.get(1..).unwrap_or_default());
+        self.points.extend_from_slice(part.points.get(1..).unwrap_or_default());
         if moves.junctions.is_behind() {
             let before = self.junctions.len();
             self.junctions.extend_from_slice(part.junctions.get(1..).unwrap_or_default());

@@ -386,7 +386,7 @@ impl ArchivedGraphRow {
     pub fn components(&self) -> u32 {
         self.components.to_native()
     }
-    /// Number of nodes with a place in `landmark_lengths` and `landmark_times`.
+    /// Number of places in `landmark_lengths` and `landmark_times`.
     #[inline]
     pub fn bounds(&self) -> u32 {
         self.bounds.to_native()
@@ -419,7 +419,7 @@ impl ArchivedLaneNodeRow {
     pub fn component(&self) -> u32 {
         self.component.to_native()
     }
-    /// Place in `landmark_lengths` and `landmark_times`; u32::MAX if no motor vehicle may use the node.
+    /// Place in `landmark_lengths` and `landmark_times` of the node's anchor: the node itself, or one from which a way without a change of lane leads to it; u32::MAX if no motor vehicle may use the node.
     #[inline]
     pub fn bound(&self) -> u32 {
         self.bound.to_native()
@@ -438,6 +438,16 @@ impl ArchivedLaneNodeRow {
     #[inline]
     pub fn time(&self) -> f32 {
         self.time.to_native()
+    }
+    /// Length of the way from the anchor, in the graph's `length_step`, rounded up; 0 for the anchor itself.
+    #[inline]
+    pub fn anchor_length(&self) -> u16 {
+        self.anchor_length.to_native()
+    }
+    /// Time from the anchor, in `time_step`, rounded up.
+    #[inline]
+    pub fn anchor_time(&self) -> u16 {
+        self.anchor_time.to_native()
     }
     /// Bit i: vehicle class i may use it.
     #[inline]

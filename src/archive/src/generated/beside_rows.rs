@@ -259,7 +259,7 @@ pub struct GraphRow {
     pub change_time: f64,
     /// Number of strongly connected components.
     pub components: u32,
-    /// Number of nodes with a place in `landmark_lengths` and `landmark_times`.
+    /// Number of places in `landmark_lengths` and `landmark_times`.
     pub bounds: u32,
     /// Number of landmarks; 0 if the map has none.
     pub landmarks: u32,
@@ -281,7 +281,7 @@ pub struct LaneNodeRow {
     pub right: u32,
     /// Strongly connected component, numbered in topological order of the condensation.
     pub component: u32,
-    /// Place in `landmark_lengths` and `landmark_times`; u32::MAX if no motor vehicle may use the node.
+    /// Place in `landmark_lengths` and `landmark_times` of the node's anchor: the node itself, or one from which a way without a change of lane leads to it; u32::MAX if no motor vehicle may use the node.
     pub bound: u32,
     /// `[m]` Smaller end of the piece, from the section's start.
     pub s_from: f32,
@@ -289,6 +289,10 @@ pub struct LaneNodeRow {
     pub length: f32,
     /// `[s]` Time to pass it at the speed limit.
     pub time: f32,
+    /// Length of the way from the anchor, in the graph's `length_step`, rounded up; 0 for the anchor itself.
+    pub anchor_length: u16,
+    /// Time from the anchor, in `time_step`, rounded up.
+    pub anchor_time: u16,
     /// Bit i: vehicle class i may use it.
     pub access: u16,
     /// 1 travels towards +s, 2 change to the left allowed, 4 change to the right allowed.
@@ -296,7 +300,7 @@ pub struct LaneNodeRow {
     /// 0.
     pub reserved: u8,
 }
-const _: () = assert!(size_of::<LaneNodeRow>() == 36 && size_of::<ArchivedLaneNodeRow>() == 36);
+const _: () = assert!(size_of::<LaneNodeRow>() == 40 && size_of::<ArchivedLaneNodeRow>() == 40);
 
 /// What is known of each entry of `successors`: where the file says so. Length, time and access are those of the node that is left.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]

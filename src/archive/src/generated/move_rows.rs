@@ -6,6 +6,7 @@ use super::beside_rows::*;
 use super::network_rows::*;
 use super::object_rows::*;
 use super::signal_rows::*;
+use crate::table::Range;
 
 impl MapRow {
     /// Lets the row refer to where what it refers to comes to lie.
@@ -68,11 +69,23 @@ impl LaneRow {
     /// Lets the row refer to where what it refers to comes to lie.
     pub fn move_by(&mut self, moves: &Moves) {
         self.section = moves.sections.row(self.section);
-        self.widths = moves.cubics.range(self.widths);
-        self.speeds = moves.lane_speeds.range(self.speeds);
-        self.nodes = moves.lane_nodes.range(self.nodes);
-        self.center = moves.points.range(self.center);
-        self.border = moves.points.range(self.border);
+        let moved =
+            moves.cubics.range(Range { first: self.first_width, count: self.width_count.into() });
+        self.first_width = moved.first;
+        // A range that is nowhere has no rows.
+        self.width_count = self.width_count.min(moved.count as u16);
+        let moved =
+            moves.lane_nodes.range(Range { first: self.first_node, count: self.node_count.into() });
+        self.first_node = moved.first;
+        // A range that is nowhere has no rows.
+        self.node_count = self.node_count.min(moved.count as u16);
+    }
+}
+
+impl LaneSpeedRow {
+    /// Lets the row refer to where what it refers to comes to lie.
+    pub fn move_by(&mut self, moves: &Moves) {
+        self.lane = moves.lanes.row(self.lane);
     }
 }
 

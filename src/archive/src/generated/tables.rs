@@ -13,7 +13,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [192, 165, 128, 128, 111, 25, 9, 172, 253, 81, 6, 17, 44, 234, 164, 136];
+    [198, 100, 163, 161, 23, 108, 2, 62, 250, 100, 250, 156, 139, 132, 223, 203];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -36,14 +36,16 @@ pub struct Rows {
     pub cubics: Table<CubicRow>,
     /// road/type records.
     pub road_types: Table<RoadTypeRow>,
-    /// Lane sections, road by road, ascending in s.
+    /// Lane sections, road by road, ascending in s, with the frame of their lanes' points (`points`).
     pub sections: Table<SectionRow>,
     /// Lanes, section by section, from left to right. The row number is the LaneId. Lane 0 has no width; its border is the shifted reference line.
     pub lanes: Table<LaneRow>,
-    /// lane/speed records.
+    /// lane/speed records, by lane and s.
     pub lane_speeds: Table<LaneSpeedRow>,
-    /// Points of polylines, relative to the origin of the lane that owns them.
-    pub points: Table<PointRow>,
+    /// s of points minus their section's start `[m]`, section by section, ascending, each once: all lines of a section share them.
+    pub point_stations: Table<f32>,
+    /// Points of polylines, `point_bytes` each, the lowest first, lane by lane. From the lowest bit on: number of the point's station among the section's, then x, y and z in steps from the section's frame, each with as many bits as the section says.
+    pub points: Table<u8>,
     /// One row per junction, in file order. The row number is the JunctionId.
     pub junctions: Table<JunctionRow>,
     /// junction/connection.
@@ -218,7 +220,8 @@ impl Rows {
             sections: bytemuck::cast_slice(self.sections.as_slice()),
             lanes: bytemuck::cast_slice(self.lanes.as_slice()),
             lane_speeds: bytemuck::cast_slice(self.lane_speeds.as_slice()),
-            points: bytemuck::cast_slice(self.points.as_slice()),
+            point_stations: (self.point_stations.as_slice()),
+            points: (self.points.as_slice()),
             junctions: bytemuck::cast_slice(self.junctions.as_slice()),
             connections: bytemuck::cast_slice(self.connections.as_slice()),
             connection_lane_links: bytemuck::cast_slice(self.connection_lane_links.as_slice()),
@@ -323,14 +326,16 @@ pub struct Tables<'a> {
     pub cubics: &'a [ArchivedCubicRow],
     /// road/type records.
     pub road_types: &'a [ArchivedRoadTypeRow],
-    /// Lane sections, road by road, ascending in s.
+    /// Lane sections, road by road, ascending in s, with the frame of their lanes' points (`points`).
     pub sections: &'a [ArchivedSectionRow],
     /// Lanes, section by section, from left to right. The row number is the LaneId. Lane 0 has no width; its border is the shifted reference line.
     pub lanes: &'a [ArchivedLaneRow],
-    /// lane/speed records.
+    /// lane/speed records, by lane and s.
     pub lane_speeds: &'a [ArchivedLaneSpeedRow],
-    /// Points of polylines, relative to the origin of the lane that owns them.
-    pub points: &'a [ArchivedPointRow],
+    /// s of points minus their section's start `[m]`, section by section, ascending, each once: all lines of a section share them.
+    pub point_stations: &'a [f32],
+    /// Points of polylines, `point_bytes` each, the lowest first, lane by lane. From the lowest bit on: number of the point's station among the section's, then x, y and z in steps from the section's frame, each with as many bits as the section says.
+    pub points: &'a [u8],
     /// One row per junction, in file order. The row number is the JunctionId.
     pub junctions: &'a [ArchivedJunctionRow],
     /// junction/connection.
@@ -505,6 +510,7 @@ impl<'a> Tables<'a> {
             sections: root.sections.view(body, "sections")?,
             lanes: root.lanes.view(body, "lanes")?,
             lane_speeds: root.lane_speeds.view(body, "lane_speeds")?,
+            point_stations: root.point_stations.view_numbers(body, "point_stations")?,
             points: root.points.view(body, "points")?,
             junctions: root.junctions.view(body, "junctions")?,
             connections: root.connections.view(body, "connections")?,
@@ -596,7 +602,7 @@ impl<'a> Tables<'a> {
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 91] {
+    pub fn infos(&self) -> [TableInfo; 92] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -610,6 +616,7 @@ impl<'a> Tables<'a> {
             TableInfo::of("sections", self.sections),
             TableInfo::of("lanes", self.lanes),
             TableInfo::of("lane_speeds", self.lane_speeds),
+            TableInfo::of("point_stations", self.point_stations),
             TableInfo::of("points", self.points),
             TableInfo::of("junctions", self.junctions),
             TableInfo::of("connections", self.connections),
@@ -696,6 +703,7 @@ impl<'a> Tables<'a> {
 // The element types as they lie in the bytes.
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::f64_le>() == size_of::<f64>());
+const _: () = assert!(size_of::<rend::f32_le>() == size_of::<f32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());

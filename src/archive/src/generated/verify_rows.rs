@@ -119,32 +119,25 @@ impl Tables<'_> {
             let check = Check { table: "sections", row: i };
             check.finite("s_start", row.s_start())?;
             check.finite("s_end", row.s_end())?;
+            check.finite("x", f64::from(row.x()))?;
+            check.finite("y", f64::from(row.y()))?;
+            check.finite("z", f64::from(row.z()))?;
             check.reference("road", row.road(), self.roads.len(), false)?;
             check.range("lanes", row.lanes(), self.lanes.len())?;
         }
         for (i, row) in self.lanes.iter().enumerate() {
             let check = Check { table: "lanes", row: i };
-            check.finite("x", row.x())?;
-            check.finite("y", row.y())?;
-            check.finite("z", row.z())?;
             check.reference("section", row.section(), self.sections.len(), false)?;
-            check.range("widths", row.widths(), self.cubics.len())?;
-            check.range("speeds", row.speeds(), self.lane_speeds.len())?;
-            check.range("nodes", row.nodes(), self.lane_nodes.len())?;
-            check.range("center", row.center(), self.points.len())?;
-            check.range("border", row.border(), self.points.len())?;
         }
         for (i, row) in self.lane_speeds.iter().enumerate() {
             let check = Check { table: "lane_speeds", row: i };
             check.finite("s", row.s())?;
             check.finite("max", row.max())?;
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
         }
-        for (i, row) in self.points.iter().enumerate() {
-            let check = Check { table: "points", row: i };
-            check.finite("x", f64::from(row.x()))?;
-            check.finite("y", f64::from(row.y()))?;
-            check.finite("z", f64::from(row.z()))?;
-            check.finite("s", f64::from(row.s()))?;
+        for (i, row) in self.point_stations.iter().enumerate() {
+            let check = Check { table: "point_stations", row: i };
+            check.finite("", f64::from(*row))?;
         }
         for (i, row) in self.junctions.iter().enumerate() {
             let check = Check { table: "junctions", row: i };

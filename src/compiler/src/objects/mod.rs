@@ -14,7 +14,7 @@ mod track_area;
 pub(crate) mod written;
 
 use crate::TooLarge;
-use crate::flatten::{Fault, MOST_POINTS};
+use crate::flatten::Fault;
 use crate::lanes::view;
 use crate::options::CompileOptions;
 pub(crate) use index::build as index;
@@ -32,7 +32,7 @@ use written::{Object, Objects};
 /// Objects that are placed at once, for each thread.
 const OBJECTS_PER_TASK: usize = 64;
 /// Points that curves and swept repetitions of one object may make: both edges of 100 km of guard rail.
-const MOST_MADE_OF_AN_OBJECT: usize = MOST_POINTS / 2;
+const MOST_MADE_OF_AN_OBJECT: usize = 1 << 15;
 /// Points that those of all objects of any map may make, however small its file is.
 const LEAST_MADE_OF_A_MAP: usize = 1 << 19;
 /// Points beyond these for each object of the map: guard rails have some hundred.
