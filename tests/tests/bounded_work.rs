@@ -201,7 +201,7 @@ fn lines_of_astronomic_length_take_out_their_part() {
 
 /// A road that turns about its own axis hundreds of times, so that lines beside it bend as often. Farther from it they have
 /// more points.
-const TWIST: &str = r#"<superelevation s="0" a="0" b="5" c="0" d="0"/>"#;
+const TWIST: &str = r#"<superelevation s="0" a="0" b="3" c="0" d="0"/>"#;
 
 /// Many lines each of which is not too long: the map as a whole has a limit that grows with its file.
 #[test]
