@@ -61,7 +61,15 @@ pub(crate) fn move_rows(layout: &Layout) -> String {
         );
         for (field, to) in references(table) {
             let kind = if field.kind == "range" { "range" } else { "row" };
-            let _ = writeln!(out, "self.{0} = moves.{to}.{kind}(self.{0});", ident(field));
+            let _ = match &field.count {
+                // Moved ranges are as long as they were.
+                Some(count) => writeln!(
+                    out,
+                    "self.{0} = moves.{to}.range(crate::Range {{ first: self.{0}, count: self.{count}.into() }}).first;",
+                    ident(field)
+                ),
+                None => writeln!(out, "self.{0} = moves.{to}.{kind}(self.{0});", ident(field)),
+            };
         }
         out += "}\n}\n";
     }

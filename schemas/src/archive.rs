@@ -39,6 +39,8 @@ pub(crate) struct Field {
     #[serde(rename = "type")]
     pub(crate) kind: String,
     pub(crate) to: Option<String>,
+    /// The field of the same row that says how many rows from this one on are meant.
+    pub(crate) count: Option<String>,
     #[serde(default)]
     pub(crate) optional: bool,
     pub(crate) codes: Option<u32>,
@@ -94,6 +96,10 @@ impl Layout {
             offset += size.bytes;
             align = align.max(size.align);
             self.target(field.to.as_deref())?;
+            if let Some(count) = &field.count {
+                let is_count = |f: &Field| f.name == *count && f.kind == "u16";
+                ensure!(table.fields.iter().any(is_count), "no count {count} of type u16");
+            }
         }
         ensure!(
             offset % align == 0,
@@ -118,8 +124,8 @@ impl Layout {
             text += &format!("{} {:?} {:?}\n", table.name, table.scalar, table.to);
             for f in &table.fields {
                 text += &format!(
-                    "  {} {} {:?} {} {:?} {:?}\n",
-                    f.name, f.kind, f.to, f.optional, f.codes, f.unit
+                    "  {} {} {:?} {:?} {} {:?} {:?}\n",
+                    f.name, f.kind, f.to, f.count, f.optional, f.codes, f.unit
                 );
             }
         }

@@ -201,6 +201,9 @@ fn verify_table(t: &Table) -> String {
     if t.scalar.as_deref() == Some("f64") {
         checks += "check.finite(\"\", *row)?;\n";
     }
+    if t.scalar.as_deref() == Some("f32") {
+        checks += "check.finite(\"\", f64::from(*row))?;\n";
+    }
     if let Some(to) = &t.to {
         let _ = writeln!(checks, "check.reference(\"\", *row, {}, false)?;", count(to));
     }
@@ -216,6 +219,14 @@ fn verify_table(t: &Table) -> String {
             }
             ("range", Some(to)) => {
                 let _ = writeln!(checks, "check.range(\"{name}\", row.{get}(), {})?;", count(to));
+            }
+            ("u32", Some(to)) if f.count.is_some() => {
+                let _ = writeln!(
+                    checks,
+                    "check.range(\"{name}\", crate::Range {{ first: row.{get}(), count: row.{}().into() }}, {})?;",
+                    f.count.as_deref().unwrap_or_default(),
+                    count(to)
+                );
             }
             ("u32", Some(to)) => {
                 let _ = writeln!(

@@ -8,13 +8,13 @@ use std::path::Path;
 /// machine. They change when the layout or the compiler changes;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
-    ("one_road.xodr", "", "ec175461fe85f68eb98a248ec72a2dbccd2a25f46397baad8e90d74ed823b4b7"),
-    ("town.xodr", "", "809be0313263a1094b6d7c086582f2cc2cc4d665b9f1205c1dfb8c4ccd757b98"),
-    ("one_road.xodr", "utm", "b47669492c7994454af9e688585b0a438e7b585591b76b60c936dff597f28d53"),
+    ("one_road.xodr", "", "b72b7f5d9cce8c217066e4ec98083be9b5e6b0bd67d3fd039991cb7130b56962"),
+    ("town.xodr", "", "da0bb72b279cd7a4e8e5a22bb580e11d59d0a2cb692d648c9211a657e1b59594"),
+    ("one_road.xodr", "utm", "3aaacde197717315a1d4deba39fd0c9a25a7e31f2a6cfad461ab7eacf4dd0d44"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "d828ea85d9a46963bf6042b81e083cea94f0487fe7b73daca7b9ad9c585e4d31",
+        "fdd151e0301e6cc5bcd826db6a07a0a5a6aa24f6044086c8fcd993d4da4c2ca8",
     ),
 ];
 

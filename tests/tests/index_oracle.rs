@@ -28,7 +28,7 @@ fn the_packed_index_finds_what_rstar_finds() {
             for i in 1..line.len() {
                 let (a, b) =
                     (line.position(i - 1).expect("a point"), line.position(i).expect("a point"));
-                if line.points[i - 1].s() != line.points[i].s() {
+                if line.station(i - 1) != line.station(i) {
                     segments.push(GeomWithData::new(
                         Line::new([a.x, a.y], [b.x, b.y]),
                         lane.lane_id().row(),

@@ -158,15 +158,12 @@ fn maps() -> Vec<(String, String)> {
 fn farthest(a: &Compilation, b: &Compilation) -> f64 {
     let points = |compiled: &Compilation| -> Vec<[f64; 3]> {
         let rows = compiled.rows.as_ref().expect("accepted");
-        let lanes = rows.lanes.iter().flat_map(|lane| {
-            let origin = [lane.x, lane.y, lane.z];
-            let points = lane.center.of(&rows.points).iter().chain(lane.border.of(&rows.points));
-            points.map(move |p| {
-                let offset = [p.x, p.y, p.z].map(f64::from);
-                std::array::from_fn(|axis| origin[axis] + offset[axis])
-            })
-        });
-        lanes.collect()
+        let bytes = mapd_archive::encode(rows, &compiled.provenance).expect("encodes");
+        let snapshot = mapd_client::Snapshot::from_bytes(bytes).expect("opens");
+        let map = snapshot.map();
+        let lanes = (0..rows.lanes.len() as u32).filter_map(|lane| map.lane_by_row(lane));
+        let lines = lanes.flat_map(|lane| [lane.center_line(), lane.border()]);
+        lines.flat_map(|line| line.positions()).map(|position| position.to_array()).collect()
     };
     let (a, b) = (points(a), points(b));
     if a.len() != b.len() {

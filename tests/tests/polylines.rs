@@ -25,7 +25,8 @@ const MAPS: [&str; 12] = [
 const PLACES: usize = if cfg!(debug_assertions) { 7 } else { 31 };
 /// Tolerances of centre lines and borders `[m]`: the default, a finer and a coarser pair.
 const TOLERANCES: [(f64, f64); 3] = [(0.05, 0.01), (0.01, 0.002), (0.5, 0.1)];
-/// Single precision of points relative to their lane's origin, as a share of the lane's size.
+/// Single precision of stations relative to their section's start, as a share of the section's length. What the writing of points in few bits
+/// costs is no excuse.
 const ROUNDING: f64 = f32::EPSILON as f64;
 
 fn open(path: &Path, (index_tolerance, bound_tolerance): (f64, f64)) -> Snapshot {
@@ -44,21 +45,18 @@ fn distance(point: DVec3, a: DVec3, b: DVec3) -> f64 {
     point.distance(a + along * mapd_geometry::clamp(share, 0.0, 1.0))
 }
 
-/// Largest distance of the exact line from its polyline, less what single precision explains.
+/// Largest distance of the exact line from its polyline, less what the single precision of s explains.
 fn worst(lane: &Lane<'_>, line: Polyline<'_>, exact: impl Fn(f64) -> DVec3) -> f64 {
-    let end = lane.section().s_end();
+    let (start, end) = (lane.section().s_start(), lane.section().s_end());
     let mut worst = 0f64;
     for i in 1..line.len() {
         let (a, b) = (line.position(i - 1).expect("a point"), line.position(i).expect("a point"));
-        let from = line.s_start + f64::from(line.points[i - 1].s());
-        let to = (line.s_start + f64::from(line.points[i].s())).min(end);
+        let [from, to] = [i - 1, i].map(|i| line.station(i).expect("a point").min(end));
         // Both sides of a jump.
         if to <= from {
             continue;
         }
-        let origin = line.origin;
-        let rounding =
-            (a.distance(origin).max(b.distance(origin)) + to - line.s_start) * 2.0 * ROUNDING;
+        let rounding = (to - start) * ROUNDING;
         for place in 0..=PLACES {
             // Where records begin, stored s is rounded: what is asked lies well within.
             let share = (place as f64 + 0.5) / (PLACES + 1) as f64;

@@ -1,14 +1,41 @@
 //! One process that opens an archive and asks a number of queries: `query_probe PATH KIND COUNT`, for counting
 //! instructions. Kinds: `nearest` (random over the roads), `trajectory` (in steps of half a metre), `hinted` (the same with
-//! the last answer as a hint), `inertial` and `inertial-trajectory` (s, t to x, y, z), `none`.
+//! the last answer as a hint), `inertial` and `inertial-trajectory` (s, t to x, y, z), `route` (the shortest way between random
+//! places that have one), `border` (all points of a lane's border), `none`.
 
-use mapd_benches::places;
-use mapd_client::{NearestOptions, Snapshot, Track, glam::DVec2};
+use mapd_benches::{Random, places};
+use mapd_client::{
+    Lane, LanePlace, Map, NearestOptions, RouteScratch, ShortestLength, Snapshot, Track,
+    VehicleClass, glam::DVec2,
+};
 use std::hint::black_box;
 use std::process::ExitCode;
 
 /// Places that are prepared; queries go round them.
 const PLACES: usize = 4_096;
+/// Ways that are prepared.
+const WAYS: usize = 64;
+/// Vehicle that drives them.
+const CAR: VehicleClass = VehicleClass::PassengerCar;
+
+/// Pairs of places with a way between them.
+fn ways(map: Map<'_>, scratch: &mut RouteScratch) -> Vec<[LanePlace; 2]> {
+    let open = |lane: &Lane<'_>| lane.nodes().any(|node| node.allows(CAR));
+    let lanes: Vec<Lane<'_>> = map.lanes().filter(open).collect();
+    let (mut random, mut steps) = (Random(3), Vec::new());
+    let mut place = || {
+        let lane = &lanes[(random.unit() * lanes.len() as f64) as usize];
+        let section = lane.section();
+        let s = section.s_start() + random.unit() * (section.s_end() - section.s_start());
+        LanePlace { lane: lane.lane_id(), s }
+    };
+    let pairs = std::iter::repeat_with(|| [place(), place()]);
+    let cost = ShortestLength::default();
+    let mut found = |[from, to]: &[LanePlace; 2]| {
+        map.route(*from, *to, CAR, &cost, scratch, &mut steps).is_ok_and(|route| route.is_some())
+    };
+    pairs.filter(|pair| found(pair)).take(WAYS).collect()
+}
 
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
@@ -28,6 +55,10 @@ fn main() -> ExitCode {
     let points: Vec<DVec2> =
         places.iter().filter_map(|place| Some(point(place)?.truncate())).collect();
     let mut options = NearestOptions::default();
+    let mut scratch = RouteScratch::with_capacity(map.lane_nodes().len());
+    let ways = if kind == "route" { ways(map, &mut scratch) } else { Vec::new() };
+    let lanes: Vec<Lane<'_>> = map.lanes().collect();
+    let (mut steps, cost) = (Vec::new(), ShortestLength::default());
     for i in 0..count {
         match kind.as_str() {
             "nearest" | "trajectory" => {
@@ -39,6 +70,16 @@ fn main() -> ExitCode {
             }
             "inertial" | "inertial-trajectory" => {
                 black_box(point(&places[i % places.len()]));
+            }
+            "route" => {
+                // A map may have no ways.
+                let Some([from, to]) = ways.get(i % ways.len().max(1)) else { continue };
+                black_box(map.route(*from, *to, CAR, &cost, &mut scratch, &mut steps).ok());
+            }
+            "border" => {
+                for position in lanes[i % lanes.len()].border().positions() {
+                    black_box(position);
+                }
             }
             _ => {}
         }

@@ -35,15 +35,18 @@ mod error;
 mod generated;
 mod graph_codes;
 mod header;
+mod lane_row;
 mod mark_codes;
 mod moves;
 mod object_codes;
 mod open;
+mod points;
 mod signal_codes;
 mod strings;
 mod table;
 mod verify;
 mod verify_graph;
+mod verify_lines;
 mod verify_objects;
 mod write;
 
@@ -63,6 +66,7 @@ pub use generated::{
 };
 pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_flags};
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
+pub use lane_row::{MOST_OF_LANE, section_step};
 pub use mark_codes::{MarkLaneChange, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight};
 pub use moves::Moved;
 pub use object_codes::{
@@ -70,8 +74,10 @@ pub use object_codes::{
     object_flags, outline_flags,
 };
 pub use open::{Archive, open, string};
+pub use points::PointCode;
 pub use signal_codes::{
-    LaneMethod, Orientation, Relation, RelationReason, SignalPosition, signal_flags, signal_values,
+    LaneMethod, NO_RELATION, Orientation, Relation, RelationReason, SignalPosition, signal_flags,
+    signal_values,
 };
 pub use strings::StringTable;
 pub use table::{ArchivedRange, ArchivedTable, Range, Table, TableInfo};

@@ -5,6 +5,7 @@ use crate::header::HEADER_LENGTH;
 use crate::open::{Archive, open};
 use crate::table::Range;
 use crate::verify_graph::graph;
+use crate::verify_lines::lines;
 use crate::verify_objects::{objects, signal_index};
 use crate::{NONE, Tables};
 
@@ -29,6 +30,7 @@ pub fn verify(bytes: &[u8]) -> Result<Archive<'_>, VerifyError> {
     exactly_one_map(tables)?;
     ascending(tables)?;
     sections(tables)?;
+    lines(tables)?;
     index(tables)?;
     graph(tables)?;
     objects(tables)?;
@@ -160,13 +162,28 @@ fn ascending(tables: &Tables<'_>) -> Result<(), VerifyError> {
     }
     for lane in tables.lanes {
         check("cubics", tables.cubics, lane.widths(), |r| r.s())?;
-        check("lane_speeds", tables.lane_speeds, lane.speeds(), |r| r.s())?;
-        check("points", tables.points, lane.center(), |r| f64::from(r.s()))?;
-        check("points", tables.points, lane.border(), |r| f64::from(r.s()))?;
     }
+    by_lane("lane_speeds", tables.lane_speeds, |r| (r.lane(), r.s()))?;
     by_lane("lane_heights", tables.lane_heights, |r| (r.lane(), r.s()))?;
     by_lane("lane_materials", tables.lane_materials, |r| (r.lane(), r.s()))?;
-    by_lane("road_marks", tables.road_marks, |r| (r.lane(), r.s()))
+    marks(tables)
+}
+
+/// Marks of a sequence do not fall, and the last sequence ends.
+fn marks(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    let rows = tables.road_marks;
+    for (row, mark) in rows.iter().enumerate().filter(|(_, mark)| mark.last() == 0) {
+        let check = Check { table: "road_marks", row };
+        match rows.get(row + 1) {
+            None => return check.fail("last", "1", 0),
+            Some(next) if next.s_offset() < mark.s_offset() => {
+                let expected = format!("at most {}", next.s_offset());
+                return check.fail("s_offset", expected, mark.s_offset());
+            }
+            Some(_) => {}
+        }
+    }
+    Ok(())
 }
 
 /// Records of lanes are in the order of their lanes, and of s within one.
@@ -238,9 +255,9 @@ fn index(tables: &Tables<'_>) -> Result<(), VerifyError> {
             let Some(owner) = tables.lanes.get(lane as usize) else {
                 return check.fail("lane", "a lane", lane);
             };
-            let center = owner.center();
-            if u32::from(segment) + 1 >= center.count {
-                return check.fail("segment", format!("a segment of {center:?}"), segment);
+            let points = owner.center_count();
+            if u32::from(segment) + 1 >= points.into() {
+                return check.fail("segment", format!("a segment of {points} points"), segment);
             }
         }
     }

@@ -5,15 +5,13 @@ use crate::lanes::view;
 use crate::options::CompileOptions;
 use crate::packed::{ROUNDING, WIDTH, ordered, round_up, stack};
 use glam::{DVec2, DVec3};
-use mapd_archive::{ArchivedPointRow, IndexLeafRow, IndexNodeRow, NONE, Rows};
+use mapd_archive::{IndexLeafRow, IndexNodeRow, NONE, Rows};
 use mapd_geometry::clamp;
 use mapd_query::{Lane, Map};
 use rayon::prelude::*;
 
 /// Added to every reach, overshoot and height `[m]`, besides the tolerances: single precision within a leaf.
 const REACH_MARGIN: f64 = 1e-4;
-/// Points of one lane's centre line: segments are numbered with 16 bits.
-pub(crate) const MAX_POINTS: u32 = 1 << 16;
 /// Units of `reach` and `overshoot` in a metre.
 const REACH_UNITS: f64 = 128.0;
 /// Units of `z_low` and `z_high` in a metre.
@@ -81,26 +79,19 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
 /// The segments of a lane that have an area. Both sides of a jump have none between them.
 fn places(map: Map<'_>, lane: u32) -> impl Iterator<Item = Place> + use<'_> {
     let row = map.lane_by_row(lane).filter(|lane| !lane.is_temporary());
-    let points = row.map_or(&[][..], |lane| lane.center_line().points);
-    let has_area = |pair: &[_]| matches!(pair, [a, b] if s_of(a) != s_of(b));
-    let pairs = points.windows(2).enumerate().filter(move |(_, pair)| has_area(pair));
-    pairs.map(move |(segment, _)| Place { lane, segment: segment as u16 })
-}
-
-fn s_of(point: &ArchivedPointRow) -> f32 {
-    point.s()
+    let line = row.map(|lane| lane.center_line());
+    let last = line.map_or(0, |line| line.len().saturating_sub(1));
+    let station = move |i: usize| line.and_then(|line| line.station(i));
+    let has_area = move |i: &usize| station(*i) != station(i + 1);
+    (0..last).filter(has_area).map(move |segment| Place { lane, segment: segment as u16 })
 }
 
 /// Both ends of a segment.
 fn ends(map: Map<'_>, place: &Place) -> [DVec2; 2] {
     let Some(lane) = map.lane_by_row(place.lane) else { return [DVec2::ZERO; 2] };
-    let row = &map.tables().lanes[place.lane as usize];
-    let origin = DVec2::new(row.x(), row.y());
-    let first = usize::from(place.segment);
-    [first, first + 1].map(|i| {
-        let point = lane.center_line().points.get(i);
-        point.map_or(origin, |p| origin + DVec2::new(f64::from(p.x()), f64::from(p.y())))
-    })
+    let (line, first) = (lane.center_line(), usize::from(place.segment));
+    let at = |i: usize| line.position(i).unwrap_or_default().truncate() - map.local_origin();
+    [at(first), at(first + 1)]
 }
 
 impl Entry {
@@ -114,8 +105,8 @@ impl Entry {
     fn of(map: Map<'_>, place: Place, options: &CompileOptions) -> Self {
         let Some(lane) = map.lane_by_row(place.lane) else { return Self::NONE };
         let [a, b] = ends(map, &place);
-        let first = usize::from(place.segment);
-        let cuts = [first, first + 1].map(|i| lane.center_line().points.get(i).map_or(0.0, s_of));
+        let (line, first) = (lane.center_line(), usize::from(place.segment));
+        let cuts = [first, first + 1].map(|i| line.station(i).unwrap_or_default());
         let margin = 2.0 * options.bound_tolerance + REACH_MARGIN;
         let extent = extent(&lane, map.local_origin(), [a, b], cuts).widened(margin);
         Self { a, b, extent, place }
@@ -136,17 +127,13 @@ impl Extent {
 
 /// The extent of a lane's area between two s. The area lies in the hull of both borders' stretches, and what is asked of
 /// it (how far to the sides, beyond the ends, up and down) is greatest at a point of theirs, or where they are cut.
-fn extent(lane: &Lane<'_>, map_origin: DVec2, ends: [DVec2; 2], cuts: [f32; 2]) -> Extent {
+fn extent(lane: &Lane<'_>, map_origin: DVec2, ends: [DVec2; 2], cuts: [f64; 2]) -> Extent {
     let along = ends[1] - ends[0];
     let length = along.length();
     let mut extent = Extent::NONE;
     for border in [lane.left_bound(), lane.right_bound()] {
-        let origin = border.origin - map_origin.extend(0.0);
-        let point = |i: usize| {
-            let p = border.points.get(i)?;
-            let offset = DVec3::new(f64::from(p.x()), f64::from(p.y()), f64::from(p.z()));
-            Some((origin + offset, p.s()))
-        };
+        let point =
+            |i: usize| Some((border.position(i)? - map_origin.extend(0.0), border.station(i)?));
         let mut visit = |p: DVec3| {
             let away = p.truncate() - ends[0];
             let (forward, sideways) = if length > 0.0 {
@@ -158,14 +145,14 @@ fn extent(lane: &Lane<'_>, map_origin: DVec2, ends: [DVec2; 2], cuts: [f32; 2]) 
             extent.overshoot = extent.overshoot.max(-forward).max(forward - length);
             extent.z = [extent.z[0].min(p.z), extent.z[1].max(p.z)];
         };
-        let from = border.points.partition_point(|p| p.s() < cuts[0]);
-        let to = border.points.partition_point(|p| p.s() <= cuts[1]);
+        let from = border.points_before(cuts[0]);
+        let to = border.points_before(cuts[1].next_up());
         (from..to).filter_map(point).for_each(|(p, _)| visit(p));
         for (cut, i) in [(cuts[0], from), (cuts[1], to)] {
             if let (Some((p, s_p)), Some((q, s_q))) = (i.checked_sub(1).and_then(point), point(i))
                 && s_q > s_p
             {
-                visit(p.lerp(q, clamp(f64::from((cut - s_p) / (s_q - s_p)), 0.0, 1.0)));
+                visit(p.lerp(q, clamp((cut - s_p) / (s_q - s_p), 0.0, 1.0)));
             }
         }
     }

@@ -1,11 +1,12 @@
 //! Samples every lane's centre line and border, through the queries that will answer later.
 
 use crate::TooLarge;
+use crate::allowance::Allowance;
 use crate::cuts::{Cuts, Memory};
-use crate::flatten::{Curve, Sample, flatten};
+use crate::flatten::{Curve, Fault, Sample, flatten};
 use crate::options::CompileOptions;
 use glam::DVec3;
-use mapd_archive::{Archive, Header, LaneRow, PointRow, Provenance, Range, Rows};
+use mapd_archive::{Archive, Header, LaneRow, PointCode, Provenance, Rows, SectionRow};
 use mapd_query::{Lane, LaneEdges, Map};
 use rayon::prelude::*;
 
@@ -16,52 +17,93 @@ const SECTIONS_PER_TASK: usize = 16;
 /// more of them: of shares from 0.25 to 1, with this one queries on the carried town take the fewest instructions.
 const INDEX_SHARE: f64 = 0.75;
 
-/// The sampled lines of some lanes.
+/// Share of the tolerances that writing points in few bits may use up: their steps are at most this share of the smaller
+/// one, so that a point is off by less than √3/2 of that.
+const ROUNDING_SHARE: f64 = 1.0 / 16.0;
+
+/// The sampled lines of some sections.
 struct Lines {
+    /// One for each section.
+    frames: Vec<Frame>,
     lanes: Vec<Line>,
-    /// Centre line and border, lane by lane.
-    points: Vec<PointRow>,
+    /// Stations, section by section.
+    stations: Vec<f32>,
+    /// Centre line and border as they are written, lane by lane.
+    bytes: Vec<u8>,
+    /// Lanes whose lines have too many points.
+    long: Vec<u32>,
     /// Smallest and largest coordinates of any point.
     bounds: [DVec3; 2],
+}
+
+/// What the points of a section count from, and how they are written.
+#[derive(Clone, Copy, Default)]
+struct Frame {
+    origin: [f32; 3],
+    code: PointCode,
+    /// Number of its stations.
+    stations: usize,
 }
 
 /// What the points of one lane are.
 struct Line {
     lane: u32,
-    origin: DVec3,
     /// Points of the centre line.
     center: usize,
     /// Points of the border, which follow.
     border: usize,
+    /// Bytes of both.
+    bytes: usize,
 }
 
-/// Fills `points`, the lanes' ranges into them and the map's bounds. Sections are sampled in parallel and joined in order.
-pub(crate) fn sample(rows: &mut Rows, options: &CompileOptions) -> Result<(), TooLarge> {
+/// Fills `point_stations`, `points`, what sections and lanes say of them, and the map's bounds. Sections are sampled in parallel and
+/// joined in order. Yields lanes whose lines have more points than lines may have; of a section with such a lane, not all lanes are
+/// looked at. Where the allowance is exceeded, nothing of it is of use.
+pub(crate) fn sample(
+    rows: &mut Rows,
+    options: &CompileOptions,
+    allowance: &Allowance,
+) -> Result<Vec<u32>, TooLarge> {
     let lines: Vec<Lines> = {
         let archive = view(rows);
         let map = Map::new(&archive, 0);
         let numbers: Vec<u32> = (0..rows.sections.len() as u32).collect();
         let chunks = numbers.par_chunks(SECTIONS_PER_TASK);
-        chunks.map(|sections| lines(map, sections, options)).collect()
+        chunks.map(|sections| lines(map, sections, options, allowance)).collect()
     };
     let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    rows.points.reserve_exact(lines.iter().map(|lines| lines.points.len()).sum());
+    if allowance.is_exceeded() {
+        return Ok(Vec::new());
+    }
+    rows.points.reserve_exact(lines.iter().map(|lines| lines.bytes.len()).sum());
+    rows.point_stations.reserve_exact(lines.iter().map(|lines| lines.stations.len()).sum());
+    let mut long = Vec::new();
+    let mut sections = 0;
     for lines in lines {
+        let mut first_station = rows.point_stations.len();
+        for frame in &lines.frames {
+            let row: &mut SectionRow = &mut rows.sections[sections];
+            [row.x, row.y, row.z] = frame.origin;
+            row.set_point_code(frame.code);
+            row.first_station =
+                u32::try_from(first_station).map_err(|_| TooLarge::new("point_stations"))?;
+            first_station += frame.stations;
+            sections += 1;
+        }
+        rows.point_stations.extend_from_slice(&lines.stations);
         let mut first = rows.points.len();
-        rows.points.extend_from_slice(&lines.points);
+        rows.points.extend_from_slice(&lines.bytes);
         for line in &lines.lanes {
-            let middle = first + line.center;
-            let end = middle + line.border;
-            let (Some(center), Some(border)) =
-                (Range::between(first, middle), Range::between(middle, end))
-            else {
+            let Ok(first_byte) = u32::try_from(first) else {
                 return Err(TooLarge::at_lane("points", rows, line.lane));
             };
-            first = end;
+            first += line.bytes;
             let row: &mut LaneRow = &mut rows.lanes[line.lane as usize];
-            (row.center, row.border) = (center, border);
-            (row.x, row.y, row.z) = line.origin.into();
+            row.first_byte = first_byte;
+            // Longer ones are among `long`.
+            (row.center_count, row.border_count) = (line.center as u16, line.border as u16);
         }
+        long.extend(lines.long);
         low = low.min(lines.bounds[0]);
         high = high.max(lines.bounds[1]);
     }
@@ -69,7 +111,7 @@ pub(crate) fn sample(rows: &mut Rows, options: &CompileOptions) -> Result<(), To
         (map.min_x, map.min_y, map.min_z) = (low.x + map.origin_x, low.y + map.origin_y, low.z);
         (map.max_x, map.max_y, map.max_z) = (high.x + map.origin_x, high.y + map.origin_y, high.z);
     }
-    Ok(())
+    Ok(long)
 }
 
 /// Unfinished rows, seen as an archive.
@@ -80,56 +122,135 @@ pub(crate) fn view(rows: &Rows) -> Archive<'_> {
 }
 
 /// Samples the lanes of some sections.
-fn lines(map: Map<'_>, sections: &[u32], options: &CompileOptions) -> Lines {
-    let bounds = [DVec3::INFINITY, DVec3::NEG_INFINITY];
-    let mut lines = Lines { lanes: Vec::new(), points: Vec::new(), bounds };
+fn lines(map: Map<'_>, sections: &[u32], options: &CompileOptions, allowance: &Allowance) -> Lines {
+    let mut lines = Lines {
+        frames: Vec::with_capacity(sections.len()),
+        lanes: Vec::new(),
+        stations: Vec::new(),
+        bytes: Vec::new(),
+        long: Vec::new(),
+        bounds: [DVec3::INFINITY, DVec3::NEG_INFINITY],
+    };
     let mut memory = Memory::new();
-    let mut samples = Vec::new();
-    for section in sections.iter().filter_map(|section| map.section_by_row(*section)) {
-        let Some(mut cuts) = Cuts::new(section, &mut memory) else { continue };
-        for (at, lane) in section.lanes().enumerate() {
-            let before = lines.points.len();
-            let along = (&mut cuts, at);
-            if line(&lane, along, options, &mut samples, &mut lines).is_none() {
-                lines.points.truncate(before);
+    let mut sampled = Sampled::default();
+    for section in sections {
+        sampled.samples.clear();
+        let before = lines.lanes.len();
+        let section = map.section_by_row(*section);
+        let cuts = section.and_then(|section| Some((section, Cuts::new(section, &mut memory)?)));
+        let start = section.map_or(0.0, |section| section.s_start());
+        if let Some((section, mut cuts)) = cuts {
+            let long = lines.long.len();
+            for (at, lane) in section.lanes().enumerate() {
+                if lines.long.len() > long || allowance.is_exceeded() {
+                    break;
+                }
+                let samples = sampled.samples.len();
+                let along = (&mut cuts, at);
+                if let Err(fault) = line(&lane, along, options, &mut sampled, &mut lines) {
+                    sampled.samples.truncate(samples);
+                    if fault == Fault::TooManyPoints {
+                        lines.long.push(lane.lane_id().row());
+                    }
+                }
+                allowance.take(sampled.samples.len() - samples);
             }
         }
+        write(&mut sampled, start, options, before, &mut lines);
     }
-    lines.points.shrink_to_fit();
+    lines.bytes.shrink_to_fit();
     lines
 }
 
-/// Samples the lane that is the `at`-th of its section from the left. None for geometry that is not finite.
+/// What is sampled of one section, and room to work in.
+#[derive(Default)]
+struct Sampled {
+    /// Centre line and border, lane by lane.
+    samples: Vec<Sample>,
+    line: Vec<Sample>,
+    stations: Vec<f32>,
+}
+
+/// Samples the lane that is the `at`-th of its section from the left.
+///
+/// Errors: as those of [`flatten`].
 fn line(
     lane: &Lane<'_>,
     (cuts, at): (&mut Cuts<'_, '_>, usize),
     options: &CompileOptions,
-    samples: &mut Vec<Sample>,
+    sampled: &mut Sampled,
     lines: &mut Lines,
-) -> Option<()> {
+) -> Result<(), Fault> {
     let breaks = breaks(lane);
-    let s_start = lane.section().s_start();
-    let mut border = LaneCurve { cuts, lane: at, t: |edges: LaneEdges| edges.outer };
-    flatten(&breaks, options.bound_tolerance, &mut border, samples)?;
-    let origin = samples.first()?.position;
-    let mut bounds = lines.bounds;
-    for sample in samples.iter() {
-        bounds = [bounds[0].min(sample.position), bounds[1].max(sample.position)];
-    }
-    // In the table the centre line comes first; the border gives the origin.
-    let outer = points(samples, origin, s_start).collect::<Vec<_>>();
-    let before = lines.points.len();
+    let row = lane.lane_id().row();
+    let before = sampled.samples.len();
     if lane.number() != 0 {
-        let mut center = LaneCurve { cuts, lane: at, t: LaneEdges::center };
-        flatten(&breaks, INDEX_SHARE * options.index_tolerance, &mut center, samples)?;
-        lines.points.extend(points(samples, origin, s_start));
+        let mut curve = LaneCurve { cuts, lane: at, t: LaneEdges::center };
+        flatten(&breaks, INDEX_SHARE * options.index_tolerance, &mut curve, &mut sampled.line)?;
+        sampled.samples.append(&mut sampled.line);
     }
-    let center = lines.points.len() - before;
-    lines.points.extend_from_slice(&outer);
-    let lane = lane.lane_id().row();
-    lines.lanes.push(Line { lane, origin, center, border: outer.len() });
-    lines.bounds = bounds;
-    Some(())
+    let center = sampled.samples.len() - before;
+    let mut curve = LaneCurve { cuts, lane: at, t: |edges: LaneEdges| edges.outer };
+    let tolerance = (1.0 - ROUNDING_SHARE) * options.bound_tolerance;
+    flatten(&breaks, tolerance, &mut curve, &mut sampled.line)?;
+    let border = sampled.line.len();
+    for sample in &sampled.line {
+        let [low, high] = lines.bounds;
+        lines.bounds = [low.min(sample.position), high.max(sample.position)];
+    }
+    sampled.samples.append(&mut sampled.line);
+    lines.lanes.push(Line { lane: row, center, border, bytes: 0 });
+    Ok(())
+}
+
+/// Writes the points of a section, of whose lanes the first is the `before`-th of all.
+fn write(
+    sampled: &mut Sampled,
+    s_start: f64,
+    options: &CompileOptions,
+    before: usize,
+    lines: &mut Lines,
+) {
+    let Sampled { samples, stations, .. } = sampled;
+    let station = |sample: &Sample| (sample.s - s_start) as f32;
+    stations.clear();
+    stations.extend(samples.iter().map(station));
+    stations.sort_by(f32::total_cmp);
+    stations.dedup();
+    let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    for sample in samples.iter() {
+        (low, high) = (low.min(sample.position), high.max(sample.position));
+    }
+    let step = ROUNDING_SHARE * options.index_tolerance.min(options.bound_tolerance);
+    let origin = low.to_array().map(round_down);
+    let from = DVec3::from_array(origin.map(f64::from));
+    let code = PointCode::fitting((high - from).to_array(), stations.len(), step);
+    let Some(code) = code.filter(|_| !samples.is_empty() && from.is_finite()) else {
+        // Nothing could be sampled, or nothing that can be written.
+        lines.lanes.truncate(before);
+        let (code, none) = (PointCode::fitting([0.0; 3], 0, step), [0.0; 3]);
+        let code = code.unwrap_or_default();
+        lines.frames.push(Frame { origin: none, code, stations: 0 });
+        return;
+    };
+    lines.frames.push(Frame { origin, code, stations: stations.len() });
+    let mut rest = samples.as_slice();
+    for line in lines.lanes.iter_mut().skip(before) {
+        let (own, others) = rest.split_at(line.center + line.border);
+        for sample in own {
+            let at = stations.partition_point(|s| s.total_cmp(&station(sample)).is_lt());
+            code.write((sample.position - from).to_array(), at as u32, &mut lines.bytes);
+        }
+        line.bytes = own.len() * code.bytes();
+        rest = others;
+    }
+    lines.stations.extend_from_slice(stations);
+}
+
+/// The largest number of single precision that is not above this.
+fn round_down(value: f64) -> f32 {
+    let near = value as f32;
+    if f64::from(near) > value { near.next_down() } else { near }
 }
 
 /// A line along a lane, between its edges.
@@ -149,18 +270,6 @@ impl<T: Fn(LaneEdges) -> f64> Curve for LaneCurve<'_, '_, '_, T> {
     fn is_straight(&mut self, from: f64, to: f64) -> bool {
         self.cuts.is_straight(self.lane, from, to)
     }
-}
-
-/// Points relative to an origin.
-fn points(
-    samples: &[Sample],
-    origin: DVec3,
-    s_start: f64,
-) -> impl ExactSizeIterator<Item = PointRow> {
-    samples.iter().map(move |sample| {
-        let p = sample.position - origin;
-        PointRow { x: p.x as f32, y: p.y as f32, z: p.z as f32, s: (sample.s - s_start) as f32 }
-    })
 }
 
 /// Every s of the lane's section at which some record that shapes it begins, with both ends.

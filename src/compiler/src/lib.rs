@@ -18,6 +18,7 @@
 //! assert_eq!(mapd_archive::verify(&bytes).unwrap().tables.lanes.len(), 2);
 //! ```
 
+mod allowance;
 mod cuts;
 mod flatten;
 mod frame;
@@ -274,13 +275,19 @@ impl Document {
         let written = std::mem::take(&mut lowering.objects);
         let road_spans = lowering.links.road_spans.clone();
         let mut rows = lowering.into_rows(options);
-        if let Err(error) = lanes::sample(&mut rows, options) {
-            self.collector.add_late(vec![too_large(&error)], &self.places);
-            return Ok(None);
-        }
-        let is_long = |lane: &u32| rows.lanes[*lane as usize].center.count > index::MAX_POINTS;
-        let long = (0..rows.lanes.len() as u32).filter(is_long);
-        let long = long.map(|lane| too_long(&rows, lane, &road_spans)).collect::<Vec<_>>();
+        let allowance = allowance::Allowance::of(&rows);
+        let long = match lanes::sample(&mut rows, options, &allowance) {
+            Ok(_) if allowance.is_exceeded() => {
+                self.collector.add_late(vec![allowance.finding()], &self.places);
+                return Ok(None);
+            }
+            Ok(long) => long,
+            Err(error) => {
+                self.collector.add_late(vec![too_large(&error)], &self.places);
+                return Ok(None);
+            }
+        };
+        let long = long.iter().map(|lane| too_long(&rows, *lane, &road_spans)).collect::<Vec<_>>();
         if !long.is_empty() {
             self.collector.add_late(long, &self.places);
             return Ok(None);
@@ -391,11 +398,17 @@ fn read(
         graph = graph::build(&mut lowering, &places, &mut late).map_err(io::Error::other)?;
         collector.add_late(late, &places);
     }
-    let provenance = Provenance {
-        input_hash: hashing.finish(included(&places))?,
-        options_hash: [0; 8],
-        compiler_version: crate::version(),
+    let most = reading.limits.source.decoded_bytes;
+    let input_hash = match hashing.finish(included(&places), most)? {
+        Some(hash) => hash,
+        // Nothing is made of it that the hash would have to name.
+        None if collector.is_rejected() => [0; 32],
+        None => {
+            return Err(io::Error::other(format!("more than {most} bytes follow the document")));
+        }
     };
+    let provenance =
+        Provenance { input_hash, options_hash: [0; 8], compiler_version: crate::version() };
     lowering.quarantine(&quarantined);
     Ok(Document { lowering, graph, signals, collector, places, provenance, version, quarantined })
 }

@@ -1,11 +1,11 @@
 //! What does not fit the tables.
 
-use crate::{finding, index};
-use mapd_archive::{NONE, Rows};
+use crate::finding;
+use mapd_archive::{MOST_OF_LANE, NONE, Rows};
 use mapd_xodr::{Finding, Severity};
 
 /// Rule of maps and lanes that do not fit the tables.
-const TOO_LARGE: &str = "mapd:compile.too_large";
+pub(crate) const TOO_LARGE: &str = "mapd:compile.too_large";
 
 /// A table outgrew 32-bit row numbers.
 #[derive(Debug)]
@@ -13,22 +13,34 @@ pub(crate) struct TooLarge {
     table: &'static str,
     /// Id of the road whose rows no longer fit, where rows come road by road.
     road: Option<String>,
+    /// Rows that there may be.
+    most: usize,
 }
 
 impl TooLarge {
     pub(crate) fn new(table: &'static str) -> Self {
-        Self { table, road: None }
+        Self { table, road: None, most: NONE as usize }
     }
 
     /// The rows of a lane no longer fit.
     pub(crate) fn at_lane(table: &'static str, rows: &Rows, lane: u32) -> Self {
-        Self { table, road: road_of(rows, lane).map(|(_, id)| id) }
+        Self { road: road_of(rows, lane).map(|(_, id)| id), ..Self::new(table) }
+    }
+
+    /// One lane has more rows than lanes may have.
+    pub(crate) fn of_lane(table: &'static str, rows: &Rows, lane: u32) -> Self {
+        Self { most: MOST_OF_LANE, ..Self::at_lane(table, rows, lane) }
     }
 }
 
 impl std::fmt::Display for TooLarge {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "expected at most {NONE} rows in the table `{}`, found more", self.table)?;
+        let of = if self.most == MOST_OF_LANE { " of one lane" } else { "" };
+        write!(
+            f,
+            "expected at most {} rows{of} in the table `{}`, found more",
+            self.most, self.table
+        )?;
         match &self.road {
             Some(road) => write!(f, " from road {road} on"),
             None => Ok(()),
@@ -52,17 +64,15 @@ pub(crate) fn too_large(error: &TooLarge) -> Finding {
     finding(TOO_LARGE, Severity::Error, span, path, error.to_string(), hint)
 }
 
-/// A lane bends so often that its polyline outgrows what the index can name.
+/// A lane bends so often that its polyline outgrows what a lane can have, or one of its length.
 pub(crate) fn too_long(rows: &Rows, lane: u32, road_spans: &[mapd_xodr::Span]) -> Finding {
     let (row, id) = road_of(rows, lane).unwrap_or_default();
-    let (number, points) =
-        rows.lanes.get(lane as usize).map_or((0, 0), |lane| (lane.number, lane.center.count));
+    let number = rows.lanes.get(lane as usize).map_or(0, |lane| lane.number);
     let span = road_spans.get(row as usize).copied().unwrap_or_default();
     let path = format!("OpenDRIVE/road[@id={id}]");
     let message = format!(
-        "expected lanes of at most {} points, found {points} for lane {number} of road {id}",
-        index::MAX_POINTS
+        "expected lanes of at most {MOST_OF_LANE} points, and no more than their lengths explain, found more for lane {number} of road {id}"
     );
-    let hint = "split the road, or compile with a larger index tolerance";
+    let hint = "split the road, or compile with larger tolerances";
     finding(TOO_LARGE, Severity::Error, span, path, message, hint)
 }

@@ -128,6 +128,9 @@ struct TableFacts {
     count: usize,
     element_bytes: usize,
     bytes: usize,
+    /// Of the archive's bytes.
+    share: f64,
+    bytes_per_road_km: f64,
 }
 
 /// Prints what an archive holds; with `verify` proves it first.
@@ -201,9 +204,22 @@ pub(crate) fn run(
             part.name, part.line, part.column, part.rule, part.message
         )?;
     }
-    writeln!(out, "\n{:<24}{:>12}{:>8}{:>14}", "table", "elements", "bytes", "total")?;
+    writeln!(
+        out,
+        "\n{:<24}{:>12}{:>8}{:>14}{:>9}{:>11}",
+        "table", "elements", "bytes", "total", "share", "per km"
+    )?;
     for t in &i.tables {
-        writeln!(out, "{:<24}{:>12}{:>8}{:>14}", t.name, t.count, t.element_bytes, t.bytes)?;
+        writeln!(
+            out,
+            "{:<24}{:>12}{:>8}{:>14}{:>8.1}%{:>11.0}",
+            t.name,
+            t.count,
+            t.element_bytes,
+            t.bytes,
+            100.0 * t.share,
+            t.bytes_per_road_km
+        )?;
     }
     Ok(())
 }
@@ -217,6 +233,7 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
     let length = map.road_length();
     let (shift, turn) = map.header_offset();
     let bytes = snapshot.bytes().len();
+    let per_km = |bytes: usize| if length > 0.0 { bytes as f64 / (length / 1000.0) } else { 0.0 };
     let [a, b, c] = header.provenance.compiler_version;
     Inspection {
         source: source.to_owned(),
@@ -247,7 +264,7 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
             road_length_m: length,
             min: min.to_array(),
             max: max.to_array(),
-            bytes_per_road_km: if length > 0.0 { bytes as f64 / (length / 1000.0) } else { 0.0 },
+            bytes_per_road_km: per_km(bytes),
         },
         graph: GraphFacts::of(map),
         signals: SignalFacts::of(map),
@@ -261,6 +278,8 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
                 count: t.count,
                 element_bytes: t.element_bytes,
                 bytes: t.count * t.element_bytes,
+                share: (t.count * t.element_bytes) as f64 / bytes.max(1) as f64,
+                bytes_per_road_km: per_km(t.count * t.element_bytes),
             })
             .collect(),
     }

@@ -5,7 +5,7 @@ use crate::error::QueryError;
 use crate::ids::LaneId;
 use crate::key::{LaneKey, LaneLayer};
 use crate::map::Map;
-use crate::polyline::Polyline;
+use crate::polyline::{Points, Polyline};
 use crate::profile::{self, At, Slope};
 use crate::road::Road;
 use crate::section::LaneSection;
@@ -119,7 +119,11 @@ impl<'a> Lane<'a> {
 
     /// `speed` records in ascending s.
     pub fn speeds(&self) -> impl ExactSizeIterator<Item = LaneSpeed> + use<'a> {
-        self.row.speeds().of(self.map.tables().lane_speeds).iter().map(|r| LaneSpeed {
+        let (rows, lane) = (self.map.tables().lane_speeds, self.number);
+        let first = rows.partition_point(|row| row.lane() < lane);
+        let rows = rows.get(first..).unwrap_or(&[]);
+        let own = rows.get(..rows.partition_point(|row| row.lane() == lane)).unwrap_or(&[]);
+        own.iter().map(|r| LaneSpeed {
             s: r.s(),
             kind: SpeedKind::from_code(u8::try_from(r.kind()).unwrap_or(u8::MAX)),
             max: r.max(),
@@ -252,23 +256,25 @@ impl<'a> Lane<'a> {
         Ok(self.position_of(point)?.distance == 0.0)
     }
 
-    fn polyline(&self, row: &'a ArchivedLaneRow, range: Range) -> Polyline<'a> {
-        let origin = self.map.origin();
-        Polyline {
-            origin: DVec3::new(origin.x + row.x(), origin.y + row.y(), row.z()),
-            s_start: self.section.s_start(),
-            points: range.of(self.map.tables().points),
-        }
+    /// The points of the centre line.
+    #[inline]
+    pub(crate) fn center_points(&self) -> Points<'a> {
+        Points::center(self.map.tables(), self.section.row, self.row)
+    }
+
+    fn border_of(&self, row: &ArchivedLaneRow) -> Polyline<'a> {
+        let points = Points::border(self.map.tables(), self.section.row, row);
+        Polyline::new(self.map.origin().extend(0.0), self.section.row, points)
     }
 
     /// Centre line in ascending s. Empty for lane 0.
     pub fn center_line(&self) -> Polyline<'a> {
-        self.polyline(self.row, self.row.center())
+        Polyline::new(self.map.origin().extend(0.0), self.section.row, self.center_points())
     }
 
     /// The border away from lane 0, in ascending s; for lane 0 the shifted reference line.
     pub fn border(&self) -> Polyline<'a> {
-        self.polyline(self.row, self.row.border())
+        self.border_of(self.row)
     }
 
     /// The next lane towards lane 0, lane 0 included; none for lane 0 itself.
@@ -284,27 +290,19 @@ impl<'a> Lane<'a> {
 
     /// Border on the left of the reference line's direction, in ascending s.
     pub fn left_bound(&self) -> Polyline<'a> {
-        if self.number() >= 0 {
-            self.polyline(self.row, self.row.border())
-        } else {
-            self.neighbour_border(-1)
-        }
+        if self.number() >= 0 { self.border() } else { self.neighbour_border(-1) }
     }
 
     /// Border on the right of the reference line's direction, in ascending s.
     pub fn right_bound(&self) -> Polyline<'a> {
-        if self.number() <= 0 {
-            self.polyline(self.row, self.row.border())
-        } else {
-            self.neighbour_border(1)
-        }
+        if self.number() <= 0 { self.border() } else { self.neighbour_border(1) }
     }
 
     /// A border is stored once, with the lane on its inner side; rows run from left to right.
     fn neighbour_border(&self, step: i64) -> Polyline<'a> {
         let at = usize::try_from(i64::from(self.number) + step).unwrap_or(usize::MAX);
         let row = self.map.tables().lanes.get(at).unwrap_or(self.row);
-        self.polyline(row, row.border())
+        self.border_of(row)
     }
 
     /// The next lane to the left of the reference line's direction; lane 0 is skipped.

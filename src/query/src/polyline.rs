@@ -1,20 +1,123 @@
 //! Polylines as they lie in the archive.
 
 use glam::DVec3;
-use mapd_archive::ArchivedPointRow;
+use mapd_archive::{ArchivedLaneRow, ArchivedSectionRow, PointCode, Tables};
 
-/// A polyline of bounded error, borrowed from the archive: points relative to an origin in double precision.
+/// The points of a line, from the frame of their section.
+#[derive(Clone, Copy)]
+pub(crate) struct Points<'a> {
+    code: PointCode,
+    count: usize,
+    /// The points' bytes and those behind.
+    bytes: &'a [u8],
+    /// Stations of the section and of those after it.
+    stations: &'a [f32],
+}
+
+impl<'a> Points<'a> {
+    /// A lane's centre line.
+    #[inline]
+    pub(crate) fn center(
+        tables: &Tables<'a>,
+        section: &ArchivedSectionRow,
+        lane: &ArchivedLaneRow,
+    ) -> Self {
+        Self::new(tables, section, lane.first_byte() as usize, lane.center_count().into())
+    }
+
+    /// A lane's outer border.
+    pub(crate) fn border(
+        tables: &Tables<'a>,
+        section: &ArchivedSectionRow,
+        lane: &ArchivedLaneRow,
+    ) -> Self {
+        let before = usize::from(lane.center_count()) * section.point_code().bytes();
+        let count = lane.border_count().into();
+        Self::new(tables, section, lane.first_byte() as usize + before, count)
+    }
+
+    #[inline]
+    fn new(tables: &Tables<'a>, section: &ArchivedSectionRow, from: usize, count: usize) -> Self {
+        let code = section.point_code();
+        let bytes = tables.points.get(from..).unwrap_or(&[]);
+        // Fewer are there only in a damaged archive.
+        let count = if bytes.len() < count * code.bytes() { 0 } else { count };
+        let stations = tables.point_stations.get(section.first_station() as usize..);
+        Self { code, count, bytes, stations: stations.unwrap_or(&[]) }
+    }
+
+    /// Number of points.
+    #[inline]
+    pub(crate) fn len(&self) -> usize {
+        self.count
+    }
+
+    /// The bytes from a point on.
+    #[inline]
+    fn point(&self, i: usize) -> Option<&'a [u8]> {
+        if i < self.count { self.bytes.get(i * self.code.bytes()..) } else { None }
+    }
+
+    /// s of a point, from the section's start `[m]`.
+    #[inline]
+    pub(crate) fn station(&self, i: usize) -> Option<f32> {
+        // Beyond the table only in a damaged archive.
+        let station = |bytes| self.stations.get(self.code.station(bytes) as usize).copied();
+        self.point(i).map(|bytes| station(bytes).unwrap_or_default())
+    }
+
+    #[inline]
+    fn offset(&self, i: usize) -> Option<DVec3> {
+        self.point(i).map(|bytes| DVec3::from_array(self.code.offset(bytes)))
+    }
+
+    /// Number of points before the first one whose s is not `before` this.
+    pub(crate) fn partition_point(&self, before: impl Fn(f32) -> bool) -> usize {
+        let (mut low, mut high) = (0, self.len());
+        while low < high {
+            let middle = low.midpoint(high);
+            if self.station(middle).is_some_and(&before) { low = middle + 1 } else { high = middle }
+        }
+        low
+    }
+}
+
+/// s of both ends of a segment of a lane's centre line, from the section's start `[m]`; none if it has no such segment. As
+/// [`Points`], without what nobody asks of a segment: the nearest lane asks for each that may win.
+#[inline]
+pub(crate) fn segment_ends(
+    tables: &Tables<'_>,
+    section: &ArchivedSectionRow,
+    lane: &ArchivedLaneRow,
+    segment: usize,
+) -> Option<[f32; 2]> {
+    if segment + 1 >= lane.center_count().into() {
+        return None;
+    }
+    let code = section.point_code();
+    let a = tables.points.get(lane.first_byte() as usize + segment * code.bytes()..)?;
+    let b = a.get(code.bytes()..)?;
+    let first = section.first_station() as usize;
+    let station = |point| tables.point_stations.get(first + code.station(point) as usize).copied();
+    Some([station(a)?, station(b)?])
+}
+
+/// A polyline of bounded error, borrowed from the archive. Its points are decoded as they are asked for.
 #[derive(Clone, Copy)]
 pub struct Polyline<'a> {
-    /// Inertial position that the points are relative to `[m]`.
-    pub origin: DVec3,
-    /// s of the section's start, to which the points' s is relative `[m]`.
-    pub s_start: f64,
-    /// The points in ascending s, as stored.
-    pub points: &'a [ArchivedPointRow],
+    /// Inertial position that the points count from `[m]`.
+    origin: DVec3,
+    /// s of the section's start.
+    s_start: f64,
+    points: Points<'a>,
 }
 
 impl<'a> Polyline<'a> {
+    pub(crate) fn new(origin: DVec3, section: &ArchivedSectionRow, points: Points<'a>) -> Self {
+        let frame = DVec3::new(section.x().into(), section.y().into(), section.z().into());
+        Self { origin: origin + frame, s_start: section.s_start(), points }
+    }
+
     /// Number of points.
     pub fn len(&self) -> usize {
         self.points.len()
@@ -22,27 +125,38 @@ impl<'a> Polyline<'a> {
 
     /// Whether there are no points (lane 0 has no centre line).
     pub fn is_empty(&self) -> bool {
-        self.points.is_empty()
+        self.len() == 0
     }
 
     /// Inertial position of a point `[m]`.
     pub fn position(&self, i: usize) -> Option<DVec3> {
-        self.points.get(i).map(|p| at(self.origin, p))
+        self.points.offset(i).map(|offset| self.origin + offset)
+    }
+
+    /// s of a point on the road `[m]`. Points of equal s are both sides of a jump.
+    pub fn station(&self, i: usize) -> Option<f64> {
+        self.points.station(i).map(|s| self.s_start + f64::from(s))
     }
 
     /// s of the points on the road `[m]`.
     pub fn stations(&self) -> impl ExactSizeIterator<Item = f64> + use<'a> {
-        let s_start = self.s_start;
-        self.points.iter().map(move |p| s_start + f64::from(p.s()))
+        let line = *self;
+        (0..self.len()).map(move |i| line.station(i).unwrap_or_default())
     }
 
     /// Inertial positions in ascending s `[m]`.
     pub fn positions(&self) -> impl ExactSizeIterator<Item = DVec3> + use<'a> {
-        let origin = self.origin;
-        self.points.iter().map(move |p| at(origin, p))
+        let line = *self;
+        (0..self.len()).map(move |i| line.position(i).unwrap_or_default())
     }
-}
 
-fn at(origin: DVec3, p: &ArchivedPointRow) -> DVec3 {
-    origin + DVec3::new(f64::from(p.x()), f64::from(p.y()), f64::from(p.z()))
+    /// Number of points whose s on the road is less than this `[m]`.
+    pub fn points_before(&self, s: f64) -> usize {
+        self.points.partition_point(|station| self.s_start + f64::from(station) < s)
+    }
+
+    /// Bound on the distance of each point from where the exact line has it `[m]`: what writing it in few bits costs.
+    pub fn rounding(&self) -> f64 {
+        self.points.code.error()
+    }
 }

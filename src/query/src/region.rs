@@ -141,8 +141,7 @@ impl Map<'_> {
                     continue;
                 };
                 if region.meets(a.truncate(), b.truncate()) {
-                    let s = |i: usize| border.s_start + f64::from(border.points[i].s());
-                    let s = [s(i - 1), s(i)];
+                    let s = [i - 1, i].map(|i| border.station(i).unwrap_or_default());
                     out.push(BoundarySegment { lane: lane.lane_id(), s, ends: [a, b] });
                 }
             }

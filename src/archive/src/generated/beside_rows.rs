@@ -160,17 +160,19 @@ pub struct GridTransitionRow {
 const _: () =
     assert!(size_of::<GridTransitionRow>() == 40 && size_of::<ArchivedGridTransitionRow>() == 40);
 
-/// lane/roadMark records, by lane and s: what lies on the lane's outer border, on lane 0's own line for lane 0, until the next record of the lane.
+/// lane/roadMark records, each sequence of them once: what lies on a lane's outer border, on lane 0's own line for lane 0, until the next record of the sequence.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
 pub struct RoadMarkRow {
-    /// `[m]` Start on the road.
-    pub s: f64,
-    /// The lane.
-    pub lane: u32,
+    /// `[m]` Start, from that of the section which the lane is written in.
+    pub s_offset: f64,
     /// How it looks.
     pub style: u32,
+    /// 1 for the last of a sequence.
+    pub last: u8,
+    /// 0.
+    pub reserved: [u8; 3],
 }
 const _: () = assert!(size_of::<RoadMarkRow>() == 16 && size_of::<ArchivedRoadMarkRow>() == 16);
 
@@ -259,7 +261,7 @@ pub struct GraphRow {
     pub change_time: f64,
     /// Number of strongly connected components.
     pub components: u32,
-    /// Number of nodes with a place in `landmark_lengths` and `landmark_times`.
+    /// Number of places in `landmark_lengths` and `landmark_times`.
     pub bounds: u32,
     /// Number of landmarks; 0 if the map has none.
     pub landmarks: u32,
@@ -281,7 +283,7 @@ pub struct LaneNodeRow {
     pub right: u32,
     /// Strongly connected component, numbered in topological order of the condensation.
     pub component: u32,
-    /// Place in `landmark_lengths` and `landmark_times`; u32::MAX if no motor vehicle may use the node.
+    /// Place in `landmark_lengths` and `landmark_times` of the node's anchor: the node itself, or one from which a way without a change of lane leads to it; u32::MAX if no motor vehicle may use the node.
     pub bound: u32,
     /// `[m]` Smaller end of the piece, from the section's start.
     pub s_from: f32,
@@ -289,6 +291,10 @@ pub struct LaneNodeRow {
     pub length: f32,
     /// `[s]` Time to pass it at the speed limit.
     pub time: f32,
+    /// Length of the way from the anchor, in the graph's `length_step`, rounded up; 0 for the anchor itself.
+    pub anchor_length: u16,
+    /// Time from the anchor, in `time_step`, rounded up.
+    pub anchor_time: u16,
     /// Bit i: vehicle class i may use it.
     pub access: u16,
     /// 1 travels towards +s, 2 change to the left allowed, 4 change to the right allowed.
@@ -296,7 +302,7 @@ pub struct LaneNodeRow {
     /// 0.
     pub reserved: u8,
 }
-const _: () = assert!(size_of::<LaneNodeRow>() == 36 && size_of::<ArchivedLaneNodeRow>() == 36);
+const _: () = assert!(size_of::<LaneNodeRow>() == 40 && size_of::<ArchivedLaneNodeRow>() == 40);
 
 /// What is known of each entry of `successors`: where the file says so. Length, time and access are those of the node that is left.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
@@ -325,17 +331,21 @@ pub struct ConflictRow {
     pub lane: u32,
     /// The lane that it conflicts with.
     pub other: u32,
-    /// `[m]` Start of the common area on `lane`, from its section's start.
-    pub s_from: f32,
-    /// `[m]` End of the common area on `lane`.
-    pub s_to: f32,
-    /// `[m]` Start of the common area on `other`, from its section's start.
-    pub other_from: f32,
-    /// `[m]` End of the common area on `other`.
-    pub other_to: f32,
+    /// Start of the common area on `lane`, from its section's start, rounded down to steps: of the least power of two metres above a 65,535th of the section's length.
+    pub from: u16,
+    /// End of the common area on `lane`, rounded up; not beyond the section's end.
+    pub to: u16,
+    /// Start of the common area on `other`, in steps of its section, rounded down.
+    pub other_from: u16,
+    /// End of the common area on `other`, rounded up; not beyond the section's end.
+    pub other_to: u16,
     /// 0 cross, 1 merge, 2 overlap, 3 crossing of roads.
     pub kind: u8,
+    /// Who goes first: 0 `lane` yields, 1 `lane` has priority, 2 lights decide, 3 nothing decides; 4 for lanes that come from one entry, and where roads cross.
+    pub relation: u8,
+    /// Why: 0 none, 1 lights, 2 stop sign, 3 yield sign, 4 priority road, 5 junction priority, 6 turn across oncoming traffic, 7 from the right.
+    pub reason: u8,
     /// 0.
-    pub reserved: [u8; 3],
+    pub reserved: u8,
 }
-const _: () = assert!(size_of::<ConflictRow>() == 28 && size_of::<ArchivedConflictRow>() == 28);
+const _: () = assert!(size_of::<ConflictRow>() == 20 && size_of::<ArchivedConflictRow>() == 20);

@@ -68,11 +68,22 @@ impl LaneRow {
     /// Lets the row refer to where what it refers to comes to lie.
     pub fn move_by(&mut self, moves: &Moves) {
         self.section = moves.sections.row(self.section);
-        self.widths = moves.cubics.range(self.widths);
-        self.speeds = moves.lane_speeds.range(self.speeds);
-        self.nodes = moves.lane_nodes.range(self.nodes);
-        self.center = moves.points.range(self.center);
-        self.border = moves.points.range(self.border);
+        self.first_width = moves
+            .cubics
+            .range(crate::Range { first: self.first_width, count: self.width_count.into() })
+            .first;
+        self.first_node = moves
+            .lane_nodes
+            .range(crate::Range { first: self.first_node, count: self.node_count.into() })
+            .first;
+        self.first_mark = moves.road_marks.row(self.first_mark);
+    }
+}
+
+impl LaneSpeedRow {
+    /// Lets the row refer to where what it refers to comes to lie.
+    pub fn move_by(&mut self, moves: &Moves) {
+        self.lane = moves.lanes.row(self.lane);
     }
 }
 
@@ -160,7 +171,6 @@ impl GridRowRow {
 impl RoadMarkRow {
     /// Lets the row refer to where what it refers to comes to lie.
     pub fn move_by(&mut self, moves: &Moves) {
-        self.lane = moves.lanes.row(self.lane);
         self.style = moves.road_mark_styles.row(self.style);
     }
 }
@@ -330,14 +340,6 @@ impl JunctionPriorityRow {
         self.junction = moves.junctions.row(self.junction);
         self.high = moves.roads.row(self.high);
         self.low = moves.roads.row(self.low);
-    }
-}
-
-impl RightOfWayRow {
-    /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
-        self.lane = moves.lanes.row(self.lane);
-        self.other = moves.lanes.row(self.other);
     }
 }
 

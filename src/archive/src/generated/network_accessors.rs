@@ -489,6 +489,21 @@ impl ArchivedSectionRow {
     pub fn s_end(&self) -> f64 {
         self.s_end.to_native()
     }
+    /// `[m]` x from which points count, relative to the local origin: none of them is smaller.
+    #[inline]
+    pub fn x(&self) -> f32 {
+        self.x.to_native()
+    }
+    /// `[m]` y from which points count, relative to the local origin.
+    #[inline]
+    pub fn y(&self) -> f32 {
+        self.y.to_native()
+    }
+    /// `[m]` z from which points count.
+    #[inline]
+    pub fn z(&self) -> f32 {
+        self.z.to_native()
+    }
     /// The road.
     #[inline]
     pub fn road(&self) -> u32 {
@@ -504,73 +519,113 @@ impl ArchivedSectionRow {
     pub fn number(&self) -> u32 {
         self.number.to_native()
     }
+    /// Its first element of `point_stations`.
+    #[inline]
+    pub fn first_station(&self) -> u32 {
+        self.first_station.to_native()
+    }
+    /// Bytes of `points` that a point takes: as many as its bits need, at least 1.
+    #[inline]
+    pub fn point_bytes(&self) -> u8 {
+        self.point_bytes
+    }
+    /// Bits of a point's station.
+    #[inline]
+    pub fn station_bits(&self) -> u8 {
+        self.station_bits
+    }
+    /// Bits of a point's x.
+    #[inline]
+    pub fn x_bits(&self) -> u8 {
+        self.x_bits
+    }
+    /// Bits of a point's y.
+    #[inline]
+    pub fn y_bits(&self) -> u8 {
+        self.y_bits
+    }
+    /// Bits of a point's z.
+    #[inline]
+    pub fn z_bits(&self) -> u8 {
+        self.z_bits
+    }
+    /// Step of x and y: 2 to the power of this less 128, in metres.
+    #[inline]
+    pub fn xy_step(&self) -> u8 {
+        self.xy_step
+    }
+    /// Step of z in the same way.
+    #[inline]
+    pub fn z_step(&self) -> u8 {
+        self.z_step
+    }
 }
 
 impl ArchivedLaneRow {
-    /// `[m]` Origin of the lane's points, relative to the local origin.
-    #[inline]
-    pub fn x(&self) -> f64 {
-        self.x.to_native()
-    }
-    /// `[m]` Origin of the lane's points, relative to the local origin.
-    #[inline]
-    pub fn y(&self) -> f64 {
-        self.y.to_native()
-    }
-    /// `[m]` Origin of the lane's points.
-    #[inline]
-    pub fn z(&self) -> f64 {
-        self.z.to_native()
-    }
     /// The lane's section.
     #[inline]
     pub fn section(&self) -> u32 {
         self.section.to_native()
     }
-    /// Width `[m]` over s, or the outer border's t `[m]` where flag 4 is set.
+    /// First row of `cubics` with its width `[m]` over s, or the outer border's t `[m]` where flag 4 is set.
     #[inline]
-    pub fn widths(&self) -> Range {
-        self.widths.to_native()
+    pub fn first_width(&self) -> u32 {
+        self.first_width.to_native()
     }
-    /// Speed records, ascending in s.
+    /// First of its nodes in `lane_nodes`: pieces in driving order, then, if the lane is travelled the other way too, those of the other way. None for lane 0.
     #[inline]
-    pub fn speeds(&self) -> Range {
-        self.speeds.to_native()
+    pub fn first_node(&self) -> u32 {
+        self.first_node.to_native()
     }
-    /// Nodes of the lane graph: pieces in driving order, then, if the lane is travelled the other way too, those of the other way. None for lane 0.
+    /// First byte in `points` of its centre line, then of its outer border; for lane 0 of the shifted reference line.
     #[inline]
-    pub fn nodes(&self) -> Range {
-        self.nodes.to_native()
+    pub fn first_byte(&self) -> u32 {
+        self.first_byte.to_native()
     }
-    /// Centre line, ascending in s. Empty for lane 0.
+    /// First of its road marks in `road_marks`, which many lanes share.
     #[inline]
-    pub fn center(&self) -> Range {
-        self.center.to_native()
-    }
-    /// Outer border, ascending in s; for lane 0 the shifted reference line.
-    #[inline]
-    pub fn border(&self) -> Range {
-        self.border.to_native()
+    pub fn first_mark(&self) -> u32 {
+        self.first_mark.to_native()
     }
     /// OpenDRIVE's lane number: positive left, negative right.
     #[inline]
     pub fn number(&self) -> i32 {
         self.number.to_native()
     }
-    /// Lane type code.
+    /// Number of width records.
     #[inline]
-    pub fn kind(&self) -> u8 {
-        self.kind
+    pub fn width_count(&self) -> u16 {
+        self.width_count.to_native()
     }
-    /// 1 travels towards +s, 2 level, 4 `widths` hold borders, 8 also travels the other way, 16 for walking alone: walked both ways, 32 is of a temporary layer.
+    /// Number of nodes.
     #[inline]
-    pub fn flags(&self) -> u8 {
-        self.flags
+    pub fn node_count(&self) -> u16 {
+        self.node_count.to_native()
+    }
+    /// Number of points of the centre line, which ascend in s; 0 for lane 0.
+    #[inline]
+    pub fn center_count(&self) -> u16 {
+        self.center_count.to_native()
+    }
+    /// Number of points of the border, which follow.
+    #[inline]
+    pub fn border_count(&self) -> u16 {
+        self.border_count.to_native()
     }
     /// Sections of the road since the one that the lane is written in: not 0 where it goes on beside a section of the other side alone.
     #[inline]
     pub fn continues(&self) -> u16 {
         self.continues.to_native()
+    }
+    /// Lane type code.
+    #[inline]
+    pub fn kind(&self) -> u8 {
+        self.kind
+    }
+    /// 1 travels towards +s, 2 level, 4 widths hold borders, 8 also travels the other way, 16 for walking alone: walked both ways, 32 is of a temporary layer.
+    #[inline]
+    pub fn flags(&self) -> u8 {
+        self.flags
     }
 }
 
@@ -585,33 +640,15 @@ impl ArchivedLaneSpeedRow {
     pub fn max(&self) -> f64 {
         self.max.to_native()
     }
+    /// The lane.
+    #[inline]
+    pub fn lane(&self) -> u32 {
+        self.lane.to_native()
+    }
     /// 1 value, 2 no limit, 3 undefined.
     #[inline]
     pub fn kind(&self) -> u32 {
         self.kind.to_native()
-    }
-}
-
-impl ArchivedPointRow {
-    /// `[m]` x minus the lane's x.
-    #[inline]
-    pub fn x(&self) -> f32 {
-        self.x.to_native()
-    }
-    /// `[m]` y minus the lane's y.
-    #[inline]
-    pub fn y(&self) -> f32 {
-        self.y.to_native()
-    }
-    /// `[m]` z minus the lane's z.
-    #[inline]
-    pub fn z(&self) -> f32 {
-        self.z.to_native()
-    }
-    /// `[m]` s minus the section's start.
-    #[inline]
-    pub fn s(&self) -> f32 {
-        self.s.to_native()
     }
 }
 

@@ -243,7 +243,7 @@ pub struct RoadTypeRow {
 }
 const _: () = assert!(size_of::<RoadTypeRow>() == 24 && size_of::<ArchivedRoadTypeRow>() == 24);
 
-/// Lane sections, road by road, ascending in s.
+/// Lane sections, road by road, ascending in s, with the frame of their lanes' points (`points`).
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -252,52 +252,74 @@ pub struct SectionRow {
     pub s_start: f64,
     /// `[m]` End: start of the next section, or the road's length.
     pub s_end: f64,
+    /// `[m]` x from which points count, relative to the local origin: none of them is smaller.
+    pub x: f32,
+    /// `[m]` y from which points count, relative to the local origin.
+    pub y: f32,
+    /// `[m]` z from which points count.
+    pub z: f32,
     /// The road.
     pub road: u32,
     /// Lanes from left to right: falling lane numbers, lane 0 among them.
     pub lanes: Range,
     /// Number of the section in its road, from 0.
     pub number: u32,
+    /// Its first element of `point_stations`.
+    pub first_station: u32,
+    /// Bytes of `points` that a point takes: as many as its bits need, at least 1.
+    pub point_bytes: u8,
+    /// Bits of a point's station.
+    pub station_bits: u8,
+    /// Bits of a point's x.
+    pub x_bits: u8,
+    /// Bits of a point's y.
+    pub y_bits: u8,
+    /// Bits of a point's z.
+    pub z_bits: u8,
+    /// Step of x and y: 2 to the power of this less 128, in metres.
+    pub xy_step: u8,
+    /// Step of z in the same way.
+    pub z_step: u8,
+    /// 0.
+    pub reserved: u8,
 }
-const _: () = assert!(size_of::<SectionRow>() == 32 && size_of::<ArchivedSectionRow>() == 32);
+const _: () = assert!(size_of::<SectionRow>() == 56 && size_of::<ArchivedSectionRow>() == 56);
 
 /// Lanes, section by section, from left to right. The row number is the LaneId. Lane 0 has no width; its border is the shifted reference line.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
 pub struct LaneRow {
-    /// `[m]` Origin of the lane's points, relative to the local origin.
-    pub x: f64,
-    /// `[m]` Origin of the lane's points, relative to the local origin.
-    pub y: f64,
-    /// `[m]` Origin of the lane's points.
-    pub z: f64,
     /// The lane's section.
     pub section: u32,
-    /// Width `[m]` over s, or the outer border's t `[m]` where flag 4 is set.
-    pub widths: Range,
-    /// Speed records, ascending in s.
-    pub speeds: Range,
-    /// Nodes of the lane graph: pieces in driving order, then, if the lane is travelled the other way too, those of the other way. None for lane 0.
-    pub nodes: Range,
-    /// Centre line, ascending in s. Empty for lane 0.
-    pub center: Range,
-    /// Outer border, ascending in s; for lane 0 the shifted reference line.
-    pub border: Range,
+    /// First row of `cubics` with its width `[m]` over s, or the outer border's t `[m]` where flag 4 is set.
+    pub first_width: u32,
+    /// First of its nodes in `lane_nodes`: pieces in driving order, then, if the lane is travelled the other way too, those of the other way. None for lane 0.
+    pub first_node: u32,
+    /// First byte in `points` of its centre line, then of its outer border; for lane 0 of the shifted reference line.
+    pub first_byte: u32,
+    /// First of its road marks in `road_marks`, which many lanes share.
+    pub first_mark: u32,
     /// OpenDRIVE's lane number: positive left, negative right.
     pub number: i32,
-    /// Lane type code.
-    pub kind: u8,
-    /// 1 travels towards +s, 2 level, 4 `widths` hold borders, 8 also travels the other way, 16 for walking alone: walked both ways, 32 is of a temporary layer.
-    pub flags: u8,
+    /// Number of width records.
+    pub width_count: u16,
+    /// Number of nodes.
+    pub node_count: u16,
+    /// Number of points of the centre line, which ascend in s; 0 for lane 0.
+    pub center_count: u16,
+    /// Number of points of the border, which follow.
+    pub border_count: u16,
     /// Sections of the road since the one that the lane is written in: not 0 where it goes on beside a section of the other side alone.
     pub continues: u16,
-    /// 0.
-    pub reserved: [u8; 4],
+    /// Lane type code.
+    pub kind: u8,
+    /// 1 travels towards +s, 2 level, 4 widths hold borders, 8 also travels the other way, 16 for walking alone: walked both ways, 32 is of a temporary layer.
+    pub flags: u8,
 }
-const _: () = assert!(size_of::<LaneRow>() == 80 && size_of::<ArchivedLaneRow>() == 80);
+const _: () = assert!(size_of::<LaneRow>() == 36 && size_of::<ArchivedLaneRow>() == 36);
 
-/// lane/speed records.
+/// lane/speed records, by lane and s.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -306,28 +328,12 @@ pub struct LaneSpeedRow {
     pub s: f64,
     /// `[m/s]` Speed limit, if `kind` is 1; else 0.
     pub max: f64,
+    /// The lane.
+    pub lane: u32,
     /// 1 value, 2 no limit, 3 undefined.
     pub kind: u32,
-    /// 0.
-    pub reserved: u32,
 }
 const _: () = assert!(size_of::<LaneSpeedRow>() == 24 && size_of::<ArchivedLaneSpeedRow>() == 24);
-
-/// Points of polylines, relative to the origin of the lane that owns them.
-#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
-#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
-#[repr(C)]
-pub struct PointRow {
-    /// `[m]` x minus the lane's x.
-    pub x: f32,
-    /// `[m]` y minus the lane's y.
-    pub y: f32,
-    /// `[m]` z minus the lane's z.
-    pub z: f32,
-    /// `[m]` s minus the section's start.
-    pub s: f32,
-}
-const _: () = assert!(size_of::<PointRow>() == 16 && size_of::<ArchivedPointRow>() == 16);
 
 /// One row per junction, in file order. The row number is the JunctionId.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]

@@ -13,7 +13,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [192, 165, 128, 128, 111, 25, 9, 172, 253, 81, 6, 17, 44, 234, 164, 136];
+    [105, 86, 218, 139, 23, 89, 80, 209, 121, 28, 185, 143, 164, 75, 32, 136];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -36,14 +36,16 @@ pub struct Rows {
     pub cubics: Table<CubicRow>,
     /// road/type records.
     pub road_types: Table<RoadTypeRow>,
-    /// Lane sections, road by road, ascending in s.
+    /// Lane sections, road by road, ascending in s, with the frame of their lanes' points (`points`).
     pub sections: Table<SectionRow>,
     /// Lanes, section by section, from left to right. The row number is the LaneId. Lane 0 has no width; its border is the shifted reference line.
     pub lanes: Table<LaneRow>,
-    /// lane/speed records.
+    /// lane/speed records, by lane and s.
     pub lane_speeds: Table<LaneSpeedRow>,
-    /// Points of polylines, relative to the origin of the lane that owns them.
-    pub points: Table<PointRow>,
+    /// s of points minus their section's start `[m]`, section by section, ascending, each once: all lines of a section share them.
+    pub point_stations: Table<f32>,
+    /// Points of polylines, `point_bytes` each, the lowest first, lane by lane. From the lowest bit on: number of the point's station among the section's, then x, y and z in steps from the section's frame, each with as many bits as the section says.
+    pub points: Table<u8>,
     /// One row per junction, in file order. The row number is the JunctionId.
     pub junctions: Table<JunctionRow>,
     /// junction/connection.
@@ -78,7 +80,7 @@ pub struct Rows {
     pub grid_heights: Table<f64>,
     /// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
     pub grid_transitions: Table<GridTransitionRow>,
-    /// lane/roadMark records, by lane and s: what lies on the lane's outer border, on lane 0's own line for lane 0, until the next record of the lane.
+    /// lane/roadMark records, each sequence of them once: what lies on a lane's outer border, on lane 0's own line for lane 0, until the next record of the sequence.
     pub road_marks: Table<RoadMarkRow>,
     /// How road marks look, each once, in the order of their first use.
     pub road_mark_styles: Table<RoadMarkStyleRow>,
@@ -140,8 +142,6 @@ pub struct Rows {
     pub junction_controllers: Table<JunctionControllerRow>,
     /// junction/priority, by junction.
     pub junction_priorities: Table<JunctionPriorityRow>,
-    /// Who goes first, for each pair of lanes of `conflicts` that come from different entries, by `lane`; each pair stands twice, once from either side.
-    pub right_of_way: Table<RightOfWayRow>,
     /// header/defaultRegulations: speeds by type of road (OpenDRIVE 1.8.1, 6.4).
     pub default_speeds: Table<DefaultSpeedRow>,
     /// First node of each level of the signals' index, root first, then the number of nodes. Empty if the map has no signals.
@@ -218,7 +218,8 @@ impl Rows {
             sections: bytemuck::cast_slice(self.sections.as_slice()),
             lanes: bytemuck::cast_slice(self.lanes.as_slice()),
             lane_speeds: bytemuck::cast_slice(self.lane_speeds.as_slice()),
-            points: bytemuck::cast_slice(self.points.as_slice()),
+            point_stations: (self.point_stations.as_slice()),
+            points: (self.points.as_slice()),
             junctions: bytemuck::cast_slice(self.junctions.as_slice()),
             connections: bytemuck::cast_slice(self.connections.as_slice()),
             connection_lane_links: bytemuck::cast_slice(self.connection_lane_links.as_slice()),
@@ -267,7 +268,6 @@ impl Rows {
             signal_controllers: (self.signal_controllers.as_slice()),
             junction_controllers: bytemuck::cast_slice(self.junction_controllers.as_slice()),
             junction_priorities: bytemuck::cast_slice(self.junction_priorities.as_slice()),
-            right_of_way: bytemuck::cast_slice(self.right_of_way.as_slice()),
             default_speeds: bytemuck::cast_slice(self.default_speeds.as_slice()),
             signal_index_levels: (self.signal_index_levels.as_slice()),
             signal_index_nodes: bytemuck::cast_slice(self.signal_index_nodes.as_slice()),
@@ -323,14 +323,16 @@ pub struct Tables<'a> {
     pub cubics: &'a [ArchivedCubicRow],
     /// road/type records.
     pub road_types: &'a [ArchivedRoadTypeRow],
-    /// Lane sections, road by road, ascending in s.
+    /// Lane sections, road by road, ascending in s, with the frame of their lanes' points (`points`).
     pub sections: &'a [ArchivedSectionRow],
     /// Lanes, section by section, from left to right. The row number is the LaneId. Lane 0 has no width; its border is the shifted reference line.
     pub lanes: &'a [ArchivedLaneRow],
-    /// lane/speed records.
+    /// lane/speed records, by lane and s.
     pub lane_speeds: &'a [ArchivedLaneSpeedRow],
-    /// Points of polylines, relative to the origin of the lane that owns them.
-    pub points: &'a [ArchivedPointRow],
+    /// s of points minus their section's start `[m]`, section by section, ascending, each once: all lines of a section share them.
+    pub point_stations: &'a [f32],
+    /// Points of polylines, `point_bytes` each, the lowest first, lane by lane. From the lowest bit on: number of the point's station among the section's, then x, y and z in steps from the section's frame, each with as many bits as the section says.
+    pub points: &'a [u8],
     /// One row per junction, in file order. The row number is the JunctionId.
     pub junctions: &'a [ArchivedJunctionRow],
     /// junction/connection.
@@ -365,7 +367,7 @@ pub struct Tables<'a> {
     pub grid_heights: &'a [f64],
     /// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
     pub grid_transitions: &'a [ArchivedGridTransitionRow],
-    /// lane/roadMark records, by lane and s: what lies on the lane's outer border, on lane 0's own line for lane 0, until the next record of the lane.
+    /// lane/roadMark records, each sequence of them once: what lies on a lane's outer border, on lane 0's own line for lane 0, until the next record of the sequence.
     pub road_marks: &'a [ArchivedRoadMarkRow],
     /// How road marks look, each once, in the order of their first use.
     pub road_mark_styles: &'a [ArchivedRoadMarkStyleRow],
@@ -427,8 +429,6 @@ pub struct Tables<'a> {
     pub junction_controllers: &'a [ArchivedJunctionControllerRow],
     /// junction/priority, by junction.
     pub junction_priorities: &'a [ArchivedJunctionPriorityRow],
-    /// Who goes first, for each pair of lanes of `conflicts` that come from different entries, by `lane`; each pair stands twice, once from either side.
-    pub right_of_way: &'a [ArchivedRightOfWayRow],
     /// header/defaultRegulations: speeds by type of road (OpenDRIVE 1.8.1, 6.4).
     pub default_speeds: &'a [ArchivedDefaultSpeedRow],
     /// First node of each level of the signals' index, root first, then the number of nodes. Empty if the map has no signals.
@@ -505,6 +505,7 @@ impl<'a> Tables<'a> {
             sections: root.sections.view(body, "sections")?,
             lanes: root.lanes.view(body, "lanes")?,
             lane_speeds: root.lane_speeds.view(body, "lane_speeds")?,
+            point_stations: root.point_stations.view_numbers(body, "point_stations")?,
             points: root.points.view(body, "points")?,
             junctions: root.junctions.view(body, "junctions")?,
             connections: root.connections.view(body, "connections")?,
@@ -558,7 +559,6 @@ impl<'a> Tables<'a> {
             signal_controllers: root.signal_controllers.view_numbers(body, "signal_controllers")?,
             junction_controllers: root.junction_controllers.view(body, "junction_controllers")?,
             junction_priorities: root.junction_priorities.view(body, "junction_priorities")?,
-            right_of_way: root.right_of_way.view(body, "right_of_way")?,
             default_speeds: root.default_speeds.view(body, "default_speeds")?,
             signal_index_levels: root
                 .signal_index_levels
@@ -610,6 +610,7 @@ impl<'a> Tables<'a> {
             TableInfo::of("sections", self.sections),
             TableInfo::of("lanes", self.lanes),
             TableInfo::of("lane_speeds", self.lane_speeds),
+            TableInfo::of("point_stations", self.point_stations),
             TableInfo::of("points", self.points),
             TableInfo::of("junctions", self.junctions),
             TableInfo::of("connections", self.connections),
@@ -659,7 +660,6 @@ impl<'a> Tables<'a> {
             TableInfo::of("signal_controllers", self.signal_controllers),
             TableInfo::of("junction_controllers", self.junction_controllers),
             TableInfo::of("junction_priorities", self.junction_priorities),
-            TableInfo::of("right_of_way", self.right_of_way),
             TableInfo::of("default_speeds", self.default_speeds),
             TableInfo::of("signal_index_levels", self.signal_index_levels),
             TableInfo::of("signal_index_nodes", self.signal_index_nodes),
@@ -696,6 +696,7 @@ impl<'a> Tables<'a> {
 // The element types as they lie in the bytes.
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::f64_le>() == size_of::<f64>());
+const _: () = assert!(size_of::<rend::f32_le>() == size_of::<f32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());

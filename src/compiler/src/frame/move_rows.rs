@@ -226,16 +226,16 @@ pub(crate) fn edge(low: DVec2, high: DVec2) -> impl Iterator<Item = DVec2> {
 /// Smallest and largest coordinates of all lanes in the file's frame; none for a map without lanes.
 pub(super) fn file_bounds(frame: &Frame, rows: &Rows) -> Option<[DVec3; 2]> {
     let map = rows.map.first()?;
-    let origin = DVec2::new(map.origin_x, map.origin_y);
     let none = (DVec2::INFINITY, DVec2::NEG_INFINITY);
     let join = |a: (DVec2, DVec2), b: (DVec2, DVec2)| (a.0.min(b.0), a.1.max(b.1));
-    let lanes = rows.lanes.par_chunks(GEOMETRIES_PER_TASK).map(|lanes| {
+    let archive = crate::lanes::view(rows);
+    let seen = mapd_query::Map::new(&archive, 0);
+    let numbers: Vec<u32> = (0..rows.lanes.len() as u32).collect();
+    let lanes = numbers.par_chunks(GEOMETRIES_PER_TASK).map(|lanes| {
         let mut bounds = none;
         let mut chart: Option<super::Local> = None;
-        for lane in lanes {
-            let start = origin + DVec2::new(lane.x, lane.y);
-            for point in lane.border.of(&rows.points) {
-                let at = start + DVec2::new(f64::from(point.x), f64::from(point.y));
+        for lane in lanes.iter().filter_map(|lane| seen.lane_by_row(*lane)) {
+            for at in lane.border().positions().map(DVec3::truncate) {
                 if !chart.as_ref().is_some_and(|chart| chart.holds(at)) {
                     chart = frame.back.at(at);
                 }

@@ -83,5 +83,5 @@ pub(crate) fn in_order(rows: &Rows) -> impl Iterator<Item = u32> + '_ {
     roads
         .flat_map(|road| road.sections.of(&rows.sections))
         .flat_map(|section| section.lanes.of(&rows.lanes))
-        .flat_map(|lane| lane.nodes.first..lane.nodes.end() as u32)
+        .flat_map(|lane| lane.nodes().first..lane.nodes().end() as u32)
 }

@@ -98,7 +98,7 @@ fn wanted_by(lowering: &Lowering, lane: u32, wanted: &mut Vec<f64>) {
     if row.flags & lane_flags::BORDER == 0
         && let Some(section) = rows.sections.get(row.section as usize)
     {
-        let widths = row.widths.of(&rows.cubics);
+        let widths = row.widths().of(&rows.cubics);
         for pair in widths.windows(2).filter(|pair| is_zero(&pair[0]) != is_zero(&pair[1])) {
             wanted.push(pair[1].s - section.s_start);
         }

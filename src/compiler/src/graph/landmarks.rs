@@ -3,6 +3,7 @@
 //! Distances are over the graph that all motor vehicles together may use, with a price for each change of lane. So they hold
 //! for each class; for a higher price of changes too, and for a lower one in proportion.
 
+use super::anchors;
 use super::csr::in_order;
 use mapd_archive::{LaneNodeRow, NONE, Rows, VehicleClass, node_flags};
 use rayon::prelude::*;
@@ -19,8 +20,8 @@ const CHANGE_TIME: f64 = 2.0;
 /// What is found about landmarks.
 #[derive(Default)]
 pub(crate) struct Landmarks {
-    /// Per node its place in the tables of distances.
-    bounds: Vec<u32>,
+    /// Per node the place of its anchor in the tables of distances, and the steps of length and time from there.
+    bounds: Vec<(u32, [u16; 2])>,
     /// Number of places.
     count: u32,
     landmarks: u32,
@@ -32,8 +33,8 @@ pub(crate) struct Landmarks {
 impl Landmarks {
     /// Fills the tables of distances and the nodes' places in them.
     pub(crate) fn store(self, rows: &mut Rows) {
-        for (node, bound) in rows.lane_nodes.iter_mut().zip(&self.bounds) {
-            node.bound = *bound;
+        for (node, (bound, [length, time])) in rows.lane_nodes.iter_mut().zip(&self.bounds) {
+            (node.bound, node.anchor_length, node.anchor_time) = (*bound, *length, *time);
         }
         if let Some(graph) = rows.graph.first_mut() {
             graph.bounds = self.count;
@@ -46,7 +47,7 @@ impl Landmarks {
     }
 }
 
-/// Gives every node that motor vehicles may use its place, and finds the distances of so many landmarks.
+/// Finds the distances of so many landmarks from and to the anchors of all nodes that motor vehicles may use.
 pub(crate) fn find(rows: &Rows, landmarks: usize) -> Landmarks {
     let mut count = 0;
     let place = |node: &LaneNodeRow| {
@@ -56,26 +57,49 @@ pub(crate) fn find(rows: &Rows, landmarks: usize) -> Landmarks {
         count += 1;
         count - 1
     };
-    let bounds: Vec<u32> = rows.lane_nodes.iter().map(place).collect();
+    let places: Vec<u32> = rows.lane_nodes.iter().map(place).collect();
     if count == 0 || landmarks == 0 {
-        return Landmarks { bounds, count, ..Landmarks::default() };
+        return Landmarks {
+            bounds: vec![(NONE, [0; 2]); places.len()],
+            lengths: (1.0, Vec::new()),
+            times: (1.0, Vec::new()),
+            ..Landmarks::default()
+        };
     }
-    let ranks = ranks(rows, &bounds, count as usize);
-    let ahead = Network::new(rows, &bounds, count as usize);
+    let ranks = ranks(rows, &places, count as usize);
+    let ahead = Network::new(rows, &places, count as usize);
     let behind = ahead.turned();
-    let (places, from, to) = choose(&ahead, &behind, &ranks, landmarks);
+    let (chosen, from, to) = choose(&ahead, &behind, &ranks, landmarks);
     let lengths: Vec<Vec<f64>> = from.into_iter().chain(to).collect();
-    let lengths = steps(&lengths);
     let times: Vec<(&Network, u32)> = [&ahead, &behind]
         .into_iter()
-        .flat_map(|network| places.iter().map(move |place| (network, *place)))
+        .flat_map(|network| chosen.iter().map(move |place| (network, *place)))
         .collect();
     let times: Vec<Vec<f64>> = times
         .into_par_iter()
         .map(|(network, place)| network.distances(place, |weight| weight.time))
         .collect();
-    let times = steps(&times);
-    Landmarks { bounds, count, landmarks: places.len() as u32, lengths, times }
+    let sizes = [step(&lengths), step(&times)];
+    // Places in the network ascend with the nodes.
+    let node_of = |place: &u32| places.iter().position(|own| own == place).unwrap_or(0) as u32;
+    let fixed: Vec<u32> = chosen.iter().map(node_of).collect();
+    let anchors = anchors::find(rows, &fixed, sizes);
+    // Anchors in the nodes' order, by their places in the network, and each one's place in the tables.
+    let mut kept = Vec::new();
+    let mut tables = vec![NONE; places.len()];
+    for (node, own) in anchors.iter().enumerate().filter(|(node, a)| a.anchor == *node as u32) {
+        tables[node] = kept.len() as u32;
+        kept.push(places[own.anchor as usize] as usize);
+    }
+    let bound =
+        |a: &anchors::Anchored| (tables.get(a.anchor as usize).copied().unwrap_or(NONE), a.steps);
+    Landmarks {
+        bounds: anchors.iter().map(bound).collect(),
+        count: kept.len() as u32,
+        landmarks: chosen.len() as u32,
+        lengths: (sizes[0], in_steps(&lengths, &kept, sizes[0])),
+        times: (sizes[1], in_steps(&times, &kept, sizes[1])),
+    }
 }
 
 /// Per place in the tables its place in an order that depends on names only.
@@ -206,18 +230,21 @@ fn choose(ahead: &Network, behind: &Network, ranks: &[u32], wanted: usize) -> Ch
     (places, from, to)
 }
 
+/// The step in which the largest distance has so many as there may be.
+fn step(distances: &[Vec<f64>]) -> f64 {
+    let all = distances.iter().flatten().copied().filter(|distance| distance.is_finite());
+    let most = all.fold(0.0, f64::max);
+    if most > 0.0 { most / MOST_STEPS } else { 1.0 }
+}
+
 /// Distances of all landmarks, place by place, in steps rounded down.
-fn steps(distances: &[Vec<f64>]) -> (f64, Vec<u16>) {
-    let all = || distances.iter().flatten().copied().filter(|distance| distance.is_finite());
-    let most = all().fold(0.0, f64::max);
-    let step = if most > 0.0 { most / MOST_STEPS } else { 1.0 };
-    let places = distances.first().map_or(0, Vec::len);
-    let mut out = Vec::with_capacity(places * distances.len());
-    for place in 0..places {
+fn in_steps(distances: &[Vec<f64>], places: &[usize], step: f64) -> Vec<u16> {
+    let mut out = Vec::with_capacity(places.len() * distances.len());
+    for place in places {
         out.extend(distances.iter().map(|of| {
-            let distance = of.get(place).copied().unwrap_or(f64::INFINITY);
+            let distance = of.get(*place).copied().unwrap_or(f64::INFINITY);
             if distance.is_finite() { (distance / step) as u16 } else { u16::MAX }
         }));
     }
-    (step, out)
+    out
 }

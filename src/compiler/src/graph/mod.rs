@@ -1,5 +1,6 @@
 //! The lane graph (docs/graph.md): first its shape, from what the file says, then its measures, from sampled lanes.
 
+mod anchors;
 mod attach;
 mod components;
 mod conflicts;

@@ -4,13 +4,13 @@ use super::cuts::{Cuts, is_zero};
 use crate::TooLarge;
 use crate::lower::Lowering;
 use mapd_archive::{
-    LaneNodeRow, LaneRow, LaneType, NONE, Range, Rows, SectionRow, lane_flags, node_flags,
+    LaneNodeRow, LaneRow, LaneType, NONE, Rows, SectionRow, lane_flags, node_flags,
 };
 
 /// Appends the nodes of all lanes, then joins those beside each other.
 pub(crate) fn build(lowering: &mut Lowering, cuts: &Cuts) -> Result<(), TooLarge> {
     for lane in 0..lowering.rows.lanes.len() {
-        add(lowering, cuts, lane);
+        add(lowering, cuts, lane)?;
     }
     if lowering.rows.lane_nodes.len() >= NONE as usize {
         return Err(TooLarge::new("lane_nodes"));
@@ -21,9 +21,11 @@ pub(crate) fn build(lowering: &mut Lowering, cuts: &Cuts) -> Result<(), TooLarge
     Ok(())
 }
 
-fn add(lowering: &mut Lowering, cuts: &Cuts, lane: usize) {
+fn add(lowering: &mut Lowering, cuts: &Cuts, lane: usize) -> Result<(), TooLarge> {
     let has_nodes = |row: &LaneRow| row.number != 0 && row.flags & lane_flags::TEMPORARY == 0;
-    let Some(row) = lowering.rows.lanes.get(lane).copied().filter(has_nodes) else { return };
+    let Some(row) = lowering.rows.lanes.get(lane).copied().filter(has_nodes) else {
+        return Ok(());
+    };
     let before = lowering.rows.lane_nodes.len();
     let offsets = cuts.of(row.section);
     let section = lowering.rows.sections.get(row.section as usize);
@@ -51,16 +53,23 @@ fn add(lowering: &mut Lowering, cuts: &Cuts, lane: usize) {
                 s_from,
                 length: 0.0,
                 time: 0.0,
+                anchor_length: 0,
+                anchor_time: 0,
                 access,
                 flags: if way { node_flags::FORWARD } else { 0 },
                 reserved: 0,
             });
         }
     }
-    let nodes = Range::between(before, lowering.rows.lane_nodes.len()).unwrap_or_default();
+    let (Ok(first), Ok(count)) =
+        (u32::try_from(before), u16::try_from(lowering.rows.lane_nodes.len() - before))
+    else {
+        return Err(TooLarge::of_lane("lane_nodes", &lowering.rows, lane as u32));
+    };
     if let Some(row) = lowering.rows.lanes.get_mut(lane) {
-        row.nodes = nodes;
+        (row.first_node, row.node_count) = (first, count);
     }
+    Ok(())
 }
 
 /// Whether a lane is more than a line around a place: a stretch of no width may be linked, but nobody drives there.
@@ -69,7 +78,7 @@ fn has_width(rows: &Rows, lane: &LaneRow, offset: f64) -> bool {
         return true;
     }
     let Some(section) = rows.sections.get(lane.section as usize) else { return false };
-    let widths = lane.widths.of(&rows.cubics);
+    let widths = lane.widths().of(&rows.cubics);
     let at = widths.partition_point(|record| record.s <= section.s_start + offset);
     at.checked_sub(1).and_then(|i| widths.get(i)).is_some_and(|record| !is_zero(record))
 }
@@ -83,7 +92,7 @@ fn join(lowering: &mut Lowering, node: u32) {
     let Some(section) = rows.sections.get(lane.section as usize) else { return };
     let forward = own.flags & node_flags::FORWARD != 0;
     let pieces = pieces(lane);
-    let in_order = (node - lane.nodes.first) % pieces;
+    let in_order = (node - lane.nodes().first) % pieces;
     let (mut joined, mut allowed) = ([NONE; 2], 0);
     // Rows run from left to right of the reference line, which is from right to left for who travels towards −s.
     for (side, to_lower_row) in [(0, forward), (1, !forward)] {
@@ -109,18 +118,18 @@ fn join(lowering: &mut Lowering, node: u32) {
 /// Pieces that a lane is cut into.
 pub(crate) fn pieces(lane: &LaneRow) -> u32 {
     let ways = if lane.flags & lane_flags::TWO_WAY != 0 { 2 } else { 1 };
-    (lane.nodes.count / ways).max(1)
+    (lane.nodes().count / ways).max(1)
 }
 
 /// The first node, in driving order, of a lane's travel towards +s or −s; none if it is not travelled that way.
 pub(crate) fn first_node(lane: &LaneRow, forward: bool) -> Option<u32> {
-    if lane.nodes.count == 0 {
+    if lane.nodes().count == 0 {
         return None;
     }
     if (lane.flags & lane_flags::FORWARD != 0) == forward {
-        return Some(lane.nodes.first);
+        return Some(lane.nodes().first);
     }
-    (lane.flags & lane_flags::TWO_WAY != 0).then(|| lane.nodes.first + pieces(lane))
+    (lane.flags & lane_flags::TWO_WAY != 0).then(|| lane.nodes().first + pieces(lane))
 }
 
 /// Middle of a node's piece, from the section's start.
@@ -135,7 +144,7 @@ pub(crate) fn piece_ends(rows: &Rows, node: u32) -> (f64, f64) {
     let Some(lane) = rows.lanes.get(own.lane as usize) else { return (0.0, 0.0) };
     let section = rows.sections.get(lane.section as usize);
     let length = section.map_or(0.0, |section| section.s_end - section.s_start);
-    let in_order = (node - lane.nodes.first) % pieces(lane);
+    let in_order = (node - lane.nodes().first) % pieces(lane);
     let forward = own.flags & node_flags::FORWARD != 0;
     // The piece beyond, towards +s, is the next in driving order or the one before.
     let beyond = if forward {

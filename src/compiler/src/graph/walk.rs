@@ -61,7 +61,7 @@ impl Walk<'_> {
         let Some(row) = rows.lanes.get(own.lane as usize) else { return };
         let forward = own.flags & node_flags::FORWARD != 0;
         self.edges.extend(self.attachments.leaving(node));
-        if (node - row.nodes.first) % pieces(row) + 1 < pieces(row) {
+        if (node - row.nodes().first) % pieces(row) + 1 < pieces(row) {
             let span = Span::default();
             self.edges.push(Edge { from: node, to: node + 1, kind: EdgeKind::Within, span });
             return;

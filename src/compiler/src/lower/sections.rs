@@ -2,7 +2,12 @@
 
 use super::need::Part;
 use super::{Lowering, WrittenLink, between, speed};
-use mapd_archive::{LaneRow, LaneSpeedRow, LaneType, Range, SectionRow, VehicleClass, lane_flags};
+use crate::too_large::TOO_LARGE;
+use bytemuck::Zeroable as _;
+use mapd_archive::{
+    LaneRow, LaneSpeedRow, LaneType, MOST_OF_LANE, NONE, Range, SectionRow, VehicleClass,
+    lane_flags,
+};
 use mapd_xodr::{
     self as xodr, Finding, LaneDirection, Road, Severity, Span, Text as _, TrafficRule, Value as _,
 };
@@ -189,6 +194,7 @@ impl Lowering {
                 road: number,
                 lanes,
                 number: i as u32,
+                ..SectionRow::zeroed()
             });
         }
         between(before, self.rows.sections.len())
@@ -241,7 +247,7 @@ impl Lowering {
             self.push_lane(
                 section_row,
                 (0, kind, left_side.layer.flags(), 0),
-                [Range::default(); 2],
+                (Range::default(), NONE),
                 [&[], &[]],
             );
         }
@@ -262,7 +268,7 @@ impl Lowering {
     ) {
         let section_s = side.s;
         self.lane_surface(lane.height, lane.material, section_s, road, findings);
-        self.lane_marks(lane.road_mark, section_s, road, findings);
+        let marks = self.lane_marks(lane.road_mark, section_s, road, findings);
         // Width and border both present: width wins (OpenDRIVE 1.8.1, 11.6.2).
         let by_border = lane.width.is_empty() && !lane.border.is_empty();
         let widths = if lane.id == 0 {
@@ -273,7 +279,15 @@ impl Lowering {
         } else {
             self.cubics(lane.width, section_s, (road, "lanes/laneSection/lane/width"), findings)
         };
-        let before = self.rows.lane_speeds.len();
+        if widths.count as usize > MOST_OF_LANE {
+            let path = (road, "lanes/laneSection/lane");
+            let mut part = Part { span: lane.span, path, findings };
+            let found = widths.count;
+            let message =
+                format!("expected at most {MOST_OF_LANE} records of width, found {found}");
+            part.add(TOO_LARGE, Severity::Error, message);
+        }
+        let own = self.rows.lanes.len() as u32;
         for record in lane.speed {
             let path = (road, "lanes/laneSection/lane/speed");
             let mut part = Part { span: record.span, path, findings };
@@ -282,11 +296,10 @@ impl Lowering {
             self.rows.lane_speeds.push(LaneSpeedRow {
                 s: section_s + s,
                 max,
+                lane: own,
                 kind: kind.code().into(),
-                reserved: 0,
             });
         }
-        let speeds = between(before, self.rows.lane_speeds.len());
         let mut forward = (lane.id < 0) == right_hand && lane.id != 0;
         let kind = LaneType::from_name(lane.kind.map_or("", xodr::LaneType::name));
         let mut flags = side.layer.flags();
@@ -334,14 +347,14 @@ impl Lowering {
         }
         let links = [before.as_slice(), behind.as_slice()];
         let continues = if lane.id == 0 { 0 } else { side.continues };
-        self.push_lane(section, (lane.id, kind.code(), flags, continues), [widths, speeds], links);
+        self.push_lane(section, (lane.id, kind.code(), flags, continues), (widths, marks), links);
     }
 
     fn push_lane(
         &mut self,
         section: u32,
         (number, kind, flags, continues): (i32, u8, u8, u16),
-        [widths, speeds]: [Range; 2],
+        (widths, first_mark): (Range, u32),
         links: [&[WrittenLink]; 2],
     ) {
         let ranges = links.map(|numbers| {
@@ -351,20 +364,16 @@ impl Lowering {
         });
         self.links.lanes.push(ranges);
         self.rows.lanes.push(LaneRow {
-            x: 0.0,
-            y: 0.0,
-            z: 0.0,
             section,
-            widths,
-            speeds,
-            nodes: Range::default(),
-            center: Range::default(),
-            border: Range::default(),
+            first_width: widths.first,
+            first_mark,
+            // More are an error.
+            width_count: u16::try_from(widths.count).unwrap_or(u16::MAX),
             number,
             kind,
             flags,
             continues,
-            reserved: [0; 4],
+            ..LaneRow::zeroed()
         });
     }
 }

@@ -92,8 +92,7 @@ fn draw(
 ) -> Result<()> {
     let [from, to] = stroke.s;
     let border = lane.border();
-    let mut places: Vec<f64> =
-        border.points.iter().map(|p| border.s_start + f64::from(p.s())).collect();
+    let mut places: Vec<f64> = border.stations().collect();
     if mark.sways() {
         places.extend((0..((to - from) / SWAY_STEP) as usize).map(|i| from + i as f64 * SWAY_STEP));
         places.sort_by(f64::total_cmp);

@@ -7,6 +7,7 @@
 //! the first and last one; each change of lane costs extra. A change may happen anywhere on the piece where it is allowed,
 //! so it drives no length of its own: the length counts on the lane that the piece is left on.
 
+mod around;
 mod bound;
 mod cost;
 mod ends;

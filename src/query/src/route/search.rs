@@ -68,7 +68,7 @@ impl<'a, 's, C: RouteCost> Search<'a, 's, C> {
             self.scratch.target.iter().enumerate().filter(|t| ends::is_root(*t)).count() == 1;
         // A target that may be reached in two directions is two nodes: no bound for one holds for both.
         let bound = if motor && one_way { self.cost.bound() } else { CostBound::None };
-        let bounds = Bounds::new(self.map, bound, target.row.bound());
+        let bounds = Bounds::new(self.map, bound, &target);
         let (_, s_from) = ends::lane_of(self.map, from.0).ok_or(QueryError::Corrupt)?;
         let (_, s_to) = ends::lane_of(self.map, to).ok_or(QueryError::Corrupt)?;
         self.on_one_piece(s_from, s_to);
@@ -178,7 +178,7 @@ impl<'a, 's, C: RouteCost> Search<'a, 's, C> {
     #[inline]
     fn enter(&mut self, to: &LaneNode<'a>, cost: f64, parent: u32, bounds: &Bounds<'a>) {
         if cost < f64::INFINITY && self.scratch.improve(to.number, cost, parent) {
-            let key = cost + bounds.least(to.row.bound());
+            let key = cost + bounds.least(to.row);
             self.scratch.heap.push(Open::new(key, cost, to.number));
         }
     }
