@@ -96,6 +96,10 @@ impl Layout {
             offset += size.bytes;
             align = align.max(size.align);
             self.target(field.to.as_deref())?;
+            if let Some(count) = &field.count {
+                let is_count = |f: &Field| f.name == *count && f.kind == "u16";
+                ensure!(table.fields.iter().any(is_count), "no count {count} of type u16");
+            }
         }
         ensure!(
             offset % align == 0,

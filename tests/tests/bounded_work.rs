@@ -150,3 +150,110 @@ fn priorities_are_looked_up_not_looked_through() {
     let pairs = rows.conflicts.iter().filter(|row| row.relation != NO_RELATION).count();
     assert!(pairs > 9000, "{pairs} pairs");
 }
+
+/// What a map of one road is compiled into where this is written in it: the only finding of the compiler's own, and its place.
+fn check(what: &str, text: &str, (rule, path): (&str, &str)) {
+    let compiled = soon(what, text);
+    let own: Vec<_> = compiled.diagnostics.iter().map(|told| &told.finding).collect();
+    let found = own.iter().find(|finding| finding.rule == rule && finding.path == path);
+    assert!(found.is_some(), "{what}: {own:?}");
+    let left = compiled.rows.map_or(0, |rows| rows.points.len() + rows.object_points.len());
+    assert!(left < 100_000, "{what}: {left} points");
+}
+
+/// Between two places a metre apart a cubic may be as long as the way to the sun: its points took gigabytes, and no end was
+/// seen.
+#[test]
+fn lines_of_astronomic_length_take_out_their_part() {
+    let road = ("mapd:compile.too_large", "OpenDRIVE/road[@id=1]");
+    let plain = document(&PLAIN, "");
+    let with = |from: &str, to: &str| {
+        assert!(plain.contains(from), "{from}");
+        plain.replace(from, to)
+    };
+    let cubic = |name: &str, [a, b, c, d]: [f64; 4]| {
+        format!(r#"<{name} s="0" a="{a:?}" b="{b:?}" c="{c:?}" d="{d:?}"/>"#)
+    };
+    let offset = cubic("laneOffset", [1e9, -1e12, 1e12, 1e9]);
+    check("lane offset", &with("<lanes>", &format!("<lanes>{offset}")), road);
+    let old = r#"<elevation s="0" a="0.0" b="0.0" c="0" d="0"/>"#;
+    check("elevation", &with(old, &cubic("elevation", [0.0, 1e9, -1e12, 1e12])), road);
+    let old = r#"<superelevation s="0" a="0.0" b="0" c="0" d="0"/>"#;
+    check("superelevation", &with(old, &cubic("superelevation", [0.0, 1e6, 0.0, 0.0])), road);
+    let old = r#"<width sOffset="0" a="2.5" b="0" c="0" d="0"/>"#;
+    let wide = r#"<width sOffset="0" a="2.5" b="1e9" c="-1e8" d="1e7"/>"#;
+    check("width", &with(old, wide), road);
+    let object = |inner: &str| {
+        document(
+            &PLAIN,
+            &format!(
+                r#"<object id="7" type="barrier" s="0" t="0" zOffset="0" height="1">{inner}</object>"#
+            ),
+        )
+    };
+    let part = ("mapd:compile.object_part", "OpenDRIVE/road[@id=1]/objects/object[@id=7]");
+    let swept = r#"<repeat s="0" length="100" distance="0" tStart="0" tEnd="0" heightStart="1" heightEnd="1" zOffsetStart="0" zOffsetEnd="0" bT="1e9" cT="-1e9" dT="1e8"/>"#;
+    check("swept", &object(swept).replace("revMinor=\"8\"", "revMinor=\"9\""), part);
+    let wide = swept.replace("distance", r#"widthStart="1" widthEnd="1" distance"#);
+    check("swept with a width", &object(&wide).replace("revMinor=\"8\"", "revMinor=\"9\""), part);
+}
+
+/// A road that turns about its own axis hundreds of times, so that lines beside it bend as often. Farther from it they have
+/// more points.
+const TWIST: &str = r#"<superelevation s="0" a="0" b="3" c="0" d="0"/>"#;
+
+/// Many lines each of which is not too long: the map as a whole has a limit that grows with its file.
+#[test]
+fn points_of_a_map_are_bounded_by_its_file() {
+    let mut sections = String::new();
+    for i in 0..5 {
+        let s = 1000 * i;
+        let _ = write!(
+            sections,
+            r#"<laneSection s="{s}"><center><lane id="0" type="none"/></center><right>"#
+        );
+        for lane in 1..=60 {
+            let _ = write!(
+                sections,
+                r#"<lane id="-{lane}" type="driving"><width sOffset="0" a="0.2" b="0" c="0" d="0"/></lane>"#
+            );
+        }
+        sections.push_str("</right></laneSection>");
+    }
+    let text = format!(
+        r#"<OpenDRIVE><header revMajor="1" revMinor="7"/><road id="1" length="5000" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="5000"><line/></geometry></planView><lateralProfile>{TWIST}</lateralProfile><lanes>{sections}</lanes></road></OpenDRIVE>"#
+    );
+    let compiled = soon("a twisted road", &text);
+    let own = compiled.diagnostics.iter().map(|told| &told.finding);
+    let found: Vec<_> = own.filter(|finding| finding.rule == "mapd:compile.too_large").collect();
+    assert!(found.len() == 1 && found[0].path == "OpenDRIVE", "{found:?}");
+    assert!(compiled.rows.is_none());
+}
+
+/// As of lanes, of what is swept along roads: those beyond the limit are left out, each with its finding.
+#[test]
+fn points_of_swept_objects_are_bounded_by_the_file() {
+    const OBJECTS: usize = 50;
+    let mut objects = String::new();
+    for id in 0..OBJECTS {
+        let _ = writeln!(
+            objects,
+            r#"<object id="{id}" type="barrier" s="0" t="0" zOffset="0" height="1"><repeat s="0" length="1000" distance="0" tStart="2" tEnd="2" heightStart="1" heightEnd="1" zOffsetStart="0" zOffsetEnd="0"/></object>"#
+        );
+    }
+    let flat = r#"<superelevation s="0" a="0.0" b="0" c="0" d="0"/>"#;
+    let text = document(&PLAIN, &objects).replace(flat, TWIST);
+    let compiled = soon("swept objects", &text.replace(r#"length="100""#, r#"length="1000""#));
+    let findings = compiled.diagnostics.iter().map(|told| &told.finding);
+    let parts = findings.filter(|finding| finding.rule == "mapd:compile.object_part");
+    let lost: Vec<_> = parts.map(|finding| finding.path.clone()).collect();
+    let rows = rows(compiled);
+    let (points, copies) = (rows.object_points.len(), rows.object_copies.len());
+    mapd_tests::say(&format!("{points} points of {copies} objects, {} left out", lost.len()));
+    assert!(points <= (1 << 19) + OBJECTS * (1 << 9), "{points}");
+    // The first ones fit.
+    let expected =
+        (copies..OBJECTS).map(|id| format!("OpenDRIVE/road[@id=1]/objects/object[@id={id}]"));
+    assert_eq!(lost, expected.collect::<Vec<_>>());
+    assert!(copies > 0 && copies < OBJECTS, "{copies}");
+}

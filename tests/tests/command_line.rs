@@ -342,3 +342,62 @@ fn a_table_of_ones_own_changes_what_signals_mean() {
     assert_eq!(refused.status.code(), Some(2), "{told}");
     assert!(told.contains("wrong.toml") && told.contains("class `sotp`"), "{told}");
 }
+
+/// An archive was read as a document: "expected text in UTF-8", then "the map has no roads".
+#[test]
+fn an_archive_is_known_by_its_first_bytes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let (archive, renamed) = (path("road.mapd"), path("road.xodr"));
+    let made = run(&["compile", &one_road(), "-o", &archive], "");
+    assert_eq!(made.status.code(), Some(0), "{}", String::from_utf8_lossy(&made.stderr));
+    std::fs::copy(&archive, &renamed).expect("copied");
+    for args in [
+        &["check", &archive][..],
+        &["check", &renamed],
+        &["compile", &archive, "-o", &path("other.mapd")],
+        &["compile", &renamed, "-o", &path("other.mapd")],
+    ] {
+        let output = run(args, "");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(said.contains("is an archive, compiled already"), "{args:?}: {said}");
+        assert!(!said.contains("UTF-8"), "{args:?}: {said}");
+        assert_eq!(output.status.code(), Some(1), "{args:?}: {said}");
+    }
+}
+
+/// Beyond the limit the rest was read on for its hash, without a bound.
+#[test]
+fn a_document_beyond_the_limit_is_not_read_to_an_end_that_it_has_not() {
+    let ends = |source: &str, stdin: Stdio| {
+        let mut child = Command::new(MAPD)
+            .args(["check", source, "--max-bytes", "1000", "--format", "json"])
+            .stdin(stdin)
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("starts");
+        let start = std::time::Instant::now();
+        loop {
+            if let Some(status) = child.try_wait().expect("waits") {
+                return status.code();
+            }
+            if start.elapsed().as_secs() > 60 {
+                let _ = child.kill();
+                let _ = child.wait();
+                return None;
+            }
+            std::thread::sleep(std::time::Duration::from_millis(20));
+        }
+    };
+    let mut endless = Command::new("yes")
+        .arg("<userData code='a' value='b'/>")
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("starts");
+    let pipe = endless.stdout.take().expect("a pipe");
+    assert_eq!(ends("/dev/stdin", pipe.into()), Some(4));
+    // Whoever writes to nobody ends.
+    let _ = endless.wait();
+    assert_eq!(ends("/dev/zero", Stdio::null()), Some(4));
+}

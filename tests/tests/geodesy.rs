@@ -293,6 +293,100 @@ fn offsets_turn_then_shift_and_come_back() {
     );
 }
 
+/// Definitions with the point at 46.2° N, 10.5° E on WGS 84, by PROJ 9.5.1 (from EPSG:4979, through pyproj 3.7.2).
+const FIGURES: [(&str, [f64; 2]); 25] = [
+    // On a sphere only; of whatever ellipsoid the datum is.
+    ("+proj=eqc +datum=WGS84", [1_168_854.653_329, 5_142_960.474_649]),
+    ("+proj=eqc +lat_ts=46 +lon_0=10 +datum=WGS84", [38_664.508_037, 5_142_960.474_649]),
+    ("+proj=eqc +ellps=bessel +towgs84=598.1,73.7,418.2", [1_168_771.755_515, 5_142_442.273_369]),
+    ("+proj=eqc +R_A +ellps=WGS84", [1_167_548.045_770, 5_137_211.401_388]),
+    ("+proj=moll +datum=WGS84", [836_763.377_456, 5_469_916.382_662]),
+    ("+proj=moll +R=6371000", [835_827.056_987, 5_463_795.662_266]),
+    ("+proj=mill +datum=WGS84", [1_167_548.045_770, 5_535_720.914_073]),
+    ("+proj=robin +datum=WGS84", [882_597.807_170, 4_931_058.920_493]),
+    ("+proj=mill +ellps=bessel +towgs84=598.1,73.7,418.2", [1_167_469.152_872, 5_535_195.300_718]),
+    ("+proj=mill +R=6371000", [1_167_546.729_768, 5_535_714.674_484]),
+    ("+proj=moll +ellps=bessel +towgs84=598.1,73.7,418.2", [836_697.290_420, 5_469_357.656_494]),
+    ("+proj=merc +a=6378137 +b=6378137", [1_168_854.653_329, 5_812_457.491_342]),
+    // On one ellipsoid only.
+    ("+proj=krovak +datum=WGS84", [-1_100_968.419_672, -1_422_553.598_050]),
+    ("+proj=krovak +ellps=bessel +towgs84=589,76,480", [-1_100_930.803_571, -1_422_530.827_853]),
+    // On any.
+    ("+proj=eqearth +datum=WGS84", [855_402.538_124, 5_594_033.717_714]),
+    ("+proj=sinu +datum=WGS84", [810_429.131_072, 5_118_316.580_847]),
+    ("+proj=cea +datum=WGS84", [1_168_854.653_329, 4_583_332.625_599]),
+    ("+proj=poly +lon_0=10 +datum=WGS84", [38_591.608_218, 5_118_438.116_763]),
+    ("+proj=cass +lon_0=10 +datum=WGS84", [38_591.608_214, 5_118_438.118_617]),
+    ("+proj=eqdc +lat_1=40 +lat_2=50 +lon_0=10 +datum=WGS84", [38_451.688_153, 5_118_435.070_078]),
+    ("+proj=aea +lat_1=40 +lat_2=50 +lon_0=10 +datum=WGS84", [38_450.966_488, 4_796_045.756_197]),
+    ("+proj=gnom +lat_0=46 +lon_0=10 +datum=WGS84", [38_592.315_984, 22_352.283_654]),
+    ("+proj=laea +lat_0=46 +lon_0=10 +datum=WGS84", [38_591.760_400, 22_351.438_307]),
+    ("+proj=omerc +lat_0=46 +lonc=10 +alpha=30 +datum=WGS84", [38_591.686_685, 22_352.100_690]),
+    ("+proj=sterea +lat_0=46 +lon_0=10 +datum=WGS84", [38_591.844_384, 22_352.010_511]),
+];
+
+/// The sphere that a projection computes on was taken for the datum's ellipsoid, and shifted to WGS 84: 16 to 21 km off, and
+/// 11 km too high.
+#[test]
+fn projections_of_a_sphere_keep_the_datum_of_the_ellipsoid() {
+    let place = Geodetic { latitude: 46.2, longitude: 10.5, altitude: 0.0 };
+    for (text, expected) in FIGURES {
+        let projector = projector(text, Offset::default());
+        let point = projector.from_geodetic(place).expect(text);
+        let off = point.truncate().distance(expected.into());
+        assert!(off <= FROM_PROJ, "{text}: {off} m from PROJ");
+        let again = projector.to_geodetic(point).expect(text);
+        let back = (again.latitude - 46.2).hypot(again.longitude - 10.5) * DEGREE;
+        assert!(back <= ROUND_TRIP && again.altitude.abs() <= ROUND_TRIP, "{text}: {again:?}");
+    }
+}
+
+/// Values that PROJ refuses: places were wrong, or nowhere, and nothing was said.
+#[test]
+fn values_that_proj_refuses_are_refused() {
+    let refused = [
+        "+proj=utm +datum=WGS84",
+        "+proj=utm +lon_0=9 +datum=WGS84",
+        "+proj=utm +zone=0 +datum=WGS84",
+        "+proj=utm +zone=61 +datum=WGS84",
+        "+proj=utm +zone=-32 +datum=WGS84",
+        "+proj=utm +zone=32.7 +datum=WGS84",
+        "+proj=tmerc +lat_0=490 +lon_0=8 +datum=WGS84",
+        "+proj=tmerc +lat_0=-90.001 +lon_0=8 +datum=WGS84",
+        "+proj=tmerc +lat_0=90d30'N +lon_0=8 +datum=WGS84",
+        "+proj=tmerc +lat_0=1.6r +lon_0=8 +datum=WGS84",
+        "+proj=tmerc +lat_0=nan +lon_0=8 +datum=WGS84",
+        "+proj=lcc +lat_1=100 +lat_2=40 +lon_0=8",
+        "+proj=merc +lat_ts=100",
+        "+proj=tmerc +lon_0=8 +k=0",
+        "+proj=tmerc +lon_0=8 +k_0=-1",
+        "+proj=tmerc +lon_0=8 +ellps=bessel +towgs84=nan,0,0",
+        "+proj=tmerc +lon_0=8 +ellps=bessel +towgs84=1e300,0,0",
+        "+proj=tmerc +lon_0=8 +ellps=bessel +towgs84=inf,0,0",
+        "+proj=tmerc +lon_0=8 +ellps=bessel +towgs84=1,2",
+    ];
+    for text in refused {
+        let read = Reference::read(text).expect(text).definition;
+        assert!(read.is_err(), "{text}: {read:?}");
+        assert!(Projector::new(text, Offset::default()).is_err(), "{text}");
+    }
+    // What looks odd and is none of it, with the latitude of the plane's origin.
+    let sound = [
+        ("+proj=tmerc +lat_0=90 +lon_0=8 +datum=WGS84", 90.0),
+        ("+proj=tmerc +lat_0=49d30'36\"N +lon_0=8 +datum=WGS84", 49.51),
+        ("+proj=tmerc +lat_0=30'S +lon_0=8 +datum=WGS84", -0.5),
+        ("+proj=tmerc +lat_0=0.5r +lon_0=8 +datum=WGS84", 28.647_889_756_541_16),
+        ("+proj=tmerc +lat_0=49 +lon_0=8000 +datum=WGS84", 49.0),
+    ];
+    for (text, latitude) in sound {
+        let origin = projector(text, Offset::default()).to_geodetic(DVec3::ZERO).expect(text);
+        assert!((origin.latitude - latitude).abs() < 1e-9, "{text}: {origin:?}");
+    }
+    // Heights that count downwards are no more understood than axes that point west.
+    let down = Reference::read("+proj=utm +zone=32 +datum=WGS84 +axis=end").expect("a reference");
+    assert_eq!(down.doubts, [Doubt::Axes("end".into())]);
+}
+
 #[test]
 fn places_that_are_none_have_errors_of_their_own() {
     use mapd_geodesy::{DefinitionError, ProjectionError};

@@ -21,6 +21,24 @@ const ALLOWANCE: f64 = 1.15;
 /// Parts that a stretch is cut into at once: what a few places say of a long stretch may be far off.
 const MAX_PARTS: u32 = 64;
 
+/// Points that one line may have: what the row of a lane can count.
+const MOST_POINTS: usize = mapd_archive::MOST_OF_LANE;
+/// Points that a line of any length may have besides two for each break.
+const LEAST_POINTS: usize = 1024;
+/// Points beyond these for each metre of s: one of a circle of 1 m within 1 mm has 11. A cubic of the file may be of any
+/// length within a metre of s, so that neither the file nor the road says how many there are; and what looks for lines near a
+/// point must not meet thousands.
+const POINTS_OF_A_METRE: f64 = 64.0;
+
+/// Why a line has no points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Fault {
+    /// A place of it is not finite.
+    NotFinite,
+    /// It bends more often than lines may.
+    TooManyPoints,
+}
+
 /// A point of a polyline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Sample {
@@ -47,46 +65,67 @@ impl<F: FnMut(f64) -> Option<DVec3>> Curve for F {
 
 /// Samples a curve that is smooth between consecutive `breaks` (ascending, at least two), so that no point of it lies
 /// farther than `tolerance` from the polyline. Where the curve jumps at a break, both sides become points of equal s.
+///
+/// Errors: it is not finite, or would have more than [`MOST_POINTS`], or more than lines of its length may have.
 pub(crate) fn flatten(
     breaks: &[f64],
     tolerance: f64,
     curve: &mut impl Curve,
     out: &mut Vec<Sample>,
-) -> Option<()> {
+) -> Result<(), Fault> {
     out.clear();
+    let most = most(breaks);
     for pair in breaks.windows(2) {
         let (start, end) = (pair[0], pair[1]);
         // Just below the break, where the records of this stretch still hold.
         let last = if end > start { end.next_down() } else { end };
-        let first = Sample { s: start, position: curve.at(start)? };
+        let first = Sample { s: start, position: place(curve, start)? };
         match out.last() {
             Some(before) if before.position.distance(first.position) <= 0.1 * tolerance => {}
             _ => out.push(first),
         }
         if end > start {
-            let last = Sample { s: end, position: curve.at(last)? };
+            let last = Sample { s: end, position: place(curve, last)? };
             if curve.is_straight(start, end) {
                 out.push(last);
             } else {
-                refine(first, last, tolerance * SHARE, MAX_DEPTH, curve, out)?;
+                refine((first, last), (tolerance * SHARE, most), MAX_DEPTH, curve, out)?;
             }
         }
+        if out.len() > most {
+            return Err(Fault::TooManyPoints);
+        }
     }
-    Some(())
+    Ok(())
+}
+
+/// Points that a line with these breaks may have.
+fn most(breaks: &[f64]) -> usize {
+    let length = breaks.last().zip(breaks.first()).map_or(0.0, |(end, start)| end - start);
+    // Casts saturate.
+    let by_length = (length * POINTS_OF_A_METRE) as usize;
+    LEAST_POINTS.saturating_add(2 * breaks.len()).saturating_add(by_length).min(MOST_POINTS)
+}
+
+fn place(curve: &mut impl Curve, s: f64) -> Result<DVec3, Fault> {
+    curve.at(s).ok_or(Fault::NotFinite)
 }
 
 fn refine(
-    a: Sample,
-    b: Sample,
-    tolerance: f64,
+    (a, b): (Sample, Sample),
+    (tolerance, most): (f64, usize),
     depth: u32,
     curve: &mut impl Curve,
     out: &mut Vec<Sample>,
-) -> Option<()> {
-    let parts = if depth == 0 { 1 } else { parts(a, b, tolerance, curve)? };
+) -> Result<(), Fault> {
+    if out.len() > most {
+        return Err(Fault::TooManyPoints);
+    }
+    let parts =
+        if depth == 0 { 1 } else { parts(a, b, tolerance, curve).ok_or(Fault::NotFinite)? };
     if parts == 1 {
         out.push(b);
-        return Some(());
+        return Ok(());
     }
     let mut from = a;
     for i in 1..=parts {
@@ -94,12 +133,12 @@ fn refine(
             b
         } else {
             let s = a.s + (b.s - a.s) * (f64::from(i) / f64::from(parts));
-            Sample { s, position: curve.at(s)? }
+            Sample { s, position: place(curve, s)? }
         };
-        refine(from, to, tolerance, depth - 1, curve, out)?;
+        refine((from, to), (tolerance, most), depth - 1, curve, out)?;
         from = to;
     }
-    Some(())
+    Ok(())
 }
 
 /// Into how many parts a stretch is cut: one where the curve stays near the chord between two of its points, at the places
@@ -136,7 +175,8 @@ fn parts(a: Sample, b: Sample, tolerance: f64, curve: &mut impl Curve) -> Option
 fn needed(excess: f64) -> u32 {
     // Not a number counts as the least. (Casts saturate.)
     let parts = (excess * ALLOWANCE).sqrt().ceil() as u32;
-    if parts > MAX_PARTS { MAX_PARTS } else { parts.max(2) }
+    // Not with `if` and `max`: rustc 1.95 forgets the upper bound then, in some builds.
+    parts.clamp(2, MAX_PARTS)
 }
 
 /// A segment that distances are measured from.
@@ -164,4 +204,18 @@ impl Chord {
 /// Distance of a point from a segment.
 pub(crate) fn distance_to_segment(p: DVec3, a: DVec3, b: DVec3) -> f64 {
     Chord::new(a, b).distance_squared(p).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stretch_is_cut_into_two_to_so_many_parts() {
+        for (excess, parts) in
+            [(f64::NAN, 2), (0.0, 2), (1.0, 2), (5000.0, MAX_PARTS), (f64::INFINITY, MAX_PARTS)]
+        {
+            assert_eq!(needed(std::hint::black_box(excess)), parts, "{excess}");
+        }
+    }
 }

@@ -16,17 +16,30 @@ impl<R: Read> HashingReader<R> {
     }
 
     /// BLAKE3 of the whole input and of what it includes: what the parser left unread is read now, so that the hash names
-    /// the files.
+    /// the files. None where one of them goes on for more than `most` bytes: it may have no end.
     pub(crate) fn finish(
         mut self,
         included: impl Iterator<Item = PathBuf>,
-    ) -> io::Result<[u8; 32]> {
-        io::copy(&mut self.by_ref(), &mut io::sink())?;
-        for path in included {
-            self.hasher.update_reader(File::open(path)?)?;
+        most: u64,
+    ) -> io::Result<Option<[u8; 32]>> {
+        if !is_read(&mut self, most)? {
+            return Ok(None);
         }
-        Ok(*self.hasher.finalize().as_bytes())
+        for path in included {
+            let mut file = HashingReader { inner: File::open(path)?, hasher: self.hasher };
+            if !is_read(&mut file, most)? {
+                return Ok(None);
+            }
+            self.hasher = file.hasher;
+        }
+        Ok(Some(*self.hasher.finalize().as_bytes()))
     }
+}
+
+/// Reads on to the end. False where that does not come within so many bytes.
+fn is_read(reader: &mut impl Read, most: u64) -> io::Result<bool> {
+    io::copy(&mut reader.by_ref().take(most), &mut io::sink())?;
+    Ok(reader.read(&mut [0])? == 0)
 }
 
 impl<R: Read> Read for HashingReader<R> {

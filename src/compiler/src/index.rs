@@ -17,14 +17,21 @@ const REACH_UNITS: f64 = 128.0;
 /// Units of `z_low` and `z_high` in a metre.
 const HEIGHT_UNITS: f64 = 16.0;
 
+/// A segment of a centre line. All of them are ordered at once, so that there is no more of each than its name; what is
+/// stored of it is computed leaf by leaf.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    lane: u32,
+    segment: u16,
+}
+
 /// A segment of a centre line with the area it stands for, relative to the local origin.
 #[derive(Clone, Copy, Debug)]
 struct Entry {
     a: DVec2,
     b: DVec2,
     extent: Extent,
-    lane: u32,
-    segment: u16,
+    place: Place,
 }
 
 /// How far a lane's area reaches around a segment of its centre line.
@@ -38,26 +45,30 @@ struct Extent {
     z: [f64; 2],
 }
 
-impl Entry {
-    fn middle(&self, axis: usize) -> f64 {
-        self.a[axis] + self.b[axis]
-    }
-}
-
 /// Fills `index_levels`, `index_nodes` and `index_leaves`.
 pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), TooLarge> {
-    let entries: Vec<Entry> = {
-        let archive = view(rows);
-        let map = Map::new(&archive, 0);
-        let numbers: Vec<u32> = (0..rows.lanes.len() as u32).collect();
-        numbers.par_iter().flat_map_iter(|number| lane_entries(map, *number, options)).collect()
-    };
-    if entries.is_empty() {
+    let archive = view(rows);
+    let map = Map::new(&archive, 0);
+    let lanes = (0..rows.lanes.len() as u32).into_par_iter();
+    let places: Vec<Place> = lanes.flat_map_iter(|lane| places(map, lane)).collect();
+    if places.is_empty() {
         return Ok(());
     }
-    u32::try_from(entries.len()).map_err(|_| TooLarge::new("index_leaves"))?;
-    let entries = ordered(entries, Entry::middle);
-    let (leaves, boxes): (Vec<_>, Vec<_>) = entries.par_chunks(WIDTH).map(leaf).unzip();
+    u32::try_from(places.len()).map_err(|_| TooLarge::new("index_leaves"))?;
+    let places = ordered(places, |place| {
+        let ends = ends(map, place);
+        ends[0] + ends[1]
+    });
+    let (leaves, boxes): (Vec<_>, Vec<_>) = places
+        .par_chunks(WIDTH)
+        .map(|places| {
+            let mut entries = [Entry::NONE; WIDTH];
+            for (entry, place) in entries.iter_mut().zip(places) {
+                *entry = Entry::of(map, *place, options);
+            }
+            leaf(entries.get(..places.len()).unwrap_or_default())
+        })
+        .unzip();
     let (levels, nodes) = stack(boxes, node);
     rows.index_levels = levels.into();
     rows.index_nodes = nodes.into();
@@ -65,24 +76,41 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
     Ok(())
 }
 
-fn lane_entries(map: Map<'_>, number: u32, options: &CompileOptions) -> Vec<Entry> {
-    let Some(lane) = map.lane_by_row(number).filter(|lane| !lane.is_temporary()) else {
-        return Vec::new();
+/// The segments of a lane that have an area. Both sides of a jump have none between them.
+fn places(map: Map<'_>, lane: u32) -> impl Iterator<Item = Place> + use<'_> {
+    let row = map.lane_by_row(lane).filter(|lane| !lane.is_temporary());
+    let line = row.map(|lane| lane.center_line());
+    let last = line.map_or(0, |line| line.len().saturating_sub(1));
+    let station = move |i: usize| line.and_then(|line| line.station(i));
+    let has_area = move |i: &usize| station(*i) != station(i + 1);
+    (0..last).filter(has_area).map(move |segment| Place { lane, segment: segment as u16 })
+}
+
+/// Both ends of a segment.
+fn ends(map: Map<'_>, place: &Place) -> [DVec2; 2] {
+    let Some(lane) = map.lane_by_row(place.lane) else { return [DVec2::ZERO; 2] };
+    let (line, first) = (lane.center_line(), usize::from(place.segment));
+    let at = |i: usize| line.position(i).unwrap_or_default().truncate() - map.local_origin();
+    [at(first), at(first + 1)]
+}
+
+impl Entry {
+    const NONE: Self = Self {
+        a: DVec2::ZERO,
+        b: DVec2::ZERO,
+        extent: Extent::NONE,
+        place: Place { lane: NONE, segment: 0 },
     };
-    let line = lane.center_line();
-    let at = |i: usize| Some((line.position(i)?.truncate() - map.local_origin(), line.station(i)?));
-    let mut entries = Vec::new();
-    for i in 0..line.len().saturating_sub(1) {
-        let (Some((a, s_a)), Some((b, s_b))) = (at(i), at(i + 1)) else { continue };
-        if s_a == s_b {
-            // Both sides of a jump: no area between them.
-            continue;
-        }
+
+    fn of(map: Map<'_>, place: Place, options: &CompileOptions) -> Self {
+        let Some(lane) = map.lane_by_row(place.lane) else { return Self::NONE };
+        let [a, b] = ends(map, &place);
+        let (line, first) = (lane.center_line(), usize::from(place.segment));
+        let cuts = [first, first + 1].map(|i| line.station(i).unwrap_or_default());
         let margin = 2.0 * options.bound_tolerance + REACH_MARGIN;
-        let extent = extent(&lane, map.local_origin(), [a, b], [s_a, s_b]).widened(margin);
-        entries.push(Entry { a, b, extent, lane: number, segment: i as u16 });
+        let extent = extent(&lane, map.local_origin(), [a, b], cuts).widened(margin);
+        Self { a, b, extent, place }
     }
-    entries
 }
 
 impl Extent {
@@ -183,8 +211,8 @@ fn leaf(entries: &[Entry]) -> (IndexLeafRow, Bounds) {
         row.start_y[k] = (e.a.y - y) as f32;
         row.delta_x[k] = (e.b.x - e.a.x) as f32;
         row.delta_y[k] = (e.b.y - e.a.y) as f32;
-        row.lane[k] = e.lane;
-        row.segment[k] = e.segment;
+        row.lane[k] = e.place.lane;
+        row.segment[k] = e.place.segment;
         row.reach[k] = units((e.extent.reach + rounding) * REACH_UNITS);
         row.overshoot[k] = units((e.extent.overshoot + rounding) * REACH_UNITS);
         row.z_low[k] = ((e.extent.z[0] - z) * HEIGHT_UNITS).floor() as u16;

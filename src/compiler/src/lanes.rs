@@ -1,13 +1,12 @@
 //! Samples every lane's centre line and border, through the queries that will answer later.
 
 use crate::TooLarge;
+use crate::allowance::Allowance;
 use crate::cuts::{Cuts, Memory};
-use crate::flatten::{Curve, Sample, flatten};
+use crate::flatten::{Curve, Fault, Sample, flatten};
 use crate::options::CompileOptions;
 use glam::DVec3;
-use mapd_archive::{
-    Archive, Header, LaneRow, MOST_OF_LANE, PointCode, Provenance, Rows, SectionRow,
-};
+use mapd_archive::{Archive, Header, LaneRow, PointCode, Provenance, Rows, SectionRow};
 use mapd_query::{Lane, LaneEdges, Map};
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -32,8 +31,8 @@ struct Lines {
     stations: Vec<f32>,
     /// Centre line and border as they are written, lane by lane.
     bytes: Vec<u8>,
-    /// Lanes whose lines have too many points, with their number.
-    long: Vec<(u32, usize)>,
+    /// Lanes whose lines have too many points.
+    long: Vec<u32>,
     /// Smallest and largest coordinates of any point.
     bounds: [DVec3; 2],
 }
@@ -59,19 +58,24 @@ struct Line {
 }
 
 /// Fills `point_stations`, `points`, what sections and lanes say of them, and the map's bounds. Sections are sampled in parallel and
-/// joined in order. Yields lanes whose lines have more points than a lane may have, with their number.
+/// joined in order. Yields lanes whose lines have more points than lines may have; of a section with such a lane, not all lanes are
+/// looked at. Where the allowance is exceeded, nothing of it is of use.
 pub(crate) fn sample(
     rows: &mut Rows,
     options: &CompileOptions,
-) -> Result<Vec<(u32, usize)>, TooLarge> {
+    allowance: &Allowance,
+) -> Result<Vec<u32>, TooLarge> {
     let lines: Vec<Lines> = {
         let archive = view(rows);
         let map = Map::new(&archive, 0);
         let numbers: Vec<u32> = (0..rows.sections.len() as u32).collect();
         let chunks = numbers.par_chunks(SECTIONS_PER_TASK);
-        chunks.map(|sections| lines(map, sections, options)).collect()
+        chunks.map(|sections| lines(map, sections, options, allowance)).collect()
     };
     let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    if allowance.is_exceeded() {
+        return Ok(Vec::new());
+    }
     rows.points.reserve_exact(lines.iter().map(|lines| lines.bytes.len()).sum());
     let mut long = Vec::new();
     let mut sections = 0;
@@ -125,7 +129,7 @@ pub(crate) fn view(rows: &Rows) -> Archive<'_> {
 }
 
 /// Samples the lanes of some sections.
-fn lines(map: Map<'_>, sections: &[u32], options: &CompileOptions) -> Lines {
+fn lines(map: Map<'_>, sections: &[u32], options: &CompileOptions, allowance: &Allowance) -> Lines {
     let mut lines = Lines {
         frames: Vec::with_capacity(sections.len()),
         lanes: Vec::new(),
@@ -143,11 +147,20 @@ fn lines(map: Map<'_>, sections: &[u32], options: &CompileOptions) -> Lines {
         let cuts = section.and_then(|section| Some((section, Cuts::new(section, &mut memory)?)));
         let start = section.map_or(0.0, |section| section.s_start());
         if let Some((section, mut cuts)) = cuts {
+            let long = lines.long.len();
             for (at, lane) in section.lanes().enumerate() {
-                let samples = sampled.samples.len();
-                if line(&lane, (&mut cuts, at), options, &mut sampled, &mut lines).is_none() {
-                    sampled.samples.truncate(samples);
+                if lines.long.len() > long || allowance.is_exceeded() {
+                    break;
                 }
+                let samples = sampled.samples.len();
+                let along = (&mut cuts, at);
+                if let Err(fault) = line(&lane, along, options, &mut sampled, &mut lines) {
+                    sampled.samples.truncate(samples);
+                    if fault == Fault::TooManyPoints {
+                        lines.long.push(lane.lane_id().row());
+                    }
+                }
+                allowance.take(sampled.samples.len() - samples);
             }
         }
         write(&mut sampled, start, options, before, &mut lines);
@@ -165,14 +178,16 @@ struct Sampled {
     stations: Vec<f32>,
 }
 
-/// Samples the lane that is the `at`-th of its section from the left. None for geometry that is not finite.
+/// Samples the lane that is the `at`-th of its section from the left.
+///
+/// Errors: as those of [`flatten`].
 fn line(
     lane: &Lane<'_>,
     (cuts, at): (&mut Cuts<'_, '_>, usize),
     options: &CompileOptions,
     sampled: &mut Sampled,
     lines: &mut Lines,
-) -> Option<()> {
+) -> Result<(), Fault> {
     let breaks = breaks(lane);
     let row = lane.lane_id().row();
     let before = sampled.samples.len();
@@ -186,18 +201,13 @@ fn line(
     let tolerance = (1.0 - ROUNDING_SHARE) * options.bound_tolerance;
     flatten(&breaks, tolerance, &mut curve, &mut sampled.line)?;
     let border = sampled.line.len();
-    if center.max(border) > MOST_OF_LANE {
-        lines.long.push((row, center.max(border)));
-        sampled.samples.truncate(before);
-        return Some(());
-    }
     for sample in &sampled.line {
         let [low, high] = lines.bounds;
         lines.bounds = [low.min(sample.position), high.max(sample.position)];
     }
     sampled.samples.append(&mut sampled.line);
     lines.lanes.push(Line { lane: row, center, border, bytes: 0 });
-    Some(())
+    Ok(())
 }
 
 /// Writes the points of a section, of whose lanes the first is the `before`-th of all.

@@ -18,6 +18,7 @@
 //! assert_eq!(mapd_archive::verify(&bytes).unwrap().tables.lanes.len(), 2);
 //! ```
 
+mod allowance;
 mod cuts;
 mod flatten;
 mod frame;
@@ -274,15 +275,19 @@ impl Document {
         let written = std::mem::take(&mut lowering.objects);
         let road_spans = lowering.links.road_spans.clone();
         let mut rows = lowering.into_rows(options);
-        let long = match lanes::sample(&mut rows, options) {
+        let allowance = allowance::Allowance::of(&rows);
+        let long = match lanes::sample(&mut rows, options, &allowance) {
+            Ok(_) if allowance.is_exceeded() => {
+                self.collector.add_late(vec![allowance.finding()], &self.places);
+                return Ok(None);
+            }
             Ok(long) => long,
             Err(error) => {
                 self.collector.add_late(vec![too_large(&error)], &self.places);
                 return Ok(None);
             }
         };
-        let long = long.iter().map(|(lane, points)| too_long(&rows, *lane, *points, &road_spans));
-        let long = long.collect::<Vec<_>>();
+        let long = long.iter().map(|lane| too_long(&rows, *lane, &road_spans)).collect::<Vec<_>>();
         if !long.is_empty() {
             self.collector.add_late(long, &self.places);
             return Ok(None);
@@ -393,11 +398,17 @@ fn read(
         graph = graph::build(&mut lowering, &places, &mut late).map_err(io::Error::other)?;
         collector.add_late(late, &places);
     }
-    let provenance = Provenance {
-        input_hash: hashing.finish(included(&places))?,
-        options_hash: [0; 8],
-        compiler_version: crate::version(),
+    let most = reading.limits.source.decoded_bytes;
+    let input_hash = match hashing.finish(included(&places), most)? {
+        Some(hash) => hash,
+        // Nothing is made of it that the hash would have to name.
+        None if collector.is_rejected() => [0; 32],
+        None => {
+            return Err(io::Error::other(format!("more than {most} bytes follow the document")));
+        }
     };
+    let provenance =
+        Provenance { input_hash, options_hash: [0; 8], compiler_version: crate::version() };
     lowering.quarantine(&quarantined);
     Ok(Document { lowering, graph, signals, collector, places, provenance, version, quarantined })
 }

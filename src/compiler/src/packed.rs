@@ -33,7 +33,7 @@ pub(crate) fn pack(entries: Vec<Entry>) -> Packed {
     if entries.is_empty() {
         return Packed::default();
     }
-    let entries = ordered(entries, |e, axis| e.low[axis] + e.high[axis]);
+    let entries = ordered(entries, |e| e.low + e.high);
     let boxes = entries.iter().map(|e| (e.low, e.high)).collect();
     let (levels, nodes) = stack(boxes, node);
     Packed { levels, nodes, items: entries.iter().map(|entry| entry.item).collect() }
@@ -60,16 +60,16 @@ fn coordinate(comparable: i64) -> f64 {
 }
 
 /// Entries so ordered that consecutive sixteens lie close together, and sixteens of sixteens as well. `middle` gives twice the
-/// middle of an entry along an axis.
+/// middle of an entry.
 pub(crate) fn ordered<T: Copy + Send + Sync>(
     entries: Vec<T>,
-    middle: fn(&T, usize) -> f64,
+    middle: impl Fn(&T) -> DVec2 + Sync,
 ) -> Vec<T> {
-    let key = |(entry, number): (&T, u32)| Key {
-        middle: [0, 1].map(|axis| comparable(middle(entry, axis))),
-        entry: number,
+    let key = |(number, entry): (usize, &T)| Key {
+        middle: middle(entry).to_array().map(comparable),
+        entry: number as u32,
     };
-    let mut keys: Vec<Key> = entries.iter().zip(0..).map(key).collect();
+    let mut keys: Vec<Key> = entries.par_iter().enumerate().map(key).collect();
     order(&mut keys);
     keys.par_iter().map(|key| entries[key.entry as usize]).collect()
 }

@@ -18,7 +18,7 @@ pub enum Doubt {
     HeightUnit(String),
     /// Coordinates are said to have another unit than metres.
     Unit(String),
-    /// The axes are said to point elsewhere than east and north.
+    /// The axes are said to point elsewhere than east, north and up.
     Axes(String),
     /// Parameters that are not known.
     Ignored(String),
@@ -57,7 +57,7 @@ impl fmt::Display for Doubt {
             ),
             Self::Axes(axes) => write!(
                 f,
-                "the georeference turns the axes ({axes}); x is taken as east and y as north, as OpenDRIVE wants them"
+                "the georeference turns the axes ({axes}); x is taken as east, y as north and z as up, as OpenDRIVE wants them"
             ),
             Self::Ignored(parameter) => {
                 write!(f, "parameters of the georeference that are not known are ignored: {parameter}")

@@ -31,6 +31,7 @@ mod reference;
 mod target;
 mod topocentric;
 mod transverse_mercator;
+mod values;
 
 #[cfg(feature = "read")]
 pub use doubt::Doubt;

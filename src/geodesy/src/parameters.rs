@@ -19,6 +19,8 @@ const NAMES: [&str; 11] = [
 ];
 /// Parameters without meaning for a plane's points.
 const IDLE: [&str; 7] = ["no_defs", "wktext", "type", "title", "north", "over", "init"];
+/// Axes as OpenDRIVE has them.
+const EAST_NORTH_UP: &str = "enu";
 /// Names of the metre.
 const METRES: [&str; 4] = ["m", "metre", "meter", "1"];
 /// Datum that is given by grids.
@@ -79,7 +81,7 @@ pub(crate) fn canonical(text: &str) -> Result<(String, Vec<Doubt>), ReferenceErr
             "units" | "to_meter" => doubts.push(Doubt::Unit(shown(value))),
             "vunits" | "vto_meter" if is_metre(value) => {}
             "vunits" | "vto_meter" => doubts.push(Doubt::HeightUnit(shown(value))),
-            "axis" if value.starts_with("en") => {}
+            "axis" if *value == EAST_NORTH_UP => {}
             "axis" => doubts.push(Doubt::Axes(shown(value))),
             key if IDLE.contains(&key) => {}
             key if NUMBERS.contains(&key) => {

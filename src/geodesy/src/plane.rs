@@ -25,6 +25,10 @@ const CONFORMAL: [&str; 5] = ["merc", "lcc", "stere", "sterea", "somerc"];
 /// Names of projections whose inverse needs no correction: geodesics are solved to nanometres.
 const EXACT: [&str; 1] = ["aeqd"];
 
+/// Names of projections that are of a sphere with the surface of the ellipsoid (PROJ's reference systems have it so); other
+/// spheres have its semi-major axis.
+const AUTHALIC: [&str; 1] = ["mill"];
+
 /// Names of the transverse Mercator projection in PROJ.
 const TRANSVERSE: [&str; 3] = ["utm", "tmerc", "etmerc"];
 /// Parameters that ask for another form of it, or for something that only proj4rs knows.
@@ -40,12 +44,13 @@ pub(crate) enum Plane {
     /// With the longitude of its prime meridian `[rad]`.
     Transverse(TransverseMercator, f64),
     Topocentric(Topocentric),
-    /// By proj4rs: the projection, and the ellipsoid that it is of.
+    /// By proj4rs: the projection, and latitudes and longitudes on the ellipsoid or sphere that it computes on.
     Other(Box<(Proj, Proj)>),
 }
 
 impl Plane {
-    /// Reads PROJ parameters. Errors: what is wrong with them.
+    /// Reads PROJ parameters: the projection, and the ellipsoid of its datum, on which latitudes and longitudes lie. Errors:
+    /// what is wrong with them.
     pub(crate) fn read(definition: &str) -> Result<(Self, Ellipsoid), String> {
         let words = || definition.split_whitespace().map(|word| word.trim_start_matches('+'));
         let get = |name: &str| words().find_map(|word| word.strip_prefix(name)?.strip_prefix('='));
@@ -66,30 +71,38 @@ impl Plane {
             return Ok((Self::Topocentric(Topocentric::new(origin)), WGS84));
         }
         let build = |text: &str| Proj::from_proj_string(text).map_err(|error| error.to_string());
-        let whole = build(definition)?;
+        let given = |name: &str| words().any(|word| word.split('=').next() == Some(name));
+        // A sphere that a definition asks for is that of its datum too.
+        let is_authalic = get("proj").is_some_and(|name| AUTHALIC.contains(&name))
+            && !["R", "R_A"].into_iter().any(given);
+        let sphere = if is_authalic { " +R_A" } else { "" };
+        let whole = build(&format!("{definition}{sphere}"))?;
         if whole.is_latlong() || whole.is_geocent() {
             return Err("it has no plane in which coordinates are metres".into());
         }
         if !whole.has_inverse() || !whole.has_forward() {
             return Err("it works in one direction only".into());
         }
+        // Its own: some projections exist on a sphere only, or on one ellipsoid, whatever that of the datum is.
         let (a, b) = whole.ellipse_parameters();
-        let ellipsoid = Ellipsoid::new(a, b);
+        let own = Ellipsoid::new(a, b);
+        let of_datum = words()
+            .filter(|word| is_of_datum(word))
+            .fold(String::from("+proj=longlat"), |text, word| text + " +" + word);
+        let (a_of_datum, b_of_datum) = build(&of_datum)?.ellipse_parameters();
+        let ellipsoid = Ellipsoid::new(a_of_datum, b_of_datum);
         let is_otherwise =
             words().any(|word| OTHERWISE.contains(&word.split('=').next().unwrap_or(word)));
         if TRANSVERSE.contains(&whole.projname()) && a != b && !is_otherwise {
             let origin = (whole.latitude_of_origin(), whole.longitude_of_origin());
             let false_origin = DVec2::new(whole.false_easting(), whole.false_northing());
             let scale = whole.scaling_factor();
-            let projection = TransverseMercator::new(ellipsoid, origin, scale, false_origin);
+            let projection = TransverseMercator::new(own, origin, scale, false_origin);
             return Ok((Self::Transverse(projection, whole.from_greenwich()), ellipsoid));
         }
         // Without its datum, which is shifted elsewhere.
-        let plain = words().filter(|word| {
-            let name = word.split('=').next().unwrap_or(word);
-            !DATUM.contains(&name)
-        });
-        let plain: String = plain.map(|word| format!("+{word} ")).collect();
+        let plain: String =
+            words().filter(|word| !is_of_datum(word)).map(|word| format!("+{word} ")).collect();
         let plane = build(&format!("{plain}+a={a} +b={b}"))?;
         let earth = build(&format!("+proj=longlat +a={a} +b={b}"))?;
         Ok((Self::Other(Box::new((plane, earth))), ellipsoid))
@@ -137,6 +150,11 @@ impl Plane {
             _ => height,
         }
     }
+}
+
+/// Whether a parameter is one of the datum's or ellipsoid's.
+fn is_of_datum(word: &str) -> bool {
+    DATUM.contains(&word.split('=').next().unwrap_or(word))
 }
 
 /// The inverse of some projections stops some micrometres early; the way there is exact.

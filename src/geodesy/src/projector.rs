@@ -4,6 +4,7 @@ use crate::datum::Shift;
 use crate::ellipsoid::Place;
 use crate::offset::Offset;
 use crate::plane::Plane;
+use crate::values;
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 use thiserror::Error;
@@ -79,6 +80,7 @@ impl Projector {
         if GRIDS.iter().any(|grid| lower.contains(grid)) {
             return Err(unusable("it wants a grid file".into()));
         }
+        values::check(definition).map_err(unusable)?;
         let (plane, ellipsoid) = Plane::read(definition).map_err(unusable)?;
         let shift = Shift::read(definition, ellipsoid).map_err(unusable)?;
         Ok(Self { plane, shift, offset })

@@ -201,7 +201,9 @@ pub fn print(file: &str, compiled: &Compilation) {
             let name = severity_name(severity);
             let (file, line, column) = (place(file, d), d.line, d.column);
             let _ = writeln!(err, "{file}:{line}:{column}: {name}[{}]: {}", f.rule, f.message);
-            let _ = writeln!(err, "    at {}", f.path);
+            if !f.path.is_empty() {
+                let _ = writeln!(err, "    at {}", f.path);
+            }
             if !f.hint.is_empty() {
                 let _ = writeln!(err, "    hint: {}", f.hint);
             }

@@ -3,10 +3,11 @@
 use crate::report;
 use crate::trust::{NotSignable, signable};
 use anyhow::{Context, Result};
-use mapd_archive::encode;
+use mapd_archive::{MAGIC, encode};
 use mapd_client::{Client, Domain, Snapshot, TrustedKey};
 use mapd_compiler::{Compilation, CompileOptions, Progress, ReadOptions, compile_from};
 use std::fs::File;
+use std::io::{Read, Seek};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -71,14 +72,22 @@ pub(crate) fn folder(path: &Path) -> Option<PathBuf> {
 
 /// Opens an OpenDRIVE file.
 ///
-/// Errors: it cannot be opened or is a folder.
+/// Errors: it cannot be opened, is a folder, or an archive by its first bytes.
 pub(crate) fn open_input(path: &Path) -> Result<File> {
-    let file = File::open(path).with_context(|| format!("opening {}", path.display()))?;
-    anyhow::ensure!(
-        !file.metadata()?.is_dir(),
-        "{} is a folder, expected an OpenDRIVE file",
-        path.display()
-    );
+    let mut file = File::open(path).with_context(|| format!("opening {}", path.display()))?;
+    let kind = file.metadata()?.file_type();
+    anyhow::ensure!(!kind.is_dir(), "{} is a folder, expected an OpenDRIVE file", path.display());
+    // What is read from a pipe is gone.
+    if kind.is_file() {
+        let mut first = Vec::with_capacity(MAGIC.len());
+        file.by_ref().take(MAGIC.len() as u64).read_to_end(&mut first)?;
+        anyhow::ensure!(
+            first != MAGIC,
+            "{} is an archive, compiled already, expected an OpenDRIVE file; `mapd inspect` shows what it holds",
+            path.display()
+        );
+        file.rewind()?;
+    }
     Ok(file)
 }
 

@@ -41,7 +41,8 @@ impl Lane<'_> {
             derivative: 0.5 * (edges.inner.derivative + edges.outer.derivative),
         };
         let (cos, sin) = self.road.roll(at);
-        let curvature = self.road.reference_at(at).map_or(0.0, |point| point.curvature);
+        let piece = self.road.piece_at(at);
+        let curvature = piece.map_or(0.0, |piece| piece.curve.curvature(at.s - piece.s));
         let along = 1.0 - curvature * center.value * cos;
         let turned = if sin == 0.0 { 0.0 } else { self.road.superelevation_slope(at) };
         let across = center.derivative * cos - center.value * sin * turned;

@@ -14,6 +14,7 @@ mod track_area;
 pub(crate) mod written;
 
 use crate::TooLarge;
+use crate::flatten::Fault;
 use crate::lanes::view;
 use crate::options::CompileOptions;
 pub(crate) use index::build as index;
@@ -25,10 +26,17 @@ use mapd_archive::{
 use mapd_query::Map;
 use mapd_xodr::{Finding, Severity};
 use rayon::prelude::*;
+use repeat::Left;
 use written::{Object, Objects};
 
-/// Objects that one task places.
-const OBJECTS_PER_TASK: usize = 256;
+/// Objects that are placed at once, for each thread.
+const OBJECTS_PER_TASK: usize = 64;
+/// Points that curves and swept repetitions of one object may make: both edges of 100 km of guard rail.
+const MOST_MADE_OF_AN_OBJECT: usize = 1 << 15;
+/// Points that those of all objects of any map may make, however small its file is.
+const LEAST_MADE_OF_A_MAP: usize = 1 << 19;
+/// Points beyond these for each object of the map: guard rails have some hundred.
+const MADE_FOR_AN_OBJECT: usize = 1 << 9;
 
 /// To single precision; what does not fit becomes the largest number that does, so that tables stay finite.
 pub(crate) fn single(value: f64) -> f32 {
@@ -52,6 +60,8 @@ pub(crate) fn shape([length, width, radius]: [f32; 3]) -> ObjectShape {
 pub(crate) struct Shape {
     row: ObjectOutlineRow,
     points: Vec<ObjectPointRow>,
+    /// Points that are not corners of the file: those of curves and of what is swept.
+    made: usize,
     /// Ids of corners with the number of their point.
     corners: Vec<(u32, u32)>,
 }
@@ -60,6 +70,12 @@ pub(crate) struct Shape {
 pub(crate) struct Copy {
     row: ObjectCopyRow,
     shape: Option<Box<Shape>>,
+}
+
+impl Copy {
+    fn made(&self) -> usize {
+        self.shape.as_ref().map_or(0, |shape| shape.made)
+    }
 }
 
 /// What is known of an object once it is placed.
@@ -81,6 +97,8 @@ pub(crate) fn build(
     written.objects.sort_by_key(|object| object.row.road);
     let mut findings = Vec::new();
     let rooms = rooms(rows, &written);
+    let most_made = written.objects.len().saturating_mul(MADE_FOR_AN_OBJECT);
+    let mut points_left = most_made.saturating_add(LEAST_MADE_OF_A_MAP);
     let at_once = OBJECTS_PER_TASK * rayon::current_num_threads().max(1);
     for (objects, rooms) in written.objects.chunks(at_once).zip(rooms.chunks(at_once)) {
         let placed: Vec<Placed> = {
@@ -91,7 +109,7 @@ pub(crate) fn build(
             objects.par_iter().zip(rooms).map(one).collect()
         };
         for (object, placed) in objects.iter().zip(placed) {
-            append(rows, object, placed, &mut findings)?;
+            append(rows, object, placed, &mut points_left, &mut findings)?;
         }
     }
     rows.objects_by_id = by_id(rows).into();
@@ -161,19 +179,35 @@ fn place(
         let (shapes, copies, skeletons) = (Vec::new(), Vec::new(), Vec::new());
         return Placed { row, shapes, copies, skeletons, findings };
     };
-    let shapes = object
-        .outlines
-        .iter()
-        .filter_map(|outline| outline::shape(line, &standing, outline, options.bound_tolerance))
-        .collect();
+    let mut made = 0;
+    let mut shapes = Vec::new();
+    for outline in &object.outlines {
+        match outline::shape(line, &standing, outline, options.bound_tolerance) {
+            Ok(Some(shape)) if made + shape.made <= MOST_MADE_OF_AN_OBJECT => {
+                made += shape.made;
+                shapes.push(shape);
+            }
+            Ok(Some(_)) | Err(Fault::TooManyPoints) => {
+                findings.push(too_detailed(map, object, "an outline"));
+            }
+            Ok(None) | Err(Fault::NotFinite) => {}
+        }
+    }
     let mut copies = Vec::with_capacity(room);
     for repeat in &object.repeats {
-        let within = (options.bound_tolerance, room - copies.len());
-        match repeat::copies(line, object, repeat, within, &mut copies) {
-            Ok(()) => {}
-            Err(message) => {
-                findings.push(finding(map, object, repeat.span, Severity::Warning, message));
-            }
+        let before = copies.len();
+        let within = (options.bound_tolerance, room - before);
+        let outcome = repeat::copies(line, object, repeat, within, &mut copies);
+        let new = copies[before..].iter().map(Copy::made).sum::<usize>();
+        if new > MOST_MADE_OF_AN_OBJECT - made || matches!(outcome, Err(Left::TooManyPoints)) {
+            copies.truncate(before);
+            let finding = too_detailed(map, object, "a repetition");
+            findings.push(Finding { span: repeat.span, ..finding });
+            continue;
+        }
+        made += new;
+        if let Err(Left::Out(message)) = outcome {
+            findings.push(finding(map, object, repeat.span, Severity::Warning, message));
         }
     }
     let lost = asked(Some(line), object) - room;
@@ -194,11 +228,25 @@ fn place(
 fn append(
     rows: &mut Rows,
     object: &Object,
-    placed: Placed,
+    mut placed: Placed,
+    points_left: &mut usize,
     findings: &mut Vec<Finding>,
 ) -> Result<(), TooLarge> {
     let number = u32::try_from(rows.objects.len()).map_err(|_| TooLarge::new("objects"))?;
     let mut row = placed.row;
+    let mut fits = |made: usize| {
+        let fits = made <= *points_left;
+        *points_left -= if fits { made } else { 0 };
+        fits
+    };
+    let before = (placed.shapes.len(), placed.copies.len());
+    placed.shapes.retain(|shape| fits(shape.made));
+    placed.copies.retain(|copy| fits(copy.made()));
+    if before != (placed.shapes.len(), placed.copies.len()) {
+        let archive = view(rows);
+        let map = Map::new(&archive, 0);
+        findings.push(too_detailed(map, object, "a part, with all others of the map,"));
+    }
     let corners = details::Corners::new(&placed.shapes);
     let before = rows.object_outlines.len();
     for shape in placed.shapes {
@@ -236,6 +284,15 @@ fn append_shape(rows: &mut Rows, shape: Shape) -> Result<(), TooLarge> {
         .ok_or_else(|| TooLarge::new("object_points"))?;
     rows.object_outlines.push(ObjectOutlineRow { points, ..shape.row });
     Ok(())
+}
+
+/// Something is left out because its lines would have too many points.
+fn too_detailed(map: Map<'_>, object: &Object, what: &str) -> Finding {
+    let message = format!(
+        "{what} has more points within the tolerance of borders than its length explains, than the {MOST_MADE_OF_AN_OBJECT} that objects may have, or the {LEAST_MADE_OF_A_MAP} and {MADE_FOR_AN_OBJECT} for each object that maps may have; it is left out"
+    );
+    let finding = finding(map, object, object.span, Severity::Warning, message);
+    Finding { rule: "mapd:compile.object_part", ..finding }
 }
 
 /// A finding about an object or one of its repetitions.

@@ -3,8 +3,8 @@
 use super::line::Line;
 use super::place::Standing;
 use super::written::{Corner, Curve, Outline};
-use super::{Shape, single};
-use crate::flatten::flatten;
+use super::{MOST_MADE_OF_AN_OBJECT, Shape, single};
+use crate::flatten::{Fault, flatten};
 use glam::DVec3;
 use mapd_archive::{NONE, ObjectPointRow, outline_flags};
 use mapd_geometry::{Start, compile};
@@ -16,22 +16,25 @@ pub(super) fn point(local: DVec3, height: f64) -> ObjectPointRow {
 }
 
 /// An outline with its corners placed; none where no corner is left.
+///
+/// Errors: a place is not finite, or its curves make more points than an object may have.
 pub(super) fn shape(
     line: &Line<'_>,
     standing: &Standing,
     outline: &Outline,
     tolerance: f64,
-) -> Option<Shape> {
+) -> Result<Option<Shape>, Fault> {
     let mut points = Vec::with_capacity(outline.corners.len());
     let is_closed = outline.row.flags & outline_flags::CLOSED != 0;
     let mut corners = Vec::new();
+    let mut made = 0;
     for (i, corner) in outline.corners.iter().enumerate() {
         if let Some(id) = outline.ids.get(i).filter(|id| **id != NONE) {
             corners.push((*id, points.len() as u32));
         }
         match corner {
             Corner::Road([s, t, dz, height]) => {
-                let station = line.at(*s, *t)?;
+                let station = line.at(*s, *t).ok_or(Fault::NotFinite)?;
                 let from_origin = station.position + DVec3::Z * *dz - standing.origin;
                 points.push(point(standing.axes.to_local(from_origin), *height));
             }
@@ -46,12 +49,18 @@ pub(super) fn shape(
                     }
                     _ => [curve.start[2], curve.start[3]],
                 };
+                let before = points.len();
                 let is_last = i + 1 == outline.corners.len();
                 curve_points(curve, end, is_last && !is_closed, tolerance, &mut points)?;
+                made += points.len() - before;
+                if made > MOST_MADE_OF_AN_OBJECT {
+                    return Err(Fault::TooManyPoints);
+                }
             }
         }
     }
-    (!points.is_empty()).then_some(Shape { row: outline.row, points, corners })
+    let shape = Shape { row: outline.row, points, made, corners };
+    Ok(Some(shape).filter(|shape| !shape.points.is_empty()))
 }
 
 /// Corners along a curve; its end is the next one's start. z and height change linearly to the next curve's.
@@ -61,12 +70,13 @@ fn curve_points(
     with_end: bool,
     tolerance: f64,
     points: &mut Vec<ObjectPointRow>,
-) -> Option<()> {
+) -> Result<(), Fault> {
     let [u, v, z, height] = curve.start;
-    let compiled = compile(&curve.primitive, curve.length).ok()?;
+    let compiled = compile(&curve.primitive, curve.length).map_err(|_| Fault::NotFinite)?;
     let start = Start::new(u, v, curve.heading);
     let shape =
-        mapd_geometry::Curve::new(compiled.kind, start, curve.length, &compiled.coefficients)?;
+        mapd_geometry::Curve::new(compiled.kind, start, curve.length, &compiled.coefficients)
+            .ok_or(Fault::NotFinite)?;
     let share = |s: f64| if curve.length > 0.0 { s / curve.length } else { 0.0 };
     let mut at = |s: f64| {
         let p = shape.evaluate(s);
@@ -78,5 +88,5 @@ fn curve_points(
     let count = if with_end { samples.len() } else { samples.len().saturating_sub(1).max(1) };
     let placed = samples.iter().take(count);
     points.extend(placed.map(|p| point(p.position, height + (end_height - height) * share(p.s))));
-    Some(())
+    Ok(())
 }

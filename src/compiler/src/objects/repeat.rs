@@ -5,11 +5,11 @@ use super::outline::point;
 use super::place::stand_at;
 use super::written::{Object, Repeat, between};
 use super::{Copy, Shape, shape, single};
-use crate::flatten::{Sample, flatten};
+use crate::flatten::{Fault, Sample, flatten};
 use glam::DVec3;
 use mapd_archive::{
-    NONE, ObjectCopyRow, ObjectOutlineRow, ObjectShape, Range, copy_flags, object_flags,
-    outline_flags,
+    NONE, ObjectCopyRow, ObjectOutlineRow, ObjectPointRow, ObjectShape, Range, copy_flags,
+    object_flags, outline_flags,
 };
 use mapd_geometry::{atan2, normalize_angle};
 
@@ -20,6 +20,31 @@ pub(crate) const MOST_COPIES_OF_A_MAP: usize = 2_000_000;
 /// A last copy that lies beyond the repetition's end or the road's by no more than this `[m]` counts: written numbers are
 /// rounded.
 const END: f64 = 1e-6;
+
+/// What is left out of a repetition.
+pub(super) enum Left {
+    /// Some of it or all, and why.
+    Out(String),
+    /// All, because its edges would have too many points.
+    TooManyPoints,
+}
+
+impl From<Fault> for Left {
+    fn from(fault: Fault) -> Self {
+        match fault {
+            Fault::NotFinite => {
+                Self::out("the repetition's places are not numbers; it is left out")
+            }
+            Fault::TooManyPoints => Self::TooManyPoints,
+        }
+    }
+}
+
+impl Left {
+    fn out(message: &str) -> Self {
+        Self::Out(message.to_owned())
+    }
+}
 
 /// Copies that a repetition asks for, by its numbers alone: those beyond the line's end and beyond [`MOST_COPIES`] are not
 /// counted.
@@ -53,14 +78,14 @@ pub(super) fn copies(
     repeat: &Repeat,
     (tolerance, room): (f64, usize),
     out: &mut Vec<Copy>,
-) -> Result<(), String> {
+) -> Result<(), Left> {
     let road_end = line.end();
     let end = (repeat.s + repeat.length).min(road_end);
     if !begins_on(road_end, repeat) {
-        return Err(format!(
+        return Err(Left::Out(format!(
             "the repetition begins at s = {}, the road ends at {road_end}; it is left out",
             repeat.s
-        ));
+        )));
     }
     let count = count(line, repeat).min(room);
     if repeat.distance <= 0.0 {
@@ -68,23 +93,24 @@ pub(super) fn copies(
             return Ok(());
         }
         let swept = if repeat.is_detached {
-            straight(line, repeat, end)
+            straight(line, repeat, end).ok_or(Fault::NotFinite)
         } else {
             sweep(line, repeat, end, tolerance)
         };
-        out.push(swept.ok_or("the repetition's places are not numbers; it is left out")?);
+        out.push(swept?);
         return Ok(());
     }
     for i in 0..count {
         let ds = i as f64 * repeat.distance;
         let copy = instance(line, object, repeat, ds);
-        out.push(copy.ok_or("a repetition's place is no number; the others are left out")?);
+        let why = "a repetition's place is no number; the others are left out";
+        out.push(copy.ok_or_else(|| Left::out(why))?);
     }
     let wanted = intervals(road_end, repeat);
     if wanted >= MOST_COPIES as f64 {
-        return Err(format!(
+        return Err(Left::Out(format!(
             "the object is repeated {wanted:.0} times; those after {MOST_COPIES} are left out"
-        ));
+        )));
     }
     Ok(())
 }
@@ -148,7 +174,7 @@ fn width(repeat: &Repeat, ds: f64) -> f64 {
 }
 
 /// The area that the object covers along the reference line up to `end`.
-fn sweep(line: &Line<'_>, repeat: &Repeat, end: f64, tolerance: f64) -> Option<Copy> {
+fn sweep(line: &Line<'_>, repeat: &Repeat, end: f64, tolerance: f64) -> Result<Copy, Fault> {
     let breaks = line.breaks(repeat.s, end.max(repeat.s));
     let breaks = if breaks.len() > 1 { breaks } else { vec![repeat.s; 2] };
     let edge = |side: f64| {
@@ -161,14 +187,14 @@ fn sweep(line: &Line<'_>, repeat: &Repeat, end: f64, tolerance: f64) -> Option<C
         };
         let mut samples = Vec::new();
         flatten(&breaks, tolerance, &mut at, &mut samples)?;
-        Some(samples)
+        Ok(samples)
     };
     let has_width = repeat.width != [0.0; 2] || repeat.radius != [0.0; 2];
     let mut samples = edge(if has_width { 1.0 } else { 0.0 })?;
     if has_width {
         samples.extend(edge(-1.0)?.into_iter().rev());
     }
-    swept(line, repeat, end, &samples, has_width)
+    swept(line, repeat, end, &samples, has_width).ok_or(Fault::NotFinite)
 }
 
 /// As [`sweep`], along the straight line between both ends.
@@ -200,7 +226,8 @@ fn swept(
     let t = repeat.t.at(0.0, repeat.length);
     let origin = line.at(repeat.s, t)?.position + DVec3::Z * repeat.z_offset[0];
     let height = |s: f64| between(repeat.height, s - repeat.s, repeat.length);
-    let points = samples.iter().map(|p| point(p.position - origin, height(p.s))).collect();
+    let points: Vec<ObjectPointRow> =
+        samples.iter().map(|p| point(p.position - origin, height(p.s))).collect();
     let (x, y, z) = origin.is_finite().then_some(origin)?.into();
     let closed = if is_closed { outline_flags::CLOSED } else { 0 };
     let outline = ObjectOutlineRow {
@@ -230,5 +257,7 @@ fn swept(
         flags: copy_flags::SWEPT,
         reserved: 0,
     };
-    Some(Copy { row, shape: Some(Box::new(Shape { row: outline, points, corners: Vec::new() })) })
+    let made = points.len();
+    let shape = Shape { row: outline, points, made, corners: Vec::new() };
+    Some(Copy { row, shape: Some(Box::new(shape)) })
 }

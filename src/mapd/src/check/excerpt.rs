@@ -63,6 +63,10 @@ fn around(rank: usize, diagnostic: &Diagnostic) -> Around {
 
 /// Reads the file up to the last place. What fails was told when it was checked.
 fn collect(path: &Path, wanted: &mut [Around]) {
+    // A pipe is not read twice, and may have no end.
+    if !path.metadata().is_ok_and(|found| found.is_file()) {
+        return;
+    }
     // The limits held when the file was checked.
     let limits =
         SourceLimits { decoded_bytes: u64::MAX, gzip_ratio: u64::MAX, ..SourceLimits::default() };
