@@ -136,7 +136,9 @@ fn time_peer(map: Map<'_>, pairs: &[(LanePlace, LanePlace)]) -> (Duration, Durat
             ..tables.successor_offsets[*node as usize + 1] as usize;
         let pass = millimetres(row.length().into());
         let ahead = tables.successors[at].iter().map(move |to| (*to, pass));
-        let sides = [(2, row.left()), (4, row.right())];
+        let beside =
+            [row.left(), row.right()].map(|beside| mapd_archive::beside_row(*node, beside));
+        let sides = [(2, beside[0]), (4, beside[1])];
         let beside = sides.into_iter().filter(move |(flag, _)| row.flags() & flag != 0);
         ahead.chain(beside.map(move |(_, to)| (to, millimetres(change)))).collect::<Vec<_>>()
     };

@@ -8,13 +8,13 @@ use std::path::Path;
 /// machine. They change when the layout or the compiler changes;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
-    ("one_road.xodr", "", "5de7cb87bf2f2a83cee83d95793276c4fe2f77882ff24daba8a10c20fe29bc7b"),
-    ("town.xodr", "", "15dab95ee24b07a0bb76a66dfc7265cd7fb2b0202d1b90e0ff5d523921477e83"),
-    ("one_road.xodr", "utm", "3599441ad7a1895def1601e69dc68fb40e16b63cabcb958d3a7c73ceb9d4fb0c"),
+    ("one_road.xodr", "", "ddca9e0ea4e60148e5f059dcca7d7a9f1f81f53deda7dfcca4259009cb726167"),
+    ("town.xodr", "", "16605e8da8724698612c232308d725e05d9776b42060dbb5fcf7758add72eb76"),
+    ("one_road.xodr", "utm", "ab7ddecd02d15777efe6f91aa36bbd3b0550182fb0b910ab22b60adc8ec3560c"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "2d3f2c58d5b72019b90a8f3631f050b9f76e4e2f684a9d253b3ec960bb04ab36",
+        "ca1f099b59cc653528043513dfd053db8ae24b93da15b2657ffdfebed2a35957",
     ),
 ];
 

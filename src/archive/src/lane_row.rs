@@ -1,5 +1,6 @@
 //! What 16 bits are enough for: numbers of what a lane has, and places on its section.
 
+use crate::codes::NONE;
 use crate::generated::network_rows::{ArchivedLaneRow, LaneRow};
 use crate::points::exponent;
 use crate::table::Range;
@@ -12,6 +13,24 @@ pub const MOST_OF_LANE: usize = u16::MAX as usize;
 pub fn section_step(length: f64) -> f64 {
     let next = exponent(length / f64::from(u16::MAX)) + 1;
     f64::from_bits(((next + 1023) as u64) << 52)
+}
+
+/// `left` and `right` of a node with none beside it: those numbers are what rows differ by, plus this.
+pub const NOT_BESIDE: u16 = 1 << 15;
+
+/// Row of the node beside a node, by its `left` or `right`; [`NONE`] if there is none.
+#[inline]
+pub fn beside_row(node: u32, beside: u16) -> u32 {
+    if beside == NOT_BESIDE {
+        return NONE;
+    }
+    node.wrapping_add(beside.into()).wrapping_sub(NOT_BESIDE.into())
+}
+
+/// What `left` or `right` of a node is, for the row of a node beside it; none if that lies too far away.
+pub fn beside_of(node: u32, beside: u32) -> Option<u16> {
+    let by = i64::from(beside) - i64::from(node) + i64::from(NOT_BESIDE);
+    u16::try_from(by).ok().filter(|by| *by != NOT_BESIDE)
 }
 
 impl ArchivedLaneRow {
@@ -42,7 +61,19 @@ impl LaneRow {
 
 #[cfg(test)]
 mod tests {
-    use super::section_step;
+    use super::{NONE, NOT_BESIDE, beside_of, beside_row, section_step};
+
+    #[test]
+    fn nodes_beside_each_other_find_each_other() {
+        assert_eq!(beside_row(7, NOT_BESIDE), NONE);
+        for (node, beside) in [(0, 1), (9, 8), (40_000, 7233), (7, 32_774)] {
+            let stored = beside_of(node, beside).expect("near enough");
+            assert_eq!(beside_row(node, stored), beside);
+        }
+        for (node, beside) in [(5, 5), (0, 32_768), (40_000, 7231)] {
+            assert_eq!(beside_of(node, beside), None);
+        }
+    }
 
     #[test]
     fn every_place_of_a_section_fits_16_bits() {

@@ -66,7 +66,7 @@ pub use generated::{
 };
 pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_flags};
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
-pub use lane_row::{MOST_OF_LANE, section_step};
+pub use lane_row::{MOST_OF_LANE, NOT_BESIDE, beside_of, beside_row, section_step};
 pub use mark_codes::{MarkLaneChange, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight};
 pub use moves::Moved;
 pub use object_codes::{

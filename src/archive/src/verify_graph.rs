@@ -4,7 +4,7 @@
 use crate::error::VerifyError;
 use crate::graph_codes::edge_flags;
 use crate::verify::Check;
-use crate::{NONE, Tables};
+use crate::{NONE, Tables, beside_row};
 
 pub(crate) fn graph(tables: &Tables<'_>) -> Result<(), VerifyError> {
     let nodes = tables.lane_nodes.len();
@@ -27,6 +27,12 @@ pub(crate) fn graph(tables: &Tables<'_>) -> Result<(), VerifyError> {
                 format!("below {}", graph.components()),
                 node.component(),
             );
+        }
+        for (field, beside) in [("left", node.left()), ("right", node.right())] {
+            let beside = beside_row(row as u32, beside);
+            if beside != NONE && beside as usize >= nodes {
+                return check.fail(field, format!("a node below {nodes}"), beside);
+            }
         }
         if node.bound() != NONE && node.bound() >= graph.bounds() {
             return check.fail("bound", format!("below {}", graph.bounds()), node.bound());

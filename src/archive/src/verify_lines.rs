@@ -5,11 +5,17 @@ use crate::error::VerifyError;
 use crate::verify::Check;
 
 pub(crate) fn lines(tables: &Tables<'_>) -> Result<(), VerifyError> {
-    stations(tables)?;
+    for (row, section) in tables.sections.iter().enumerate() {
+        if !section.point_code().is_sound() {
+            let check = Check { table: "sections", row };
+            return check.fail("point_bytes", "as many as the bits need", section.point_bytes());
+        }
+    }
     for (row, lane) in tables.lanes.iter().enumerate() {
         let check = Check { table: "lanes", row };
         let Some(section) = tables.sections.get(lane.section() as usize) else { continue };
         let code = section.point_code();
+        let stations = tables.point_stations.get(section.first_station() as usize..);
         let (from, counts) =
             (lane.first_byte() as usize, [lane.center_count(), lane.border_count()]);
         let bytes = counts.map(|count| usize::from(count) * code.bytes());
@@ -19,38 +25,18 @@ pub(crate) fn lines(tables: &Tables<'_>) -> Result<(), VerifyError> {
         };
         let (center, border) = points.split_at(bytes[0]);
         for line in [center, border] {
-            let mut before = 0;
+            let mut before = f32::NEG_INFINITY;
             for point in line.chunks_exact(code.bytes()) {
                 let station = code.station(point);
-                if station < before {
-                    return check.fail("first_byte", "points at ascending stations", station);
+                let s = stations.and_then(|stations| stations.get(station as usize)).copied();
+                match s {
+                    None => return check.fail("first_byte", "points at stations", station),
+                    Some(s) if s < before => {
+                        return check.fail("first_byte", format!("points from s = {before} on"), s);
+                    }
+                    Some(s) => before = s,
                 }
-                let place = section.first_station() as usize + station as usize;
-                if station as usize >= tables.point_stations.len()
-                    || place >= tables.point_stations.len()
-                {
-                    return check.fail("first_byte", "points at stations", station);
-                }
-                before = station;
             }
-        }
-    }
-    Ok(())
-}
-
-/// Sections write their points in a code that fits, and own stations that ascend.
-fn stations(tables: &Tables<'_>) -> Result<(), VerifyError> {
-    let count = tables.point_stations.len() as u32;
-    for (row, section) in tables.sections.iter().enumerate() {
-        let check = Check { table: "sections", row };
-        if !section.point_code().is_sound() {
-            return check.fail("point_bytes", "as many as the bits need", section.point_bytes());
-        }
-        let first = section.first_station();
-        let end = tables.sections.get(row + 1).map_or(count, |next| next.first_station());
-        let own = tables.point_stations.get(first as usize..end as usize);
-        if !own.is_some_and(|own| own.is_sorted_by(|a, b| a < b)) {
-            return check.fail("first_station", format!("ascending stations up to {end}"), first);
         }
     }
     Ok(())

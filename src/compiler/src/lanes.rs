@@ -9,6 +9,7 @@ use glam::DVec3;
 use mapd_archive::{Archive, Header, LaneRow, PointCode, Provenance, Rows, SectionRow};
 use mapd_query::{Lane, LaneEdges, Map};
 use rayon::prelude::*;
+use std::collections::HashMap;
 
 /// Sections that one task samples; small enough to share work evenly, large enough to be worth a task.
 const SECTIONS_PER_TASK: usize = 16;
@@ -76,21 +77,27 @@ pub(crate) fn sample(
         return Ok(Vec::new());
     }
     rows.points.reserve_exact(lines.iter().map(|lines| lines.bytes.len()).sum());
-    rows.point_stations.reserve_exact(lines.iter().map(|lines| lines.stations.len()).sum());
     let mut long = Vec::new();
     let mut sections = 0;
+    // Equal sections have equal stations: each sequence is written once.
+    let mut known: HashMap<Vec<u32>, u32> = HashMap::new();
     for lines in lines {
-        let mut first_station = rows.point_stations.len();
+        let mut stations = lines.stations.as_slice();
         for frame in &lines.frames {
             let row: &mut SectionRow = &mut rows.sections[sections];
             [row.x, row.y, row.z] = frame.origin;
             row.set_point_code(frame.code);
-            row.first_station =
-                u32::try_from(first_station).map_err(|_| TooLarge::new("point_stations"))?;
-            first_station += frame.stations;
+            let (own, others) = stations.split_at(frame.stations);
+            let first = u32::try_from(rows.point_stations.len());
+            let first = first.map_err(|_| TooLarge::new("point_stations"))?;
+            let key = own.iter().map(|s| s.to_bits()).collect();
+            row.first_station = *known.entry(key).or_insert_with(|| {
+                rows.point_stations.extend_from_slice(own);
+                first
+            });
+            stations = others;
             sections += 1;
         }
-        rows.point_stations.extend_from_slice(&lines.stations);
         let mut first = rows.points.len();
         rows.points.extend_from_slice(&lines.bytes);
         for line in &lines.lanes {

@@ -5,7 +5,7 @@ use crate::lane::{Lane, edges_of};
 use crate::map::Map;
 use mapd_archive::{
     ArchivedConflictRow, ArchivedLaneNodeRow, ConflictKind, EdgeKind, NONE, VehicleClass,
-    edge_flags, node_flags, section_step,
+    beside_row, edge_flags, node_flags, section_step,
 };
 
 /// A node of the lane graph: a lane, or a piece of one, travelled in one direction.
@@ -91,12 +91,12 @@ impl<'a> LaneNode<'a> {
 
     /// The node beside it, in driving direction to the left, that travels the same way.
     pub fn left(&self) -> Option<LaneNode<'a>> {
-        Self::new(self.map, self.row.left())
+        Self::new(self.map, beside_row(self.number, self.row.left()))
     }
 
     /// The node beside it, in driving direction to the right, that travels the same way.
     pub fn right(&self) -> Option<LaneNode<'a>> {
-        Self::new(self.map, self.row.right())
+        Self::new(self.map, beside_row(self.number, self.row.right()))
     }
 
     /// Where a change of lane to the left leads, if the road marks allow one.

@@ -404,16 +404,6 @@ impl ArchivedLaneNodeRow {
     pub fn lane(&self) -> u32 {
         self.lane.to_native()
     }
-    /// Node beside it, in driving direction to the left, that travels the same way.
-    #[inline]
-    pub fn left(&self) -> u32 {
-        self.left.to_native()
-    }
-    /// Node beside it, in driving direction to the right, that travels the same way.
-    #[inline]
-    pub fn right(&self) -> u32 {
-        self.right.to_native()
-    }
     /// Strongly connected component, numbered in topological order of the condensation.
     #[inline]
     pub fn component(&self) -> u32 {
@@ -438,6 +428,16 @@ impl ArchivedLaneNodeRow {
     #[inline]
     pub fn time(&self) -> f32 {
         self.time.to_native()
+    }
+    /// Node beside it, in driving direction to the left, that travels the same way: its row is this one's plus this less 32768; 32768 if there is none.
+    #[inline]
+    pub fn left(&self) -> u16 {
+        self.left.to_native()
+    }
+    /// Node beside it, in driving direction to the right, that travels the same way, in the same way.
+    #[inline]
+    pub fn right(&self) -> u16 {
+        self.right.to_native()
     }
     /// Length of the way from the anchor, in the graph's `length_step`, rounded up; 0 for the anchor itself.
     #[inline]

@@ -277,10 +277,6 @@ const _: () = assert!(size_of::<GraphRow>() == 48 && size_of::<ArchivedGraphRow>
 pub struct LaneNodeRow {
     /// The lane.
     pub lane: u32,
-    /// Node beside it, in driving direction to the left, that travels the same way.
-    pub left: u32,
-    /// Node beside it, in driving direction to the right, that travels the same way.
-    pub right: u32,
     /// Strongly connected component, numbered in topological order of the condensation.
     pub component: u32,
     /// Place in `landmark_lengths` and `landmark_times` of the node's anchor: the node itself, or one from which a way without a change of lane leads to it; u32::MAX if no motor vehicle may use the node.
@@ -291,6 +287,10 @@ pub struct LaneNodeRow {
     pub length: f32,
     /// `[s]` Time to pass it at the speed limit.
     pub time: f32,
+    /// Node beside it, in driving direction to the left, that travels the same way: its row is this one's plus this less 32768; 32768 if there is none.
+    pub left: u16,
+    /// Node beside it, in driving direction to the right, that travels the same way, in the same way.
+    pub right: u16,
     /// Length of the way from the anchor, in the graph's `length_step`, rounded up; 0 for the anchor itself.
     pub anchor_length: u16,
     /// Time from the anchor, in `time_step`, rounded up.
@@ -302,7 +302,7 @@ pub struct LaneNodeRow {
     /// 0.
     pub reserved: u8,
 }
-const _: () = assert!(size_of::<LaneNodeRow>() == 40 && size_of::<ArchivedLaneNodeRow>() == 40);
+const _: () = assert!(size_of::<LaneNodeRow>() == 36 && size_of::<ArchivedLaneNodeRow>() == 36);
 
 /// What is known of each entry of `successors`: where the file says so. Length, time and access are those of the node that is left.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]

@@ -198,8 +198,6 @@ impl LaneNodeRow {
     /// Lets the row refer to where what it refers to comes to lie.
     pub fn move_by(&mut self, moves: &Moves) {
         self.lane = moves.lanes.row(self.lane);
-        self.left = moves.lane_nodes.row(self.left);
-        self.right = moves.lane_nodes.row(self.right);
     }
 }
 

@@ -13,7 +13,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [78, 9, 148, 195, 86, 5, 48, 136, 4, 184, 9, 240, 172, 103, 231, 88];
+    [116, 209, 185, 165, 86, 147, 20, 78, 16, 88, 232, 218, 189, 129, 105, 146];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -42,7 +42,7 @@ pub struct Rows {
     pub lanes: Table<LaneRow>,
     /// lane/speed records, by lane and s.
     pub lane_speeds: Table<LaneSpeedRow>,
-    /// s of points minus their section's start `[m]`, section by section, ascending, each once: all lines of a section share them.
+    /// s of points minus their section's start `[m]`: those of a section ascend, each once, and all its lines share them; equal sequences are there once.
     pub point_stations: Table<f32>,
     /// Points of polylines, `point_bytes` each, the lowest first, lane by lane. From the lowest bit on: number of the point's station among the section's, then x, y and z in steps from the section's frame, each with as many bits as the section says.
     pub points: Table<u8>,
@@ -329,7 +329,7 @@ pub struct Tables<'a> {
     pub lanes: &'a [ArchivedLaneRow],
     /// lane/speed records, by lane and s.
     pub lane_speeds: &'a [ArchivedLaneSpeedRow],
-    /// s of points minus their section's start `[m]`, section by section, ascending, each once: all lines of a section share them.
+    /// s of points minus their section's start `[m]`: those of a section ascend, each once, and all its lines share them; equal sequences are there once.
     pub point_stations: &'a [f32],
     /// Points of polylines, `point_bytes` each, the lowest first, lane by lane. From the lowest bit on: number of the point's station among the section's, then x, y and z in steps from the section's frame, each with as many bits as the section says.
     pub points: &'a [u8],

@@ -313,8 +313,6 @@ impl Tables<'_> {
         for (i, row) in self.lane_nodes.iter().enumerate() {
             let check = Check { table: "lane_nodes", row: i };
             check.reference("lane", row.lane(), self.lanes.len(), false)?;
-            check.reference("left", row.left(), self.lane_nodes.len(), true)?;
-            check.reference("right", row.right(), self.lane_nodes.len(), true)?;
             check.finite("s_from", f64::from(row.s_from()))?;
             check.finite("length", f64::from(row.length()))?;
             check.finite("time", f64::from(row.time()))?;

@@ -5,7 +5,7 @@
 
 use super::anchors;
 use super::csr::in_order;
-use mapd_archive::{LaneNodeRow, NONE, Rows, VehicleClass, node_flags};
+use mapd_archive::{LaneNodeRow, NONE, Rows, VehicleClass, beside_row, node_flags};
 use rayon::prelude::*;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -139,10 +139,11 @@ impl Network {
             let ahead = rows.successors.get(at(number)..at(number + 1)).unwrap_or(&[]);
             let pass = Weight { length: node.length.into(), time: node.time.into() };
             let change = Weight { length: CHANGE_LENGTH, time: CHANGE_TIME };
+            let beside_it = [node.left, node.right].map(|beside| beside_row(number as u32, beside));
             let sides =
-                [(node_flags::CHANGE_LEFT, node.left), (node_flags::CHANGE_RIGHT, node.right)];
-            let beside = sides.iter().filter(|(flag, _)| node.flags & flag != 0);
-            let all = ahead.iter().map(|to| (*to, pass)).chain(beside.map(|(_, to)| (*to, change)));
+                [node_flags::CHANGE_LEFT, node_flags::CHANGE_RIGHT].into_iter().zip(beside_it);
+            let beside = sides.filter(|(flag, _)| node.flags & flag != 0);
+            let all = ahead.iter().map(|to| (*to, pass)).chain(beside.map(|(_, to)| (to, change)));
             let usable = all.map(|(to, weight)| (*own, bound(to), weight));
             edges.extend(usable.filter(|(_, to, _)| *to != NONE));
         }

@@ -4,7 +4,8 @@ use super::cuts::{Cuts, is_zero};
 use crate::TooLarge;
 use crate::lower::Lowering;
 use mapd_archive::{
-    LaneNodeRow, LaneRow, LaneType, NONE, Rows, SectionRow, lane_flags, node_flags,
+    LaneNodeRow, LaneRow, LaneType, NONE, NOT_BESIDE, Rows, SectionRow, beside_of, lane_flags,
+    node_flags,
 };
 
 /// Appends the nodes of all lanes, then joins those beside each other.
@@ -16,7 +17,7 @@ pub(crate) fn build(lowering: &mut Lowering, cuts: &Cuts) -> Result<(), TooLarge
         return Err(TooLarge::new("lane_nodes"));
     }
     for node in 0..lowering.rows.lane_nodes.len() {
-        join(lowering, node as u32);
+        join(lowering, node as u32)?;
     }
     Ok(())
 }
@@ -46,8 +47,8 @@ fn add(lowering: &mut Lowering, cuts: &Cuts, lane: usize) -> Result<(), TooLarge
             }
             lowering.rows.lane_nodes.push(LaneNodeRow {
                 lane: lane as u32,
-                left: NONE,
-                right: NONE,
+                left: NOT_BESIDE,
+                right: NOT_BESIDE,
                 component: 0,
                 bound: NONE,
                 s_from,
@@ -85,15 +86,15 @@ fn has_width(rows: &Rows, lane: &LaneRow, offset: f64) -> bool {
 
 /// Joins a node with the one on either side that travels the same way and may be used by somebody who may use this one;
 /// says whether the border's marks allow the change.
-fn join(lowering: &mut Lowering, node: u32) {
+fn join(lowering: &mut Lowering, node: u32) -> Result<(), TooLarge> {
     let rows = &lowering.rows;
-    let Some(own) = rows.lane_nodes.get(node as usize).copied() else { return };
-    let Some(lane) = rows.lanes.get(own.lane as usize) else { return };
-    let Some(section) = rows.sections.get(lane.section as usize) else { return };
+    let Some(own) = rows.lane_nodes.get(node as usize).copied() else { return Ok(()) };
+    let Some(lane) = rows.lanes.get(own.lane as usize) else { return Ok(()) };
+    let Some(section) = rows.sections.get(lane.section as usize) else { return Ok(()) };
     let forward = own.flags & node_flags::FORWARD != 0;
     let pieces = pieces(lane);
     let in_order = (node - lane.nodes().first) % pieces;
-    let (mut joined, mut allowed) = ([NONE; 2], 0);
+    let (mut joined, mut allowed) = ([NOT_BESIDE; 2], 0);
     // Rows run from left to right of the reference line, which is from right to left for who travels towards −s.
     for (side, to_lower_row) in [(0, forward), (1, !forward)] {
         let Some(beside) = beside(rows, section, own.lane, to_lower_row) else { continue };
@@ -103,7 +104,8 @@ fn join(lowering: &mut Lowering, node: u32) {
         if rows.lane_nodes.get(other as usize).is_none_or(|row| row.access & own.access == 0) {
             continue;
         }
-        joined[side] = other;
+        joined[side] = beside_of(node, other)
+            .ok_or_else(|| TooLarge::of_lane("lane_nodes", rows, own.lane))?;
         let (increase, decrease) = permission(lowering, cuts_middle(rows, node), own.lane, beside);
         if if target.number > lane.number { increase } else { decrease } {
             allowed |= [node_flags::CHANGE_LEFT, node_flags::CHANGE_RIGHT][side];
@@ -113,6 +115,7 @@ fn join(lowering: &mut Lowering, node: u32) {
         [row.left, row.right] = joined;
         row.flags |= allowed;
     }
+    Ok(())
 }
 
 /// Pieces that a lane is cut into.

@@ -15,7 +15,7 @@ use crate::error::QueryError;
 use crate::graph::LaneNode;
 use crate::lane::edges_of;
 use crate::map::Map;
-use mapd_archive::{NONE, VehicleClass, node_flags};
+use mapd_archive::{NONE, VehicleClass, beside_row, node_flags};
 
 pub(super) struct Search<'a, 's, C> {
     map: Map<'a>,
@@ -133,7 +133,9 @@ impl<'a, 's, C: RouteCost> Search<'a, 's, C> {
                 (node_flags::CHANGE_RIGHT, node.row.right()),
             ] {
                 if node.row.flags() & flag != 0
-                    && let Some(to) = self.node(beside).filter(|to| to.allows(self.vehicle))
+                    && let Some(to) = self
+                        .node(beside_row(open.node, beside))
+                        .filter(|to| to.allows(self.vehicle))
                 {
                     let changed = cost + price(self.cost.change(&node, &to));
                     self.enter(&to, changed, FROM_SIDE | open.node, bounds);
@@ -245,7 +247,7 @@ impl<'a, 's, C: RouteCost> Search<'a, 's, C> {
 /// The side to which a change from one node to one beside it goes.
 fn side(map: Map<'_>, from: u32, to: u32) -> Enter {
     match map.tables().lane_nodes.get(from as usize) {
-        Some(row) if row.left() == to && to != NONE => Enter::Left,
+        Some(row) if beside_row(from, row.left()) == to && to != NONE => Enter::Left,
         _ => Enter::Right,
     }
 }
