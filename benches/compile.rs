@@ -1,6 +1,6 @@
 //! Compile throughput against quick-xml's own loop over events, attributes and numbers.
 
-use mapd_benches::{best_computed, maps, print};
+use mapd_benches::{best_computed, computed, computed_here, maps, print};
 use mapd_compiler::{CompileOptions, Progress, compile};
 use quick_xml::events::Event;
 use std::hint::black_box;
@@ -27,18 +27,41 @@ fn floor(path: &Path) -> f64 {
     }
 }
 
-/// Names and times of the stages of one compilation, and of writing and proving its archive.
-fn stages(path: &Path) -> Vec<(&'static str, Duration)> {
+/// A stage of a compilation, and what it took.
+#[derive(Clone, Copy)]
+struct Stage {
+    name: &'static str,
+    time: Duration,
+    /// By all threads together.
+    computed: Duration,
+    /// By the thread that the others wait for.
+    alone: Duration,
+}
+
+/// A place in time: now, computed by all threads, by this one.
+fn now() -> (Instant, Duration, Duration) {
+    (Instant::now(), computed().unwrap_or_default(), computed_here().unwrap_or_default())
+}
+
+/// The stages of one compilation, and of writing and proving its archive.
+fn stages(path: &Path) -> Vec<Stage> {
     let file = std::fs::File::open(path).expect("the map opens");
-    let (mut begun, mut stage) = (Instant::now(), "reading");
+    let (mut begun, mut stage) = (now(), "reading");
     let mut times = Vec::new();
     let mut pass = |next: &'static str| {
         if next != stage {
-            times.push((stage, begun.elapsed()));
-            (begun, stage) = (Instant::now(), next);
+            let end = now();
+            times.push(Stage {
+                name: stage,
+                time: end.0 - begun.0,
+                computed: end.1.saturating_sub(begun.1),
+                alone: end.2.saturating_sub(begun.2),
+            });
+            (begun, stage) = (end, next);
         }
     };
-    let compiled = compile(file, &CompileOptions::default(), &mut |progress| {
+    let options = CompileOptions { landmarks: 0, ..CompileOptions::default() };
+    let compiled = compile(file, &options, &mut |progress| {
         pass(match progress {
             Progress::Linking { .. } => "linking",
             Progress::Sampling { .. } => "sampling",
@@ -56,12 +79,18 @@ fn stages(path: &Path) -> Vec<(&'static str, Duration)> {
     times
 }
 
-/// The least time of each stage.
+/// The least time of each stage, of what was computed in it, and of that what was computed by the first thread.
 fn best_stages(runs: usize, path: &Path) -> String {
     let all: Vec<_> = (0..runs).map(|_| stages(path)).collect();
-    let least = |i: usize| all.iter().filter_map(|run| run.get(i)).map(|(_, time)| *time).min();
+    let least = |i: usize, of: fn(&Stage) -> Duration| {
+        all.iter().filter_map(|run| run.get(i)).map(of).min().unwrap_or_default()
+    };
     let first = all.first().into_iter().flatten().enumerate();
-    let texts = first.map(|(i, (name, time))| format!("{name} {:.1?}", least(i).unwrap_or(*time)));
+    let texts = first.map(|(i, stage)| {
+        let [time, computed, alone] =
+            [least(i, |s| s.time), least(i, |s| s.computed), least(i, |s| s.alone)];
+        format!("{} {time:.1?} ({computed:.1?}, {alone:.1?})", stage.name)
+    });
     texts.collect::<Vec<_>>().join(", ")
 }
 
@@ -96,6 +125,9 @@ fn main() {
                 whole.1.as_secs_f64() / bare.1.as_secs_f64(),
             ));
         }
-        print(&format!("  {name} by stage: {}", best_stages(runs, &path)));
+        print(&format!(
+            "  {name} by stage (computed, of it by the first thread): {}",
+            best_stages(runs, &path)
+        ));
     }
 }

@@ -1,10 +1,10 @@
-//! Instructions of one query, counted by valgrind, against stated bounds: a gate that noise cannot move.
+//! Instructions of one query, and of compiling one byte, counted by valgrind, against stated bounds: a gate that noise cannot
+//! move.
 //!
 //! The count of a long run less that of a short one, so that starting and opening do not count. Time is in `queries.rs`.
 
 use mapd_benches::print;
 use mapd_compiler::{CompileOptions, compile};
-use std::path::Path;
 use std::process::{Command, ExitCode};
 
 /// Queries of the short and of the long run.
@@ -20,18 +20,39 @@ const BOUNDS: [(&str, u64); 5] = [
     ("inertial-trajectory", 515),
 ];
 
-/// Instructions of a whole run; none where valgrind is missing or says nothing.
-fn instructions(archive: &Path, kind: &str, count: usize) -> Option<u64> {
+/// Blocks of the town that is compiled, in either direction: some batches of text.
+const BLOCKS: usize = 12;
+/// Times that it is compiled in the short and in the long run.
+const COMPILATIONS: [usize; 2] = [1, 3];
+/// Instructions that compiling may take per byte of OpenDRIVE, without landmarks: as for queries.
+const PER_BYTE: f64 = 650.0;
+
+/// Instructions of a whole run on two threads; none where valgrind is missing or says nothing.
+fn instructions(program: &str, args: &[&str]) -> Option<u64> {
     let output = Command::new("valgrind")
         .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
-        .arg(env!("CARGO_BIN_EXE_query_probe"))
-        .arg(archive)
-        .args([kind, &count.to_string()])
+        .arg(program)
+        .args(args)
+        .env("RAYON_NUM_THREADS", "2")
         .output()
         .ok()?;
     let text = String::from_utf8_lossy(&output.stderr);
     let line = text.lines().find(|line| line.contains("Collected"))?;
     line.rsplit(' ').next()?.parse().ok().filter(|_| output.status.success())
+}
+
+/// Instructions of one of what a program does `runs` times; none where they cannot be counted.
+fn of_one(program: &str, args: &[&str], runs: [usize; 2]) -> Option<f64> {
+    let count = |runs: usize| instructions(program, &[args, &[&runs.to_string()]].concat());
+    let [short, long] = [count(runs[0])?, count(runs[1])?];
+    Some(long.saturating_sub(short) as f64 / (runs[1] - runs[0]) as f64)
+}
+
+/// Tells a figure; whether it is beyond its bound.
+fn exceeds(what: &str, found: f64, bound: f64, digits: usize) -> bool {
+    let mark = if found > bound { ": EXCEEDED" } else { "" };
+    print(&format!("{what}: {found:.digits$} instructions, at most {bound:.digits$}{mark}"));
+    found > bound
 }
 
 fn main() -> ExitCode {
@@ -42,20 +63,20 @@ fn main() -> ExitCode {
     let rows = compiled.rows.expect("accepted");
     let archive = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes");
     std::fs::write(&path, &archive[..]).expect("the archive is written");
+    let text = mapd_tests::town::town(BLOCKS, BLOCKS);
+    let town = folder.path().join("town.xodr");
+    std::fs::write(&town, &text).expect("the town is written");
+    let (path, town) = (path.to_string_lossy(), town.to_string_lossy());
     let mut exceeded = false;
     for (kind, bound) in BOUNDS {
-        let counts = RUNS.map(|count| instructions(&path, kind, count));
-        let [Some(short), Some(long)] = counts else {
+        let Some(each) = of_one(env!("CARGO_BIN_EXE_query_probe"), &[&path, kind], RUNS) else {
             print("skipped: valgrind is missing or does not run");
             return ExitCode::SUCCESS;
         };
-        let each = long.saturating_sub(short) / (RUNS[1] - RUNS[0]) as u64;
-        let over = each > bound;
-        print(&format!(
-            "{kind}: {each} instructions, at most {bound}{}",
-            if over { ": EXCEEDED" } else { "" }
-        ));
-        exceeded |= over;
+        exceeded |= exceeds(kind, each, bound as f64, 0);
+    }
+    if let Some(each) = of_one(env!("CARGO_BIN_EXE_compile_probe"), &[&town], COMPILATIONS) {
+        exceeded |= exceeds("compile, per byte", each / text.len() as f64, PER_BYTE, 1);
     }
     if exceeded { ExitCode::FAILURE } else { ExitCode::SUCCESS }
 }

@@ -70,9 +70,17 @@ pub fn best(runs: usize, mut work: impl FnMut()) -> Duration {
 /// do not count.
 pub fn computed() -> Option<Duration> {
     let tasks = std::fs::read_dir("/proc/self/task").ok()?.flatten();
-    let texts = tasks.map(|task| std::fs::read_to_string(task.path().join("schedstat")));
-    let nanoseconds = texts.map(|text| text.ok()?.split(' ').next()?.parse::<u64>().ok());
-    nanoseconds.map(|time| time.map(Duration::from_nanos)).sum()
+    tasks.map(|task| computed_by(&task.path())).sum()
+}
+
+/// As [`computed`], of this thread alone.
+pub fn computed_here() -> Option<Duration> {
+    computed_by(Path::new("/proc/thread-self"))
+}
+
+fn computed_by(task: &Path) -> Option<Duration> {
+    let text = std::fs::read_to_string(task.join("schedstat")).ok()?;
+    Some(Duration::from_nanos(text.split(' ').next()?.parse().ok()?))
 }
 
 /// Best time of several runs, and the least that was computed in one of them.

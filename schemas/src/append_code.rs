@@ -47,7 +47,7 @@ pub(crate) fn append(layout: &Layout) -> String {
 pub(crate) fn move_rows(layout: &Layout) -> String {
     let mut out =
         format!("//! Letting rows refer to where what they refer to comes to lie.\n{NOTE}");
-    out += "use super::append::Moves;\nuse crate::table::Range;\n";
+    out += "use super::append::Moves;\n";
     for (part, ..) in PARTS {
         let _ = writeln!(out, "use super::{part}_rows::*;");
     }
@@ -60,16 +60,16 @@ pub(crate) fn move_rows(layout: &Layout) -> String {
             "\nimpl {row} {{\n/// Lets the row refer to where what it refers to comes to lie.\npub fn move_by(&mut self, moves: &Moves) {{"
         );
         for (field, to) in references(table) {
-            if let Some(count) = &field.count {
-                let _ = writeln!(
-                    out,
-                    "let moved = moves.{to}.range(Range {{ first: self.{0}, count: self.{count}.into() }});\nself.{0} = moved.first;\n// A range that is nowhere has no rows.\nself.{count} = self.{count}.min(moved.count as u16);",
-                    ident(field)
-                );
-                continue;
-            }
             let kind = if field.kind == "range" { "range" } else { "row" };
-            let _ = writeln!(out, "self.{0} = moves.{to}.{kind}(self.{0});", ident(field));
+            let _ = match &field.count {
+                // Moved ranges are as long as they were.
+                Some(count) => writeln!(
+                    out,
+                    "self.{0} = moves.{to}.range(crate::Range {{ first: self.{0}, count: self.{count}.into() }}).first;",
+                    ident(field)
+                ),
+                None => writeln!(out, "self.{0} = moves.{to}.{kind}(self.{0});", ident(field)),
+            };
         }
         out += "}\n}\n";
     }

@@ -39,10 +39,10 @@ pub(crate) struct Field {
     #[serde(rename = "type")]
     pub(crate) kind: String,
     pub(crate) to: Option<String>,
+    /// The field of the same row that says how many rows from this one on are meant.
+    pub(crate) count: Option<String>,
     #[serde(default)]
     pub(crate) optional: bool,
-    /// The field that says how many rows from here on are meant.
-    pub(crate) count: Option<String>,
     pub(crate) codes: Option<u32>,
     pub(crate) unit: Option<String>,
     pub(crate) doc: String,
@@ -124,8 +124,8 @@ impl Layout {
             text += &format!("{} {:?} {:?}\n", table.name, table.scalar, table.to);
             for f in &table.fields {
                 text += &format!(
-                    "  {} {} {:?} {} {:?} {:?}\n",
-                    f.name, f.kind, f.to, f.optional, f.codes, f.unit
+                    "  {} {} {:?} {:?} {} {:?} {:?}\n",
+                    f.name, f.kind, f.to, f.count, f.optional, f.codes, f.unit
                 );
             }
         }

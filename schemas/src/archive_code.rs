@@ -220,8 +220,14 @@ fn verify_table(t: &Table) -> String {
             ("range", Some(to)) => {
                 let _ = writeln!(checks, "check.range(\"{name}\", row.{get}(), {})?;", count(to));
             }
-            // With its count: `verify_lines.rs`, which knows the limits of a lane.
-            ("u32", Some(_)) if f.count.is_some() => {}
+            ("u32", Some(to)) if f.count.is_some() => {
+                let _ = writeln!(
+                    checks,
+                    "check.range(\"{name}\", crate::Range {{ first: row.{get}(), count: row.{}().into() }}, {})?;",
+                    f.count.as_deref().unwrap_or_default(),
+                    count(to)
+                );
+            }
             ("u32", Some(to)) => {
                 let _ = writeln!(
                     checks,

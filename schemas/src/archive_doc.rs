@@ -38,6 +38,10 @@ fn render(layout: &Layout) -> Result<String> {
         let mut offset = 0;
         for f in &table.fields {
             let to = f.to.as_ref().map(|to| format!(" → `{to}`")).unwrap_or_default();
+            let to = match &f.count {
+                Some(count) => format!("{to} × `{count}`"),
+                None => to,
+            };
             let optional = if f.optional { " or none" } else { "" };
             let _ = writeln!(
                 out,

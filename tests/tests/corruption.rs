@@ -116,7 +116,7 @@ fn crossing() -> AlignedBytes {
     let bytes = encode(&rows, &compiled.provenance).expect("encodes");
     let archive = verify(&bytes).expect("proves");
     let signals = |name: &str| {
-        let own = ["signal", "controller", "display_areas", "board_groups", "right_of_way"];
+        let own = ["signal", "controller", "display_areas", "board_groups", "conflicts"];
         own.iter().any(|part| name.contains(part)) && name != "default_speeds"
     };
     for info in archive.tables.infos() {

@@ -8,13 +8,13 @@ use std::path::Path;
 /// machine. They change when the layout or the compiler changes;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
-    ("one_road.xodr", "", "b936da37f3ee65e7b61eb2dd6ba91b8a05dafb473601bda415b42717cfe4ea3e"),
-    ("town.xodr", "", "b37f1f25c0fa925866317e16576db00ad0c714da90e118b3e501a6960fe47e8a"),
-    ("one_road.xodr", "utm", "3fb724fac5fcdc5dafcbb2e28f8e54f435316756457de6da7a5fe3cca4bf99d0"),
+    ("one_road.xodr", "", "b72b7f5d9cce8c217066e4ec98083be9b5e6b0bd67d3fd039991cb7130b56962"),
+    ("town.xodr", "", "da0bb72b279cd7a4e8e5a22bb580e11d59d0a2cb692d648c9211a657e1b59594"),
+    ("one_road.xodr", "utm", "3aaacde197717315a1d4deba39fd0c9a25a7e31f2a6cfad461ab7eacf4dd0d44"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "a5c9949fdb5e4f14a2e2f81adffd2a1f6ae0ed3f7f63b3440a7df811d2a75def",
+        "fdd151e0301e6cc5bcd826db6a07a0a5a6aa24f6044086c8fcd993d4da4c2ca8",
     ),
 ];
 

@@ -1,5 +1,6 @@
 //! Road marks: what the file says of them is what the map answers.
 
+use mapd_archive::NONE;
 use mapd_client::glam::DVec2;
 use mapd_client::{
     LaneTypes, Map, MarkLaneChange, Region, RoadMarkColor, RoadMarkKind, RoadMarkRule,
@@ -105,13 +106,21 @@ fn written(path: &Path) -> Marks {
 fn stored(map: Map<'_>) -> Marks {
     let mut marks = Marks::new();
     let tables = map.tables();
-    for row in tables.road_marks {
-        let lane = map.lane_by_row(row.lane()).expect("a lane");
-        let style = &tables.road_mark_styles[row.style() as usize];
-        let kind = RoadMarkKind::from_code(style.kind()).name().to_owned();
-        let place = (lane.road().id().to_owned(), lane.number(), row.s().to_bits());
-        let known = marks.entry(place).or_insert((0, String::new()));
-        *known = (known.0 + 1, kind);
+    for (lane, row) in (0u32..).zip(tables.lanes) {
+        let lane = map.lane_by_row(lane).expect("a lane");
+        let written = row.section() - u32::from(row.continues());
+        let start = tables.sections[written as usize].s_start();
+        let mut at = row.first_mark();
+        while at != NONE {
+            let mark = &tables.road_marks[at as usize];
+            let style = &tables.road_mark_styles[mark.style() as usize];
+            let kind = RoadMarkKind::from_code(style.kind()).name().to_owned();
+            let s = (start + mark.s_offset()).to_bits();
+            let place = (lane.road().id().to_owned(), lane.number(), s);
+            let known = marks.entry(place).or_insert((0, String::new()));
+            *known = (known.0 + 1, kind);
+            at = if mark.last() == 1 { NONE } else { at + 1 };
+        }
     }
     marks
 }

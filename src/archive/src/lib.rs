@@ -66,7 +66,7 @@ pub use generated::{
 };
 pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_flags};
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
-pub use lane_row::MOST_OF_LANE;
+pub use lane_row::{MOST_OF_LANE, section_step};
 pub use mark_codes::{MarkLaneChange, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight};
 pub use moves::Moved;
 pub use object_codes::{
@@ -76,7 +76,8 @@ pub use object_codes::{
 pub use open::{Archive, open, string};
 pub use points::PointCode;
 pub use signal_codes::{
-    LaneMethod, Orientation, Relation, RelationReason, SignalPosition, signal_flags, signal_values,
+    LaneMethod, NO_RELATION, Orientation, Relation, RelationReason, SignalPosition, signal_flags,
+    signal_values,
 };
 pub use strings::StringTable;
 pub use table::{ArchivedRange, ArchivedTable, Range, Table, TableInfo};

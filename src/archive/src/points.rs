@@ -26,7 +26,7 @@ pub struct PointCode {
 }
 
 /// Exponent of the largest power of two that is not above a positive number.
-fn exponent(value: f64) -> i32 {
+pub(crate) fn exponent(value: f64) -> i32 {
     (value.to_bits() >> 52 & 0x7ff) as i32 - 1023
 }
 

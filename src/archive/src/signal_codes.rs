@@ -58,6 +58,9 @@ codes! {
     }
 }
 
+/// Stands for a relation where no rule of junctions applies: between lanes from one entry, and where roads cross.
+pub const NO_RELATION: u8 = 4;
+
 codes! {
     /// Who goes first where two lanes of a junction conflict.
     Relation {

@@ -166,7 +166,24 @@ fn ascending(tables: &Tables<'_>) -> Result<(), VerifyError> {
     by_lane("lane_speeds", tables.lane_speeds, |r| (r.lane(), r.s()))?;
     by_lane("lane_heights", tables.lane_heights, |r| (r.lane(), r.s()))?;
     by_lane("lane_materials", tables.lane_materials, |r| (r.lane(), r.s()))?;
-    by_lane("road_marks", tables.road_marks, |r| (r.lane(), r.s()))
+    marks(tables)
+}
+
+/// Marks of a sequence do not fall, and the last sequence ends.
+fn marks(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    let rows = tables.road_marks;
+    for (row, mark) in rows.iter().enumerate().filter(|(_, mark)| mark.last() == 0) {
+        let check = Check { table: "road_marks", row };
+        match rows.get(row + 1) {
+            None => return check.fail("last", "1", 0),
+            Some(next) if next.s_offset() < mark.s_offset() => {
+                let expected = format!("at most {}", next.s_offset());
+                return check.fail("s_offset", expected, mark.s_offset());
+            }
+            Some(_) => {}
+        }
+    }
+    Ok(())
 }
 
 /// Records of lanes are in the order of their lanes, and of s within one.

@@ -1,4 +1,4 @@
-//! Proving the polylines: lanes own their widths and points, one lane after the other, at stations of their section that ascend.
+//! Proving the polylines: lanes own their points, one lane after the other, at stations of their section that ascend.
 
 use crate::Tables;
 use crate::error::VerifyError;
@@ -8,8 +8,6 @@ pub(crate) fn lines(tables: &Tables<'_>) -> Result<(), VerifyError> {
     stations(tables)?;
     for (row, lane) in tables.lanes.iter().enumerate() {
         let check = Check { table: "lanes", row };
-        check.range("first_width", lane.widths(), tables.cubics.len())?;
-        check.range("first_node", lane.nodes(), tables.lane_nodes.len())?;
         let Some(section) = tables.sections.get(lane.section() as usize) else { continue };
         let code = section.point_code();
         let (from, counts) =

@@ -57,12 +57,15 @@ pub fn encode_into(
     if !(out.as_ptr() as usize).is_multiple_of(ALIGNMENT) {
         return Err(WriteError::Alignment { expected: ALIGNMENT });
     }
-    // Alignment gaps between tables are skipped by the writer, not written.
     let (head, body) = out.split_at_mut(HEADER_LENGTH);
-    body.fill(0);
     let mut writer = Serializer::new(Buffer::from(&mut *body), SubAllocator::empty(), ());
     rkyv::api::serialize_using::<_, Failure>(rows, &mut writer)
         .map_err(|e| WriteError::Serialize(e.to_string()))?;
+    // Gaps between tables are written as zeros: with the right length, nothing is left of what was there.
+    let found = HEADER_LENGTH + writer.into_writer().len();
+    if found != expected {
+        return Err(WriteError::Length { expected, found });
+    }
     let header = Header {
         body_length: body.len() as u64,
         content_hash: *blake3::hash(body).as_bytes(),

@@ -5,7 +5,7 @@ use crate::quarantine::Units;
 use mapd_ontology::Ontology;
 use mapd_rules::{Checker, Looked, Looker, Network, Whole};
 use mapd_xodr::source::Places;
-use mapd_xodr::{Finding, Item, ReadBatch, Span, Text as _};
+use mapd_xodr::{Batch, Context, Finding, Item, ReadBatch, Span, Text as _};
 use rayon::prelude::*;
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -43,22 +43,22 @@ impl Plan {
         Self { looker: checker.looker(), ontology, places }
     }
 
-    /// Checks and lowers what was read of a batch; none where its elements have to be looked at one by one.
-    pub(crate) fn lower(self, read: &mut ReadBatch) -> Option<Lowered> {
+    /// Reads a batch; each of its elements is checked and lowered while it is still at hand.
+    pub(crate) fn read(self, context: &Context, batch: Batch) -> (ReadBatch, Lowered) {
         let Self { mut looker, ontology, places } = self;
-        let items = read.take_items()?;
         let mut lowering = Lowering::part(ontology);
         let mut units = Units::default();
         let none = lowering.roads();
-        let elements = items.into_iter().map(|item| {
+        let mut elements = VecDeque::new();
+        let read = context.read_each(batch, &mut |item| {
             units.add(&item);
             let (looked, _) = looker.item(&item);
             let mut built = Vec::new();
             lower(&mut lowering, item, &places, &mut built);
-            Element { looked, built, roads: lowering.roads() - none }
+            elements.push_back(Element { looked, built, roads: lowering.roads() - none });
+            None
         });
-        let elements = elements.collect();
-        Some(Lowered { elements, network: looker.into_network(), units, lowering })
+        (read, Lowered { elements, network: looker.into_network(), units, lowering })
     }
 }
 

@@ -115,10 +115,15 @@ impl<'a> Ahead<'a> {
             let (done, reading) = sync_channel(1);
             let (context, plan) = (self.context.clone(), plan());
             rayon::spawn_fifo(move || {
-                let mut read = context.read(batch);
-                let lowered = plan.and_then(|plan| plan.lower(&mut read)).map(Box::new);
+                let made = match plan {
+                    Some(plan) => {
+                        let (read, lowered) = plan.read(&context, batch);
+                        (read, Some(Box::new(lowered)))
+                    }
+                    None => (context.read(batch), None),
+                };
                 // Nobody waits for it where reading has failed.
-                let _ = done.send((read, lowered));
+                let _ = done.send(made);
             });
             self.reading.push_back(reading);
         }

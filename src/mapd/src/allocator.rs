@@ -6,8 +6,9 @@
 
 /// Blocks from this size on are mapped one by one, and go back when freed `[bytes]`: the C library's own limit at its start.
 const MAPPED_FROM: i32 = 128 << 10;
-/// Free bytes at the heap's end from which on it shrinks.
-const TRIMMED_FROM: i32 = 128 << 10;
+/// Free bytes at the end of a thread's heap from which on it shrinks: more than a road takes while it is read, so that its pages
+/// are those of the next one.
+const TRIMMED_FROM: i32 = 4 << 20;
 
 /// Keeps the limits where they are. To be called before anything large is allocated; elsewhere than on Linux with glibc it
 /// does nothing.

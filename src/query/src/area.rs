@@ -4,6 +4,7 @@
 //! decides: foot on the reference line, edges from the file's polynomials.
 
 use crate::lane::Lane;
+use crate::polyline::segment_ends;
 use crate::profile::At;
 use crate::road::Piece;
 use crate::types::{LaneEdges, LanePosition};
@@ -52,16 +53,16 @@ impl Slab<'_> {
 /// The slab of a segment of the lane's centre line, by its number within the line.
 #[inline]
 pub(crate) fn slab<'a>(lane: &Lane<'a>, segment: usize) -> Option<Slab<'a>> {
-    let points = lane.center_points();
-    let (a, b) = (points.station(segment)?, points.station(segment + 1)?);
-    if a == b && points.len() > 2 {
+    let count = usize::from(lane.row.center_count());
+    let [a, b] = segment_ends(lane.map.tables(), lane.section.row, lane.row, segment)?;
+    if a == b && count > 2 {
         // Both sides of a jump, or records that hold for less than single precision tells apart: no area, as in the index.
         return None;
     }
     let (start, end) = (lane.section.s_start(), lane.section.s_end());
     // Stored s has 24 bits; the ends and the joints of geometries are exact values, put back here.
     let lo = if segment == 0 { start } else { (start + f64::from(a)).min(end) };
-    let hi = if segment + 2 == points.len() { end } else { (start + f64::from(b)).min(end) };
+    let hi = if segment + 2 == count { end } else { (start + f64::from(b)).min(end) };
     let middle = 0.5 * (lo + hi);
     let rows = lane.road.geometries();
     let at = rows.partition_point(|g| g.s() <= middle).saturating_sub(1);

@@ -5,7 +5,7 @@ use crate::lane::{Lane, edges_of};
 use crate::map::Map;
 use mapd_archive::{
     ArchivedConflictRow, ArchivedLaneNodeRow, ConflictKind, EdgeKind, NONE, VehicleClass,
-    edge_flags, node_flags,
+    edge_flags, node_flags, section_step,
 };
 
 /// A node of the lane graph: a lane, or a piece of one, travelled in one direction.
@@ -207,17 +207,19 @@ impl<'a> Conflict<'a> {
 
     /// The common area on the lane itself: both ends on its road `[m]`, the smaller s first.
     pub fn s_range(&self) -> (f64, f64) {
-        self.on(self.row.lane(), self.row.s_from(), self.row.s_to())
+        self.on(self.row.lane(), [self.row.from(), self.row.to()])
     }
 
     /// The common area on the other lane: both ends on its road `[m]`, the smaller s first.
     pub fn other_range(&self) -> (f64, f64) {
-        self.on(self.row.other(), self.row.other_from(), self.row.other_to())
+        self.on(self.row.other(), [self.row.other_from(), self.row.other_to()])
     }
 
-    fn on(&self, lane: u32, from: f32, to: f32) -> (f64, f64) {
-        let start = Lane::new(self.map, lane).map_or(0.0, |lane| lane.section().s_start());
-        (start + f64::from(from), start + f64::from(to))
+    fn on(&self, lane: u32, [from, to]: [u16; 2]) -> (f64, f64) {
+        let section = Lane::new(self.map, lane).map(|lane| lane.section());
+        let (start, end) = section.map_or((0.0, 0.0), |s| (s.s_start(), s.s_end()));
+        let step = section_step(end - start);
+        (start + f64::from(from) * step, (start + f64::from(to) * step).min(end))
     }
 }
 

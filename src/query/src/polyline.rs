@@ -82,6 +82,26 @@ impl<'a> Points<'a> {
     }
 }
 
+/// s of both ends of a segment of a lane's centre line, from the section's start `[m]`; none if it has no such segment. As
+/// [`Points`], without what nobody asks of a segment: the nearest lane asks for each that may win.
+#[inline]
+pub(crate) fn segment_ends(
+    tables: &Tables<'_>,
+    section: &ArchivedSectionRow,
+    lane: &ArchivedLaneRow,
+    segment: usize,
+) -> Option<[f32; 2]> {
+    if segment + 1 >= lane.center_count().into() {
+        return None;
+    }
+    let code = section.point_code();
+    let a = tables.points.get(lane.first_byte() as usize + segment * code.bytes()..)?;
+    let b = a.get(code.bytes()..)?;
+    let first = section.first_station() as usize;
+    let station = |point| tables.point_stations.get(first + code.station(point) as usize).copied();
+    Some([station(a)?, station(b)?])
+}
+
 /// A polyline of bounded error, borrowed from the archive. Its points are decoded as they are asked for.
 #[derive(Clone, Copy)]
 pub struct Polyline<'a> {

@@ -168,10 +168,15 @@ impl<'a> Lane<'a> {
     pub fn road_marks(&self) -> impl Iterator<Item = RoadMark<'a>> + use<'a> {
         let (map, lane) = (self.map, *self);
         let (start, end) = (self.section.s_start(), self.section.s_end());
-        let rows = rows_of(map, self.lane_id().row());
+        let rows = rows_of(map, self.row.first_mark());
+        // Marks count from the section that the lane is written in.
+        let written = self.row.section().wrapping_sub(self.row.continues().into());
+        let written = map.tables().sections.get(written as usize);
+        let from = written.map_or(start, |section| section.s_start());
+        let s_of = move |row: &ArchivedRoadMarkRow| from + row.s_offset();
         rows.iter().enumerate().filter_map(move |(i, row)| {
-            let s = row.s().max(start);
-            let s_end = rows.get(i + 1).map_or(end, |next| next.s().min(end));
+            let s = s_of(row).max(start);
+            let s_end = rows.get(i + 1).map_or(end, |next| s_of(next).min(end));
             let style = map.tables().road_mark_styles.get(row.style() as usize)?;
             (s < s_end).then_some(RoadMark { map, lane, style, s, s_end })
         })
@@ -183,11 +188,11 @@ impl<'a> Lane<'a> {
     }
 }
 
-fn rows_of<'a>(map: Map<'a>, lane: u32) -> &'a [ArchivedRoadMarkRow] {
-    let rows = map.tables().road_marks;
-    let first = rows.partition_point(|row| row.lane() < lane);
-    let rows = rows.get(first..).unwrap_or(&[]);
-    rows.get(..rows.partition_point(|row| row.lane() == lane)).unwrap_or(&[])
+/// The sequence of marks from a row on.
+fn rows_of<'a>(map: Map<'a>, first: u32) -> &'a [ArchivedRoadMarkRow] {
+    let rows = map.tables().road_marks.get(first as usize..).unwrap_or(&[]);
+    let last = rows.iter().position(|row| row.last() != 0);
+    rows.get(..last.map_or(0, |last| last + 1)).unwrap_or(&[])
 }
 
 impl Map<'_> {

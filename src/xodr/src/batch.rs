@@ -198,31 +198,11 @@ pub struct ReadBatch {
     pub(crate) kind: &'static str,
     /// What was found behind the last of them, and what was not kept.
     pub(crate) rest: Findings,
-    /// Whether it ends between two top-level elements.
+    /// Whether it ends between two top-level elements, and none of them is a header, from which on another version may count.
     pub(crate) is_whole: bool,
 }
 
 impl ReadBatch {
-    /// Takes the top-level elements away, in the order of the document; [`Reader::handed`](crate::Reader::handed) says where
-    /// each of them was. None if one of them is a header, or the batch is certain to be refused.
-    pub fn take_items(&mut self) -> Option<Vec<Item>> {
-        if !self.is_whole || self.has_header() {
-            return None;
-        }
-        let is_item = |read: &&mut ReadPart| matches!(read.part, Part::Item(_));
-        let items = self.parts.iter_mut().filter(is_item);
-        let items = items.filter_map(|read| match std::mem::replace(&mut read.part, Part::Taken) {
-            Part::Item(item) => Some(item),
-            Part::Taken | Part::Extension(_) => None,
-        });
-        Some(items.collect())
-    }
-
-    /// Whether one of the elements is a header, from which on another version may count.
-    pub(crate) fn has_header(&self) -> bool {
-        self.parts.iter().any(|read| matches!(read.part, Part::Item(Item::Header(_))))
-    }
-
     /// The batch, unread.
     pub fn into_batch(self) -> Batch {
         self.batch
@@ -236,6 +216,13 @@ impl Context {
 
     /// Reads a batch, on any thread.
     pub fn read(&self, batch: Batch) -> ReadBatch {
+        self.read_each(batch, &mut Some)
+    }
+
+    /// Reads a batch, on any thread. Each top-level element goes through `take` as soon as it is read: what that does not give
+    /// back is not handed out later, where [`Reader::handed`](crate::Reader::handed) says that there was one. A batch may turn
+    /// out to be refused when all of them are taken; it is read again then.
+    pub fn read_each(&self, batch: Batch, take: &mut dyn FnMut(Item) -> Option<Item>) -> ReadBatch {
         let known = &*self.0;
         let Batch { text, start, notes } = batch;
         let inputs = Inputs::new(known.limits.source);
@@ -251,7 +238,7 @@ impl Context {
         cursor.push_frame(Name::Known(crate::reader::ROOT), 0);
         cursor.scope = Scope::Batch;
         let mut root = known.root.clone();
-        let mut parts = Vec::new();
+        let (mut parts, mut has_header) = (Vec::new(), false);
         cursor.kind = "";
         while !cursor.over {
             // Whether an element stands behind others is seen where batches are taken one after the other.
@@ -261,7 +248,10 @@ impl Context {
             let entered = Entered { span: cursor.tag.span, findings, kind: cursor.kind };
             let (slot, part) = match step {
                 Step::Child(slot) => match read_document::item(slot, &mut cursor) {
-                    Some(item) => (Some(slot), Part::Item(item)),
+                    Some(item) => {
+                        has_header |= matches!(item, Item::Header(_));
+                        (Some(slot), take(item).map_or(Part::Taken, Part::Item))
+                    }
                     None => break,
                 },
                 Step::Extension(extension) => (None, Part::Extension(extension)),
@@ -273,7 +263,8 @@ impl Context {
         }
         let is_whole = cursor.scope == Scope::WholeBatch
             && !cursor.findings.is_full()
-            && !cursor.window.passed_limit;
+            && !cursor.window.passed_limit
+            && !has_header;
         let rest = std::mem::replace(&mut cursor.findings, Findings::new(0));
         let kind = cursor.kind;
         let batch = Batch { text: cursor.window.into_text(), start, notes };

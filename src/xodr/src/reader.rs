@@ -43,7 +43,7 @@ pub struct Reader<'a> {
 pub enum Handed {
     /// The element.
     Item(Item),
-    /// It was taken away: [`ReadBatch::take_items`].
+    /// It was taken away: [`Context::read_each`].
     Taken,
 }
 
@@ -309,7 +309,7 @@ impl<'a> Reader<'a> {
     pub fn accept(&mut self, mut read: ReadBatch) -> Result<Vec<u8>, Batch> {
         let State::Inside(root) = &mut self.state else { return Err(read.batch) };
         let slots = read.parts.iter().filter_map(|part| part.slot);
-        if !read.is_whole || read.has_header() || !self.cursor.are_new(root, slots) {
+        if !read.is_whole || !self.cursor.are_new(root, slots) {
             return Err(read.batch);
         }
         let cursor = &mut self.cursor;
@@ -345,7 +345,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// As [`Reader::accepted`], but tells where an element was that [`ReadBatch::take_items`] took away.
+    /// As [`Reader::accepted`], but tells where an element was that [`Context::read_each`] gave away.
     pub fn handed(&mut self) -> Option<Handed> {
         loop {
             match self.accepted.pop_front()? {

@@ -38,6 +38,8 @@ pub struct Moves {
     pub grid_heights: Moved,
     /// `grid_transitions`.
     pub grid_transitions: Moved,
+    /// `road_marks`.
+    pub road_marks: Moved,
     /// `road_mark_styles`.
     pub road_mark_styles: Moved,
     /// `road_mark_lines`.
@@ -160,7 +162,6 @@ impl Rows {
             signal_controllers: unused(),
             junction_controllers: unused(),
             junction_priorities: unused(),
-            right_of_way: unused(),
             default_speeds: unused(),
             signal_index_levels: unused(),
             signal_index_nodes: unused(),
@@ -212,6 +213,7 @@ impl Rows {
             grid_rows: Moved::behind(self.grid_rows.len()),
             grid_heights: Moved::behind(self.grid_heights.len()),
             grid_transitions: Moved::behind(self.grid_transitions.len()),
+            road_marks: Moved::behind(self.road_marks.len()),
             road_mark_styles: Moved::behind(self.road_mark_styles.len()),
             road_mark_lines: Moved::behind(self.road_mark_lines.len()),
             lane_nodes: Moved::behind(self.lane_nodes.len()),
@@ -347,9 +349,11 @@ impl Rows {
             self.grid_transitions
                 .extend_from_slice(part.grid_transitions.get(1..).unwrap_or_default());
         }
-        let before = self.road_marks.len();
-        self.road_marks.extend_from_slice(part.road_marks.get(1..).unwrap_or_default());
-        self.road_marks.iter_mut().skip(before).for_each(|row| row.move_by(moves));
+        if moves.road_marks.is_behind() {
+            let before = self.road_marks.len();
+            self.road_marks.extend_from_slice(part.road_marks.get(1..).unwrap_or_default());
+            self.road_marks.iter_mut().skip(before).for_each(|row| row.move_by(moves));
+        }
         if moves.road_mark_styles.is_behind() {
             let before = self.road_mark_styles.len();
             self.road_mark_styles
@@ -486,9 +490,6 @@ impl Rows {
         self.junction_priorities
             .extend_from_slice(part.junction_priorities.get(1..).unwrap_or_default());
         self.junction_priorities.iter_mut().skip(before).for_each(|row| row.move_by(moves));
-        let before = self.right_of_way.len();
-        self.right_of_way.extend_from_slice(part.right_of_way.get(1..).unwrap_or_default());
-        self.right_of_way.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         self.default_speeds.extend_from_slice(part.default_speeds.get(1..).unwrap_or_default());
         self.signal_index_levels
             .extend_from_slice(part.signal_index_levels.get(1..).unwrap_or_default());

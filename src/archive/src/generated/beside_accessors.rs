@@ -234,20 +234,20 @@ impl ArchivedGridTransitionRow {
 }
 
 impl ArchivedRoadMarkRow {
-    /// `[m]` Start on the road.
+    /// `[m]` Start, from that of the section which the lane is written in.
     #[inline]
-    pub fn s(&self) -> f64 {
-        self.s.to_native()
-    }
-    /// The lane.
-    #[inline]
-    pub fn lane(&self) -> u32 {
-        self.lane.to_native()
+    pub fn s_offset(&self) -> f64 {
+        self.s_offset.to_native()
     }
     /// How it looks.
     #[inline]
     pub fn style(&self) -> u32 {
         self.style.to_native()
+    }
+    /// 1 for the last of a sequence.
+    #[inline]
+    pub fn last(&self) -> u8 {
+        self.last
     }
 }
 
@@ -500,29 +500,39 @@ impl ArchivedConflictRow {
     pub fn other(&self) -> u32 {
         self.other.to_native()
     }
-    /// `[m]` Start of the common area on `lane`, from its section's start.
+    /// Start of the common area on `lane`, from its section's start, rounded down to steps: of the least power of two metres above a 65,535th of the section's length.
     #[inline]
-    pub fn s_from(&self) -> f32 {
-        self.s_from.to_native()
+    pub fn from(&self) -> u16 {
+        self.from.to_native()
     }
-    /// `[m]` End of the common area on `lane`.
+    /// End of the common area on `lane`, rounded up; not beyond the section's end.
     #[inline]
-    pub fn s_to(&self) -> f32 {
-        self.s_to.to_native()
+    pub fn to(&self) -> u16 {
+        self.to.to_native()
     }
-    /// `[m]` Start of the common area on `other`, from its section's start.
+    /// Start of the common area on `other`, in steps of its section, rounded down.
     #[inline]
-    pub fn other_from(&self) -> f32 {
+    pub fn other_from(&self) -> u16 {
         self.other_from.to_native()
     }
-    /// `[m]` End of the common area on `other`.
+    /// End of the common area on `other`, rounded up; not beyond the section's end.
     #[inline]
-    pub fn other_to(&self) -> f32 {
+    pub fn other_to(&self) -> u16 {
         self.other_to.to_native()
     }
     /// 0 cross, 1 merge, 2 overlap, 3 crossing of roads.
     #[inline]
     pub fn kind(&self) -> u8 {
         self.kind
+    }
+    /// Who goes first: 0 `lane` yields, 1 `lane` has priority, 2 lights decide, 3 nothing decides; 4 for lanes that come from one entry, and where roads cross.
+    #[inline]
+    pub fn relation(&self) -> u8 {
+        self.relation
+    }
+    /// Why: 0 none, 1 lights, 2 stop sign, 3 yield sign, 4 priority road, 5 junction priority, 6 turn across oncoming traffic, 7 from the right.
+    #[inline]
+    pub fn reason(&self) -> u8 {
+        self.reason
     }
 }

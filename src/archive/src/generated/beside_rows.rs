@@ -160,17 +160,19 @@ pub struct GridTransitionRow {
 const _: () =
     assert!(size_of::<GridTransitionRow>() == 40 && size_of::<ArchivedGridTransitionRow>() == 40);
 
-/// lane/roadMark records, by lane and s: what lies on the lane's outer border, on lane 0's own line for lane 0, until the next record of the lane.
+/// lane/roadMark records, each sequence of them once: what lies on a lane's outer border, on lane 0's own line for lane 0, until the next record of the sequence.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
 pub struct RoadMarkRow {
-    /// `[m]` Start on the road.
-    pub s: f64,
-    /// The lane.
-    pub lane: u32,
+    /// `[m]` Start, from that of the section which the lane is written in.
+    pub s_offset: f64,
     /// How it looks.
     pub style: u32,
+    /// 1 for the last of a sequence.
+    pub last: u8,
+    /// 0.
+    pub reserved: [u8; 3],
 }
 const _: () = assert!(size_of::<RoadMarkRow>() == 16 && size_of::<ArchivedRoadMarkRow>() == 16);
 
@@ -329,17 +331,21 @@ pub struct ConflictRow {
     pub lane: u32,
     /// The lane that it conflicts with.
     pub other: u32,
-    /// `[m]` Start of the common area on `lane`, from its section's start.
-    pub s_from: f32,
-    /// `[m]` End of the common area on `lane`.
-    pub s_to: f32,
-    /// `[m]` Start of the common area on `other`, from its section's start.
-    pub other_from: f32,
-    /// `[m]` End of the common area on `other`.
-    pub other_to: f32,
+    /// Start of the common area on `lane`, from its section's start, rounded down to steps: of the least power of two metres above a 65,535th of the section's length.
+    pub from: u16,
+    /// End of the common area on `lane`, rounded up; not beyond the section's end.
+    pub to: u16,
+    /// Start of the common area on `other`, in steps of its section, rounded down.
+    pub other_from: u16,
+    /// End of the common area on `other`, rounded up; not beyond the section's end.
+    pub other_to: u16,
     /// 0 cross, 1 merge, 2 overlap, 3 crossing of roads.
     pub kind: u8,
+    /// Who goes first: 0 `lane` yields, 1 `lane` has priority, 2 lights decide, 3 nothing decides; 4 for lanes that come from one entry, and where roads cross.
+    pub relation: u8,
+    /// Why: 0 none, 1 lights, 2 stop sign, 3 yield sign, 4 priority road, 5 junction priority, 6 turn across oncoming traffic, 7 from the right.
+    pub reason: u8,
     /// 0.
-    pub reserved: [u8; 3],
+    pub reserved: u8,
 }
-const _: () = assert!(size_of::<ConflictRow>() == 28 && size_of::<ArchivedConflictRow>() == 28);
+const _: () = assert!(size_of::<ConflictRow>() == 20 && size_of::<ArchivedConflictRow>() == 20);

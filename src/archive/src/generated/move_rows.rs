@@ -6,7 +6,6 @@ use super::beside_rows::*;
 use super::network_rows::*;
 use super::object_rows::*;
 use super::signal_rows::*;
-use crate::table::Range;
 
 impl MapRow {
     /// Lets the row refer to where what it refers to comes to lie.
@@ -69,16 +68,15 @@ impl LaneRow {
     /// Lets the row refer to where what it refers to comes to lie.
     pub fn move_by(&mut self, moves: &Moves) {
         self.section = moves.sections.row(self.section);
-        let moved =
-            moves.cubics.range(Range { first: self.first_width, count: self.width_count.into() });
-        self.first_width = moved.first;
-        // A range that is nowhere has no rows.
-        self.width_count = self.width_count.min(moved.count as u16);
-        let moved =
-            moves.lane_nodes.range(Range { first: self.first_node, count: self.node_count.into() });
-        self.first_node = moved.first;
-        // A range that is nowhere has no rows.
-        self.node_count = self.node_count.min(moved.count as u16);
+        self.first_width = moves
+            .cubics
+            .range(crate::Range { first: self.first_width, count: self.width_count.into() })
+            .first;
+        self.first_node = moves
+            .lane_nodes
+            .range(crate::Range { first: self.first_node, count: self.node_count.into() })
+            .first;
+        self.first_mark = moves.road_marks.row(self.first_mark);
     }
 }
 
@@ -173,7 +171,6 @@ impl GridRowRow {
 impl RoadMarkRow {
     /// Lets the row refer to where what it refers to comes to lie.
     pub fn move_by(&mut self, moves: &Moves) {
-        self.lane = moves.lanes.row(self.lane);
         self.style = moves.road_mark_styles.row(self.style);
     }
 }
@@ -343,14 +340,6 @@ impl JunctionPriorityRow {
         self.junction = moves.junctions.row(self.junction);
         self.high = moves.roads.row(self.high);
         self.low = moves.roads.row(self.low);
-    }
-}
-
-impl RightOfWayRow {
-    /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
-        self.lane = moves.lanes.row(self.lane);
-        self.other = moves.lanes.row(self.other);
     }
 }
 

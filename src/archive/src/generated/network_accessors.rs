@@ -582,6 +582,11 @@ impl ArchivedLaneRow {
     pub fn first_byte(&self) -> u32 {
         self.first_byte.to_native()
     }
+    /// First of its road marks in `road_marks`, which many lanes share.
+    #[inline]
+    pub fn first_mark(&self) -> u32 {
+        self.first_mark.to_native()
+    }
     /// OpenDRIVE's lane number: positive left, negative right.
     #[inline]
     pub fn number(&self) -> i32 {

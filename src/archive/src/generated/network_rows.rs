@@ -298,6 +298,8 @@ pub struct LaneRow {
     pub first_node: u32,
     /// First byte in `points` of its centre line, then of its outer border; for lane 0 of the shifted reference line.
     pub first_byte: u32,
+    /// First of its road marks in `road_marks`, which many lanes share.
+    pub first_mark: u32,
     /// OpenDRIVE's lane number: positive left, negative right.
     pub number: i32,
     /// Number of width records.
@@ -315,7 +317,7 @@ pub struct LaneRow {
     /// 1 travels towards +s, 2 level, 4 widths hold borders, 8 also travels the other way, 16 for walking alone: walked both ways, 32 is of a temporary layer.
     pub flags: u8,
 }
-const _: () = assert!(size_of::<LaneRow>() == 32 && size_of::<ArchivedLaneRow>() == 32);
+const _: () = assert!(size_of::<LaneRow>() == 36 && size_of::<ArchivedLaneRow>() == 36);
 
 /// lane/speed records, by lane and s.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]

@@ -573,29 +573,6 @@ impl ArchivedJunctionPriorityRow {
     }
 }
 
-impl ArchivedRightOfWayRow {
-    /// Lane of the junction.
-    #[inline]
-    pub fn lane(&self) -> u32 {
-        self.lane.to_native()
-    }
-    /// Lane that conflicts with it.
-    #[inline]
-    pub fn other(&self) -> u32 {
-        self.other.to_native()
-    }
-    /// 0 `lane` yields, 1 `lane` has priority, 2 lights decide, 3 nothing decides.
-    #[inline]
-    pub fn relation(&self) -> u8 {
-        self.relation
-    }
-    /// 0 none, 1 lights, 2 stop sign, 3 yield sign, 4 priority road, 5 junction priority, 6 turn across oncoming traffic, 7 from the right.
-    #[inline]
-    pub fn reason(&self) -> u8 {
-        self.reason
-    }
-}
-
 impl ArchivedDefaultSpeedRow {
     /// `[m/s]` Speed limit.
     #[inline]

@@ -341,24 +341,6 @@ const _: () = assert!(
     size_of::<JunctionPriorityRow>() == 12 && size_of::<ArchivedJunctionPriorityRow>() == 12
 );
 
-/// Who goes first, for each pair of lanes of `conflicts` that come from different entries, by `lane`; each pair stands twice, once from either side.
-#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
-#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
-#[repr(C)]
-pub struct RightOfWayRow {
-    /// Lane of the junction.
-    pub lane: u32,
-    /// Lane that conflicts with it.
-    pub other: u32,
-    /// 0 `lane` yields, 1 `lane` has priority, 2 lights decide, 3 nothing decides.
-    pub relation: u8,
-    /// 0 none, 1 lights, 2 stop sign, 3 yield sign, 4 priority road, 5 junction priority, 6 turn across oncoming traffic, 7 from the right.
-    pub reason: u8,
-    /// 0.
-    pub reserved: [u8; 2],
-}
-const _: () = assert!(size_of::<RightOfWayRow>() == 12 && size_of::<ArchivedRightOfWayRow>() == 12);
-
 /// header/defaultRegulations: speeds by type of road (OpenDRIVE 1.8.1, 6.4).
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]

@@ -13,7 +13,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [198, 100, 163, 161, 23, 108, 2, 62, 250, 100, 250, 156, 139, 132, 223, 203];
+    [105, 86, 218, 139, 23, 89, 80, 209, 121, 28, 185, 143, 164, 75, 32, 136];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -80,7 +80,7 @@ pub struct Rows {
     pub grid_heights: Table<f64>,
     /// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
     pub grid_transitions: Table<GridTransitionRow>,
-    /// lane/roadMark records, by lane and s: what lies on the lane's outer border, on lane 0's own line for lane 0, until the next record of the lane.
+    /// lane/roadMark records, each sequence of them once: what lies on a lane's outer border, on lane 0's own line for lane 0, until the next record of the sequence.
     pub road_marks: Table<RoadMarkRow>,
     /// How road marks look, each once, in the order of their first use.
     pub road_mark_styles: Table<RoadMarkStyleRow>,
@@ -142,8 +142,6 @@ pub struct Rows {
     pub junction_controllers: Table<JunctionControllerRow>,
     /// junction/priority, by junction.
     pub junction_priorities: Table<JunctionPriorityRow>,
-    /// Who goes first, for each pair of lanes of `conflicts` that come from different entries, by `lane`; each pair stands twice, once from either side.
-    pub right_of_way: Table<RightOfWayRow>,
     /// header/defaultRegulations: speeds by type of road (OpenDRIVE 1.8.1, 6.4).
     pub default_speeds: Table<DefaultSpeedRow>,
     /// First node of each level of the signals' index, root first, then the number of nodes. Empty if the map has no signals.
@@ -270,7 +268,6 @@ impl Rows {
             signal_controllers: (self.signal_controllers.as_slice()),
             junction_controllers: bytemuck::cast_slice(self.junction_controllers.as_slice()),
             junction_priorities: bytemuck::cast_slice(self.junction_priorities.as_slice()),
-            right_of_way: bytemuck::cast_slice(self.right_of_way.as_slice()),
             default_speeds: bytemuck::cast_slice(self.default_speeds.as_slice()),
             signal_index_levels: (self.signal_index_levels.as_slice()),
             signal_index_nodes: bytemuck::cast_slice(self.signal_index_nodes.as_slice()),
@@ -370,7 +367,7 @@ pub struct Tables<'a> {
     pub grid_heights: &'a [f64],
     /// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
     pub grid_transitions: &'a [ArchivedGridTransitionRow],
-    /// lane/roadMark records, by lane and s: what lies on the lane's outer border, on lane 0's own line for lane 0, until the next record of the lane.
+    /// lane/roadMark records, each sequence of them once: what lies on a lane's outer border, on lane 0's own line for lane 0, until the next record of the sequence.
     pub road_marks: &'a [ArchivedRoadMarkRow],
     /// How road marks look, each once, in the order of their first use.
     pub road_mark_styles: &'a [ArchivedRoadMarkStyleRow],
@@ -432,8 +429,6 @@ pub struct Tables<'a> {
     pub junction_controllers: &'a [ArchivedJunctionControllerRow],
     /// junction/priority, by junction.
     pub junction_priorities: &'a [ArchivedJunctionPriorityRow],
-    /// Who goes first, for each pair of lanes of `conflicts` that come from different entries, by `lane`; each pair stands twice, once from either side.
-    pub right_of_way: &'a [ArchivedRightOfWayRow],
     /// header/defaultRegulations: speeds by type of road (OpenDRIVE 1.8.1, 6.4).
     pub default_speeds: &'a [ArchivedDefaultSpeedRow],
     /// First node of each level of the signals' index, root first, then the number of nodes. Empty if the map has no signals.
@@ -564,7 +559,6 @@ impl<'a> Tables<'a> {
             signal_controllers: root.signal_controllers.view_numbers(body, "signal_controllers")?,
             junction_controllers: root.junction_controllers.view(body, "junction_controllers")?,
             junction_priorities: root.junction_priorities.view(body, "junction_priorities")?,
-            right_of_way: root.right_of_way.view(body, "right_of_way")?,
             default_speeds: root.default_speeds.view(body, "default_speeds")?,
             signal_index_levels: root
                 .signal_index_levels
@@ -602,7 +596,7 @@ impl<'a> Tables<'a> {
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 92] {
+    pub fn infos(&self) -> [TableInfo; 91] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -666,7 +660,6 @@ impl<'a> Tables<'a> {
             TableInfo::of("signal_controllers", self.signal_controllers),
             TableInfo::of("junction_controllers", self.junction_controllers),
             TableInfo::of("junction_priorities", self.junction_priorities),
-            TableInfo::of("right_of_way", self.right_of_way),
             TableInfo::of("default_speeds", self.default_speeds),
             TableInfo::of("signal_index_levels", self.signal_index_levels),
             TableInfo::of("signal_index_nodes", self.signal_index_nodes),

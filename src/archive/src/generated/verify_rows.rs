@@ -128,6 +128,17 @@ impl Tables<'_> {
         for (i, row) in self.lanes.iter().enumerate() {
             let check = Check { table: "lanes", row: i };
             check.reference("section", row.section(), self.sections.len(), false)?;
+            check.range(
+                "first_width",
+                crate::Range { first: row.first_width(), count: row.width_count().into() },
+                self.cubics.len(),
+            )?;
+            check.range(
+                "first_node",
+                crate::Range { first: row.first_node(), count: row.node_count().into() },
+                self.lane_nodes.len(),
+            )?;
+            check.reference("first_mark", row.first_mark(), self.road_marks.len(), true)?;
         }
         for (i, row) in self.lane_speeds.iter().enumerate() {
             let check = Check { table: "lane_speeds", row: i };
@@ -270,9 +281,9 @@ impl Tables<'_> {
         }
         for (i, row) in self.road_marks.iter().enumerate() {
             let check = Check { table: "road_marks", row: i };
-            check.finite("s", row.s())?;
-            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+            check.finite("s_offset", row.s_offset())?;
             check.reference("style", row.style(), self.road_mark_styles.len(), false)?;
+            check.code("last", row.last(), 2)?;
         }
         for (i, row) in self.road_mark_styles.iter().enumerate() {
             let check = Check { table: "road_mark_styles", row: i };
@@ -335,11 +346,9 @@ impl Tables<'_> {
             let check = Check { table: "conflicts", row: i };
             check.reference("lane", row.lane(), self.lanes.len(), false)?;
             check.reference("other", row.other(), self.lanes.len(), false)?;
-            check.finite("s_from", f64::from(row.s_from()))?;
-            check.finite("s_to", f64::from(row.s_to()))?;
-            check.finite("other_from", f64::from(row.other_from()))?;
-            check.finite("other_to", f64::from(row.other_to()))?;
             check.code("kind", row.kind(), 4)?;
+            check.code("relation", row.relation(), 5)?;
+            check.code("reason", row.reason(), 8)?;
         }
         for (i, row) in self.signals.iter().enumerate() {
             let check = Check { table: "signals", row: i };
@@ -483,13 +492,6 @@ impl Tables<'_> {
             check.reference("junction", row.junction(), self.junctions.len(), false)?;
             check.reference("high", row.high(), self.roads.len(), true)?;
             check.reference("low", row.low(), self.roads.len(), true)?;
-        }
-        for (i, row) in self.right_of_way.iter().enumerate() {
-            let check = Check { table: "right_of_way", row: i };
-            check.reference("lane", row.lane(), self.lanes.len(), false)?;
-            check.reference("other", row.other(), self.lanes.len(), false)?;
-            check.code("relation", row.relation(), 4)?;
-            check.code("reason", row.reason(), 8)?;
         }
         for (i, row) in self.default_speeds.iter().enumerate() {
             let check = Check { table: "default_speeds", row: i };

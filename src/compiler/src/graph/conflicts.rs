@@ -10,7 +10,7 @@ use super::zones::{Stretch, Zone, ZoneKind};
 use crate::finding;
 use crate::lanes::view;
 use glam::DVec2;
-use mapd_archive::{ConflictKind, ConflictRow, Rows};
+use mapd_archive::{ConflictKind, ConflictRow, NO_RELATION, RelationReason, Rows, section_step};
 use mapd_query::{Lane, LaneId, Map};
 use mapd_xodr::{Finding, Severity};
 use rayon::prelude::*;
@@ -79,6 +79,8 @@ struct Cell {
 struct Candidate {
     row: u32,
     road: u32,
+    /// Of places on its section `[m]`.
+    step: f64,
     cells: Vec<Cell>,
     /// Of [`BLOCK`] cells each.
     blocks: Vec<Bounds>,
@@ -105,7 +107,7 @@ pub(crate) fn find(rows: &Rows, zones: &[Zone]) -> (Vec<ConflictRow>, Vec<Findin
         of_zones.into_iter().flatten().flatten().collect()
     };
     // Of a pair that meets in two zones the first place counts.
-    found.sort_by_key(|row| (row.lane, row.other, row.s_from.to_bits(), row.kind));
+    found.sort_by_key(|row| (row.lane, row.other, row.from, row.kind));
     found.dedup_by_key(|row| (row.lane, row.other));
     (found, passed_over)
 }
@@ -129,23 +131,34 @@ fn of_zone(rows: &Rows, map: Map<'_>, zone: &Zone) -> Option<Vec<ConflictRow>> {
     for (i, a) in candidates.iter().enumerate() {
         for b in candidates.get(i + 1..).unwrap_or(&[]).iter().filter(|b| b.road != a.road) {
             if let Some((kind, own, other)) = meet(a, b, zone.kind) {
-                let row =
-                    |a: &Candidate, b: &Candidate, own: Interval, other: Interval| ConflictRow {
+                let row = |a: &Candidate, b: &Candidate, own: Interval, other: Interval| {
+                    let [from, to] = in_steps(own, a.step);
+                    let [other_from, other_to] = in_steps(other, b.step);
+                    ConflictRow {
                         lane: a.row,
                         other: b.row,
-                        s_from: own.0,
-                        s_to: own.1,
-                        other_from: other.0,
-                        other_to: other.1,
+                        from,
+                        to,
+                        other_from,
+                        other_to,
                         kind: kind.code(),
-                        reserved: [0; 3],
-                    };
+                        relation: NO_RELATION,
+                        reason: RelationReason::None.code(),
+                        reserved: 0,
+                    }
+                };
                 out.push(row(a, b, own, other));
                 out.push(row(b, a, other, own));
             }
         }
     }
     Some(out)
+}
+
+/// Both ends of an interval in steps of its section, rounded outwards.
+fn in_steps((from, to): Interval, step: f64) -> [u16; 2] {
+    // Casts saturate.
+    [(f64::from(from) / step).floor() as u16, (f64::from(to) / step).ceil() as u16]
 }
 
 /// A lane that somebody travels, as far as it lies in a stretch.
@@ -177,6 +190,7 @@ fn candidate(lane: &Lane<'_>, Stretch { road, s_from, s_to }: Stretch) -> Option
     Some(Candidate {
         row: lane.lane_id().row(),
         road,
+        step: section_step(section.s_end() - section.s_start()),
         blocks: cells.chunks(BLOCK).map(around).collect(),
         bounds: around(&cells),
         cells,

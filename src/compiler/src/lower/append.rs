@@ -21,6 +21,8 @@ impl Lowering {
         moves.cubics = self.interned.append(&mut self.rows.cubics, its_cubics);
         let grids = self.rows.elevation_grids.len();
         moves.road_mark_styles = self.styles.append(&mut self.rows, &part.rows, &moves);
+        moves.road_marks =
+            self.styles.append_marks(&mut self.rows, &part.rows, &moves.road_mark_styles);
         // The styles' lines are there with them.
         moves.road_mark_lines = Moved::To(Vec::new());
         self.rows.append(&part.rows, &moves);

@@ -4,8 +4,8 @@ use super::need::Part;
 use super::surface::place;
 use super::{Lowering, between};
 use mapd_archive::{
-    CubicRow, MarkLaneChange, Moved, Moves, Range, RoadMarkColor, RoadMarkKind, RoadMarkLineRow,
-    RoadMarkRow, RoadMarkRule, RoadMarkStyleRow, RoadMarkWeight, Rows,
+    CubicRow, MarkLaneChange, Moved, Moves, NONE, Range, RoadMarkColor, RoadMarkKind,
+    RoadMarkLineRow, RoadMarkRow, RoadMarkRule, RoadMarkStyleRow, RoadMarkWeight, Rows,
 };
 use mapd_xodr::{self as xodr, Finding, Severity, Text as _, Value as _};
 use std::collections::HashMap;
@@ -15,22 +15,44 @@ const NOT_GIVEN: f64 = -1.0;
 
 /// Numbers of the styles that have been written, by what they and their lines hold.
 #[derive(Default)]
-pub(crate) struct Styles(HashMap<Vec<u8>, u32>);
+pub(crate) struct Styles {
+    known: HashMap<Vec<u8>, u32>,
+    /// First rows of sequences of marks, by what they hold.
+    sequences: HashMap<Vec<(u64, u32)>, u32>,
+}
 
 impl Styles {
+    /// First row of a sequence of marks, which is written if it is a new one.
+    fn sequence(&mut self, rows: &mut Rows, marks: &[(f64, u32)]) -> u32 {
+        let Some((last, others)) = marks.split_last() else { return NONE };
+        let key: Vec<_> = marks.iter().map(|(s, style)| (s.to_bits(), *style)).collect();
+        *self.sequences.entry(key).or_insert_with(|| {
+            let first = rows.road_marks.len() as u32;
+            let row = |(s_offset, style): &(f64, u32), last| RoadMarkRow {
+                s_offset: *s_offset,
+                style: *style,
+                last,
+                reserved: [0; 3],
+            };
+            rows.road_marks.extend(others.iter().map(|mark| row(mark, 0)));
+            rows.road_marks.push(row(last, 1));
+            first
+        })
+    }
+
     /// Row of a style whose lines have just been appended from `lines` on: an equal one that is there already takes its
     /// place.
     fn add(&mut self, rows: &mut Rows, style: RoadMarkStyleRow, lines: usize) -> u32 {
         let mut key = bytemuck::bytes_of(&style).to_vec();
         key.extend_from_slice(bytemuck::cast_slice(&rows.road_mark_lines[lines..]));
-        if let Some(known) = self.0.get(&key) {
+        if let Some(known) = self.known.get(&key) {
             rows.road_mark_lines.truncate(lines);
             return *known;
         }
         let number = rows.road_mark_styles.len() as u32;
         let lines = between(lines, rows.road_mark_lines.len());
         rows.road_mark_styles.push(RoadMarkStyleRow { lines, ..style });
-        self.0.insert(key, number);
+        self.known.insert(key, number);
         number
     }
 }
@@ -51,6 +73,23 @@ impl Styles {
         });
         Moved::To(places.collect())
     }
+
+    /// Adds the sequences of marks of a part, whose styles have come to lie elsewhere; where each comes to lie.
+    pub(super) fn append_marks(&mut self, rows: &mut Rows, part: &Rows, styles: &Moved) -> Moved {
+        let mut places = vec![NONE; part.road_marks.len()];
+        // Row 0 of a part is not used.
+        let marks = part.road_marks.get(1..).unwrap_or_default();
+        let mut at = 1;
+        for own in marks.split_inclusive(|mark| mark.last != 0) {
+            let own: Vec<_> =
+                own.iter().map(|mark| (mark.s_offset, styles.row(mark.style))).collect();
+            if let Some(place) = places.get_mut(at) {
+                *place = self.sequence(rows, &own);
+            }
+            at += own.len();
+        }
+        Moved::To(places)
+    }
 }
 
 fn given(number: Option<f64>) -> f64 {
@@ -66,25 +105,24 @@ fn rule(rule: Option<xodr::RoadMarkRule>) -> u8 {
 }
 
 impl Lowering {
-    /// Appends the marks of the lane whose row comes next.
+    /// First row of a lane's marks.
     pub(super) fn lane_marks(
         &mut self,
         marks: &[xodr::RoadMark],
         section_s: f64,
         road: &str,
         findings: &mut Vec<Finding>,
-    ) {
-        let lane = self.rows.lanes.len() as u32;
-        let before = self.rows.road_marks.len();
+    ) -> u32 {
+        let mut own = Vec::with_capacity(marks.len());
         for mark in marks {
             let path = (road, "lanes/laneSection/lane/roadMark");
             let mut part = Part { span: mark.span, path, findings };
             let Some(s) = place(mark.s_offset.value(), &mut part) else { continue };
-            let s = section_s + s;
-            let style = self.style(mark, s, (road, findings));
-            self.rows.road_marks.push(RoadMarkRow { s, lane, style });
+            let style = self.style(mark, section_s + s, (road, findings));
+            own.push((s, style));
         }
-        self.rows.road_marks[before..].sort_by(|a, b| a.s.total_cmp(&b.s));
+        own.sort_by(|a, b| a.0.total_cmp(&b.0));
+        self.styles.sequence(&mut self.rows, &own)
     }
 
     fn style(

@@ -5,7 +5,8 @@ use super::{Lowering, WrittenLink, between, speed};
 use crate::too_large::TOO_LARGE;
 use bytemuck::Zeroable as _;
 use mapd_archive::{
-    LaneRow, LaneSpeedRow, LaneType, MOST_OF_LANE, Range, SectionRow, VehicleClass, lane_flags,
+    LaneRow, LaneSpeedRow, LaneType, MOST_OF_LANE, NONE, Range, SectionRow, VehicleClass,
+    lane_flags,
 };
 use mapd_xodr::{
     self as xodr, Finding, LaneDirection, Road, Severity, Span, Text as _, TrafficRule, Value as _,
@@ -246,7 +247,7 @@ impl Lowering {
             self.push_lane(
                 section_row,
                 (0, kind, left_side.layer.flags(), 0),
-                Range::default(),
+                (Range::default(), NONE),
                 [&[], &[]],
             );
         }
@@ -267,7 +268,7 @@ impl Lowering {
     ) {
         let section_s = side.s;
         self.lane_surface(lane.height, lane.material, section_s, road, findings);
-        self.lane_marks(lane.road_mark, section_s, road, findings);
+        let marks = self.lane_marks(lane.road_mark, section_s, road, findings);
         // Width and border both present: width wins (OpenDRIVE 1.8.1, 11.6.2).
         let by_border = lane.width.is_empty() && !lane.border.is_empty();
         let widths = if lane.id == 0 {
@@ -346,14 +347,14 @@ impl Lowering {
         }
         let links = [before.as_slice(), behind.as_slice()];
         let continues = if lane.id == 0 { 0 } else { side.continues };
-        self.push_lane(section, (lane.id, kind.code(), flags, continues), widths, links);
+        self.push_lane(section, (lane.id, kind.code(), flags, continues), (widths, marks), links);
     }
 
     fn push_lane(
         &mut self,
         section: u32,
         (number, kind, flags, continues): (i32, u8, u8, u16),
-        widths: Range,
+        (widths, first_mark): (Range, u32),
         links: [&[WrittenLink]; 2],
     ) {
         let ranges = links.map(|numbers| {
@@ -365,6 +366,7 @@ impl Lowering {
         self.rows.lanes.push(LaneRow {
             section,
             first_width: widths.first,
+            first_mark,
             // More are an error.
             width_count: u16::try_from(widths.count).unwrap_or(u16::MAX),
             number,

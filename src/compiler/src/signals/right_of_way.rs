@@ -5,7 +5,7 @@
 
 use crate::lanes::view;
 use mapd_archive::{
-    Class, ConflictKind, JunctionPriorityRow, Relation, RelationReason, RightOfWayRow, Rows,
+    Class, ConflictKind, ConflictRow, JunctionPriorityRow, Relation, RelationReason, Rows,
 };
 use mapd_geometry::normalize_angle;
 use mapd_query::{Lane, Map, RoadId, Turn};
@@ -62,9 +62,9 @@ impl Priorities {
     }
 }
 
-/// Fills `right_of_way` from `conflicts`.
+/// Says of `conflicts` who goes first.
 pub(super) fn build(rows: &mut Rows) {
-    let found: Vec<RightOfWayRow> = {
+    let found: Vec<Option<(Relation, RelationReason)>> = {
         let archive = view(rows);
         let map = Map::new(&archive, 0);
         let mut numbers: Vec<u32> = rows.conflicts.iter().map(|row| row.lane).collect();
@@ -72,28 +72,22 @@ pub(super) fn build(rows: &mut Rows) {
         let read = |number: &u32| Some((*number, movement(&map.lane_by_row(*number)?)));
         let movements: HashMap<u32, Movement> = numbers.par_iter().filter_map(read).collect();
         let priorities = Priorities::new(&rows.junction_priorities);
-        let pairs = rows.conflicts.iter().filter_map(|row| {
+        let of = |row: &ConflictRow| {
             // Where roads cross on another level of meaning (crossings of 1.8), no rule of junctions applies.
             if row.kind == ConflictKind::Crossing.code() {
                 return None;
             }
             let (own, other) = (movements.get(&row.lane)?, movements.get(&row.other)?);
-            if own.entry.is_some() && own.entry == other.entry {
-                return None;
-            }
-            let (relation, reason) = relation(own, other, &priorities);
-            let (relation, reason) = (relation.code(), reason.code());
-            Some(RightOfWayRow {
-                lane: row.lane,
-                other: row.other,
-                relation,
-                reason,
-                reserved: [0; 2],
-            })
-        });
-        pairs.collect()
+            let one_entry = own.entry.is_some() && own.entry == other.entry;
+            (!one_entry).then(|| relation(own, other, &priorities))
+        };
+        rows.conflicts.iter().map(of).collect()
     };
-    rows.right_of_way = found.into();
+    for (row, found) in rows.conflicts.iter_mut().zip(found) {
+        if let Some((relation, reason)) = found {
+            (row.relation, row.reason) = (relation.code(), reason.code());
+        }
+    }
 }
 
 fn movement(lane: &Lane<'_>) -> Movement {

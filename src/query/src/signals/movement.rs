@@ -5,7 +5,7 @@ use super::lane::LaneSignal;
 use crate::ids::LaneId;
 use crate::lane::Lane;
 use crate::map::Map;
-use mapd_archive::{ArchivedRightOfWayRow, Class, Relation, RelationReason};
+use mapd_archive::{ArchivedConflictRow, Class, NO_RELATION, Relation, RelationReason};
 use std::f64::consts::{FRAC_PI_4, PI};
 
 /// Signals this far before a junction are its entry's `[m]`: beyond it they belong to something else more often than not.
@@ -46,7 +46,7 @@ impl Turn {
 #[derive(Clone, Copy)]
 pub struct RightOfWay<'a> {
     map: Map<'a>,
-    row: &'a ArchivedRightOfWayRow,
+    row: &'a ArchivedConflictRow,
 }
 
 impl<'a> RightOfWay<'a> {
@@ -234,10 +234,12 @@ impl<'a> Lane<'a> {
     /// Who goes first where this lane of a junction meets others.
     pub fn right_of_way(&self) -> impl Iterator<Item = RightOfWay<'a>> + use<'a> {
         let (map, own) = (self.map, self.row_number());
-        let rows = map.tables().right_of_way;
+        let rows = map.tables().conflicts;
         let from = rows.partition_point(|row| row.lane() < own);
         let rest = rows.get(from..).unwrap_or(&[]).iter();
-        rest.take_while(move |row| row.lane() == own).map(move |row| RightOfWay { map, row })
+        rest.take_while(move |row| row.lane() == own)
+            .filter(|row| row.relation() != NO_RELATION)
+            .map(move |row| RightOfWay { map, row })
     }
 
     /// Lanes to which this lane of a junction gives way, with the reason.
