@@ -1,6 +1,6 @@
 //! What a small file may ask of the compiler: work and memory are bounded by limits and by the file's size.
 
-use mapd_archive::{RelationReason, Rows};
+use mapd_archive::{NO_RELATION, RelationReason, Rows};
 use mapd_compiler::Compilation;
 use mapd_query::{Map, Relation};
 use mapd_tests::object_maps::{PLAIN, compile, document, open};
@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 const MOST_COPIES: usize = 2_000_000;
 /// Time that each of these maps takes at most, in a build without optimization on a machine with other work: what is
 /// tested for took minutes, and grew with the square.
-const PATIENCE: Duration = Duration::from_secs(120);
+const PATIENCE: Duration = Duration::from_secs(60);
 
 /// Compiles a document within [`PATIENCE`].
 fn soon(what: &str, text: &str) -> Compilation {
@@ -135,7 +135,7 @@ fn priorities_are_looked_up_not_looked_through() {
         );
     }
     text.push_str(r#"<junction id="9" name="">"#);
-    for road in 0..50_000 {
+    for road in 0..100_000 {
         let _ = write!(text, r#"<priority high="{}" low="1"/>"#, 1000 + road);
     }
     // Of two rows that contradict each other the first counts.
@@ -147,7 +147,8 @@ fn priorities_are_looked_up_not_looked_through() {
         rows.conflicts.iter().filter(|row| row.reason == RelationReason::JunctionPriority.code());
     let relations: Vec<u8> = found.map(|row| row.relation).collect();
     assert_eq!(relations, [Relation::Priority.code(), Relation::Yields.code()]);
-    assert!(rows.conflicts.len() > 9000, "{} pairs", rows.conflicts.len());
+    let pairs = rows.conflicts.iter().filter(|row| row.relation != NO_RELATION).count();
+    assert!(pairs > 9000, "{pairs} pairs");
 }
 
 /// What a map of one road is compiled into where this is written in it: the only finding of the compiler's own, and its place.
@@ -199,7 +200,7 @@ fn lines_of_astronomic_length_take_out_their_part() {
 
 /// A road that turns about its own axis hundreds of times, so that lines beside it bend as often. Farther from it they have
 /// more points.
-const TWIST: &str = r#"<superelevation s="0" a="0" b="5" c="0" d="0"/>"#;
+const TWIST: &str = r#"<superelevation s="0" a="0" b="3" c="0" d="0"/>"#;
 
 /// Many lines each of which is not too long: the map as a whole has a limit that grows with its file.
 #[test]

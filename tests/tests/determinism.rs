@@ -8,13 +8,13 @@ use std::path::Path;
 /// machine. They change when the layout or the compiler changes;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
-    ("one_road.xodr", "", "b72b7f5d9cce8c217066e4ec98083be9b5e6b0bd67d3fd039991cb7130b56962"),
-    ("town.xodr", "", "da0bb72b279cd7a4e8e5a22bb580e11d59d0a2cb692d648c9211a657e1b59594"),
-    ("one_road.xodr", "utm", "3aaacde197717315a1d4deba39fd0c9a25a7e31f2a6cfad461ab7eacf4dd0d44"),
+    ("one_road.xodr", "", "5de7cb87bf2f2a83cee83d95793276c4fe2f77882ff24daba8a10c20fe29bc7b"),
+    ("town.xodr", "", "15dab95ee24b07a0bb76a66dfc7265cd7fb2b0202d1b90e0ff5d523921477e83"),
+    ("one_road.xodr", "utm", "3599441ad7a1895def1601e69dc68fb40e16b63cabcb958d3a7c73ceb9d4fb0c"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "fdd151e0301e6cc5bcd826db6a07a0a5a6aa24f6044086c8fcd993d4da4c2ca8",
+        "2d3f2c58d5b72019b90a8f3631f050b9f76e4e2f684a9d253b3ec960bb04ab36",
     ),
 ];
 
