@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! cargo bench -p mapd-benches --bench compile
+//! cargo bench -p mapd-benches --bench cities
 //! cargo bench -p mapd-benches --bench reading
 //! cargo bench -p mapd-benches --bench attach
 //! cargo bench -p mapd-benches --bench reload
@@ -13,7 +14,7 @@
 //!
 //! They use `carla/Town05.xodr` of the shared corpus and its 6×6 tiling, and say so where these are missing.
 
-use mapd_client::Map;
+use mapd_client::{Map, Snapshot};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -44,14 +45,58 @@ pub fn maps(folder: &Path) -> Vec<(&'static str, PathBuf)> {
     };
     let town = shared.join("carla/Town05.xodr");
     let mut maps = vec![("Town05", town.clone())];
-    let big = folder.join("big104.xodr");
-    let tile = shared.with_file_name("tools").join("tile.py");
-    let made = Command::new("python3").arg(tile).arg(&town).arg(&big).args(["6", "6"]).output();
-    match made {
-        Ok(output) if output.status.success() && big.exists() => maps.push(("big104", big)),
-        _ => print("skipped in part: the 6×6 tiling could not be made"),
-    }
+    maps.extend(tiling(folder, 6, 6).map(|tiling| ("big104", tiling.file)));
     maps
+}
+
+/// A map repeated side by side.
+pub struct Tiling {
+    /// The file.
+    pub file: PathBuf,
+    /// The file that is repeated.
+    pub base: PathBuf,
+}
+
+/// Repeats `carla/Town05` of the corpus in so many columns and rows; none, said aloud, where that cannot be done.
+pub fn tiling(folder: &Path, columns: usize, rows: usize) -> Option<Tiling> {
+    let skipped =
+        || print(&format!("skipped in part: no tiling of {columns} × {rows} can be made"));
+    let Some(shared) = mapd_tests::shared("maps") else {
+        skipped();
+        return None;
+    };
+    let base = shared.join("carla/Town05.xodr");
+    let file = folder.join(format!("tiles{columns}x{rows}.xodr"));
+    let tile = shared.with_file_name("tools").join("tile.py");
+    let mut made = Command::new("python3");
+    made.arg(tile).arg(&base).arg(&file).args([columns.to_string(), rows.to_string()]);
+    let is_made = made.output().is_ok_and(|output| output.status.success()) && file.exists();
+    if !is_made {
+        skipped();
+    }
+    is_made.then_some(Tiling { file, base })
+}
+
+/// How far apart tiles are: as far as the map's geometries, and 100 m.
+pub fn pitch(map: Map<'_>) -> [f64; 2] {
+    let spread = |of: fn(&mapd_archive::ArchivedGeometryRow) -> f64| {
+        let places = map.tables().geometries.iter().map(of);
+        let ends = places.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], place| {
+            [low.min(place), high.max(place)]
+        });
+        ends[1] - ends[0] + 100.0
+    };
+    [spread(|g| g.x()), spread(|g| g.y())]
+}
+
+/// A map, compiled in this process.
+pub fn compiled(path: &Path) -> Snapshot {
+    let file = std::fs::File::open(path).expect("the map opens");
+    let compiled = mapd_compiler::compile(file, &Default::default(), &mut |_| {});
+    let compiled = compiled.expect("reading works");
+    let rows = compiled.rows.expect("accepted");
+    let archive = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes");
+    Snapshot::from_bytes(archive).expect("opens")
 }
 
 /// Best time of several runs: what the machine can do when nothing disturbs it.

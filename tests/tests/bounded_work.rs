@@ -122,6 +122,28 @@ fn a_narrow_corner_among_many_reaches_its_lane() {
     );
 }
 
+/// Edges of each lane were added up from lane 0 again, for each object.
+#[test]
+fn lanes_are_not_added_up_for_each_lane() {
+    let mut lanes = String::new();
+    for lane in 3..2000 {
+        let _ = write!(
+            lanes,
+            r#"<lane id="-{lane}" type="driving"><width sOffset="0" a="0.3" b="0" c="0" d="0"/></lane>"#
+        );
+    }
+    let mut objects = String::new();
+    for id in 0..1000 {
+        let _ = write!(
+            objects,
+            r#"<object id="{id}" type="pole" s="50" t="-50" zOffset="0" radius="0.1" height="1"/>"#
+        );
+    }
+    let text = document(&PLAIN, &objects).replace("</right>", &format!("{lanes}</right>"));
+    let rows = rows(soon("objects beside many lanes", &text));
+    assert!(rows.object_lanes.len() >= 1000, "{}", rows.object_lanes.len());
+}
+
 /// Every pair of lanes looked through all priorities of the map.
 #[test]
 fn priorities_are_looked_up_not_looked_through() {

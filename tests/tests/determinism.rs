@@ -8,13 +8,13 @@ use std::path::Path;
 /// machine. They change when the layout or the compiler changes;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
-    ("one_road.xodr", "", "f8308827b8935fd2a5646ac3d395d2da845210bae5c4dc8c70270a6a15484941"),
-    ("town.xodr", "", "3943f1d7d98cf78c8a5498ea57a474c63d6041e711eb8e5e4737a8b481bc9ca3"),
-    ("one_road.xodr", "utm", "c321282ac4914528370a58e13781ca6a03e0b6d0708e3a70c61aebad69634c56"),
+    ("one_road.xodr", "", "ddca9e0ea4e60148e5f059dcca7d7a9f1f81f53deda7dfcca4259009cb726167"),
+    ("town.xodr", "", "16605e8da8724698612c232308d725e05d9776b42060dbb5fcf7758add72eb76"),
+    ("one_road.xodr", "utm", "ab7ddecd02d15777efe6f91aa36bbd3b0550182fb0b910ab22b60adc8ec3560c"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "4bd8d1484bc19036178b489a2e1fd8e755835669602491dde8eb053d99073f31",
+        "ca1f099b59cc653528043513dfd053db8ae24b93da15b2657ffdfebed2a35957",
     ),
 ];
 

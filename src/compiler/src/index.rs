@@ -12,6 +12,8 @@ use rayon::prelude::*;
 
 /// Added to every reach, overshoot and height `[m]`, besides the tolerances: single precision within a leaf.
 const REACH_MARGIN: f64 = 1e-4;
+/// Least step of a leaf `[m]`: finer ones mean nothing, and products with them stay normal numbers.
+const LEAST_STEP: f32 = 1.0 / (1 << 20) as f32;
 /// Units of `reach` and `overshoot` in a metre.
 const REACH_UNITS: f64 = 128.0;
 /// Units of `z_low` and `z_high` in a metre.
@@ -25,7 +27,7 @@ struct Place {
     segment: u16,
 }
 
-/// A segment of a centre line with the area it stands for, relative to the local origin.
+/// A segment of a centre line as its leaf has it, with the area it stands for, relative to the local origin.
 #[derive(Clone, Copy, Debug)]
 struct Entry {
     a: DVec2,
@@ -59,16 +61,8 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
         let ends = ends(map, place);
         ends[0] + ends[1]
     });
-    let (leaves, boxes): (Vec<_>, Vec<_>) = places
-        .par_chunks(WIDTH)
-        .map(|places| {
-            let mut entries = [Entry::NONE; WIDTH];
-            for (entry, place) in entries.iter_mut().zip(places) {
-                *entry = Entry::of(map, *place, options);
-            }
-            leaf(entries.get(..places.len()).unwrap_or_default())
-        })
-        .unzip();
+    let (leaves, boxes): (Vec<_>, Vec<_>) =
+        places.par_chunks(WIDTH).map(|places| leaf(map, places, options)).unzip();
     let (levels, nodes) = stack(boxes, node);
     rows.index_levels = levels.into();
     rows.index_nodes = nodes.into();
@@ -92,25 +86,6 @@ fn ends(map: Map<'_>, place: &Place) -> [DVec2; 2] {
     let (line, first) = (lane.center_line(), usize::from(place.segment));
     let at = |i: usize| line.position(i).unwrap_or_default().truncate() - map.local_origin();
     [at(first), at(first + 1)]
-}
-
-impl Entry {
-    const NONE: Self = Self {
-        a: DVec2::ZERO,
-        b: DVec2::ZERO,
-        extent: Extent::NONE,
-        place: Place { lane: NONE, segment: 0 },
-    };
-
-    fn of(map: Map<'_>, place: Place, options: &CompileOptions) -> Self {
-        let Some(lane) = map.lane_by_row(place.lane) else { return Self::NONE };
-        let [a, b] = ends(map, &place);
-        let (line, first) = (lane.center_line(), usize::from(place.segment));
-        let cuts = [first, first + 1].map(|i| line.station(i).unwrap_or_default());
-        let margin = 2.0 * options.bound_tolerance + REACH_MARGIN;
-        let extent = extent(&lane, map.local_origin(), [a, b], cuts).widened(margin);
-        Self { a, b, extent, place }
-    }
 }
 
 impl Extent {
@@ -182,35 +157,84 @@ fn bounds(e: &Entry) -> Bounds {
     [low.extend(e.extent.z[0]), high.extend(e.extent.z[1])]
 }
 
-/// A leaf and the box of all areas in it.
-fn leaf(entries: &[Entry]) -> (IndexLeafRow, Bounds) {
-    let ends = entries.iter().fold([DVec2::INFINITY, DVec2::NEG_INFINITY], |[low, high], e| {
-        [low.min(e.a).min(e.b), high.max(e.a).max(e.b)]
-    });
-    let DVec2 { x, y } = 0.5 * (ends[0] + ends[1]);
-    let rounding = (ends[1] - ends[0]).max_element() * ROUNDING;
-    let z = entries.iter().map(|e| e.extent.z[0]).fold(f64::INFINITY, f64::min);
+/// Where a leaf's segments are written from, and in which steps.
+struct Frame {
+    corner: [f32; 2],
+    step: f32,
+}
+
+impl Frame {
+    /// The frame in which all these places have numbers of 16 bits.
+    fn around(low: DVec2, high: DVec2) -> Self {
+        let corner = [low.x, low.y].map(round_down);
+        let span = (high - DVec2::from(corner.map(f64::from))).max_element();
+        // Divided by one number less than there are, so that rounding the quotient reaches none beyond.
+        let step = round_up(span / f64::from(u16::MAX - 1)).max(LEAST_STEP);
+        Self { corner, step }
+    }
+
+    /// A place in steps.
+    fn steps(&self, place: DVec2) -> [u16; 2] {
+        let away = place - DVec2::from(self.corner.map(f64::from));
+        (away / f64::from(self.step)).to_array().map(|steps| steps.round() as u16)
+    }
+
+    /// The place that so many steps stand for.
+    fn place(&self, steps: [u16; 2]) -> DVec2 {
+        let away = steps.map(|steps| f64::from(steps) * f64::from(self.step));
+        DVec2::from(self.corner.map(f64::from)) + DVec2::from(away)
+    }
+}
+
+/// Both ends of a segment in steps; never the same, so that each segment has a direction.
+fn ends_in_steps(frame: &Frame, ends: [DVec2; 2]) -> [[u16; 2]; 2] {
+    let [start, mut end] = ends.map(|end| frame.steps(end));
+    if start == end {
+        end[0] = if start[0] == u16::MAX { start[0] - 1 } else { start[0] + 1 };
+    }
+    [start, end]
+}
+
+/// A leaf and the box of all areas in it. How far an area reaches is told from its segment as it is written, so that
+/// writing it in steps loses nothing.
+fn leaf(map: Map<'_>, places: &[Place], options: &CompileOptions) -> (IndexLeafRow, Bounds) {
+    let mut written = [[DVec2::ZERO; 2]; WIDTH];
+    let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+    for (written, place) in written.iter_mut().zip(places) {
+        *written = ends(map, place);
+        low = low.min(written[0]).min(written[1]);
+        high = high.max(written[0]).max(written[1]);
+    }
+    let frame = Frame::around(low, high);
     let mut row = IndexLeafRow {
-        x,
-        y,
-        z,
-        start_x: [0.0; WIDTH],
-        start_y: [0.0; WIDTH],
-        delta_x: [0.0; WIDTH],
-        delta_y: [0.0; WIDTH],
+        x: frame.corner[0],
+        y: frame.corner[1],
+        z: 0.0,
+        step: frame.step,
         lane: [NONE; WIDTH],
+        start_x: [0; WIDTH],
+        start_y: [0; WIDTH],
+        end_x: [1; WIDTH],
+        end_y: [0; WIDTH],
         segment: [0; WIDTH],
         reach: [0; WIDTH],
         overshoot: [0; WIDTH],
         z_low: [0; WIDTH],
         z_high: [0; WIDTH],
     };
+    let mut entries = Vec::with_capacity(WIDTH);
+    for (k, (place, ends)) in places.iter().zip(written).enumerate().take(WIDTH) {
+        let [start, end] = ends_in_steps(&frame, ends);
+        ([row.start_x[k], row.start_y[k]], [row.end_x[k], row.end_y[k]]) = (start, end);
+        entries.push(entry(map, *place, [start, end].map(|end| frame.place(end)), options));
+    }
+    let lowest = entries.iter().map(|e| e.extent.z[0]).fold(f64::INFINITY, f64::min);
+    row.z = round_down(lowest);
+    let z = f64::from(row.z);
+    // A query has places relative to the corner in single precision.
+    let rounding = f64::from(frame.step) * f64::from(u16::MAX) * ROUNDING;
     let mut all = EMPTY;
-    for (k, e) in entries.iter().enumerate().take(WIDTH) {
-        row.start_x[k] = (e.a.x - x) as f32;
-        row.start_y[k] = (e.a.y - y) as f32;
-        row.delta_x[k] = (e.b.x - e.a.x) as f32;
-        row.delta_y[k] = (e.b.y - e.a.y) as f32;
+    for (k, e) in entries.iter().enumerate() {
         row.lane[k] = e.place.lane;
         row.segment[k] = e.place.segment;
         row.reach[k] = units((e.extent.reach + rounding) * REACH_UNITS);
@@ -220,6 +244,23 @@ fn leaf(entries: &[Entry]) -> (IndexLeafRow, Bounds) {
         all = join(all, bounds(e));
     }
     (row, all)
+}
+
+/// A segment between its ends as they are written.
+fn entry(map: Map<'_>, place: Place, [a, b]: [DVec2; 2], options: &CompileOptions) -> Entry {
+    let mut extent = Extent::NONE;
+    if let Some(lane) = map.lane_by_row(place.lane) {
+        let (line, first) = (lane.center_line(), usize::from(place.segment));
+        let cuts = [first, first + 1].map(|i| line.station(i).unwrap_or_default());
+        extent = self::extent(&lane, map.local_origin(), [a, b], cuts);
+    }
+    let margin = 2.0 * options.bound_tolerance + REACH_MARGIN;
+    Entry { a, b, extent: extent.widened(margin), place }
+}
+
+/// To single precision, never larger.
+fn round_down(value: f64) -> f32 {
+    -round_up(-value)
 }
 
 /// Rounded up; the largest value, which stands for any distance, where it does not fit. (Casts saturate.)

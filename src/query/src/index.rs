@@ -83,7 +83,8 @@ pub(crate) fn visit<'a>(
         }
         if level as usize == depth {
             let Some(leaf) = tables.index_leaves.get(at as usize) else { continue };
-            bound = visit(leaf, (local.x - leaf.x()) as f32, (local.y - leaf.y()) as f32, bound);
+            let (x, y) = (f64::from(leaf.x()), f64::from(leaf.y()));
+            bound = visit(leaf, (local.x - x) as f32, (local.y - y) as f32, bound);
             continue;
         }
         let first = tables.index_levels.get(level as usize).copied().unwrap_or(0);
@@ -142,10 +143,33 @@ pub(crate) fn visit_box<'a>(
     });
 }
 
-/// Squared distances of a point (relative to the leaf's origin) from the leaf's segments `[m²]`.
+/// Start of each of a leaf's segments from the leaf's corner, and its end from its start `[m]`.
+struct Segments {
+    start: [[f32; WIDTH]; 2],
+    delta: [[f32; WIDTH]; 2],
+}
+
+impl Segments {
+    #[inline]
+    fn of(leaf: &ArchivedIndexLeafRow) -> Self {
+        let step = leaf.step();
+        let mut segments = Self { start: [[0.0; WIDTH]; 2], delta: [[0.0; WIDTH]; 2] };
+        let ends = [(leaf.start_x(), leaf.end_x()), (leaf.start_y(), leaf.end_y())];
+        for (axis, (start, end)) in ends.into_iter().enumerate() {
+            for k in 0..WIDTH {
+                let (start, end) = (f32::from(start[k]), f32::from(end[k]));
+                segments.start[axis][k] = start * step;
+                segments.delta[axis][k] = (end - start) * step;
+            }
+        }
+        segments
+    }
+}
+
+/// Squared distances of a point (relative to the leaf's corner) from the leaf's segments `[m²]`.
 #[inline]
 pub(crate) fn squared_distances(leaf: &ArchivedIndexLeafRow, qx: f32, qy: f32) -> [f32; WIDTH] {
-    let (ax, ay, dx, dy) = (leaf.start_x(), leaf.start_y(), leaf.delta_x(), leaf.delta_y());
+    let Segments { start: [ax, ay], delta: [dx, dy] } = Segments::of(leaf);
     let mut out = [0f32; WIDTH];
     for k in 0..WIDTH {
         let (ex, ey) = (qx - ax[k], qy - ay[k]);
@@ -191,7 +215,7 @@ pub(crate) fn lower_bounds(
     qy: f32,
     heights: Option<[f64; 2]>,
 ) -> [f32; WIDTH] {
-    let (ax, ay, dx, dy) = (leaf.start_x(), leaf.start_y(), leaf.delta_x(), leaf.delta_y());
+    let Segments { start: [ax, ay], delta: [dx, dy] } = Segments::of(leaf);
     let (reach, overshoot, lanes) = (leaf.reach(), leaf.overshoot(), leaf.lane());
     let mut out = [0f32; WIDTH];
     for k in 0..WIDTH {
@@ -208,7 +232,8 @@ pub(crate) fn lower_bounds(
     }
     if let Some([low, high]) = heights {
         let (z_low, z_high) = (leaf.z_low(), leaf.z_high());
-        let (low, high) = ((low - leaf.z()) as f32, (high - leaf.z()) as f32);
+        let z = f64::from(leaf.z());
+        let (low, high) = ((low - z) as f32, (high - z) as f32);
         for k in 0..WIDTH {
             let below = z_high[k] != ANY && f32::from(z_high[k]) * HEIGHT_UNIT < low;
             if below || f32::from(z_low[k]) * HEIGHT_UNIT > high {
@@ -220,7 +245,7 @@ pub(crate) fn lower_bounds(
 }
 
 /// The segment of any lane's centre line that is nearest to an inertial point, within `radius` `[m]`. This is the bare
-/// index; lanes are found by [`crate::Map::nearest_lane`], which knows their areas.
+/// index, whose segments are written in steps of a leaf ([`mapd_archive::ArchivedIndexLeafRow::step`]); lanes are found by [`crate::Map::nearest_lane`], which knows their areas.
 pub fn nearest_segment(map: crate::Map<'_>, point: DVec2, radius: f64) -> Option<SegmentHit> {
     let mut best: Option<SegmentHit> = None;
     visit(map.tables(), point - map.origin(), None, radius as f32, |leaf, qx, qy, mut bound| {

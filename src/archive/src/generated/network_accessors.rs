@@ -760,45 +760,50 @@ impl ArchivedIndexNodeRow {
 }
 
 impl ArchivedIndexLeafRow {
-    /// `[m]` Origin of the leaf relative to the local origin.
+    /// `[m]` Corner from which ends count, relative to the local origin: no end has a smaller x.
     #[inline]
-    pub fn x(&self) -> f64 {
+    pub fn x(&self) -> f32 {
         self.x.to_native()
     }
-    /// `[m]` Origin of the leaf relative to the local origin.
+    /// `[m]` The corner's y: no end has a smaller one.
     #[inline]
-    pub fn y(&self) -> f64 {
+    pub fn y(&self) -> f32 {
         self.y.to_native()
     }
     /// `[m]` Height from which `z_low` and `z_high` count.
     #[inline]
-    pub fn z(&self) -> f64 {
+    pub fn z(&self) -> f32 {
         self.z.to_native()
     }
-    /// `[m]` Start of each segment.
+    /// `[m]` What ends count in.
     #[inline]
-    pub fn start_x(&self) -> &[f32; 16] {
-        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.start_x)
-    }
-    /// `[m]` Start of each segment.
-    #[inline]
-    pub fn start_y(&self) -> &[f32; 16] {
-        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.start_y)
-    }
-    /// `[m]` End minus start.
-    #[inline]
-    pub fn delta_x(&self) -> &[f32; 16] {
-        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.delta_x)
-    }
-    /// `[m]` End minus start.
-    #[inline]
-    pub fn delta_y(&self) -> &[f32; 16] {
-        bytemuck::cast_ref::<[rend::f32_le; 16], _>(&self.delta_y)
+    pub fn step(&self) -> f32 {
+        self.step.to_native()
     }
     /// The lane; u32::MAX if unused.
     #[inline]
     pub fn lane(&self) -> &[u32; 16] {
         bytemuck::cast_ref::<[rend::u32_le; 16], _>(&self.lane)
+    }
+    /// `[steps]` Start of each segment.
+    #[inline]
+    pub fn start_x(&self) -> &[u16; 16] {
+        bytemuck::cast_ref::<[rend::u16_le; 16], _>(&self.start_x)
+    }
+    /// `[steps]` Start of each segment.
+    #[inline]
+    pub fn start_y(&self) -> &[u16; 16] {
+        bytemuck::cast_ref::<[rend::u16_le; 16], _>(&self.start_y)
+    }
+    /// `[steps]` End of each segment, which is never its start.
+    #[inline]
+    pub fn end_x(&self) -> &[u16; 16] {
+        bytemuck::cast_ref::<[rend::u16_le; 16], _>(&self.end_x)
+    }
+    /// `[steps]` End of each segment.
+    #[inline]
+    pub fn end_y(&self) -> &[u16; 16] {
+        bytemuck::cast_ref::<[rend::u16_le; 16], _>(&self.end_y)
     }
     /// Number of the segment within the lane's centre line.
     #[inline]

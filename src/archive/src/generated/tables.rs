@@ -13,7 +13,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [207, 127, 232, 9, 7, 71, 221, 85, 222, 173, 194, 7, 240, 33, 36, 252];
+    [116, 209, 185, 165, 86, 147, 20, 78, 16, 88, 232, 218, 189, 129, 105, 146];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -60,7 +60,7 @@ pub struct Rows {
     pub index_levels: Table<u32>,
     /// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie the leaves. Boxes are relative to the local origin and rounded outwards; unused places are empty boxes.
     pub index_nodes: Table<IndexNodeRow>,
-    /// Sixteen segments of lanes' centre lines each. A lane's area between a segment's ends lies in a rectangle around the segment: `reach` to both sides, `overshoot` beyond both ends; in height between `z_low` and `z_high`. All four are rounded outwards; 65535 in `reach`, `overshoot` or `z_high` stands for any distance. Unused places have lane u32::MAX.
+    /// Sixteen segments of lanes' centre lines each, their ends in steps from the leaf's corner. A lane's area between a segment's ends lies in a rectangle around the segment as it stands here: `reach` to both sides, `overshoot` beyond both ends; in height between `z_low` and `z_high`. All four are rounded outwards; 65535 in `reach`, `overshoot` or `z_high` stands for any distance. Unused places have lane u32::MAX.
     pub index_leaves: Table<IndexLeafRow>,
     /// Lateral profiles of the roads that have any besides superelevation, by road.
     pub surfaces: Table<SurfaceRow>,
@@ -347,7 +347,7 @@ pub struct Tables<'a> {
     pub index_levels: &'a [u32],
     /// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie the leaves. Boxes are relative to the local origin and rounded outwards; unused places are empty boxes.
     pub index_nodes: &'a [ArchivedIndexNodeRow],
-    /// Sixteen segments of lanes' centre lines each. A lane's area between a segment's ends lies in a rectangle around the segment: `reach` to both sides, `overshoot` beyond both ends; in height between `z_low` and `z_high`. All four are rounded outwards; 65535 in `reach`, `overshoot` or `z_high` stands for any distance. Unused places have lane u32::MAX.
+    /// Sixteen segments of lanes' centre lines each, their ends in steps from the leaf's corner. A lane's area between a segment's ends lies in a rectangle around the segment as it stands here: `reach` to both sides, `overshoot` beyond both ends; in height between `z_low` and `z_high`. All four are rounded outwards; 65535 in `reach`, `overshoot` or `z_high` stands for any distance. Unused places have lane u32::MAX.
     pub index_leaves: &'a [ArchivedIndexLeafRow],
     /// Lateral profiles of the roads that have any besides superelevation, by road.
     pub surfaces: &'a [ArchivedSurfaceRow],

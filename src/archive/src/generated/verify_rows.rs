@@ -196,21 +196,10 @@ impl Tables<'_> {
         }
         for (i, row) in self.index_leaves.iter().enumerate() {
             let check = Check { table: "index_leaves", row: i };
-            check.finite("x", row.x())?;
-            check.finite("y", row.y())?;
-            check.finite("z", row.z())?;
-            for value in row.start_x() {
-                check.finite("start_x", f64::from(*value))?;
-            }
-            for value in row.start_y() {
-                check.finite("start_y", f64::from(*value))?;
-            }
-            for value in row.delta_x() {
-                check.finite("delta_x", f64::from(*value))?;
-            }
-            for value in row.delta_y() {
-                check.finite("delta_y", f64::from(*value))?;
-            }
+            check.finite("x", f64::from(row.x()))?;
+            check.finite("y", f64::from(row.y()))?;
+            check.finite("z", f64::from(row.z()))?;
+            check.finite("step", f64::from(row.step()))?;
         }
         for (i, row) in self.surfaces.iter().enumerate() {
             let check = Check { table: "surfaces", row: i };

@@ -185,8 +185,10 @@ fn by_validity(
 ) -> bool {
     let is_meant =
         |number: i32| validities.iter().any(|(from, to)| *from <= number && number <= *to);
-    let meant = lanes_in(area).filter(|lane| is_meant(lane.number()));
-    let named = meant.filter_map(|lane| Some((lane, area.on(&lane, true)?)));
+    if validities.is_empty() {
+        return false;
+    }
+    let named = area.lanes(true).into_iter().filter(|(lane, _)| is_meant(lane.number()));
     add_leading(named, orientation, LaneMethod::Validity, places)
 }
 
@@ -197,13 +199,7 @@ fn leads(lane: &Lane<'_>, orientation: Orientation) -> bool {
 
 /// Lanes of the object's own road that its area lies on; those that lead where it is for, if any does.
 fn by_position(area: &Profile<'_>, orientation: Orientation, places: &mut Places) {
-    let on = lanes_in(area).filter_map(|lane| Some((lane, area.on(&lane, false)?)));
-    add_leading(on, orientation, LaneMethod::Track, places);
-}
-
-/// Lanes but lane 0 of the sections that an area lies in.
-fn lanes_in<'a>(area: &Profile<'a>) -> impl Iterator<Item = Lane<'a>> {
-    area.sections().flat_map(|section| section.lanes()).filter(|lane| lane.number() != 0)
+    add_leading(area.lanes(false).into_iter(), orientation, LaneMethod::Track, places);
 }
 
 /// Adds of these lanes those that lead where something is for; all where none does. False where there are none.

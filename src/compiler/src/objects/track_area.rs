@@ -1,7 +1,7 @@
 //! The area of an object in track coordinates of a road: which lanes it lies on, and from where to where.
 
 use glam::DVec2;
-use mapd_query::{Lane, LaneSection, Road};
+use mapd_query::{Lane, LaneEdges, LaneSection, Road, SectionCutter};
 
 /// An object whose area reaches into a lane by no more than this `[m]` touches it at most: borders and corners are
 /// rounded.
@@ -129,34 +129,46 @@ pub(super) struct Profile<'a> {
 }
 
 impl<'a> Profile<'a> {
-    /// Sections that the area reaches into.
-    pub(super) fn sections(&self) -> impl Iterator<Item = LaneSection<'a>> {
-        self.sections.iter().copied()
-    }
-
-    /// The stretch of a lane along which the area lies on it, or beside it if `beside`. A lane without width is under
+    /// Lanes but lane 0 that the area lies on, or beside if `beside`, each with the stretch. A lane without width is under
     /// nothing.
-    pub(super) fn on(&self, lane: &Lane<'_>, beside: bool) -> Option<Stretch> {
-        let section = lane.section();
-        let (start, end) = (section.s_start(), section.s_end());
-        let mut found: Option<Stretch> = None;
-        let first = self.stations.partition_point(|s| *s < start);
-        let stations = self.stations.iter().zip(&self.across).skip(first);
-        for (s, [from, to]) in stations.take_while(|(s, _)| **s <= end) {
-            // How far the area lies to the side of the lane; negative by as much as it reaches into it.
-            let edges = lane.edges_at(*s);
-            let (low, high) = (edges.inner.min(edges.outer), edges.inner.max(edges.outer));
-            let gap = (low - to).max(from - high);
-            // What is narrower than a touch is on the lane if it is there at all.
-            let least = if to - from > TOUCH { -TOUCH } else { 0.0 };
-            if !beside && (gap > least || lane.width_at(*s) <= 0.0) {
-                continue;
+    pub(super) fn lanes(&self, beside: bool) -> Vec<(Lane<'a>, Stretch)> {
+        let mut out = Vec::new();
+        for section in &self.sections {
+            let lanes: Vec<Lane<'a>> = section.lanes().collect();
+            let mut edges = vec![LaneEdges { inner: 0.0, outer: 0.0 }; lanes.len()];
+            let mut found: Vec<Option<Stretch>> = vec![None; lanes.len()];
+            // Widths add up from lane 0 outwards: once for all lanes, not for each one.
+            let mut cutter = SectionCutter::new(*section);
+            let first = self.stations.partition_point(|s| *s < section.s_start());
+            let stations = self.stations.iter().zip(&self.across).skip(first);
+            for (s, across) in stations.take_while(|(s, _)| **s <= section.s_end()) {
+                let cut = cutter.as_mut().and_then(|cutter| cutter.edges(*s, &mut edges));
+                if cut.is_none() {
+                    let one_by_one = lanes.iter().map(|lane| lane.edges_at(*s));
+                    edges.iter_mut().zip(one_by_one).for_each(|(edges, one)| *edges = one);
+                }
+                for (edges, found) in edges.iter().zip(&mut found) {
+                    if let Some(distance) = distance(*across, *edges, beside) {
+                        let stretch = found.get_or_insert(Stretch { s: [*s, *s], distance });
+                        stretch.s = [stretch.s[0].min(*s), stretch.s[1].max(*s)];
+                        stretch.distance = stretch.distance.min(distance);
+                    }
+                }
             }
-            let distance = gap.max(0.0);
-            let stretch = found.get_or_insert(Stretch { s: [*s, *s], distance });
-            stretch.s = [stretch.s[0].min(*s), stretch.s[1].max(*s)];
-            stretch.distance = stretch.distance.min(distance);
+            let found = lanes.into_iter().zip(found).filter(|(lane, _)| lane.number() != 0);
+            out.extend(found.filter_map(|(lane, stretch)| Some((lane, stretch?))));
         }
-        found
+        out
     }
+}
+
+/// How far an area from one t to another lies to the side of a lane `[m]`; none where it must lie on it and does not.
+fn distance([from, to]: [f64; 2], edges: LaneEdges, beside: bool) -> Option<f64> {
+    let (low, high) = (edges.inner.min(edges.outer), edges.inner.max(edges.outer));
+    // Negative by as much as it reaches into the lane.
+    let gap = (low - to).max(from - high);
+    // What is narrower than a touch is on the lane if it is there at all.
+    let least = if to - from > TOUCH { -TOUCH } else { 0.0 };
+    let is_on = gap <= least && edges.width() > 0.0;
+    (beside || is_on).then_some(gap.max(0.0))
 }

@@ -35,10 +35,12 @@ pub(super) fn write(map: Map<'_>, paper: Paper, out: &mut dyn Write) -> Result<(
     }
     for leaf in tables.index_leaves {
         for k in (0..WIDTH).filter(|k| leaf.lane()[*k] != NONE) {
-            let start = origin
-                + DVec2::new(leaf.x(), leaf.y())
-                + DVec2::new(f64::from(leaf.start_x()[k]), f64::from(leaf.start_y()[k]));
-            let delta = DVec2::new(f64::from(leaf.delta_x()[k]), f64::from(leaf.delta_y()[k]));
+            let corner = origin + DVec2::new(f64::from(leaf.x()), f64::from(leaf.y()));
+            let place = |x: u16, y: u16| {
+                corner + DVec2::new(f64::from(x), f64::from(y)) * f64::from(leaf.step())
+            };
+            let start = place(leaf.start_x()[k], leaf.start_y()[k]);
+            let delta = place(leaf.end_x()[k], leaf.end_y()[k]) - start;
             let along = delta.normalize_or_zero();
             let before = along * (f64::from(leaf.overshoot()[k]) * UNIT);
             let beside = along.perp() * (f64::from(leaf.reach()[k]) * UNIT);
