@@ -65,6 +65,7 @@ fn compile(file: &Path, archive: &Path) -> Made {
 fn differences(single: Map<'_>, city: Map<'_>, shift: DVec2) -> usize {
     let lanes: Vec<_> = single.lanes().filter(|lane| lane.number() != 0).collect();
     let options = NearestOptions::default();
+    let mut ties = 0;
     let differs = |number: &usize| {
         let lane = lanes[number * lanes.len() / POINTS];
         let line = lane.center_line();
@@ -78,17 +79,25 @@ fn differences(single: Map<'_>, city: Map<'_>, shift: DVec2) -> usize {
         };
         match (ask(single, place), ask(city, place + shift)) {
             (Some((number, section, at)), Some((other_number, other_section, other))) => {
-                let away = [at.s - other.s, at.t - other.t, at.offset - other.offset]
-                    .into_iter()
-                    .chain([at.distance - other.distance, at.z - other.z]);
-                let far = away.map(f64::abs).fold(0.0, f64::max);
-                number != other_number || section != other_section || far > SAME
+                let far = |away: &[f64]| away.iter().any(|away| away.abs() > SAME);
+                if far(&[at.distance - other.distance, at.offset.abs() - other.offset.abs()]) {
+                    return true;
+                }
+                // Of lanes that lie on each other, all else the same, the id decides, and ids are others in each tile.
+                let is_other = number != other_number || section != other_section;
+                let places = [at.s - other.s, at.t - other.t, at.z - other.z];
+                if is_other || far(&places) {
+                    ties += 1;
+                }
+                false
             }
             (None, None) => false,
             _ => true,
         }
     };
-    (0..POINTS).filter(differs).count()
+    let found = (0..POINTS).filter(differs).count();
+    print(&format!("  of {POINTS} answers {ties} chose among lanes that lie on each other"));
+    found
 }
 
 fn main() -> ExitCode {

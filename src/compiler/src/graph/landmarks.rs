@@ -70,14 +70,14 @@ pub(crate) fn find(rows: &Rows, landmarks: usize) -> Landmarks {
     let ahead = Network::new(rows, &places, count as usize);
     let behind = ahead.turned();
     let (chosen, from, to) = choose(&ahead, &behind, &ranks, landmarks);
-    let lengths: Vec<Vec<f64>> = from.into_iter().chain(to).collect();
+    let lengths: Vec<Reached> = from.into_iter().chain(to).collect();
     let times: Vec<(&Network, u32)> = [&ahead, &behind]
         .into_iter()
         .flat_map(|network| chosen.iter().map(move |place| (network, *place)))
         .collect();
-    let times: Vec<Vec<f64>> = times
+    let times: Vec<Reached> = times
         .into_par_iter()
-        .map(|(network, place)| network.distances(place, |weight| weight.time))
+        .map(|(network, place)| Reached::of(&network.distances(place, |weight| weight.time)))
         .collect();
     let sizes = [step(&lengths), step(&times)];
     // Places in the network ascend with the nodes.
@@ -197,8 +197,30 @@ impl Network {
     }
 }
 
+/// Distances, but for the unreached places before the first that is reached and behind the last: of a map whose parts are not
+/// joined, as tiles side by side, most are.
+struct Reached {
+    first: usize,
+    distances: Vec<f64>,
+}
+
+impl Reached {
+    fn of(all: &[f64]) -> Self {
+        let is_reached = |distance: &f64| distance.is_finite();
+        let first = all.iter().position(is_reached).unwrap_or(all.len());
+        let end = all.iter().rposition(is_reached).map_or(first, |last| last + 1);
+        Self { first, distances: all.get(first..end).unwrap_or_default().to_vec() }
+    }
+
+    /// The distance of a place; infinite where there is no way.
+    fn get(&self, place: usize) -> f64 {
+        let own = place.checked_sub(self.first).and_then(|at| self.distances.get(at));
+        own.copied().unwrap_or(f64::INFINITY)
+    }
+}
+
 /// Landmarks with the lengths from each and to each.
-type Chosen = (Vec<u32>, Vec<Vec<f64>>, Vec<Vec<f64>>);
+type Chosen = (Vec<u32>, Vec<Reached>, Vec<Reached>);
 
 /// Chooses landmarks one after the other, each the farthest from those before, at the map's ends.
 fn choose(ahead: &Network, behind: &Network, ranks: &[u32], wanted: usize) -> Chosen {
@@ -225,25 +247,29 @@ fn choose(ahead: &Network, behind: &Network, ranks: &[u32], wanted: usize) -> Ch
         for (near, (there, back)) in nearest.iter_mut().zip(there.iter().zip(&back)) {
             *near = near.min(*there).min(*back);
         }
-        from.push(there);
-        to.push(back);
+        from.push(Reached::of(&there));
+        to.push(Reached::of(&back));
     }
     (places, from, to)
 }
 
 /// The step in which the largest distance has so many as there may be.
-fn step(distances: &[Vec<f64>]) -> f64 {
-    let all = distances.iter().flatten().copied().filter(|distance| distance.is_finite());
+fn step(distances: &[Reached]) -> f64 {
+    let all = distances
+        .iter()
+        .flat_map(|of| &of.distances)
+        .copied()
+        .filter(|distance| distance.is_finite());
     let most = all.fold(0.0, f64::max);
     if most > 0.0 { most / MOST_STEPS } else { 1.0 }
 }
 
 /// Distances of all landmarks, place by place, in steps rounded down.
-fn in_steps(distances: &[Vec<f64>], places: &[usize], step: f64) -> Vec<u16> {
+fn in_steps(distances: &[Reached], places: &[usize], step: f64) -> Vec<u16> {
     let mut out = Vec::with_capacity(places.len() * distances.len());
     for place in places {
         out.extend(distances.iter().map(|of| {
-            let distance = of.get(*place).copied().unwrap_or(f64::INFINITY);
+            let distance = of.get(*place);
             if distance.is_finite() { (distance / step) as u16 } else { u16::MAX }
         }));
     }

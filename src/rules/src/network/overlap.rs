@@ -39,6 +39,14 @@ struct Stretch {
     s: f64,
     z: f64,
     corners: [[f64; 2]; 4],
+}
+
+/// What is kept of all stretches at once: enough to tell most pairs apart. The rest is computed again for those that are near.
+struct Place {
+    road: u32,
+    /// Number of the first of its two cross-sections.
+    station: u32,
+    z: f64,
     bounds: [f64; 4],
 }
 
@@ -56,20 +64,12 @@ impl Stretch {
             return None;
         }
         let corners = [a.at(a.right), a.at(a.left), b.at(b.left), b.at(b.right)];
-        let bounds = bounds(&corners);
         corners.iter().flatten().all(|value| value.is_finite()).then_some(Self {
             road,
             s: (a.s + b.s) / 2.0,
             z: (a.z + b.z) / 2.0,
             corners,
-            bounds,
         })
-    }
-
-    /// Whether the boxes of two stretches overlap by more than a touch.
-    fn is_near(&self, other: &Self) -> bool {
-        let ([ax0, ay0, ax1, ay1], [bx0, by0, bx1, by1]) = (self.bounds, other.bounds);
-        ax0 + TOUCH < bx1 && bx0 + TOUCH < ax1 && ay0 + TOUCH < by1 && by0 + TOUCH < ay1
     }
 
     /// How deep two stretches overlap `[m]`; 0 or less where they do not. Corners are taken as those of convex areas.
@@ -94,6 +94,18 @@ impl Stretch {
             }
         }
         depth
+    }
+}
+
+impl Place {
+    /// Whether two stretches are not one above the other, and their boxes overlap by more than a touch.
+    fn is_near(&self, other: &Self) -> bool {
+        let ([ax0, ay0, ax1, ay1], [bx0, by0, bx1, by1]) = (self.bounds, other.bounds);
+        (self.z - other.z).abs() < CLEARANCE
+            && ax0 + TOUCH < bx1
+            && bx0 + TOUCH < ax1
+            && ay0 + TOUCH < by1
+            && by0 + TOUCH < ay1
     }
 }
 
@@ -152,21 +164,32 @@ impl Network {
 
     fn find_overlaps(&self) -> Vec<Overlap> {
         let members = self.memberships();
-        let mut stretches = Vec::new();
+        let pairs = self.roads.iter().map(|road| self.stations_of(road).len().saturating_sub(1));
+        let mut places = Vec::with_capacity(pairs.sum());
         for (rank, road) in self.roads.iter().enumerate() {
-            let pairs = self.stations_of(road).windows(2);
-            stretches.extend(pairs.filter_map(|pair| Stretch::new(rank, &pair[0], &pair[1])));
+            for (station, pair) in self.stations_of(road).windows(2).enumerate() {
+                let Some(stretch) = Stretch::new(rank, &pair[0], &pair[1]) else { continue };
+                let bounds = bounds(&stretch.corners);
+                places.push(Place {
+                    road: rank as u32,
+                    station: station as u32,
+                    z: stretch.z,
+                    bounds,
+                });
+            }
         }
-        let mut cells: Vec<((i64, i64), u32)> = Vec::new();
-        for (rank, stretch) in stretches.iter().enumerate() {
-            let [x0, y0, x1, y1] = stretch.bounds.map(|value| (value / CELL).floor() as i64);
+        let mut cells: Vec<((i32, i32), u32)> = Vec::new();
+        for (rank, place) in places.iter().enumerate() {
+            let [x0, y0, x1, y1] = place.bounds.map(|value| (value / CELL).floor() as i64);
             let [width, height] = [x1.saturating_sub(x0), y1.saturating_sub(y0)];
             if width.saturating_add(1).saturating_mul(height.saturating_add(1)) > CELLS_OF_A_STRETCH
             {
                 continue;
             }
+            // Beyond 32 bits, 40 million kilometres away, all lies in one cell. (Casts of `clamp`ed numbers lose nothing.)
+            let cell = |value: i64| value.clamp(i32::MIN.into(), i32::MAX.into()) as i32;
             for x in x0..=x1 {
-                cells.extend((y0..=y1).map(|y| ((x, y), rank as u32)));
+                cells.extend((y0..=y1).map(|y| ((cell(x), cell(y)), rank as u32)));
             }
         }
         cells.sort_unstable();
@@ -175,13 +198,17 @@ impl Network {
             for (at, (_, first)) in cell.iter().enumerate() {
                 for (_, second) in &cell[at + 1..] {
                     let (Some(a), Some(b)) =
-                        (stretches.get(*first as usize), stretches.get(*second as usize))
+                        (places.get(*first as usize), places.get(*second as usize))
                     else {
                         continue;
                     };
                     // What is cheap and excludes most comes first.
-                    if (a.z - b.z).abs() >= CLEARANCE || !a.is_near(b) || self.belong_together(a, b)
-                    {
+                    if !a.is_near(b) || self.are_of_one_junction(a, b) {
+                        continue;
+                    }
+                    let (Some(a), Some(b)) = (self.stretch(a), self.stretch(b)) else { continue };
+                    let (a, b) = (&a, &b);
+                    if self.are_neighbors(a, b) {
                         continue;
                     }
                     let key = (a.road, b.road);
@@ -199,17 +226,24 @@ impl Network {
         found.into_values().collect()
     }
 
-    /// Whether two stretches are neighbors on one road, or of one junction.
-    fn belong_together(&self, a: &Stretch, b: &Stretch) -> bool {
-        let (Some(road_a), Some(road_b)) = (self.roads.get(a.road), self.roads.get(b.road)) else {
-            return true;
-        };
-        if a.road == b.road {
-            let apart = (a.s - b.s).abs();
-            // A road may lead back to its own start.
-            return apart <= NEAR || road_a.length - apart <= NEAR;
-        }
-        road_a.junction.is_some() && road_a.junction == road_b.junction
+    fn stretch(&self, place: &Place) -> Option<Stretch> {
+        let stations = self.stations_of(self.roads.get(place.road as usize)?);
+        let first = place.station as usize;
+        Stretch::new(place.road as usize, stations.get(first)?, stations.get(first + 1)?)
+    }
+
+    /// Whether two stretches are of different roads of one junction.
+    fn are_of_one_junction(&self, a: &Place, b: &Place) -> bool {
+        let junction = |place: &Place| self.roads.get(place.road as usize)?.junction.as_ref();
+        a.road != b.road && junction(a).is_some() && junction(a) == junction(b)
+    }
+
+    /// Whether two stretches are neighbors on one road.
+    fn are_neighbors(&self, a: &Stretch, b: &Stretch) -> bool {
+        let apart = (a.s - b.s).abs();
+        // A road may lead back to its own start.
+        let is_near = |road: &RoadFacts| apart <= NEAR || road.length - apart <= NEAR;
+        a.road == b.road && self.roads.get(a.road).is_some_and(is_near)
     }
 
     /// Whether an overlap of two roads would tell something: not where they touch, nor where they meet at one junction.
