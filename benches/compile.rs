@@ -125,6 +125,17 @@ fn main() {
                 whole.1.as_secs_f64() / bare.1.as_secs_f64(),
             ));
         }
+        // A peer that builds its own representation, which nobody else can share, and checks nothing.
+        let start = now();
+        let peer = xodr::load_file(&path);
+        let end = now();
+        let loads = if peer.is_ok() { "loads it" } else { "gives up" };
+        print(&format!(
+            "  xodr {loads} in {:.1?}, computed {:.1?}",
+            end.0 - start.0,
+            end.1.saturating_sub(start.1)
+        ));
+        drop(peer);
         print(&format!(
             "  {name} by stage (computed, of it by the first thread): {}",
             best_stages(runs, &path)
