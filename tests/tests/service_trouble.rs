@@ -52,7 +52,9 @@ fn full_shared_memory_is_no_reason_to_be_killed() {
         assert!(pings >= 3, "{pings} pings while shared memory was full");
         let state = place.state("town");
         assert!(state.self_queries.skipped > 0, "{:?}", state.self_queries);
-        assert_eq!((state.self_queries.failures, state.scrubs.failures), (0, 0));
+        // One of each may have been under way when it was filled.
+        let failures = [state.self_queries.failures, state.scrubs.failures];
+        assert!(failures.iter().all(|count| *count <= 1), "{:?}", state.self_queries);
     });
 }
 

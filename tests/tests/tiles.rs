@@ -326,7 +326,8 @@ fn a_limit_of_memory_is_told_and_leaves_nothing() {
     assert!(told.starts_with("mapd: large.xodr: ") && told.contains(&size), "{told}");
     assert!(told.contains("another ") && told.lines().count() == 1, "{told}");
     // Two jobs have half of it each: what does not fit is compiled again, alone.
-    let memory = enough.to_string();
+    // A half more than what was enough once: how much is needed is not the same each time.
+    let memory = (enough + enough / 2).to_string();
     let args = ["large.xodr", "small.xodr", "--jobs", "2", "--threads", "1", "--max-memory"];
     let all = [&args[..], &[memory.as_str()]].concat();
     let (code, found, table) = scene.table(&all);
