@@ -1,7 +1,7 @@
 //! Rust code that appends the rows of a part of a map to the whole.
 
 use crate::archive::{Field, Layout, Table};
-use crate::archive_code::{NOTE, PARTS, ident};
+use crate::archive_code::{NOTE, ident, parts};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
@@ -48,7 +48,8 @@ pub(crate) fn move_rows(layout: &Layout) -> String {
     let mut out =
         format!("//! Letting rows refer to where what they refer to comes to lie.\n{NOTE}");
     out += "use super::append::Moves;\n";
-    for (part, ..) in PARTS {
+    let refers = |table: &Table| table.fields_of.is_none() && references(table).next().is_some();
+    for (part, ..) in parts(layout).iter().filter(|(.., tables)| tables.iter().any(refers)) {
         let _ = writeln!(out, "use super::{part}_rows::*;");
     }
     for table in layout.tables.iter().filter(|table| table.fields_of.is_none()) {

@@ -6,15 +6,16 @@ use std::fmt::Write as _;
 pub(crate) const NOTE: &str = "// Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.\n\n";
 
 /// Parts of the generated code, so that no file grows too long: name, first table, what the tables hold.
-pub(crate) const PARTS: [(&str, &str, &str); 4] = [
-    ("network", "", "the network and its index"),
+pub(crate) const PARTS: [(&str, &str, &str); 5] = [
+    ("network", "", "the network"),
+    ("index", "index_levels", "the index over lanes"),
     ("beside", "surfaces", "what is derived from the network and lies beside it"),
     ("signal", "signals", "signals and of what is left out"),
     ("object", "objects", "objects"),
 ];
 
 /// Tables by the part that they are in.
-fn parts(layout: &Layout) -> Vec<(&'static str, &'static str, &[Table])> {
+pub(crate) fn parts(layout: &Layout) -> Vec<(&'static str, &'static str, &[Table])> {
     let first = |name: &str| layout.tables.iter().position(|table| table.name == name);
     let starts: Vec<usize> = PARTS.iter().map(|(_, table, _)| first(table).unwrap_or(0)).collect();
     let ends = starts.iter().skip(1).copied().chain([layout.tables.len()]);
@@ -39,7 +40,9 @@ pub(crate) fn row_files(layout: &Layout) -> Vec<(String, String)> {
 
 fn rows_of(title: &str, tables: &[Table]) -> String {
     let mut out = format!("//! {title}\n{NOTE}");
-    out += "use crate::table::Range;\n";
+    if tables.iter().flat_map(|table| &table.fields).any(|field| field.kind == "range") {
+        out += "use crate::table::Range;\n";
+    }
     out += "use bytemuck::{Pod, Zeroable};\nuse rkyv::Archive;\n";
     for table in tables {
         let Some(row) = table.row.as_ref().filter(|_| table.fields_of.is_none()) else { continue };

@@ -59,6 +59,7 @@ pub use generated::{
     append::Moves,
     beside_rows::*,
     classes::{Class, ClassGroup},
+    index_rows::*,
     network_rows::*,
     object_rows::*,
     signal_rows::*,

@@ -5,6 +5,8 @@ mod beside_accessors;
 pub(crate) mod beside_rows;
 pub(crate) mod classes;
 mod move_rows;
+mod index_accessors;
+pub(crate) mod index_rows;
 mod network_accessors;
 pub(crate) mod network_rows;
 mod object_accessors;

@@ -2,6 +2,7 @@
 // Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
 
 use super::beside_rows::*;
+use super::index_rows::*;
 use super::network_rows::*;
 use super::object_rows::*;
 use super::signal_rows::*;
