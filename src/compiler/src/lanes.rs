@@ -31,8 +31,8 @@ struct Lines {
     stations: Vec<f32>,
     /// Centre line and border as they are written, lane by lane.
     bytes: Vec<u8>,
-    /// Lanes whose lines have too many points.
-    long: Vec<u32>,
+    /// Lanes whose lines have too many points, or points that cannot be written.
+    unfit: Vec<u32>,
     /// Smallest and largest coordinates of any point.
     bounds: [DVec3; 2],
 }
@@ -58,7 +58,7 @@ struct Line {
 }
 
 /// Fills `point_stations`, `points`, what sections and lanes say of them, and the map's bounds. Sections are sampled in parallel and
-/// joined in order. Yields lanes whose lines have more points than lines may have; of a section with such a lane, not all lanes are
+/// joined in order. Yields lanes whose lines have more points than lines may have, or such as cannot be written; of a section with such a lane, not all lanes are
 /// looked at. Where the allowance is exceeded, nothing of it is of use.
 pub(crate) fn sample(
     rows: &mut Rows,
@@ -77,7 +77,7 @@ pub(crate) fn sample(
         return Ok(Vec::new());
     }
     rows.points.reserve_exact(lines.iter().map(|lines| lines.bytes.len()).sum());
-    let mut long = Vec::new();
+    let mut unfit = Vec::new();
     let mut sections = 0;
     // Equal sections have equal stations: each sequence is written once.
     let mut known: HashMap<Vec<u32>, u32> = HashMap::new();
@@ -107,10 +107,10 @@ pub(crate) fn sample(
             first += line.bytes;
             let row: &mut LaneRow = &mut rows.lanes[line.lane as usize];
             row.first_byte = first_byte;
-            // Longer ones are among `long`.
+            // Longer ones are among `unfit`.
             (row.center_count, row.border_count) = (line.center as u16, line.border as u16);
         }
-        long.extend(lines.long);
+        unfit.extend(lines.unfit);
         low = low.min(lines.bounds[0]);
         high = high.max(lines.bounds[1]);
     }
@@ -118,7 +118,7 @@ pub(crate) fn sample(
         (map.min_x, map.min_y, map.min_z) = (low.x + map.origin_x, low.y + map.origin_y, low.z);
         (map.max_x, map.max_y, map.max_z) = (high.x + map.origin_x, high.y + map.origin_y, high.z);
     }
-    Ok(long)
+    Ok(unfit)
 }
 
 /// Unfinished rows, seen as an archive.
@@ -135,7 +135,7 @@ fn lines(map: Map<'_>, sections: &[u32], options: &CompileOptions, allowance: &A
         lanes: Vec::new(),
         stations: Vec::new(),
         bytes: Vec::new(),
-        long: Vec::new(),
+        unfit: Vec::new(),
         bounds: [DVec3::INFINITY, DVec3::NEG_INFINITY],
     };
     let mut memory = Memory::new();
@@ -147,18 +147,16 @@ fn lines(map: Map<'_>, sections: &[u32], options: &CompileOptions, allowance: &A
         let cuts = section.and_then(|section| Some((section, Cuts::new(section, &mut memory)?)));
         let start = section.map_or(0.0, |section| section.s_start());
         if let Some((section, mut cuts)) = cuts {
-            let long = lines.long.len();
+            let unfit = lines.unfit.len();
             for (at, lane) in section.lanes().enumerate() {
-                if lines.long.len() > long || allowance.is_exceeded() {
+                if lines.unfit.len() > unfit || allowance.is_exceeded() {
                     break;
                 }
                 let samples = sampled.samples.len();
                 let along = (&mut cuts, at);
-                if let Err(fault) = line(&lane, along, options, &mut sampled, &mut lines) {
+                if line(&lane, along, options, &mut sampled, &mut lines).is_err() {
                     sampled.samples.truncate(samples);
-                    if fault == Fault::TooManyPoints {
-                        lines.long.push(lane.lane_id().row());
-                    }
+                    lines.unfit.push(lane.lane_id().row());
                 }
                 allowance.take(sampled.samples.len() - samples);
             }
@@ -232,9 +230,12 @@ fn write(
     let origin = low.to_array().map(round_down);
     let from = DVec3::from_array(origin.map(f64::from));
     let code = PointCode::fitting((high - from).to_array(), stations.len(), step);
-    let Some(code) = code.filter(|_| !samples.is_empty() && from.is_finite()) else {
+    // Where 128 bits are not enough for a point, steps are larger than the tolerances allow.
+    let is_fine = |code: &PointCode| from.is_finite() && code.error() <= step;
+    let Some(code) = code.filter(|code| !samples.is_empty() && is_fine(code)) else {
         // Nothing could be sampled, or nothing that can be written.
-        lines.lanes.truncate(before);
+        let lost = lines.lanes.drain(before..).map(|line| line.lane);
+        lines.unfit.extend(lost);
         let (code, none) = (PointCode::fitting([0.0; 3], 0, step), [0.0; 3]);
         let code = code.unwrap_or_default();
         lines.frames.push(Frame { origin: none, code, stations: 0 });

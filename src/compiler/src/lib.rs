@@ -61,7 +61,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use stream::{Next, Stream};
 pub(crate) use too_large::TooLarge;
-use too_large::{too_large, too_long};
+use too_large::{too_large, unfit};
 
 /// How a document is read and what becomes of its errors. It never shapes the tables of a map without errors.
 #[derive(Clone, Debug, Default)]
@@ -276,20 +276,20 @@ impl Document {
         let road_spans = lowering.links.road_spans.clone();
         let mut rows = lowering.into_rows(options);
         let allowance = allowance::Allowance::of(&rows);
-        let long = match lanes::sample(&mut rows, options, &allowance) {
+        let lanes = match lanes::sample(&mut rows, options, &allowance) {
             Ok(_) if allowance.is_exceeded() => {
                 self.collector.add_late(vec![allowance.finding()], &self.places);
                 return Ok(None);
             }
-            Ok(long) => long,
+            Ok(lanes) => lanes,
             Err(error) => {
                 self.collector.add_late(vec![too_large(&error)], &self.places);
                 return Ok(None);
             }
         };
-        let long = long.iter().map(|lane| too_long(&rows, *lane, &road_spans)).collect::<Vec<_>>();
-        if !long.is_empty() {
-            self.collector.add_late(long, &self.places);
+        let lost = lanes.iter().map(|lane| unfit(&rows, *lane, &road_spans)).collect::<Vec<_>>();
+        if !lost.is_empty() {
+            self.collector.add_late(lost, &self.places);
             return Ok(None);
         }
         progress(Progress::Graph { nodes: rows.lane_nodes.len() });

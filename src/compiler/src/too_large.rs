@@ -64,15 +64,16 @@ pub(crate) fn too_large(error: &TooLarge) -> Finding {
     finding(TOO_LARGE, Severity::Error, span, path, error.to_string(), hint)
 }
 
-/// A lane bends so often that its polyline outgrows what a lane can have, or one of its length.
-pub(crate) fn too_long(rows: &Rows, lane: u32, road_spans: &[mapd_xodr::Span]) -> Finding {
+/// A lane bends so often that its polyline outgrows what a lane can have, or one of its length; or its section is so large that
+/// its points cannot be written within the tolerances.
+pub(crate) fn unfit(rows: &Rows, lane: u32, road_spans: &[mapd_xodr::Span]) -> Finding {
     let (row, id) = road_of(rows, lane).unwrap_or_default();
     let number = rows.lanes.get(lane as usize).map_or(0, |lane| lane.number);
     let span = road_spans.get(row as usize).copied().unwrap_or_default();
     let path = format!("OpenDRIVE/road[@id={id}]");
     let message = format!(
-        "expected lanes of at most {MOST_OF_LANE} points, and no more than their lengths explain, found more for lane {number} of road {id}"
+        "expected lanes of at most {MOST_OF_LANE} points, no more than their lengths explain, that can be written within the tolerances, found others for lane {number} of road {id}"
     );
-    let hint = "split the road, or compile with larger tolerances";
+    let hint = "split the road, compile with larger tolerances, or mend its coordinates";
     finding(TOO_LARGE, Severity::Error, span, path, message, hint)
 }

@@ -30,7 +30,8 @@ pub(super) fn tiles(inputs: &[PathBuf], output_dir: Option<&Path>) -> Result<Vec
         let mut files = Vec::new();
         search(input, &mut files)?;
         if files.is_empty() {
-            bail!("{} holds no .xodr or .xodrz file", input.display());
+            let message = format!("{} holds no .xodr or .xodrz file", input.display());
+            bail!(UsageError(message));
         }
         for file in files {
             let within = file.strip_prefix(input).unwrap_or(&file).to_owned();
