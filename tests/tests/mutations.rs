@@ -55,8 +55,8 @@ const LAWFUL: [(&str, &[&str]); 6] = [
     ),
     ("names, and free texts", &["name", "vendor", "date", "version"]),
     (
-        "heights measured on the spot; a row may have any number of them",
-        &["left", "center", "right"],
+        "heights measured on the spot, how far apart, from where on and how they go over into a road's; a row may have any number of them",
+        &["left", "center", "right", "sStart", "gridSpacing", "transitionLength"],
     ),
     ("what the header says of the file", &["north", "south", "east", "west", "revMinor"]),
 ];
