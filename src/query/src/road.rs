@@ -268,7 +268,7 @@ impl<'a> Road<'a> {
         self.piece(rows.get(after.saturating_sub(1))?)
     }
 
-    #[inline]
+    #[inline(always)]
     pub(crate) fn piece(&self, g: &'a ArchivedGeometryRow) -> Option<Piece<'a>> {
         let start = Start { x: g.x(), y: g.y(), heading: g.hdg(), cos: g.cos(), sin: g.sin() };
         let coefficients = g.coefficients().of(self.map.tables().coefficients);
