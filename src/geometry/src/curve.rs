@@ -51,8 +51,9 @@ impl<'a> Curve<'a> {
     /// A view of the coefficients that [`compile`](crate::compile()) made for this kind and length `[m]`.
     ///
     /// `None` if their number does not fit the kind, or the length is negative or not finite.
+    // Always: where the kind is known to be a line or an arc, nothing of the rest is left.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn new(
         kind: CurveKind,
         start: Start,
@@ -117,7 +118,7 @@ impl<'a> Curve<'a> {
 
     /// Everything about the point at `u` `[m]`.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn evaluate(&self, u: f64) -> CurvePoint {
         let u = self.clamp(u);
         let frame = self.frame(u);
@@ -290,7 +291,7 @@ impl<'a> Curve<'a> {
     }
 
     /// In the curve's own frame; `u` lies on the curve.
-    #[inline]
+    #[inline(always)]
     fn frame(&self, u: f64) -> Frame {
         match &self.shape {
             Shape::Line => {

@@ -261,7 +261,7 @@ impl<'a> Road<'a> {
     }
 
     /// The geometry that holds at s: the last that starts at or before it.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn piece_at(&self, at: At) -> Option<Piece<'a>> {
         let rows = self.geometries();
         let after = rows.partition_point(|g| g.s() <= at.hold);
@@ -295,7 +295,7 @@ impl<'a> Road<'a> {
     }
 
     /// The reference line at s, relative to the local origin.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn reference_at(&self, at: At) -> Option<CurvePoint> {
         let piece = self.piece_at(at)?;
         Some(piece.curve.evaluate(at.s - piece.s))
