@@ -24,15 +24,24 @@ pub(crate) fn fetch(tables: &Tables<'_>, places: &[(u32, u16)]) {
     for (road, section) in roads.iter_mut().zip(sections).take(places.len()) {
         *road = section.and_then(|section| tables.roads.get(section.road() as usize));
     }
-    for ((road, lane), (_, segment)) in roads.iter().zip(lanes).zip(places) {
-        let (Some(road), Some(lane)) = (road, lane) else { continue };
-        let middle = |range: Range| (range.first.wrapping_add(range.count / 2)) as usize;
-        let record = |range: Range| tables.cubics.get(middle(range)).map(|record| record.s());
+    let middle = |range: Range| (range.first.wrapping_add(range.count / 2)) as usize;
+    let mut geometries = [None; TOGETHER];
+    for (i, (_, segment)) in places.iter().enumerate().take(TOGETHER) {
+        let (Some(road), Some(section), Some(lane)) = (roads[i], sections[i], lanes[i]) else {
+            continue;
+        };
+        geometries[i] = tables.geometries.get(middle(road.geometries()));
+        let record = |row: usize| tables.cubics.get(row).map(|record| record.s());
+        let segment = usize::from(*segment);
         black_box((
-            tables.points.get(lane.first_byte() as usize + usize::from(*segment)),
-            tables.cubics.get(lane.first_width() as usize).map(|record| record.s()),
-            tables.geometries.get(middle(road.geometries())).map(|geometry| geometry.s()),
-            [road.lane_offsets(), road.superelevations(), road.elevations()].map(record),
+            tables.points.get(lane.first_byte() as usize + segment),
+            tables.point_stations.get(section.first_station() as usize + segment),
+            record(lane.first_width() as usize),
+            [road.lane_offsets(), road.superelevations(), road.elevations()]
+                .map(|range| record(middle(range))),
         ));
+    }
+    for geometry in geometries.iter().take(places.len()).flatten() {
+        black_box(tables.coefficients.get(geometry.coefficients().first as usize));
     }
 }

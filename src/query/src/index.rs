@@ -3,6 +3,7 @@
 use crate::packed;
 use glam::{DVec2, Vec4};
 use mapd_archive::{ArchivedIndexLeafRow, ArchivedIndexNodeRow, NONE, Tables};
+use std::hint::black_box;
 
 /// Children of a node, places of a leaf.
 const WIDTH: usize = 16;
@@ -161,6 +162,18 @@ fn children_around(
     around
 }
 
+/// Reads ahead of several leaves of a node, so that memory is waited for side by side.
+#[inline]
+fn read_ahead(tables: &Tables<'_>, first: u32, mut children: u32) {
+    while children != 0 {
+        let leaf = tables.index_leaves.get(first.wrapping_add(children.trailing_zeros()) as usize);
+        children &= children - 1;
+        black_box(leaf.map(|leaf| {
+            (leaf.step(), leaf.start_x()[0], leaf.end_y()[0], leaf.reach()[WIDTH - 1])
+        }));
+    }
+}
+
 /// Visits every leaf whose box holds the point; with `heights`, only those that reach between them. `visit` gets the leaf and
 /// the point relative to the leaf's origin. As [`visit`] with a bound of 0, for less: nothing has to be sorted.
 #[inline]
@@ -186,6 +199,9 @@ pub(crate) fn visit_around<'a>(
             let node = tables.index_nodes.get(first.wrapping_add(at) as usize);
             if let (Some(node), Some(place)) = (node, above.get_mut(level)) {
                 let children = children_around(node, px, py, heights);
+                if level + 1 == depth && children & children.wrapping_sub(1) != 0 {
+                    read_ahead(tables, at.wrapping_mul(WIDTH as u32), children);
+                }
                 *place = (at.wrapping_mul(WIDTH as u32), children);
                 level += 1;
             }
