@@ -12,12 +12,13 @@ const RUNS: [usize; 2] = [500, 2_500];
 
 /// Kinds of [`query_probe`](../src/bin/query_probe.rs) and the instructions that one query may take on the carried town:
 /// what it took when the bound was set, and a tenth.
-const BOUNDS: [(&str, u64); 5] = [
-    ("nearest", 4_430),
-    ("trajectory", 3_920),
-    ("hinted", 3_840),
-    ("inertial", 535),
-    ("inertial-trajectory", 515),
+const BOUNDS: [(&str, u64); 6] = [
+    ("nearest", 3_735),
+    ("trajectory", 3_355),
+    ("beside", 25_300),
+    ("hinted", 6_910),
+    ("inertial", 510),
+    ("inertial-trajectory", 493),
 ];
 
 /// Blocks of the town that is compiled, in either direction: some batches of text.

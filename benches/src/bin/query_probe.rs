@@ -1,6 +1,6 @@
 //! One process that opens an archive and asks a number of queries: `query_probe PATH KIND COUNT`, for counting
-//! instructions. Kinds: `nearest` (random over the roads), `trajectory` (in steps of half a metre), `hinted` (the same with
-//! the last answer as a hint), `inertial` and `inertial-trajectory` (s, t to x, y, z), `route` (the shortest way between random
+//! instructions. Kinds: `nearest` (random over the roads), `trajectory` (in steps of half a metre), `beside` (the same
+//! beside the road, in no lane), `hinted` (that with the last answer as a hint), `inertial` and `inertial-trajectory` (s, t to x, y, z), `route` (the shortest way between random
 //! places that have one), `border` (all points of a lane's border), `none`.
 
 use mapd_benches::{Random, places};
@@ -13,6 +13,8 @@ use std::process::ExitCode;
 
 /// Places that are prepared; queries go round them.
 const PLACES: usize = 4_096;
+/// t of places beside the roads `[m]`.
+const BESIDE: f64 = -12.0;
 /// Ways that are prepared.
 const WAYS: usize = 64;
 /// Vehicle that drives them.
@@ -46,8 +48,12 @@ fn main() -> ExitCode {
         return ExitCode::from(1);
     };
     let map = snapshot.map();
-    let along = matches!(kind.as_str(), "trajectory" | "hinted" | "inertial-trajectory");
-    let places = places(map, along, PLACES);
+    let beside = matches!(kind.as_str(), "beside" | "hinted");
+    let along = beside || matches!(kind.as_str(), "trajectory" | "inertial-trajectory");
+    let mut places = places(map, along, PLACES);
+    if beside {
+        places.iter_mut().for_each(|(_, _, t)| *t = BESIDE);
+    }
     let roads: Vec<_> = map.roads().collect();
     let point = |&(road, s, t): &(u32, f64, f64)| {
         roads[road as usize].to_inertial(Track { s, t, h: 0.0 }).ok().map(|pose| pose.position)
@@ -61,7 +67,7 @@ fn main() -> ExitCode {
     let (mut steps, cost) = (Vec::new(), ShortestLength::default());
     for i in 0..count {
         match kind.as_str() {
-            "nearest" | "trajectory" => {
+            "nearest" | "trajectory" | "beside" => {
                 black_box(map.nearest_lane(points[i % points.len()], &options).ok());
             }
             "hinted" => {

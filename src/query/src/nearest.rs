@@ -64,8 +64,8 @@ pub struct NearestOptions {
     pub heading: Option<f64>,
     /// Largest difference between `heading` and the lane's driving direction `[rad]`. Default none.
     pub heading_tolerance: Option<f64>,
-    /// The answer for a point nearby, such as the one before on a trajectory: tried first, so that the search can leave
-    /// out what is farther. It changes the cost, never the answer; one of another map is ignored. Default none.
+    /// The answer for a point nearby, such as the one before on a trajectory: tried first where no lane holds the point, so that
+    /// the search can leave out what is farther. It changes the cost, never the answer; one of another map is ignored. Default none.
     pub hint: Option<Nearest>,
 }
 
@@ -294,7 +294,10 @@ impl<'a> Map<'a> {
     ) -> Option<Candidate<'a>> {
         let heights = options.heights(point);
         let mut best = Best::default();
-        best.consider(self.hinted(point, local, options), *self, options);
+        let hinted = options.hint.and_then(|hint| self.hinted(&hint));
+        if let Some(place) = hinted {
+            best.consider(self.candidate(place, point, local, options), *self, options);
+        }
         // Single precision rounds the bound; a little more loses nothing, the exact test follows.
         let distance = |best: &Best<'_>| {
             round_up(best.0.as_ref().map_or(options.radius, |best| best.distance()))
@@ -307,8 +310,10 @@ impl<'a> Map<'a> {
             // The most promising comes first: what it yields excludes most of the others before they cost a projection.
             while let Some(k) = index::least(&lower, open) {
                 open &= !(1 << k);
-                let found = self.candidate((lanes[k], segments[k]), point, local, options);
-                best.consider(found, *self, options);
+                let place = (lanes[k], segments[k]);
+                if hinted != Some(place) {
+                    best.consider(self.candidate(place, point, local, options), *self, options);
+                }
                 bound = bound.min(distance(&best));
                 open &= index::places_within(&lower, bound);
             }
@@ -317,17 +322,11 @@ impl<'a> Map<'a> {
         best.0
     }
 
-    /// The hint's lane at the hint's place, as far as it is from there.
-    fn hinted(
-        &self,
-        point: Point,
-        local: DVec2,
-        options: &NearestOptions,
-    ) -> Option<Candidate<'a>> {
-        let hint = options.hint?;
+    /// The stretch of a lane that a hint names.
+    fn hinted(&self, hint: &Nearest) -> Option<(u32, u16)> {
         let lane = self.lane(hint.lane).ok()?;
         let segment = u16::try_from(area::segment_at(&lane, hint.position.s)?).ok()?;
-        self.candidate((hint.lane.row(), segment), point, local, options)
+        Some((hint.lane.row(), segment))
     }
 
     /// What a place on a lane is compared by.
