@@ -13,7 +13,7 @@ use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-const KNOWN: &str = "known";
+pub(super) const KNOWN: &str = "known";
 
 /// Files that were changed so shortly before they were looked at may be changed again without a new time: the kernel's
 /// clock for files ticks every few milliseconds.

@@ -113,6 +113,7 @@ impl Maps {
     fn take(&mut self, change: &Change, kept: Kept, back: bool) -> ReloadResult {
         if !change.stage {
             self.now_served(&change.map, kept, back);
+            self.look();
             return ReloadResult::Published;
         }
         self.board.map(&change.map, |state| state.staged = Some(kept.status.clone()));
@@ -222,6 +223,7 @@ impl Maps {
         if let Some((mut kept, back)) = staged {
             kept.status.published_unix_ns = unix_ns();
             self.now_served(map, kept, back);
+            self.look();
         }
         (ReloadResult::Published, Some(generation), String::new())
     }

@@ -68,6 +68,7 @@ impl Maps {
     /// Errors: why one cannot be served; then none is.
     pub(super) fn begin_all(&mut self, maps: Vec<(MapSettings, Prepared)>) -> anyhow::Result<()> {
         let stage = maps.len() > 1;
+        self.server.claim_all(maps.iter().map(|(map, _)| map.name.as_str()))?;
         let mut filled = Vec::new();
         for (map, prepared) in maps {
             let kept = self.begin(&map, prepared, stage)?;
@@ -80,6 +81,7 @@ impl Maps {
             }
             self.began(map, kept);
         }
+        self.look();
         Ok(())
     }
 
@@ -212,7 +214,6 @@ impl Maps {
             state.rollbacks = rollbacks;
             state.published += 1;
         });
-        self.look();
     }
 
     /// Looks how many subscribe.

@@ -29,9 +29,11 @@ pub(super) fn start(
 ) -> Periodic {
     let (domain, board, maps) = (domain.clone(), board.clone(), maps.to_vec());
     Periodic::spawn("attendant", stop, move |stop| {
-        let mut seen = BTreeMap::new();
-        while ask_all(&domain, &board, &maps, &mut seen, (WAIT, stop)) != Answers::All {
-            if stop.sleep(PAUSE) {
+        let mut maps = Asked::new(domain, board.clone(), maps);
+        // No watchdog waits yet.
+        while !maps.all_answered {
+            maps.ask(None, stop);
+            if !maps.all_answered && stop.sleep(PAUSE) {
                 return;
             }
         }
@@ -90,26 +92,38 @@ fn ask_all(
         if stop.is_requested() {
             return Answers::NoRoom;
         }
-        let before = seen.get(map).copied().unwrap_or(0);
-        let left = until.saturating_duration_since(Instant::now()).max(LEAST_WAIT);
-        match ask(domain, map, before, left) {
-            Ok(answered) => {
-                seen.insert(map.clone(), answered.generation);
-                board.map(map, |state| state.self_queries.succeeded(answered.taken));
-            }
-            Err(error) if error.is_no_verdict() => {
-                let text = error.to_string();
-                tracing::warn!(map = %map, error = %text, "map {map}: no room for a query of the daemon's own: {text}");
-                board.map(map, |state| state.self_queries.skipped(text));
-                all = all.max(Answers::NoRoom);
-            }
-            Err(error) => {
-                let text = error.to_string();
-                tracing::error!(map = %map, error = %text, "map {map}: a query of the daemon's own failed: {text}");
-                board.map(map, |state| state.self_queries.failed(text));
-                all = Answers::Wrong;
-            }
-        }
+        all = all.max(ask_one(domain, board, map, seen, until));
     }
     all
+}
+
+/// Asks a map; writes down what came of it.
+fn ask_one(
+    domain: &Domain,
+    board: &Board,
+    map: &str,
+    seen: &mut BTreeMap<String, u64>,
+    until: Instant,
+) -> Answers {
+    let before = seen.get(map).copied().unwrap_or(0);
+    let left = until.saturating_duration_since(Instant::now()).max(LEAST_WAIT);
+    match ask(domain, map, before, left) {
+        Ok(answered) => {
+            seen.insert(map.to_owned(), answered.generation);
+            board.map(map, |state| state.self_queries.succeeded(answered.taken));
+            Answers::All
+        }
+        Err(error) if error.is_no_verdict() => {
+            let text = error.to_string();
+            tracing::warn!(map = %map, error = %text, "map {map}: no room for a query of the daemon's own: {text}");
+            board.map(map, |state| state.self_queries.skipped(text));
+            Answers::NoRoom
+        }
+        Err(error) => {
+            let text = error.to_string();
+            tracing::error!(map = %map, error = %text, "map {map}: a query of the daemon's own failed: {text}");
+            board.map(map, |state| state.self_queries.failed(text));
+            Answers::Wrong
+        }
+    }
 }

@@ -132,7 +132,7 @@ impl Server {
             self.unstage(map, exclusive.as_ref());
         }
         memory::check(map, length as u64)?;
-        self.claim(map).map_err(memory::or_no_room)?;
+        self.claim(map)?;
         let Some(ports) = self.maps.get(map) else {
             return Err(ServeError::iceoryx("publishing")("map not claimed"));
         };
@@ -164,8 +164,8 @@ impl Server {
         publisher: &MapPublisher,
         fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
     ) -> Result<(Filled, Segment, Option<LockedPages>), ServeError> {
-        let segment =
-            Segment::of(&self.domain, publisher).map_err(ServeError::io(SHARED_MEMORY_FOLDER))?;
+        let segment = Segment::of(&self.domain, publisher, &self.segment_type)
+            .map_err(ServeError::io(SHARED_MEMORY_FOLDER))?;
         segment.reserve().map_err(|error| memory::refused(map, length as u64, &error))?;
         let locked = self.lock_memory.then(|| segment.lock()).transpose();
         let locked = locked.map_err(|error| memory::not_locked(map, length as u64, &error))?;
