@@ -21,6 +21,7 @@ mod known;
 pub use key::{InputHash, Key};
 pub use known::Identity;
 
+use crate::clock::since_epoch;
 use std::ffi::OsStr;
 use std::fs::{self, DirBuilder, File, OpenOptions, TryLockError};
 use std::io;
@@ -152,8 +153,7 @@ impl Cache {
         self.make_folder()?;
         for _ in 0..ATTEMPTS {
             let (process, number) = (std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed));
-            let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
-            let name = format!("{UNFINISHED}{process}-{number}-{}", now.as_nanos());
+            let name = format!("{UNFINISHED}{process}-{number}-{}", since_epoch().as_nanos());
             let path = self.folder.join(name);
             let file = OpenOptions::new().write(true).create_new(true).mode(0o600).open(&path)?;
             // Where there are no locks, nobody takes it for one that was left behind either.

@@ -7,7 +7,8 @@ use super::orders::{Change, Job};
 use super::prepare::Prepared;
 use super::watch::watch_more;
 use super::worker::Worker;
-use crate::control::{ReloadReport, ReloadResult, Response, Trigger, unix_ns};
+use crate::clock::unix_ns;
+use crate::control::{ReloadReport, ReloadResult, Response, Trigger};
 use crate::serve::ServeError;
 
 /// How a change ended: result, generation, reason.

@@ -4,9 +4,8 @@ use super::ByName;
 use super::prepare::{Prepared, Workshop};
 use super::settings::MapSettings;
 use super::watch::WatchList;
-use crate::control::{
-    Board, GenerationStatus, MapCounts, ReloadReport, ReloadResult, Trigger, unix_ns,
-};
+use crate::clock::unix_ns;
+use crate::control::{Board, GenerationStatus, MapCounts, ReloadReport, ReloadResult, Trigger};
 use crate::report::hex;
 use crate::serve::{PublishMeta, ServeError, Server};
 use mapd_archive::{Archive, LAYOUT_ID, verify};

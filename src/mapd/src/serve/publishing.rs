@@ -10,11 +10,11 @@ use super::reserve::reserving;
 use super::segment::Segment;
 use super::served_map::MapPublisher;
 use super::server::Server;
+use crate::clock::unix_ns;
 use mapd_client::transport::{
     AttachGuard, GenerationInfo, SHARED_MEMORY_FOLDER, chunks_for, write_published, write_staged,
 };
 use std::error::Error;
-use std::time::{SystemTime, UNIX_EPOCH};
 
 /// A generation that is filled and has not been sent. Fields are dropped in the order they are written; dropped under the
 /// attach lock.
@@ -214,9 +214,4 @@ fn info(generation: u64, length: usize, meta: &PublishMeta) -> GenerationInfo {
         content_hash: meta.content_hash,
         input_hash: meta.input_hash,
     }
-}
-
-fn unix_ns() -> u64 {
-    let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
-    u64::try_from(now.as_nanos()).unwrap_or(u64::MAX)
 }
