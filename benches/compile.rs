@@ -1,31 +1,10 @@
 //! Compile throughput against quick-xml's own loop over events, attributes and numbers.
 
-use mapd_benches::{best_computed, computed, computed_here, maps, print};
+use mapd_benches::{best_computed, computed, computed_here, floor, maps, print};
 use mapd_compiler::{CompileOptions, Progress, compile};
-use quick_xml::events::Event;
 use std::hint::black_box;
 use std::path::Path;
 use std::time::{Duration, Instant};
-
-/// The floor: every event, every attribute, every number.
-fn floor(path: &Path) -> f64 {
-    let mut reader = quick_xml::Reader::from_file(path).expect("the map opens");
-    let mut buffer = Vec::new();
-    let mut sum = 0.0;
-    loop {
-        buffer.clear();
-        match reader.read_event_into(&mut buffer).expect("well-formed") {
-            Event::Start(tag) | Event::Empty(tag) => {
-                for attribute in tag.attributes() {
-                    let value = attribute.expect("an attribute").value;
-                    sum += value.parse::<f64>().unwrap_or(0.0);
-                }
-            }
-            Event::Eof => return sum,
-            _ => {}
-        }
-    }
-}
 
 /// A stage of a compilation, and what it took.
 #[derive(Clone, Copy)]

@@ -3,10 +3,9 @@
 //!
 //! `reading [FILE…]` compares them on each file; without files on Town05 of the corpus.
 
-use mapd_benches::{best, print, small_map};
+use mapd_benches::{best, floor, print, small_map};
 use mapd_rules::{Checker, Settings};
 use mapd_xodr::{Limits, Reader};
-use quick_xml::events::Event;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -19,26 +18,6 @@ const RULES_GOAL: f64 = 1.0;
 
 /// Runs of which the best counts.
 const RUNS: usize = 20;
-
-/// Every event, every attribute, every number.
-fn floor(path: &Path) -> f64 {
-    let mut reader = quick_xml::Reader::from_file(path).expect("the map opens");
-    let mut buffer = Vec::new();
-    let mut sum = 0.0;
-    loop {
-        buffer.clear();
-        match reader.read_event_into(&mut buffer).expect("well-formed") {
-            Event::Start(tag) | Event::Empty(tag) => {
-                for attribute in tag.attributes() {
-                    let value = attribute.expect("an attribute").value;
-                    sum += value.parse::<f64>().unwrap_or(0.0);
-                }
-            }
-            Event::Eof => return sum,
-            _ => {}
-        }
-    }
-}
 
 /// Every element into its type, checked against the schema.
 fn read(path: &Path) -> usize {

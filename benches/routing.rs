@@ -11,7 +11,6 @@ use mapd_client::{
 use mapd_compiler::{CompileOptions, compile};
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 use std::time::{Duration, Instant};
 
 /// Routes of each kind.
@@ -42,20 +41,7 @@ fn open(path: &Path, landmarks: u8) -> (Snapshot, Duration) {
 
 /// A network of about 200,000 lanes.
 fn network(folder: &Path) -> (&'static str, PathBuf) {
-    let home = std::env::var_os("SUMO_HOME").map(|home| Path::new(&home).join("bin"));
-    let tool = |name: &str| {
-        let own = home.as_ref().map(|home| home.join(name)).filter(|path| path.exists());
-        Command::new(own.unwrap_or_else(|| name.into()))
-    };
-    let (net, map) = (folder.join("grid.net.xml"), folder.join("grid.xodr"));
-    let made = tool("netgenerate")
-        .args(["--grid", "--grid.number=64", "--grid.length=150", "-L", "2"])
-        .args(["-j", "traffic_light", "--turn-lanes", "1", "-o"])
-        .arg(&net)
-        .output();
-    let converted =
-        tool("netconvert").arg("-s").arg(&net).arg("--opendrive-output").arg(&map).output();
-    if made.is_ok_and(|o| o.status.success()) && converted.is_ok_and(|o| o.status.success()) {
+    if let Some(map) = mapd_tests::sumo::grid(folder, 64) {
         return ("grid of SUMO", map);
     }
     print("SUMO is not there; the generated town stands in");

@@ -8,6 +8,7 @@
 //! assert!(mapd_tests::carried("one_road.xodr").exists());
 //! ```
 
+pub mod command;
 pub mod crossroads;
 pub mod damage;
 pub mod graph_maps;
@@ -19,6 +20,7 @@ pub mod place;
 pub mod plain_route;
 pub mod small;
 pub mod stage;
+pub mod sumo;
 pub mod town;
 pub mod tracer;
 pub mod two_maps;

@@ -1,8 +1,9 @@
 //! Maps for tests of queries, compiled in memory.
 
 use crate::{carried, say, shared};
+use mapd_archive::{encode, verify};
 use mapd_client::{Map, Snapshot, glam::DVec2};
-use mapd_compiler::{CompileOptions, ReadOptions, compile_from};
+use mapd_compiler::{CompileOptions, ReadOptions, compile, compile_from};
 use std::path::{Path, PathBuf};
 
 /// Compiles a map that must be accepted, with parts in quarantine if need be.
@@ -11,8 +12,18 @@ pub fn open(path: &Path) -> Snapshot {
     let (reading, options) = (ReadOptions::default(), CompileOptions::default());
     let compiled = compile_from(file, &reading, &options, &mut |_| {}).expect("reading works");
     let rows = compiled.rows.unwrap_or_else(|| panic!("{} is rejected", path.display()));
-    let archive = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes");
+    let archive = encode(&rows, &compiled.provenance).expect("encodes");
     Snapshot::from_bytes(archive).expect("opens")
+}
+
+/// Compiles a map that is written out, which must be accepted, and proves its archive.
+pub fn open_text(text: &str) -> Snapshot {
+    let compiled =
+        compile(text.as_bytes(), &CompileOptions::default(), &mut |_| {}).expect("reading works");
+    let rows = compiled.rows.unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
+    let bytes = encode(&rows, &compiled.provenance).expect("encodes");
+    verify(&bytes).expect("the rows are sound");
+    Snapshot::from_bytes(bytes).expect("opens")
 }
 
 /// The carried maps, and these of the shared corpus, such as `carla/Town05`, where it is there.

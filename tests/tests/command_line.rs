@@ -1,21 +1,12 @@
 //! What the command line promises: exit codes, columns, errors in rows.
 
-use std::io::Write;
+use mapd_tests::command;
 use std::process::{Command, Output, Stdio};
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 
 fn run(args: &[&str], input: &str) -> Output {
-    let mut child = Command::new(MAPD)
-        .args(args)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("starts");
-    // A command that refuses its arguments does not read.
-    let _ = child.stdin.take().expect("stdin").write_all(input.as_bytes());
-    child.wait_with_output().expect("ends")
+    command::run(env!("CARGO_BIN_EXE_mapd_under_test"), args, input)
 }
 
 fn one_road() -> String {

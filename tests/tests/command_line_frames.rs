@@ -1,19 +1,10 @@
 //! `--crs` on the command line.
 
-use std::io::Write;
-use std::process::{Command, Output, Stdio};
+use mapd_tests::command;
+use std::process::Output;
 
 fn run(args: &[&str], input: &str) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_mapd_under_test"))
-        .args(args)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("starts");
-    // A command that refuses its arguments does not read.
-    let _ = child.stdin.take().expect("stdin").write_all(input.as_bytes());
-    child.wait_with_output().expect("ends")
+    command::run(env!("CARGO_BIN_EXE_mapd_under_test"), args, input)
 }
 
 fn carried(name: &str) -> String {

@@ -1,20 +1,14 @@
 //! What the command line says and does about a map that lost parts.
 
+use mapd_tests::command;
 use mapd_tests::graph_maps::*;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 
 /// Standard output, standard error and exit code of a command.
 fn run(args: &[&str], input: &str) -> (String, String, Option<i32>) {
-    let mut command = Command::new(MAPD);
-    command.args(args).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut child = command.spawn().expect("starts");
-    // A command that refuses its arguments does not read.
-    let _ = child.stdin.take().expect("stdin").write_all(input.as_bytes());
-    let output = child.wait_with_output().expect("ends");
+    let output = command::run(MAPD, args, input);
     let text = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).into_owned();
     (text(output.stdout), text(output.stderr), output.status.code())
 }

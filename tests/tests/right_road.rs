@@ -1,9 +1,8 @@
 //! Roads above, beside and around each other: the right one wins.
 
-use mapd_archive::encode;
 use mapd_client::glam::{DVec2, DVec3};
 use mapd_client::{Map, NearestOptions, Snapshot, Track};
-use mapd_compiler::{CompileOptions, compile};
+use mapd_tests::maps::open_text;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::fmt::Write;
 
@@ -82,10 +81,7 @@ impl Way {
 fn open(ways: &[Way]) -> Snapshot {
     let roads: String = ways.iter().enumerate().map(|(id, way)| way.text(id)).collect();
     let text = format!("<OpenDRIVE><header revMajor=\"1\" revMinor=\"7\"/>{roads}</OpenDRIVE>");
-    let compiled =
-        compile(text.as_bytes(), &CompileOptions::default(), &mut |_| {}).expect("reading works");
-    let rows = compiled.rows.unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
-    Snapshot::from_bytes(encode(&rows, &compiled.provenance).expect("encodes")).expect("opens")
+    open_text(&text)
 }
 
 /// From places on every lane's centre to points and back: with its height, each is found on the lane it came from; `plan`

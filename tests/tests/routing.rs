@@ -7,9 +7,7 @@ use mapd_query::{
 };
 use mapd_tests::maps::{Random, open};
 use mapd_tests::plain_route::PlainGraph;
-use mapd_tests::{carried, say, shared};
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use mapd_tests::{carried, say, shared, sumo};
 
 /// Ten maps of the shared corpus: towns, motorways, roundabouts, left-hand traffic.
 const MAPS: [&str; 10] = [
@@ -195,30 +193,12 @@ fn as_plain_dijkstra_on_a_large_town() {
 #[test]
 fn as_plain_dijkstra_on_a_network_of_sumo() {
     let folder = tempfile::tempdir().expect("a folder");
-    let Some(path) = sumo_grid(folder.path()) else {
+    let Some(path) = sumo::grid(folder.path(), 21) else {
         return say("SKIPPED: SUMO's netgenerate and netconvert are not there");
     };
     let snapshot = open(&path);
     assert!(snapshot.map().road_length() > 300e3);
     check_map("grid of SUMO", &snapshot, PAIRS);
-}
-
-fn sumo_grid(folder: &Path) -> Option<PathBuf> {
-    let home = std::env::var_os("SUMO_HOME").map(|home| Path::new(&home).join("bin"));
-    let tool = |name: &str| {
-        let own = home.as_ref().map(|home| home.join(name)).filter(|path| path.exists());
-        Command::new(own.unwrap_or_else(|| name.into()))
-    };
-    let (net, map) = (folder.join("grid.net.xml"), folder.join("grid.xodr"));
-    let made = tool("netgenerate")
-        .args(["--grid", "--grid.number=21", "--grid.length=150", "-L", "2"])
-        .args(["-j", "traffic_light", "--turn-lanes", "1", "-o"])
-        .arg(&net)
-        .output()
-        .ok()?;
-    let converted =
-        tool("netconvert").arg("-s").arg(&net).arg("--opendrive-output").arg(&map).output().ok()?;
-    (made.status.success() && converted.status.success()).then_some(map)
 }
 
 #[test]

@@ -1,9 +1,8 @@
 //! Sections that replace the lanes of one side only, borders instead of widths, widths that reach zero.
 
-use mapd_archive::encode;
 use mapd_client::glam::DVec2;
 use mapd_client::{LaneKey, NearestOptions, Snapshot};
-use mapd_compiler::{CompileOptions, compile};
+use mapd_tests::maps::open_text;
 
 fn open(sections: &str) -> Snapshot {
     let text = format!(
@@ -11,12 +10,7 @@ fn open(sections: &str) -> Snapshot {
          <planView><geometry s=\"0\" x=\"0\" y=\"0\" hdg=\"0\" length=\"100\"><line/></geometry></planView>\
          <lanes>{sections}</lanes></road></OpenDRIVE>"
     );
-    let compiled =
-        compile(text.as_bytes(), &CompileOptions::default(), &mut |_| {}).expect("reading works");
-    let rows = compiled.rows.unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
-    let bytes = encode(&rows, &compiled.provenance).expect("encodes");
-    mapd_archive::verify(&bytes).expect("the rows are sound");
-    Snapshot::from_bytes(bytes).expect("opens")
+    open_text(&text)
 }
 
 /// A lane whose content is written out.

@@ -1,9 +1,9 @@
 //! Surfaces as files write them: the same heights as worked out in `surfaces.rs`.
 
-use mapd_archive::encode;
 use mapd_client::Snapshot;
 use mapd_client::glam::DVec3;
 use mapd_compiler::{CompileOptions, compile};
+use mapd_tests::maps::open_text;
 
 /// Rounding of coordinates of some hundred metres `[m]`.
 const ROUNDING: f64 = 1e-12;
@@ -31,12 +31,7 @@ fn road(id: &str, x: f64, junction: &str, lateral: &str, lane: &str) -> String {
 
 fn open(inside: &str) -> Snapshot {
     let text = format!("<OpenDRIVE><header revMajor=\"1\" revMinor=\"8\"/>{inside}</OpenDRIVE>");
-    let compiled =
-        compile(text.as_bytes(), &CompileOptions::default(), &mut |_| {}).expect("reading works");
-    let rows = compiled.rows.unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
-    let bytes = encode(&rows, &compiled.provenance).expect("encodes");
-    mapd_archive::verify(&bytes).expect("the rows are sound");
-    Snapshot::from_bytes(bytes).expect("opens")
+    open_text(&text)
 }
 
 /// Heights of the surface of road 1 at places (s, t).

@@ -395,10 +395,15 @@ impl DomainArgs {
     }
 }
 
+/// The command line itself: commands, options and their help, to be looked at or completed.
+pub fn command() -> clap::Command {
+    Cli::command()
+}
+
 /// Runs the program with the process's arguments.
 pub fn run() -> ExitCode {
     crate::allocator::give_back();
-    match execute(&Cli::command().get_matches()) {
+    match execute(&command().get_matches()) {
         Ok(exit) => exit.into(),
         // The reader of our output has gone: nobody is left to be told.
         Err(error) if is_broken_pipe(&error) => Exit::Done.into(),

@@ -4,6 +4,7 @@
 //! its writer ends, however it ends, and the next writer of NAME then takes what is left over for its own draft. Should
 //! another process be writing the same file just now, or the file system know no locks, the draft has a name of its own.
 
+use crate::clock::since_epoch;
 use anyhow::{Context, Result, ensure};
 use rustix::fs::OFlags;
 use std::ffi::OsString;
@@ -11,7 +12,6 @@ use std::fs::{self, File, OpenOptions};
 use std::io;
 use std::os::unix::fs::{MetadataExt, OpenOptionsExt};
 use std::path::{Path, PathBuf};
-use std::time::SystemTime;
 
 /// Attempts to take over a draft, should its writer finish it just then.
 const ATTEMPTS: usize = 8;
@@ -42,8 +42,7 @@ impl Draft {
         let (path, file) = match taken {
             Some(Ok(file)) => (path, file),
             _ => {
-                let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
-                let now = now.unwrap_or_default().as_nanos();
+                let now = since_epoch().as_nanos();
                 let path = named(&format!(".{}-{now}.new", std::process::id()))?;
                 let mut options = OpenOptions::new();
                 let file = options.read(true).write(true).create_new(true).open(&path)?;

@@ -1,11 +1,11 @@
 //! What a compilation found: as text for people, as JSON for programs.
 
 use crate::compile::Record;
+pub use mapd_client::transport::hex;
 use mapd_compiler::{Compilation, Diagnostic, QuarantinedPart, Treatment, Verdict};
 use mapd_xodr::source::Places;
 use mapd_xodr::{Severity, rule_ids};
 use serde::{Deserialize, Serialize};
-use std::fmt::Write as _;
 use std::io::Write as _;
 
 /// Findings of each severity that are printed; the JSON report has all that were kept.
@@ -111,14 +111,6 @@ pub(crate) struct Counts {
     pub(crate) errors: usize,
     pub(crate) warnings: usize,
     pub(crate) information: usize,
-}
-
-/// Bytes as hexadecimal digits.
-pub fn hex(bytes: &[u8]) -> String {
-    bytes.iter().fold(String::new(), |mut out, byte| {
-        let _ = write!(out, "{byte:02x}");
-        out
-    })
 }
 
 pub(crate) fn severity_name(severity: Severity) -> &'static str {

@@ -43,8 +43,7 @@ pub(crate) fn run(args: &SignArgs, out: &mut dyn Write) -> Result<()> {
             Some(comment) => comment.clone(),
             None => {
                 let file = path.file_name().unwrap_or_default().to_string_lossy();
-                let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
-                let seconds = now.unwrap_or_default().as_secs();
+                let seconds = crate::clock::since_epoch().as_secs();
                 format!("timestamp:{seconds}\tfile:{file}\tcontent:{content}")
             }
         };

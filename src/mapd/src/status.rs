@@ -1,5 +1,6 @@
 //! `mapd status`.
 
+use crate::clock::since_epoch;
 use crate::control::{CacheStatus, DaemonStatus, MapState, Request, Response, ask};
 use crate::report::hex;
 use anyhow::Result;
@@ -7,7 +8,7 @@ use mapd_client::Domain;
 use mapd_client::transport::{MapStatus, list_maps};
 use serde::Serialize;
 use std::io::Write;
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::time::Duration;
 
 /// Longest wait for a daemon's own account: what everybody can see is told without it.
 const WAIT: Duration = Duration::from_secs(1);
@@ -141,8 +142,7 @@ pub(crate) fn run(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<()
 /// How long ago something was published.
 fn age(published_unix_ns: Option<u64>) -> String {
     let Some(published) = published_unix_ns else { return "-".to_owned() };
-    let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
-    let seconds = now.saturating_sub(Duration::from_nanos(published)).as_secs();
+    let seconds = since_epoch().saturating_sub(Duration::from_nanos(published)).as_secs();
     match seconds {
         0..120 => format!("{seconds} s"),
         120..7200 => format!("{} min", seconds / 60),

@@ -11,7 +11,7 @@ use super::presence::Presence;
 use super::record::read_published;
 use super::room::check_room;
 use super::status::alive_maps;
-use super::unfinished::unfinished_segments;
+use super::unfinished::unfinished_among;
 use super::user::check_owner;
 use iceoryx2::port::listener::Listener;
 use iceoryx2::port::notifier::Notifier;
@@ -162,11 +162,8 @@ fn enter(
     if !lock.is_current() {
         return Err(missing());
     }
-    let in_the_way = |file: &std::path::PathBuf| {
-        let name = file.to_string_lossy();
-        !OF_OTHER_CLIENTS.iter().any(|suffix| name.ends_with(suffix))
-    };
-    match unfinished_segments(domain).into_iter().find(in_the_way) {
+    let in_the_way = |name: &str| !OF_OTHER_CLIENTS.iter().any(|suffix| name.ends_with(suffix));
+    match unfinished_among(domain, in_the_way).into_iter().next() {
         Some(file) => Err(AttachError::Stuck { file }),
         None => {
             check_room()?;

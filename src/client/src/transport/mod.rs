@@ -70,7 +70,7 @@ pub use payload::{Chunk64, GenerationInfo, chunks_for};
 pub use pinned::Pinned;
 pub use presence::Presence;
 pub use record::{
-    GENERATION_SUFFIX, read_generation, read_published, read_staged, replace_text,
+    GENERATION_SUFFIX, hex, read_generation, read_published, read_staged, replace_text,
     replace_text_durably, write_generation, write_published, write_staged,
 };
 pub use room::{ATTACH_ROOM, free_bytes};

@@ -136,7 +136,8 @@ fn parse(text: &str) -> Option<(u32, GenerationInfo)> {
     Some((u32::try_from(number("revision")?).ok()?, info))
 }
 
-fn hex(bytes: &[u8]) -> String {
+/// Bytes as hexadecimal digits, two for each, as hashes are written.
+pub fn hex(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 

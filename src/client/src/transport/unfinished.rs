@@ -17,7 +17,12 @@ const SERVICE_SUFFIX: &str = ".service";
 ///
 /// A zero-sized segment is what iceoryx2 0.10 waits for without end.
 pub fn unfinished_segments(domain: &Domain) -> Vec<PathBuf> {
-    let of_domain = |name: &str| name.starts_with(domain.prefix());
+    unfinished_among(domain, |_| true)
+}
+
+/// Those of these names. Only they are looked at: with many maps a domain has thousands of files.
+pub(super) fn unfinished_among(domain: &Domain, wanted: impl Fn(&str) -> bool) -> Vec<PathBuf> {
+    let of_domain = |name: &str| name.starts_with(domain.prefix()) && wanted(name);
     let services = |name: &str| name.ends_with(SERVICE_SUFFIX);
     let mut found = unfinished_in(Path::new(SHARED_MEMORY_FOLDER), of_domain);
     found.extend(unfinished_in(&domain.root().join("services"), services));

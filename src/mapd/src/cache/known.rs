@@ -6,14 +6,15 @@
 
 use super::key::InputHash;
 use super::{Cache, Key};
+use crate::clock::since_epoch;
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::io;
 use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::time::Duration;
 
-const KNOWN: &str = "known";
+pub(super) const KNOWN: &str = "known";
 
 /// Files that were changed so shortly before they were looked at may be changed again without a new time: the kernel's
 /// clock for files ticks every few milliseconds.
@@ -46,9 +47,8 @@ impl Identity {
 
     /// Whether the file had its last change a while ago. Of a clock that has jumped nothing follows: then it had not.
     fn is_settled(&self) -> bool {
-        let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
         let changed = Duration::from_secs(u64::try_from(self.changed.0).unwrap_or(u64::MAX));
-        now.checked_sub(changed).is_some_and(|age| age > SETTLED)
+        since_epoch().checked_sub(changed).is_some_and(|age| age > SETTLED)
     }
 }
 

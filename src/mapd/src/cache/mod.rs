@@ -21,12 +21,14 @@ mod known;
 pub use key::{InputHash, Key};
 pub use known::Identity;
 
+use crate::clock::since_epoch;
 use std::ffi::OsStr;
 use std::fs::{self, DirBuilder, File, OpenOptions, TryLockError};
 use std::io;
 use std::os::unix::fs::{DirBuilderExt, OpenOptionsExt};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::time::SystemTime;
 
 /// Bytes of archives that a cache holds, if nothing else is said.
@@ -38,8 +40,12 @@ const FOLDER_MODE: u32 = 0o700;
 /// Attempts to begin a file, should another daemon, which starts just now, take it for one that was left behind.
 const ATTEMPTS: usize = 8;
 
-/// Records of a kind, some hundred bytes each, that are kept; those that were written first go first.
-const MOST_RECORDS: usize = 256;
+/// Records of a kind, some hundred bytes each, that are kept; those that were written first go first. More than the maps of
+/// any daemon: each has one of a kind.
+const MOST_RECORDS: usize = 4096;
+
+/// Records that are written before those that are too many are looked for again: looking takes as long as there are files.
+const RECORDS_UNLOOKED: usize = 256;
 
 const ARCHIVE: &str = "mapd";
 const SERVED: &str = "served";
@@ -51,6 +57,8 @@ const UNFINISHED: &str = ".new-";
 pub struct Cache {
     folder: PathBuf,
     limit: u64,
+    /// Records written in this process.
+    written: Arc<AtomicUsize>,
 }
 
 /// An archive that is being written. Removed when dropped, unless it is kept.
@@ -95,7 +103,7 @@ impl Cache {
     ///
     /// Errors: the folder cannot be made, read or written.
     pub fn open(folder: impl Into<PathBuf>, limit: u64) -> io::Result<Self> {
-        let cache = Self { folder: folder.into(), limit };
+        let cache = Self { folder: folder.into(), limit, written: Arc::default() };
         cache.make_folder()?;
         for entry in fs::read_dir(&cache.folder)?.filter_map(Result::ok) {
             let unfinished = entry.file_name().to_string_lossy().starts_with(UNFINISHED);
@@ -105,6 +113,7 @@ impl Cache {
                 let _ = fs::remove_file(path);
             }
         }
+        cache.drop_old_records();
         // Whether it can be written shows now, and not when a map has been compiled.
         drop(cache.begin()?);
         Ok(cache)
@@ -144,8 +153,7 @@ impl Cache {
         self.make_folder()?;
         for _ in 0..ATTEMPTS {
             let (process, number) = (std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed));
-            let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
-            let name = format!("{UNFINISHED}{process}-{number}-{}", now.as_nanos());
+            let name = format!("{UNFINISHED}{process}-{number}-{}", since_epoch().as_nanos());
             let path = self.folder.join(name);
             let file = OpenOptions::new().write(true).create_new(true).mode(0o600).open(&path)?;
             // Where there are no locks, nobody takes it for one that was left behind either.
@@ -200,13 +208,22 @@ impl Cache {
         fs::write(&unfinished.path, bytes)?;
         fs::rename(&unfinished.path, path)?;
         unfinished.kept = true;
-        let mut records = path.extension().map(|kind| self.files(kind)).unwrap_or_default();
-        records.sort_by_key(|(_, _, written)| std::cmp::Reverse(*written));
-        for (old, ..) in records.iter().skip(MOST_RECORDS) {
-            // One that stays goes with the next.
-            let _ = fs::remove_file(old);
+        if self.written.fetch_add(1, Ordering::Relaxed) % RECORDS_UNLOOKED == RECORDS_UNLOOKED - 1 {
+            self.drop_old_records();
         }
         Ok(())
+    }
+
+    /// Removes the records that are too many.
+    fn drop_old_records(&self) {
+        for kind in [SERVED, INCLUDES, known::KNOWN] {
+            let mut records = self.files(OsStr::new(kind));
+            records.sort_by_key(|(_, _, written)| std::cmp::Reverse(*written));
+            for (old, ..) in records.iter().skip(MOST_RECORDS) {
+                // One that stays goes with the next.
+                let _ = fs::remove_file(old);
+            }
+        }
     }
 
     /// The files that a document includes, as far as is remembered.
@@ -293,11 +310,14 @@ mod tests {
     fn records_do_not_pile_up() {
         let folder = tempfile::tempdir().expect("a folder");
         let cache = Cache::open(folder.path(), 100).expect("opens");
-        for number in 0..=MOST_RECORDS as u64 + 9 {
+        let records = || cache.files(OsStr::new(INCLUDES)).len();
+        for number in 0..=MOST_RECORDS + RECORDS_UNLOOKED {
             let document = Key::of_document(&[7; 32], Path::new(&format!("/{number}")));
             cache.remember_includes(&document, &[PathBuf::from("x")]).expect("kept");
         }
-        assert_eq!(cache.files(OsStr::new(INCLUDES)).len(), MOST_RECORDS);
+        assert!(records() < MOST_RECORDS + RECORDS_UNLOOKED);
+        Cache::open(folder.path(), 100).expect("opens");
+        assert_eq!(records(), MOST_RECORDS);
     }
 
     #[test]

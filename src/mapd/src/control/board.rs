@@ -1,9 +1,10 @@
 //! Where the daemon writes down what it does, and whoever asks reads it without waiting for the daemon.
 
 use super::status::{CacheStatus, DaemonStatus, MapState};
+use crate::clock::unix_ns;
 use mapd_client::Domain;
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::time::{Instant, SystemTime, UNIX_EPOCH};
+use std::time::Instant;
 
 /// The daemon's own account of itself, shared by its threads. A lock is held for microseconds only.
 #[derive(Debug)]
@@ -63,12 +64,6 @@ impl Board {
     fn lock(&self) -> MutexGuard<'_, DaemonStatus> {
         self.status.lock().unwrap_or_else(PoisonError::into_inner)
     }
-}
-
-/// Now \[ns since the Unix epoch\].
-pub(crate) fn unix_ns() -> u64 {
-    let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
-    u64::try_from(now.as_nanos()).unwrap_or(u64::MAX)
 }
 
 #[cfg(test)]

@@ -20,7 +20,6 @@ mod status;
 
 pub use ask::{AskError, ask};
 pub use board::Board;
-pub(crate) use board::unix_ns;
 pub use listener::ControlListener;
 pub use message::{Request, Response};
 pub use status::{

@@ -1,7 +1,7 @@
 //! What a daemon says about itself.
 
-use super::board::unix_ns;
 use crate::cache::Cache;
+use crate::clock::unix_ns;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use std::time::Duration;

@@ -7,7 +7,8 @@ use super::orders::{Change, Job};
 use super::prepare::Prepared;
 use super::watch::watch_more;
 use super::worker::Worker;
-use crate::control::{ReloadReport, ReloadResult, Response, Trigger, unix_ns};
+use crate::clock::unix_ns;
+use crate::control::{ReloadReport, ReloadResult, Response, Trigger};
 use crate::serve::ServeError;
 
 /// How a change ended: result, generation, reason.
@@ -113,6 +114,7 @@ impl Maps {
     fn take(&mut self, change: &Change, kept: Kept, back: bool) -> ReloadResult {
         if !change.stage {
             self.now_served(&change.map, kept, back);
+            self.look();
             return ReloadResult::Published;
         }
         self.board.map(&change.map, |state| state.staged = Some(kept.status.clone()));
@@ -222,6 +224,7 @@ impl Maps {
         if let Some((mut kept, back)) = staged {
             kept.status.published_unix_ns = unix_ns();
             self.now_served(map, kept, back);
+            self.look();
         }
         (ReloadResult::Published, Some(generation), String::new())
     }

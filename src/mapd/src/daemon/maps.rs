@@ -4,9 +4,8 @@ use super::ByName;
 use super::prepare::{Prepared, Workshop};
 use super::settings::MapSettings;
 use super::watch::WatchList;
-use crate::control::{
-    Board, GenerationStatus, MapCounts, ReloadReport, ReloadResult, Trigger, unix_ns,
-};
+use crate::clock::unix_ns;
+use crate::control::{Board, GenerationStatus, MapCounts, ReloadReport, ReloadResult, Trigger};
 use crate::report::hex;
 use crate::serve::{PublishMeta, ServeError, Server};
 use mapd_archive::{Archive, LAYOUT_ID, verify};
@@ -68,6 +67,7 @@ impl Maps {
     /// Errors: why one cannot be served; then none is.
     pub(super) fn begin_all(&mut self, maps: Vec<(MapSettings, Prepared)>) -> anyhow::Result<()> {
         let stage = maps.len() > 1;
+        self.server.claim_all(maps.iter().map(|(map, _)| map.name.as_str()))?;
         let mut filled = Vec::new();
         for (map, prepared) in maps {
             let kept = self.begin(&map, prepared, stage)?;
@@ -80,6 +80,7 @@ impl Maps {
             }
             self.began(map, kept);
         }
+        self.look();
         Ok(())
     }
 
@@ -212,7 +213,6 @@ impl Maps {
             state.rollbacks = rollbacks;
             state.published += 1;
         });
-        self.look();
     }
 
     /// Looks how many subscribe.

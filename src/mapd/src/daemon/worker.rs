@@ -4,18 +4,12 @@ use super::orders::{Job, Order, Orders};
 use super::prepare::Workshop;
 use super::settings::MapSettings;
 use crate::control::{Board, CacheStatus};
+use crate::joining::join_soon;
 use std::io;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::sync::mpsc::{Sender, channel};
 use std::thread::JoinHandle;
-use std::time::{Duration, Instant};
-
-/// How long the daemon's end waits for the thread.
-const PATIENCE: Duration = Duration::from_secs(2);
-
-/// Pause between two looks at it.
-const PAUSE: Duration = Duration::from_millis(1);
 
 /// Prepares maps in a thread of its own. Dropping it ends what it is at.
 pub(crate) struct Worker {
@@ -66,14 +60,6 @@ impl Drop for Worker {
     fn drop(&mut self) {
         self.workshop.cancelled.store(true, Ordering::Relaxed);
         self.jobs = None;
-        // One that reads from a disk that does not answer cannot be ended; its child ends with the process.
-        let until = Instant::now() + PATIENCE;
-        let ended = |thread: &JoinHandle<()>| thread.is_finished();
-        while self.thread.as_ref().is_some_and(|thread| !ended(thread)) && Instant::now() < until {
-            std::thread::sleep(PAUSE);
-        }
-        if let Some(thread) = self.thread.take().filter(ended) {
-            let _ = thread.join();
-        }
+        join_soon(self.thread.take());
     }
 }

@@ -1,5 +1,6 @@
 //! Threads that do something now and then, until they are stopped.
 
+use crate::joining::join_soon;
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
@@ -37,12 +38,6 @@ impl Stop {
     }
 }
 
-/// How long the end of a daemon waits for a thread: one that proves gigabytes ends with the process.
-const PATIENCE: Duration = Duration::from_secs(2);
-
-/// Pause between two looks at it.
-const PAUSE: Duration = Duration::from_millis(1);
-
 /// A thread; stopped, and waited for, when dropped.
 pub(crate) struct Periodic {
     stop: Arc<Stop>,
@@ -69,15 +64,7 @@ impl Periodic {
 impl Drop for Periodic {
     fn drop(&mut self) {
         self.stop.request();
-        let until = Instant::now() + PATIENCE;
-        let ended = |thread: &JoinHandle<()>| thread.is_finished();
-        while self.thread.as_ref().is_some_and(|thread| !ended(thread)) && Instant::now() < until {
-            std::thread::sleep(PAUSE);
-        }
-        if let Some(thread) = self.thread.take().filter(ended) {
-            // A panic there has been printed; it is no reason to serve no more.
-            let _ = thread.join();
-        }
+        join_soon(self.thread.take());
     }
 }
 

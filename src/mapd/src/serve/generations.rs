@@ -10,13 +10,13 @@
 
 use super::error::ServeError;
 use super::notice::Notice;
+use crate::clock::since_epoch;
 use mapd_client::transport::{
     Domain, GENERATION_SUFFIX, read_generation, replace_text_durably, write_generation,
 };
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::time::{SystemTime, UNIX_EPOCH};
 
 /// Hands out numbers.
 #[derive(Debug, Default)]
@@ -76,8 +76,7 @@ fn read_kept(file: &Path) -> u64 {
 }
 
 fn unix_ms() -> u64 {
-    let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
-    u64::try_from(now.as_millis()).unwrap_or(0)
+    u64::try_from(since_epoch().as_millis()).unwrap_or(0)
 }
 
 #[cfg(test)]

@@ -42,7 +42,8 @@ pub(crate) fn greet_until(
         None => None,
     };
     let mut bells = Vec::new();
-    for (name, ports) in maps {
+    // Where nothing is served yet, there is nothing to greet with; who rings meanwhile has it from the first sending.
+    for (name, ports) in maps.iter().filter(|(_, ports)| ports.info().is_some()) {
         let bell = waits
             .attach_notification(&ports.woken)
             .map_err(ServeError::iceoryx("waiting for clients"))?;
@@ -77,7 +78,7 @@ pub(crate) fn greet_until(
     Ok(())
 }
 
-/// Does something that takes long while a thread of its own greets newcomers.
+/// Does something that takes long while a thread of its own greets newcomers, if there is anything to greet them with.
 pub(crate) fn greeting_meanwhile<T>(
     maps: &BTreeMap<String, MapPorts>,
     lock: &AttachLock,
@@ -89,6 +90,9 @@ pub(crate) fn greeting_meanwhile<T>(
         fn drop(&mut self) {
             self.0.request();
         }
+    }
+    if maps.values().all(|ports| ports.info().is_none()) {
+        return work();
     }
     let stop = StopSignal::new().map_err(ServeError::io("socket pair"))?;
     std::thread::scope(|scope| {

@@ -10,11 +10,11 @@ use super::reserve::reserving;
 use super::segment::Segment;
 use super::served_map::MapPublisher;
 use super::server::Server;
+use crate::clock::unix_ns;
 use mapd_client::transport::{
     AttachGuard, GenerationInfo, SHARED_MEMORY_FOLDER, chunks_for, write_published, write_staged,
 };
 use std::error::Error;
-use std::time::{SystemTime, UNIX_EPOCH};
 
 /// A generation that is filled and has not been sent. Fields are dropped in the order they are written; dropped under the
 /// attach lock.
@@ -132,7 +132,7 @@ impl Server {
             self.unstage(map, exclusive.as_ref());
         }
         memory::check(map, length as u64)?;
-        self.claim(map).map_err(memory::or_no_room)?;
+        self.claim(map)?;
         let Some(ports) = self.maps.get(map) else {
             return Err(ServeError::iceoryx("publishing")("map not claimed"));
         };
@@ -164,8 +164,8 @@ impl Server {
         publisher: &MapPublisher,
         fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
     ) -> Result<(Filled, Segment, Option<LockedPages>), ServeError> {
-        let segment =
-            Segment::of(&self.domain, publisher).map_err(ServeError::io(SHARED_MEMORY_FOLDER))?;
+        let segment = Segment::of(&self.domain, publisher, &self.segment_type)
+            .map_err(ServeError::io(SHARED_MEMORY_FOLDER))?;
         segment.reserve().map_err(|error| memory::refused(map, length as u64, &error))?;
         let locked = self.lock_memory.then(|| segment.lock()).transpose();
         let locked = locked.map_err(|error| memory::not_locked(map, length as u64, &error))?;
@@ -214,9 +214,4 @@ fn info(generation: u64, length: usize, meta: &PublishMeta) -> GenerationInfo {
         content_hash: meta.content_hash,
         input_hash: meta.input_hash,
     }
-}
-
-fn unix_ns() -> u64 {
-    let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
-    u64::try_from(now.as_nanos()).unwrap_or(u64::MAX)
 }

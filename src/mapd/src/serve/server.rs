@@ -11,6 +11,7 @@ use super::orphans;
 use super::publishing::Staged;
 use super::reserve::reserving;
 use super::rights;
+use super::segment::SegmentType;
 use super::served_map::MapPorts;
 use super::stop::StopSignal;
 use iceoryx2::prelude::{Node, NodeBuilder, NodeName, SignalHandlingMode};
@@ -71,6 +72,7 @@ pub struct Server {
     pub(super) notify: Box<dyn Fn(&Notice)>,
     pub(super) generations: Generations,
     pub(super) lock_memory: bool,
+    pub(super) segment_type: SegmentType,
     patience: Cell<Duration>,
     next_round: Instant,
     rounds_missed: Cell<u32>,
@@ -118,6 +120,7 @@ impl Server {
             notify: Box::new(notify),
             generations: Generations::default(),
             lock_memory: false,
+            segment_type: SegmentType::default(),
             patience: Cell::new(LOCK_PATIENCE),
             next_round: Instant::now(),
             rounds_missed: Cell::new(0),
@@ -157,10 +160,36 @@ impl Server {
     ///
     /// Errors: the name cannot be used; another daemon serves the map; iceoryx2 refuses.
     pub fn claim(&mut self, map: &str) -> Result<(), ServeError> {
-        check_map_name(map)?;
-        if self.maps.contains_key(map) {
-            return Ok(());
+        self.claim_all([map])
+    }
+
+    /// As [`Server::claim`], of several maps: what killed daemons left of their services is looked for once, at the end,
+    /// which takes as long as there are services in the domain.
+    ///
+    /// Errors: as [`Server::claim`]; maps before the one that cannot be claimed stay claimed.
+    pub fn claim_all<'a>(
+        &mut self,
+        maps: impl IntoIterator<Item = &'a str>,
+    ) -> Result<(), ServeError> {
+        let mut is_new = false;
+        for map in maps {
+            check_map_name(map)?;
+            if !self.maps.contains_key(map) {
+                self.claim_new(map).map_err(memory::or_no_room)?;
+                is_new = true;
+            }
         }
+        if is_new
+            && let Some(guard) = self.exclusive()
+            && let Some(node) = &self.node
+        {
+            // Of services that were half made and have been made anew.
+            orphans::remove(&self.domain, node, &guard, &self.notify);
+        }
+        Ok(())
+    }
+
+    fn claim_new(&mut self, map: &str) -> Result<(), ServeError> {
         let claim = Claim::acquire(&self.domain, map)?;
         // A killed daemon's word is out of date.
         self.tell_if_failed("removing an old record", write_published(&self.domain, map, None));
@@ -175,10 +204,6 @@ impl Server {
         }
         let ports =
             reserving(|| MapPorts::create(&self.domain, node, map, claim, exclusive.as_ref()))?;
-        if let Some(guard) = &exclusive {
-            // Of services that were half made and have been made anew.
-            orphans::remove(&self.domain, node, guard, &self.notify);
-        }
         self.maps.insert(map.to_owned(), ports);
         Ok(())
     }

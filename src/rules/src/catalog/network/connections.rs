@@ -140,6 +140,17 @@ fn joined(network: &Network) -> impl Iterator<Item = Joined<'_>> {
     })
 }
 
+/// Adds a finding about a connection.
+pub(super) fn add_to_connection(
+    (junction, connection): (&Junction, &Connection),
+    sink: &mut Sink<'_>,
+    expected: impl std::fmt::Display,
+    found: impl std::fmt::Display,
+) {
+    let part = format!("connection[@id={}]", text(&connection.id));
+    sink.add_in(("junction", text(&junction.id), &part), connection.span, expected, found);
+}
+
 impl Joined<'_> {
     fn add(
         &self,
@@ -147,13 +158,7 @@ impl Joined<'_> {
         expected: impl std::fmt::Display,
         found: impl std::fmt::Display,
     ) {
-        let part = format!("connection[@id={}]", text(&self.connection.id));
-        sink.add_in(
-            ("junction", text(&self.junction.id), &part),
-            self.connection.span,
-            expected,
-            found,
-        );
+        add_to_connection((self.junction, self.connection), sink, expected, found);
     }
 }
 

@@ -1,5 +1,6 @@
 //! Direct junctions, seen with the roads that they join.
 
+use super::connections::add_to_connection;
 use super::joints::{CORNER, Edge, KINK, STEP};
 use crate::catalog::junctions::kind;
 use crate::catalog::lanes::is_drivable;
@@ -75,13 +76,7 @@ impl Joined<'_> {
         expected: impl std::fmt::Display,
         found: impl std::fmt::Display,
     ) {
-        let part = format!("connection[@id={}]", text(&self.connection.id));
-        sink.add_in(
-            ("junction", text(&self.junction.id), &part),
-            self.connection.span,
-            expected,
-            found,
-        );
+        add_to_connection((self.junction, self.connection), sink, expected, found);
     }
 
     /// The two lanes of each link, as far as they are there.
