@@ -136,7 +136,7 @@ impl Network {
         }
         self.add_switches(road, rank);
         let sections = self.add_sections(road);
-        let (stations, profiles, bounds) = self.add_stations(road, line);
+        let stations = self.add_stations(road, line);
         let elevations = road.elevation_profile.iter().flat_map(|profile| &profile.elevation);
         let has_elevation =
             elevations.flat_map(|e| [&e.a, &e.b, &e.c, &e.d]).any(|value| number(value) != 0.0);
@@ -144,14 +144,15 @@ impl Network {
         self.roads.push(RoadFacts {
             span: road.span,
             length: number(&road.length),
-            bounds,
+            bounds: stations.bounds,
             links,
             rank,
             id,
             junction,
             sections,
-            stations,
-            profiles,
+            stations: stations.lines,
+            profiles: stations.profiles,
+            is_straight: stations.is_straight,
             is_left_hand: is_left_hand(road),
             has_crg: road.surface.as_ref().is_some_and(|surface| !surface.crg.is_empty()),
             has_switches: road.railroad.as_ref().is_some_and(|rail| !rail.switch.is_empty()),

@@ -2,15 +2,12 @@
 
 use super::Network;
 use super::collect::permanent;
-use super::stations::Station;
+use super::stations::{Heading, OnLine, STATION_STEP, Station};
 use crate::line::ReferenceLine;
 use crate::place::{SectionIn, Side, number, value};
 use crate::profile::{elevation_at, outermost_at, superelevation_at};
 use mapd_xodr::Road;
 use std::ops::Range;
-
-/// Cross-sections are this far apart at most `[m]`.
-const STATION_STEP: f64 = 10.0;
 
 /// Between cross-sections a curve leaves its chord by at most this much `[m]`.
 const CHORD_ERROR: f64 = 0.02;
@@ -21,16 +18,23 @@ const STATION_STEP_MIN: f64 = 0.5;
 /// Cross-sections of one road at most: a bound on memory for hostile files.
 const STATIONS_OF_A_ROAD: usize = 100_000;
 
+/// The cross-sections of a road.
+pub(super) struct Taken {
+    pub(super) lines: Range<u32>,
+    /// Only the first and the last one are kept.
+    pub(super) is_straight: bool,
+    pub(super) profiles: Range<u32>,
+    /// Smallest x, smallest y, largest x, largest y of its surface `[m]`.
+    pub(super) bounds: [f64; 4],
+}
+
 impl Network {
-    /// Takes the cross-sections of a road: where they and their profiles stand, and the bounds of its surface `[m]`.
-    pub(super) fn add_stations(
-        &mut self,
-        road: &Road,
-        line: &ReferenceLine,
-    ) -> (Range<u32>, Range<u32>, [f64; 4]) {
+    /// Takes the cross-sections of a road.
+    pub(super) fn add_stations(&mut self, road: &Road, line: &ReferenceLine) -> Taken {
         let (before, profiles) = (self.lines.len(), self.profiles.len());
         let mut bounds = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
         let end = number(&road.length).min(line.end());
+        let mut heading = Heading::default();
         let sections: Vec<SectionIn<'_>> = permanent(road).collect();
         for s in places(line, &sections, end) {
             let Some(point) = line.at(s) else { break };
@@ -45,7 +49,7 @@ impl Network {
                 left,
                 right,
             };
-            for [x, y] in station.ends() {
+            for [x, y] in station.ends(&mut heading) {
                 bounds = [bounds[0].min(x), bounds[1].min(y), bounds[2].max(x), bounds[3].max(y)];
             }
             let (line, profile) = station.split();
@@ -56,15 +60,21 @@ impl Network {
         if own.first().is_some_and(|first| own.iter().all(|other| first.is(other))) {
             self.profiles.truncate(profiles + 1);
         }
-        let range = |from: usize, to: usize| from as u32..to as u32;
-        (range(before, self.lines.len()), range(profiles, self.profiles.len()), bounds)
+        let own = self.lines.get(before..).unwrap_or_default();
+        let is_straight = OnLine::are_straight(own);
+        if let Some(last) = own.last().copied().filter(|_| is_straight) {
+            self.lines.truncate(before + 1);
+            self.lines.push(last);
+        }
+        let lines = before as u32..self.lines.len() as u32;
+        Taken { lines, is_straight, profiles: profiles as u32..self.profiles.len() as u32, bounds }
     }
 }
 
 /// Smallest x, smallest y, largest x, largest y of a road's surface `[m]`; none where its reference line cannot be built.
 pub fn extent(road: &Road) -> Option<[f64; 4]> {
     let line = ReferenceLine::new(road.plan_view.as_deref());
-    let (_, _, bounds) = Network::default().add_stations(road, &line);
+    let Taken { bounds, .. } = Network::default().add_stations(road, &line);
     bounds.iter().all(|value| value.is_finite()).then_some(bounds)
 }
 

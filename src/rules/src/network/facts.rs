@@ -65,6 +65,8 @@ pub struct RoadFacts {
     pub(super) stations: Range<u32>,
     /// One for each cross-section, or one for all.
     pub(super) profiles: Range<u32>,
+    /// Only the first and the last of its cross-sections are kept.
+    pub(super) is_straight: bool,
     /// Traffic drives on the left.
     pub is_left_hand: bool,
     /// It has surface data of its own.

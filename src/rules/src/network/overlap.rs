@@ -1,5 +1,6 @@
 //! Where roads overlap, in the plane and in height.
 
+use super::stations::Heading;
 use super::{LinkTarget, Network, RoadFacts, Station};
 use crate::place::text;
 use std::collections::BTreeMap;
@@ -68,7 +69,8 @@ fn bounds(corners: &[[f64; 2]; 4]) -> [f64; 4] {
 
 impl Stretch {
     fn new(road: usize, a: &Station, b: &Station) -> Option<Self> {
-        Self::between(road, (a, a.ends()), (b, b.ends()))
+        let mut heading = Heading::default();
+        Self::between(road, (a, a.ends(&mut heading)), (b, b.ends(&mut heading)))
     }
 
     /// As [`Stretch::new`], where the ends of the cross-sections are known.
@@ -250,7 +252,7 @@ impl Network {
                 continue;
             }
             // The ends of a cross-section that two stretches share are computed once.
-            let mut known: Option<[[f64; 2]; 2]> = None;
+            let (mut known, mut heading) = (None, Heading::default());
             for (station, (a, b)) in self.stations_of(road).pairs().enumerate() {
                 let before = known.take();
                 let reach = [a.left, a.right, b.left, b.right].map(f64::abs);
@@ -258,7 +260,7 @@ impl Network {
                 if is_beside(a.x.min(b.x) - reach, a.x.max(b.x) + reach) {
                     continue;
                 }
-                let ends = (before.unwrap_or_else(|| a.ends()), b.ends());
+                let ends = (before.unwrap_or_else(|| a.ends(&mut heading)), b.ends(&mut heading));
                 known = Some(ends.1);
                 let stretch = Stretch::between(rank, (&a, ends.0), (&b, ends.1));
                 let Some(stretch) = stretch else { continue };

@@ -1,8 +1,12 @@
 //! Cross-sections of roads: the reference line at each, and how high, how rolled and how wide the road is.
 //!
-//! Many roads are as high and as wide everywhere. Their cross-sections share one [`Profile`].
+//! Many roads are as high and as wide everywhere. Their cross-sections share one [`Profile`]. Of roads that are straight, the
+//! cross-sections between the first and the last one are computed when they are asked for.
 
 use super::{Network, RoadFacts, rows};
+
+/// Cross-sections are this far apart at most `[m]`.
+pub(super) const STATION_STEP: f64 = 10.0;
 
 /// A cross-section of a road.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,14 +55,36 @@ impl Station {
     }
 
     /// The points at the outermost borders: left, right `[m]`.
-    pub fn ends(&self) -> [[f64; 2]; 2] {
-        let (cos, sin) = mapd_geometry::cos_sin(self.hdg);
+    pub(super) fn ends(&self, heading: &mut Heading) -> [[f64; 2]; 2] {
+        let (cos, sin) = heading.cos_sin(self.hdg);
         [self.left, self.right].map(|t| [self.x - t * sin, self.y + t * cos])
     }
 
     pub(super) fn split(&self) -> (OnLine, Profile) {
         let Self { s, x, y, hdg, z, roll, left, right } = *self;
         (OnLine { s, x, y, hdg }, Profile { z, roll, left, right })
+    }
+}
+
+/// The heading that was asked for last: along straight roads it stays the same.
+pub(super) struct Heading {
+    hdg: u64,
+    cos_sin: (f64, f64),
+}
+
+impl Default for Heading {
+    fn default() -> Self {
+        Self { hdg: 0.0_f64.to_bits(), cos_sin: (1.0, 0.0) }
+    }
+}
+
+impl Heading {
+    /// Cosine and sine of a heading `[rad]`.
+    fn cos_sin(&mut self, hdg: f64) -> (f64, f64) {
+        if hdg.to_bits() != self.hdg {
+            *self = Self { hdg: hdg.to_bits(), cos_sin: mapd_geometry::cos_sin(hdg) };
+        }
+        self.cos_sin
     }
 }
 
@@ -69,6 +95,36 @@ pub(super) struct OnLine {
     x: f64,
     y: f64,
     hdg: f64,
+}
+
+impl OnLine {
+    /// The place of a number on a straight line from here in a direction.
+    fn straight_on(&self, (cos, sin): (f64, f64), number: usize) -> Self {
+        let s = number as f64 * STATION_STEP;
+        Self { s, x: self.x + cos * s, y: self.y + sin * s, hdg: self.hdg }
+    }
+
+    fn bits(&self) -> [u64; 4] {
+        [self.s, self.x, self.y, self.hdg].map(f64::to_bits)
+    }
+
+    /// Whether the first and the last of these places tell all others, bit by bit.
+    pub(super) fn are_straight(places: &[Self]) -> bool {
+        let [first, between @ .., last] = places else { return false };
+        let direction = mapd_geometry::cos_sin(first.hdg);
+        let is_straight_on = |(number, place): (usize, &Self)| {
+            first.straight_on(direction, number + 1).bits() == place.bits()
+        };
+        !between.is_empty()
+            && places.len() == straight_count(last)
+            && first.s.to_bits() == 0
+            && between.iter().enumerate().all(is_straight_on)
+    }
+}
+
+/// How many cross-sections a straight road has that ends here.
+fn straight_count(last: &OnLine) -> usize {
+    ((last.s / STATION_STEP).ceil() as usize).saturating_add(1)
 }
 
 /// Height, roll and width of a road.
@@ -91,28 +147,53 @@ impl Profile {
 /// The cross-sections of a road, by s.
 #[derive(Clone, Copy, Debug)]
 pub struct Stations<'a> {
+    /// Each of them, or the first and the last one of a straight road.
     lines: &'a [OnLine],
     /// One for each of them, or one for all.
     profiles: &'a [Profile],
+    count: usize,
 }
 
 impl<'a> Stations<'a> {
     /// How many there are.
     pub fn len(&self) -> usize {
-        self.lines.len()
+        self.count
     }
 
     /// Whether there are none: the reference line cannot be built.
     pub fn is_empty(&self) -> bool {
-        self.lines.is_empty()
+        self.count == 0
+    }
+
+    /// Whether only the ends are kept.
+    fn is_straight(&self) -> bool {
+        self.count > self.lines.len()
+    }
+
+    /// The direction of a road of which only the ends are kept.
+    fn direction(&self) -> Option<(f64, f64)> {
+        let first = self.lines.first().filter(|_| self.is_straight())?;
+        Some(mapd_geometry::cos_sin(first.hdg))
+    }
+
+    /// The one of a number, in a direction that is known where it is needed: both ends are kept.
+    fn towards(&self, direction: Option<(f64, f64)>, number: usize) -> Option<Station> {
+        let line = match direction {
+            _ if number >= self.count => return None,
+            _ if number + 1 == self.count => *self.lines.last()?,
+            Some(direction) if number > 0 => self.lines.first()?.straight_on(direction, number),
+            _ => *self.lines.get(number)?,
+        };
+        let OnLine { s, x, y, hdg } = line;
+        let Profile { z, roll, left, right } =
+            *self.profiles.get(number.min(self.profiles.len().checked_sub(1)?))?;
+        Some(Station { s, x, y, hdg, z, roll, left, right })
     }
 
     /// The one of a number, from 0.
     pub fn get(&self, number: usize) -> Option<Station> {
-        let OnLine { s, x, y, hdg } = *self.lines.get(number)?;
-        let Profile { z, roll, left, right } =
-            *self.profiles.get(number.min(self.profiles.len().checked_sub(1)?))?;
-        Some(Station { s, x, y, hdg, z, roll, left, right })
+        let is_end = number == 0 || number + 1 == self.count;
+        self.towards(if is_end { None } else { self.direction() }, number)
     }
 
     /// The first one.
@@ -127,17 +208,37 @@ impl<'a> Stations<'a> {
 
     /// All of them.
     pub fn iter(self) -> impl Iterator<Item = Station> + use<'a> {
-        (0..self.len()).filter_map(move |number| self.get(number))
+        let direction = self.direction();
+        (0..self.count).filter_map(move |number| self.towards(direction, number))
     }
 
     /// Each with the next one.
     pub fn pairs(self) -> impl Iterator<Item = (Station, Station)> + use<'a> {
-        self.iter().zip(self.iter().skip(1))
+        let mut before = None;
+        self.iter().filter_map(move |station| Some((before.replace(station)?, station)))
+    }
+
+    /// s of the one of a number `[m]`.
+    fn s_of(&self, number: usize) -> f64 {
+        let kept = match self.is_straight() {
+            true if number + 1 < self.count => return number as f64 * STATION_STEP,
+            true => self.lines.last(),
+            false => self.lines.get(number),
+        };
+        kept.map_or(0.0, |line| line.s)
     }
 
     /// The cross-section at `s` `[m]`, between those that are kept linear.
     pub fn over(&self, s: f64) -> Option<Station> {
-        let after = self.lines.partition_point(|line| line.s <= s);
+        let (mut after, mut end) = (0, self.count);
+        while after < end {
+            let middle = after.midpoint(end);
+            if self.s_of(middle) <= s {
+                after = middle + 1;
+            } else {
+                end = middle;
+            }
+        }
         let (a, b) = (self.get(after.saturating_sub(1))?, self.get(after));
         Some(b.map_or(a, |b| a.between(&b, s)))
     }
@@ -147,11 +248,52 @@ impl Network {
     /// Cross-sections of a road by s.
     pub fn stations_of(&self, road: &RoadFacts) -> Stations<'_> {
         let lines = rows(&self.lines, &road.stations);
-        Stations { lines, profiles: rows(&self.profiles, &road.profiles) }
+        let profiles = rows(&self.profiles, &road.profiles);
+        let straight = lines.last().filter(|_| road.is_straight).map(straight_count);
+        Stations { lines, profiles, count: straight.unwrap_or(lines.len()) }
     }
 
     /// The cross-section of a road at `s` `[m]`, between those that are kept linear. None where the road has none.
     pub fn station_at(&self, road: &RoadFacts, s: f64) -> Option<Station> {
         self.stations_of(road).over(s)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Straight or not, all cross-sections are those that were put in; a road that only looks straight is kept whole.
+    #[test]
+    fn straight_roads_are_what_they_were() {
+        let profile = Profile { z: 1.0, roll: 0.0, left: 3.0, right: -3.0 };
+        let direction = mapd_geometry::cos_sin(0.7);
+        let first = OnLine { s: 0.0, x: 1e6, y: -3.0, hdg: 0.7 };
+        for (length, is_bent) in [(95.5, false), (100.0, false), (11.0, false), (95.5, true)] {
+            let inside = (1..).take_while(|number| *number as f64 * STATION_STEP < length);
+            let mut all: Vec<OnLine> =
+                inside.map(|number| first.straight_on(direction, number)).collect();
+            if is_bent && let Some(middle) = all.get_mut(4) {
+                middle.y += 1e-9;
+            }
+            all.insert(0, first);
+            let (cos, sin) = direction;
+            let (x, y) = (first.x + cos * length, first.y + sin * length);
+            all.push(OnLine { s: length, x, y, hdg: 0.7 });
+            assert_eq!(OnLine::are_straight(&all), !is_bent, "{length} m");
+            let kept = if is_bent { all.clone() } else { vec![first, all[all.len() - 1]] };
+            let count = if is_bent { kept.len() } else { straight_count(&kept[1]) };
+            let stations = Stations { lines: &kept, profiles: &[profile], count };
+            let bits: Vec<_> = stations.iter().map(|station| station.split().0.bits()).collect();
+            assert_eq!(bits, all.iter().map(OnLine::bits).collect::<Vec<_>>(), "{length} m");
+            for (number, line) in all.iter().enumerate() {
+                let own = stations.get(number).map(|station| station.split().0.bits());
+                assert_eq!(own, Some(line.bits()), "{number} of {length} m");
+                let over = stations.over(line.s).map(|station| station.s);
+                assert_eq!(over, Some(line.s), "{number} of {length} m");
+            }
+            assert!(stations.get(count).is_none());
+            assert_eq!(stations.pairs().count() + 1, count);
+        }
     }
 }
