@@ -55,6 +55,7 @@ struct Place {
     road: u32,
     /// Number of the first of its two cross-sections.
     station: u32,
+    s: f64,
     z: f64,
     bounds: [f64; 4],
 }
@@ -277,7 +278,7 @@ impl Network {
                     columns.flat_map(|x| (y0..=y1).map(move |y| ((x, within_32_bits(y)), number))),
                 );
                 let (road, station) = (rank as u32, station as u32);
-                places.push(Place { road, station, z: stretch.z, bounds });
+                places.push(Place { road, station, s: stretch.s, z: stretch.z, bounds });
             }
         }
     }
@@ -291,14 +292,11 @@ impl Network {
         found: &mut BTreeMap<(usize, usize), Overlap>,
     ) {
         // What is cheap and excludes most comes first.
-        if !a.is_near(b) || self.are_of_one_junction(a, b) {
+        if !a.is_near(b) || self.are_of_one_junction(a, b) || self.are_neighbors(a, b) {
             return;
         }
         let (Some(a), Some(b)) = (self.stretch(a), self.stretch(b)) else { return };
         let (a, b) = (&a, &b);
-        if self.are_neighbors(a, b) {
-            return;
-        }
         let key = (a.road, b.road);
         let depth = a.depth(b);
         let is_new = || !found.contains_key(&key);
@@ -320,11 +318,11 @@ impl Network {
     }
 
     /// Whether two stretches are neighbors on one road.
-    fn are_neighbors(&self, a: &Stretch, b: &Stretch) -> bool {
+    fn are_neighbors(&self, a: &Place, b: &Place) -> bool {
         let apart = (a.s - b.s).abs();
         // A road may lead back to its own start.
         let is_near = |road: &RoadFacts| apart <= NEAR || road.length - apart <= NEAR;
-        a.road == b.road && self.roads.get(a.road).is_some_and(is_near)
+        a.road == b.road && self.roads.get(a.road as usize).is_some_and(is_near)
     }
 
     /// Whether an overlap of two roads would tell something: not where they touch, nor where they meet at one junction.
