@@ -2,7 +2,7 @@
 
 use std::hash::{BuildHasher as _, RandomState};
 
-/// An id by its number in the [`Names`] that have it. The first one is the empty one.
+/// An id by its number in the [`Network`](super::Network) that has it. The first one is the empty one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Name(u32);
 
