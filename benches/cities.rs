@@ -1,9 +1,12 @@
 //! Cities: the tilings of 104 MB and 526 MB, each compiled by `mapd compile` in a process of its own. Peak memory, size of the
 //! archive and answers are held to bounds; times are printed, with the ratio to what the smaller tiling would predict.
 //!
-//! `cargo bench -p mapd-benches --bench cities -- FILE…` compiles more files in the same way, without asking them anything.
+//! `cargo bench -p mapd-benches --bench cities -- FILE…` compiles more files in the same way, and asks them for places that are
+//! known: centres of their lanes, and lanes of straight roads as the document has them. With `--only` the tilings are left out.
 
-use mapd_benches::{compiled, pitch, print, tiling};
+mod straight_roads;
+
+use mapd_benches::{Random, compiled, pitch, print, tiling};
 use mapd_client::{Map, NearestOptions, Snapshot, glam::DVec2};
 use std::path::Path;
 use std::process::{Command, ExitCode, Stdio};
@@ -19,8 +22,10 @@ const LARGEST: u64 = 500_000_000;
 const POINTS: usize = 1_000;
 /// Largest difference of an answer from that on the single tile `[m]`: coordinates of kilometres are written with 17 digits.
 const SAME: f64 = 1e-6;
-/// Pause between two looks at a compiler's memory.
-const LOOK: Duration = Duration::from_millis(2);
+/// Farthest that a point of a centre line may lie from the lane that is found there `[m]`: points are off by the index' tolerance.
+const ON_LANE: f64 = 0.05;
+/// Largest difference in s and t between the document's numbers and the answer `[m]`.
+const AS_WRITTEN: f64 = 1e-6;
 
 /// What compiling took.
 struct Made {
@@ -33,32 +38,24 @@ struct Made {
 
 /// Compiles a file in a process of its own.
 fn compile(file: &Path, archive: &Path) -> Made {
+    let told = archive.with_extension("peak");
     let start = Instant::now();
-    let mut child = Command::new(env!("CARGO_BIN_EXE_mapd_under_bench"))
+    let ended = Command::new(env!("CARGO_BIN_EXE_mapd_under_bench"))
         .arg("compile")
         .arg(file)
         .arg("-o")
         .arg(archive)
         .arg("--quiet")
+        .env("MAPD_BENCH_PEAK", &told)
         .stderr(Stdio::null())
-        .spawn()
+        .status()
         .expect("the compiler starts");
-    let status = format!("/proc/{}/status", child.id());
-    let mut peak = 0;
-    let ended = loop {
-        // The system's own largest value so far, which never falls.
-        let text = std::fs::read_to_string(&status).unwrap_or_default();
-        let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"));
-        let kib = line.and_then(|line| line.trim().strip_suffix(" kB")?.parse::<u64>().ok());
-        peak = peak.max(kib.unwrap_or(0) << 10);
-        if let Some(ended) = child.try_wait().expect("waited for") {
-            break ended;
-        }
-        std::thread::sleep(LOOK);
-    };
+    let time = start.elapsed();
     assert!(ended.success(), "{}: {ended}", file.display());
+    let peak = std::fs::read_to_string(&told).expect("the compiler says its largest memory");
+    let peak = peak.trim().parse::<u64>().expect("a number") << 10;
     let bytes = std::fs::metadata(archive).expect("an archive").len();
-    Made { time: start.elapsed(), peak, bytes }
+    Made { time, peak, bytes }
 }
 
 /// Asks the single tile and a corner of the tiling for the same places; how many answers differ.
@@ -100,6 +97,53 @@ fn differences(single: Map<'_>, city: Map<'_>, shift: DVec2) -> usize {
     found
 }
 
+/// Asks for random points of lanes' centre lines; how many are answered with a lane that does not lie there.
+fn astray(map: Map<'_>) -> usize {
+    let lanes: Vec<_> = map.lanes().filter(|lane| lane.number() != 0).collect();
+    let (mut random, mut others) = (Random(7), 0);
+    let mut is_astray = |_: &usize| {
+        let lane = lanes[(random.unit() * lanes.len() as f64) as usize];
+        let line = lane.center_line();
+        let Some(place) = line.position((random.unit() * line.len() as f64) as usize) else {
+            return true;
+        };
+        let found = map.nearest_lane(place.truncate(), &NearestOptions::default());
+        let Some(found) = found.expect("an answer") else { return true };
+        others += usize::from(found.lane != lane.lane_id());
+        found.position.distance > ON_LANE
+    };
+    let astray = (0..POINTS).filter(|number| is_astray(number)).count();
+    print(&format!(
+        "  of {POINTS} centres of lanes {others} lie on another lane, too, which was found"
+    ));
+    astray
+}
+
+/// Asks for the middles of lanes of straight roads, computed from the document's numbers alone; how many are answered with
+/// another place.
+fn other_than_written(file: &Path, map: Map<'_>) -> usize {
+    let written = straight_roads::sample(file, POINTS);
+    let mut others = 0;
+    let mut differs = |one: &&straight_roads::Written| {
+        let found = map.nearest_lane(one.place, &NearestOptions::default()).expect("an answer");
+        let Some(found) = found else { return true };
+        let lane = map.lane(found.lane).expect("a lane");
+        if lane.road().id() != one.road || lane.number() != one.lane {
+            // Where lanes lie on one another, another one may be as near.
+            others += 1;
+            return found.position.distance > 0.0;
+        }
+        let away = [found.position.s - one.s, found.position.t - one.t];
+        away.iter().any(|away| away.abs() > AS_WRITTEN)
+    };
+    let differing = written.iter().filter(|one| differs(one)).count();
+    let all = written.len();
+    print(&format!(
+        "  of {all} places from the document {others} lie on another lane, too, which was found"
+    ));
+    differing
+}
+
 fn main() -> ExitCode {
     let folder = tempfile::tempdir().expect("a folder");
     let archive = folder.path().join("city.mapd");
@@ -110,7 +154,8 @@ fn main() -> ExitCode {
         exceeded |= found > most;
     };
     let mut before: Option<(u64, Duration)> = None;
-    for (columns, rows, most) in CITIES {
+    let is_only = std::env::args().any(|argument| argument == "--only");
+    for (columns, rows, most) in CITIES.into_iter().filter(|_| !is_only) {
         let Some(tiling) = tiling(folder.path(), columns, rows) else { continue };
         let input = std::fs::metadata(&tiling.file).expect("the tiling").len();
         let made = compile(&tiling.file, &archive);
@@ -149,6 +194,10 @@ fn main() -> ExitCode {
         ));
         print(&format!("  bytes of the archive: {}", made.bytes));
         hold("bytes of memory at most", made.peak, 2 * made.bytes + BESIDE);
+        let map = Snapshot::open(&archive).expect("the archive opens");
+        hold("centres of lanes answered with a lane elsewhere", astray(map.map()) as u64, 0);
+        let others = other_than_written(file.as_ref(), map.map());
+        hold("places from the document answered with others", others as u64, 0);
     }
     if exceeded { ExitCode::FAILURE } else { ExitCode::SUCCESS }
 }

@@ -77,6 +77,21 @@ impl StringTable {
         self.find(text.as_bytes()).ok()
     }
 
+    /// Number of a text that has been added before, by its bytes.
+    pub fn number_of(&self, text: &[u8]) -> Option<u32> {
+        self.find(text).ok()
+    }
+
+    /// How many texts there are, the empty one among them.
+    pub fn len(&self) -> usize {
+        self.offsets.len().saturating_sub(1)
+    }
+
+    /// Whether there are no texts; never so, for there is the empty one.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
     /// Number of a text, or where it would be entered.
     fn find(&self, text: &[u8]) -> Result<u32, u64> {
         let mut hash = self.hasher.hash_one(text);

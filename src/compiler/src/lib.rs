@@ -273,7 +273,7 @@ impl Document {
         }
         let placed = lowering.placed.clone();
         let written = std::mem::take(&mut lowering.objects);
-        let road_spans = lowering.links.road_spans.clone();
+        let road_spans = std::mem::take(&mut lowering.links.road_spans);
         let mut rows = lowering.into_rows(options);
         let allowance = allowance::Allowance::of(&rows);
         let lanes = match lanes::sample(&mut rows, options, &allowance) {

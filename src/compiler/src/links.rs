@@ -3,10 +3,8 @@
 use crate::finding;
 use crate::lower::{Lowering, between};
 use crate::quarantine::Exclusions;
-use mapd_archive::{
-    ConnectionLaneLinkRow, ConnectionRow, ContactPoint, LinkKind, NONE, RoadRow, StringTable,
-};
-use mapd_xodr::{self as xodr, ElementType, Finding, Severity, Span, Text as _, Value as _};
+use mapd_archive::{ConnectionLaneLinkRow, ConnectionRow, ContactPoint, LinkKind, NONE, RoadRow};
+use mapd_xodr::{self as xodr, Finding, Severity, Span};
 use std::collections::HashMap;
 
 /// Rows by the number of their id's string.
@@ -34,10 +32,11 @@ pub(crate) fn resolve(lowering: &mut Lowering, without: &Exclusions, findings: &
         ("junction", "mapd:compile.duplicate_junction"),
         findings,
     );
+    let names = Named::new(lowering, &roads, &junctions);
     for number in 0..lowering.rows.roads.len() {
-        resolve_road(lowering, number, &roads, &junctions, findings);
+        resolve_road(lowering, number, &names, findings);
     }
-    resolve_connections(lowering, &roads);
+    resolve_connections(lowering, &names);
     sort_by_id(lowering);
 }
 
@@ -66,8 +65,29 @@ fn by_id(
     rows
 }
 
-fn find(rows: &ById, strings: &StringTable, id: &str) -> Option<u32> {
-    strings.number(id).and_then(|number| rows.get(&number)).copied()
+/// What the ids mean that links name, by their numbers.
+struct Named {
+    roads: Vec<Option<u32>>,
+    junctions: Vec<Option<u32>>,
+}
+
+impl Named {
+    fn new(lowering: &Lowering, roads: &ById, junctions: &ById) -> Self {
+        let Lowering { links, strings, .. } = lowering;
+        let row = |rows: &ById, id: Option<u32>| rows.get(&id?).copied();
+        let ids = (0..links.names.len() as u32)
+            .map(|number| strings.number_of(links.names.bytes_of(number)));
+        let (roads, junctions) = ids.map(|id| (row(roads, id), row(junctions, id))).unzip();
+        Self { roads, junctions }
+    }
+
+    fn road(&self, id: u32) -> Option<u32> {
+        self.roads.get(id as usize).copied().flatten()
+    }
+
+    fn junction(&self, id: u32) -> Option<u32> {
+        self.junctions.get(id as usize).copied().flatten()
+    }
 }
 
 fn road_path(lowering: &Lowering, number: usize) -> String {
@@ -78,32 +98,30 @@ fn road_path(lowering: &Lowering, number: usize) -> String {
 fn resolve_road(
     lowering: &mut Lowering,
     number: usize,
-    roads: &ById,
-    junctions: &ById,
+    names: &Named,
     findings: &mut Vec<Finding>,
 ) {
-    let junction = lowering.links.road_junctions.get(number).cloned().flatten();
-    if let Some(junction) = junction.and_then(|id| find(junctions, &lowering.strings, &id)) {
+    let junction = lowering.links.road_junctions.get(number).copied();
+    // Without an id there is none.
+    let junction = junction.filter(|id| *id != 0).and_then(|id| names.junction(id));
+    if let Some(junction) = junction {
         lowering.rows.roads[number].junction = junction;
     }
-    let links = lowering.links.roads.get(number).cloned().unwrap_or_default();
+    let links = lowering.links.roads.get(number).copied().unwrap_or_default();
     for (i, link) in links.iter().enumerate() {
         let Some(link) = link else { continue };
-        let id = link.element_id.text();
-        // Files without the type link roads.
-        let to_junction = link.element_type.value() == Some(ElementType::Junction);
+        let to_junction = link.to_junction;
         let (known, found, missing) = if to_junction {
-            let found = find(junctions, &lowering.strings, id);
-            (LinkKind::Junction, found, LinkKind::UnresolvedJunction)
+            (LinkKind::Junction, names.junction(link.id), LinkKind::UnresolvedJunction)
         } else {
-            (LinkKind::Road, find(roads, &lowering.strings, id), LinkKind::UnresolvedRoad)
+            (LinkKind::Road, names.road(link.id), LinkKind::UnresolvedRoad)
         };
         let end = if i == 0 { "predecessor" } else { "successor" };
-        let mut contact = contact_code(link.contact_point.value());
+        let mut contact = contact_code(link.contact);
         if let Some(target) = found
             && !to_junction
             && contact == ContactPoint::None.code()
-            && link.element_s.is_none()
+            && link.s.is_none()
         {
             contact = nearer_end(lowering, number, i == 1, target as usize);
             let message = format!(
@@ -114,7 +132,7 @@ fn resolve_road(
             findings.push(finding(
                 "mapd:compile.contact_point",
                 Severity::Warning,
-                link.span,
+                link.span(),
                 path,
                 message,
                 "",
@@ -162,42 +180,34 @@ fn nearer_end(lowering: &Lowering, road: usize, at_end: bool, target: usize) -> 
     if squared(start) <= squared(end) { ContactPoint::Start } else { ContactPoint::End }.code()
 }
 
-fn resolve_connections(lowering: &mut Lowering, roads: &ById) {
-    let junctions = std::mem::take(&mut lowering.links.junctions);
-    for (number, junction) in junctions.iter().enumerate() {
-        let before = lowering.rows.connections.len();
-        for connection in &junction.connection {
-            let resolve = |id: Option<&str>| find(roads, &lowering.strings, id?);
-            let [incoming, linked, connecting] =
-                [&connection.incoming_road, &connection.linked_road, &connection.connecting_road]
-                    .map(|id| Some(id.text()).filter(|id| !id.is_empty()));
-            let incoming = resolve(incoming);
-            let connecting = match linked {
-                Some(linked) => resolve(Some(linked)),
-                None => resolve(connecting),
+fn resolve_connections(lowering: &mut Lowering, names: &Named) {
+    let Lowering { rows, strings, links, .. } = lowering;
+    for (number, junction) in links.junctions.iter().enumerate() {
+        let before = rows.connections.len();
+        for connection in junction.connections.of(&links.connections) {
+            let connecting = match connection.linked {
+                0 => connection.connecting,
+                linked => linked,
             };
-            let links = lowering.rows.connection_lane_links.len();
-            let written = connection.lane_link.iter().filter_map(|link| {
-                Some(ConnectionLaneLinkRow { from: link.from.value()?, to: link.to.value()? })
-            });
-            lowering.rows.connection_lane_links.extend(written);
-            let id = lowering.strings.add(connection.id.text());
-            let row = ConnectionRow {
-                id,
-                incoming_road: incoming.unwrap_or(NONE),
-                connecting_road: connecting.unwrap_or(NONE),
-                lane_links: between(links, lowering.rows.connection_lane_links.len()),
-                contact: contact_code(connection.contact_point.value()),
+            let row = |id: u32| Some(id).filter(|id| *id != 0).and_then(|id| names.road(id));
+            let written = connection.lane_links.of(&links.connected);
+            let before = rows.connection_lane_links.len();
+            let pairs = written.iter().map(|l| ConnectionLaneLinkRow { from: l.from, to: l.to });
+            rows.connection_lane_links.extend(pairs);
+            rows.connections.push(ConnectionRow {
+                id: strings.add(links.name(connection.id)),
+                incoming_road: row(connection.incoming).unwrap_or(NONE),
+                connecting_road: row(connecting).unwrap_or(NONE),
+                lane_links: between(before, rows.connection_lane_links.len()),
+                contact: contact_code(connection.contact),
                 reserved: [0; 3],
-            };
-            lowering.rows.connections.push(row);
+            });
         }
-        let connections = between(before, lowering.rows.connections.len());
-        if let Some(row) = lowering.rows.junctions.get_mut(number) {
+        let connections = between(before, rows.connections.len());
+        if let Some(row) = rows.junctions.get_mut(number) {
             row.connections = connections;
         }
     }
-    lowering.links.junctions = junctions;
 }
 
 /// Rows in byte order of their ids, for looking ids up.

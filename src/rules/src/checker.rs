@@ -121,9 +121,8 @@ impl Checker {
 
     /// Takes what all checks of the document as a whole found, in their order.
     pub fn end(&mut self, whole: Whole, looked: impl IntoIterator<Item = Looked>) {
-        let Whole { rules, network } = whole;
+        let Whole { rules, .. } = whole;
         self.keep(Looked(looked.into_iter().flat_map(|looked| looked.0).collect()));
-        self.looker.network = network;
         for (applied, left_out) in rules.applied.iter().zip(&self.left_out) {
             if let Some((span, severity, count)) = *left_out {
                 let message = format!("{count} more findings of this rule, the first of them here");
@@ -143,11 +142,6 @@ impl Checker {
     /// Takes the findings since the last call.
     pub fn take_findings(&mut self) -> Vec<Finding> {
         std::mem::take(&mut self.findings)
-    }
-
-    /// What is kept of the document.
-    pub fn network(&self) -> &Network {
-        &self.looker.network
     }
 }
 

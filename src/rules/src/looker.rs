@@ -116,7 +116,7 @@ impl Looker {
     /// One with the same rules that knows how much was found so far.
     pub(crate) fn another(&self) -> Self {
         let (rules, counts) = (Arc::clone(&self.rules), self.counts.clone());
-        Self { rules, counts, found: Vec::new(), network: Network::default() }
+        Self { rules, counts, found: Vec::new(), network: self.network.another() }
     }
 
     /// Looks at a top-level element, and keeps what the rules on the network need of it; yields a road's reference line, too.

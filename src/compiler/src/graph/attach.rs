@@ -10,7 +10,7 @@ use super::walk::{Edge, connection_written, lane_of, written_links};
 use super::{cross_paths, virtual_connections};
 use crate::lower::Lowering;
 use mapd_archive::{ContactPoint, EdgeKind, LinkKind, node_flags};
-use mapd_xodr::{ElementDir, LinkedElement, Span, Value as _};
+use mapd_xodr::{ElementDir, Span};
 
 /// Edges over places inside a road, by the node that is left.
 #[derive(Default)]
@@ -34,9 +34,9 @@ impl Attachments {
                 out_of_road(lowering, cuts, (road, successor), problems, &mut edges);
             }
         }
-        for (junction, row) in lowering.rows.junctions.iter().enumerate() {
+        for row in lowering.rows.junctions.iter() {
             for connection in row.connections.first..row.connections.end() as u32 {
-                into_road(lowering, cuts, (junction as u32, connection), problems, &mut edges);
+                into_road(lowering, cuts, connection, problems, &mut edges);
             }
         }
         cross_paths::edges(lowering, cuts, problems, &mut edges);
@@ -58,7 +58,7 @@ fn at_place(from: u32, to: u32, span: Span) -> Edge {
 }
 
 /// A road's link at one end, if it names a place inside another road.
-fn link_inside(lowering: &Lowering, road: u32, successor: bool) -> Option<(&LinkedElement, Place)> {
+fn link_inside(lowering: &Lowering, road: u32, successor: bool) -> Option<Place> {
     let row = lowering.rows.roads.get(road as usize)?;
     let link = lowering.links.roads.get(road as usize)?[usize::from(successor)].as_ref()?;
     let (kind, target) = if successor {
@@ -66,9 +66,9 @@ fn link_inside(lowering: &Lowering, road: u32, successor: bool) -> Option<(&Link
     } else {
         (row.predecessor_kind, row.predecessor)
     };
-    let s = link.element_s.value().filter(|_| LinkKind::from_code(kind) == LinkKind::Road)?;
-    let aligned = link.element_dir.value() != Some(ElementDir::Minus);
-    Some((link, Place { road: target, s, forward: aligned }))
+    let s = link.s.filter(|_| LinkKind::from_code(kind) == LinkKind::Road)?;
+    let aligned = link.dir != Some(ElementDir::Minus);
+    Some(Place { road: target, s, forward: aligned })
 }
 
 /// Edges that leave a road over a link into the middle of another.
@@ -79,7 +79,7 @@ fn out_of_road(
     problems: &mut Problems,
     edges: &mut Vec<Edge>,
 ) {
-    let Some((_, mut place)) = link_inside(lowering, road, successor) else { return };
+    let Some(mut place) = link_inside(lowering, road, successor) else { return };
     // Who leaves over the predecessor travels against +s of both.
     place.forward = place.forward == successor;
     let rows = &lowering.rows;
@@ -93,8 +93,8 @@ fn out_of_road(
         let from = first + pieces(leaving) - 1;
         for link in written_links(lowering, lane, successor) {
             match node_at(lowering, cuts, place, link.number, true) {
-                Ok(to) => edges.push(at_place(from, to, link.span)),
-                Err(missing) => problems.add(missing.problem(from, link.number, link.span)),
+                Ok(to) => edges.push(at_place(from, to, link.span())),
+                Err(missing) => problems.add(missing.problem(from, link.number, link.span())),
             }
         }
     }
@@ -104,7 +104,7 @@ fn out_of_road(
 fn into_road(
     lowering: &Lowering,
     cuts: &Cuts,
-    (junction, connection): (u32, u32),
+    connection: u32,
     problems: &mut Problems,
     edges: &mut Vec<Edge>,
 ) {
@@ -115,33 +115,33 @@ fn into_road(
         ContactPoint::End => false,
         _ => return,
     };
-    let Some((_, mut place)) = link_inside(lowering, row.connecting_road, !start) else { return };
+    let Some(mut place) = link_inside(lowering, row.connecting_road, !start) else { return };
     if place.road != row.incoming_road {
         return;
     }
     place.forward = place.forward == start;
     let Some(road) = rows.roads.get(row.connecting_road as usize) else { return };
     let section = if start { road.sections.first } else { road.sections.end() as u32 - 1 };
-    let Some(written) = connection_written(lowering, junction, connection) else { return };
-    for link in &written.lane_link {
-        let (Some(number), Some(entered)) = (link.from.value(), link.to.value()) else { continue };
+    let Some(written) = connection_written(lowering, connection) else { return };
+    for link in written.lane_links.of(&lowering.links.connected) {
+        let (number, entered, span) = (link.from, link.to, link.span());
         let from = match node_at(lowering, cuts, place, number, false) {
             Ok(from) => from,
             // Lanes of the main road that travel the other way have nothing to do with this place.
             Err(Missing::Direction(_)) => continue,
             Err(missing) => {
-                problems.add(missing.problem(u32::MAX, number, link.span));
+                problems.add(missing.problem(u32::MAX, number, span));
                 continue;
             }
         };
         let lane = lane_of(lowering, section, entered);
         let Some(lane) = lane else {
-            problems.add(Problem::MissingLane { from, section, number: entered, span: link.span });
+            problems.add(Problem::MissingLane { from, section, number: entered, span });
             continue;
         };
         match rows.lanes.get(lane as usize).and_then(|row| first_node(row, start)) {
-            Some(to) => edges.push(at_place(from, to, link.span)),
-            None => problems.add(Problem::Direction { from, lane, span: link.span }),
+            Some(to) => edges.push(at_place(from, to, span)),
+            None => problems.add(Problem::Direction { from, lane, span }),
         }
     }
 }

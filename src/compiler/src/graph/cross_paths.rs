@@ -50,7 +50,7 @@ pub(crate) fn edges(
 }
 
 fn ends(lowering: &Lowering) -> impl Iterator<Item = End<'_>> {
-    let paths = lowering.links.junctions.iter().flat_map(|junction| &junction.cross_path);
+    let paths = lowering.links.elements().flat_map(|junction| &junction.cross_path);
     paths.flat_map(|path| {
         let start = (&path.start_lane_link, path.road_at_start.text(), true);
         let end = (&path.end_lane_link, path.road_at_end.text(), false);

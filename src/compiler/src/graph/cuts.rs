@@ -7,7 +7,6 @@
 use super::{cross_paths, virtual_connections};
 use crate::lower::{Lowering, between};
 use mapd_archive::{CubicRow, LaneType, Range, VehicleClass, lane_flags};
-use mapd_xodr::{ElementType, Value as _};
 
 /// Shortest piece `[m]`: a cut nearer than this to an end or to another cut is left out. What holds in the middle of a
 /// piece holds for all of it, so a permission is off by at most half of this.
@@ -67,8 +66,8 @@ fn attachments(lowering: &Lowering) -> Vec<(u32, f64)> {
         let ends = [row.predecessor, row.successor];
         for (link, target) in links.iter().zip(ends) {
             if let Some(link) = link
-                && let Some(s) = link.element_s.value()
-                && link.element_type.value() != Some(ElementType::Junction)
+                && let Some(s) = link.s
+                && !link.to_junction
             {
                 places.push((target, s));
             }

@@ -70,7 +70,7 @@ pub(crate) fn edges(
 
 /// All virtual connections.
 fn connections(lowering: &Lowering) -> impl Iterator<Item = &Connection> {
-    let all = lowering.links.junctions.iter().flat_map(|junction| &junction.connection);
+    let all = lowering.links.elements().flat_map(|junction| &junction.connection);
     all.filter(|connection| {
         connection.r#type.value() == Some(ConnectionType::Virtual)
             && (connection.connecting_road.is_none()

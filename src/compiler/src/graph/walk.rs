@@ -8,12 +8,12 @@ use super::attach::Attachments;
 use super::findings::{Problem, Problems};
 use super::incoming::Incoming;
 use super::nodes::{first_node, pieces};
-use crate::lower::{Lowering, WrittenLink};
+use crate::lower::{Lowering, WrittenConnection, WrittenLink};
 use mapd_archive::{
     ConnectionRow, ContactPoint, EdgeKind, LaneRow, LinkKind, Range, RoadRow, lane_flags,
     node_flags,
 };
-use mapd_xodr::{Span, Value as _};
+use mapd_xodr::Span;
 
 /// An edge with the place in the file that says so.
 #[derive(Clone, Copy)]
@@ -106,13 +106,13 @@ impl Walk<'_> {
         let links = self.lowering.links.roads.get(road as usize);
         links
             .and_then(|links| links[usize::from(forward)].as_ref())
-            .is_some_and(|link| link.element_s.is_some())
+            .is_some_and(|link| link.s.is_some())
     }
 
     /// Follows the lane's links as written: its successors (`forward`) or predecessors.
     fn written(&mut self, node: u32, lane: u32, forward: bool, kind: EdgeKind, entry: Entry) {
         for link in written_links(self.lowering, lane, forward) {
-            self.enter((node, kind, link.span), entry, link.number);
+            self.enter((node, kind, link.span()), entry, link.number);
         }
     }
 
@@ -151,18 +151,18 @@ impl Walk<'_> {
             let Some(entry) = self.touching(connection.connecting_road, connection.contact) else {
                 continue;
             };
-            let Some(written) = connection_written(lowering, *of, *connection_row) else {
+            let Some(written) = connection_written(lowering, *connection_row) else {
                 continue;
             };
-            if written.lane_link.is_empty() {
+            let lane_links = written.lane_links.of(&lowering.links.connected);
+            if lane_links.is_empty() {
                 // OpenDRIVE 1.4: without lane links, lanes keep their numbers, as far as both roads have them.
                 if self.find(entry, row.number).is_some_and(|lane| self.travels(lane, entry)) {
-                    self.enter((node, EdgeKind::Implied, written.span), entry, row.number);
+                    self.enter((node, EdgeKind::Implied, written.span()), entry, row.number);
                 }
             }
-            for link in written.lane_link.iter().filter(|l| l.from.value() == Some(row.number)) {
-                let Some(to) = link.to.value() else { continue };
-                self.enter((node, EdgeKind::Connection, link.span), entry, to);
+            for link in lane_links.iter().filter(|link| link.from == row.number) {
+                self.enter((node, EdgeKind::Connection, link.span()), entry, link.to);
             }
         }
     }
@@ -250,12 +250,9 @@ pub(crate) fn written_links(lowering: &Lowering, lane: u32, forward: bool) -> &[
 /// A connection as the file has it.
 pub(crate) fn connection_written(
     lowering: &Lowering,
-    junction: u32,
     connection: u32,
-) -> Option<&mapd_xodr::Connection> {
-    let first = lowering.rows.junctions.get(junction as usize)?.connections.first;
-    let written = lowering.links.junctions.get(junction as usize)?;
-    written.connection.get(connection.checked_sub(first)? as usize)
+) -> Option<&WrittenConnection> {
+    lowering.links.connections.get(connection as usize)
 }
 
 /// Whether both ends of a road lie at this junction.

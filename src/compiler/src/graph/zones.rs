@@ -46,11 +46,13 @@ pub(crate) fn zones(lowering: &Lowering) -> Vec<Zone> {
         .junctions
         .iter()
         .map(|junction| Zone {
-            stretches: [named(lowering, junction), crossed(lowering, junction)].concat(),
+            stretches: junction.element.as_ref().map_or_else(Vec::new, |junction| {
+                [named(lowering, junction), crossed(lowering, junction)].concat()
+            }),
             span: junction.span,
-            kind: match junction.r#type.value() {
-                Some(JunctionType::Crossing) => ZoneKind::Crossing,
-                Some(JunctionType::Direct) => ZoneKind::Direct,
+            kind: match junction.kind {
+                JunctionType::Crossing => ZoneKind::Crossing,
+                JunctionType::Direct => ZoneKind::Direct,
                 _ => ZoneKind::Common,
             },
         })
@@ -63,7 +65,7 @@ pub(crate) fn zones(lowering: &Lowering) -> Vec<Zone> {
             let ends = [road.predecessor, road.successor];
             let links = lowering.links.roads.get(number).into_iter().flatten();
             for (link, target) in links.zip(ends) {
-                if let Some(s) = link.as_ref().and_then(|link| link.element_s.value()) {
+                if let Some(s) = link.as_ref().and_then(|link| link.s) {
                     touch(&mut zone.stretches, target, s);
                 }
             }
@@ -101,10 +103,10 @@ fn overlaps(lowering: &Lowering, junction: u32, stretches: &mut Vec<Stretch>) {
     let rows = &lowering.rows;
     let Some(written) = lowering.links.junctions.get(junction as usize) else { return };
     let Some(row) = rows.junctions.get(junction as usize) else { return };
-    for (connection, written) in
-        row.connections.of(&rows.connections).iter().zip(&written.connection)
-    {
-        let zones = written.lane_link.iter().map(|link| link.overlap_zone.value());
+    let written = written.element.as_ref().map_or(&[][..], |junction| &junction.connection);
+    for (number, connection) in row.connections.of(&rows.connections).iter().enumerate() {
+        let links = written.get(number).map_or(&[][..], |connection| &connection.lane_link);
+        let zones = links.iter().map(|link| link.overlap_zone.value());
         let longest = zones.map(|zone| zone.unwrap_or(OVERLAP_ZONE)).reduce(f64::max);
         let zone = longest.unwrap_or(OVERLAP_ZONE);
         let mut from_joint = |road: u32, at_end: bool| {

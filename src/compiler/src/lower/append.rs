@@ -1,7 +1,7 @@
 //! Appends what a part of the document was lowered to, so that the whole is as if it had been lowered in one go.
 
-use super::{Links, Lowering, interned};
-use mapd_archive::{Moved, Range, Rows};
+use super::{Lowering, interned};
+use mapd_archive::{Moved, Rows};
 use mapd_ontology::Ontology;
 use std::sync::Arc;
 
@@ -30,26 +30,5 @@ impl Lowering {
         self.permissions.append(part.permissions, &moves.lanes);
         self.objects.append(part.objects, &moves);
         self.signals.append(part.signals, &moves);
-    }
-}
-
-impl Links {
-    /// Takes those of the part that comes next; so many elevation grids come before its own.
-    fn append(&mut self, part: Self, grids: usize) {
-        let by = self.lane_links.len() as u32;
-        let lanes = part.lanes.into_iter().map(|links| {
-            links.map(|link| Range { first: link.first.wrapping_add(by), count: link.count })
-        });
-        self.lanes.extend(lanes);
-        self.lane_links.extend(part.lane_links);
-        self.roads.extend(part.roads);
-        self.road_junctions.extend(part.road_junctions);
-        self.road_spans.extend(part.road_spans);
-        self.junctions.extend(part.junctions);
-        // Row 0 of a part is not used.
-        self.joints.extend(part.joints.into_iter().map(|mut joint| {
-            joint.grid = joint.grid + grids - 1;
-            joint
-        }));
     }
 }

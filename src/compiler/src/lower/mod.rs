@@ -3,6 +3,7 @@
 mod append;
 mod grid;
 mod interned;
+mod links;
 mod marks;
 mod need;
 mod object_details;
@@ -23,6 +24,7 @@ use crate::quarantine::{QuarantinedPart, Treatment};
 use crate::signals::Pending;
 use crate::{finding, origin};
 pub(crate) use grid::{Joint, transitions};
+pub(crate) use links::{Links, WrittenConnection, WrittenLink};
 use mapd_archive::{
     ContactPoint, JunctionRow, LaneLayerRow, LinkKind, MapRow, NONE, QuarantinedRow, Range,
     RoadRow, RoadType, RoadTypeRow, Rows, SpeedKind, StringTable,
@@ -38,33 +40,6 @@ use std::sync::Arc;
 
 /// Value of `road/@junction` that means none.
 const NO_JUNCTION: &str = "-1";
-
-/// Links as written, kept until every id is known.
-#[derive(Default)]
-pub(crate) struct Links {
-    /// Per road: predecessor and successor as written.
-    pub(crate) roads: Vec<[Option<xodr::LinkedElement>; 2]>,
-    /// Per road: the junction that it names.
-    pub(crate) road_junctions: Vec<Option<String>>,
-    /// Per road: place of its start tag.
-    pub(crate) road_spans: Vec<Span>,
-    /// Per lane row: predecessors and successors as written, ranges of `lane_links`.
-    pub(crate) lanes: Vec<[Range; 2]>,
-    pub(crate) lane_links: Vec<WrittenLink>,
-    /// Junctions as written.
-    pub(crate) junctions: Vec<Junction>,
-    /// Joints of junctions with an elevation grid.
-    pub(crate) joints: Vec<Joint>,
-}
-
-/// A lane's link as written.
-#[derive(Clone, Copy)]
-pub(crate) struct WrittenLink {
-    /// Number of the linked lane.
-    pub(crate) number: i32,
-    /// The element's start tag.
-    pub(crate) span: Span,
-}
 
 /// The rows of what has been read so far.
 #[derive(Default)]
@@ -154,13 +129,12 @@ impl Lowering {
         if let Some(lanes) = road.temporary_lanes() {
             self.temporary(road, lanes, (number, length), &path, findings);
         }
-        let link = |of: fn(&xodr::RoadLink) -> &Option<Box<xodr::LinkedElement>>| {
-            let link = of(road.link.as_deref()?).as_deref()?;
-            link.element_id.is_some().then(|| link.clone())
-        };
-        self.links.roads.push([link(|l| &l.predecessor), link(|l| &l.successor)]);
-        let junction = Some(road.junction.text()).filter(|id| !id.is_empty() && *id != NO_JUNCTION);
-        self.links.road_junctions.push(junction.map(str::to_owned));
+        let link = road.link.as_deref();
+        let ends = [link.map(|link| &link.predecessor), link.map(|link| &link.successor)];
+        let ends = ends.map(|end| self.links.road_link(end?.as_deref()?));
+        self.links.roads.push(ends);
+        let junction = Some(road.junction.text()).filter(|id| *id != NO_JUNCTION);
+        self.links.road_junctions.push(self.links.names.add(junction.unwrap_or_default()));
         self.links.road_spans.push(road.span);
         self.surface(road, number, &path, findings);
         self.signals(road, number, &path, findings);
@@ -291,7 +265,7 @@ impl Lowering {
             part.need(link.from.value(), "from");
             part.need(link.to.value(), "to");
         }
-        self.links.junctions.push(junction);
+        self.links.junction(junction);
     }
 
     /// What can be said of the document as a whole.
@@ -308,7 +282,7 @@ impl Lowering {
                 "",
             ));
         }
-        if self.strings.is_full() {
+        if self.strings.is_full() || self.links.names.is_full() {
             let message = "names and ids need more than 4 GiB".to_owned();
             let path = "OpenDRIVE".to_owned();
             findings.push(finding(

@@ -328,7 +328,7 @@ impl Lowering {
                 let span = link.span;
                 let path = (road, "lanes/laneSection/lane/link");
                 let number = Part { span, path, findings }.need(link.id.value(), "id")?;
-                Some(WrittenLink { number, span })
+                Some(WrittenLink::new(number, span))
             };
             // Links into another layer are no links between these lanes.
             let other = if side.layer.is_temporary { PERMANENT } else { TEMPORARY };
@@ -338,7 +338,7 @@ impl Lowering {
             [numbers(&link.predecessor), numbers(&link.successor)]
         });
         // Where the other side alone begins a section, the lane goes on as itself.
-        let itself = WrittenLink { number: lane.id, span: lane.span };
+        let itself = WrittenLink::new(lane.id, lane.span);
         if lane.id != 0 && side.continues > 0 {
             before = vec![itself];
         }

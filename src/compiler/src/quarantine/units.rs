@@ -1,5 +1,6 @@
 //! Which part of the document a place is in.
 
+use mapd_xodr::source::Places;
 use mapd_xodr::{Item, Junction, Objects, Road, Span};
 
 /// Kinds of parts that can be left out.
@@ -50,10 +51,27 @@ pub(crate) struct Unit {
     pub(crate) owner: u64,
 }
 
+/// From where on places are in a part.
+#[derive(Clone, Copy)]
+struct Begin {
+    place: u64,
+    owner: u64,
+    kind: PartKind,
+    /// The part begins here; else the owner goes on.
+    is_own: bool,
+}
+
+impl Begin {
+    fn unit(self) -> Unit {
+        let start = if self.is_own { self.place } else { self.owner };
+        Unit { kind: self.kind, start, owner: self.owner }
+    }
+}
+
 /// Where each part begins, in the order of the document.
 #[derive(Default)]
 pub(crate) struct Units {
-    begins: Vec<(u64, Unit)>,
+    begins: Vec<Begin>,
     is_sorted: bool,
 }
 
@@ -61,11 +79,11 @@ impl Units {
     /// The part that a place is in; none before the first.
     pub(crate) fn of(&mut self, place: u64) -> Option<Unit> {
         if !self.is_sorted {
-            self.begins.sort_by_key(|(start, _)| *start);
+            self.begins.sort_by_key(|begin| begin.place);
             self.is_sorted = true;
         }
-        let after = self.begins.partition_point(|(start, _)| *start <= place);
-        Some(self.begins.get(after.checked_sub(1)?)?.1)
+        let after = self.begins.partition_point(|begin| begin.place <= place);
+        Some(self.begins.get(after.checked_sub(1)?)?.unit())
     }
 
     /// Takes the places of the parts of the elements that come next.
@@ -77,6 +95,7 @@ impl Units {
     /// Takes the places of a top-level element's parts.
     pub(crate) fn add(&mut self, item: &Item) {
         self.is_sorted = false;
+        let before = self.begins.len();
         match item {
             Item::Header(_) => {}
             Item::Road(road) => self.road(road),
@@ -86,22 +105,42 @@ impl Units {
             Item::Station(station) => self.top(PartKind::Other, station.span),
             Item::VmsGroup(group) => self.top(PartKind::Other, group.span),
         }
+        self.unite(before);
+    }
+
+    /// Leaves out of one element's places, which are the last ones, those that say what the one before them in the same file
+    /// says already.
+    fn unite(&mut self, before: usize) {
+        let Some(own) = self.begins.get_mut(before..) else { return };
+        own.sort_by_key(|begin| begin.place);
+        let mut kept = before;
+        for at in before..self.begins.len() {
+            let begin = self.begins[at];
+            let last = self.begins[before..kept].last().copied();
+            let goes_on = last.is_some_and(|last| {
+                last.unit() == begin.unit()
+                    && Places::file_of(last.place) == Places::file_of(begin.place)
+            });
+            if !goes_on {
+                self.begins[kept] = begin;
+                kept += 1;
+            }
+        }
+        self.begins.truncate(kept);
     }
 
     fn top(&mut self, kind: PartKind, span: Span) {
-        self.begins.push((span.start, Unit { kind, start: span.start, owner: span.start }));
+        self.part(kind, span, span);
     }
 
     /// A part within an element.
     fn part(&mut self, kind: PartKind, span: Span, owner: Span) {
-        let unit = Unit { kind, start: span.start, owner: owner.start };
-        self.begins.push((span.start, unit));
+        self.begins.push(Begin { place: span.start, owner: owner.start, kind, is_own: true });
     }
 
     /// From here on, a place is in the element itself again.
     fn back(&mut self, kind: PartKind, span: Span, owner: Span) {
-        let unit = Unit { kind, start: owner.start, owner: owner.start };
-        self.begins.push((span.start, unit));
+        self.begins.push(Begin { place: span.start, owner: owner.start, kind, is_own: false });
     }
 
     fn road(&mut self, road: &Road) {

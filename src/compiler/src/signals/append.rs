@@ -8,7 +8,10 @@ impl Pending {
     pub(crate) fn append(&mut self, part: Self, moves: &Moves) {
         let signals = part.signals.into_iter().map(|written| {
             let position = match written.position {
-                Position::Road(id, place) => Position::Road(moves.strings.row(id), place),
+                Position::Road(mut place) => {
+                    place.0 = moves.strings.row(place.0);
+                    Position::Road(place)
+                }
                 other => other,
             };
             Written { position, ..written }

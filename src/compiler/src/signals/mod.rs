@@ -40,19 +40,21 @@ pub(crate) struct Pending {
 struct Written {
     span: Span,
     /// Lanes that it is written to be for, from the lower to the higher number.
-    validity: Vec<(i32, i32)>,
+    validity: Box<[(i32, i32)]>,
     position: Position,
-    /// Lateral and upward place on the board's carrier `[m]`.
-    on_carrier: Option<(f64, f64)>,
+    on_carrier: OnCarrier,
 }
 
-/// Where a signal stands.
+/// Lateral and upward place on the board's carrier `[m]`. Few signals have one.
+type OnCarrier = Option<Box<(f64, f64)>>;
+
+/// Where a signal stands: nearly all by their s and t on the road that they are written in.
 enum Position {
     Track,
     /// Id of the road; s, t, zOffset, hOffset.
-    Road(u32, [f64; 4]),
+    Road(Box<(u32, [f64; 4])>),
     /// x, y, z, hdg.
-    Inertial([f64; 4]),
+    Inertial(Box<[f64; 4]>),
 }
 
 /// A `signalReference`.
@@ -63,7 +65,7 @@ struct Reference {
     s: f64,
     t: f64,
     orientation: u8,
-    validity: Vec<(i32, i32)>,
+    validity: Box<[(i32, i32)]>,
     span: Span,
 }
 
@@ -75,7 +77,7 @@ struct PlaceWritten {
     t: f64,
     orientation: u8,
     kind: u8,
-    validity: Vec<(i32, i32)>,
+    validity: Box<[(i32, i32)]>,
     span: Span,
     line: u32,
     column: u32,
@@ -86,7 +88,7 @@ struct PlaceWritten {
 pub(crate) struct Resolved {
     places: Vec<PlaceWritten>,
     /// Per signal row: where it stands.
-    positions: Vec<(Position, Option<(f64, f64)>)>,
+    positions: Vec<(Position, OnCarrier)>,
     /// Rows of roads by the numbers of their ids.
     roads: Vec<(u32, u32)>,
 }
@@ -95,7 +97,8 @@ impl Resolved {
     /// Moves places that are written in x, y and z; what has no image stays and lies beside the map, as its roads do not.
     pub(crate) fn move_by(&mut self, image: &dyn Fn(DVec3, f64) -> Option<(DVec3, f64)>) {
         for (position, _) in &mut self.positions {
-            if let Position::Inertial([x, y, z, heading]) = position
+            if let Position::Inertial(place) = position
+                && let [x, y, z, heading] = &mut **place
                 && let Some((at, turned)) = image(DVec3::new(*x, *y, *z), *heading)
             {
                 (*x, *y, *z, *heading) = (at.x, at.y, at.z, turned);

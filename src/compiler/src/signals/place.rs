@@ -22,7 +22,7 @@ pub(super) fn place(rows: &mut Rows, resolved: &Resolved) {
             let own = standing(&roads, row, position, &resolved.roads);
             let carrier = found.get(row.carrier as usize).copied().flatten();
             found.push(match (on_carrier, carrier) {
-                (Some(shift), Some(carrier)) => Some(on(carrier, *shift, own)),
+                (Some(shift), Some(carrier)) => Some(on(carrier, **shift, own)),
                 _ => own,
             });
         }
@@ -50,13 +50,15 @@ fn standing(
             let (s, t) = (row.s, row.t);
             on_road(own, [s, t, row.z_offset, row.h_offset], row.orientation)
         }
-        Position::Road(id, at) => {
+        Position::Road(place) => {
+            let (id, at) = &**place;
             let named = by_id.binary_search_by_key(id, |(id, _)| *id).ok();
             let named = named.and_then(|at| by_id.get(at)).map(|(_, row)| *row);
             let road = named.and_then(|row| roads.get(row as usize)).unwrap_or(own);
             on_road(road, *at, row.orientation)
         }
-        Position::Inertial([x, y, z, heading]) => {
+        Position::Inertial(place) => {
+            let [x, y, z, heading] = &**place;
             Some((DVec3::new(*x, *y, *z), normalize_angle(*heading)))
         }
     }

@@ -104,7 +104,7 @@ impl Lowering {
                 s,
                 t,
                 orientation: orientation(reference.orientation.value()).code(),
-                validity: lanes(&reference.validity),
+                validity: lanes(&reference.validity).into(),
                 span: reference.span,
             });
         }
@@ -166,7 +166,7 @@ impl Lowering {
             (row.pitch, row.roll) = (standing.0.unwrap_or(0.0), standing.1.unwrap_or(0.0));
         }
         self.rows.signals.push(row);
-        let validity = lanes(signal.validity);
+        let (validity, on_carrier) = (lanes(signal.validity).into(), on_carrier.map(Box::new));
         self.signals.signals.push(Written { span: signal.span, validity, position, on_carrier });
         number
     }
@@ -210,7 +210,7 @@ impl Lowering {
             if let Some(written) = self.signals.signals.last_mut()
                 && written.validity.is_empty()
             {
-                written.validity = lanes(&board.validity);
+                written.validity = lanes(&board.validity).into();
             }
             self.boards(&common!(sign), (road, row), at, deeper);
         }
@@ -349,13 +349,13 @@ fn position(signal: &Common<'_>, add: &mut dyn FnMut(&str) -> u32) -> Position {
     if let Some(p) = signal.inertial
         && let (Some(x), Some(y), Some(z)) = (p.x.value(), p.y.value(), p.z.value())
     {
-        return Position::Inertial([x, y, z, p.hdg.value().unwrap_or(0.0)]);
+        return Position::Inertial(Box::new([x, y, z, p.hdg.value().unwrap_or(0.0)]));
     }
     if let Some(p) = signal.on_road
         && let (Some(s), Some(t)) = (p.s.value(), p.t.value())
     {
         let (z, h) = (p.z_offset.value().unwrap_or(0.0), p.h_offset.value().unwrap_or(0.0));
-        return Position::Road(add(p.road_id.text()), [s, t, z, h]);
+        return Position::Road(Box::new((add(p.road_id.text()), [s, t, z, h])));
     }
     Position::Track
 }

@@ -9,7 +9,7 @@ use mapd_archive::{
 };
 use mapd_ontology::Class;
 use mapd_xodr::source::Places;
-use mapd_xodr::{self as xodr, Finding, Header, Severity, Text as _, Value as _};
+use mapd_xodr::{self as xodr, Finding, Header, Severity, Value as _};
 use std::collections::HashMap;
 
 /// Rows by the number of their id's string.
@@ -78,7 +78,7 @@ fn signal_places(
                 t: row.t,
                 orientation: row.orientation,
                 kind: 0,
-                validity: validity.to_vec(),
+                validity: validity.into(),
                 span: written.span,
                 line: row.line,
                 column: row.column,
@@ -156,23 +156,22 @@ fn junctions(lowering: &mut Lowering) {
     let roads = by_id(rows.roads.iter().map(|row| row.id).collect());
     for (number, junction) in links.junctions.iter().enumerate() {
         let junction_row = number as u32;
-        for controller in &junction.controller {
-            let id = strings.add(controller.id.text());
-            let sequence = controller.sequence.value().and_then(|s| i32::try_from(s).ok());
+        for controller in junction.controllers.of(&links.controllers) {
+            let id = strings.add(links.name(controller.id));
             rows.junction_controllers.push(JunctionControllerRow {
                 junction: junction_row,
                 controller: controllers.get(&id).copied().unwrap_or(NONE),
                 id,
-                r#type: strings.add(controller.r#type.text()),
-                sequence: sequence.unwrap_or(-1),
+                r#type: strings.add(links.name(controller.r#type)),
+                sequence: controller.sequence.unwrap_or(-1),
             });
         }
-        for priority in &junction.priority {
-            let road = |text: &str| {
-                let id = strings.number(text);
+        for named in junction.priorities.of(&links.priorities) {
+            let road = |named: u32| {
+                let id = strings.number_of(links.names.bytes_of(named));
                 id.and_then(|id| roads.get(&id)).copied().unwrap_or(NONE)
             };
-            let (high, low) = (road(priority.high.text()), road(priority.low.text()));
+            let [high, low] = named.map(road);
             rows.junction_priorities.push(JunctionPriorityRow {
                 junction: junction_row,
                 high,

@@ -1,6 +1,6 @@
 //! The catalog: every rule, in groups. A file has rules that belong together, each entry beside its function.
 
-mod junctions;
+pub(crate) mod junctions;
 mod lanes;
 mod network;
 mod objects;

@@ -1,29 +1,19 @@
 //! Takes from each element what is kept of it.
 
-use super::Network;
 use super::facts::{
-    Contact, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, Part, PartKind, Reference, RoadFacts,
-    SectionFacts, Station,
+    Contact, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, Part, PartKind, RoadFacts,
+    SectionFacts,
 };
+use super::references::{Kinds, NamedAt, Reference};
+use super::{Name, Network};
 use crate::line::ReferenceLine;
 use crate::place::{SectionIn, Side, is_left_hand, junction_of, number, text, value};
-use crate::profile::{borders_at, elevation_at, outermost_at, superelevation_at};
+use crate::profile::borders_at;
 use mapd_xodr::{
-    Attribute, ContactPoint, ElementType, Item, Junction, LaneDirection, LaneType, LayerType,
-    LinkedElement, Objects, Road, Span,
+    Attribute, ContactPoint, ElementType, Item, LaneDirection, LaneType, LayerType, LinkedElement,
+    Objects, Road, Span,
 };
-
-/// Cross-sections are this far apart at most `[m]`.
-const STATION_STEP: f64 = 10.0;
-
-/// Between cross-sections a curve leaves its chord by at most this much `[m]`.
-const CHORD_ERROR: f64 = 0.02;
-
-/// Cross-sections are this far apart at least `[m]`, however narrow a curve.
-const STATION_STEP_MIN: f64 = 0.5;
-
-/// Cross-sections of one road at most: a bound on memory for hostile files.
-const STATIONS_OF_A_ROAD: usize = 100_000;
+use std::ops::Range;
 
 pub(super) type Text = Option<Attribute<Box<str>>>;
 
@@ -38,122 +28,68 @@ impl Network {
             Item::Road(road) => self.add_road(road, line),
             Item::Junction(junction) => self.add_junction(junction),
             Item::Controller(controller) => {
-                self.part(PartKind::Controller, &controller.id, controller.span, None);
+                let from = self.part(PartKind::Controller, &controller.id, controller.span, None);
                 for control in &controller.control {
-                    self.refer(
-                        &[PartKind::Signal],
-                        &control.signal_id,
-                        "control/@signalId",
-                        ("controller", &controller.id),
-                        control.span,
-                    );
+                    let at = (NamedAt::Control, Kinds::Signal);
+                    self.refer(at, &control.signal_id, from, control.span);
                 }
             }
             Item::JunctionGroup(group) => {
-                self.part(PartKind::JunctionGroup, &group.id, group.span, None);
+                let from = self.part(PartKind::JunctionGroup, &group.id, group.span, None);
                 for of in &group.junction_reference {
                     self.refer(
-                        &[PartKind::Junction],
+                        (NamedAt::GroupJunction, Kinds::Junction),
                         &of.junction,
-                        "junctionReference/@junction",
-                        ("junctionGroup", &group.id),
+                        from,
                         of.span,
                     );
                 }
             }
             Item::Station(station) => {
-                self.part(PartKind::Station, &station.id, station.span, None);
+                let from = self.part(PartKind::Station, &station.id, station.span, None);
                 for segment in station.platform.iter().flat_map(|platform| &platform.segment) {
-                    self.refer(
-                        &[PartKind::Road],
-                        &segment.road_id,
-                        "segment/@roadId",
-                        ("station", &station.id),
-                        segment.span,
-                    );
+                    let at = (NamedAt::PlatformSegment, Kinds::Road);
+                    self.refer(at, &segment.road_id, from, segment.span);
                 }
             }
             Item::VmsGroup(group) => {
-                self.part(PartKind::VmsGroup, &group.id, group.span, None);
+                let from = self.part(PartKind::VmsGroup, &group.id, group.span, None);
                 for board in &group.vms_board_reference {
-                    self.refer(
-                        &[PartKind::Signal],
-                        &board.signal_id,
-                        "vmsBoardReference/@signalId",
-                        ("vmsGroup", &group.id),
-                        board.span,
-                    );
+                    self.refer((NamedAt::Board, Kinds::Signal), &board.signal_id, from, board.span);
                 }
             }
         }
     }
 
-    pub(super) fn part(&mut self, kind: PartKind, id: &Text, span: Span, road: Option<usize>) {
-        if let Some(id) = id {
-            self.parts.push(Part { kind, id: id.value.clone(), span, road });
-        }
-    }
-
-    pub(super) fn refer(
+    /// Takes something with an id; yields the id, the empty one where it has none.
+    pub(super) fn part(
         &mut self,
-        kinds: &'static [PartKind],
+        kind: PartKind,
         id: &Text,
-        what: &'static str,
-        (element, from): (&'static str, &Text),
         span: Span,
-    ) {
+        road: Option<u32>,
+    ) -> Name {
+        let name = self.names.add(text(id));
+        if id.is_some() {
+            self.parts.push(Part::new(kind, name, span, road));
+        }
+        name
+    }
+
+    /// Takes something that names an id, if it does.
+    pub(super) fn refer(&mut self, at: (NamedAt, Kinds), id: &Text, from: Name, span: Span) {
         if let Some(id) = id {
-            let (id, from) = (id.value.clone(), text(from).into());
-            self.references.push(Reference { kinds, id, what, element, from, span });
+            let id = self.names.add(&id.value);
+            self.references.push(Reference::new(at, id, from, span));
         }
     }
 
-    fn add_junction(&mut self, junction: &Junction) {
-        self.part(PartKind::Junction, &junction.id, junction.span, None);
-        let from = ("junction", &junction.id);
-        let road = &[PartKind::Road];
-        if value(&junction.r#type) == Some(mapd_xodr::JunctionType::Virtual) {
-            self.refer(road, &junction.main_road, "@mainRoad", from, junction.span);
-        }
-        for c in &junction.connection {
-            // Connections of virtual junctions may come from nowhere.
-            if text(&c.incoming_road) != "-1" {
-                self.refer(road, &c.incoming_road, "connection/@incomingRoad", from, c.span);
-            }
-            self.refer(road, &c.connecting_road, "connection/@connectingRoad", from, c.span);
-            self.refer(road, &c.linked_road, "connection/@linkedRoad", from, c.span);
-        }
-        for priority in &junction.priority {
-            self.refer(road, &priority.high, "priority/@high", from, priority.span);
-            self.refer(road, &priority.low, "priority/@low", from, priority.span);
-        }
-        for controller in &junction.controller {
-            self.refer(
-                &[PartKind::Controller],
-                &controller.id,
-                "controller/@id",
-                from,
-                controller.span,
-            );
-        }
-        for section in &junction.road_section {
-            self.refer(road, &section.road_id, "roadSection/@roadId", from, section.span);
-        }
-        for path in &junction.cross_path {
-            self.refer(road, &path.crossing_road, "crossPath/@crossingRoad", from, path.span);
-            self.refer(road, &path.road_at_start, "crossPath/@roadAtStart", from, path.span);
-            self.refer(road, &path.road_at_end, "crossPath/@roadAtEnd", from, path.span);
-        }
-        for segment in junction.boundary.iter().flat_map(|boundary| &boundary.segment) {
-            self.refer(road, &segment.road_id, "boundary/segment/@roadId", from, segment.span);
-        }
-        if let Some(objects) = &junction.objects {
-            self.add_objects(objects, from, None);
-        }
-        self.junctions.push(Junction { objects: None, ..junction.clone() });
-    }
-
-    fn add_objects(&mut self, objects: &Objects, from: (&'static str, &Text), road: Option<usize>) {
+    pub(super) fn add_objects(
+        &mut self,
+        objects: &Objects,
+        (at, from): (NamedAt, Name),
+        road: Option<u32>,
+    ) {
         for object in &objects.object {
             self.part(PartKind::Object, &object.id, object.span, road);
         }
@@ -164,105 +100,102 @@ impl Network {
             self.part(PartKind::Bridge, &bridge.id, bridge.span, road);
         }
         for object in &objects.object_reference {
-            self.refer(
-                &[PartKind::Object],
-                &object.id,
-                "objects/objectReference/@id",
-                from,
-                object.span,
-            );
+            self.refer((at, Kinds::Object), &object.id, from, object.span);
         }
     }
 
     fn add_road(&mut self, road: &Road, line: &ReferenceLine) {
-        let rank = self.roads.len();
-        self.part(PartKind::Road, &road.id, road.span, None);
+        let rank = self.roads.len() as u32;
+        let id = self.part(PartKind::Road, &road.id, road.span, None);
         let link = road.link.as_deref();
         for neighbor in link.iter().flat_map(|link| &link.neighbor) {
-            self.refer(
-                &[PartKind::Road],
-                &neighbor.element_id,
-                "link/neighbor/@elementId",
-                ("road", &road.id),
-                neighbor.span,
-            );
+            self.refer((NamedAt::Neighbor, Kinds::Road), &neighbor.element_id, id, neighbor.span);
         }
-        if let Some(id) = junction_of(road) {
-            let what = "@junction";
-            let (id, from) = (id.into(), text(&road.id).into());
-            self.references.push(Reference {
-                kinds: &[PartKind::Junction],
-                id,
-                what,
-                element: "road",
-                from,
-                span: road.span,
-            });
+        let junction = junction_of(road).map(|junction| self.names.add(junction));
+        if let Some(junction) = junction {
+            let at = (NamedAt::RoadJunction, Kinds::Junction);
+            self.references.push(Reference::new(at, junction, id, road.span));
         }
         let ends = [
             link.and_then(|link| link.predecessor.as_deref()),
             link.and_then(|link| link.successor.as_deref()),
         ];
-        for (end, what) in
-            ends.iter().zip(["link/predecessor/@elementId", "link/successor/@elementId"])
-        {
+        for (end, at) in ends.iter().zip([NamedAt::Predecessor, NamedAt::Successor]) {
             let Some(end) = end else { continue };
-            let kinds: &[PartKind] = match value(&end.element_type) {
-                Some(ElementType::Junction) => &[PartKind::Junction],
-                _ => &[PartKind::Road],
+            let kinds = match value(&end.element_type) {
+                Some(ElementType::Junction) => Kinds::Junction,
+                _ => Kinds::Road,
             };
-            self.refer(kinds, &end.element_id, what, ("road", &road.id), end.span);
+            self.refer((at, kinds), &end.element_id, id, end.span);
         }
         if let Some(objects) = &road.objects {
-            self.add_objects(objects, ("road", &road.id), Some(rank));
+            self.add_objects(objects, (NamedAt::RoadObject, id), Some(rank));
         }
         if let Some(signals) = &road.signals {
-            self.add_signals(signals, &road.id, rank);
+            self.add_signals(signals, id, rank);
         }
-        let switches = road.railroad.iter().flat_map(|railroad| &railroad.switch);
-        for switch in switches {
-            self.part(PartKind::Switch, &switch.id, switch.span, Some(rank));
-            for (track, what, span) in [
-                (switch.main_track.as_ref().map(|t| &t.id), "switch/mainTrack/@id", switch.span),
-                (switch.side_track.as_ref().map(|t| &t.id), "switch/sideTrack/@id", switch.span),
-            ] {
-                if let Some(id) = track {
-                    self.refer(&[PartKind::Road], id, what, ("switch", &switch.id), span);
-                }
-            }
-            if let Some(partner) = &switch.partner {
-                self.refer(
-                    &[PartKind::Switch],
-                    &partner.id,
-                    "switch/partner/@id",
-                    ("switch", &switch.id),
-                    partner.span,
-                );
-            }
-        }
+        self.add_switches(road, rank);
         let sections = self.add_sections(road);
-        let (stations, bounds) = self.add_stations(road, line);
+        let stations = self.add_stations(road, line);
         let elevations = road.elevation_profile.iter().flat_map(|profile| &profile.elevation);
         let has_elevation =
             elevations.flat_map(|e| [&e.a, &e.b, &e.c, &e.d]).any(|value| number(value) != 0.0);
+        let links = ends.map(|end| self.link_facts(end?));
         self.roads.push(RoadFacts {
             span: road.span,
-            rank,
-            id: text(&road.id).into(),
-            junction: junction_of(road).map(Into::into),
             length: number(&road.length),
-            is_left_hand: is_left_hand(road),
-            links: ends.map(|end| end.and_then(link_facts)),
+            bounds: stations.bounds,
+            links,
+            rank,
+            id,
+            junction,
             sections,
-            stations,
-            bounds,
+            stations: stations.lines,
+            profiles: stations.profiles,
+            is_straight: stations.is_straight,
+            is_left_hand: is_left_hand(road),
             has_crg: road.surface.as_ref().is_some_and(|surface| !surface.crg.is_empty()),
             has_switches: road.railroad.as_ref().is_some_and(|rail| !rail.switch.is_empty()),
             has_elevation,
         });
     }
 
-    fn add_sections(&mut self, road: &Road) -> std::ops::Range<usize> {
+    fn add_switches(&mut self, road: &Road, rank: u32) {
+        let switches = road.railroad.iter().flat_map(|railroad| &railroad.switch);
+        for switch in switches {
+            let from = self.part(PartKind::Switch, &switch.id, switch.span, Some(rank));
+            for (track, at) in [
+                (switch.main_track.as_ref().map(|t| &t.id), NamedAt::MainTrack),
+                (switch.side_track.as_ref().map(|t| &t.id), NamedAt::SideTrack),
+            ] {
+                if let Some(id) = track {
+                    self.refer((at, Kinds::Road), id, from, switch.span);
+                }
+            }
+            if let Some(partner) = &switch.partner {
+                self.refer((NamedAt::Partner, Kinds::Switch), &partner.id, from, partner.span);
+            }
+        }
+    }
+
+    /// A link as it is kept.
+    fn link_facts(&mut self, link: &LinkedElement) -> Option<LinkFacts> {
+        let id = self.names.add(&link.element_id.as_ref()?.value);
+        let target = match value(&link.element_type) {
+            Some(ElementType::Junction) => LinkTarget::Junction(id),
+            _ => LinkTarget::Road(id),
+        };
+        Some(LinkFacts {
+            start: link.span.start,
+            len: link.span.len,
+            target,
+            contact: contact(&link.contact_point),
+            dir: value(&link.element_dir),
+            s: value(&link.element_s),
+        })
+    }
+
+    fn add_sections(&mut self, road: &Road) -> Range<u32> {
         let before = self.sections.len();
         for section in permanent(road) {
             let first = self.lanes.len();
@@ -281,142 +214,49 @@ impl Network {
                 };
                 let (start, end) = (find(0), find(1));
                 let links = lane.link.as_deref();
-                let links =
+                let first = self.lane_links.len() as u32;
+                let ends =
                     [links.map(|l| &l.predecessor), links.map(|l| &l.successor)].map(|list| {
-                        let first = self.lane_links.len();
                         for link in list.into_iter().flatten() {
                             if let Some(id) = value(&link.id) {
-                                self.lane_links.push(LaneLinkFacts { span: link.span, id });
+                                self.lane_links.push(LaneLinkFacts::new(link.span, id));
                             }
                         }
-                        first..self.lane_links.len()
+                        self.lane_links.len() as u32
                     });
                 let direction = value(&lane.direction).unwrap_or(LaneDirection::Standard);
                 let kind = value(&lane.r#type).unwrap_or(LaneType::None);
                 self.lanes.push(LaneFacts {
-                    span: lane.span,
+                    start: lane.span.start,
+                    len: lane.span.len,
                     id,
+                    inner: [start[0], end[0]],
+                    outer: [start[1], end[1]],
+                    links: [first, ends[0], ends[1]],
                     kind,
                     direction,
                     is_level: value(&lane.level) == Some(true),
-                    widths: [(start[1] - start[0]).abs(), (end[1] - end[0]).abs()],
-                    inner: [start[0], end[0]],
-                    outer: [start[1], end[1]],
-                    links,
                 });
             }
-            self.lanes[first..].sort_by_key(|lane| -lane.id);
+            self.lanes[first..].sort_by_key(|lane| std::cmp::Reverse(lane.id));
             self.sections.push(SectionFacts {
                 span: section.section.span,
                 s: section.s(),
                 s_end: section.s_end(),
-                lanes: first..self.lanes.len(),
+                lanes: first as u32..self.lanes.len() as u32,
             });
         }
-        before..self.sections.len()
+        before as u32..self.sections.len() as u32
     }
-
-    fn add_stations(
-        &mut self,
-        road: &Road,
-        line: &ReferenceLine,
-    ) -> (std::ops::Range<usize>, [f64; 4]) {
-        let before = self.stations.len();
-        let mut bounds = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
-        let end = number(&road.length).min(line.end());
-        let sections: Vec<SectionIn<'_>> = permanent(road).collect();
-        for s in places(line, &sections, end) {
-            let Some(point) = line.at(s) else { break };
-            let [left, right] = extent_at(&sections, s);
-            let station = Station {
-                s,
-                x: point.x,
-                y: point.y,
-                hdg: point.heading,
-                z: elevation_at(road, s),
-                roll: superelevation_at(road, s),
-                left,
-                right,
-            };
-            for [x, y] in [station.at(left), station.at(right)] {
-                bounds = [bounds[0].min(x), bounds[1].min(y), bounds[2].max(x), bounds[3].max(y)];
-            }
-            self.stations.push(station);
-        }
-        (before..self.stations.len(), bounds)
-    }
-}
-
-/// Smallest x, smallest y, largest x, largest y of a road's surface `[m]`; none where its reference line cannot be built.
-pub fn extent(road: &Road) -> Option<[f64; 4]> {
-    let line = ReferenceLine::new(road.plan_view.as_deref());
-    let (_, bounds) = Network::default().add_stations(road, &line);
-    bounds.iter().all(|value| value.is_finite()).then_some(bounds)
 }
 
 /// Sections of the permanent layer.
-fn permanent(road: &Road) -> impl Iterator<Item = SectionIn<'_>> {
+pub(super) fn permanent(road: &Road) -> impl Iterator<Item = SectionIn<'_>> {
     let layers =
         road.lanes.iter().filter(|lanes| value(&lanes.layer) != Some(LayerType::Temporary));
     layers.take(1).flat_map(move |lanes| {
         let sections = lanes.lane_section.iter().enumerate();
         sections.map(move |(index, section)| SectionIn { road, lanes, section, index })
-    })
-}
-
-/// t of the outermost borders at `s`: left, right `[m]`.
-fn extent_at(sections: &[SectionIn<'_>], s: f64) -> [f64; 2] {
-    let after = sections.partition_point(|section| section.s() <= s);
-    let begun = sections.get(..after).unwrap_or_default();
-    [Side::Left, Side::Right].map(|side| {
-        // A section of one side leaves the other as it was.
-        let holds = begun.iter().rev().find(|section| {
-            let is_there = match side {
-                Side::Left => section.section.left.is_some(),
-                Side::Right => section.section.right.is_some(),
-            };
-            is_there || value(&section.section.single_side) != Some(true)
-        });
-        let Some(section) = holds else { return 0.0 };
-        outermost_at(section, side, s.min(section.s_end()) - section.s())
-    })
-}
-
-/// Where cross-sections are kept, ascending.
-fn places(line: &ReferenceLine, sections: &[SectionIn<'_>], end: f64) -> Vec<f64> {
-    let mut places = Vec::new();
-    for piece in &line.pieces {
-        let until = (piece.s + piece.length).min(end);
-        let mut s = piece.s;
-        while s < until && places.len() < STATIONS_OF_A_ROAD {
-            places.push(s);
-            let bend = piece.at(s - piece.s).map_or(0.0, |p| p.curvature.abs());
-            let ahead = piece.at(s - piece.s + STATION_STEP_MIN).map_or(0.0, |p| p.curvature.abs());
-            let step = (8.0 * CHORD_ERROR / bend.max(ahead)).sqrt().min(STATION_STEP);
-            s += step.max(STATION_STEP_MIN);
-        }
-    }
-    places.extend(sections.iter().map(|section| section.s()).filter(|s| *s >= 0.0 && *s < end));
-    places.push(end);
-    places.retain(|s| s.is_finite());
-    places.sort_by(f64::total_cmp);
-    places.dedup();
-    places
-}
-
-/// A link as it is kept.
-fn link_facts(link: &LinkedElement) -> Option<LinkFacts> {
-    let id = link.element_id.as_ref()?.value.clone();
-    let target = match value(&link.element_type) {
-        Some(ElementType::Junction) => LinkTarget::Junction(id),
-        _ => LinkTarget::Road(id),
-    };
-    Some(LinkFacts {
-        span: link.span,
-        target,
-        contact: contact(&link.contact_point),
-        s: value(&link.element_s),
-        dir: value(&link.element_dir),
     })
 }
 

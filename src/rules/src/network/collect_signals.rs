@@ -1,73 +1,58 @@
 //! What is kept of signals: their ids, those of signs on their boards, and what both refer to.
 
-use super::Network;
-use super::collect::Text;
 use super::facts::PartKind;
+use super::references::{Kinds, NamedAt};
+use super::{Name, Network};
 use crate::place::value;
 use mapd_xodr::{
     BoardSign, ReferenceElementType, SignalDependency, SignalLink, Signals, StaticBoard, VmsBoard,
 };
 
-/// What a reference to a signal may name.
-const SIGNALS: &[PartKind] = &[PartKind::Signal, PartKind::Sign];
 /// Boards on boards that are followed at most.
 const DEEPEST_BOARD: usize = 8;
 
-/// Names of a dependency and of a reference for where they stand.
-type Names = [&'static str; 2];
+/// Where dependencies and references stand.
+type Places = [NamedAt; 2];
 
-const OF_SIGNAL: Names = ["signal/dependency/@id", "signal/reference/@elementId"];
-const OF_STATIC: Names =
-    ["signal/staticBoard/dependency/@id", "signal/staticBoard/reference/@elementId"];
-const OF_SIGN: Names =
-    ["signal/staticBoard/sign/dependency/@id", "signal/staticBoard/sign/reference/@elementId"];
-const OF_VMS: Names = ["signal/vmsBoard/dependency/@id", "signal/vmsBoard/reference/@elementId"];
+const OF_SIGNAL: Places = [NamedAt::SignalDependency, NamedAt::SignalLink];
+const OF_STATIC: Places = [NamedAt::StaticDependency, NamedAt::StaticLink];
+const OF_SIGN: Places = [NamedAt::SignDependency, NamedAt::SignLink];
+const OF_VMS: Places = [NamedAt::VmsDependency, NamedAt::VmsLink];
 
 impl Network {
-    pub(super) fn add_signals(&mut self, signals: &Signals, from: &Text, road: usize) {
+    pub(super) fn add_signals(&mut self, signals: &Signals, from: Name, road: u32) {
         for signal in &signals.signal {
-            self.part(PartKind::Signal, &signal.id, signal.span, Some(road));
-            self.add_links(OF_SIGNAL, (&signal.dependency, &signal.reference), &signal.id);
-            self.add_boards((&signal.static_board, &signal.vms_board), &signal.id, DEEPEST_BOARD);
+            let id = self.part(PartKind::Signal, &signal.id, signal.span, Some(road));
+            self.add_links(OF_SIGNAL, (&signal.dependency, &signal.reference), id);
+            self.add_boards((&signal.static_board, &signal.vms_board), id, DEEPEST_BOARD);
             if let Some(position) = &signal.position_road {
-                self.refer(
-                    &[PartKind::Road],
-                    &position.road_id,
-                    "signal/positionRoad/@roadId",
-                    ("signal", &signal.id),
-                    position.span,
-                );
+                let at = (NamedAt::PositionRoad, Kinds::Road);
+                self.refer(at, &position.road_id, id, position.span);
             }
         }
         for reference in &signals.signal_reference {
-            self.refer(
-                SIGNALS,
-                &reference.id,
-                "signals/signalReference/@id",
-                ("road", from),
-                reference.span,
-            );
+            let at = (NamedAt::SignalReference, Kinds::Signals);
+            self.refer(at, &reference.id, from, reference.span);
         }
     }
 
     fn add_links(
         &mut self,
-        [dependency_name, reference_name]: Names,
+        [dependency_at, reference_at]: Places,
         (dependencies, references): (&[SignalDependency], &[SignalLink]),
-        from: &Text,
+        from: Name,
     ) {
         for dependency in dependencies {
-            let from = ("signal", from);
-            self.refer(SIGNALS, &dependency.id, dependency_name, from, dependency.span);
+            let at = (dependency_at, Kinds::Signals);
+            self.refer(at, &dependency.id, from, dependency.span);
         }
         for reference in references {
             let kinds = match value(&reference.element_type) {
-                Some(ReferenceElementType::Signal) => SIGNALS,
-                Some(ReferenceElementType::Object) => &[PartKind::Object],
-                _ => &[PartKind::Signal, PartKind::Sign, PartKind::Object],
+                Some(ReferenceElementType::Signal) => Kinds::Signals,
+                Some(ReferenceElementType::Object) => Kinds::Object,
+                _ => Kinds::SignalsAndObjects,
             };
-            let from = ("signal", from);
-            self.refer(kinds, &reference.element_id, reference_name, from, reference.span);
+            self.refer((reference_at, kinds), &reference.element_id, from, reference.span);
         }
     }
 
@@ -75,7 +60,7 @@ impl Network {
     fn add_boards(
         &mut self,
         (static_boards, vms_boards): (&[StaticBoard], &[VmsBoard]),
-        from: &Text,
+        from: Name,
         deep: usize,
     ) {
         for board in vms_boards {

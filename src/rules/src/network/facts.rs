@@ -1,5 +1,6 @@
 //! What is kept of roads, sections, lanes, and of whatever has or names an id.
 
+use super::Name;
 use mapd_xodr::{ElementDir, LaneDirection, LaneType, Span};
 use std::ops::Range;
 
@@ -13,27 +14,34 @@ pub enum Contact {
 }
 
 /// What a road's link names.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LinkTarget {
     /// A road.
-    Road(Box<str>),
+    Road(Name),
     /// A junction.
-    Junction(Box<str>),
+    Junction(Name),
 }
 
 /// A link of a road as written.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinkFacts {
-    /// The start tag.
-    pub span: Span,
+    pub(super) start: u64,
+    pub(super) len: u32,
     /// What it names.
     pub target: LinkTarget,
     /// Which end of the target it touches.
     pub contact: Option<Contact>,
-    /// Where it touches a virtual junction's main road `[m]`.
-    pub s: Option<f64>,
     /// In which direction it goes on there.
     pub dir: Option<ElementDir>,
+    /// Where it touches a virtual junction's main road `[m]`.
+    pub s: Option<f64>,
+}
+
+impl LinkFacts {
+    /// The start tag.
+    pub fn span(&self) -> Span {
+        Span { start: self.start, len: self.len }
+    }
 }
 
 /// A road.
@@ -41,24 +49,26 @@ pub struct LinkFacts {
 pub struct RoadFacts {
     /// The start tag.
     pub span: Span,
-    /// Rank among the roads.
-    pub rank: usize,
-    /// Id.
-    pub id: Box<str>,
-    /// Junction that it belongs to.
-    pub junction: Option<Box<str>>,
     /// Length as written `[m]`.
     pub length: f64,
-    /// Traffic drives on the left.
-    pub is_left_hand: bool,
-    /// Predecessor and successor.
-    pub links: [Option<LinkFacts>; 2],
-    /// Its sections in [`Network::sections`](super::Network::sections), permanent layer.
-    pub sections: Range<usize>,
-    /// Its cross-sections in [`Network::stations`](super::Network::stations).
-    pub stations: Range<usize>,
     /// Smallest x, smallest y, largest x, largest y of its surface `[m]`; empty where it has no cross-sections.
     pub bounds: [f64; 4],
+    /// Predecessor and successor.
+    pub links: [Option<LinkFacts>; 2],
+    /// Rank among the roads.
+    pub(super) rank: u32,
+    /// Id.
+    pub id: Name,
+    /// Junction that it belongs to.
+    pub junction: Option<Name>,
+    pub(super) sections: Range<u32>,
+    pub(super) stations: Range<u32>,
+    /// One for each cross-section, or one for all.
+    pub(super) profiles: Range<u32>,
+    /// Only the first and the last of its cross-sections are kept.
+    pub(super) is_straight: bool,
+    /// Traffic drives on the left.
+    pub is_left_hand: bool,
     /// It has surface data of its own.
     pub has_crg: bool,
     /// It has railway switches.
@@ -91,86 +101,67 @@ pub struct SectionFacts {
     pub s: f64,
     /// Where it ends `[m]`.
     pub s_end: f64,
-    /// Its lanes in [`Network::lanes`](super::Network::lanes).
-    pub lanes: Range<usize>,
+    pub(super) lanes: Range<u32>,
+}
+
+impl SectionFacts {
+    /// Ranks of its lanes in [`Network::lanes`](super::Network::lanes).
+    pub fn lane_ranks(&self) -> Range<usize> {
+        self.lanes.start as usize..self.lanes.end as usize
+    }
 }
 
 /// A lane to the left or right.
 #[derive(Clone, Debug)]
 pub struct LaneFacts {
-    /// The start tag.
-    pub span: Span,
+    pub(super) start: u64,
+    pub(super) len: u32,
     /// Id.
     pub id: i32,
+    /// Inner border at the section's start and end: t `[m]`.
+    pub inner: [f64; 2],
+    /// Outer border at the section's start and end: t `[m]`.
+    pub outer: [f64; 2],
+    /// Where its predecessors begin in [`Network::lane_links`](super::Network::lane_links), its successors, and what comes
+    /// behind them.
+    pub(super) links: [u32; 3],
     /// Type.
     pub kind: LaneType,
     /// Direction of travel.
     pub direction: LaneDirection,
     /// It is kept level.
     pub is_level: bool,
-    /// Width at the section's start and end `[m]`.
-    pub widths: [f64; 2],
-    /// Inner border at the section's start and end: t `[m]`.
-    pub inner: [f64; 2],
-    /// Outer border at the section's start and end: t `[m]`.
-    pub outer: [f64; 2],
-    /// Predecessors and successors in [`Network::lane_links`](super::Network::lane_links).
-    pub links: [Range<usize>; 2],
+}
+
+impl LaneFacts {
+    /// The start tag.
+    pub fn span(&self) -> Span {
+        Span { start: self.start, len: self.len }
+    }
+
+    /// Width at an end of the section `[m]`.
+    pub fn width(&self, end: Contact) -> f64 {
+        (self.outer[end as usize] - self.inner[end as usize]).abs()
+    }
 }
 
 /// A link of a lane.
 #[derive(Clone, Copy, Debug)]
 pub struct LaneLinkFacts {
-    /// The start tag.
-    pub span: Span,
+    start: u64,
+    len: u32,
     /// The lane that it names.
     pub id: i32,
 }
 
-/// A cross-section of a road.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Station {
-    /// Distance along the reference line `[m]`.
-    pub s: f64,
-    /// Reference line: x `[m]`.
-    pub x: f64,
-    /// Reference line: y `[m]`.
-    pub y: f64,
-    /// Reference line: heading `[rad]`, continuous along the road as far as the file has it so.
-    pub hdg: f64,
-    /// Reference line: z `[m]`.
-    pub z: f64,
-    /// Superelevation `[rad]`.
-    pub roll: f64,
-    /// t of the outermost border to the left `[m]`.
-    pub left: f64,
-    /// t of the outermost border to the right `[m]`.
-    pub right: f64,
-}
-
-impl Station {
-    /// Linear between two.
-    pub fn between(&self, other: &Self, s: f64) -> Self {
-        let span = other.s - self.s;
-        let part = if span > 0.0 { (s - self.s) / span } else { 0.0 };
-        let part = mapd_geometry::clamp(part, 0.0, 1.0);
-        let mix = |a: f64, b: f64| a + part * (b - a);
-        Self {
-            s: mix(self.s, other.s),
-            x: mix(self.x, other.x),
-            y: mix(self.y, other.y),
-            hdg: mix(self.hdg, other.hdg),
-            z: mix(self.z, other.z),
-            roll: mix(self.roll, other.roll),
-            left: mix(self.left, other.left),
-            right: mix(self.right, other.right),
-        }
+impl LaneLinkFacts {
+    pub(super) fn new(span: Span, id: i32) -> Self {
+        Self { start: span.start, len: span.len, id }
     }
 
-    /// The point at a lateral distance `[m]`.
-    pub fn at(&self, t: f64) -> [f64; 2] {
-        let (cos, sin) = mapd_geometry::cos_sin(self.hdg);
-        [self.x - t * sin, self.y + t * cos]
+    /// The start tag.
+    pub fn span(&self) -> Span {
+        Span { start: self.start, len: self.len }
     }
 }
 
@@ -204,6 +195,27 @@ pub enum PartKind {
 }
 
 impl PartKind {
+    /// All of them in their order.
+    pub const ALL: [Self; 12] = [
+        Self::Road,
+        Self::Junction,
+        Self::JunctionGroup,
+        Self::Controller,
+        Self::Station,
+        Self::Object,
+        Self::Signal,
+        Self::Sign,
+        Self::Tunnel,
+        Self::Bridge,
+        Self::Switch,
+        Self::VmsGroup,
+    ];
+
+    /// A bit of its own.
+    pub(crate) fn bit(self) -> u16 {
+        1 << self as u16
+    }
+
     /// Name of the element.
     pub fn name(self) -> &'static str {
         match self {
@@ -224,46 +236,33 @@ impl PartKind {
 }
 
 /// Something with an id.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Part {
+    start: u64,
+    len: u32,
+    /// Its id.
+    pub id: Name,
+    /// Rank of the road that it stands along, or the largest number there is.
+    pub(super) road: u32,
     /// What it is.
     pub kind: PartKind,
-    /// Its id.
-    pub id: Box<str>,
-    /// The start tag.
-    pub span: Span,
-    /// Rank of the road that it stands along.
-    pub road: Option<usize>,
 }
 
-/// Something that names an id.
-#[derive(Clone, Debug)]
-pub struct Reference {
-    /// Kinds of what may be meant.
-    pub kinds: &'static [PartKind],
-    /// The id that is named.
-    pub id: Box<str>,
-    /// Element and attribute, as a path names them.
-    pub what: &'static str,
-    /// Name of the element that `what` is a path from.
-    pub element: &'static str,
-    /// Its id.
-    pub from: Box<str>,
-    /// The start tag.
-    pub span: Span,
-}
+impl Part {
+    pub(super) fn new(kind: PartKind, id: Name, span: Span, road: Option<u32>) -> Self {
+        let Span { start, len } = span;
+        Self { start, len, id, road: road.unwrap_or(u32::MAX), kind }
+    }
 
-impl Reference {
-    /// Where it stands: elements from the root, with the id of the one that has one.
-    pub fn path(&self) -> String {
-        let Self { what, element, from, .. } = self;
-        // What stands along a road, by its kind alone.
-        let above = match *element {
-            "signal" => "road/signals/",
-            "switch" => "road/railroad/",
-            _ => "",
-        };
-        let within = what.strip_prefix(element).and_then(|rest| rest.strip_prefix('/'));
-        format!("OpenDRIVE/{above}{element}[@id={from}]/{}", within.unwrap_or(what))
+    /// Moves its road by so many places, and gives it the id's number in the whole.
+    pub(super) fn moved(self, roads: u32, id: Name) -> Self {
+        let is_along = self.road != u32::MAX;
+        let road = if is_along { self.road.saturating_add(roads) } else { self.road };
+        Self { id, road, ..self }
+    }
+
+    /// The start tag.
+    pub fn span(&self) -> Span {
+        Span { start: self.start, len: self.len }
     }
 }

@@ -1,6 +1,8 @@
 //! Where lanes go on: the section that touches an end of a section, and the lanes that links name there.
 
-use super::{Contact, LaneFacts, LinkTarget, Network, RoadFacts, SectionFacts, Station};
+use super::{
+    Contact, LaneFacts, LinkTarget, NONE, Name, Network, RoadFacts, SectionFacts, Station,
+};
 
 /// A section that touches another one.
 #[derive(Clone, Copy, Debug)]
@@ -59,7 +61,7 @@ impl Contact {
 
 impl Network {
     /// The cross-section at an end of a road.
-    pub fn station_of(&self, road: &RoadFacts, end: Contact) -> Option<&Station> {
+    pub fn station_of(&self, road: &RoadFacts, end: Contact) -> Option<Station> {
         let stations = self.stations_of(road);
         match end {
             Contact::Start => stations.first(),
@@ -70,23 +72,28 @@ impl Network {
     /// The road that a road's end is linked to, and which end of that touches: the one that is written, else the nearer one.
     /// None for links to junctions and into the middle of roads.
     pub fn linked_road(&self, road: &RoadFacts, end: Contact) -> Option<(&RoadFacts, Contact)> {
-        let (rank, contact) = (*self.linked.get(road.rank)?)[end as usize]?;
-        Some((self.roads.get(rank)?, contact))
+        let linked = self.linked.get(road.rank as usize)?[end as usize];
+        Some((self.roads.get(linked as usize / 2)?, Contact::BOTH[linked as usize % 2]))
     }
 
     /// Finds what each road's ends are linked to.
     pub(super) fn link_roads(&mut self) {
-        let find = |road: &RoadFacts| Contact::BOTH.map(|end| self.find_linked(road, end));
+        let find = |road: &RoadFacts| {
+            Contact::BOTH.map(|end| match self.find_linked(road, end) {
+                Some((rank, contact)) => rank.saturating_mul(2).saturating_add(contact as u32),
+                None => NONE,
+            })
+        };
         self.linked = self.roads.iter().map(find).collect();
     }
 
-    fn find_linked(&self, road: &RoadFacts, end: Contact) -> Option<(usize, Contact)> {
+    fn find_linked(&self, road: &RoadFacts, end: Contact) -> Option<(u32, Contact)> {
         let link = road.link(end)?;
-        let LinkTarget::Road(id) = &link.target else { return None };
+        let LinkTarget::Road(id) = link.target else { return None };
         if link.s.is_some() {
             return None;
         }
-        let target = self.road(id)?;
+        let target = self.road_named(id)?;
         let nearer = || {
             let own = self.station_of(road, end)?;
             let [start, last] = Contact::BOTH.map(|end| {
@@ -131,11 +138,10 @@ impl Network {
         let sections = self.sections_of(road).iter().enumerate();
         sections.flat_map(move |(rank, section)| {
             let neighbors = Contact::BOTH.map(|end| self.neighbor(road, rank, end));
-            let lanes = section.lanes.clone().zip(self.lanes_of(section));
+            let lanes = section.lane_ranks().zip(self.lanes_of(section));
             lanes.flat_map(move |(lane_rank, lane)| {
                 Contact::BOTH.into_iter().flat_map(move |end| {
-                    let links = self.lane_links.get(lane.links[end as usize].clone());
-                    links.unwrap_or_default().iter().map(move |link| {
+                    self.links_of(lane, end).iter().map(move |link| {
                         let neighbor = neighbors[end as usize];
                         let target = neighbor.and_then(|n| self.lane(n.section, link.id));
                         LaneJoint {
@@ -157,7 +163,8 @@ impl Network {
 
     /// Links of a lane at an end of its section.
     pub fn links_of(&self, lane: &LaneFacts, end: Contact) -> &[super::LaneLinkFacts] {
-        self.lane_links.get(lane.links[end as usize].clone()).unwrap_or_default()
+        let [first, after] = [lane.links[end as usize], lane.links[end as usize + 1]];
+        super::rows(&self.lane_links, &(first..after))
     }
 
     /// The end of a road that touches a junction: the one whose link names it. Where both do, the one that the connecting
@@ -165,24 +172,18 @@ impl Network {
     pub fn end_at_junction(
         &self,
         road: &RoadFacts,
-        junction: &str,
+        junction: Name,
         connecting: Option<(&RoadFacts, Contact)>,
     ) -> Option<Contact> {
-        let names = |end: &Contact| {
-            road.link(*end).is_some_and(
-                |link| matches!(&link.target, LinkTarget::Junction(id) if **id == *junction),
-            )
-        };
-        let named: Vec<Contact> = Contact::BOTH.into_iter().filter(names).collect();
-        match named[..] {
-            [end] => Some(end),
-            [] => None,
-            _ => {
+        let target = Some(LinkTarget::Junction(junction));
+        match Contact::BOTH.map(|end| road.link(end).map(|link| link.target) == target) {
+            [true, false] => Some(Contact::Start),
+            [false, true] => Some(Contact::End),
+            [false, false] => None,
+            [true, true] => {
                 let (connecting, contact) = connecting?;
                 let link = connecting.link(contact)?;
-                matches!(&link.target, LinkTarget::Road(id) if *id == road.id)
-                    .then_some(link.contact)
-                    .flatten()
+                (link.target == LinkTarget::Road(road.id)).then_some(link.contact).flatten()
             }
         }
     }
@@ -203,8 +204,7 @@ impl Network {
     pub fn project(&self, road: &RoadFacts, [x, y]: [f64; 2]) -> Option<(f64, f64, f64)> {
         let stations = self.stations_of(road);
         let mut best: Option<(f64, f64, f64)> = None;
-        for pair in stations.windows(2) {
-            let (a, b) = (&pair[0], &pair[1]);
+        for (a, b) in stations.pairs() {
             let (dx, dy) = (b.x - a.x, b.y - a.y);
             let square = dx * dx + dy * dy;
             if square <= 0.0 {

@@ -4,23 +4,36 @@
 mod append;
 mod collect;
 mod collect_signals;
+mod collect_stations;
 mod facts;
 mod joints;
+mod junctions;
+mod names;
 mod overlap;
+mod references;
+mod stations;
 
-pub(crate) use collect::contact;
-pub use collect::extent;
+pub use collect_stations::extent;
 pub use facts::{
-    Contact, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, Part, PartKind, Reference, RoadFacts,
-    SectionFacts, Station,
+    Contact, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, Part, PartKind, RoadFacts,
+    SectionFacts,
 };
 pub use joints::{LaneJoint, Neighbor};
+pub use junctions::{ConnectedLanes, ConnectionFacts, JunctionFacts};
+pub use names::Name;
 pub use overlap::{CLEARANCE, Overlap, TOUCH};
+pub use references::{Kinds, NamedAt, Reference};
+pub use stations::{Station, Stations};
 
-use mapd_xodr::{Attribute, Junction, Span};
-use std::collections::HashMap;
+pub(crate) use collect::contact;
 
-/// The compact form of a document.
+use mapd_xodr::Span;
+use names::Names;
+
+/// No row.
+const NONE: u32 = u32::MAX;
+
+/// The compact form of a document. Ids are numbers, which [`Network::name`] writes out.
 #[derive(Clone, Debug, Default)]
 pub struct Network {
     /// Where the header stands, if there is one.
@@ -35,57 +48,86 @@ pub struct Network {
     pub lanes: Vec<LaneFacts>,
     /// Links of all lanes.
     pub lane_links: Vec<LaneLinkFacts>,
-    /// Cross-sections of all roads.
-    pub stations: Vec<Station>,
-    /// Junctions in file order, without their objects.
-    pub junctions: Vec<Junction>,
+    /// Junctions in file order.
+    pub junctions: Vec<JunctionFacts>,
     /// Everything that has an id, but lanes.
     pub parts: Vec<Part>,
     /// References to ids.
     pub references: Vec<Reference>,
+    names: Names,
+    /// Cross-sections of all roads.
+    lines: Vec<stations::OnLine>,
+    profiles: Vec<stations::Profile>,
+    /// Connections of all junctions.
+    connections: Vec<ConnectionFacts>,
+    /// Lane links of all connections.
+    connected_lanes: Vec<ConnectedLanes>,
     overlaps: std::sync::OnceLock<Vec<Overlap>>,
-    /// By road and end: rank of the road that it is linked to, and the end of that.
-    linked: Vec<[Option<(usize, Contact)>; 2]>,
-    road_of: HashMap<Box<str>, usize>,
-    junction_of: HashMap<Box<str>, usize>,
-    connecting: HashMap<Box<str>, Vec<usize>>,
+    /// By road and end: rank of the road that it is linked to, doubled, and the end of that.
+    linked: Vec<[u32; 2]>,
+    /// By the number of an id: the first road that has it.
+    road_of: Vec<u32>,
+    /// Roads within junctions, by the junction's id and rank.
+    within: Vec<(Name, u32)>,
+}
+
+/// Rows of a table.
+fn rows<'a, T>(table: &'a [T], range: &std::ops::Range<u32>) -> &'a [T] {
+    table.get(range.start as usize..range.end as usize).unwrap_or_default()
 }
 
 impl Network {
+    /// Nothing yet, to be appended to this.
+    pub(crate) fn another(&self) -> Self {
+        Self { names: self.names.another(), ..Self::default() }
+    }
+
+    /// The id of a number.
+    pub fn name(&self, name: Name) -> &str {
+        self.names.text(name)
+    }
+
+    /// The number of an id; none where nothing has or names it.
+    pub fn name_of(&self, id: &str) -> Option<Name> {
+        self.names.find(id)
+    }
+
+    /// How many ids there are.
+    pub(crate) fn names(&self) -> usize {
+        self.names.len()
+    }
+
     /// The first road of an id.
     pub fn road(&self, id: &str) -> Option<&RoadFacts> {
-        self.road_of.get(id).and_then(|at| self.roads.get(*at))
+        self.road_named(self.name_of(id)?)
     }
 
-    /// Rank of the first road of an id.
-    pub fn road_rank(&self, id: &str) -> Option<usize> {
-        self.road_of.get(id).copied()
-    }
-
-    /// The first junction of an id.
-    pub fn junction(&self, id: &str) -> Option<&Junction> {
-        self.junction_of.get(id).and_then(|at| self.junctions.get(*at))
+    /// The first road of an id.
+    pub fn road_named(&self, id: Name) -> Option<&RoadFacts> {
+        self.roads.get(*self.road_of.get(id.number())? as usize)
     }
 
     /// Roads that belong to a junction, in file order.
-    pub fn roads_within(&self, junction: &str) -> impl Iterator<Item = &RoadFacts> {
-        let ranks = self.connecting.get(junction).map_or(&[][..], Vec::as_slice);
-        ranks.iter().filter_map(|at| self.roads.get(*at))
+    pub fn roads_within(&self, junction: Name) -> impl Iterator<Item = &RoadFacts> {
+        let first = self.within.partition_point(|(id, _)| *id < junction);
+        let within = self.within.get(first..).unwrap_or_default().iter();
+        let own = within.take_while(move |(id, _)| *id == junction);
+        own.filter_map(|(_, rank)| self.roads.get(*rank as usize))
+    }
+
+    /// The road that something stands along.
+    pub fn road_along(&self, part: &Part) -> Option<&RoadFacts> {
+        self.roads.get(part.road as usize)
     }
 
     /// Sections of a road.
     pub fn sections_of(&self, road: &RoadFacts) -> &[SectionFacts] {
-        self.sections.get(road.sections.clone()).unwrap_or_default()
+        rows(&self.sections, &road.sections)
     }
 
     /// Lanes of a section, by falling id, without lane 0.
     pub fn lanes_of(&self, section: &SectionFacts) -> &[LaneFacts] {
-        self.lanes.get(section.lanes.clone()).unwrap_or_default()
-    }
-
-    /// Cross-sections of a road by s.
-    pub fn stations_of(&self, road: &RoadFacts) -> &[Station] {
-        self.stations.get(road.stations.clone()).unwrap_or_default()
+        rows(&self.lanes, &section.lanes)
     }
 
     /// The lane of an id in a section.
@@ -96,7 +138,7 @@ impl Network {
     /// Rank among all lanes of the lane of an id in a section.
     pub fn lane_rank(&self, section: &SectionFacts, id: i32) -> Option<usize> {
         let at = self.lanes_of(section).iter().position(|lane| lane.id == id)?;
-        Some(section.lanes.start + at)
+        Some(section.lane_ranks().start + at)
     }
 
     /// The section of a road that touches one of its ends.
@@ -114,27 +156,18 @@ impl Network {
         sections.get(after.saturating_sub(1))
     }
 
-    /// The cross-section of a road at `s` `[m]`, between those that are kept linear. None where the road has none.
-    pub fn station_at(&self, road: &RoadFacts, s: f64) -> Option<Station> {
-        let stations = self.stations_of(road);
-        let after = stations.partition_point(|station| station.s <= s);
-        let (a, b) = (stations.get(after.saturating_sub(1))?, stations.get(after));
-        Some(b.map_or(*a, |b| a.between(b, s)))
-    }
-
     /// Completes what needs the whole document.
     pub(crate) fn finish(&mut self) {
-        for (rank, road) in self.roads.iter().enumerate() {
-            self.road_of.entry(road.id.clone()).or_insert(rank);
-            if let Some(junction) = &road.junction {
-                self.connecting.entry(junction.clone()).or_default().push(rank);
+        self.road_of = vec![NONE; self.names.len()];
+        // Of those with one id, the first.
+        for road in self.roads.iter().rev() {
+            if let Some(first) = self.road_of.get_mut(road.id.number()) {
+                *first = road.rank;
             }
         }
-        for (rank, junction) in self.junctions.iter().enumerate() {
-            if let Some(Attribute { value, .. }) = &junction.id {
-                self.junction_of.entry(value.clone()).or_insert(rank);
-            }
-        }
+        let within = self.roads.iter().filter_map(|road| Some((road.junction?, road.rank)));
+        self.within = within.collect();
+        self.within.sort_unstable();
         self.link_roads();
     }
 }

@@ -1,7 +1,10 @@
 //! Where roads overlap, in the plane and in height.
 
+use super::stations::Heading;
 use super::{LinkTarget, Network, RoadFacts, Station};
 use crate::place::text;
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 
 /// Roads may touch by this much without overlapping `[m]`: borders of neighbors are rounded, and drawn a little over.
 pub const TOUCH: f64 = 0.25;
@@ -14,6 +17,12 @@ const CELL: f64 = 20.0;
 
 /// Cells that one stretch is sorted into at most; wider ones are broken anyway.
 const CELLS_OF_A_STRETCH: i64 = 256;
+
+/// The map is looked at in strips along y, so that only one strip's stretches are held: so many strips at most.
+const STRIPS: usize = 32;
+
+/// Stretches that one strip has at least, unless the map has fewer.
+const STRETCHES_OF_A_STRIP: usize = 1 << 15;
 
 /// Stretches of one road that are nearer along it than this are neighbors, however wide it is `[m]`.
 const NEAR: f64 = 30.0;
@@ -46,6 +55,7 @@ struct Place {
     road: u32,
     /// Number of the first of its two cross-sections.
     station: u32,
+    s: f64,
     z: f64,
     bounds: [f64; 4],
 }
@@ -60,10 +70,20 @@ fn bounds(corners: &[[f64; 2]; 4]) -> [f64; 4] {
 
 impl Stretch {
     fn new(road: usize, a: &Station, b: &Station) -> Option<Self> {
+        let mut heading = Heading::default();
+        Self::between(road, (a, a.ends(&mut heading)), (b, b.ends(&mut heading)))
+    }
+
+    /// As [`Stretch::new`], where the ends of the cross-sections are known.
+    fn between(
+        road: usize,
+        (a, [a_left, a_right]): (&Station, [[f64; 2]; 2]),
+        (b, [b_left, b_right]): (&Station, [[f64; 2]; 2]),
+    ) -> Option<Self> {
         if a.left - a.right <= 2.0 * TOUCH {
             return None;
         }
-        let corners = [a.at(a.right), a.at(a.left), b.at(b.left), b.at(b.right)];
+        let corners = [a_right, a_left, b_left, b_right];
         corners.iter().flatten().all(|value| value.is_finite()).then_some(Self {
             road,
             s: (a.s + b.s) / 2.0,
@@ -97,6 +117,16 @@ impl Stretch {
     }
 }
 
+/// Number of a cell. Beyond 32 bits, 40 million kilometres away, all lies in one. (Casts of `clamp`ed numbers lose nothing.)
+fn within_32_bits(cell: i64) -> i32 {
+    cell.clamp(i32::MIN.into(), i32::MAX.into()) as i32
+}
+
+/// Column or row of the cell that a coordinate `[m]` lies in.
+fn cell(value: f64) -> i32 {
+    within_32_bits((value / CELL).floor() as i64)
+}
+
 impl Place {
     /// Whether two stretches are not one above the other, and their boxes overlap by more than a touch.
     fn is_near(&self, other: &Self) -> bool {
@@ -127,9 +157,9 @@ impl Network {
                 Stretch::new(0, &self.station_at(road, from)?, &self.station_at(road, to)?)?;
             let stations = self.stations_of(other);
             let is_over =
-                stations.windows(2).filter_map(|pair| Stretch::new(1, &pair[0], &pair[1])).any(
-                    |other| (other.z - stretch.z).abs() < CLEARANCE && other.depth(&stretch) > 0.0,
-                );
+                stations.pairs().filter_map(|(a, b)| Stretch::new(1, &a, &b)).any(|other| {
+                    (other.z - stretch.z).abs() < CLEARANCE && other.depth(&stretch) > 0.0
+                });
             if is_over {
                 range = Some((range.map_or(from, |range| range.0), to));
             }
@@ -137,88 +167,71 @@ impl Network {
         range
     }
 
-    /// Junctions that each road has to do with, by rank, ascending.
-    fn memberships(&self) -> Vec<Vec<usize>> {
-        let mut members = vec![Vec::new(); self.roads.len()];
+    /// Ranks of roads with those of the junctions that they have to do with, ascending.
+    fn memberships(&self) -> Vec<(u32, u32)> {
+        let mut members = Vec::new();
         for (rank, junction) in self.junctions.iter().enumerate() {
-            let connections = junction.connection.iter();
-            let paths = junction.cross_path.iter();
-            let named = connections
-                .flat_map(|c| [&c.incoming_road, &c.connecting_road, &c.linked_road])
-                .chain(paths.flat_map(|p| [&p.crossing_road, &p.road_at_start, &p.road_at_end]))
-                .chain(junction.road_section.iter().map(|section| &section.road_id))
-                .chain([&junction.main_road]);
-            let mut roads: Vec<usize> = named.filter_map(|id| self.road_rank(text(id))).collect();
-            let within = self.connecting.get(text(&junction.id)).into_iter().flatten();
-            roads.extend(within);
-            roads.sort_unstable();
-            roads.dedup();
-            for road in roads {
-                if let Some(list) = members.get_mut(road) {
-                    list.push(rank);
-                }
-            }
+            let connections = self.connections_of(junction).iter();
+            let named = connections.flat_map(|c| [c.incoming, c.connecting, c.linked]);
+            let written = junction.written.as_deref();
+            let main = written.map_or("", |junction| text(&junction.main_road));
+            let paths = written.into_iter().flat_map(|junction| &junction.cross_path);
+            let sections = written.into_iter().flat_map(|junction| &junction.road_section);
+            let others = paths
+                .flat_map(|p| [&p.crossing_road, &p.road_at_start, &p.road_at_end])
+                .chain(sections.map(|section| &section.road_id))
+                .map(text)
+                .chain([main]);
+            let named = named.chain(others.filter_map(|id| self.name_of(id)));
+            let within = junction.id.into_iter().flat_map(|id| self.roads_within(id));
+            let roads = named.filter_map(|id| self.road_named(id)).chain(within);
+            members.extend(roads.map(|road| (road.rank, rank as u32)));
         }
+        members.sort_unstable();
+        members.dedup();
         members
+    }
+
+    /// Columns of cells, in strips that have about as many stretches each.
+    fn strips(&self) -> Vec<RangeInclusive<i32>> {
+        let mut starts: Vec<(i32, u32)> = self
+            .roads
+            .iter()
+            .map(|road| (cell(road.bounds[0]), self.stations_of(road).len() as u32))
+            .collect();
+        starts.sort_unstable();
+        let all: usize = starts.iter().map(|(_, count)| *count as usize).sum();
+        let most = (all / STRIPS).max(STRETCHES_OF_A_STRIP);
+        let (mut strips, mut first, mut held) = (Vec::new(), i32::MIN, 0);
+        for (column, count) in starts {
+            if held >= most && column > first {
+                strips.push(first..=column - 1);
+                (first, held) = (column, 0);
+            }
+            held += count as usize;
+        }
+        strips.push(first..=i32::MAX);
+        strips
     }
 
     fn find_overlaps(&self) -> Vec<Overlap> {
         let members = self.memberships();
-        let pairs = self.roads.iter().map(|road| self.stations_of(road).len().saturating_sub(1));
-        let mut places = Vec::with_capacity(pairs.sum());
-        for (rank, road) in self.roads.iter().enumerate() {
-            for (station, pair) in self.stations_of(road).windows(2).enumerate() {
-                let Some(stretch) = Stretch::new(rank, &pair[0], &pair[1]) else { continue };
-                let bounds = bounds(&stretch.corners);
-                places.push(Place {
-                    road: rank as u32,
-                    station: station as u32,
-                    z: stretch.z,
-                    bounds,
-                });
-            }
-        }
-        let mut cells: Vec<((i32, i32), u32)> = Vec::new();
-        for (rank, place) in places.iter().enumerate() {
-            let [x0, y0, x1, y1] = place.bounds.map(|value| (value / CELL).floor() as i64);
-            let [width, height] = [x1.saturating_sub(x0), y1.saturating_sub(y0)];
-            if width.saturating_add(1).saturating_mul(height.saturating_add(1)) > CELLS_OF_A_STRETCH
-            {
-                continue;
-            }
-            // Beyond 32 bits, 40 million kilometres away, all lies in one cell. (Casts of `clamp`ed numbers lose nothing.)
-            let cell = |value: i64| value.clamp(i32::MIN.into(), i32::MAX.into()) as i32;
-            for x in x0..=x1 {
-                cells.extend((y0..=y1).map(|y| ((cell(x), cell(y)), rank as u32)));
-            }
-        }
-        cells.sort_unstable();
-        let mut found = std::collections::BTreeMap::new();
-        for cell in cells.chunk_by(|a, b| a.0 == b.0) {
-            for (at, (_, first)) in cell.iter().enumerate() {
-                for (_, second) in &cell[at + 1..] {
-                    let (Some(a), Some(b)) =
-                        (places.get(*first as usize), places.get(*second as usize))
-                    else {
-                        continue;
-                    };
-                    // What is cheap and excludes most comes first.
-                    if !a.is_near(b) || self.are_of_one_junction(a, b) {
-                        continue;
-                    }
-                    let (Some(a), Some(b)) = (self.stretch(a), self.stretch(b)) else { continue };
-                    let (a, b) = (&a, &b);
-                    if self.are_neighbors(a, b) {
-                        continue;
-                    }
-                    let key = (a.road, b.road);
-                    let depth = a.depth(b);
-                    let is_new = || !found.contains_key(&key);
-                    if depth > TOUCH && is_new() && self.may_overlap(a, b, &members) {
-                        found.insert(
-                            key,
-                            Overlap { a: a.road, b: b.road, s_a: a.s, s_b: b.s, depth },
-                        );
+        let mut found = BTreeMap::new();
+        let (mut places, mut cells) = (Vec::new(), Vec::new());
+        for strip in self.strips() {
+            places.clear();
+            cells.clear();
+            self.sort_into_cells(&strip, &mut places, &mut cells);
+            cells.sort_unstable();
+            for cell in cells.chunk_by(|a, b| a.0 == b.0) {
+                for (at, (_, first)) in cell.iter().enumerate() {
+                    for (_, second) in &cell[at + 1..] {
+                        let (Some(a), Some(b)) =
+                            (places.get(*first as usize), places.get(*second as usize))
+                        else {
+                            continue;
+                        };
+                        self.compare(a, b, &members, &mut found);
                     }
                 }
             }
@@ -226,28 +239,94 @@ impl Network {
         found.into_values().collect()
     }
 
+    /// Takes the stretches that lie in a strip, and the cells of it that each lies in.
+    fn sort_into_cells(
+        &self,
+        strip: &RangeInclusive<i32>,
+        places: &mut Vec<Place>,
+        cells: &mut Vec<((i32, i32), u32)>,
+    ) {
+        let is_beside =
+            |low: f64, high: f64| cell(high) < *strip.start() || cell(low) > *strip.end();
+        for (rank, road) in self.roads.iter().enumerate() {
+            if is_beside(road.bounds[0], road.bounds[2]) {
+                continue;
+            }
+            // The ends of a cross-section that two stretches share are computed once.
+            let (mut known, mut heading) = (None, Heading::default());
+            for (station, (a, b)) in self.stations_of(road).pairs().enumerate() {
+                let before = known.take();
+                let reach = [a.left, a.right, b.left, b.right].map(f64::abs);
+                let reach = reach.into_iter().fold(0.0, f64::max);
+                if is_beside(a.x.min(b.x) - reach, a.x.max(b.x) + reach) {
+                    continue;
+                }
+                let ends = (before.unwrap_or_else(|| a.ends(&mut heading)), b.ends(&mut heading));
+                known = Some(ends.1);
+                let stretch = Stretch::between(rank, (&a, ends.0), (&b, ends.1));
+                let Some(stretch) = stretch else { continue };
+                let bounds = bounds(&stretch.corners);
+                let [x0, y0, x1, y1] = bounds.map(|value| (value / CELL).floor() as i64);
+                let [width, height] = [x1.saturating_sub(x0), y1.saturating_sub(y0)];
+                let count = width.saturating_add(1).saturating_mul(height.saturating_add(1));
+                if count > CELLS_OF_A_STRETCH {
+                    continue;
+                }
+                let number = places.len() as u32;
+                let columns = (x0..=x1).map(within_32_bits).filter(|x| strip.contains(x));
+                cells.extend(
+                    columns.flat_map(|x| (y0..=y1).map(move |y| ((x, within_32_bits(y)), number))),
+                );
+                let (road, station) = (rank as u32, station as u32);
+                places.push(Place { road, station, s: stretch.s, z: stretch.z, bounds });
+            }
+        }
+    }
+
+    /// Notes the place where two roads overlap, if these stretches do and none is known.
+    fn compare(
+        &self,
+        a: &Place,
+        b: &Place,
+        members: &[(u32, u32)],
+        found: &mut BTreeMap<(usize, usize), Overlap>,
+    ) {
+        // What is cheap and excludes most comes first.
+        if !a.is_near(b) || self.are_of_one_junction(a, b) || self.are_neighbors(a, b) {
+            return;
+        }
+        let (Some(a), Some(b)) = (self.stretch(a), self.stretch(b)) else { return };
+        let (a, b) = (&a, &b);
+        let key = (a.road, b.road);
+        let depth = a.depth(b);
+        let is_new = || !found.contains_key(&key);
+        if depth > TOUCH && is_new() && self.may_overlap(a, b, members) {
+            found.insert(key, Overlap { a: a.road, b: b.road, s_a: a.s, s_b: b.s, depth });
+        }
+    }
+
     fn stretch(&self, place: &Place) -> Option<Stretch> {
         let stations = self.stations_of(self.roads.get(place.road as usize)?);
         let first = place.station as usize;
-        Stretch::new(place.road as usize, stations.get(first)?, stations.get(first + 1)?)
+        Stretch::new(place.road as usize, &stations.get(first)?, &stations.get(first + 1)?)
     }
 
     /// Whether two stretches are of different roads of one junction.
     fn are_of_one_junction(&self, a: &Place, b: &Place) -> bool {
-        let junction = |place: &Place| self.roads.get(place.road as usize)?.junction.as_ref();
+        let junction = |place: &Place| self.roads.get(place.road as usize)?.junction;
         a.road != b.road && junction(a).is_some() && junction(a) == junction(b)
     }
 
     /// Whether two stretches are neighbors on one road.
-    fn are_neighbors(&self, a: &Stretch, b: &Stretch) -> bool {
+    fn are_neighbors(&self, a: &Place, b: &Place) -> bool {
         let apart = (a.s - b.s).abs();
         // A road may lead back to its own start.
         let is_near = |road: &RoadFacts| apart <= NEAR || road.length - apart <= NEAR;
-        a.road == b.road && self.roads.get(a.road).is_some_and(is_near)
+        a.road == b.road && self.roads.get(a.road as usize).is_some_and(is_near)
     }
 
     /// Whether an overlap of two roads would tell something: not where they touch, nor where they meet at one junction.
-    fn may_overlap(&self, a: &Stretch, b: &Stretch, members: &[Vec<usize>]) -> bool {
+    fn may_overlap(&self, a: &Stretch, b: &Stretch, members: &[(u32, u32)]) -> bool {
         let (Some(road_a), Some(road_b)) = (self.roads.get(a.road), self.roads.get(b.road)) else {
             return false;
         };
@@ -255,25 +334,27 @@ impl Network {
             return true;
         }
         let touches = |road: &RoadFacts, other: &RoadFacts| {
-            road.links.iter().flatten().any(|link| match &link.target {
-                LinkTarget::Road(id) => *id == other.id,
+            road.links.iter().flatten().any(|link| match link.target {
+                LinkTarget::Road(id) => id == other.id,
                 LinkTarget::Junction(id) => {
                     // Roads at one junction meet there, and so do the roads within.
-                    other.junction.as_ref() == Some(id)
+                    other.junction == Some(id)
                         || other.links.iter().flatten().any(|o| o.target == link.target)
                 }
             })
         };
         let share_neighbor = || {
-            let mut targets = road_a.links.iter().flatten().map(|link| &link.target);
-            targets.any(|target| road_b.links.iter().flatten().any(|link| link.target == *target))
+            let mut targets = road_a.links.iter().flatten().map(|link| link.target);
+            targets.any(|target| road_b.links.iter().flatten().any(|link| link.target == target))
         };
-        let share_junction = || {
-            let (Some(of_a), Some(of_b)) = (members.get(a.road), members.get(b.road)) else {
-                return false;
-            };
-            of_a.iter().any(|junction| of_b.binary_search(junction).is_ok())
+        let junctions_of = |road: &RoadFacts| {
+            let first = members.partition_point(|(rank, _)| *rank < road.rank);
+            let own = members.get(first..).unwrap_or_default().iter();
+            let rank = road.rank;
+            own.take_while(move |(of, _)| *of == rank).map(|(_, junction)| *junction)
         };
+        let share_junction =
+            || junctions_of(road_a).any(|one| junctions_of(road_b).any(|other| other == one));
         !share_junction()
             && !touches(road_a, road_b)
             && !touches(road_b, road_a)

@@ -172,7 +172,7 @@ fn distance(a: Point, b: Point) -> f64 {
 }
 
 fn closed(network: &Network, sink: &mut Sink<'_>) {
-    for junction in &network.junctions {
+    for junction in network.junctions_as_written() {
         let Some(ring) = ring(network, junction) else { continue };
         for (rank, (span, line)) in ring.iter().enumerate() {
             let before = &ring[(rank + ring.len() - 1) % ring.len()].1;
@@ -197,7 +197,7 @@ fn outline(network: &Network, junction: &Junction) -> Option<Vec<Point>> {
 }
 
 fn counter_clockwise(network: &Network, sink: &mut Sink<'_>) {
-    for junction in &network.junctions {
+    for junction in network.junctions_as_written() {
         let Some(points) = outline(network, junction).filter(|points| points.len() > 2) else {
             continue;
         };
@@ -222,22 +222,21 @@ fn counter_clockwise(network: &Network, sink: &mut Sink<'_>) {
 }
 
 fn each_road(network: &Network, sink: &mut Sink<'_>) {
-    for junction in &network.junctions {
+    for junction in network.junctions_as_written() {
         let Some(boundary) = &junction.boundary else { continue };
         let id = text(&junction.id);
+        let target = network.name_of(id).map(LinkTarget::Junction);
         for road in &network.roads {
             for end in Contact::BOTH {
-                let leads_in = road.link(end).is_some_and(
-                    |link| matches!(&link.target, LinkTarget::Junction(j) if **j == *id),
-                );
-                let has_one =
-                    boundary.segment.iter().any(|segment| text(&segment.road_id) == &*road.id);
+                let leads_in = road.link(end).is_some_and(|link| Some(link.target) == target);
+                let own = network.name(road.id);
+                let has_one = boundary.segment.iter().any(|segment| text(&segment.road_id) == own);
                 if leads_in && !has_one {
                     let part = ("junction", id, "boundary");
                     sink.add_in(
                         part,
                         boundary.span,
-                        format_args!("a segment at road {}", road.id),
+                        format_args!("a segment at road {own}"),
                         "none",
                     );
                 }
@@ -261,7 +260,7 @@ fn along(start: Point, direction: Point, point: Point) -> (f64, f64) {
 }
 
 fn line_crosses(network: &Network, sink: &mut Sink<'_>) {
-    for junction in &network.junctions {
+    for junction in network.junctions_as_written() {
         let Some((span, start, direction, length)) = line(junction) else { continue };
         let Some(points) = outline(network, junction).filter(|points| !points.is_empty()) else {
             continue;
@@ -285,7 +284,7 @@ fn line_crosses(network: &Network, sink: &mut Sink<'_>) {
 }
 
 fn line_spans(network: &Network, sink: &mut Sink<'_>) {
-    for junction in &network.junctions {
+    for junction in network.junctions_as_written() {
         let Some((span, start, direction, length)) = line(junction) else { continue };
         let Some(points) = outline(network, junction) else { continue };
         let outside = points.iter().map(|point| along(start, direction, *point).0);
@@ -299,7 +298,7 @@ fn line_spans(network: &Network, sink: &mut Sink<'_>) {
 }
 
 fn grid_covers(network: &Network, sink: &mut Sink<'_>) {
-    for junction in &network.junctions {
+    for junction in network.junctions_as_written() {
         let Some((_, start, direction, _)) = line(junction) else { continue };
         let (Some(grid), Some(points)) = (&junction.elevation_grid, outline(network, junction))
         else {

@@ -1,15 +1,16 @@
 //! Connections of junctions, seen with the roads that they join.
 
 use super::joints::{CORNER, Edge, KINK};
-use crate::catalog::junctions::kind;
 use crate::catalog::lanes::is_drivable;
 use crate::example::Example::{Document, Junction as In};
-use crate::network::{Contact, LinkTarget, Network, RoadFacts, contact};
-use crate::place::{text, value};
+use crate::network::{
+    ConnectionFacts, Contact, JunctionFacts, LinkTarget, Name, Network, RoadFacts,
+};
+use crate::place::text;
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
 use crate::sink::Sink;
-use mapd_xodr::{Connection, Junction, JunctionType as Kind};
+use mapd_xodr::JunctionType as Kind;
 use std::collections::{BTreeMap, BTreeSet};
 
 const SOUND: crate::example::Example = In(
@@ -115,8 +116,9 @@ pub(super) static RULES: &[Rule] = &[
 
 /// A connection of a default or virtual junction with the roads that it joins, as far as they are there.
 struct Joined<'a> {
-    junction: &'a Junction,
-    connection: &'a Connection,
+    network: &'a Network,
+    junction: &'a JunctionFacts,
+    connection: &'a ConnectionFacts,
     incoming: Option<&'a RoadFacts>,
     connecting: Option<&'a RoadFacts>,
     /// The end of the connecting road that touches the incoming one.
@@ -126,29 +128,30 @@ struct Joined<'a> {
 }
 
 fn joined(network: &Network) -> impl Iterator<Item = Joined<'_>> {
-    let junctions = network.junctions.iter().filter(|junction| kind(junction) == Kind::Default);
+    let junctions = network.junctions.iter().filter(|junction| junction.kind == Kind::Default);
     junctions.flat_map(move |junction| {
-        junction.connection.iter().map(move |connection| {
-            let incoming = network.road(text(&connection.incoming_road));
-            let connecting = network.road(text(&connection.connecting_road));
-            let contact = contact(&connection.contact_point);
-            let incoming_end = incoming.and_then(|road| {
-                network.end_at_junction(road, text(&junction.id), connecting.zip(contact))
-            });
-            Joined { junction, connection, incoming, connecting, contact, incoming_end }
+        let id = junction.id.unwrap_or_default();
+        network.connections_of(junction).iter().map(move |connection| {
+            let incoming = network.road_named(connection.incoming);
+            let connecting = network.road_named(connection.connecting);
+            let contact = connection.contact;
+            let incoming_end = incoming
+                .and_then(|road| network.end_at_junction(road, id, connecting.zip(contact)));
+            Joined { network, junction, connection, incoming, connecting, contact, incoming_end }
         })
     })
 }
 
 /// Adds a finding about a connection.
 pub(super) fn add_to_connection(
-    (junction, connection): (&Junction, &Connection),
+    (network, junction, connection): (&Network, &JunctionFacts, &ConnectionFacts),
     sink: &mut Sink<'_>,
     expected: impl std::fmt::Display,
     found: impl std::fmt::Display,
 ) {
-    let part = format!("connection[@id={}]", text(&connection.id));
-    sink.add_in(("junction", text(&junction.id), &part), connection.span, expected, found);
+    let part = format!("connection[@id={}]", network.name(connection.id));
+    let junction = ("junction", network.junction_id(junction), part.as_str());
+    sink.add_in(junction, connection.span(), expected, found);
 }
 
 impl Joined<'_> {
@@ -158,7 +161,8 @@ impl Joined<'_> {
         expected: impl std::fmt::Display,
         found: impl std::fmt::Display,
     ) {
-        add_to_connection((self.junction, self.connection), sink, expected, found);
+        let about = (self.network, self.junction, self.connection);
+        add_to_connection(about, sink, expected, found);
     }
 }
 
@@ -167,18 +171,14 @@ fn linkage(network: &Network, end: Contact, sink: &mut Sink<'_>) {
         let (Some(incoming), Some(connecting)) = (joined.incoming, joined.connecting) else {
             continue;
         };
-        let link = connecting.link(end).map(|link| &link.target);
-        if !matches!(link, Some(LinkTarget::Road(id)) if *id == incoming.id) {
-            let found = match link {
-                None => "none".to_owned(),
-                Some(LinkTarget::Road(id)) => format!("one to road {id}"),
-                Some(LinkTarget::Junction(id)) => format!("one to junction {id}"),
-            };
+        let link = connecting.link(end).map(|link| link.target);
+        if link != Some(LinkTarget::Road(incoming.id)) {
+            let found = link_to(network, link);
             let expected = format_args!(
                 "a link from the {} of road {} to road {}",
                 end.name(),
-                connecting.id,
-                incoming.id
+                network.name(connecting.id),
+                network.name(incoming.id)
             );
             joined.add(sink, expected, found);
         }
@@ -196,10 +196,10 @@ fn end_opposite(network: &Network, sink: &mut Sink<'_>) {
 fn belongs(network: &Network, sink: &mut Sink<'_>) {
     for joined in joined(network) {
         let Some(road) = joined.connecting else { continue };
-        let id = text(&joined.junction.id);
-        if road.junction.as_deref() != Some(id) {
-            let found =
-                format_args!("road {} of {}", road.id, road.junction.as_deref().unwrap_or("none"));
+        if road.junction != joined.junction.id.or(Some(Name::default())) {
+            let junction = road.junction.map_or("none", |junction| network.name(junction));
+            let found = format_args!("road {} of {junction}", network.name(road.id));
+            let id = network.junction_id(joined.junction);
             joined.add(sink, format_args!("a road of junction {id}"), found);
         }
     }
@@ -208,12 +208,16 @@ fn belongs(network: &Network, sink: &mut Sink<'_>) {
 fn lane_links(network: &Network, sink: &mut Sink<'_>) {
     for joined in joined(network) {
         let sides = [(joined.incoming, joined.incoming_end), (joined.connecting, joined.contact)];
-        for link in &joined.connection.lane_link {
-            for ((road, end), id) in sides.iter().zip([value(&link.from), value(&link.to)]) {
+        for link in network.connected_lanes(joined.connection) {
+            for ((road, end), id) in sides.iter().zip(*link) {
                 let (Some(road), Some(end), Some(id)) = (road, end, id) else { continue };
                 let Some(section) = network.section_at(road, *end) else { continue };
                 if network.lane(section, id).is_none() && id != 0 {
-                    let expected = format_args!("a lane at the {} of road {}", end.name(), road.id);
+                    let expected = format_args!(
+                        "a lane at the {} of road {}",
+                        end.name(),
+                        network.name(road.id)
+                    );
                     joined.add(sink, expected, format_args!("lane {id}, which is not there"));
                 }
             }
@@ -226,16 +230,16 @@ fn leads_in(network: &Network, sink: &mut Sink<'_>) {
         // Traffic leaves the incoming road at its end and enters the other one there.
         let from = joined.incoming.zip(joined.incoming_end).map(|(road, end)| (road, end, true));
         let to = joined.connecting.zip(joined.contact).map(|(road, end)| (road, end, false));
-        for link in &joined.connection.lane_link {
-            for (place, id) in [(from, value(&link.from)), (to, value(&link.to))] {
+        for [from_id, to_id] in network.connected_lanes(joined.connection) {
+            for (place, id) in [(from, *from_id), (to, *to_id)] {
                 let (Some((road, end, leaves)), Some(id)) = (place, id) else { continue };
                 let section = network.section_at(road, end);
                 let lane = section.and_then(|section| network.lane(section, id));
                 let Some(lane) = lane.filter(|lane| is_drivable(lane.kind)) else { continue };
                 let due = (end == Contact::End) == leaves;
                 if Network::goes_along(road, lane).is_some_and(|along| along != due) {
-                    let found =
-                        format_args!("lane {id} of road {}, which leads the other way", road.id);
+                    let road = network.name(road.id);
+                    let found = format_args!("lane {id} of road {road}, which leads the other way");
                     joined.add(sink, "lanes that lead into the junction", found);
                 }
             }
@@ -256,10 +260,8 @@ fn smooth(network: &Network, sink: &mut Sink<'_>) {
         else {
             continue;
         };
-        for link in &joined.connection.lane_link {
-            let (Some(from_id), Some(to_id)) = (value(&link.from), value(&link.to)) else {
-                continue;
-            };
+        for link in network.connected_lanes(joined.connection) {
+            let [Some(from_id), Some(to_id)] = *link else { continue };
             let (Some(a), Some(b)) = (network.lane(from, from_id), network.lane(to, to_id)) else {
                 continue;
             };
@@ -282,51 +284,54 @@ fn smooth(network: &Network, sink: &mut Sink<'_>) {
     }
 }
 
+/// What a link leads to, in words.
+pub(super) fn link_to(network: &Network, link: Option<LinkTarget>) -> String {
+    match link {
+        None => "none".to_owned(),
+        Some(LinkTarget::Road(id)) => format!("one to road {}", network.name(id)),
+        Some(LinkTarget::Junction(id)) => format!("one to junction {}", network.name(id)),
+    }
+}
+
 /// Roads that lead into or out of a junction.
-fn arms<'a>(network: &'a Network, junction: &'a Junction) -> BTreeSet<&'a str> {
-    let id = text(&junction.id);
-    let mut arms: BTreeSet<&str> = BTreeSet::new();
-    for road in network.roads_within(id) {
-        for link in road.links.iter().flatten() {
-            if let LinkTarget::Road(id) = &link.target {
-                arms.insert(id);
-            }
-        }
-    }
-    for connection in &junction.connection {
-        arms.insert(text(&connection.incoming_road));
-        arms.insert(text(&connection.linked_road));
-    }
-    arms.remove("");
+fn arms(network: &Network, junction: &JunctionFacts) -> BTreeSet<Name> {
+    let roads = network.roads_within(junction.id.unwrap_or_default());
+    let links = roads.flat_map(|road| road.links.iter().flatten());
+    let linked = links.filter_map(|link| match link.target {
+        LinkTarget::Road(id) => Some(id),
+        LinkTarget::Junction(_) => None,
+    });
+    let connections = network.connections_of(junction).iter();
+    let mut arms: BTreeSet<Name> =
+        linked.chain(connections.flat_map(|c| [c.incoming, c.linked])).collect();
+    arms.remove(&Name::default());
     arms
 }
 
 fn not_only_two(network: &Network, sink: &mut Sink<'_>) {
-    for junction in
-        network.junctions.iter().filter(|j| matches!(kind(j), Kind::Default | Kind::Direct))
-    {
+    let junctions = network.junctions.iter();
+    for junction in junctions.filter(|j| matches!(j.kind, Kind::Default | Kind::Direct)) {
         let arms = arms(network, junction);
-        if arms.len() <= 2 && !junction.connection.is_empty() {
-            let part = ("junction", text(&junction.id), "");
+        if arms.len() <= 2 && !network.connections_of(junction).is_empty() {
+            let part = ("junction", network.junction_id(junction), "");
             sink.add_in(part, junction.span, "more than two roads", arms.len());
         }
     }
 }
 
 fn has_choice(network: &Network, sink: &mut Sink<'_>) {
-    for junction in network.junctions.iter().filter(|j| kind(j) == Kind::Default) {
-        let (mut from, mut to): (BTreeMap<&str, usize>, BTreeMap<&str, usize>) = Default::default();
-        for connection in &junction.connection {
-            *from.entry(text(&connection.incoming_road)).or_default() += 1;
-            let Some(road) = network.road(text(&connection.connecting_road)) else { continue };
-            let Some(contact) = contact(&connection.contact_point) else { continue };
-            if let Some(LinkTarget::Road(id)) = road.link(contact.other()).map(|link| &link.target)
-            {
+    for junction in network.junctions.iter().filter(|j| j.kind == Kind::Default) {
+        let (mut from, mut to): (BTreeMap<Name, usize>, BTreeMap<Name, usize>) = Default::default();
+        for connection in network.connections_of(junction) {
+            *from.entry(connection.incoming).or_default() += 1;
+            let Some(road) = network.road_named(connection.connecting) else { continue };
+            let Some(contact) = connection.contact else { continue };
+            if let Some(LinkTarget::Road(id)) = road.link(contact.other()).map(|link| link.target) {
                 *to.entry(id).or_default() += 1;
             }
         }
         if !from.is_empty() && from.values().chain(to.values()).all(|count| *count == 1) {
-            let part = ("junction", text(&junction.id), "");
+            let part = ("junction", network.junction_id(junction), "");
             sink.add_in(
                 part,
                 junction.span,
@@ -338,14 +343,15 @@ fn has_choice(network: &Network, sink: &mut Sink<'_>) {
 }
 
 fn surface(network: &Network, sink: &mut Sink<'_>) {
-    for junction in &network.junctions {
+    for junction in network.junctions_as_written() {
         if junction.surface.as_ref().is_none_or(|surface| surface.crg.is_empty()) {
             continue;
         }
-        for road in network.roads_within(text(&junction.id)).filter(|road| road.has_crg) {
-            let expected =
-                format_args!("no surface data, for junction {} has some", text(&junction.id));
-            sink.add_in(("road", &road.id, "surface"), road.span, expected, "some");
+        let id = text(&junction.id);
+        let Some(name) = network.name_of(id) else { continue };
+        for road in network.roads_within(name).filter(|road| road.has_crg) {
+            let expected = format_args!("no surface data, for junction {id} has some");
+            sink.add_in(("road", network.name(road.id), "surface"), road.span, expected, "some");
         }
     }
 }

@@ -91,8 +91,7 @@ struct End<'a> {
 
 fn paths(network: &Network) -> impl Iterator<Item = (&Junction, &CrossPath)> {
     network
-        .junctions
-        .iter()
+        .junctions_as_written()
         .flat_map(|junction| junction.cross_path.iter().map(move |path| (junction, path)))
 }
 
@@ -123,9 +122,10 @@ fn junction_id(network: &Network, sink: &mut Sink<'_>) {
     for (junction, path) in paths(network) {
         let Some(road) = network.road(text(&path.crossing_road)) else { continue };
         let id = text(&junction.id);
-        if road.junction.as_deref() != Some(id) {
-            let found = road.junction.as_deref().unwrap_or("none").to_owned();
-            add((junction, path), sink, format_args!("road {} of junction {id}", road.id), found);
+        let own = road.junction.map(|junction| network.name(junction));
+        if own != Some(id) {
+            let expected = format_args!("road {} of junction {id}", network.name(road.id));
+            add((junction, path), sink, expected, own.unwrap_or("none"));
         }
     }
 }
@@ -139,7 +139,8 @@ fn lane_types(network: &Network, sink: &mut Sink<'_>) {
             lane.kind,
             LaneType::Walking | LaneType::Biking | LaneType::Sidewalk | LaneType::Shared
         ) {
-            let found = format_args!("lane {from} of road {}, for {}", road.id, lane.kind.name());
+            let road = network.name(road.id);
+            let found = format_args!("lane {from} of road {road}, for {}", lane.kind.name());
             add((end.junction, end.path), sink, "a lane for walking or biking", found);
         }
     }
@@ -155,7 +156,7 @@ fn lanes_there(network: &Network, sink: &mut Sink<'_>) {
         for (place, id) in [(touched, value(&end.link.from)), (own, value(&end.link.to))] {
             let (Some((road, section)), Some(id)) = (place, id) else { continue };
             if network.lane(section, id).is_none() && id != 0 {
-                let expected = format_args!("a lane of road {}", road.id);
+                let expected = format_args!("a lane of road {}", network.name(road.id));
                 add(
                     (end.junction, end.path),
                     sink,
@@ -184,7 +185,7 @@ fn contained(network: &Network, sink: &mut Sink<'_>) {
         if t < low || t > high {
             let expected = format_args!(
                 "an end within lane {from} of road {}, t from {low:.2} to {high:.2}",
-                road.id
+                network.name(road.id)
             );
             add((end.junction, end.path), sink, expected, format_args!("{t:.2}"));
         }
@@ -198,13 +199,15 @@ fn within_main_road(network: &Network, sink: &mut Sink<'_>) {
         else {
             continue;
         };
-        for station in network.stations_of(crossing) {
+        for station in network.stations_of(crossing).iter() {
             let Some((s, t, _)) = network.project(main, [station.x, station.y]) else { continue };
             let Some(across) = network.station_at(main, s) else { continue };
             if t > across.left + AREA.value || t < across.right - AREA.value {
                 let expected = format_args!(
                     "t from {:.2} to {:.2} on road {}",
-                    across.right, across.left, main.id
+                    across.right,
+                    across.left,
+                    network.name(main.id)
                 );
                 add((junction, path), sink, expected, format_args!("{t:.2}"));
                 break;
@@ -217,16 +220,17 @@ fn within_junction(network: &Network, sink: &mut Sink<'_>) {
     for (junction, path) in paths(network).filter(|(junction, _)| kind(junction) == Kind::Default) {
         let Some(crossing) = network.road(text(&path.crossing_road)) else { continue };
         let mut area = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
-        let crossings: Vec<&str> =
-            junction.cross_path.iter().map(|path| text(&path.crossing_road)).collect();
-        for road in
-            network.roads_within(text(&junction.id)).filter(|road| !crossings.contains(&&*road.id))
-        {
+        let paths = junction.cross_path.iter();
+        let crossings: Vec<_> =
+            paths.filter_map(|path| network.name_of(text(&path.crossing_road))).collect();
+        let within = network.name_of(text(&junction.id)).into_iter();
+        let within = within.flat_map(|junction| network.roads_within(junction));
+        for road in within.filter(|road| !crossings.contains(&road.id)) {
             let b = road.bounds;
             area = [area[0].min(b[0]), area[1].min(b[1]), area[2].max(b[2]), area[3].max(b[3])];
         }
         let reach = AREA.value;
-        let is_outside = |s: &&crate::network::Station| {
+        let is_outside = |s: &crate::network::Station| {
             s.x < area[0] - reach
                 || s.y < area[1] - reach
                 || s.x > area[2] + reach

@@ -32,7 +32,9 @@ pub(super) static RULES: &[Rule] = &[Rule::warning(
 .within(&[BEYOND])];
 
 fn cover(network: &Network, sink: &mut Sink<'_>) {
-    for junction in network.junctions.iter().filter(|junction| kind(junction) == Kind::Crossing) {
+    for junction in
+        network.junctions_as_written().filter(|junction| kind(junction) == Kind::Crossing)
+    {
         for section in &junction.road_section {
             let Some(road) = network.road(text(&section.road_id)) else { continue };
             let others =
@@ -43,8 +45,9 @@ fn cover(network: &Network, sink: &mut Sink<'_>) {
                 let (from, to) = (number(&section.s_start), number(&section.s_end));
                 if start < from - BEYOND.value || end > to + BEYOND.value {
                     let part = ("junction", text(&junction.id), "roadSection");
+                    let road = network.name(road.id);
                     let expected =
-                        format_args!("a stretch of road {} from {start:.2} to {end:.2}", road.id);
+                        format_args!("a stretch of road {road} from {start:.2} to {end:.2}");
                     sink.add_in(part, section.span, expected, format_args!("{from} to {to}"));
                 }
             }

@@ -1,7 +1,7 @@
 //! What depends on what.
 
 use crate::example::Example::{Document, Road as InRoad, Signals};
-use crate::network::{Network, PartKind, Reference};
+use crate::network::{Name, NamedAt, Network, PartKind, Reference};
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
 use crate::sink::Sink;
@@ -73,53 +73,54 @@ const fn pair() -> crate::example::Example {
     )
 }
 
-fn of<'a>(network: &'a Network, what: &'static str) -> impl Iterator<Item = &'a Reference> {
-    network.references.iter().filter(move |reference| reference.what == what)
+fn of(network: &Network, at: NamedAt) -> impl Iterator<Item = &Reference> {
+    network.references.iter().filter(move |reference| reference.at == at)
 }
 
 fn cycles(network: &Network, sink: &mut Sink<'_>) {
-    let mut next: HashMap<&str, Vec<&str>> = HashMap::new();
-    for reference in of(network, "signal/dependency/@id") {
-        next.entry(&reference.from).or_default().push(&reference.id);
+    let mut next: HashMap<Name, Vec<Name>> = HashMap::new();
+    for reference in of(network, NamedAt::SignalDependency) {
+        next.entry(reference.from).or_default().push(reference.id);
     }
-    let mut told: HashSet<&str> = HashSet::new();
-    for reference in of(network, "signal/dependency/@id") {
-        let from = &*reference.from;
-        if told.contains(from) {
+    let mut told: HashSet<Name> = HashSet::new();
+    for reference in of(network, NamedAt::SignalDependency) {
+        let from = reference.from;
+        if told.contains(&from) {
             continue;
         }
         // From the signal that is depended on, back to this one.
-        let mut before: HashMap<&str, &str> = HashMap::new();
-        let mut open = vec![&*reference.id];
+        let mut before: HashMap<Name, Name> = HashMap::new();
+        let mut open = vec![reference.id];
         while let Some(signal) = open.pop() {
             if signal == from {
                 break;
             }
-            for other in next.get(signal).into_iter().flatten() {
+            for other in next.get(&signal).into_iter().flatten() {
                 if !before.contains_key(other) {
-                    before.insert(other, signal);
-                    open.push(other);
+                    before.insert(*other, signal);
+                    open.push(*other);
                 }
             }
         }
         let mut path = vec![from];
-        if *reference.id != *from {
-            let Some(mut at) = before.get(from).copied() else { continue };
-            while at != &*reference.id {
+        if reference.id != from {
+            let Some(mut at) = before.get(&from).copied() else { continue };
+            while at != reference.id {
                 path.push(at);
-                let Some(previous) = before.get(at) else { break };
-                at = previous;
+                let Some(previous) = before.get(&at) else { break };
+                at = *previous;
             }
-            path.push(&reference.id);
+            path.push(reference.id);
         }
         path.push(from);
         path.reverse();
         told.extend(path.iter().copied());
-        let place = reference.path();
+        let path: Vec<&str> = path.into_iter().map(|id| network.name(id)).collect();
+        let place = reference.path(network);
         sink.add_at(
             || place,
             sink.severity,
-            reference.span,
+            reference.span(),
             "no way back to the signal",
             path.join(" on "),
         );
@@ -127,39 +128,39 @@ fn cycles(network: &Network, sink: &mut Sink<'_>) {
 }
 
 fn gantry(network: &Network, sink: &mut Sink<'_>) {
-    let mut objects: HashMap<&str, Vec<&str>> = HashMap::new();
-    for reference in of(network, "signal/reference/@elementId") {
-        if reference.kinds.contains(&PartKind::Object) {
-            objects.entry(&reference.from).or_default().push(&reference.id);
+    let mut objects: HashMap<Name, Vec<Name>> = HashMap::new();
+    for reference in of(network, NamedAt::SignalLink) {
+        if reference.kinds.all().contains(&PartKind::Object) {
+            objects.entry(reference.from).or_default().push(reference.id);
         }
     }
-    let mut shared: HashMap<&str, HashSet<&str>> = HashMap::new();
-    for board in of(network, "vmsBoardReference/@signalId") {
-        let own: HashSet<&str> = objects.get(&*board.id).into_iter().flatten().copied().collect();
-        let group = shared.entry(&board.from).or_insert_with(|| own.clone());
+    let mut shared: HashMap<Name, HashSet<Name>> = HashMap::new();
+    for board in of(network, NamedAt::Board) {
+        let own: HashSet<Name> = objects.get(&board.id).into_iter().flatten().copied().collect();
+        let group = shared.entry(board.from).or_insert_with(|| own.clone());
         group.retain(|object| own.contains(object));
         if group.is_empty() && !own.is_empty() {
             sink.add_in(
-                ("vmsGroup", &board.from, "vmsBoardReference"),
-                board.span,
+                ("vmsGroup", network.name(board.from), "vmsBoardReference"),
+                board.span(),
                 "boards of one gantry",
-                format_args!("signal {} at another", board.id),
+                format_args!("signal {} at another", network.name(board.id)),
             );
         }
     }
 }
 
 fn partners(network: &Network, sink: &mut Sink<'_>) {
-    let pairs: HashSet<(&str, &str)> =
-        of(network, "switch/partner/@id").map(|r| (&*r.from, &*r.id)).collect();
-    for reference in of(network, "switch/partner/@id") {
-        if !pairs.contains(&(&*reference.id, &*reference.from)) || reference.id == reference.from {
-            let place = reference.path();
-            let found = format_args!("switch {}, which does not", reference.id);
+    let pairs: HashSet<(Name, Name)> =
+        of(network, NamedAt::Partner).map(|r| (r.from, r.id)).collect();
+    for reference in of(network, NamedAt::Partner) {
+        if !pairs.contains(&(reference.id, reference.from)) || reference.id == reference.from {
+            let place = reference.path(network);
+            let found = format_args!("switch {}, which does not", network.name(reference.id));
             sink.add_at(
                 || place,
                 sink.severity,
-                reference.span,
+                reference.span(),
                 "a partner that names this switch",
                 found,
             );
@@ -168,21 +169,22 @@ fn partners(network: &Network, sink: &mut Sink<'_>) {
 }
 
 fn joined(network: &Network, sink: &mut Sink<'_>) {
-    let main: HashMap<&str, &str> =
-        of(network, "switch/mainTrack/@id").map(|r| (&*r.from, &*r.id)).collect();
-    let side: HashMap<&str, &str> =
-        of(network, "switch/sideTrack/@id").map(|r| (&*r.from, &*r.id)).collect();
-    for reference in of(network, "switch/partner/@id") {
-        let (from, partner) = (&*reference.from, &*reference.id);
-        if let (Some(side), Some(main)) = (side.get(from), main.get(partner))
+    let main: HashMap<Name, Name> =
+        of(network, NamedAt::MainTrack).map(|r| (r.from, r.id)).collect();
+    let side: HashMap<Name, Name> =
+        of(network, NamedAt::SideTrack).map(|r| (r.from, r.id)).collect();
+    for reference in of(network, NamedAt::Partner) {
+        let (from, partner) = (reference.from, reference.id);
+        if let (Some(side), Some(main)) = (side.get(&from), main.get(&partner))
             && side == main
         {
-            let place = reference.path();
+            let place = reference.path(network);
+            let [main, partner] = [*main, partner].map(|id| network.name(id));
             let found = format_args!("road {main}, the main track of switch {partner}");
             sink.add_at(
                 || place,
                 sink.severity,
-                reference.span,
+                reference.span(),
                 "a side track between the two",
                 found,
             );

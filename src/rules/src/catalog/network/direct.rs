@@ -2,15 +2,13 @@
 
 use super::connections::add_to_connection;
 use super::joints::{CORNER, Edge, KINK, STEP};
-use crate::catalog::junctions::kind;
 use crate::catalog::lanes::is_drivable;
 use crate::example::Example::Document;
-use crate::network::{Contact, Network, RoadFacts, contact};
-use crate::place::{text, value};
+use crate::network::{ConnectionFacts, Contact, JunctionFacts, Network, RoadFacts};
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
 use crate::sink::Sink;
-use mapd_xodr::{Connection, Junction, JunctionType as Kind};
+use mapd_xodr::JunctionType as Kind;
 
 /// A road that splits into two others at direct junction 9; the second one begins at y with a heading, height and width.
 macro_rules! split {
@@ -49,22 +47,22 @@ pub(super) static RULES: &[Rule] = &[
 ];
 
 struct Joined<'a> {
-    junction: &'a Junction,
-    connection: &'a Connection,
+    network: &'a Network,
+    junction: &'a JunctionFacts,
+    connection: &'a ConnectionFacts,
     incoming: (&'a RoadFacts, Contact),
     linked: (&'a RoadFacts, Contact),
 }
 
 fn joined(network: &Network) -> impl Iterator<Item = Joined<'_>> {
-    let junctions = network.junctions.iter().filter(|junction| kind(junction) == Kind::Direct);
+    let junctions = network.junctions.iter().filter(|junction| junction.kind == Kind::Direct);
     junctions.flat_map(move |junction| {
-        junction.connection.iter().filter_map(move |connection| {
-            let id = text(&junction.id);
-            let incoming = network.road(text(&connection.incoming_road))?;
-            let linked = network.road(text(&connection.linked_road))?;
-            let linked = (linked, contact(&connection.contact_point)?);
-            let end = network.end_at_junction(incoming, id, None)?;
-            Some(Joined { junction, connection, incoming: (incoming, end), linked })
+        let id = junction.id.unwrap_or_default();
+        network.connections_of(junction).iter().filter_map(move |connection| {
+            let incoming = network.road_named(connection.incoming)?;
+            let linked = (network.road_named(connection.linked)?, connection.contact?);
+            let incoming = (incoming, network.end_at_junction(incoming, id, None)?);
+            Some(Joined { network, junction, connection, incoming, linked })
         })
     })
 }
@@ -76,7 +74,8 @@ impl Joined<'_> {
         expected: impl std::fmt::Display,
         found: impl std::fmt::Display,
     ) {
-        add_to_connection((self.junction, self.connection), sink, expected, found);
+        let about = (self.network, self.junction, self.connection);
+        add_to_connection(about, sink, expected, found);
     }
 
     /// The two lanes of each link, as far as they are there.
@@ -86,8 +85,8 @@ impl Joined<'_> {
     ) -> impl Iterator<Item = (i32, i32, Edge, Edge)> + 'a {
         let ends = [self.incoming, self.linked]
             .map(|(road, end)| network.section_at(road, end).map(|s| (road, s, end)));
-        self.connection.lane_link.iter().filter_map(move |link| {
-            let (from, to) = (value(&link.from)?, value(&link.to)?);
+        network.connected_lanes(self.connection).iter().filter_map(move |[from, to]| {
+            let (from, to) = ((*from)?, (*to)?);
             let [a, b] = ends;
             let (a, b) = (a?, b?);
             let (lane_a, lane_b) = (network.lane(a.1, from)?, network.lane(b.1, to)?);
@@ -102,7 +101,7 @@ impl Joined<'_> {
     /// The two reference lines where they meet.
     fn lines(&self, network: &Network) -> Option<(Edge, Edge)> {
         let edge = |(road, end): (&RoadFacts, Contact)| {
-            Some(Edge { station: *network.station_of(road, end)?, borders: [0.0; 2] })
+            Some(Edge { station: network.station_of(road, end)?, borders: [0.0; 2] })
         };
         Some((edge(self.incoming)?, edge(self.linked)?))
     }

@@ -28,9 +28,8 @@ fn centered(network: &Network, sink: &mut Sink<'_>) {
         road.bounds.iter().any(|value| value.is_finite() && value.abs() > FAR.value)
     };
     if let Some(road) = network.roads.iter().find(far) {
-        let span = network.header.unwrap_or_default();
-        let found =
-            format_args!("road {} at ({:.0}, {:.0})", road.id, road.bounds[0], road.bounds[1]);
+        let (span, id) = (network.header.unwrap_or_default(), network.name(road.id));
+        let found = format_args!("road {id} at ({:.0}, {:.0})", road.bounds[0], road.bounds[1]);
         let expected = format_args!("coordinates below {} m and an offset", FAR.value);
         sink.add_at(|| "OpenDRIVE/header".to_owned(), sink.severity, span, expected, found);
     }

@@ -1,7 +1,7 @@
 //! Ids are unique, and what is referred to is there.
 
 use crate::example::Example::{Document, Signals};
-use crate::network::{Network, Part, PartKind};
+use crate::network::{Name, NamedAt, Network, Part, PartKind};
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
 use crate::sink::Sink;
@@ -51,11 +51,26 @@ pub(super) static RULES: &[Rule] = &[
 ];
 
 fn unique(network: &Network, sink: &mut Sink<'_>) {
-    let mut first: HashMap<(PartKind, &str), &Part> = HashMap::new();
-    let mut told: HashSet<(PartKind, &str)> = HashSet::new();
     // Signs on one board may share an id: no rule gives them a class of their own.
-    for part in network.parts.iter().filter(|part| part.kind != PartKind::Sign) {
-        let key = (part.kind, &*part.id);
+    let parts = || network.parts.iter().filter(|part| part.kind != PartKind::Sign);
+    let mut kinds = vec![0; network.names()];
+    let is_second = |part: &&Part| {
+        let known: Option<&mut u16> = kinds.get_mut(part.id.number());
+        known.is_some_and(|known| {
+            let is_known = *known & part.kind.bit() != 0;
+            *known |= part.kind.bit();
+            is_known
+        })
+    };
+    let repeated: HashSet<(PartKind, Name)> =
+        parts().filter(is_second).map(|part| (part.kind, part.id)).collect();
+    if repeated.is_empty() {
+        return;
+    }
+    let mut first: HashMap<(PartKind, Name), &Part> = HashMap::new();
+    let mut told: HashSet<(PartKind, Name)> = HashSet::new();
+    for part in parts().filter(|part| repeated.contains(&(part.kind, part.id))) {
+        let key = (part.kind, part.id);
         let Some(before) = first.get(&key) else {
             first.insert(key, part);
             continue;
@@ -66,55 +81,68 @@ fn unique(network: &Network, sink: &mut Sink<'_>) {
             _ => Severity::Warning,
         };
         let severity = severity.min(sink.severity);
-        let name = part.kind.name();
+        let (name, id) = (part.kind.name(), network.name(part.id));
         let path = |part: &Part| {
-            let road = part.road.and_then(|rank| network.roads.get(rank));
+            let road = network.road_along(part).map(|road| network.name(road.id));
             let above = match (road, part.kind) {
-                (Some(road), PartKind::Signal) => format!("road[@id={}]/signals/", road.id),
-                (Some(road), PartKind::Object) => format!("road[@id={}]/objects/", road.id),
-                (Some(road), PartKind::Switch) => format!("road[@id={}]/railroad/", road.id),
+                (Some(road), PartKind::Signal) => format!("road[@id={road}]/signals/"),
+                (Some(road), PartKind::Object) => format!("road[@id={road}]/objects/"),
+                (Some(road), PartKind::Switch) => format!("road[@id={road}]/railroad/"),
                 _ => String::new(),
             };
-            format!("OpenDRIVE/{above}{name}[@id={}]", part.id)
+            format!("OpenDRIVE/{above}{name}[@id={id}]")
         };
         let expected = format!("an id that no other {name} has");
         if told.insert(key) && part.kind == PartKind::Road {
-            sink.add_at(|| path(before), severity, before.span, &expected, &part.id);
+            sink.add_at(|| path(before), severity, before.span(), &expected, id);
         }
-        sink.add_at(|| path(part), severity, part.span, &expected, &part.id);
+        sink.add_at(|| path(part), severity, part.span(), &expected, id);
     }
 }
 
-fn known(network: &Network) -> HashSet<(PartKind, &str)> {
-    network.parts.iter().map(|part| (part.kind, &*part.id)).collect()
+/// By the number of an id: bits of the kinds of parts that have it.
+fn known(network: &Network) -> Vec<u16> {
+    let mut known = vec![0; network.names()];
+    for part in &network.parts {
+        if let Some(kinds) = known.get_mut(part.id.number()) {
+            *kinds |= part.kind.bit();
+        }
+    }
+    known
+}
+
+/// The kinds of parts that have an id.
+fn kinds_of(known: &[u16], id: Name) -> u16 {
+    known.get(id.number()).copied().unwrap_or(0)
 }
 
 fn defined(network: &Network, sink: &mut Sink<'_>) {
     let known = known(network);
     for reference in &network.references {
-        if reference.kinds.iter().any(|kind| known.contains(&(*kind, &*reference.id))) {
+        let (kinds, found) = (reference.kinds.all(), kinds_of(&known, reference.id));
+        if kinds.iter().any(|kind| found & kind.bit() != 0) {
             continue;
         }
-        let kinds: Vec<&str> = reference.kinds.iter().map(|kind| kind.name()).collect();
+        let kinds: Vec<&str> = kinds.iter().map(|kind| kind.name()).collect();
         let expected = format!("the id of a {}", kinds.join(" or "));
-        let found = format_args!("{}, which is not there", reference.id);
-        sink.add_at(|| reference.path(), sink.severity, reference.span, expected, found);
+        let found = format_args!("{}, which is not there", network.name(reference.id));
+        let path = || reference.path(network);
+        sink.add_at(path, sink.severity, reference.span(), expected, found);
     }
 }
 
 fn signals_only(network: &Network, sink: &mut Sink<'_>) {
     let known = known(network);
-    let references = network.references.iter().filter(|r| r.what == "signals/signalReference/@id");
-    for reference in references {
-        let id = &*reference.id;
-        if [PartKind::Signal, PartKind::Sign].iter().any(|kind| known.contains(&(*kind, id))) {
+    for reference in network.references.iter().filter(|r| r.at == NamedAt::SignalReference) {
+        let found = kinds_of(&known, reference.id);
+        if found & (PartKind::Signal.bit() | PartKind::Sign.bit()) != 0 {
             continue;
         }
-        if let Some((kind, _)) = known.iter().filter(|(_, other)| *other == id).min() {
+        if let Some(kind) = PartKind::ALL.iter().find(|kind| found & kind.bit() != 0) {
             let found = format_args!("that of a {}", kind.name());
             sink.add_in(
-                ("road", &reference.from, reference.what),
-                reference.span,
+                ("road", network.name(reference.from), reference.at.path()),
+                reference.span(),
                 "the id of a signal",
                 found,
             );

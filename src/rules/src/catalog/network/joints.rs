@@ -117,10 +117,11 @@ fn corners(network: &Network, sink: &mut Sink<'_>) {
         if gap > CORNER.value {
             let (s, id) = (joint.section.s, joint.lane.id);
             let part = format!("lanes/laneSection[@s={s}]/lane[@id={id}]/link");
-            let expected =
-                format_args!("the corners of lane {} of road {}", target.id, neighbor.road.id);
+            let road = network.name(neighbor.road.id);
+            let expected = format_args!("the corners of lane {} of road {road}", target.id);
             let found = format_args!("them {gap:.3} m away");
-            sink.add_in(("road", &joint.road.id, &part), joint.link.span, expected, found);
+            let own = network.name(joint.road.id);
+            sink.add_in(("road", own, &part), joint.link.span(), expected, found);
         }
     }
 }
@@ -138,11 +139,11 @@ fn heights(network: &Network, sink: &mut Sink<'_>) {
             let apart = (own.x - other.x).hypot(own.y - other.y);
             let step = (own.z - other.z).abs();
             if step > STEP.value && apart <= CORNER.value {
-                let span = road.link(end).map_or(road.span, |link| link.span);
-                let expected =
-                    format_args!("the height {:.3} m, that of road {}", other.z, target.id);
+                let span = road.link(end).map_or(road.span, |link| link.span());
+                let target = network.name(target.id);
+                let expected = format_args!("the height {:.3} m, that of road {target}", other.z);
                 sink.add_in(
-                    ("road", &road.id, "link"),
+                    ("road", network.name(road.id), "link"),
                     span,
                     expected,
                     format_args!("{:.3} m", own.z),

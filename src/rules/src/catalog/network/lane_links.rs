@@ -124,7 +124,7 @@ const fn roads() -> crate::example::Example {
 
 /// Adds a finding about a lane's link.
 fn add(
-    joint: &LaneJoint<'_>,
+    (network, joint): (&Network, &LaneJoint<'_>),
     sink: &mut Sink<'_>,
     expected: impl std::fmt::Display,
     found: impl std::fmt::Display,
@@ -135,7 +135,7 @@ fn add(
     };
     let (s, id) = (joint.section.s, joint.lane.id);
     let part = format!("lanes/laneSection[@s={s}]/lane[@id={id}]/link/{name}");
-    sink.add_in(("road", &joint.road.id, &part), joint.link.span, expected, found);
+    sink.add_in(("road", network.name(joint.road.id), &part), joint.link.span(), expected, found);
 }
 
 fn orphans(network: &Network, sink: &mut Sink<'_>) {
@@ -144,9 +144,14 @@ fn orphans(network: &Network, sink: &mut Sink<'_>) {
         if let Some(neighbor) =
             joint.neighbor.filter(|_| joint.target.is_none() && joint.link.id != 0)
         {
-            let expected =
-                format_args!("a lane of road {} at s = {}", neighbor.road.id, neighbor.section.s);
-            add(&joint, sink, expected, format_args!("lane {}, which is not there", joint.link.id));
+            let road = network.name(neighbor.road.id);
+            let expected = format_args!("a lane of road {road} at s = {}", neighbor.section.s);
+            add(
+                (network, &joint),
+                sink,
+                expected,
+                format_args!("lane {}, which is not there", joint.link.id),
+            );
         }
     }
 }
@@ -160,9 +165,9 @@ fn both_ways(network: &Network, sink: &mut Sink<'_>) {
         }
         let back = network.links_of(target, neighbor.end);
         if !back.iter().any(|link| link.id == joint.lane.id) {
-            let expected =
-                format_args!("a link back from lane {} of road {}", target.id, neighbor.road.id);
-            add(&joint, sink, expected, "none");
+            let road = network.name(neighbor.road.id);
+            let expected = format_args!("a link back from lane {} of road {road}", target.id);
+            add((network, &joint), sink, expected, "none");
         }
     }
 }
@@ -170,10 +175,10 @@ fn both_ways(network: &Network, sink: &mut Sink<'_>) {
 fn opening(network: &Network, sink: &mut Sink<'_>) {
     for joint in network.lane_joints() {
         let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { continue };
-        let opens = target.widths[neighbor.end as usize] <= NONE.value;
-        if opens && joint.lane.widths[joint.end as usize] > NONE.value {
+        let opens = target.width(neighbor.end) <= NONE.value;
+        if opens && joint.lane.width(joint.end) > NONE.value {
             add(
-                &joint,
+                (network, &joint),
                 sink,
                 "no link to a lane without width here",
                 format_args!("one to lane {}", target.id),
@@ -184,9 +189,9 @@ fn opening(network: &Network, sink: &mut Sink<'_>) {
 
 fn no_width(network: &Network, end: Contact, sink: &mut Sink<'_>) {
     for joint in network.lane_joints().filter(|joint| joint.end == end && joint.target.is_some()) {
-        if joint.lane.widths[end as usize] <= NONE.value {
+        if joint.lane.width(end) <= NONE.value {
             add(
-                &joint,
+                (network, &joint),
                 sink,
                 "no link of a lane without width here",
                 format_args!("one to lane {}", joint.link.id),
@@ -207,11 +212,11 @@ fn abrupt(network: &Network, sink: &mut Sink<'_>) {
     for joint in network.lane_joints() {
         let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { continue };
         let is_one_of_many = network.links_of(joint.lane, joint.end).len() > 1;
-        let own = joint.lane.widths[joint.end as usize];
-        let width = target.widths[neighbor.end as usize];
+        let own = joint.lane.width(joint.end);
+        let width = target.width(neighbor.end);
         if is_one_of_many && (own <= NONE.value || width <= NONE.value) {
             add(
-                &joint,
+                (network, &joint),
                 sink,
                 "widths of both lanes where several link",
                 format_args!("{own} and {width} m"),
@@ -234,9 +239,9 @@ fn without_partner(network: &Network, sink: &mut Sink<'_>) {
             None => "one at an end of the road that is linked to nothing".to_owned(),
             // In the middle of a main road, lanes link to its lanes.
             Some(LinkTarget::Road(_)) => continue,
-            Some(LinkTarget::Junction(id)) => format!("one into junction {id}"),
+            Some(LinkTarget::Junction(id)) => format!("one into junction {}", network.name(*id)),
         };
-        add(&joint, sink, "no link", found);
+        add((network, &joint), sink, "no link", found);
     }
 }
 
@@ -250,7 +255,7 @@ fn ambiguous(network: &Network, sink: &mut Sink<'_>) {
         if neighbor.road.id != joint.road.id && is_outside && is_second && is_drivable(target.kind)
         {
             add(
-                &joint,
+                (network, &joint),
                 sink,
                 "one lane of the next road, or a junction",
                 format_args!("{}", links.len()),
@@ -275,9 +280,10 @@ fn directions(network: &Network, sink: &mut Sink<'_>) {
         if (own == other) == is_turned {
             let found = format_args!(
                 "lane {} of road {}, where it comes from ahead",
-                target.id, neighbor.road.id
+                target.id,
+                network.name(neighbor.road.id)
             );
-            add(&joint, sink, "a lane that goes on in the same direction", found);
+            add((network, &joint), sink, "a lane that goes on in the same direction", found);
         }
     }
 }

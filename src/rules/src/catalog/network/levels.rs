@@ -35,8 +35,13 @@ fn level(network: &Network, sink: &mut Sink<'_>) {
                         let part =
                             format!("lanes/laneSection[@s={}]/lane[@id={}]", section.s, lane.id);
                         let found = format_args!("lane {} without it", lane.id);
-                        let place = ("road", &*road.id, &*part);
-                        sink.add_in(place, lane.span, "level lanes outside of a level lane", found);
+                        let place = ("road", network.name(road.id), &*part);
+                        sink.add_in(
+                            place,
+                            lane.span(),
+                            "level lanes outside of a level lane",
+                            found,
+                        );
                     }
                     is_level |= lane.is_level;
                 }
@@ -54,6 +59,7 @@ fn level(network: &Network, sink: &mut Sink<'_>) {
             format!("lanes/laneSection[@s={}]/lane[@id={}]/link", joint.section.s, joint.lane.id);
         let expected = "linked lanes that are both kept level or both not";
         let found = format_args!("lane {} otherwise", target.id);
-        sink.add_in(("road", &joint.road.id, &part), joint.link.span, expected, found);
+        let road = network.name(joint.road.id);
+        sink.add_in(("road", road, &part), joint.link.span(), expected, found);
     }
 }

@@ -1,7 +1,8 @@
 //! Links of roads.
 
+use super::connections::link_to;
 use crate::example::Example::Document;
-use crate::network::{Contact, LinkTarget, Network};
+use crate::network::{Contact, LinkTarget, Name, Network};
 use crate::rule::Check::Network as All;
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
@@ -102,10 +103,10 @@ fn meet(network: &Network, sink: &mut Sink<'_>) {
             let apart = (own.x - other.x).hypot(own.y - other.y);
             // Within a junction, reference lines may be beside one another: lanes meet, not they.
             if apart > APART.value && road.junction.is_none() && target.junction.is_none() {
-                let span = road.link(end).map_or(road.span, |link| link.span);
-                let found = format_args!("road {} {apart:.3} m away", target.id);
+                let span = road.link(end).map_or(road.span, |link| link.span());
+                let found = format_args!("road {} {apart:.3} m away", network.name(target.id));
                 sink.add_in(
-                    ("road", &road.id, part(end)),
+                    ("road", network.name(road.id), part(end)),
                     span,
                     "a road that begins or ends here",
                     found,
@@ -130,35 +131,32 @@ fn consistent(network: &Network, sink: &mut Sink<'_>) {
                 .linked_road(target, contact)
                 .is_some_and(|(back, back_end)| back.id == road.id && back_end == end);
             if !is_back {
-                let span = road.link(end).map_or(road.span, |link| link.span);
-                let expected =
-                    format_args!("a link back from the {} of road {}", contact.name(), target.id);
-                let found = match back.map(|link| &link.target) {
-                    None => "none".to_owned(),
-                    Some(LinkTarget::Road(id)) => format!("one to road {id}"),
-                    Some(LinkTarget::Junction(id)) => format!("one to junction {id}"),
-                };
-                sink.add_in(("road", &road.id, part(end)), span, expected, found);
+                let span = road.link(end).map_or(road.span, |link| link.span());
+                let (touched, target) = (contact.name(), network.name(target.id));
+                let expected = format_args!("a link back from the {touched} of road {target}");
+                let found = link_to(network, back.map(|link| link.target));
+                sink.add_in(("road", network.name(road.id), part(end)), span, expected, found);
             }
         }
     }
 }
 
 fn one_to_one(network: &Network, sink: &mut Sink<'_>) {
-    let mut claimed: HashMap<(&str, Contact), &str> = HashMap::new();
+    let mut claimed: HashMap<(Name, Contact), Name> = HashMap::new();
     for road in network.roads.iter().filter(|road| road.junction.is_none()) {
         for end in Contact::BOTH {
             let Some((target, contact)) = network.linked_road(road, end) else { continue };
-            let before = claimed.insert((&target.id, contact), &road.id);
-            if let Some(before) = before.filter(|before| **before != *road.id) {
-                let span = road.link(end).map_or(road.span, |link| link.span);
+            let before = claimed.insert((target.id, contact), road.id);
+            if let Some(before) = before.filter(|before| *before != road.id) {
+                let span = road.link(end).map_or(road.span, |link| link.span());
                 let expected = format_args!(
                     "one road at the {} of road {}, or a junction",
                     contact.name(),
-                    target.id
+                    network.name(target.id)
                 );
-                let found = format_args!("roads {before} and {}", road.id);
-                sink.add_in(("road", &road.id, part(end)), span, expected, found);
+                let [before, own] = [before, road.id].map(|id| network.name(id));
+                let found = format_args!("roads {before} and {own}");
+                sink.add_in(("road", network.name(road.id), part(end)), span, expected, found);
             }
         }
     }

@@ -70,9 +70,17 @@ fn tell(
         if is_of_kind(overlap, a, b) {
             let found = format_args!(
                 "s = {:.1} of this road {:.2} m deep in s = {:.1} of road {}",
-                overlap.s_b, overlap.depth, overlap.s_a, a.id
+                overlap.s_b,
+                overlap.depth,
+                overlap.s_a,
+                network.name(a.id)
             );
-            sink.add_in(("road", &b.id, ""), b.span, "roads apart from one another", found);
+            sink.add_in(
+                ("road", network.name(b.id), ""),
+                b.span,
+                "roads apart from one another",
+                found,
+            );
         }
     }
 }

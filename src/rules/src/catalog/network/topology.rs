@@ -1,9 +1,8 @@
 //! The lane network: what hangs together, and what leads nowhere.
 
-use crate::catalog::junctions::kind;
 use crate::catalog::lanes::is_drivable;
 use crate::example::Example::Document;
-use crate::network::{Network, contact};
+use crate::network::{Contact, Name, Network};
 use crate::place::{text, value};
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
@@ -75,41 +74,34 @@ fn linked_lanes(network: &Network, mut show: impl FnMut(usize, usize)) {
             show(joint.lane_rank, target);
         }
     }
-    for junction in &network.junctions {
+    for junction in network.junctions_as_written() {
         for connection in &junction.connection {
             if let (Some(from), Some(to)) = (&connection.predecessor, &connection.successor) {
                 virtually_linked(network, [from, to], &connection.lane_link, &mut show);
-                continue;
             }
-            let incoming = network.road(text(&connection.incoming_road));
-            let other = if kind(junction) == Kind::Direct {
-                &connection.linked_road
-            } else {
-                &connection.connecting_road
-            };
-            let (Some(incoming), Some(other)) = (incoming, network.road(text(other))) else {
-                continue;
-            };
-            let Some(contact) = contact(&connection.contact_point) else { continue };
-            let end = network.end_at_junction(incoming, text(&junction.id), Some((other, contact)));
-            let from = match end {
-                Some(end) => network.section_at(incoming, end),
-                // Roads leave the main road of a virtual junction somewhere.
-                None => {
-                    other.link(contact).and_then(|link| network.section_over(incoming, link.s?))
-                }
-            };
-            let (Some(from), Some(to)) = (from, network.section_at(other, contact)) else {
-                continue;
-            };
-            for link in &connection.lane_link {
-                let lanes = value(&link.from).zip(value(&link.to));
-                let lanes = lanes.and_then(|(a, b)| {
-                    Some((network.lane_rank(from, a)?, network.lane_rank(to, b)?))
-                });
-                if let Some((a, b)) = lanes {
-                    show(a, b);
-                }
+        }
+    }
+    for (junction, connection) in network.real_connections() {
+        let Some(incoming) = network.road_named(connection.incoming) else { continue };
+        let other = match junction.kind {
+            Kind::Direct => connection.linked,
+            _ => connection.connecting,
+        };
+        let Some(other) = network.road_named(other) else { continue };
+        let Some(contact) = connection.contact else { continue };
+        let id = junction.id.unwrap_or_default();
+        let from = match network.end_at_junction(incoming, id, Some((other, contact))) {
+            Some(end) => network.section_at(incoming, end),
+            // Roads leave the main road of a virtual junction somewhere.
+            None => other.link(contact).and_then(|link| network.section_over(incoming, link.s?)),
+        };
+        let (Some(from), Some(to)) = (from, network.section_at(other, contact)) else {
+            continue;
+        };
+        for link in network.connected_lanes(connection) {
+            let [Some(a), Some(b)] = *link else { continue };
+            if let (Some(a), Some(b)) = (network.lane_rank(from, a), network.lane_rank(to, b)) {
+                show(a, b);
             }
         }
     }
@@ -145,8 +137,7 @@ fn disconnected(network: &Network, sink: &mut Sink<'_>) {
     // Lanes side by side are of one part.
     for section in &network.sections {
         let lanes = section
-            .lanes
-            .clone()
+            .lane_ranks()
             .filter(|rank| network.lanes.get(*rank).is_some_and(|lane| is_drivable(lane.kind)));
         let lanes: Vec<usize> = lanes.collect();
         for pair in lanes.windows(2) {
@@ -167,18 +158,23 @@ fn disconnected(network: &Network, sink: &mut Sink<'_>) {
     else {
         return;
     };
-    let mut roads: BTreeMap<usize, &str> = BTreeMap::new();
+    let mut roads: BTreeMap<usize, Name> = BTreeMap::new();
     for road in &network.roads {
         for section in network.sections_of(road) {
-            roads.extend(parts.range(section.lanes.clone()).map(|(rank, _)| (*rank, &*road.id)));
+            roads.extend(parts.range(section.lane_ranks()).map(|(rank, _)| (*rank, road.id)));
         }
     }
     for (rank, count) in parts.iter().filter(|(rank, _)| **rank != largest) {
         let Some(lane) = network.lanes.get(*rank) else { continue };
-        let id = roads.get(rank).copied().unwrap_or_default();
+        let id = network.name(roads.get(rank).copied().unwrap_or_default());
         let lanes = if *count == 1 { "lane" } else { "lanes" };
         let found = format_args!("a group of {count} {lanes} apart, one of {} groups", parts.len());
-        sink.add_in(("road", id, "lanes"), lane.span, "lanes that are linked to the others", found);
+        sink.add_in(
+            ("road", id, "lanes"),
+            lane.span(),
+            "lanes that are linked to the others",
+            found,
+        );
     }
 }
 
@@ -198,16 +194,16 @@ fn dead(network: &Network, sink: &mut Sink<'_>) {
         let inside =
             if stands_alone { 1..sections.len().saturating_sub(1) } else { 0..sections.len() };
         for section in sections.get(inside).unwrap_or_default() {
-            for (rank, lane) in section.lanes.clone().zip(network.lanes_of(section)) {
-                let has_width = lane.widths.iter().any(|width| *width > 0.0);
+            for (rank, lane) in section.lane_ranks().zip(network.lanes_of(section)) {
+                let has_width = Contact::BOTH.into_iter().any(|end| lane.width(end) > 0.0);
                 if is_drivable(lane.kind)
                     && has_width
                     && !is_linked.get(rank).copied().unwrap_or(true)
                 {
                     let part = format!("lanes/laneSection[@s={}]/lane[@id={}]", section.s, lane.id);
                     sink.add_in(
-                        ("road", &road.id, &part),
-                        lane.span,
+                        ("road", network.name(road.id), &part),
+                        lane.span(),
                         "a link of the lane",
                         "none at either end",
                     );

@@ -50,6 +50,7 @@ pub(super) static RULES: &[Rule] = &[
 
 /// A road within a virtual junction, the end of it that touches the main road, and where on that.
 struct Leaving<'a> {
+    network: &'a Network,
     junction: &'a Junction,
     main: &'a RoadFacts,
     road: &'a RoadFacts,
@@ -58,15 +59,18 @@ struct Leaving<'a> {
 }
 
 fn leaving(network: &Network) -> impl Iterator<Item = Leaving<'_>> {
-    let junctions = network.junctions.iter().filter(|junction| kind(junction) == Kind::Virtual);
+    let junctions =
+        network.junctions_as_written().filter(|junction| kind(junction) == Kind::Virtual);
     junctions.flat_map(move |junction| {
         let main = network.road(text(&junction.main_road));
-        network.roads_within(text(&junction.id)).flat_map(move |road| {
+        let within = network.name_of(text(&junction.id)).into_iter();
+        let within = within.flat_map(|junction| network.roads_within(junction));
+        within.flat_map(move |road| {
             Contact::BOTH.into_iter().filter_map(move |end| {
                 let link = road.link(end)?;
                 let main = main?;
-                let is_main = matches!(&link.target, LinkTarget::Road(id) if *id == main.id);
-                Some(Leaving { junction, main, road, end, s: link.s.filter(|_| is_main)? })
+                let is_main = link.target == LinkTarget::Road(main.id);
+                Some(Leaving { network, junction, main, road, end, s: link.s.filter(|_| is_main)? })
             })
         })
     })
@@ -83,8 +87,8 @@ impl Leaving<'_> {
             Contact::Start => "link/predecessor",
             Contact::End => "link/successor",
         };
-        let span = self.road.link(self.end).map_or(self.road.span, |link| link.span);
-        sink.add_in(("road", &self.road.id, part), span, expected, found);
+        let span = self.road.link(self.end).map_or(self.road.span, |link| link.span());
+        sink.add_in(("road", self.network.name(self.road.id), part), span, expected, found);
     }
 }
 
@@ -92,8 +96,8 @@ fn at_ends(network: &Network, sink: &mut Sink<'_>) {
     for leaving in leaving(network) {
         let ends = [number(&leaving.junction.s_start), number(&leaving.junction.s_end)];
         if ends.iter().all(|end| (leaving.s - end).abs() > PLACE.value) {
-            let expected =
-                format_args!("s of {} or {} on road {}", ends[0], ends[1], leaving.main.id);
+            let main = network.name(leaving.main.id);
+            let expected = format_args!("s of {} or {} on road {main}", ends[0], ends[1]);
             leaving.add(sink, expected, leaving.s);
         }
     }
@@ -108,9 +112,9 @@ fn heading(network: &Network, sink: &mut Sink<'_>) {
             continue;
         };
         let kink = Edge { station: main, borders: [0.0; 2] }
-            .kink(&Edge { station: *own, borders: [0.0; 2] });
+            .kink(&Edge { station: own, borders: [0.0; 2] });
         if kink > KINK.value {
-            let expected = format_args!("the heading of road {}", leaving.main.id);
+            let expected = format_args!("the heading of road {}", network.name(leaving.main.id));
             leaving.add(sink, expected, format_args!("one that differs by {kink:.4} rad"));
         }
     }
@@ -119,7 +123,8 @@ fn heading(network: &Network, sink: &mut Sink<'_>) {
 fn smooth(network: &Network, sink: &mut Sink<'_>) {
     for leaving in leaving(network) {
         let connections = leaving.junction.connection.iter();
-        for connection in connections.filter(|c| text(&c.connecting_road) == &*leaving.road.id) {
+        let own = network.name(leaving.road.id);
+        for connection in connections.filter(|c| text(&c.connecting_road) == own) {
             if crate::network::contact(&connection.contact_point) != Some(leaving.end) {
                 continue;
             }
@@ -127,8 +132,8 @@ fn smooth(network: &Network, sink: &mut Sink<'_>) {
                 let (Some(from), Some(to)) = (value(&link.from), value(&link.to)) else { continue };
                 let Some(gap) = gap(network, &leaving, from, to) else { continue };
                 if gap > CORNER.value {
-                    let expected =
-                        format_args!("lane {to} at lane {from} of road {}", leaving.main.id);
+                    let main = network.name(leaving.main.id);
+                    let expected = format_args!("lane {to} at lane {from} of road {main}");
                     leaving.add(sink, expected, format_args!("a gap of {gap:.3} m"));
                 }
             }

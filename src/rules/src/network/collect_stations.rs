@@ -1,0 +1,119 @@
+//! Where cross-sections of a road are kept.
+
+use super::Network;
+use super::collect::permanent;
+use super::stations::{Heading, OnLine, STATION_STEP, Station};
+use crate::line::ReferenceLine;
+use crate::place::{SectionIn, Side, number, value};
+use crate::profile::{elevation_at, outermost_at, superelevation_at};
+use mapd_xodr::Road;
+use std::ops::Range;
+
+/// Between cross-sections a curve leaves its chord by at most this much `[m]`.
+const CHORD_ERROR: f64 = 0.02;
+
+/// Cross-sections are this far apart at least `[m]`, however narrow a curve.
+const STATION_STEP_MIN: f64 = 0.5;
+
+/// Cross-sections of one road at most: a bound on memory for hostile files.
+const STATIONS_OF_A_ROAD: usize = 100_000;
+
+/// The cross-sections of a road.
+pub(super) struct Taken {
+    pub(super) lines: Range<u32>,
+    /// Only the first and the last one are kept.
+    pub(super) is_straight: bool,
+    pub(super) profiles: Range<u32>,
+    /// Smallest x, smallest y, largest x, largest y of its surface `[m]`.
+    pub(super) bounds: [f64; 4],
+}
+
+impl Network {
+    /// Takes the cross-sections of a road.
+    pub(super) fn add_stations(&mut self, road: &Road, line: &ReferenceLine) -> Taken {
+        let (before, profiles) = (self.lines.len(), self.profiles.len());
+        let mut bounds = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
+        let end = number(&road.length).min(line.end());
+        let mut heading = Heading::default();
+        let sections: Vec<SectionIn<'_>> = permanent(road).collect();
+        for s in places(line, &sections, end) {
+            let Some(point) = line.at(s) else { break };
+            let [left, right] = extent_at(&sections, s);
+            let station = Station {
+                s,
+                x: point.x,
+                y: point.y,
+                hdg: point.heading,
+                z: elevation_at(road, s),
+                roll: superelevation_at(road, s),
+                left,
+                right,
+            };
+            for [x, y] in station.ends(&mut heading) {
+                bounds = [bounds[0].min(x), bounds[1].min(y), bounds[2].max(x), bounds[3].max(y)];
+            }
+            let (line, profile) = station.split();
+            self.lines.push(line);
+            self.profiles.push(profile);
+        }
+        let own = self.profiles.get(profiles..).unwrap_or_default();
+        if own.first().is_some_and(|first| own.iter().all(|other| first.is(other))) {
+            self.profiles.truncate(profiles + 1);
+        }
+        let own = self.lines.get(before..).unwrap_or_default();
+        let is_straight = OnLine::are_straight(own);
+        if let Some(last) = own.last().copied().filter(|_| is_straight) {
+            self.lines.truncate(before + 1);
+            self.lines.push(last);
+        }
+        let lines = before as u32..self.lines.len() as u32;
+        Taken { lines, is_straight, profiles: profiles as u32..self.profiles.len() as u32, bounds }
+    }
+}
+
+/// Smallest x, smallest y, largest x, largest y of a road's surface `[m]`; none where its reference line cannot be built.
+pub fn extent(road: &Road) -> Option<[f64; 4]> {
+    let line = ReferenceLine::new(road.plan_view.as_deref());
+    let Taken { bounds, .. } = Network::default().add_stations(road, &line);
+    bounds.iter().all(|value| value.is_finite()).then_some(bounds)
+}
+
+/// t of the outermost borders at `s`: left, right `[m]`.
+fn extent_at(sections: &[SectionIn<'_>], s: f64) -> [f64; 2] {
+    let after = sections.partition_point(|section| section.s() <= s);
+    let begun = sections.get(..after).unwrap_or_default();
+    [Side::Left, Side::Right].map(|side| {
+        // A section of one side leaves the other as it was.
+        let holds = begun.iter().rev().find(|section| {
+            let is_there = match side {
+                Side::Left => section.section.left.is_some(),
+                Side::Right => section.section.right.is_some(),
+            };
+            is_there || value(&section.section.single_side) != Some(true)
+        });
+        let Some(section) = holds else { return 0.0 };
+        outermost_at(section, side, s.min(section.s_end()) - section.s())
+    })
+}
+
+/// Where cross-sections are kept, ascending.
+fn places(line: &ReferenceLine, sections: &[SectionIn<'_>], end: f64) -> Vec<f64> {
+    let mut places = Vec::new();
+    for piece in &line.pieces {
+        let until = (piece.s + piece.length).min(end);
+        let mut s = piece.s;
+        while s < until && places.len() < STATIONS_OF_A_ROAD {
+            places.push(s);
+            let bend = piece.at(s - piece.s).map_or(0.0, |p| p.curvature.abs());
+            let ahead = piece.at(s - piece.s + STATION_STEP_MIN).map_or(0.0, |p| p.curvature.abs());
+            let step = (8.0 * CHORD_ERROR / bend.max(ahead)).sqrt().min(STATION_STEP);
+            s += step.max(STATION_STEP_MIN);
+        }
+    }
+    places.extend(sections.iter().map(|section| section.s()).filter(|s| *s >= 0.0 && *s < end));
+    places.push(end);
+    places.retain(|s| s.is_finite());
+    places.sort_by(f64::total_cmp);
+    places.dedup();
+    places
+}

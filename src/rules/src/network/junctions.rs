@@ -1,0 +1,193 @@
+//! What is kept of junctions: their connections, and of the few that have more than that the element.
+
+use super::collect::contact;
+use super::facts::{Contact, PartKind};
+use super::references::{Kinds, NamedAt};
+use super::{Name, Network, rows};
+use crate::catalog::junctions::kind;
+use crate::place::{text, value};
+use mapd_xodr::{Junction, JunctionType, Span};
+use std::ops::Range;
+
+/// A junction.
+#[derive(Clone, Debug)]
+pub struct JunctionFacts {
+    /// The start tag.
+    pub span: Span,
+    /// Id.
+    pub id: Option<Name>,
+    pub(super) connections: Range<u32>,
+    /// Kind.
+    pub kind: JunctionType,
+    /// The element without objects, where it says more than which lanes it connects.
+    pub(super) written: Option<Box<Junction>>,
+}
+
+/// A connection of a junction.
+#[derive(Clone, Debug)]
+pub struct ConnectionFacts {
+    start: u64,
+    len: u32,
+    /// Id.
+    pub id: Name,
+    /// The road that leads in.
+    pub incoming: Name,
+    /// The road within.
+    pub connecting: Name,
+    /// The road that is entered directly.
+    pub linked: Name,
+    lane_links: Range<u32>,
+    /// The end of the other road that touches.
+    pub contact: Option<Contact>,
+}
+
+impl ConnectionFacts {
+    /// The start tag.
+    pub fn span(&self) -> Span {
+        Span { start: self.start, len: self.len }
+    }
+}
+
+/// Which lane leads into which: ids, as far as they are written.
+pub type ConnectedLanes = [Option<i32>; 2];
+
+/// Whether a junction says more than which lanes it connects.
+fn is_kept(junction: &Junction) -> bool {
+    let is_common = matches!(kind(junction), JunctionType::Default | JunctionType::Direct);
+    !is_common
+        || !junction.road_section.is_empty()
+        || !junction.cross_path.is_empty()
+        || junction.main_road.is_some()
+        || junction.surface.is_some()
+        || junction.plan_view.is_some()
+        || junction.boundary.is_some()
+        || junction.elevation_grid.is_some()
+        || junction.connection.iter().any(|c| c.predecessor.is_some() && c.successor.is_some())
+}
+
+impl Network {
+    pub(super) fn add_junction(&mut self, junction: &Junction) {
+        let from = self.part(PartKind::Junction, &junction.id, junction.span, None);
+        let road = |at: NamedAt| (at, Kinds::Road);
+        if value(&junction.r#type) == Some(JunctionType::Virtual) {
+            self.refer(road(NamedAt::MainRoad), &junction.main_road, from, junction.span);
+        }
+        for c in &junction.connection {
+            // Connections of virtual junctions may come from nowhere.
+            if text(&c.incoming_road) != "-1" {
+                self.refer(road(NamedAt::IncomingRoad), &c.incoming_road, from, c.span);
+            }
+            self.refer(road(NamedAt::ConnectingRoad), &c.connecting_road, from, c.span);
+            self.refer(road(NamedAt::LinkedRoad), &c.linked_road, from, c.span);
+        }
+        for priority in &junction.priority {
+            self.refer(road(NamedAt::PriorityHigh), &priority.high, from, priority.span);
+            self.refer(road(NamedAt::PriorityLow), &priority.low, from, priority.span);
+        }
+        for controller in &junction.controller {
+            let at = (NamedAt::JunctionController, Kinds::Controller);
+            self.refer(at, &controller.id, from, controller.span);
+        }
+        for section in &junction.road_section {
+            self.refer(road(NamedAt::RoadSection), &section.road_id, from, section.span);
+        }
+        for path in &junction.cross_path {
+            self.refer(road(NamedAt::CrossingRoad), &path.crossing_road, from, path.span);
+            self.refer(road(NamedAt::PathStart), &path.road_at_start, from, path.span);
+            self.refer(road(NamedAt::PathEnd), &path.road_at_end, from, path.span);
+        }
+        for segment in junction.boundary.iter().flat_map(|boundary| &boundary.segment) {
+            self.refer(road(NamedAt::BoundarySegment), &segment.road_id, from, segment.span);
+        }
+        if let Some(objects) = &junction.objects {
+            self.add_objects(objects, (NamedAt::JunctionObject, from), None);
+        }
+        let connections = self.add_connections(junction);
+        let written = || Box::new(Junction { objects: None, ..junction.clone() });
+        self.junctions.push(JunctionFacts {
+            span: junction.span,
+            id: junction.id.is_some().then_some(from),
+            connections,
+            kind: kind(junction),
+            written: is_kept(junction).then(written),
+        });
+    }
+
+    fn add_connections(&mut self, junction: &Junction) -> Range<u32> {
+        let before = self.connections.len() as u32;
+        for c in &junction.connection {
+            let first = self.connected_lanes.len() as u32;
+            let lanes = c.lane_link.iter().map(|link| [value(&link.from), value(&link.to)]);
+            self.connected_lanes.extend(lanes);
+            let [id, incoming, connecting, linked] =
+                [&c.id, &c.incoming_road, &c.connecting_road, &c.linked_road]
+                    .map(|id| self.names.add(text(id)));
+            self.connections.push(ConnectionFacts {
+                start: c.span.start,
+                len: c.span.len,
+                id,
+                incoming,
+                connecting,
+                linked,
+                lane_links: first..self.connected_lanes.len() as u32,
+                contact: contact(&c.contact_point),
+            });
+        }
+        before..self.connections.len() as u32
+    }
+
+    /// Connections of a junction.
+    pub fn connections_of(&self, junction: &JunctionFacts) -> &[ConnectionFacts] {
+        rows(&self.connections, &junction.connections)
+    }
+
+    /// Connections with their junctions, but for those between places inside roads.
+    pub fn real_connections(&self) -> impl Iterator<Item = (&JunctionFacts, &ConnectionFacts)> {
+        self.junctions.iter().flat_map(move |junction| {
+            let written = junction.written.as_ref().map_or(&[][..], |written| &written.connection);
+            let is_virtual = |at: usize| {
+                let written = written.get(at);
+                written.is_some_and(|c| c.predecessor.is_some() && c.successor.is_some())
+            };
+            let own = self.connections_of(junction).iter().enumerate();
+            own.filter(move |(at, _)| !is_virtual(*at)).map(move |(_, own)| (junction, own))
+        })
+    }
+
+    /// Lanes that a connection links: from, to.
+    pub fn connected_lanes(&self, connection: &ConnectionFacts) -> &[ConnectedLanes] {
+        rows(&self.connected_lanes, &connection.lane_links)
+    }
+
+    /// Junctions that say more than which lanes they connect, as written but for their objects, in file order: those with
+    /// paths, sections of roads, a boundary, a reference line, a surface or heights, and all that are virtual or crossings.
+    pub fn junctions_as_written(&self) -> impl Iterator<Item = &Junction> {
+        self.junctions.iter().filter_map(|junction| junction.written.as_deref())
+    }
+
+    /// Id of a junction; the empty one where it has none.
+    pub fn junction_id(&self, junction: &JunctionFacts) -> &str {
+        self.name(junction.id.unwrap_or_default())
+    }
+}
+
+impl JunctionFacts {
+    /// Moves its rows and ids to those of the whole.
+    pub(super) fn moved(mut self, connections: u32, names: &[Name]) -> Self {
+        self.id = self.id.map(|id| super::references::renamed(id, names));
+        super::append::shift(&mut self.connections, connections);
+        self
+    }
+}
+
+impl ConnectionFacts {
+    /// Moves its rows and ids to those of the whole.
+    pub(super) fn moved(mut self, lanes: u32, names: &[Name]) -> Self {
+        super::append::shift(&mut self.lane_links, lanes);
+        let ids = [&mut self.id, &mut self.incoming, &mut self.connecting, &mut self.linked];
+        for id in ids {
+            *id = super::references::renamed(*id, names);
+        }
+        self
+    }
+}

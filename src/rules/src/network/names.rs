@@ -1,0 +1,163 @@
+//! Ids, each kept once: a map names a road a dozen times.
+
+use std::hash::{BuildHasher as _, RandomState};
+
+/// An id by its number in the [`Network`](super::Network) that has it. The first one is the empty one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Name(u32);
+
+impl Name {
+    /// Its number, from 0.
+    pub(crate) fn number(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// Ids by number, and numbers by id.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Names {
+    /// All of them, one behind the other.
+    text: String,
+    /// Where each ends, from the second on: the first is empty.
+    ends: Vec<u32>,
+    /// Their hashes, of which growing and appending need nothing else.
+    hashes: Vec<u32>,
+    /// Their numbers where their hashes lead, or behind; 0 where there is none. As many as a power of two.
+    table: Vec<u32>,
+    hasher: RandomState,
+}
+
+/// Places in the smallest table.
+const FEWEST: usize = 64;
+
+impl Names {
+    /// None yet, with the same hashes.
+    pub(crate) fn another(&self) -> Self {
+        Self { hasher: self.hasher.clone(), ..Self::default() }
+    }
+
+    /// How many there are, the empty one among them.
+    pub(crate) fn len(&self) -> usize {
+        self.ends.len() + 1
+    }
+
+    /// Number of an id; adds it if it is new. One that no longer fits 4 GiB counts as empty: such maps have no archive.
+    pub(crate) fn add(&mut self, text: &str) -> Name {
+        if text.is_empty() {
+            return Name::default();
+        }
+        self.enter(text, self.hash(text))
+    }
+
+    /// Number of an id that was added.
+    pub(crate) fn find(&self, text: &str) -> Option<Name> {
+        if text.is_empty() {
+            return Some(Name::default());
+        }
+        self.look_up(text, self.hash(text)).ok()
+    }
+
+    /// The id.
+    pub(crate) fn text(&self, name: Name) -> &str {
+        let Some(last) = name.number().checked_sub(1) else { return "" };
+        let end = self.ends.get(last).map_or(0, |end| *end as usize);
+        let start = last.checked_sub(1).and_then(|at| self.ends.get(at));
+        self.text.get(start.map_or(0, |start| *start as usize)..end).unwrap_or_default()
+    }
+
+    /// Adds all ids of another table in its order; the number here of each number there.
+    pub(crate) fn append(&mut self, other: &Self) -> Vec<Name> {
+        let is_hashed_alike = self.hasher.hash_one(0_u8) == other.hasher.hash_one(0_u8);
+        let mut names = Vec::with_capacity(other.len());
+        names.push(Name::default());
+        for (at, hash) in other.hashes.iter().enumerate() {
+            let text = other.text(Name(at as u32 + 1));
+            let hash = if is_hashed_alike { *hash } else { self.hash(text) };
+            names.push(self.enter(text, hash));
+        }
+        names
+    }
+
+    fn hash(&self, text: &str) -> u32 {
+        self.hasher.hash_one(text) as u32
+    }
+
+    fn enter(&mut self, text: &str, hash: u32) -> Name {
+        // A quarter of the places is free.
+        if 4 * self.len() > 3 * self.table.len() {
+            self.grow();
+        }
+        let place = match self.look_up(text, hash) {
+            Ok(name) => return name,
+            Err(place) => place,
+        };
+        let (Ok(number), Ok(end)) =
+            (u32::try_from(self.len()), u32::try_from(self.text.len() + text.len()))
+        else {
+            return Name::default();
+        };
+        self.text.push_str(text);
+        self.ends.push(end);
+        self.hashes.push(hash);
+        if let Some(free) = self.table.get_mut(place) {
+            *free = number;
+        }
+        Name(number)
+    }
+
+    /// Number of an id, or the place in the table that it would take.
+    fn look_up(&self, text: &str, hash: u32) -> Result<Name, usize> {
+        let last = self.table.len().wrapping_sub(1);
+        let mut place = hash as usize & last;
+        while let Some(number) = self.table.get(place).filter(|number| **number != 0) {
+            let name = Name(*number);
+            let own = self.hashes.get(name.number() - 1);
+            if own == Some(&hash) && self.text(name) == text {
+                return Ok(name);
+            }
+            place = (place + 1) & last;
+        }
+        Err(place)
+    }
+
+    fn grow(&mut self) {
+        let places = (2 * self.table.len()).max(FEWEST);
+        self.table = vec![0; places];
+        for (at, hash) in self.hashes.iter().enumerate() {
+            let mut place = *hash as usize & (places - 1);
+            while self.table[place] != 0 {
+                place = (place + 1) & (places - 1);
+            }
+            self.table[place] = at as u32 + 1;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Ids of two parts of a document, some in both, become those of the whole in the order in which they come.
+    #[test]
+    fn appended_names_are_those_of_one_table() {
+        let texts: Vec<String> = (0..1_000).map(|n: u32| (n * n % 701).to_string()).collect();
+        let mut whole = Names::default();
+        let numbers: Vec<Name> = texts.iter().map(|text| whole.add(text)).collect();
+        for is_alike in [true, false] {
+            let mut first = Names::default();
+            texts[..500].iter().for_each(|text| _ = first.add(text));
+            let mut second = if is_alike { first.another() } else { Names::default() };
+            let own: Vec<Name> = texts[500..].iter().map(|text| second.add(text)).collect();
+            let moved = first.append(&second);
+            let there: Vec<Name> = own.iter().map(|name| moved[name.number()]).collect();
+            assert_eq!(there, numbers[500..]);
+            assert_eq!(first.len(), whole.len());
+            for (text, number) in texts.iter().zip(&numbers) {
+                assert_eq!(first.text(*number), text);
+                assert_eq!(first.find(text), Some(*number));
+            }
+            assert_eq!(first.find("none"), None);
+            assert_eq!(first.find(""), Some(Name::default()));
+        }
+    }
+}
