@@ -180,7 +180,7 @@ impl<'a> SectionCutter<'a> {
             self.frame = Some(Frame::at(&self.road, s)?);
         }
         let frame = self.frame.as_ref()?;
-        let point = frame.piece.curve.evaluate(s - frame.piece.s);
+        let point = frame.piece.curve.tangent(s - frame.piece.s);
         let (roll_cos, roll_sin) = profile::roll(frame.superelevation.value(s));
         let (x, y, z) = (point.x, point.y, frame.elevation.value(s));
         Some(CrossSection { x, y, z, cos: point.cos, sin: point.sin, roll_cos, roll_sin })
@@ -189,11 +189,7 @@ impl<'a> SectionCutter<'a> {
     /// Edges at s of all lanes, from left to right, as [`crate::Lane::edges_at`] has them one by one. `edges` has a place
     /// for each lane. None for a damaged archive, and for a section without a centre lane.
     pub fn edges(&mut self, s: f64, edges: &mut [LaneEdges]) -> Option<()> {
-        let at = At::within(s, self.section.s_start(), self.section.s_end());
-        if !self.lanes.as_ref().is_some_and(|lanes| lanes.held.contains(at.hold)) {
-            self.lanes = Some(Widths::at(&self.road, &self.section, at.hold)?);
-        }
-        let widths = self.lanes.as_ref()?;
+        let widths = self.widths(s)?;
         let offset = widths.offset.value(s);
         let (left, right) = edges.split_at_mut_checked(widths.left.len())?;
         let (center, right) = right.split_first_mut()?;
@@ -207,6 +203,28 @@ impl<'a> SectionCutter<'a> {
             *edges = width.step(&mut edge, s, -1.0);
         }
         Some(())
+    }
+
+    /// Edges at s of one lane, counted from the left, the same as [`Self::edges`] gives. None for a damaged archive, for a
+    /// section without a centre lane, and for a lane that it does not have.
+    #[inline]
+    pub fn lane_edges(&mut self, lane: usize, s: f64) -> Option<LaneEdges> {
+        let widths = self.widths(s)?;
+        let offset = widths.offset.value(s);
+        let none = LaneEdges { inner: offset, outer: offset };
+        let (inward, sign) = widths.from_center(lane)?;
+        let mut edge = offset;
+        Some(inward.iter().fold(none, |_, width| width.step(&mut edge, s, sign)))
+    }
+
+    /// What the lanes are made of at s.
+    #[inline]
+    fn widths(&mut self, s: f64) -> Option<&Widths> {
+        let at = At::within(s, self.section.s_start(), self.section.s_end());
+        if !self.lanes.as_ref().is_some_and(|lanes| lanes.held.contains(at.hold)) {
+            self.lanes = Some(Widths::at(&self.road, &self.section, at.hold)?);
+        }
+        self.lanes.as_ref()
     }
 }
 
@@ -235,12 +253,7 @@ impl SectionCutter<'_> {
             self.lanes = Some(Widths::at(&self.road, &self.section, from)?);
         }
         let widths = self.lanes.as_ref()?;
-        let center = widths.left.len();
-        let inner = if lane < center {
-            widths.left.get(..center - lane)?
-        } else {
-            widths.right.get(..lane - center)?
-        };
+        let (inner, _) = widths.from_center(lane)?;
         let is_even = |width: &Width| {
             let is_open = |s: f64| width.is_border || width.record.value(s) >= 0.0;
             width.record.is_even() && is_open(from) && is_open(to)
@@ -265,6 +278,18 @@ impl<'a> Frame<'a> {
 }
 
 impl Widths {
+    /// A lane, counted from the left, and those between it and the centre lane, from there outwards, with the sign of t on
+    /// their side.
+    #[inline]
+    fn from_center(&self, lane: usize) -> Option<(&[Width], f64)> {
+        let center = self.left.len();
+        if lane < center {
+            Some((self.left.get(..center - lane)?, 1.0))
+        } else {
+            Some((self.right.get(..lane - center)?, -1.0))
+        }
+    }
+
     /// None for a section without a centre lane.
     fn at(road: &Road<'_>, section: &LaneSection<'_>, hold: f64) -> Option<Self> {
         let mut held = Held::ALWAYS;

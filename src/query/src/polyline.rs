@@ -129,11 +129,13 @@ impl<'a> Polyline<'a> {
     }
 
     /// Inertial position of a point `[m]`.
+    #[inline]
     pub fn position(&self, i: usize) -> Option<DVec3> {
         self.points.offset(i).map(|offset| self.origin + offset)
     }
 
     /// s of a point on the road `[m]`. Points of equal s are both sides of a jump.
+    #[inline]
     pub fn station(&self, i: usize) -> Option<f64> {
         self.points.station(i).map(|s| self.s_start + f64::from(s))
     }
