@@ -3,8 +3,8 @@
 use glam::{DVec2, DVec3};
 use mapd_query::{Map, Polyline};
 
-/// Lanes that are kept. What is computed leaf by leaf asks for some dozen lanes near each other.
-const KEPT: usize = 64;
+/// Lanes that are kept. What is computed leaf by leaf asks for some dozen lanes near each other, and comes back to long ones.
+const KEPT: usize = 256;
 
 /// Points of a line.
 #[derive(Default)]
@@ -34,9 +34,13 @@ impl Line {
     fn read(&mut self, line: Polyline<'_>, origin: DVec2) {
         let origin = origin.extend(0.0);
         self.points.clear();
-        self.points.extend(line.positions().map(|position| position - origin));
+        self.points.reserve(line.len());
         self.stations.clear();
-        self.stations.extend(line.stations());
+        self.stations.reserve(line.len());
+        line.for_each(|station, position| {
+            self.points.push(position - origin);
+            self.stations.push(station);
+        });
     }
 
     /// Number of points whose s on the road is less than this `[m]`.

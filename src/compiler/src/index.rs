@@ -70,18 +70,22 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
 }
 
 /// The segments of a lane that have an area, to be ordered by their middles. Both sides of a jump have none between them.
-fn places(map: Map<'_>, lane: u32) -> impl Iterator<Item = Key<Place>> + use<'_> {
+fn places(map: Map<'_>, lane: u32) -> Vec<Key<Place>> {
     let row = map.lane_by_row(lane).filter(|lane| !lane.is_temporary());
-    let line = row.map(|lane| lane.center_line());
+    let Some(line) = row.map(|lane| lane.center_line()) else { return Vec::new() };
     let origin = map.local_origin();
-    let at = move |(position, station): (DVec3, f64)| (position.truncate() - origin, station);
-    let points = line.into_iter().flat_map(|line| line.positions().zip(line.stations()));
-    let mut before = None;
-    points.map(at).enumerate().filter_map(move |(i, (b, s_b))| {
-        let (a, s_a) = before.replace((b, s_b))?;
-        let place = Place { lane, segment: (i - 1) as u16 };
-        (s_a != s_b).then(|| Key::new(a + b, place))
-    })
+    let mut keys = Vec::with_capacity(line.len());
+    let (mut before, mut segment) = (None, 0);
+    line.for_each(|s, position| {
+        let here = (position.truncate() - origin, s);
+        if let Some((place, at)) = before.replace(here) {
+            if at != s {
+                keys.push(Key::new(place + here.0, Place { lane, segment }));
+            }
+            segment += 1;
+        }
+    });
+    keys
 }
 
 /// Both ends of a segment.

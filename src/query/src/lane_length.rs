@@ -2,12 +2,41 @@
 
 use crate::lane::Lane;
 use crate::profile::{At, Slope};
+use crate::road::{Piece, Road};
 use mapd_archive::SpeedKind;
 
 /// Places of the two-point Gauss–Legendre rule on −1 to 1, one over the square root of 3.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
 
-impl Lane<'_> {
+/// A piece of the reference line, from which s on and up to which one it holds. Places that are asked for one behind the other
+/// mostly lie on the same.
+struct Held<'a> {
+    piece: Option<Piece<'a>>,
+    from: f64,
+    to: f64,
+}
+
+impl<'a> Held<'a> {
+    /// Holds nowhere.
+    const NONE: Self = Self { piece: None, from: f64::INFINITY, to: f64::NEG_INFINITY };
+
+    /// The piece that holds at s, as [`Road::piece_at`] finds it.
+    #[inline]
+    fn at(&mut self, road: &Road<'a>, s: f64) -> Option<Piece<'a>> {
+        if !(s >= self.from && s < self.to) {
+            let rows = road.geometries();
+            let next = rows.partition_point(|g| g.s() <= s);
+            let own = next.saturating_sub(1);
+            self.piece = rows.get(own).and_then(|g| road.piece(g));
+            // Before the first geometry, that one holds.
+            self.from = if own == 0 { f64::NEG_INFINITY } else { rows.get(own)?.s() };
+            self.to = rows.get(next).map_or(f64::INFINITY, |g| g.s());
+        }
+        self.piece
+    }
+}
+
+impl<'a> Lane<'a> {
     /// Length of the centre line in plan view between two places on the road `[m]`, from the file's own polynomials: where the
     /// stored polyline bends, the integral is cut. s outside the lane's section counts as its nearer end.
     pub fn length_between(&self, a: f64, b: f64) -> f64 {
@@ -17,23 +46,24 @@ impl Lane<'_> {
         let (from, to) = (inside(a.min(b)), inside(a.max(b)));
         let line = self.center_line();
         let (mut sum, mut last) = (0.0, from);
+        let mut held = Held::NONE;
         for s in line.stations().filter(|s| *s > from && *s < to).chain([to]) {
             if s > last {
-                sum += self.stretch(last, s);
+                sum += self.stretch(&mut held, last, s);
                 last = s;
             }
         }
         sum
     }
 
-    /// Length of a stretch on which the lane is smooth.
-    fn stretch(&self, from: f64, to: f64) -> f64 {
+    /// Length of a stretch on which the lane is smooth. `held` is the piece that held at the place before.
+    fn stretch(&self, held: &mut Held<'a>, from: f64, to: f64) -> f64 {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        half * (self.growth(middle - half * GAUSS) + self.growth(middle + half * GAUSS))
+        half * (self.growth(held, middle - half * GAUSS) + self.growth(held, middle + half * GAUSS))
     }
 
     /// Metres of centre line per metre of s, in plan view.
-    fn growth(&self, s: f64) -> f64 {
+    fn growth(&self, held: &mut Held<'a>, s: f64) -> f64 {
         let at = At::new(s);
         let edges = self.edge_slopes(at);
         let center = Slope {
@@ -41,8 +71,8 @@ impl Lane<'_> {
             derivative: 0.5 * (edges.inner.derivative + edges.outer.derivative),
         };
         let (cos, sin) = self.road.roll(at);
-        let piece = self.road.piece_at(at);
-        let curvature = piece.map_or(0.0, |piece| piece.curve.curvature(at.s - piece.s));
+        let curvature =
+            held.at(&self.road, s).map_or(0.0, |piece| piece.curve.curvature(at.s - piece.s));
         let along = 1.0 - curvature * center.value * cos;
         let turned = if sin == 0.0 { 0.0 } else { self.road.superelevation_slope(at) };
         let across = center.derivative * cos - center.value * sin * turned;

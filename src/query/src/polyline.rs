@@ -152,6 +152,19 @@ impl<'a> Polyline<'a> {
         (0..self.len()).map(move |i| line.position(i).unwrap_or_default())
     }
 
+    /// Every point's s `[m]` and inertial position `[m]`, in ascending s: as [`Self::stations`] and [`Self::positions`] have
+    /// them, for who needs all.
+    #[inline]
+    pub fn for_each(&self, mut visit: impl FnMut(f64, DVec3)) {
+        let (reader, bytes) = (self.points.code.reader(), self.points.code.bytes());
+        for i in 0..self.len() {
+            let Some(point) = self.points.bytes.get(i * bytes..) else { break };
+            let (station, offset) = reader.read(point);
+            let station = self.points.stations.get(station as usize).copied().unwrap_or_default();
+            visit(self.s_start + f64::from(station), self.origin + DVec3::from_array(offset));
+        }
+    }
+
     /// Number of points whose s on the road is less than this `[m]`.
     pub fn points_before(&self, s: f64) -> usize {
         self.points.partition_point(|station| self.s_start + f64::from(station) < s)

@@ -20,7 +20,7 @@ const CELL: f64 = 0.5;
 /// Cells of one lane at most; those of a longer lane are longer.
 const MOST_CELLS: usize = 500;
 /// Cells that are passed over together.
-const BLOCK: usize = 16;
+const BLOCK: usize = 8;
 /// Lanes of a zone that are compared with each other; a zone that has more is passed over. Real junctions have up to a
 /// hundred or two.
 const MOST_LANES: usize = 512;
@@ -202,18 +202,17 @@ fn meet(
 /// From the first to the last cell of a lane that shares more than a strip with another lane; cells in between do not matter.
 fn common(lane: &Candidate, other: &Candidate) -> Option<Interval> {
     let mut hint = 0;
-    let mut is_common = |one: &&Cell| other.near(&one.bounds).any(|two| share(one, two, &mut hint));
-    let first = lane.near(&other.bounds).find(&mut is_common)?;
-    let last = lane.near(&other.bounds).rfind(&mut is_common)?;
+    let mut is_common = |one: &Cell, two: &Cell| share(one, two, &mut hint);
+    let first = lane.first_near(other, false, &mut is_common)?;
+    let last = lane.first_near(other, true, &mut is_common)?;
     Some((first.s_from, last.s_to))
 }
 
 /// Whether the centre lines of two lanes cross where the lanes share more than a strip.
 fn cross(a: &Candidate, b: &Candidate) -> bool {
     let mut hint = 0;
-    a.near(&b.bounds).any(|one| {
-        b.near(&one.bounds).any(|two| one.centers_cross(two) && share(one, two, &mut hint))
-    })
+    let crosses = |one: &Cell, two: &Cell| one.centers_cross(two) && share(one, two, &mut hint);
+    a.first_near(b, false, crosses).is_some()
 }
 
 /// Whether two cells whose bounds meet share more than a strip, and not as a bridge does with what is below.
@@ -224,10 +223,42 @@ fn share(one: &Cell, two: &Cell, hint: &mut usize) -> bool {
 }
 
 impl Candidate {
-    /// The cells whose bounds meet these, in order.
-    fn near(&self, bounds: &Bounds) -> impl DoubleEndedIterator<Item = &Cell> {
-        let blocks = self.cells.chunks(BLOCK).zip(&self.blocks);
-        let near = blocks.filter(|(_, block)| block.meets(bounds));
-        near.flat_map(|(cells, _)| cells).filter(|cell| cell.bounds.meets(bounds))
+    /// The first cell, or the last one, for which some cell of the other lane fits whose bounds meet its own.
+    fn first_near(
+        &self,
+        other: &Self,
+        backwards: bool,
+        mut fits: impl FnMut(&Cell, &Cell) -> bool,
+    ) -> Option<&Cell> {
+        let turned = |i: usize, count: usize| if backwards { count - 1 - i } else { i };
+        for i in 0..self.blocks.len() {
+            let block = turned(i, self.blocks.len());
+            let (bounds, cells) = (self.blocks.get(block)?, cells_of(&self.cells, block));
+            // The other's blocks that may meet any of these cells, from the first to the last.
+            let Some(from) = other.blocks.iter().position(|block| block.meets(bounds)) else {
+                continue;
+            };
+            let to = other.blocks.iter().rposition(|block| block.meets(bounds)).unwrap_or(from);
+            let blocks = other.blocks.get(from..=to)?;
+            for i in 0..cells.len() {
+                let one = cells.get(turned(i, cells.len()))?;
+                for (two, block) in (from..).zip(blocks) {
+                    if block.meets(&one.bounds)
+                        && cells_of(&other.cells, two)
+                            .iter()
+                            .any(|two| two.bounds.meets(&one.bounds) && fits(one, two))
+                    {
+                        return Some(one);
+                    }
+                }
+            }
+        }
+        None
     }
+}
+
+/// The cells of a block.
+fn cells_of(cells: &[Cell], block: usize) -> &[Cell] {
+    let from = block * BLOCK;
+    cells.get(from..cells.len().min(from + BLOCK)).unwrap_or(&[])
 }
