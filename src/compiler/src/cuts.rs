@@ -68,4 +68,9 @@ impl<'m, 'a> Cuts<'m, 'a> {
     pub(crate) fn is_straight(&mut self, lane: usize, from: f64, to: f64) -> bool {
         self.cutter.is_straight(lane, from, to)
     }
+
+    /// Curvature of the reference line where a lane's edges are known to be arcs from one s up to another.
+    pub(crate) fn arc(&mut self, lane: usize, from: f64, to: f64) -> Option<f64> {
+        self.cutter.arc(lane, from, to)
+    }
 }

@@ -107,6 +107,10 @@ impl Record {
         self.cubic.value(s - self.s)
     }
 
+    fn is_constant(&self) -> bool {
+        self.is_even() && self.cubic.b == 0.0
+    }
+
     /// Whether it grows evenly.
     fn is_even(&self) -> bool {
         self.cubic.c == 0.0 && self.cubic.d == 0.0
@@ -233,6 +237,26 @@ impl SectionCutter<'_> {
     /// line is a line, heights and widths grow evenly, and no width falls below 0 in between. False where that is not plain.
     pub fn is_straight(&mut self, lane: usize, from: f64, to: f64) -> bool {
         self.frame_is_straight(from, to) && self.lane_is_straight(lane, from, to).unwrap_or(false)
+    }
+
+    /// The curvature `[1/m]` of the reference line where the edges of a lane, counted from the left, are known to be arcs beside
+    /// it, or helices, from one s up to another: the reference line is a line or an arc, its height grows evenly, and
+    /// superelevation and widths do not change. None where that is not plain.
+    pub fn arc(&mut self, lane: usize, from: f64, to: f64) -> Option<f64> {
+        // A cut puts the frame of that place in its place.
+        self.cut(from).filter(|_| to <= self.end)?;
+        let frame = self.frame.as_ref().filter(|frame| {
+            frame.held.covers(from, to)
+                && frame.elevation.is_even()
+                && frame.superelevation.is_constant()
+        })?;
+        let curvature = frame.piece.curve.even_curvature_up_to(to - frame.piece.s)?;
+        let widths = self.widths(from)?;
+        let (inner, _) = widths.from_center(lane)?;
+        let is_constant = widths.held.covers(from, to)
+            && widths.offset.is_constant()
+            && inner.iter().all(|width| width.record.is_constant());
+        is_constant.then_some(curvature)
     }
 
     fn frame_is_straight(&mut self, from: f64, to: f64) -> bool {

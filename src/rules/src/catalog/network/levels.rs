@@ -45,15 +45,15 @@ fn level(network: &Network, sink: &mut Sink<'_>) {
             outwards(&mut right.iter());
         }
     }
-    for joint in network.lane_joints() {
+    network.lane_joints().for_each(|joint| {
         let Some(target) = joint.target.filter(|target| target.is_level != joint.lane.is_level)
         else {
-            continue;
+            return;
         };
         let part =
             format!("lanes/laneSection[@s={}]/lane[@id={}]/link", joint.section.s, joint.lane.id);
         let expected = "linked lanes that are both kept level or both not";
         let found = format_args!("lane {} otherwise", target.id);
         sink.add_in(("road", &joint.road.id, &part), joint.link.span, expected, found);
-    }
+    });
 }
