@@ -139,14 +139,29 @@ impl PointCode {
     pub fn write(&self, offset: [f64; 3], station: u32, out: &mut Vec<u8>) {
         let [xy, z] = self.exponents.map(power);
         let [for_station, x, y, for_z] = self.bits;
-        let mut bits = u128::from(u64::from(station) & mask(for_station));
+        let station = u64::from(station) & mask(for_station);
+        let counts = [x, y, for_z];
+        let steps: [u64; 3] = std::array::from_fn(|axis| {
+            rounded(offset[axis] / [xy, xy, z][axis]).min(mask(counts[axis]))
+        });
         let mut at = u32::from(for_station);
-        for ((offset, step), count) in offset.into_iter().zip([xy, xy, z]).zip([x, y, for_z]) {
-            bits |= u128::from(rounded(offset / step).min(mask(count))).unbounded_shl(at);
-            at += u32::from(count);
+        if self.bytes <= 8 {
+            let mut bits = station;
+            for (steps, count) in steps.into_iter().zip(counts) {
+                bits |= steps.unbounded_shl(at);
+                at += u32::from(count);
+            }
+            let bytes = bits.to_le_bytes();
+            out.extend_from_slice(bytes.get(..self.bytes()).unwrap_or(&bytes));
+        } else {
+            let mut bits = u128::from(station);
+            for (steps, count) in steps.into_iter().zip(counts) {
+                bits |= u128::from(steps).unbounded_shl(at);
+                at += u32::from(count);
+            }
+            let bytes = bits.to_le_bytes();
+            out.extend_from_slice(bytes.get(..self.bytes()).unwrap_or(&bytes));
         }
-        let bytes = bits.to_le_bytes();
-        out.extend_from_slice(bytes.get(..self.bytes()).unwrap_or(&bytes));
     }
 
     /// Ready to read many points.
@@ -199,11 +214,14 @@ impl PointReader {
     }
 }
 
-/// The nearest whole number, of two the larger one, as casts saturate: 0 for what is negative or no number.
+/// The nearest whole number, of two the larger one, from 0 to 2⁶³ − 1, the most that a part of a point can be: 0 for what is
+/// no number.
 #[inline]
 fn rounded(value: f64) -> u64 {
-    let below = value as u64;
-    below.saturating_add(u64::from(value - below as f64 >= 0.5))
+    // Casts saturate.
+    let toward_zero = value as i64;
+    let up = i64::from(value - toward_zero as f64 >= 0.5);
+    toward_zero.saturating_add(up).max(0) as u64
 }
 
 fn biased(exponent: i32) -> u8 {
@@ -283,7 +301,7 @@ mod tests {
         let halves = [0.5f64, 1.5, 2.5, 4_503_599_627_370_495.5];
         let halves = halves.into_iter().flat_map(|half| [half.next_down(), half, half.next_up()]);
         for value in odd.into_iter().chain(near).chain(halves) {
-            assert_eq!(rounded(value), value.round() as u64, "{value}");
+            assert_eq!(rounded(value), (value.round() as u64).min(i64::MAX as u64), "{value}");
         }
     }
 

@@ -76,7 +76,7 @@ fn places(map: Map<'_>, lane: u32) -> Vec<Key<Place>> {
     let origin = map.local_origin();
     let mut keys = Vec::with_capacity(line.len());
     let (mut before, mut segment) = (None, 0);
-    line.for_each(|s, position| {
+    for (s, position) in line.points() {
         let here = (position.truncate() - origin, s);
         if let Some((place, at)) = before.replace(here) {
             if at != s {
@@ -84,7 +84,7 @@ fn places(map: Map<'_>, lane: u32) -> Vec<Key<Place>> {
             }
             segment += 1;
         }
-    });
+    }
     keys
 }
 
@@ -92,7 +92,8 @@ fn places(map: Map<'_>, lane: u32) -> Vec<Key<Place>> {
 fn ends(lines: &mut Lines<'_>, place: &Place) -> [DVec2; 2] {
     let Some(lane) = lines.of(place.lane) else { return [DVec2::ZERO; 2] };
     let first = usize::from(place.segment);
-    [first, first + 1].map(|i| lane.center.points.get(i).copied().unwrap_or_default().truncate())
+    [first, first + 1]
+        .map(|i| lane.center.points().get(i).map_or(DVec2::ZERO, |point| point.place.truncate()))
 }
 
 impl Extent {
@@ -109,7 +110,7 @@ impl Extent {
 
 /// The extent of a lane's area between two s. The area lies in the hull of both borders' stretches, and what is asked of
 /// it (how far to the sides, beyond the ends, up and down) is greatest at a point of theirs, or where they are cut.
-fn extent(borders: &[Line; 2], ends: [DVec2; 2], cuts: [f64; 2]) -> Extent {
+fn extent(borders: [&Line; 2], ends: [DVec2; 2], cuts: [f64; 2]) -> Extent {
     let along = ends[1] - ends[0];
     let length = along.length();
     let mut extent = Extent::NONE;
@@ -127,13 +128,13 @@ fn extent(borders: &[Line; 2], ends: [DVec2; 2], cuts: [f64; 2]) -> Extent {
         };
         let from = border.points_before(cuts[0]);
         let to = border.points_before(cuts[1].next_up());
-        border.points.get(from..to).unwrap_or(&[]).iter().for_each(|p| visit(*p));
+        border.points().get(from..to).unwrap_or(&[]).iter().for_each(|p| visit(p.place));
         for (cut, i) in [(cuts[0], from), (cuts[1], to)] {
-            if let Some((p, s_p)) = i.checked_sub(1).and_then(|i| border.point(i))
-                && let Some((q, s_q)) = border.point(i)
-                && s_q > s_p
+            if let Some(p) = i.checked_sub(1).and_then(|i| border.points().get(i))
+                && let Some(q) = border.points().get(i)
+                && q.s > p.s
             {
-                visit(p.lerp(q, clamp((cut - s_p) / (s_q - s_p), 0.0, 1.0)));
+                visit(p.place.lerp(q.place, clamp((cut - p.s) / (q.s - p.s), 0.0, 1.0)));
             }
         }
     }
@@ -266,8 +267,8 @@ fn entry(
     let mut extent = Extent::NONE;
     if let Some(lane) = lines.of(place.lane) {
         let first = usize::from(place.segment);
-        let station = |i: usize| lane.center.stations.get(i).copied().unwrap_or_default();
-        extent = self::extent(&lane.borders, [a, b], [first, first + 1].map(station));
+        let station = |i: usize| lane.center.points().get(i).map_or(0.0, |point| point.s);
+        extent = self::extent(lane.borders, [a, b], [first, first + 1].map(station));
     }
     let margin = 2.0 * options.bound_tolerance + REACH_MARGIN;
     Entry { a, b, extent: extent.widened(margin), place }

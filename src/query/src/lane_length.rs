@@ -3,7 +3,7 @@
 use crate::lane::Lane;
 use crate::profile::{At, Slope};
 use crate::road::{Piece, Road};
-use mapd_archive::SpeedKind;
+use mapd_archive::{ArchivedCubicRow, SpeedKind};
 
 /// Places of the two-point Gauss–Legendre rule on −1 to 1, one over the square root of 3.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
@@ -36,6 +36,15 @@ impl<'a> Held<'a> {
     }
 }
 
+/// Whether the value of a profile is the same all over from one s up to another.
+fn is_constant(records: &[ArchivedCubicRow], from: f64, to: f64) -> bool {
+    let next = records.partition_point(|record| record.s() <= from);
+    let own = next.checked_sub(1).and_then(|own| records.get(own));
+    // Before the first record, profiles are 0.
+    own.is_none_or(|own| own.b() == 0.0 && own.c() == 0.0 && own.d() == 0.0)
+        && records.get(next).is_none_or(|next| next.s() >= to)
+}
+
 impl<'a> Lane<'a> {
     /// Length of the centre line in plan view between two places on the road `[m]`, from the file's own polynomials: where the
     /// stored polyline bends, the integral is cut. s outside the lane's section counts as its nearer end.
@@ -47,13 +56,38 @@ impl<'a> Lane<'a> {
         let line = self.center_line();
         let (mut sum, mut last) = (0.0, from);
         let mut held = Held::NONE;
+        let even = self.even_growth(&mut held, from, to);
         for s in line.stations().filter(|s| *s > from && *s < to).chain([to]) {
             if s > last {
-                sum += self.stretch(&mut held, last, s);
+                sum += match even {
+                    Some(growth) => 0.5 * (s - last) * (growth + growth),
+                    None => self.stretch(&mut held, last, s),
+                };
                 last = s;
             }
         }
         sum
+    }
+
+    /// Metres of centre line per metre of s between two s, where they are the same all along: the reference line is one line or
+    /// one arc, and superelevation and widths do not change.
+    fn even_growth(&self, held: &mut Held<'a>, from: f64, to: f64) -> Option<f64> {
+        let piece = held.at(&self.road, from).filter(|_| from < to && to <= held.to)?;
+        piece.curve.even_curvature_up_to(to - piece.s)?;
+        let offsets = if self.is_temporary() {
+            self.road.temporary_lane_offsets()
+        } else {
+            self.road.lane_offsets()
+        };
+        let lanes = self.section.rows();
+        let own = self.row_number().wrapping_sub(self.section.row.lanes().first) as usize;
+        let center = lanes.binary_search_by(|lane| 0.cmp(&lane.number())).ok()?;
+        let inner = lanes.get(own.min(center)..=own.max(center))?;
+        let cubics = self.map.tables().cubics;
+        let is_even = inner.iter().all(|lane| is_constant(lane.widths().of(cubics), from, to))
+            && is_constant(offsets, from, to)
+            && is_constant(self.road.superelevations(), from, to);
+        is_even.then(|| self.growth(held, 0.5 * (from + to)))
     }
 
     /// Length of a stretch on which the lane is smooth. `held` is the piece that held at the place before.

@@ -155,14 +155,14 @@ impl<'a> Polyline<'a> {
     /// Every point's s `[m]` and inertial position `[m]`, in ascending s: as [`Self::stations`] and [`Self::positions`] have
     /// them, for who needs all.
     #[inline]
-    pub fn for_each(&self, mut visit: impl FnMut(f64, DVec3)) {
-        let (reader, bytes) = (self.points.code.reader(), self.points.code.bytes());
-        for i in 0..self.len() {
-            let Some(point) = self.points.bytes.get(i * bytes..) else { break };
-            let (station, offset) = reader.read(point);
-            let station = self.points.stations.get(station as usize).copied().unwrap_or_default();
-            visit(self.s_start + f64::from(station), self.origin + DVec3::from_array(offset));
-        }
+    pub fn points(&self) -> impl ExactSizeIterator<Item = (f64, DVec3)> + use<'a> {
+        let Self { origin, s_start, points } = *self;
+        let (reader, bytes) = (points.code.reader(), points.code.bytes());
+        (0..points.count).map(move |i| {
+            let (station, offset) = reader.read(points.bytes.get(i * bytes..).unwrap_or(&[]));
+            let station = points.stations.get(station as usize).copied().unwrap_or_default();
+            (s_start + f64::from(station), origin + DVec3::from_array(offset))
+        })
     }
 
     /// Number of points whose s on the road is less than this `[m]`.
