@@ -2,7 +2,7 @@
 
 use crate::clamp;
 use crate::point::Frame;
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 use glam::DVec2;
 
 /// Below this |κ| `[1/m]` an arc is projected as a line: κ times any sane coordinate nears the underflow of f64.
@@ -24,6 +24,28 @@ pub(crate) fn frame(curvature: f64, u: f64) -> Frame {
     let direction = DVec2::new(cos, sin);
     let position = direction * (u * sinc);
     Frame { position, tangent: direction.rotate(direction), curvature, speed: 1.0 }
+}
+
+/// Offset along the left normal of the foot of `target`, for any foot that is perpendicular: (1 − r)/κ, where r is 1/κ less the
+/// distance from the centre, times κ; written so that nothing cancels as κ tends to zero.
+#[inline]
+pub(crate) fn lateral(curvature: f64, target: DVec2) -> f64 {
+    let from_center = DVec2::new(curvature * target.x, 1.0 - curvature * target.y).length();
+    (2.0 * target.y - curvature * target.length_squared()) / (1.0 + from_center)
+}
+
+/// The u of the point nearest to `target`, if it lies in [lo, hi] and the arc passes it but once there: the same bits as
+/// [`project`], for less.
+#[inline]
+pub(crate) fn project_inside(curvature: f64, target: DVec2, lo: f64, hi: f64) -> Option<f64> {
+    let (along, towards) = (curvature * target.x, 1.0 - curvature * target.y);
+    // On this side of the centre atan2 is this arc tangent.
+    let ahead = curvature.abs() >= STRAIGHT && towards > 0.0;
+    if !ahead || curvature.abs() * (hi - lo) >= PI {
+        return None;
+    }
+    let u = libm::atan(along / towards) / curvature;
+    (lo <= u && u <= hi).then_some(u)
 }
 
 /// The u ∈ [lo, hi] of the point nearest to `target`; among several turns, the one nearest to `seed`.

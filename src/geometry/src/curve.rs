@@ -62,8 +62,9 @@ impl<'a> Curve<'a> {
     /// A view of the coefficients that [`compile`](crate::compile()) made for this kind and length `[m]`.
     ///
     /// `None` if their number does not fit the kind, or the length is negative or not finite.
+    // Always: where the kind is known to be a line or an arc, nothing of the rest is left.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn new(
         kind: CurveKind,
         start: Start,
@@ -128,7 +129,7 @@ impl<'a> Curve<'a> {
 
     /// Everything about the point at `u` `[m]`.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn evaluate(&self, u: f64) -> CurvePoint {
         let u = self.clamp(u);
         let frame = self.frame(u);
@@ -200,6 +201,25 @@ impl<'a> Curve<'a> {
         self.foot(target, u, lo, hi)
     }
 
+    /// As [`project_from`](Self::project_from), for a point that lies neither ahead of the range nor behind it: u of its foot and
+    /// its offset along the left normal there `[m]`, the same bits for less. None where the projection is `clamped`.
+    #[must_use]
+    #[inline]
+    pub fn beside(&self, x: f64, y: f64, seed: f64, lo: f64, hi: f64) -> Option<[f64; 2]> {
+        let (first, last) = (self.clamp(lo), clamp(hi, self.clamp(lo), self.length));
+        let target = self.start.localize(x, y);
+        let quick = match &self.shape {
+            Shape::Line => (first <= target.x && target.x <= last).then_some([target.x, target.y]),
+            Shape::Arc { curvature } => arc::project_inside(*curvature, target, first, last)
+                .map(|u| [u, arc::lateral(*curvature, target)]),
+            _ => None,
+        };
+        quick.or_else(|| {
+            let foot = self.project_from(x, y, seed, lo, hi);
+            (!foot.clamped).then_some([foot.u, foot.lateral])
+        })
+    }
+
     /// The nearest point of the whole curve to (`x`, `y`) `[m]`; of equally near points the first.
     #[must_use]
     pub fn project(&self, x: f64, y: f64) -> Projection {
@@ -251,15 +271,20 @@ impl<'a> Curve<'a> {
         let tolerance = PERPENDICULAR * (1.0 + distance_squared.sqrt());
         let position = self.start.place(frame.position);
         let tangent = self.start.rotate(frame.tangent);
+        let clamped = (u >= hi && ahead > tolerance) || (u <= lo && ahead < -tolerance);
+        let lateral = match &self.shape {
+            Shape::Arc { curvature } if !clamped => arc::lateral(*curvature, target),
+            _ => frame.tangent.perp_dot(gap),
+        };
         Projection {
             u,
             x: position.x,
             y: position.y,
             cos: tangent.x,
             sin: tangent.y,
-            lateral: frame.tangent.perp_dot(gap),
+            lateral,
             distance_squared,
-            clamped: (u >= hi && ahead > tolerance) || (u <= lo && ahead < -tolerance),
+            clamped,
             curvature: frame.curvature,
         }
     }
@@ -277,7 +302,7 @@ impl<'a> Curve<'a> {
     }
 
     /// In the curve's own frame; `u` lies on the curve.
-    #[inline]
+    #[inline(always)]
     fn frame(&self, u: f64) -> Frame {
         match &self.shape {
             Shape::Line => {

@@ -220,6 +220,28 @@ fn projection_from_a_bad_seed_ends_at_a_foot_or_an_end() {
     }
 }
 
+/// What is told beside a range, for less, is what the projection says, to the bit; nothing is told of what lies ahead or behind.
+#[test]
+fn beside_a_range_the_projection_is_the_same() {
+    let mut random = Random(28);
+    let mut told = 0;
+    for _ in 0..6000 {
+        let (sample, full_turns) = (curve_of(&mut random, 6.0), random.range(0.0, 1.0) < 0.2);
+        let curve = sample.curve();
+        let (a, b) = (random.range(0.0, sample.length), random.range(0.0, sample.length));
+        let (lo, hi) = if full_turns { (0.0, sample.length) } else { (a.min(b), a.max(b)) };
+        let near = curve.evaluate(random.range(0.0, sample.length));
+        let (x, y) = (near.x + random.range(-20.0, 20.0), near.y + random.range(-20.0, 20.0));
+        let seed = 0.5 * (lo + hi);
+        let foot = curve.project_from(x, y, seed, lo, hi);
+        let expected = (!foot.clamped).then_some([foot.u, foot.lateral].map(f64::to_bits));
+        let beside = curve.beside(x, y, seed, lo, hi).map(|found| found.map(f64::to_bits));
+        assert_eq!(beside, expected, "{:?} in [{lo}, {hi}], from ({x}, {y})", sample.primitive);
+        told += usize::from(beside.is_some());
+    }
+    assert!(told > 1000, "{told}");
+}
+
 #[test]
 fn points_beyond_an_end_are_clamped() {
     let mut random = Random(27);

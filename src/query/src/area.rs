@@ -9,6 +9,7 @@ use crate::profile::At;
 use crate::road::Piece;
 use crate::types::{LaneEdges, LanePosition};
 use glam::DVec2;
+use mapd_archive::ArchivedGeometryRow;
 use mapd_geometry::{clamp, normalize_angle};
 
 /// Iterations for the foot on a border; each gains several digits, the last ones are for points far outside.
@@ -34,6 +35,7 @@ pub(crate) struct Slab<'a> {
     /// Last s `[m]`.
     pub(crate) s_hi: f64,
     /// The geometry that holds there.
+    geometry: &'a ArchivedGeometryRow,
     piece: Piece<'a>,
 }
 
@@ -71,8 +73,9 @@ pub(crate) fn slab<'a>(lane: &Lane<'a>, segment: usize) -> Option<Slab<'a>> {
     let slack = (end - start) * f64::from(f32::EPSILON);
     let s_lo = if (lo - geometry_start).abs() <= slack { geometry_start } else { lo };
     let s_hi = if (hi - geometry_end).abs() <= slack { geometry_end } else { hi };
-    let piece = lane.road.piece(rows.get(at)?)?;
-    (s_lo <= s_hi).then_some(Slab { s_lo, s_hi, piece })
+    let geometry = rows.get(at)?;
+    let piece = lane.road.piece(geometry)?;
+    (s_lo <= s_hi).then_some(Slab { s_lo, s_hi, geometry, piece })
 }
 
 /// The segment of the lane's centre line that s lies in; the first or last beyond the ends. `None` for lane 0.
@@ -84,15 +87,138 @@ pub(crate) fn segment_at(lane: &Lane<'_>, s: f64) -> Option<usize> {
     Some(after.saturating_sub(1).min(last))
 }
 
-/// Position and distance with respect to one slab; `local` is relative to the map's origin. `None` where the point lies
-/// outside and the limit is 0.
+/// A place across a lane, at a foot on the reference line.
+struct Across {
+    at: At,
+    /// Cosine and sine of the superelevation.
+    roll: (f64, f64),
+    /// t of the point `[m]`.
+    t: f64,
+    edges: LaneEdges,
+}
+
+impl Across {
+    #[inline]
+    fn new(lane: &Lane<'_>, slab: &Slab<'_>, u: f64, lateral: f64) -> Self {
+        let at = slab.at(clamp(slab.piece.s + u, slab.s_lo, slab.s_hi));
+        let roll = lane.road.roll(at);
+        let slopes = lane.edge_slopes(at);
+        let edges = LaneEdges { inner: slopes.inner.value, outer: slopes.outer.value };
+        Self { at, roll, t: lateral / roll.0, edges }
+    }
+
+    /// t of the lane's edges, the lower one first `[m]`.
+    #[inline]
+    fn sides(&self) -> [f64; 2] {
+        let LaneEdges { inner, outer } = self.edges;
+        [inner.min(outer), inner.max(outer)]
+    }
+
+    #[inline]
+    fn is_beside(&self) -> bool {
+        let [low, high] = self.sides();
+        self.t < low || self.t > high
+    }
+
+    /// Distance of a point beside the lane from the border on its side `[m]`.
+    fn border_distance(&self, lane: &Lane<'_>, slab: &Slab<'_>, local: DVec2) -> f64 {
+        // Where the lane has no width at the foot, its number says on which side its outer border is.
+        let outwards = match self.edges.outer - self.edges.inner {
+            0.0 => lane.number() > 0,
+            width => width > 0.0,
+        };
+        let outer = (self.t > self.sides()[1]) == outwards;
+        Border { lane, slab, local, outer }.distance(self.at.s)
+    }
+}
+
+/// A place found in a stretch of a lane. What nothing is decided by, it tells when asked.
+#[derive(Clone, Copy)]
+pub(crate) struct Place<'a> {
+    geometry: &'a ArchivedGeometryRow,
+    at: At,
+    roll_sin: f64,
+    /// Lateral coordinate `[m]`.
+    pub(crate) t: f64,
+    /// Distance from the lane's centre, positive to the left `[m]`.
+    pub(crate) offset: f64,
+    /// Distance from the lane's area in plan view `[m]`.
+    pub(crate) distance: f64,
+}
+
+impl<'a> Place<'a> {
+    #[inline]
+    fn new(slab: &Slab<'a>, across: &Across, distance: f64) -> Self {
+        Self {
+            geometry: slab.geometry,
+            at: across.at,
+            roll_sin: across.roll.1,
+            t: across.t,
+            offset: across.t - across.edges.center(),
+            distance,
+        }
+    }
+
+    /// Distance along the reference line `[m]`.
+    #[inline]
+    pub(crate) fn s(&self) -> f64 {
+        self.at.s
+    }
+
+    /// Height of the lane's plane `[m]`.
+    #[inline]
+    pub(crate) fn z(&self, lane: &Lane<'_>) -> f64 {
+        lane.road.elevation(self.at) + self.t * self.roll_sin
+    }
+
+    /// Heading of the reference line `[rad]`.
+    #[inline]
+    pub(crate) fn heading(&self, lane: &Lane<'_>) -> f64 {
+        let piece = lane.road.piece(self.geometry);
+        piece.map_or(0.0, |piece| normalize_angle(piece.curve.heading(self.at.s - piece.s)))
+    }
+
+    #[inline]
+    pub(crate) fn position(&self, lane: &Lane<'_>) -> LanePosition {
+        LanePosition {
+            s: self.at.s,
+            t: self.t,
+            offset: self.offset,
+            distance: self.distance,
+            z: self.z(lane),
+            heading: self.heading(lane),
+        }
+    }
+}
+
+/// The place of a point that a slab holds, or misses by no more than rounding; `local` is relative to the map's origin.
 #[inline]
-pub(crate) fn position_in_slab(
-    lane: &Lane<'_>,
-    slab: &Slab<'_>,
+pub(crate) fn place_inside<'a>(
+    lane: &Lane<'a>,
+    slab: &Slab<'a>,
     local: DVec2,
-    limit: f64,
-) -> Option<LanePosition> {
+) -> Option<Place<'a>> {
+    let piece = &slab.piece;
+    let [u, lateral] = piece.curve.beside(
+        local.x,
+        local.y,
+        slab.middle() - piece.s,
+        slab.s_lo - piece.s,
+        slab.s_hi - piece.s,
+    )?;
+    let across = Across::new(lane, slab, u, lateral);
+    let [low, high] = across.sides();
+    if across.t - high > EDGE || low - across.t > EDGE {
+        return None;
+    }
+    let beside = across.is_beside();
+    let distance = if beside { across.border_distance(lane, slab, local) } else { 0.0 };
+    Some(Place::new(slab, &across, distance))
+}
+
+/// The place of a point with respect to one slab, wherever the point is; `local` is relative to the map's origin.
+#[inline]
+pub(crate) fn place<'a>(lane: &Lane<'a>, slab: &Slab<'a>, local: DVec2) -> Place<'a> {
     let piece = &slab.piece;
     let foot = piece.curve.project_from(
         local.x,
@@ -101,53 +227,23 @@ pub(crate) fn position_in_slab(
         slab.s_lo - piece.s,
         slab.s_hi - piece.s,
     );
-    let inside_only = limit == 0.0;
-    if foot.clamped && inside_only {
-        return None;
+    let across = Across::new(lane, slab, foot.u, foot.lateral);
+    let beside = across.is_beside();
+    let mut distance = f64::INFINITY;
+    if foot.clamped {
+        let [low, high] = across.sides().map(|t| t * across.roll.0);
+        let (tangent, normal) = (DVec2::new(foot.cos, foot.sin), DVec2::new(-foot.sin, foot.cos));
+        let away = local - DVec2::new(foot.x, foot.y);
+        let sideways = away.dot(normal);
+        let past = sideways - clamp(sideways, low, high);
+        distance = away.dot(tangent).hypot(past);
+    } else if !beside {
+        distance = 0.0;
     }
-    let s = clamp(piece.s + foot.u, slab.s_lo, slab.s_hi);
-    let at = slab.at(s);
-    let (roll_cos, roll_sin) = lane.road.roll(at);
-    let t = foot.lateral / roll_cos;
-    let slopes = lane.edge_slopes(at);
-    let edges = LaneEdges { inner: slopes.inner.value, outer: slopes.outer.value };
-    let (low, high) = (edges.inner.min(edges.outer), edges.inner.max(edges.outer));
-    let beside = t < low || t > high;
-    if inside_only && (t - high > EDGE || low - t > EDGE) {
-        return None;
+    if beside {
+        distance = distance.min(across.border_distance(lane, slab, local));
     }
-    let distance = if !beside && !foot.clamped {
-        0.0
-    } else {
-        let mut best = f64::INFINITY;
-        if foot.clamped {
-            let (tangent, normal) =
-                (DVec2::new(foot.cos, foot.sin), DVec2::new(-foot.sin, foot.cos));
-            let away = local - DVec2::new(foot.x, foot.y);
-            let sideways = away.dot(normal);
-            let past = sideways - clamp(sideways, low * roll_cos, high * roll_cos);
-            best = away.dot(tangent).hypot(past);
-        }
-        if beside {
-            // Where the lane has no width at the foot, its number says on which side its outer border is.
-            let outwards = match edges.outer - edges.inner {
-                0.0 => lane.number() > 0,
-                width => width > 0.0,
-            };
-            let outer = (t > high) == outwards;
-            let border = Border { lane, slab, local, outer };
-            best = best.min(border.distance(s));
-        }
-        best
-    };
-    Some(LanePosition {
-        s,
-        t,
-        offset: t - edges.center(),
-        distance,
-        z: lane.road.elevation(at) + t * roll_sin,
-        heading: normalize_angle(piece.curve.heading(s - piece.s)),
-    })
+    Place::new(slab, &across, distance)
 }
 
 /// One border of a lane within a slab, as seen from a point.
@@ -252,7 +348,7 @@ pub(crate) fn position_in(lane: &Lane<'_>, local: DVec2) -> Option<LanePosition>
     let mut best: Option<LanePosition> = None;
     for segment in 0..points.len().saturating_sub(1) {
         let Some(slab) = slab(lane, segment) else { continue };
-        let Some(found) = position_in_slab(lane, &slab, local, f64::INFINITY) else { continue };
+        let found = place(lane, &slab, local).position(lane);
         let better = |b: &LanePosition| {
             (found.distance, found.offset.abs()).partial_cmp(&(b.distance, b.offset.abs()))
                 == Some(std::cmp::Ordering::Less)

@@ -2,7 +2,7 @@
 
 use crate::packed;
 use glam::{DVec2, Vec4};
-use mapd_archive::{ArchivedIndexLeafRow, NONE, Tables};
+use mapd_archive::{ArchivedIndexLeafRow, ArchivedIndexNodeRow, NONE, Tables};
 
 /// Children of a node, places of a leaf.
 const WIDTH: usize = 16;
@@ -12,6 +12,8 @@ const REACH_UNIT: f32 = 1.0 / 128.0;
 const HEIGHT_UNIT: f32 = 1.0 / 16.0;
 /// In `reach`, `overshoot` and `z_high`: any distance.
 const ANY: u16 = u16::MAX;
+/// Levels of nodes: 16⁸ leaves.
+const LEVELS: usize = 8;
 /// Places on the search stack: 15 siblings on each of 8 levels (16⁸ leaves) and some more.
 const STACK: usize = 160;
 
@@ -126,6 +128,85 @@ pub(crate) fn visit<'a>(
     }
 }
 
+/// The children of a node whose boxes hold a place, as bits; with `heights`, only those that reach between them.
+#[inline]
+fn children_around(
+    node: &ArchivedIndexNodeRow,
+    px: f32,
+    py: f32,
+    heights: Option<[f64; 2]>,
+) -> u32 {
+    let (x, y) = (Vec4::splat(px), Vec4::splat(py));
+    let fours = |values: &[f32; WIDTH], k: usize| {
+        let [a, b, c, d] = [4 * k, 4 * k + 1, 4 * k + 2, 4 * k + 3].map(|k| values[k]);
+        Vec4::new(a, b, c, d)
+    };
+    let (min_x, min_y, max_x, max_y) = (node.min_x(), node.min_y(), node.max_x(), node.max_y());
+    let mut around = 0;
+    for k in 0..WIDTH / 4 {
+        let inside = fours(min_x, k).cmple(x)
+            & fours(max_x, k).cmpge(x)
+            & fours(min_y, k).cmple(y)
+            & fours(max_y, k).cmpge(y);
+        around |= inside.bitmask() << (4 * k);
+    }
+    if let Some([low, high]) = heights {
+        let (min_z, max_z) = (node.min_z(), node.max_z());
+        for k in 0..WIDTH {
+            if f64::from(max_z[k]) < low || f64::from(min_z[k]) > high {
+                around &= !(1 << k);
+            }
+        }
+    }
+    around
+}
+
+/// Visits every leaf whose box holds the point; with `heights`, only those that reach between them. `visit` gets the leaf and
+/// the point relative to the leaf's origin. As [`visit`] with a bound of 0, for less: nothing has to be sorted.
+#[inline]
+pub(crate) fn visit_around<'a>(
+    tables: &Tables<'a>,
+    local: DVec2,
+    heights: Option<[f64; 2]>,
+    mut visit: impl FnMut(&'a ArchivedIndexLeafRow, f32, f32),
+) {
+    let Some(depth) = tables.index_levels.len().checked_sub(1) else { return };
+    let (px, py) = (local.x as f32, local.y as f32);
+    // Of the nodes above: the number of their first child, and which of their children are still to be visited.
+    let mut above = [(0u32, 0u32); LEVELS];
+    let (mut level, mut at) = (0, 0u32);
+    loop {
+        if level == depth {
+            if let Some(leaf) = tables.index_leaves.get(at as usize) {
+                let (x, y) = (f64::from(leaf.x()), f64::from(leaf.y()));
+                visit(leaf, (local.x - x) as f32, (local.y - y) as f32);
+            }
+        } else {
+            let first = tables.index_levels.get(level).copied().unwrap_or(0);
+            let node = tables.index_nodes.get(first.wrapping_add(at) as usize);
+            if let (Some(node), Some(place)) = (node, above.get_mut(level)) {
+                let children = children_around(node, px, py, heights);
+                *place = (at.wrapping_mul(WIDTH as u32), children);
+                level += 1;
+            }
+        }
+        // The next child of the nearest node above that has one left.
+        loop {
+            let Some((first, children)) =
+                level.checked_sub(1).and_then(|level| above.get_mut(level))
+            else {
+                return;
+            };
+            if *children != 0 {
+                at = first.wrapping_add(children.trailing_zeros());
+                *children &= *children - 1;
+                break;
+            }
+            level -= 1;
+        }
+    }
+}
+
 /// Visits every leaf that may hold something of a box (relative to the local origin, smallest and largest coordinates).
 pub(crate) fn visit_box<'a>(
     tables: &Tables<'a>,
@@ -150,7 +231,7 @@ struct Segments {
 }
 
 impl Segments {
-    #[inline]
+    #[inline(always)]
     fn of(leaf: &ArchivedIndexLeafRow) -> Self {
         let step = leaf.step();
         let mut segments = Self { start: [[0.0; WIDTH]; 2], delta: [[0.0; WIDTH]; 2] };
@@ -231,17 +312,77 @@ pub(crate) fn lower_bounds(
         out[k] = if lanes[k] == NONE { f32::INFINITY } else { bound };
     }
     if let Some([low, high]) = heights {
-        let (z_low, z_high) = (leaf.z_low(), leaf.z_high());
-        let z = f64::from(leaf.z());
-        let (low, high) = ((low - z) as f32, (high - z) as f32);
-        for k in 0..WIDTH {
-            let below = z_high[k] != ANY && f32::from(z_high[k]) * HEIGHT_UNIT < low;
-            if below || f32::from(z_low[k]) * HEIGHT_UNIT > high {
-                out[k] = f32::INFINITY;
+        let outside = outside_heights(leaf, low, high);
+        for (k, bound) in out.iter_mut().enumerate() {
+            if outside & 1 << k != 0 {
+                *bound = f32::INFINITY;
             }
         }
     }
     out
+}
+
+/// The places of a leaf that do not reach between two heights `[m]`, as bits.
+fn outside_heights(leaf: &ArchivedIndexLeafRow, low: f64, high: f64) -> u32 {
+    let (z_low, z_high) = (leaf.z_low(), leaf.z_high());
+    let z = f64::from(leaf.z());
+    let (low, high) = ((low - z) as f32, (high - z) as f32);
+    let outside = |k: &usize| {
+        let below = z_high[*k] != ANY && f32::from(z_high[*k]) * HEIGHT_UNIT < low;
+        below || f32::from(z_low[*k]) * HEIGHT_UNIT > high
+    };
+    (0..WIDTH).filter(outside).fold(0, |all, k| all | 1 << k)
+}
+
+/// A little more than the rounding of the products in [`places_around`], as a share.
+const PRODUCTS: f32 = 1.0 + 1.0 / (1 << 20) as f32;
+
+/// The places of a leaf whose rectangle around the segment holds the point, as bits: those whose lower bound is 0. No root
+/// and no quotient is taken. With `heights`, without those outside.
+#[inline]
+pub(crate) fn places_around(
+    leaf: &ArchivedIndexLeafRow,
+    qx: f32,
+    qy: f32,
+    heights: Option<[f64; 2]>,
+) -> u32 {
+    let (reach, overshoot) = (leaf.reach(), leaf.overshoot());
+    let any = (0..WIDTH).fold(false, |any, k| any | (reach[k] == ANY) | (overshoot[k] == ANY));
+    let around =
+        if any { unlimited_rectangles(leaf, qx, qy) } else { rectangles::<false>(leaf, qx, qy) };
+    heights.map_or(around, |[low, high]| around & !outside_heights(leaf, low, high))
+}
+
+#[cold]
+#[inline(never)]
+fn unlimited_rectangles(leaf: &ArchivedIndexLeafRow, qx: f32, qy: f32) -> u32 {
+    rectangles::<true>(leaf, qx, qy)
+}
+
+/// The places of a leaf whose rectangle holds the point, as bits; `ANY_REACH`: whether some may be unlimited.
+#[inline(always)]
+fn rectangles<const ANY_REACH: bool>(leaf: &ArchivedIndexLeafRow, qx: f32, qy: f32) -> u32 {
+    let Segments { start: [ax, ay], delta: [dx, dy] } = Segments::of(leaf);
+    let (reach, overshoot) = (leaf.reach(), leaf.overshoot());
+    let distance = |units: u16| {
+        if ANY_REACH && units == ANY { f32::INFINITY } else { f32::from(units) * REACH_UNIT }
+    };
+    // 1 where the point lies outside, else 0. What is no number is not outside.
+    let mut outside = [0f32; WIDTH];
+    for k in 0..WIDTH {
+        let (ex, ey) = (qx - ax[k], qy - ay[k]);
+        let squared = more(dx[k] * dx[k] + dy[k] * dy[k], f32::MIN_POSITIVE);
+        let forward = ex * dx[k] + ey * dy[k];
+        let sideways = ex * dy[k] - ey * dx[k];
+        // Times the segment's length, as reach and overshoot are where they are compared with.
+        let past = more(more(-forward, forward - squared), 0.0);
+        let (reach, overshoot) = (distance(reach[k]), distance(overshoot[k]));
+        let squared = squared * PRODUCTS;
+        let beside = sideways * sideways > reach * reach * squared;
+        let beyond = past * past > overshoot * overshoot * squared;
+        outside[k] = if beside | beyond { 1.0 } else { 0.0 };
+    }
+    places_within(&outside, 0.0)
 }
 
 /// The segment of any lane's centre line that is nearest to an inertial point, within `radius` `[m]`. This is the bare

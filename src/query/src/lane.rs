@@ -246,7 +246,12 @@ impl<'a> Lane<'a> {
     /// for a segment without area, or where the point is farther than `limit` `[m]` and that is cheap to tell.
     pub fn position_along(&self, segment: usize, point: DVec2, limit: f64) -> Option<LanePosition> {
         let slab = area::slab(self, segment)?;
-        area::position_in_slab(self, &slab, point - self.map.origin(), limit)
+        let local = point - self.map.origin();
+        let place = match limit {
+            0.0 => area::place_inside(self, &slab, local)?,
+            _ => area::place(self, &slab, local),
+        };
+        Some(place.position(self))
     }
 
     /// Whether a point lies in the lane's area, edges included, in plan view.

@@ -19,6 +19,7 @@ mod area;
 mod class_set;
 mod cross_section;
 mod error;
+mod fetch;
 mod file_frame;
 #[cfg(feature = "geodesy")]
 mod geodetic;

@@ -31,15 +31,11 @@ impl Map<'_> {
                 if lower[k] > bound {
                     continue;
                 }
-                let Some(found) =
-                    self.candidate((lanes[k], segments[k]), point, local, options, f64::INFINITY)
-                else {
+                let found = self.candidate((lanes[k], segments[k]), point, local, options);
+                let Some(found) = found.filter(|found| found.distance() <= options.radius) else {
                     continue;
                 };
-                if found.position.distance > options.radius {
-                    continue;
-                }
-                let found = found.nearest(*self);
+                let Some(found) = found.nearest(*self) else { continue };
                 match out.iter_mut().find(|known| known.lane == found.lane) {
                     None => out.push(found),
                     Some(known) if nearer(&found, known) => *known = found,
@@ -48,10 +44,10 @@ impl Map<'_> {
             }
             bound
         });
-        // Sorting in place allocates nothing. Candidates are made again to compare what ties go by.
+        // Sorting in place allocates nothing. What ties go by is made again.
         out.sort_unstable_by(|a, b| {
-            let candidate = |nearest: &Nearest| self.candidate_of(nearest, point, options);
-            match (candidate(a), candidate(b)) {
+            let rank = |nearest: &Nearest| self.rank_of(nearest, point, options);
+            match (rank(a), rank(b)) {
                 (Some(a), Some(b)) => a.order(&b, *self),
                 _ => Ordering::Equal,
             }

@@ -1,13 +1,15 @@
 //! The nearest lane to a point.
 
-use crate::area;
+use crate::area::{self, Place};
 use crate::error::QueryError;
+use crate::fetch::{TOGETHER, fetch};
 use crate::ids::LaneId;
 use crate::index;
 use crate::lane::Lane;
 use crate::map::Map;
 use crate::types::{LanePosition, Point};
-use mapd_archive::LaneType;
+use glam::DVec2;
+use mapd_archive::{LaneType, NONE};
 use mapd_geometry::normalize_angle;
 use std::cmp::Ordering;
 
@@ -108,60 +110,120 @@ pub struct Nearest {
     pub position: LanePosition,
 }
 
-/// A lane's stretch, as near as it comes.
+/// What candidates are compared by.
 #[derive(Clone, Copy)]
-pub(crate) struct Candidate {
+pub(crate) struct Rank {
     lane: u32,
-    pub(crate) position: LanePosition,
+    distance: f64,
     heading_difference: f64,
     z_difference: f64,
+    offset: f64,
+    s: f64,
+    t: f64,
 }
 
-impl Candidate {
-    #[inline]
-    fn new(
-        lane: &Lane<'_>,
-        position: LanePosition,
-        point: Point,
-        options: &NearestOptions,
-    ) -> Self {
-        let z_difference = point.z.map_or(0.0, |z| (z - position.z).abs());
-        let heading_difference =
-            options.heading.map_or(0.0, |heading| heading_difference(lane, &position, heading));
-        Self { lane: lane.row_number(), position, heading_difference, z_difference }
-    }
-
-    pub(crate) fn lane_id(&self, map: Map<'_>) -> LaneId {
-        LaneId { row: self.lane, content: map.content() }
-    }
-
-    pub(crate) fn nearest(&self, map: Map<'_>) -> Nearest {
-        Nearest { lane: self.lane_id(map), position: self.position }
-    }
-
-    /// Distance; then heading difference, z difference, |offset|, key, s; and what two geometries that meet round differently.
+impl Rank {
+    /// Distance; then heading difference, z difference, |offset|, key, and where two stretches of one lane meet, s and t: the
+    /// answer does not depend on which is visited first.
     #[inline]
     pub(crate) fn order(&self, other: &Self, map: Map<'_>) -> Ordering {
-        self.position
-            .distance
-            .total_cmp(&other.position.distance)
+        self.distance
+            .total_cmp(&other.distance)
             .then(self.heading_difference.total_cmp(&other.heading_difference))
             .then(self.z_difference.total_cmp(&other.z_difference))
-            .then(self.position.offset.abs().total_cmp(&other.position.offset.abs()))
+            .then(self.offset.abs().total_cmp(&other.offset.abs()))
             .then_with(|| self.order_by_key(other, map))
-            // Where two stretches of one lane meet, so that the answer does not depend on which is visited first.
-            .then(self.position.s.total_cmp(&other.position.s))
-            .then(self.position.t.total_cmp(&other.position.t))
-            .then(self.position.heading.total_cmp(&other.position.heading))
     }
 
     #[cold]
     fn order_by_key(&self, other: &Self, map: Map<'_>) -> Ordering {
-        let key = |candidate: &Self| {
-            let lane = Lane::new(map, candidate.lane)?;
+        let key = |rank: &Self| {
+            let lane = Lane::new(map, rank.lane)?;
             Some((lane.road.id(), lane.section.number(), lane.number()))
         };
-        key(self).cmp(&key(other))
+        key(self).cmp(&key(other)).then(self.s.total_cmp(&other.s)).then(self.t.total_cmp(&other.t))
+    }
+}
+
+/// A lane's stretch, as near as it comes.
+#[derive(Clone, Copy)]
+pub(crate) struct Candidate<'a> {
+    lane: u32,
+    place: Place<'a>,
+    heading_difference: f64,
+    z_difference: f64,
+}
+
+impl<'a> Candidate<'a> {
+    /// None where the options exclude it.
+    #[inline]
+    fn new(
+        lane: &Lane<'a>,
+        place: Place<'a>,
+        point: Point,
+        options: &NearestOptions,
+    ) -> Option<Self> {
+        let z_difference = point.z.map_or(0.0, |z| (z - place.z(lane)).abs());
+        let heading_difference = options
+            .heading
+            .map_or(0.0, |heading| heading_difference(lane, place.heading(lane), heading));
+        let too_far = |limit: Option<f64>, known: bool, difference: f64| {
+            known && limit.is_some_and(|limit| difference > limit)
+        };
+        let excluded = too_far(options.z_tolerance, point.z.is_some(), z_difference)
+            || too_far(options.heading_tolerance, options.heading.is_some(), heading_difference);
+        let lane = lane.row_number();
+        (!excluded).then_some(Self { lane, place, heading_difference, z_difference })
+    }
+
+    #[inline]
+    pub(crate) fn distance(&self) -> f64 {
+        self.place.distance
+    }
+
+    pub(crate) fn nearest(&self, map: Map<'a>) -> Option<Nearest> {
+        let lane = Lane::new(map, self.lane)?;
+        Some(Nearest { lane: lane.lane_id(), position: self.place.position(&lane) })
+    }
+
+    #[inline]
+    fn rank(&self) -> Rank {
+        Rank {
+            lane: self.lane,
+            distance: self.place.distance,
+            heading_difference: self.heading_difference,
+            z_difference: self.z_difference,
+            offset: self.place.offset,
+            s: self.place.s(),
+            t: self.place.t,
+        }
+    }
+
+    #[cold]
+    fn heading(&self, map: Map<'a>) -> f64 {
+        Lane::new(map, self.lane).map_or(0.0, |lane| self.place.heading(&lane))
+    }
+
+    /// By rank; and what two geometries that meet round differently.
+    #[inline]
+    fn order(&self, other: &Self, map: Map<'a>) -> Ordering {
+        self.rank()
+            .order(&other.rank(), map)
+            .then_with(|| self.heading(map).total_cmp(&other.heading(map)))
+    }
+}
+
+/// The best candidate so far.
+#[derive(Default)]
+struct Best<'a>(Option<Candidate<'a>>);
+
+impl<'a> Best<'a> {
+    #[inline]
+    fn consider(&mut self, found: Option<Candidate<'a>>, map: Map<'a>, options: &NearestOptions) {
+        let Some(found) = found.filter(|found| found.distance() <= options.radius) else { return };
+        if self.0.as_ref().is_none_or(|best| found.order(best, map) == Ordering::Less) {
+            self.0 = Some(found);
+        }
     }
 }
 
@@ -180,108 +242,142 @@ impl<'a> Map<'a> {
         let point = point.into();
         options.check(point)?;
         let local = point.xy - self.origin();
-        let (place, mut best) = self.hinted(point, local, options).unzip();
-        // Single precision rounds the bound; a little more than the radius loses nothing, the exact test follows.
-        let start = round_up(best.as_ref().map_or(options.radius, |b| b.position.distance));
+        // Whether a lane holds the point is cheaper to tell than how far off it is, and mostly one does.
+        let found = self
+            .lane_around(point, local, options)
+            .or_else(|| self.lane_beside(point, local, options));
+        Ok(found.and_then(|found| found.nearest(*self)))
+    }
+
+    /// The best of the lanes that hold a point.
+    #[inline]
+    fn lane_around(
+        &self,
+        point: Point,
+        local: DVec2,
+        options: &NearestOptions,
+    ) -> Option<Candidate<'a>> {
         let heights = options.heights(point);
+        let mut best = Best::default();
+        let mut decide = |places: &[(u32, u16)]| {
+            fetch(self.tables(), places);
+            for place in places {
+                best.consider(self.candidate_around(*place, point, local, options), *self, options);
+            }
+        };
+        let mut around = [(NONE, 0); TOGETHER];
+        let mut count = 0;
+        index::visit_around(self.tables(), local, heights, |leaf, qx, qy| {
+            let (lanes, segments) = (leaf.lane(), leaf.segment());
+            let mut places = index::places_around(leaf, qx, qy, heights);
+            while places != 0 {
+                let k = places.trailing_zeros() as usize;
+                places &= places - 1;
+                if count == TOGETHER {
+                    decide(&around);
+                    count = 0;
+                }
+                around[count] = (lanes[k], segments[k]);
+                count += 1;
+            }
+        });
+        decide(around.get(..count).unwrap_or_default());
+        best.0
+    }
+
+    /// The nearest of the lanes, where none holds the point.
+    fn lane_beside(
+        &self,
+        point: Point,
+        local: DVec2,
+        options: &NearestOptions,
+    ) -> Option<Candidate<'a>> {
+        let heights = options.heights(point);
+        let mut best = Best::default();
+        best.consider(self.hinted(point, local, options), *self, options);
+        // Single precision rounds the bound; a little more loses nothing, the exact test follows.
+        let distance = |best: &Best<'_>| {
+            round_up(best.0.as_ref().map_or(options.radius, |best| best.distance()))
+        };
+        let start = distance(&best);
         index::visit(self.tables(), local, heights, start, |leaf, qx, qy, mut bound| {
             let (lanes, segments) = (leaf.lane(), leaf.segment());
             let lower = index::lower_bounds(leaf, qx, qy, heights);
             let mut open = index::places_within(&lower, bound);
-            let mut consider = |k: usize, limit: f64, bound: &mut f32| {
-                if place == Some((lanes[k], segments[k])) {
-                    return;
-                }
-                let found = self.candidate((lanes[k], segments[k]), point, local, options, limit);
-                let Some(candidate) = found.filter(|c| c.position.distance <= options.radius)
-                else {
-                    return;
-                };
-                if best.as_ref().is_none_or(|b| candidate.order(b, *self) == Ordering::Less) {
-                    *bound = bound.min(round_up(candidate.position.distance));
-                    best = Some(candidate);
-                }
-            };
-            // Whether a lane holds the point is cheaper to tell than how far off it is, and mostly one does.
-            let mut around = open & index::places_within(&lower, 0.0);
-            while around != 0 {
-                consider(around.trailing_zeros() as usize, 0.0, &mut bound);
-                around &= around - 1;
-            }
-            if bound > 0.0 {
-                // The most promising comes first: what it yields excludes most of the others before they cost a projection.
-                while let Some(k) = index::least(&lower, open) {
-                    open &= !(1 << k);
-                    consider(k, f64::from(bound), &mut bound);
-                    open &= index::places_within(&lower, bound);
-                }
+            // The most promising comes first: what it yields excludes most of the others before they cost a projection.
+            while let Some(k) = index::least(&lower, open) {
+                open &= !(1 << k);
+                let found = self.candidate((lanes[k], segments[k]), point, local, options);
+                best.consider(found, *self, options);
+                bound = bound.min(distance(&best));
+                open &= index::places_within(&lower, bound);
             }
             bound
         });
-        Ok(best.map(|b| b.nearest(*self)))
+        best.0
     }
 
-    /// The hint's lane at the hint's place, if the point lies in it there, and which segment that is. How far off it is
-    /// otherwise would cost more than it saves.
+    /// The hint's lane at the hint's place, as far as it is from there.
     fn hinted(
         &self,
         point: Point,
-        local: glam::DVec2,
+        local: DVec2,
         options: &NearestOptions,
-    ) -> Option<((u32, u16), Candidate)> {
+    ) -> Option<Candidate<'a>> {
         let hint = options.hint?;
         let lane = self.lane(hint.lane).ok()?;
         let segment = u16::try_from(area::segment_at(&lane, hint.position.s)?).ok()?;
-        let place = (hint.lane.row(), segment);
-        let candidate = self.candidate(place, point, local, options, 0.0)?;
-        (candidate.position.distance == 0.0).then_some((place, candidate))
+        self.candidate((hint.lane.row(), segment), point, local, options)
     }
 
-    /// What a place on a lane has for ties.
-    pub(crate) fn candidate_of(
+    /// What a place on a lane is compared by.
+    pub(crate) fn rank_of(
         &self,
         found: &Nearest,
         point: Point,
         options: &NearestOptions,
-    ) -> Option<Candidate> {
+    ) -> Option<Rank> {
         let lane = Lane::new(*self, found.lane.row())?;
-        Some(Candidate::new(&lane, found.position, point, options))
+        let LanePosition { s, t, offset, distance, z, heading } = found.position;
+        let heading_difference =
+            options.heading.map_or(0.0, |travel| heading_difference(&lane, heading, travel));
+        let z_difference = point.z.map_or(0.0, |point| (point - z).abs());
+        let lane = found.lane.row();
+        Some(Rank { lane, distance, heading_difference, z_difference, offset, s, t })
     }
 
-    /// A lane's stretch as a candidate; `None` where the options exclude it, or it is farther than `limit` where that is
-    /// cheap to tell.
+    /// A lane's stretch as a candidate; `None` where the options exclude it.
     #[inline]
     pub(crate) fn candidate(
         &self,
         (lane, segment): (u32, u16),
         point: Point,
-        local: glam::DVec2,
+        local: DVec2,
         options: &NearestOptions,
-        limit: f64,
-    ) -> Option<Candidate> {
-        let lane = Lane::new(*self, lane)?;
-        if !options.types.contains(lane.kind()) {
-            return None;
-        }
+    ) -> Option<Candidate<'a>> {
+        let lane = Lane::new(*self, lane).filter(|lane| options.types.contains(lane.kind()))?;
         let slab = area::slab(&lane, usize::from(segment))?;
-        let position = area::position_in_slab(&lane, &slab, local, limit)?;
-        let found = Candidate::new(&lane, position, point, options);
-        let too_far = |limit: Option<f64>, known: bool, difference: f64| {
-            known && limit.is_some_and(|limit| difference > limit)
-        };
-        let excluded = too_far(options.z_tolerance, point.z.is_some(), found.z_difference)
-            || too_far(
-                options.heading_tolerance,
-                options.heading.is_some(),
-                found.heading_difference,
-            );
-        (!excluded).then_some(found)
+        Candidate::new(&lane, area::place(&lane, &slab, local), point, options)
+    }
+
+    /// As [`Self::candidate`], of a stretch that holds the point.
+    #[inline]
+    fn candidate_around(
+        &self,
+        (lane, segment): (u32, u16),
+        point: Point,
+        local: DVec2,
+        options: &NearestOptions,
+    ) -> Option<Candidate<'a>> {
+        let lane = Lane::new(*self, lane).filter(|lane| options.types.contains(lane.kind()))?;
+        let slab = area::slab(&lane, usize::from(segment))?;
+        Candidate::new(&lane, area::place_inside(&lane, &slab, local)?, point, options)
     }
 }
 
-/// Angle between a heading and the lane's driving direction `[rad]`, the smaller one for lanes used both ways.
-fn heading_difference(lane: &Lane<'_>, position: &LanePosition, heading: f64) -> f64 {
-    let along = normalize_angle(heading - position.heading).abs();
+/// Angle between a heading of travel and the lane's driving direction, by the heading of the reference line `[rad]`, the smaller one for lanes used both ways.
+fn heading_difference(lane: &Lane<'_>, line: f64, heading: f64) -> f64 {
+    let along = normalize_angle(heading - line).abs();
     let against = std::f64::consts::PI - along;
     if lane.is_bidirectional() {
         along.min(against)

@@ -261,14 +261,14 @@ impl<'a> Road<'a> {
     }
 
     /// The geometry that holds at s: the last that starts at or before it.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn piece_at(&self, at: At) -> Option<Piece<'a>> {
         let rows = self.geometries();
         let after = rows.partition_point(|g| g.s() <= at.hold);
         self.piece(rows.get(after.saturating_sub(1))?)
     }
 
-    #[inline]
+    #[inline(always)]
     pub(crate) fn piece(&self, g: &'a ArchivedGeometryRow) -> Option<Piece<'a>> {
         let start = Start { x: g.x(), y: g.y(), heading: g.hdg(), cos: g.cos(), sin: g.sin() };
         let coefficients = g.coefficients().of(self.map.tables().coefficients);
@@ -295,7 +295,7 @@ impl<'a> Road<'a> {
     }
 
     /// The reference line at s, relative to the local origin.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn reference_at(&self, at: At) -> Option<CurvePoint> {
         let piece = self.piece_at(at)?;
         Some(piece.curve.evaluate(at.s - piece.s))
