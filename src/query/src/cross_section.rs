@@ -216,7 +216,7 @@ impl<'a> SectionCutter<'a> {
         let widths = self.widths(s)?;
         let offset = widths.offset.value(s);
         let none = LaneEdges { inner: offset, outer: offset };
-        let (inward, sign) = widths.from_center(lane)?;
+        let (inward, sign) = widths.outwards_to(lane)?;
         let mut edge = offset;
         Some(inward.iter().fold(none, |_, width| width.step(&mut edge, s, sign)))
     }
@@ -252,7 +252,7 @@ impl SectionCutter<'_> {
         })?;
         let curvature = frame.piece.curve.even_curvature_up_to(to - frame.piece.s)?;
         let widths = self.widths(from)?;
-        let (inner, _) = widths.from_center(lane)?;
+        let (inner, _) = widths.outwards_to(lane)?;
         let is_constant = widths.held.covers(from, to)
             && widths.offset.is_constant()
             && inner.iter().all(|width| width.record.is_constant());
@@ -277,7 +277,7 @@ impl SectionCutter<'_> {
             self.lanes = Some(Widths::at(&self.road, &self.section, from)?);
         }
         let widths = self.lanes.as_ref()?;
-        let (inner, _) = widths.from_center(lane)?;
+        let (inner, _) = widths.outwards_to(lane)?;
         let is_even = |width: &Width| {
             let is_open = |s: f64| width.is_border || width.record.value(s) >= 0.0;
             width.record.is_even() && is_open(from) && is_open(to)
@@ -305,7 +305,7 @@ impl Widths {
     /// A lane, counted from the left, and those between it and the centre lane, from there outwards, with the sign of t on
     /// their side.
     #[inline]
-    fn from_center(&self, lane: usize) -> Option<(&[Width], f64)> {
+    fn outwards_to(&self, lane: usize) -> Option<(&[Width], f64)> {
         let center = self.left.len();
         if lane < center {
             Some((self.left.get(..center - lane)?, 1.0))
