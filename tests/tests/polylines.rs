@@ -1,7 +1,7 @@
 //! Polylines never lie farther from the exact lines than the options say: dense comparison, several tolerances.
 
 use mapd_client::glam::DVec3;
-use mapd_client::{Lane, Polyline, Snapshot, Track};
+use mapd_client::{Lane, Polyline, SectionCutter, Snapshot, Track};
 use mapd_compiler::{CompileOptions, compile};
 use mapd_tests::maps::carried_and;
 use std::path::Path;
@@ -81,9 +81,34 @@ fn check(snapshot: &Snapshot, name: &str, (center, bound): (f64, f64)) -> usize 
             let key = lane.key();
             assert!(off <= limit, "{name}: {line} of {key} is {off} m off, allowed {limit}");
         }
+        check_at_once(&lane, name);
         compared += lane.border().len();
     }
     compared
+}
+
+/// What is computed for many places at once is what is computed for one: a section's cuts, the points of a line.
+fn check_at_once(lane: &Lane<'_>, name: &str) {
+    let (key, section) = (lane.key(), lane.section());
+    for line in [lane.center_line(), lane.border()] {
+        assert!(line.points().eq(line.stations().zip(line.positions())), "{name}: {key}");
+    }
+    let number = section.lanes().position(|other| other.key() == key).expect("its number");
+    let mut cutter = SectionCutter::new(section).expect("a sound section");
+    let mut all = vec![lane.edges_at(0.0); section.lanes().count()];
+    let (start, end) = (section.s_start(), section.s_end());
+    let [from, .., to] = [0, 1, 2, 3, 4].map(|i| {
+        let s = start + (end - start) * f64::from(i) / 4.0;
+        let own = lane.edges_at(s);
+        assert_eq!(cutter.lane_edges(number, s), Some(own), "{name}: {key} at {s}");
+        cutter.edges(s, &mut all).expect("edges");
+        assert_eq!(all.get(number), Some(&own), "{name}: {key} at {s}");
+        (s, own)
+    });
+    // Arcs are as wide at their end as where they begin.
+    if cutter.arc(number, from.0, to.0).is_some() {
+        assert_eq!(from.1, to.1, "{name}: {key}");
+    }
 }
 
 #[test]

@@ -75,7 +75,7 @@ pub use object_codes::{
     object_flags, outline_flags,
 };
 pub use open::{Archive, open, string};
-pub use points::PointCode;
+pub use points::{PointCode, PointReader};
 pub use signal_codes::{
     LaneMethod, NO_RELATION, Orientation, Relation, RelationReason, SignalPosition, signal_flags,
     signal_values,

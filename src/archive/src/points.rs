@@ -139,16 +139,89 @@ impl PointCode {
     pub fn write(&self, offset: [f64; 3], station: u32, out: &mut Vec<u8>) {
         let [xy, z] = self.exponents.map(power);
         let [for_station, x, y, for_z] = self.bits;
-        let mut bits = u128::from(u64::from(station) & mask(for_station));
+        let station = u64::from(station) & mask(for_station);
+        let counts = [x, y, for_z];
+        let steps: [u64; 3] = std::array::from_fn(|axis| {
+            rounded(offset[axis] / [xy, xy, z][axis]).min(mask(counts[axis]))
+        });
         let mut at = u32::from(for_station);
-        for ((offset, step), count) in offset.into_iter().zip([xy, xy, z]).zip([x, y, for_z]) {
-            // Casts saturate.
-            let steps = ((offset / step).round() as u64).min(mask(count));
-            bits |= u128::from(steps).unbounded_shl(at);
-            at += u32::from(count);
+        if self.bytes <= 8 {
+            let mut bits = station;
+            for (steps, count) in steps.into_iter().zip(counts) {
+                bits |= steps.unbounded_shl(at);
+                at += u32::from(count);
+            }
+            let bytes = bits.to_le_bytes();
+            out.extend_from_slice(bytes.get(..self.bytes()).unwrap_or(&bytes));
+        } else {
+            let mut bits = u128::from(station);
+            for (steps, count) in steps.into_iter().zip(counts) {
+                bits |= u128::from(steps).unbounded_shl(at);
+                at += u32::from(count);
+            }
+            let bytes = bits.to_le_bytes();
+            out.extend_from_slice(bytes.get(..self.bytes()).unwrap_or(&bytes));
         }
-        out.extend(bits.to_le_bytes().into_iter().take(self.bytes()));
     }
+
+    /// Ready to read many points.
+    #[inline]
+    pub fn reader(&self) -> PointReader {
+        let [station, x, y, z] = self.bits;
+        let [xy_step, z_step] = self.exponents.map(power);
+        PointReader {
+            code: *self,
+            // More than 63 bits behind each other: those points are read one by one.
+            shifts: [
+                station,
+                station.saturating_add(x),
+                station.saturating_add(x).saturating_add(y),
+            ],
+            masks: [station, x, y, z].map(mask),
+            steps: [xy_step, xy_step, z_step],
+        }
+    }
+}
+
+/// A code with what is the same for all its points.
+#[derive(Clone, Copy, Debug)]
+pub struct PointReader {
+    code: PointCode,
+    /// Where x, y and z begin.
+    shifts: [u8; 3],
+    /// Of the station's number, of x, y and z.
+    masks: [u64; 4],
+    steps: [f64; 3],
+}
+
+impl PointReader {
+    /// Station's number and offset of the point that begins with the first of some bytes: what [`PointCode::station`] and
+    /// [`PointCode::offset`] give.
+    #[inline]
+    pub fn read(&self, bytes: &[u8]) -> (u32, [f64; 3]) {
+        if self.code.bytes > 8 {
+            return (self.code.station(bytes), self.code.offset(bytes));
+        }
+        let all = low(bytes);
+        let [station, x, y, z] = self.masks;
+        let steps = [x, y, z].into_iter().zip(self.shifts);
+        let mut offset = self.steps;
+        for (offset, (mask, shift)) in offset.iter_mut().zip(steps) {
+            // Less than 2⁶³, so that the sign does not matter.
+            *offset *= (all.unbounded_shr(shift.into()) & mask) as i64 as f64;
+        }
+        ((all & station) as u32, offset)
+    }
+}
+
+/// The nearest whole number, of two the larger one, from 0 to 2⁶³ − 1, the most that a part of a point can be: 0 for what is
+/// no number.
+#[inline]
+fn rounded(value: f64) -> u64 {
+    // Casts saturate.
+    let toward_zero = value as i64;
+    let up = i64::from(value - toward_zero as f64 >= 0.5);
+    toward_zero.saturating_add(up).max(0) as u64
 }
 
 fn biased(exponent: i32) -> u8 {
@@ -207,6 +280,7 @@ mod tests {
             for _ in 0..2 {
                 assert_eq!(code.station(&out), station);
                 let found = code.offset(&out);
+                assert_eq!(code.reader().read(&out), (station, found));
                 for axis in 0..3 {
                     assert!((found[axis] - offset[axis]).abs() <= 0.5 * step, "{code:?} {axis}");
                 }
@@ -214,6 +288,20 @@ mod tests {
                 assert!(off.sqrt() <= code.error() * (1.0 + 1e-9));
                 code.write(reach, 0, &mut out);
             }
+        }
+    }
+
+    #[test]
+    fn rounds_as_the_library_does() {
+        let odd = [0.0, -0.0, -0.5, -7.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300];
+        let near = (0..64).flat_map(|exponent| {
+            let power = 2f64.powi(exponent);
+            [power, power - 0.5, power + 0.5, power.next_down(), power.next_up(), power - 0.25]
+        });
+        let halves = [0.5f64, 1.5, 2.5, 4_503_599_627_370_495.5];
+        let halves = halves.into_iter().flat_map(|half| [half.next_down(), half, half.next_up()]);
+        for value in odd.into_iter().chain(near).chain(halves) {
+            assert_eq!(rounded(value), (value.round() as u64).min(i64::MAX as u64), "{value}");
         }
     }
 

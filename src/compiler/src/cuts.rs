@@ -20,35 +20,28 @@ struct Cut {
 /// Memory of cross-sections, for one section after the other.
 pub(crate) struct Memory {
     cuts: Vec<Cut>,
-    /// Edges of all lanes of the section, cut by cut.
-    edges: Vec<LaneEdges>,
     /// Sections so far.
     sections: u64,
 }
 
 impl Memory {
     pub(crate) fn new() -> Self {
-        Self { cuts: vec![Cut::default(); KEPT], edges: Vec::new(), sections: 0 }
+        Self { cuts: vec![Cut::default(); KEPT], sections: 0 }
     }
 }
 
-/// Cuts one section; a place that was asked for lately is not computed again.
+/// Cuts one section; the frame at a place that was asked for lately is not computed again. Edges are: a few cubics take less
+/// than keeping those of all lanes, most of which nobody asks for at the same place.
 pub(crate) struct Cuts<'m, 'a> {
     memory: &'m mut Memory,
     cutter: SectionCutter<'a>,
-    lanes: usize,
 }
 
 impl<'m, 'a> Cuts<'m, 'a> {
     /// None where the section cannot be cut.
     pub(crate) fn new(section: LaneSection<'a>, memory: &'m mut Memory) -> Option<Self> {
-        let lanes = section.lanes().count();
         memory.sections += 1;
-        let room = KEPT * lanes;
-        if memory.edges.len() < room {
-            memory.edges.resize(room, LaneEdges { inner: 0.0, outer: 0.0 });
-        }
-        Some(Self { memory, cutter: SectionCutter::new(section)?, lanes })
+        Some(Self { memory, cutter: SectionCutter::new(section)? })
     }
 
     /// A place of a lane, counted from the left, at s, relative to the local origin; `t` chooses between its edges.
@@ -62,19 +55,22 @@ impl<'m, 'a> Cuts<'m, 'a> {
         let bits = s.to_bits();
         let slot = (bits.wrapping_mul(SPREAD) >> (64 - KEPT.trailing_zeros())) as usize;
         let cut = self.memory.cuts.get_mut(slot)?;
-        let edges = self.memory.edges.get_mut(slot * self.lanes..(slot + 1) * self.lanes)?;
         if (cut.s, cut.section) != (bits, self.memory.sections) {
             // Marked first: what fails is not found again.
             cut.section = 0;
             cut.frame = self.cutter.cut(s)?;
-            self.cutter.edges(s, edges)?;
             (cut.s, cut.section) = (bits, self.memory.sections);
         }
-        Some(cut.frame.place(t(*edges.get(lane)?)))
+        Some(cut.frame.place(t(self.cutter.lane_edges(lane, s)?)))
     }
 
     /// Whether a lane's edges are straight from one s up to another.
     pub(crate) fn is_straight(&mut self, lane: usize, from: f64, to: f64) -> bool {
         self.cutter.is_straight(lane, from, to)
+    }
+
+    /// Curvature of the reference line where a lane's edges are known to be arcs from one s up to another.
+    pub(crate) fn arc(&mut self, lane: usize, from: f64, to: f64) -> Option<f64> {
+        self.cutter.arc(lane, from, to)
     }
 }

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use mapd_geometry::clamp;
+use std::f64::consts::FRAC_PI_2;
 
 /// Depth of cutting one stretch into two or more parts, and these again.
 const MAX_DEPTH: u32 = 20;
@@ -15,6 +16,12 @@ const SHARE: f64 = 0.95;
 /// Between two places the curve leaves the line through them by an eighth of the second difference there, if its second
 /// derivative is constant; doubled, because it is not.
 const BETWEEN: f64 = 2.0 / 8.0;
+
+/// Second difference of an arc between the quarters of its chord, in units of the distance of its middle from it: so much for a
+/// short one, four hundredths more for a quarter of a turn.
+const BEND_OF_ARC: f64 = 0.5;
+/// Arcs up to so long are nowhere as far from their chord as in the middle `[rad]`.
+const LONGEST_ARC: f64 = FRAC_PI_2;
 
 /// Factor on the distance from the chord when it is shared out: what may lie between the places comes to an eighth of it.
 const ALLOWANCE: f64 = 1.15;
@@ -55,6 +62,22 @@ pub(crate) trait Curve {
     fn is_straight(&mut self, _from: f64, _to: f64) -> bool {
         false
     }
+
+    /// Radians that it turns in plan view per metre of s, where the curve is known to be an arc or a helix from one s up to
+    /// another: then its middle tells how far it is from its chord.
+    fn arc(&mut self, _from: f64, _to: f64) -> Option<f64> {
+        None
+    }
+}
+
+/// How finely a stretch is cut.
+#[derive(Clone, Copy)]
+struct Fineness {
+    tolerance: f64,
+    /// Points that the line may have.
+    most: usize,
+    /// Longest part `[m]` that is an arc as far as [`LONGEST_ARC`]; 0 where there is none.
+    arc: f64,
 }
 
 impl<F: FnMut(f64) -> Option<DVec3>> Curve for F {
@@ -89,7 +112,10 @@ pub(crate) fn flatten(
             if curve.is_straight(start, end) {
                 out.push(last);
             } else {
-                refine((first, last), (tolerance * SHARE, most), MAX_DEPTH, curve, out)?;
+                let turn = curve.arc(start, end);
+                let arc = turn.map_or(0.0, |turn| LONGEST_ARC / turn.abs());
+                let fineness = Fineness { tolerance: tolerance * SHARE, most, arc };
+                refine((first, last), fineness, MAX_DEPTH, curve, out)?;
             }
         }
         if out.len() > most {
@@ -113,16 +139,16 @@ fn place(curve: &mut impl Curve, s: f64) -> Result<DVec3, Fault> {
 
 fn refine(
     (a, b): (Sample, Sample),
-    (tolerance, most): (f64, usize),
+    fineness: Fineness,
     depth: u32,
     curve: &mut impl Curve,
     out: &mut Vec<Sample>,
 ) -> Result<(), Fault> {
-    if out.len() > most {
+    if out.len() > fineness.most {
         return Err(Fault::TooManyPoints);
     }
     let parts =
-        if depth == 0 { 1 } else { parts(a, b, tolerance, curve).ok_or(Fault::NotFinite)? };
+        if depth == 0 { 1 } else { parts(a, b, fineness, curve).ok_or(Fault::NotFinite)? };
     if parts == 1 {
         out.push(b);
         return Ok(());
@@ -135,7 +161,7 @@ fn refine(
             let s = a.s + (b.s - a.s) * (f64::from(i) / f64::from(parts));
             Sample { s, position: place(curve, s)? }
         };
-        refine((from, to), (tolerance, most), depth - 1, curve, out)?;
+        refine((from, to), fineness, depth - 1, curve, out)?;
         from = to;
     }
     Ok(())
@@ -143,7 +169,8 @@ fn refine(
 
 /// Into how many parts a stretch is cut: one where the curve stays near the chord between two of its points, at the places
 /// that are looked at, and, as far as differences tell how it bends, between them.
-fn parts(a: Sample, b: Sample, tolerance: f64, curve: &mut impl Curve) -> Option<u32> {
+fn parts(a: Sample, b: Sample, fineness: Fineness, curve: &mut impl Curve) -> Option<u32> {
+    let tolerance = fineness.tolerance;
     let mut at = |share: f64| curve.at(a.s + (b.s - a.s) * share);
     let mut place = |i: usize| at(i as f64 / PARTS as f64);
     let chord = Chord::new(a.position, b.position);
@@ -152,6 +179,13 @@ fn parts(a: Sample, b: Sample, tolerance: f64, curve: &mut impl Curve) -> Option
     let off = chord.distance_squared(middle).sqrt();
     if off > tolerance {
         return Some(needed(off / tolerance));
+    }
+    let in_all = |off: f64, bend: f64| {
+        let excess = (off + BETWEEN * bend) / tolerance;
+        if excess <= 1.0 { 1 } else { needed(excess) }
+    };
+    if b.s - a.s <= fineness.arc {
+        return Some(in_all(off, BEND_OF_ARC * off));
     }
     let (mut before, mut here) = (a.position, place(1)?);
     let (mut off, mut bend) = (off * off, 0f64);
@@ -166,8 +200,7 @@ fn parts(a: Sample, b: Sample, tolerance: f64, curve: &mut impl Curve) -> Option
         (before, here) = (here, next);
     }
     off = off.max(chord.distance_squared(at(ODD_SHARE)?));
-    let excess = (off.sqrt() + BETWEEN * bend.sqrt()) / tolerance;
-    Some(if excess <= 1.0 { 1 } else { needed(excess) })
+    Some(in_all(off.sqrt(), bend.sqrt()))
 }
 
 /// Parts into which a stretch is cut whose curve leaves the chord by more than the tolerance, so many times: the distance

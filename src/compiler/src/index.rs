@@ -1,13 +1,14 @@
 //! Builds the packed spatial index over the lanes' centre lines.
 
 use crate::TooLarge;
+use crate::decoded::{Line, Lines};
 use crate::lanes::view;
 use crate::options::CompileOptions;
-use crate::packed::{ROUNDING, WIDTH, ordered, round_up, stack};
+use crate::packed::{Key, ROUNDING, WIDTH, ordered, round_up, stack};
 use glam::{DVec2, DVec3};
 use mapd_archive::{IndexLeafRow, IndexNodeRow, NONE, Rows};
 use mapd_geometry::clamp;
-use mapd_query::{Lane, Map};
+use mapd_query::Map;
 use rayon::prelude::*;
 
 /// Added to every reach, overshoot and height `[m]`, besides the tolerances: single precision within a leaf.
@@ -21,7 +22,7 @@ const HEIGHT_UNITS: f64 = 16.0;
 
 /// A segment of a centre line. All of them are ordered at once, so that there is no more of each than its name; what is
 /// stored of it is computed leaf by leaf.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Place {
     lane: u32,
     segment: u16,
@@ -52,17 +53,15 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
     let archive = view(rows);
     let map = Map::new(&archive, 0);
     let lanes = (0..rows.lanes.len() as u32).into_par_iter();
-    let places: Vec<Place> = lanes.flat_map_iter(|lane| places(map, lane)).collect();
-    if places.is_empty() {
+    let keys: Vec<Key<Place>> = lanes.flat_map_iter(|lane| places(map, lane)).collect();
+    if keys.is_empty() {
         return Ok(());
     }
-    u32::try_from(places.len()).map_err(|_| TooLarge::new("index_leaves"))?;
-    let places = ordered(places, |place| {
-        let ends = ends(map, place);
-        ends[0] + ends[1]
-    });
+    u32::try_from(keys.len()).map_err(|_| TooLarge::new("index_leaves"))?;
+    let places = ordered(keys);
+    let leaf = |lines: &mut Lines<'_>, places: &[Place]| leaf(lines, places, options);
     let (leaves, boxes): (Vec<_>, Vec<_>) =
-        places.par_chunks(WIDTH).map(|places| leaf(map, places, options)).unzip();
+        places.par_chunks(WIDTH).map_init(|| Lines::new(map), leaf).unzip();
     let (levels, nodes) = stack(boxes, node);
     rows.index_levels = levels.into();
     rows.index_nodes = nodes.into();
@@ -70,22 +69,31 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
     Ok(())
 }
 
-/// The segments of a lane that have an area. Both sides of a jump have none between them.
-fn places(map: Map<'_>, lane: u32) -> impl Iterator<Item = Place> + use<'_> {
+/// The segments of a lane that have an area, to be ordered by their middles. Both sides of a jump have none between them.
+fn places(map: Map<'_>, lane: u32) -> Vec<Key<Place>> {
     let row = map.lane_by_row(lane).filter(|lane| !lane.is_temporary());
-    let line = row.map(|lane| lane.center_line());
-    let last = line.map_or(0, |line| line.len().saturating_sub(1));
-    let station = move |i: usize| line.and_then(|line| line.station(i));
-    let has_area = move |i: &usize| station(*i) != station(i + 1);
-    (0..last).filter(has_area).map(move |segment| Place { lane, segment: segment as u16 })
+    let Some(line) = row.map(|lane| lane.center_line()) else { return Vec::new() };
+    let origin = map.local_origin();
+    let mut keys = Vec::with_capacity(line.len());
+    let (mut before, mut segment) = (None, 0);
+    for (s, position) in line.points() {
+        let here = (position.truncate() - origin, s);
+        if let Some((place, at)) = before.replace(here) {
+            if at != s {
+                keys.push(Key::new(place + here.0, Place { lane, segment }));
+            }
+            segment += 1;
+        }
+    }
+    keys
 }
 
 /// Both ends of a segment.
-fn ends(map: Map<'_>, place: &Place) -> [DVec2; 2] {
-    let Some(lane) = map.lane_by_row(place.lane) else { return [DVec2::ZERO; 2] };
-    let (line, first) = (lane.center_line(), usize::from(place.segment));
-    let at = |i: usize| line.position(i).unwrap_or_default().truncate() - map.local_origin();
-    [at(first), at(first + 1)]
+fn ends(lines: &mut Lines<'_>, place: &Place) -> [DVec2; 2] {
+    let Some(lane) = lines.of(place.lane) else { return [DVec2::ZERO; 2] };
+    let first = usize::from(place.segment);
+    [first, first + 1]
+        .map(|i| lane.center.points().get(i).map_or(DVec2::ZERO, |point| point.place.truncate()))
 }
 
 impl Extent {
@@ -102,13 +110,11 @@ impl Extent {
 
 /// The extent of a lane's area between two s. The area lies in the hull of both borders' stretches, and what is asked of
 /// it (how far to the sides, beyond the ends, up and down) is greatest at a point of theirs, or where they are cut.
-fn extent(lane: &Lane<'_>, map_origin: DVec2, ends: [DVec2; 2], cuts: [f64; 2]) -> Extent {
+fn extent(borders: [&Line; 2], ends: [DVec2; 2], cuts: [f64; 2]) -> Extent {
     let along = ends[1] - ends[0];
     let length = along.length();
     let mut extent = Extent::NONE;
-    for border in [lane.left_bound(), lane.right_bound()] {
-        let point =
-            |i: usize| Some((border.position(i)? - map_origin.extend(0.0), border.station(i)?));
+    for border in borders {
         let mut visit = |p: DVec3| {
             let away = p.truncate() - ends[0];
             let (forward, sideways) = if length > 0.0 {
@@ -122,12 +128,13 @@ fn extent(lane: &Lane<'_>, map_origin: DVec2, ends: [DVec2; 2], cuts: [f64; 2]) 
         };
         let from = border.points_before(cuts[0]);
         let to = border.points_before(cuts[1].next_up());
-        (from..to).filter_map(point).for_each(|(p, _)| visit(p));
+        border.points().get(from..to).unwrap_or(&[]).iter().for_each(|p| visit(p.place));
         for (cut, i) in [(cuts[0], from), (cuts[1], to)] {
-            if let (Some((p, s_p)), Some((q, s_q))) = (i.checked_sub(1).and_then(point), point(i))
-                && s_q > s_p
+            if let Some(p) = i.checked_sub(1).and_then(|i| border.points().get(i))
+                && let Some(q) = border.points().get(i)
+                && q.s > p.s
             {
-                visit(p.lerp(q, clamp((cut - s_p) / (s_q - s_p), 0.0, 1.0)));
+                visit(p.place.lerp(q.place, clamp((cut - p.s) / (q.s - p.s), 0.0, 1.0)));
             }
         }
     }
@@ -197,11 +204,15 @@ fn ends_in_steps(frame: &Frame, ends: [DVec2; 2]) -> [[u16; 2]; 2] {
 
 /// A leaf and the box of all areas in it. How far an area reaches is told from its segment as it is written, so that
 /// writing it in steps loses nothing.
-fn leaf(map: Map<'_>, places: &[Place], options: &CompileOptions) -> (IndexLeafRow, Bounds) {
+fn leaf(
+    lines: &mut Lines<'_>,
+    places: &[Place],
+    options: &CompileOptions,
+) -> (IndexLeafRow, Bounds) {
     let mut written = [[DVec2::ZERO; 2]; WIDTH];
     let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
     for (written, place) in written.iter_mut().zip(places) {
-        *written = ends(map, place);
+        *written = ends(lines, place);
         low = low.min(written[0]).min(written[1]);
         high = high.max(written[0]).max(written[1]);
     }
@@ -226,7 +237,7 @@ fn leaf(map: Map<'_>, places: &[Place], options: &CompileOptions) -> (IndexLeafR
     for (k, (place, ends)) in places.iter().zip(written).enumerate().take(WIDTH) {
         let [start, end] = ends_in_steps(&frame, ends);
         ([row.start_x[k], row.start_y[k]], [row.end_x[k], row.end_y[k]]) = (start, end);
-        entries.push(entry(map, *place, [start, end].map(|end| frame.place(end)), options));
+        entries.push(entry(lines, *place, [start, end].map(|end| frame.place(end)), options));
     }
     let lowest = entries.iter().map(|e| e.extent.z[0]).fold(f64::INFINITY, f64::min);
     row.z = round_down(lowest);
@@ -247,12 +258,17 @@ fn leaf(map: Map<'_>, places: &[Place], options: &CompileOptions) -> (IndexLeafR
 }
 
 /// A segment between its ends as they are written.
-fn entry(map: Map<'_>, place: Place, [a, b]: [DVec2; 2], options: &CompileOptions) -> Entry {
+fn entry(
+    lines: &mut Lines<'_>,
+    place: Place,
+    [a, b]: [DVec2; 2],
+    options: &CompileOptions,
+) -> Entry {
     let mut extent = Extent::NONE;
-    if let Some(lane) = map.lane_by_row(place.lane) {
-        let (line, first) = (lane.center_line(), usize::from(place.segment));
-        let cuts = [first, first + 1].map(|i| line.station(i).unwrap_or_default());
-        extent = self::extent(&lane, map.local_origin(), [a, b], cuts);
+    if let Some(lane) = lines.of(place.lane) {
+        let first = usize::from(place.segment);
+        let station = |i: usize| lane.center.points().get(i).map_or(0.0, |point| point.s);
+        extent = self::extent(lane.borders, [a, b], [first, first + 1].map(station));
     }
     let margin = 2.0 * options.bound_tolerance + REACH_MARGIN;
     Entry { a, b, extent: extent.widened(margin), place }

@@ -278,6 +278,10 @@ impl<T: Fn(LaneEdges) -> f64> Curve for LaneCurve<'_, '_, '_, T> {
     fn is_straight(&mut self, from: f64, to: f64) -> bool {
         self.cuts.is_straight(self.lane, from, to)
     }
+
+    fn arc(&mut self, from: f64, to: f64) -> Option<f64> {
+        self.cuts.arc(self.lane, from, to)
+    }
 }
 
 /// Every s of the lane's section at which some record that shapes it begins, with both ends.

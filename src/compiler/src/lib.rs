@@ -20,6 +20,7 @@
 
 mod allowance;
 mod cuts;
+mod decoded;
 mod flatten;
 mod frame;
 mod georeference;

@@ -33,7 +33,9 @@ pub(crate) fn pack(entries: Vec<Entry>) -> Packed {
     if entries.is_empty() {
         return Packed::default();
     }
-    let entries = ordered(entries, |e| e.low + e.high);
+    let number = |(number, e): (usize, &Entry)| Key::new(e.low + e.high, number as u32);
+    let numbers = ordered(entries.par_iter().enumerate().map(number).collect());
+    let entries: Vec<Entry> = numbers.iter().map(|number| entries[*number as usize]).collect();
     let boxes = entries.iter().map(|e| (e.low, e.high)).collect();
     let (levels, nodes) = stack(boxes, node);
     Packed { levels, nodes, items: entries.iter().map(|entry| entry.item).collect() }
@@ -41,11 +43,18 @@ pub(crate) fn pack(entries: Vec<Entry>) -> Packed {
 
 /// An entry while entries are ordered.
 #[derive(Clone, Copy)]
-struct Key {
+pub(crate) struct Key<T> {
     /// Twice the middle, as numbers that compare as the coordinates do.
     middle: [i64; 2],
-    /// Place of the entry, which breaks ties.
-    entry: u32,
+    /// The entry, which breaks ties.
+    entry: T,
+}
+
+impl<T> Key<T> {
+    /// An entry by twice its middle.
+    pub(crate) fn new(middle: DVec2, entry: T) -> Self {
+        Self { middle: middle.to_array().map(comparable), entry }
+    }
 }
 
 /// A number that compares as the coordinate does.
@@ -59,24 +68,15 @@ fn coordinate(comparable: i64) -> f64 {
     f64::from_bits((comparable ^ ((comparable >> 63) & i64::MAX)) as u64)
 }
 
-/// Entries so ordered that consecutive sixteens lie close together, and sixteens of sixteens as well. `middle` gives twice the
-/// middle of an entry.
-pub(crate) fn ordered<T: Copy + Send + Sync>(
-    entries: Vec<T>,
-    middle: impl Fn(&T) -> DVec2 + Sync,
-) -> Vec<T> {
-    let key = |(number, entry): (usize, &T)| Key {
-        middle: middle(entry).to_array().map(comparable),
-        entry: number as u32,
-    };
-    let mut keys: Vec<Key> = entries.par_iter().enumerate().map(key).collect();
+/// Entries so ordered that consecutive sixteens lie close together, and sixteens of sixteens as well. No two are equal.
+pub(crate) fn ordered<T: Copy + Ord + Send + Sync>(mut keys: Vec<Key<T>>) -> Vec<T> {
     order(&mut keys);
-    keys.par_iter().map(|key| entries[key.entry as usize]).collect()
+    keys.par_iter().map(|key| key.entry).collect()
 }
 
 /// Halves along the longer side at multiples of whole subtrees. The order is total, so that the result does not depend on
 /// how it is sorted.
-fn order(keys: &mut [Key]) {
+fn order<T: Copy + Ord + Send>(keys: &mut [Key<T>]) {
     let mut unit = WIDTH;
     while unit * WIDTH < keys.len() {
         unit *= WIDTH;

@@ -48,6 +48,17 @@ impl<'a> Curve<'a> {
         matches!(self.shape, Shape::Line) && u <= self.length
     }
 
+    /// The curvature `[1/m]` of a line or an arc that does not end before u `[m]`; none of other curves.
+    #[must_use]
+    pub fn even_curvature_up_to(&self, u: f64) -> Option<f64> {
+        let curvature = match self.shape {
+            Shape::Line => 0.0,
+            Shape::Arc { curvature } => curvature,
+            _ => return None,
+        };
+        (u <= self.length).then_some(curvature)
+    }
+
     /// A view of the coefficients that [`compile`](crate::compile()) made for this kind and length `[m]`.
     ///
     /// `None` if their number does not fit the kind, or the length is negative or not finite.

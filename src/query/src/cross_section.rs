@@ -107,6 +107,10 @@ impl Record {
         self.cubic.value(s - self.s)
     }
 
+    fn is_constant(&self) -> bool {
+        self.is_even() && self.cubic.b == 0.0
+    }
+
     /// Whether it grows evenly.
     fn is_even(&self) -> bool {
         self.cubic.c == 0.0 && self.cubic.d == 0.0
@@ -180,7 +184,7 @@ impl<'a> SectionCutter<'a> {
             self.frame = Some(Frame::at(&self.road, s)?);
         }
         let frame = self.frame.as_ref()?;
-        let point = frame.piece.curve.evaluate(s - frame.piece.s);
+        let point = frame.piece.curve.tangent(s - frame.piece.s);
         let (roll_cos, roll_sin) = profile::roll(frame.superelevation.value(s));
         let (x, y, z) = (point.x, point.y, frame.elevation.value(s));
         Some(CrossSection { x, y, z, cos: point.cos, sin: point.sin, roll_cos, roll_sin })
@@ -189,11 +193,7 @@ impl<'a> SectionCutter<'a> {
     /// Edges at s of all lanes, from left to right, as [`crate::Lane::edges_at`] has them one by one. `edges` has a place
     /// for each lane. None for a damaged archive, and for a section without a centre lane.
     pub fn edges(&mut self, s: f64, edges: &mut [LaneEdges]) -> Option<()> {
-        let at = At::within(s, self.section.s_start(), self.section.s_end());
-        if !self.lanes.as_ref().is_some_and(|lanes| lanes.held.contains(at.hold)) {
-            self.lanes = Some(Widths::at(&self.road, &self.section, at.hold)?);
-        }
-        let widths = self.lanes.as_ref()?;
+        let widths = self.widths(s)?;
         let offset = widths.offset.value(s);
         let (left, right) = edges.split_at_mut_checked(widths.left.len())?;
         let (center, right) = right.split_first_mut()?;
@@ -208,6 +208,28 @@ impl<'a> SectionCutter<'a> {
         }
         Some(())
     }
+
+    /// Edges at s of one lane, counted from the left, the same as [`Self::edges`] gives. None for a damaged archive, for a
+    /// section without a centre lane, and for a lane that it does not have.
+    #[inline]
+    pub fn lane_edges(&mut self, lane: usize, s: f64) -> Option<LaneEdges> {
+        let widths = self.widths(s)?;
+        let offset = widths.offset.value(s);
+        let none = LaneEdges { inner: offset, outer: offset };
+        let (inward, sign) = widths.outwards_to(lane)?;
+        let mut edge = offset;
+        Some(inward.iter().fold(none, |_, width| width.step(&mut edge, s, sign)))
+    }
+
+    /// What the lanes are made of at s.
+    #[inline]
+    fn widths(&mut self, s: f64) -> Option<&Widths> {
+        let at = At::within(s, self.section.s_start(), self.section.s_end());
+        if !self.lanes.as_ref().is_some_and(|lanes| lanes.held.contains(at.hold)) {
+            self.lanes = Some(Widths::at(&self.road, &self.section, at.hold)?);
+        }
+        self.lanes.as_ref()
+    }
 }
 
 impl SectionCutter<'_> {
@@ -215,6 +237,26 @@ impl SectionCutter<'_> {
     /// line is a line, heights and widths grow evenly, and no width falls below 0 in between. False where that is not plain.
     pub fn is_straight(&mut self, lane: usize, from: f64, to: f64) -> bool {
         self.frame_is_straight(from, to) && self.lane_is_straight(lane, from, to).unwrap_or(false)
+    }
+
+    /// The curvature `[1/m]` of the reference line where the edges of a lane, counted from the left, are known to be arcs beside
+    /// it, or helices, from one s up to another: the reference line is a line or an arc, its height grows evenly, and
+    /// superelevation and widths do not change. None where that is not plain.
+    pub fn arc(&mut self, lane: usize, from: f64, to: f64) -> Option<f64> {
+        // A cut puts the frame of that place in its place.
+        self.cut(from).filter(|_| to <= self.end)?;
+        let frame = self.frame.as_ref().filter(|frame| {
+            frame.held.covers(from, to)
+                && frame.elevation.is_even()
+                && frame.superelevation.is_constant()
+        })?;
+        let curvature = frame.piece.curve.even_curvature_up_to(to - frame.piece.s)?;
+        let widths = self.widths(from)?;
+        let (inner, _) = widths.outwards_to(lane)?;
+        let is_constant = widths.held.covers(from, to)
+            && widths.offset.is_constant()
+            && inner.iter().all(|width| width.record.is_constant());
+        is_constant.then_some(curvature)
     }
 
     fn frame_is_straight(&mut self, from: f64, to: f64) -> bool {
@@ -235,12 +277,7 @@ impl SectionCutter<'_> {
             self.lanes = Some(Widths::at(&self.road, &self.section, from)?);
         }
         let widths = self.lanes.as_ref()?;
-        let center = widths.left.len();
-        let inner = if lane < center {
-            widths.left.get(..center - lane)?
-        } else {
-            widths.right.get(..lane - center)?
-        };
+        let (inner, _) = widths.outwards_to(lane)?;
         let is_even = |width: &Width| {
             let is_open = |s: f64| width.is_border || width.record.value(s) >= 0.0;
             width.record.is_even() && is_open(from) && is_open(to)
@@ -265,6 +302,18 @@ impl<'a> Frame<'a> {
 }
 
 impl Widths {
+    /// A lane, counted from the left, and those between it and the centre lane, from there outwards, with the sign of t on
+    /// their side.
+    #[inline]
+    fn outwards_to(&self, lane: usize) -> Option<(&[Width], f64)> {
+        let center = self.left.len();
+        if lane < center {
+            Some((self.left.get(..center - lane)?, 1.0))
+        } else {
+            Some((self.right.get(..lane - center)?, -1.0))
+        }
+    }
+
     /// None for a section without a centre lane.
     fn at(road: &Road<'_>, section: &LaneSection<'_>, hold: f64) -> Option<Self> {
         let mut held = Held::ALWAYS;

@@ -2,12 +2,50 @@
 
 use crate::lane::Lane;
 use crate::profile::{At, Slope};
-use mapd_archive::SpeedKind;
+use crate::road::{Piece, Road};
+use mapd_archive::{ArchivedCubicRow, SpeedKind};
 
 /// Places of the two-point Gauss–Legendre rule on −1 to 1, one over the square root of 3.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
 
-impl Lane<'_> {
+/// A piece of the reference line, from which s on and up to which one it holds. Places that are asked for one behind the other
+/// mostly lie on the same.
+struct Held<'a> {
+    piece: Option<Piece<'a>>,
+    from: f64,
+    to: f64,
+}
+
+impl<'a> Held<'a> {
+    /// Holds nowhere.
+    const NONE: Self = Self { piece: None, from: f64::INFINITY, to: f64::NEG_INFINITY };
+
+    /// The piece that holds at s, as [`Road::piece_at`] finds it.
+    #[inline]
+    fn at(&mut self, road: &Road<'a>, s: f64) -> Option<Piece<'a>> {
+        if !(s >= self.from && s < self.to) {
+            let rows = road.geometries();
+            let next = rows.partition_point(|g| g.s() <= s);
+            let own = next.saturating_sub(1);
+            self.piece = rows.get(own).and_then(|g| road.piece(g));
+            // Before the first geometry, that one holds.
+            self.from = if own == 0 { f64::NEG_INFINITY } else { rows.get(own)?.s() };
+            self.to = rows.get(next).map_or(f64::INFINITY, |g| g.s());
+        }
+        self.piece
+    }
+}
+
+/// Whether the value of a profile is the same all over from one s up to another.
+fn is_constant(records: &[ArchivedCubicRow], from: f64, to: f64) -> bool {
+    let next = records.partition_point(|record| record.s() <= from);
+    let own = next.checked_sub(1).and_then(|own| records.get(own));
+    // Before the first record, profiles are 0.
+    own.is_none_or(|own| own.b() == 0.0 && own.c() == 0.0 && own.d() == 0.0)
+        && records.get(next).is_none_or(|next| next.s() >= to)
+}
+
+impl<'a> Lane<'a> {
     /// Length of the centre line in plan view between two places on the road `[m]`, from the file's own polynomials: where the
     /// stored polyline bends, the integral is cut. s outside the lane's section counts as its nearer end.
     pub fn length_between(&self, a: f64, b: f64) -> f64 {
@@ -17,23 +55,49 @@ impl Lane<'_> {
         let (from, to) = (inside(a.min(b)), inside(a.max(b)));
         let line = self.center_line();
         let (mut sum, mut last) = (0.0, from);
+        let mut held = Held::NONE;
+        let even = self.even_growth(&mut held, from, to);
         for s in line.stations().filter(|s| *s > from && *s < to).chain([to]) {
             if s > last {
-                sum += self.stretch(last, s);
+                sum += match even {
+                    Some(growth) => 0.5 * (s - last) * (growth + growth),
+                    None => self.stretch(&mut held, last, s),
+                };
                 last = s;
             }
         }
         sum
     }
 
-    /// Length of a stretch on which the lane is smooth.
-    fn stretch(&self, from: f64, to: f64) -> f64 {
+    /// Metres of centre line per metre of s between two s, where they are the same all along: the reference line is one line or
+    /// one arc, and superelevation and widths do not change.
+    fn even_growth(&self, held: &mut Held<'a>, from: f64, to: f64) -> Option<f64> {
+        let piece = held.at(&self.road, from).filter(|_| from < to && to <= held.to)?;
+        piece.curve.even_curvature_up_to(to - piece.s)?;
+        let offsets = if self.is_temporary() {
+            self.road.temporary_lane_offsets()
+        } else {
+            self.road.lane_offsets()
+        };
+        let lanes = self.section.rows();
+        let own = self.row_number().wrapping_sub(self.section.row.lanes().first) as usize;
+        let center = lanes.binary_search_by(|lane| 0.cmp(&lane.number())).ok()?;
+        let inner = lanes.get(own.min(center)..=own.max(center))?;
+        let cubics = self.map.tables().cubics;
+        let is_even = inner.iter().all(|lane| is_constant(lane.widths().of(cubics), from, to))
+            && is_constant(offsets, from, to)
+            && is_constant(self.road.superelevations(), from, to);
+        is_even.then(|| self.growth(held, 0.5 * (from + to)))
+    }
+
+    /// Length of a stretch on which the lane is smooth. `held` is the piece that held at the place before.
+    fn stretch(&self, held: &mut Held<'a>, from: f64, to: f64) -> f64 {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        half * (self.growth(middle - half * GAUSS) + self.growth(middle + half * GAUSS))
+        half * (self.growth(held, middle - half * GAUSS) + self.growth(held, middle + half * GAUSS))
     }
 
     /// Metres of centre line per metre of s, in plan view.
-    fn growth(&self, s: f64) -> f64 {
+    fn growth(&self, held: &mut Held<'a>, s: f64) -> f64 {
         let at = At::new(s);
         let edges = self.edge_slopes(at);
         let center = Slope {
@@ -41,8 +105,8 @@ impl Lane<'_> {
             derivative: 0.5 * (edges.inner.derivative + edges.outer.derivative),
         };
         let (cos, sin) = self.road.roll(at);
-        let piece = self.road.piece_at(at);
-        let curvature = piece.map_or(0.0, |piece| piece.curve.curvature(at.s - piece.s));
+        let curvature =
+            held.at(&self.road, s).map_or(0.0, |piece| piece.curve.curvature(at.s - piece.s));
         let along = 1.0 - curvature * center.value * cos;
         let turned = if sin == 0.0 { 0.0 } else { self.road.superelevation_slope(at) };
         let across = center.derivative * cos - center.value * sin * turned;

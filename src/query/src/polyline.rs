@@ -129,11 +129,13 @@ impl<'a> Polyline<'a> {
     }
 
     /// Inertial position of a point `[m]`.
+    #[inline]
     pub fn position(&self, i: usize) -> Option<DVec3> {
         self.points.offset(i).map(|offset| self.origin + offset)
     }
 
     /// s of a point on the road `[m]`. Points of equal s are both sides of a jump.
+    #[inline]
     pub fn station(&self, i: usize) -> Option<f64> {
         self.points.station(i).map(|s| self.s_start + f64::from(s))
     }
@@ -148,6 +150,19 @@ impl<'a> Polyline<'a> {
     pub fn positions(&self) -> impl ExactSizeIterator<Item = DVec3> + use<'a> {
         let line = *self;
         (0..self.len()).map(move |i| line.position(i).unwrap_or_default())
+    }
+
+    /// Every point's s `[m]` and inertial position `[m]`, in ascending s: as [`Self::stations`] and [`Self::positions`] have
+    /// them, for who needs all.
+    #[inline]
+    pub fn points(&self) -> impl ExactSizeIterator<Item = (f64, DVec3)> + use<'a> {
+        let Self { origin, s_start, points } = *self;
+        let (reader, bytes) = (points.code.reader(), points.code.bytes());
+        (0..points.count).map(move |i| {
+            let (station, offset) = reader.read(points.bytes.get(i * bytes..).unwrap_or(&[]));
+            let station = points.stations.get(station as usize).copied().unwrap_or_default();
+            (s_start + f64::from(station), origin + DVec3::from_array(offset))
+        })
     }
 
     /// Number of points whose s on the road is less than this `[m]`.

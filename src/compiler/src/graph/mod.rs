@@ -2,6 +2,7 @@
 
 mod anchors;
 mod attach;
+mod cells;
 mod components;
 mod conflicts;
 mod cross_paths;

@@ -8,6 +8,9 @@ use mapd_xodr::{
     self as xodr, Attribute, CubicRecord, Finding, ParamPoly3Range, Severity, Span, Value as _,
 };
 
+/// Path of a geometry within its road.
+const GEOMETRY: &str = "planView/geometry";
+
 impl Lowering {
     pub(super) fn geometries(
         &mut self,
@@ -17,12 +20,14 @@ impl Lowering {
     ) -> Range {
         let before = self.rows.geometries.len();
         for g in &plan_view.geometry {
-            let tail = match g.s.value() {
-                Some(s) => format!("planView/geometry[@s={s}]"),
-                None => "planView/geometry".to_owned(),
-            };
-            let mut part = Part { span: g.span, path: (road, &tail), findings };
-            self.geometry(g, &mut part);
+            let found = findings.len();
+            self.geometry(g, &mut Part { span: g.span, path: (road, GEOMETRY), findings });
+            // Which one, only where there is something to say: writing a number takes longer than lowering a line.
+            if let Some(s) = g.s.value() {
+                for finding in findings.iter_mut().skip(found) {
+                    finding.path = format!("{road}/{GEOMETRY}[@s={s}]");
+                }
+            }
         }
         between(before, self.rows.geometries.len())
     }

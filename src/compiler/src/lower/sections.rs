@@ -210,7 +210,7 @@ impl Lowering {
         findings: &mut Vec<Finding>,
     ) -> Range {
         let s = if left_side.continues == 0 { left_side.s } else { right_side.s };
-        let tail = format!("lanes/laneSection[@s={s}]");
+        let tail = || format!("lanes/laneSection[@s={s}]");
         let mut lanes = lanes_of(section, road, findings);
         for (side, sign) in [(left_side, 1), (right_side, -1)] {
             if side.continues > 0 {
@@ -221,10 +221,9 @@ impl Lowering {
             }
         }
         lanes.sort_by_key(|lane| (std::cmp::Reverse(lane.id), lane.span.start));
-        let mut part = Part { span: section.span, path: (road, &tail), findings };
         for pair in lanes.windows(2).filter(|pair| pair[0].id == pair[1].id) {
             let message = format!("lane {} occurs twice in this section", pair[1].id);
-            part.span = pair[1].span;
+            let mut part = Part { span: pair[1].span, path: (road, &tail()), findings };
             part.add("asam.net:xodr:1.4.0:ids.id_unique_in_lane_section", Severity::Error, message);
         }
         let center = lanes.partition_point(|lane| lane.id > 0);
@@ -233,7 +232,7 @@ impl Lowering {
             let message =
                 "expected a center lane with id 0, found none; the reference line stands in"
                     .to_owned();
-            part.span = section.span;
+            let mut part = Part { span: section.span, path: (road, &tail()), findings };
             part.add("mapd:compile.center_lane", Severity::Warning, message);
         }
         let section_row = self.rows.sections.len() as u32;

@@ -94,18 +94,24 @@ fn movement(lane: &Lane<'_>) -> Movement {
     let start = lane.movement_start();
     let entry = start.entries().next().map(|lane| (lane.road().road_id(), lane.is_forward()));
     let mut lights: Vec<LightGroup> = Vec::new();
-    for light in lane.movement_lights() {
-        let signal = light.signal();
-        let before = lights.len();
-        let groups = signal.controllers().map(|c| LightGroup::Controller(c.controller_id().row()));
-        lights.extend(groups);
-        if lights.len() == before {
-            lights.push(LightGroup::Light(signal.signal_id().row()));
+    // Of several signs the one that takes most counts; a priority sign only where none takes any.
+    let mut weakest = Sign::None;
+    for (one, _) in lane.entry_signals() {
+        let signal = one.signal();
+        match sign(signal.class()) {
+            Sign::None => {}
+            sign if weakest == Sign::None => weakest = sign,
+            sign => weakest = weakest.min(sign),
+        }
+        if one.is_vehicle_light() {
+            let before = lights.len();
+            let controllers = signal.controllers();
+            lights.extend(controllers.map(|c| LightGroup::Controller(c.controller_id().row())));
+            if lights.len() == before {
+                lights.push(LightGroup::Light(signal.signal_id().row()));
+            }
         }
     }
-    let signs = lane.entry_signals().map(|(one, _)| sign(one.signal().class()));
-    // Of several signs the one that takes most counts; a priority sign only where none takes any.
-    let sign = signs.filter(|sign| *sign != Sign::None).min().unwrap_or(Sign::None);
     let across = if lane.road().is_left_hand_traffic() { Turn::Right } else { Turn::Left };
     Movement {
         entry,
@@ -115,7 +121,7 @@ fn movement(lane: &Lane<'_>) -> Movement {
         turn: lane.turn(),
         across,
         lights,
-        sign,
+        sign: weakest,
     }
 }
 

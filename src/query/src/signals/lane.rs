@@ -61,6 +61,11 @@ impl<'a> LaneSignal<'a> {
         self.place.orientation().is_for(forward) || self.is_for_lane_alone(forward)
     }
 
+    /// Whether it is a light for vehicles on the roadway, those of public transport included.
+    pub fn is_vehicle_light(&self) -> bool {
+        matches!(self.signal.class(), Class::TrafficLight | Class::PublicTransportLight)
+    }
+
     /// Whether the lane is named against the orientation, and this is the direction in which it is travelled.
     fn is_for_lane_alone(&self, forward: bool) -> bool {
         self.method() == LaneMethod::Validity

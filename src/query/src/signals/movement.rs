@@ -6,6 +6,7 @@ use crate::ids::LaneId;
 use crate::lane::Lane;
 use crate::map::Map;
 use mapd_archive::{ArchivedConflictRow, Class, NO_RELATION, Relation, RelationReason};
+use std::cell::OnceCell;
 use std::f64::consts::{FRAC_PI_4, PI};
 
 /// Signals this far before a junction are its entry's `[m]`: beyond it they belong to something else more often than not.
@@ -195,7 +196,9 @@ impl<'a> Lane<'a> {
     /// that lead in, up to 30 m before. Lights with arrows only where they are for the movement. With each comes its
     /// distance before the junction `[m]`, negative inside.
     pub fn entry_signals(&self) -> impl Iterator<Item = (LaneSignal<'a>, f64)> + use<'a> {
-        let (start, turn) = (self.movement_start(), self.turn());
+        let (lane, start) = (*self, self.movement_start());
+        // Only lights ask for it.
+        let turn = OnceCell::new();
         let forward = start.is_forward();
         let own = start.signals().filter(move |one| one.is_for(forward)).map(move |one| {
             let section = start.section();
@@ -211,16 +214,16 @@ impl<'a> Lane<'a> {
         });
         own.chain(leading.filter(|(_, before)| *before <= ENTRY_REACH)).filter(move |(one, _)| {
             let signal = one.signal();
-            !signal.is_invalidated() && signal.light().is_none_or(|light| light.governs(turn))
+            !signal.is_invalidated()
+                && signal
+                    .light()
+                    .is_none_or(|light| light.governs(*turn.get_or_init(|| lane.turn())))
         })
     }
 
     /// Lights that govern the movement through this lane of a junction.
     pub fn movement_lights(&self) -> impl Iterator<Item = LaneSignal<'a>> + use<'a> {
-        let of_vehicles = |one: &LaneSignal<'a>| {
-            matches!(one.signal().class(), Class::TrafficLight | Class::PublicTransportLight)
-        };
-        self.entry_signals().map(|(one, _)| one).filter(of_vehicles)
+        self.entry_signals().map(|(one, _)| one).filter(LaneSignal::is_vehicle_light)
     }
 
     /// The line at which the movement through this lane of a junction stops: the marked one nearest to the junction.

@@ -95,24 +95,24 @@ impl Edge {
 }
 
 fn corners(network: &Network, sink: &mut Sink<'_>) {
-    for joint in network.lane_joints() {
-        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { continue };
+    network.lane_joints().for_each(|joint| {
+        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { return };
         if !is_drivable(joint.lane.kind) || !is_drivable(target.kind) {
-            continue;
+            return;
         }
         // Lanes that split or merge at a line share only some corners.
         let several = |lane, end| network.links_of(lane, end).len() > 1;
         if several(joint.lane, joint.end) || several(target, neighbor.end) {
-            continue;
+            return;
         }
         let is_same_road = joint.road.id == neighbor.road.id;
         // Within a road, a pair of lanes is looked at once.
         if is_same_road && joint.end == Contact::Start && joint.rank > 0 {
-            continue;
+            return;
         }
         let own = Edge::of(network, joint.road, joint.section, joint.lane, joint.end);
         let other = Edge::of(network, neighbor.road, neighbor.section, target, neighbor.end);
-        let (Some(own), Some(other)) = (own, other) else { continue };
+        let (Some(own), Some(other)) = (own, other) else { return };
         let gap = own.gap(&other);
         if gap > CORNER.value {
             let (s, id) = (joint.section.s, joint.lane.id);
@@ -123,7 +123,7 @@ fn corners(network: &Network, sink: &mut Sink<'_>) {
             let own = network.name(joint.road.id);
             sink.add_in(("road", own, &part), joint.link.span(), expected, found);
         }
-    }
+    });
 }
 
 fn heights(network: &Network, sink: &mut Sink<'_>) {

@@ -139,7 +139,7 @@ fn add(
 }
 
 fn orphans(network: &Network, sink: &mut Sink<'_>) {
-    for joint in network.lane_joints() {
+    network.lane_joints().for_each(|joint| {
         // Lane 0 is in every section.
         if let Some(neighbor) =
             joint.neighbor.filter(|_| joint.target.is_none() && joint.link.id != 0)
@@ -153,15 +153,15 @@ fn orphans(network: &Network, sink: &mut Sink<'_>) {
                 format_args!("lane {}, which is not there", joint.link.id),
             );
         }
-    }
+    });
 }
 
 fn both_ways(network: &Network, sink: &mut Sink<'_>) {
-    for joint in network.lane_joints() {
-        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { continue };
+    network.lane_joints().for_each(|joint| {
+        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { return };
         // Where a road within a junction links to one outside of it, the way back is the junction's.
         if joint.road.junction.is_some() && neighbor.road.junction.is_none() {
-            continue;
+            return;
         }
         let back = network.links_of(target, neighbor.end);
         if !back.iter().any(|link| link.id == joint.lane.id) {
@@ -169,12 +169,12 @@ fn both_ways(network: &Network, sink: &mut Sink<'_>) {
             let expected = format_args!("a link back from lane {} of road {road}", target.id);
             add((network, &joint), sink, expected, "none");
         }
-    }
+    });
 }
 
 fn opening(network: &Network, sink: &mut Sink<'_>) {
-    for joint in network.lane_joints() {
-        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { continue };
+    network.lane_joints().for_each(|joint| {
+        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { return };
         let opens = target.width(neighbor.end) <= NONE.value;
         if opens && joint.lane.width(joint.end) > NONE.value {
             add(
@@ -184,11 +184,12 @@ fn opening(network: &Network, sink: &mut Sink<'_>) {
                 format_args!("one to lane {}", target.id),
             );
         }
-    }
+    });
 }
 
 fn no_width(network: &Network, end: Contact, sink: &mut Sink<'_>) {
-    for joint in network.lane_joints().filter(|joint| joint.end == end && joint.target.is_some()) {
+    let joints = network.lane_joints();
+    joints.filter(|joint| joint.end == end && joint.target.is_some()).for_each(|joint| {
         if joint.lane.width(end) <= NONE.value {
             add(
                 (network, &joint),
@@ -197,7 +198,7 @@ fn no_width(network: &Network, end: Contact, sink: &mut Sink<'_>) {
                 format_args!("one to lane {}", joint.link.id),
             );
         }
-    }
+    });
 }
 
 fn no_width_at_start(network: &Network, sink: &mut Sink<'_>) {
@@ -209,8 +210,8 @@ fn no_width_at_end(network: &Network, sink: &mut Sink<'_>) {
 }
 
 fn abrupt(network: &Network, sink: &mut Sink<'_>) {
-    for joint in network.lane_joints() {
-        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { continue };
+    network.lane_joints().for_each(|joint| {
+        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { return };
         let is_one_of_many = network.links_of(joint.lane, joint.end).len() > 1;
         let own = joint.lane.width(joint.end);
         let width = target.width(neighbor.end);
@@ -222,32 +223,32 @@ fn abrupt(network: &Network, sink: &mut Sink<'_>) {
                 format_args!("{own} and {width} m"),
             );
         }
-    }
+    });
 }
 
 fn without_partner(network: &Network, sink: &mut Sink<'_>) {
-    for joint in network.lane_joints() {
+    network.lane_joints().for_each(|joint| {
         let sections = network.sections_of(joint.road);
         let is_inside = match joint.end {
             Contact::Start => joint.rank > 0,
             Contact::End => joint.rank + 1 < sections.len(),
         };
         if is_inside || joint.neighbor.is_some() {
-            continue;
+            return;
         }
         let found = match joint.road.link(joint.end).map(|link| &link.target) {
             None => "one at an end of the road that is linked to nothing".to_owned(),
             // In the middle of a main road, lanes link to its lanes.
-            Some(LinkTarget::Road(_)) => continue,
+            Some(LinkTarget::Road(_)) => return,
             Some(LinkTarget::Junction(id)) => format!("one into junction {}", network.name(*id)),
         };
         add((network, &joint), sink, "no link", found);
-    }
+    });
 }
 
 fn ambiguous(network: &Network, sink: &mut Sink<'_>) {
-    for joint in network.lane_joints() {
-        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { continue };
+    network.lane_joints().for_each(|joint| {
+        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { return };
         let is_outside = joint.road.junction.is_none() && neighbor.road.junction.is_none();
         let links = network.links_of(joint.lane, joint.end);
         let is_second =
@@ -261,20 +262,20 @@ fn ambiguous(network: &Network, sink: &mut Sink<'_>) {
                 format_args!("{}", links.len()),
             );
         }
-    }
+    });
 }
 
 fn directions(network: &Network, sink: &mut Sink<'_>) {
-    for joint in network.lane_joints() {
-        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { continue };
+    network.lane_joints().for_each(|joint| {
+        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { return };
         if !is_drivable(joint.lane.kind) || !is_drivable(target.kind) {
-            continue;
+            return;
         }
         let (Some(own), Some(other)) = (
             Network::goes_along(joint.road, joint.lane),
             Network::goes_along(neighbor.road, target),
         ) else {
-            continue;
+            return;
         };
         let is_turned = joint.end == neighbor.end;
         if (own == other) == is_turned {
@@ -285,5 +286,5 @@ fn directions(network: &Network, sink: &mut Sink<'_>) {
             );
             add((network, &joint), sink, "a lane that goes on in the same direction", found);
         }
-    }
+    });
 }

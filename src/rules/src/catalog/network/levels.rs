@@ -50,10 +50,10 @@ fn level(network: &Network, sink: &mut Sink<'_>) {
             outwards(&mut right.iter());
         }
     }
-    for joint in network.lane_joints() {
+    network.lane_joints().for_each(|joint| {
         let Some(target) = joint.target.filter(|target| target.is_level != joint.lane.is_level)
         else {
-            continue;
+            return;
         };
         let part =
             format!("lanes/laneSection[@s={}]/lane[@id={}]/link", joint.section.s, joint.lane.id);
@@ -61,5 +61,5 @@ fn level(network: &Network, sink: &mut Sink<'_>) {
         let found = format_args!("lane {} otherwise", target.id);
         let road = network.name(joint.road.id);
         sink.add_in(("road", road, &part), joint.link.span(), expected, found);
-    }
+    });
 }

@@ -68,12 +68,12 @@ fn root(parents: &mut [usize], mut at: usize) -> usize {
 
 /// Every pair of lanes that are linked, by rank among all lanes.
 fn linked_lanes(network: &Network, mut show: impl FnMut(usize, usize)) {
-    for joint in network.lane_joints() {
+    network.lane_joints().for_each(|joint| {
         let target = joint.neighbor.and_then(|n| network.lane_rank(n.section, joint.link.id));
         if let Some(target) = target {
             show(joint.lane_rank, target);
         }
-    }
+    });
     for junction in network.junctions_as_written() {
         for connection in &junction.connection {
             if let (Some(from), Some(to)) = (&connection.predecessor, &connection.successor) {
