@@ -15,6 +15,10 @@ const BATCH: usize = 8;
 /// The slow peer gets fewer.
 const PEER_QUERIES: usize = 2_000;
 
+fn ns(time: Duration) -> String {
+    format!("{} ns", time.as_nanos())
+}
+
 /// Percentiles of the time of one query, all of them asked once before: the first round, of which only the half is told, waits for
 /// memory that was not read before.
 fn time<T>(inputs: &[T], mut query: impl FnMut(&T)) -> [Duration; 3] {
@@ -81,10 +85,14 @@ fn main() {
             });
             let ratio = |other: Duration| other.as_secs_f64() / near.as_secs_f64();
             let other = other.map_or("xodr did not load".to_owned(), |[p50, ..]| {
-                format!("xodr lane_position p50 {p50:.0?} ({:.1} ×)", ratio(p50))
+                format!("xodr lane_position p50 {} ({:.1} ×)", ns(p50), ratio(p50))
             });
             print(&format!(
-                "nearest lane, {name}, {kind}: p50 {near:.0?} p99 {near99:.0?}, {near1:.0?} in the first round; rstar and projection p50 {rstar:.0?} ({:.1} ×); {other}",
+                "nearest lane, {name}, {kind}: p50 {} p99 {}, {} in the first round; rstar and projection p50 {} ({:.1} ×); {other}",
+                ns(near),
+                ns(near99),
+                ns(near1),
+                ns(rstar),
                 ratio(rstar)
             ));
             let [to_xyz, to_xyz99, to_xyz1] = time(&places, |place| {
@@ -100,12 +108,16 @@ fn main() {
                     black_box(net.road_point(*at));
                 });
                 format!(
-                    "xodr road_point p50 {p50:.0?} ({:.1} ×)",
+                    "xodr road_point p50 {} ({:.1} ×)",
+                    ns(p50),
                     p50.as_secs_f64() / to_xyz.as_secs_f64()
                 )
             });
             print(&format!(
-                "(s,t) → x,y,z, {name}, {kind}: p50 {to_xyz:.0?} p99 {to_xyz99:.0?}, {to_xyz1:.0?} in the first round; {other}"
+                "(s,t) → x,y,z, {name}, {kind}: p50 {} p99 {}, {} in the first round; {other}",
+                ns(to_xyz),
+                ns(to_xyz99),
+                ns(to_xyz1),
             ));
         }
     }
