@@ -166,6 +166,20 @@ fn flip_every_table(good: &AlignedBytes) {
     }
 }
 
+/// More levels than an index can have led the search round in circles.
+#[test]
+fn an_index_of_too_many_levels_ends() {
+    let file = std::fs::File::open(mapd_tests::carried("one_road.xodr")).expect("the map is there");
+    let compiled = compile(file, &CompileOptions::default(), &mut |_| {}).expect("reading works");
+    let mut rows = compiled.rows.expect("accepted");
+    for levels in [9, 17, 18, 40] {
+        rows.index_levels = vec![0; levels].into();
+        let bad = encode(&rows, &compiled.provenance).expect("encodes");
+        assert!(verify(&bad).is_err(), "{levels} levels are not found");
+        ask_everything(bad);
+    }
+}
+
 /// Found by fuzzing: numbers that are none, as bounds of `f64::clamp`, made the nearest lane panic.
 #[test]
 fn numbers_that_are_none_do_not_panic() {

@@ -66,11 +66,16 @@ fn a_hint_changes_no_answer() {
                 t: random.between(-6.0, 6.0),
                 h: 0.0,
             };
-            let point = road.to_inertial(track).expect("a pose").position.truncate();
+            let place = road.to_inertial(track).expect("a pose").position;
             let plain = NearestOptions::default();
-            let expected = map.nearest_lane(point, &plain).expect("an answer");
-            let found = map.nearest_lane(point, &NearestOptions { hint, ..plain });
-            assert_eq!(found, Ok(expected), "{}: {point}", path.display());
+            let level = NearestOptions { z_tolerance: Some(0.5), heading: Some(1.0), ..plain };
+            let mut expected = None;
+            for (point, options) in [(place.into(), level), (Point::from(place.truncate()), plain)]
+            {
+                expected = map.nearest_lane(point, &options).expect("an answer");
+                let found = map.nearest_lane(point, &NearestOptions { hint, ..options });
+                assert_eq!(found, Ok(expected), "{}: {point:?}", path.display());
+            }
             hint = expected;
         }
     }

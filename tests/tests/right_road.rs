@@ -226,6 +226,61 @@ fn a_ramp_that_winds_above_itself() {
             let hit = map.nearest_lane(point, &options).expect("an answer").expect("a lane");
             assert_eq!(map.lane(hit.lane).expect("its own lane").key(), lane.key());
             assert!((hit.position.s - s).abs() < 1e-7, "{hit:?} for s = {s}");
+            // Of the places on one lane the same one is named among all lanes nearby.
+            let mut near = Vec::new();
+            map.lanes_near(point, &NearestOptions::default(), &mut near).expect("an answer");
+            let alone = map.nearest_lane(point, &NearestOptions::default()).expect("an answer");
+            assert_eq!(near.first().copied(), alone, "s = {s}");
+        }
+    }
+}
+
+/// Beside a banked lane its height is that of its edge: the point's own t would put it metres lower. With and without a hint.
+#[test]
+fn beside_a_banked_lane_its_edge_tells_the_level() {
+    let mut way = Way::new(DVec2::ZERO, 0.0, &[(0.0, 0.0, 100.0)], 0.0);
+    way.superelevation = 0.3;
+    let snapshot = open(&[way]);
+    let map = snapshot.map();
+    let edge = -WIDTH * 0.3_f64.sin();
+    let mut hint = None;
+    for (y, z, known) in [
+        (-1.0, edge / 2.0, true),
+        (-6.0, edge, true),
+        (-6.0, -6.0 * 0.3_f64.tan(), false),
+        (-11.0, edge, true),
+        (-11.0, -3.4, false),
+        (8.0, -edge, true),
+        (8.0, 2.5, false),
+    ] {
+        let options = NearestOptions { z_tolerance: Some(0.5), ..NearestOptions::default() };
+        let point = DVec3::new(50.0, y, z);
+        for options in [options, NearestOptions { hint, ..options }] {
+            let found = map.nearest_lane(point, &options).expect("an answer");
+            assert_eq!(found.is_some(), known, "{point}: {found:?}");
+            hint = found.or(hint);
+        }
+    }
+}
+
+/// Where squares of distances are beyond all numbers, nothing is in a lane.
+#[test]
+fn beyond_all_numbers_is_in_no_lane() {
+    let arc = Way::new(DVec2::ZERO, 0.0, &[(0.01, 0.01, 100.0)], 0.0);
+    let line = Way::new(DVec2::new(0.0, 50.0), 0.0, &[(0.0, 0.0, 100.0)], 0.0);
+    let snapshot = open(&[arc, line]);
+    let map = snapshot.map();
+    for far in [1e150, 1e156, 1e200, f64::MAX] {
+        for point in [DVec2::new(far, 50.0), DVec2::new(0.0, -far), DVec2::new(far, far)] {
+            for lane in map.lanes().filter(|lane| lane.number() != 0) {
+                assert!(!lane.contains(point).expect("an answer"), "{point}");
+            }
+            let options = NearestOptions { radius: f64::MAX, ..NearestOptions::default() };
+            let found = map.nearest_lane(point, &options).expect("an answer");
+            assert!(
+                found.is_none_or(|found| found.position.distance > 1e149),
+                "{point}: {found:?}"
+            );
         }
     }
 }

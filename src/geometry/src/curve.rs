@@ -211,7 +211,8 @@ impl<'a> Curve<'a> {
         let quick = match &self.shape {
             Shape::Line => (first <= target.x && target.x <= last).then_some([target.x, target.y]),
             Shape::Arc { curvature } => arc::project_inside(*curvature, target, first, last)
-                .map(|u| [u, arc::lateral(*curvature, target)]),
+                .map(|u| [u, arc::lateral(*curvature, target)])
+                .filter(|[_, lateral]| lateral.is_finite()),
             _ => None,
         };
         quick.or_else(|| {
@@ -271,7 +272,10 @@ impl<'a> Curve<'a> {
         let tolerance = PERPENDICULAR * (1.0 + distance_squared.sqrt());
         let position = self.start.place(frame.position);
         let tangent = self.start.rotate(frame.tangent);
-        let clamped = (u >= hi && ahead > tolerance) || (u <= lo && ahead < -tolerance);
+        // Farther away than squares can tell, nothing is known to be perpendicular.
+        let clamped = !distance_squared.is_finite()
+            || (u >= hi && ahead > tolerance)
+            || (u <= lo && ahead < -tolerance);
         let lateral = match &self.shape {
             Shape::Arc { curvature } if !clamped => arc::lateral(*curvature, target),
             _ => frame.tangent.perp_dot(gap),

@@ -117,7 +117,8 @@ impl Across {
     #[inline]
     fn is_beside(&self) -> bool {
         let [low, high] = self.sides();
-        self.t < low || self.t > high
+        // What is no number lies nowhere.
+        !(low <= self.t && self.t <= high)
     }
 
     /// Distance of a point beside the lane from the border on its side `[m]`.
@@ -140,6 +141,8 @@ pub(crate) struct Place<'a> {
     roll_sin: f64,
     /// Lateral coordinate `[m]`.
     pub(crate) t: f64,
+    /// How far beside the lane's nearer edge `[m]`, 0 between them.
+    beside: f64,
     /// Distance from the lane's centre, positive to the left `[m]`.
     pub(crate) offset: f64,
     /// Distance from the lane's area in plan view `[m]`.
@@ -154,6 +157,7 @@ impl<'a> Place<'a> {
             at: across.at,
             roll_sin: across.roll.1,
             t: across.t,
+            beside: across.t - clamp(across.t, across.sides()[0], across.sides()[1]),
             offset: across.t - across.edges.center(),
             distance,
         }
@@ -165,7 +169,13 @@ impl<'a> Place<'a> {
         self.at.s
     }
 
-    /// Height of the lane's plane `[m]`.
+    /// Height of the lane where it is nearest, between its edges `[m]`: what tells levels apart, beside a banked lane as well.
+    #[inline]
+    pub(crate) fn level(&self, lane: &Lane<'_>) -> f64 {
+        lane.road.elevation(self.at) + (self.t - self.beside) * self.roll_sin
+    }
+
+    /// Height of the lane's plane at t, beside the lane too `[m]`.
     #[inline]
     pub(crate) fn z(&self, lane: &Lane<'_>) -> f64 {
         lane.road.elevation(self.at) + self.t * self.roll_sin
@@ -208,7 +218,7 @@ pub(crate) fn place_inside<'a>(
     )?;
     let across = Across::new(lane, slab, u, lateral);
     let [low, high] = across.sides();
-    if across.t - high > EDGE || low - across.t > EDGE {
+    if !(across.t - high <= EDGE && low - across.t <= EDGE) {
         return None;
     }
     let beside = across.is_beside();

@@ -63,6 +63,12 @@ impl Place {
     }
 }
 
+/// Levels of nodes above the leaves; none without an index. A damaged archive may state more than there can be.
+#[inline]
+fn depth(tables: &Tables<'_>) -> Option<usize> {
+    tables.index_levels.len().checked_sub(1).filter(|depth| *depth <= LEVELS)
+}
+
 /// Visits every leaf whose box is not farther from the point than the bound, nearer children first; with
 /// `heights`, only those that reach between them. `visit` gets the leaf and the point relative to the leaf's origin and returns the new bound `[m]`, which must not grow.
 #[inline]
@@ -73,7 +79,7 @@ pub(crate) fn visit<'a>(
     mut bound: f32,
     mut visit: impl FnMut(&'a ArchivedIndexLeafRow, f32, f32, f32) -> f32,
 ) {
-    let Some(depth) = tables.index_levels.len().checked_sub(1) else { return };
+    let Some(depth) = depth(tables) else { return };
     let (px, py) = (local.x as f32, local.y as f32);
     let mut stack = [Place(0); STACK];
     let mut top = 1;
@@ -183,7 +189,7 @@ pub(crate) fn visit_around<'a>(
     heights: Option<[f64; 2]>,
     mut visit: impl FnMut(&'a ArchivedIndexLeafRow, f32, f32),
 ) {
-    let Some(depth) = tables.index_levels.len().checked_sub(1) else { return };
+    let Some(depth) = depth(tables) else { return };
     let (px, py) = (local.x as f32, local.y as f32);
     // Of the nodes above: the number of their first child, and which of their children are still to be visited.
     let mut above = [(0u32, 0u32); LEVELS];

@@ -38,20 +38,14 @@ impl Map<'_> {
                 let Some(found) = found.nearest(*self) else { continue };
                 match out.iter_mut().find(|known| known.lane == found.lane) {
                     None => out.push(found),
-                    Some(known) if nearer(&found, known) => *known = found,
+                    Some(known) if self.is_better(&found, known, point, options) => *known = found,
                     Some(_) => {}
                 }
             }
             bound
         });
         // Sorting in place allocates nothing. What ties go by is made again.
-        out.sort_unstable_by(|a, b| {
-            let rank = |nearest: &Nearest| self.rank_of(nearest, point, options);
-            match (rank(a), rank(b)) {
-                (Some(a), Some(b)) => a.order(&b, *self),
-                _ => Ordering::Equal,
-            }
-        });
+        out.sort_unstable_by(|a, b| self.compare(a, b, point, options));
         Ok(())
     }
 
@@ -66,10 +60,22 @@ impl Map<'_> {
         let options = NearestOptions { radius: 0.0, z_tolerance, ..NearestOptions::default() };
         Ok(self.nearest_lane(point, &options)?.is_some())
     }
-}
 
-/// Of two places on one lane: by distance, then |offset|.
-fn nearer(a: &Nearest, b: &Nearest) -> bool {
-    let key = |n: &Nearest| (n.position.distance, n.position.offset.abs());
-    key(a).partial_cmp(&key(b)) == Some(Ordering::Less)
+    /// As [`Map::nearest_lane`] prefers.
+    fn compare(
+        &self,
+        a: &Nearest,
+        b: &Nearest,
+        point: Point,
+        options: &NearestOptions,
+    ) -> Ordering {
+        match [a, b].map(|nearest| self.rank_of(nearest, point, options)) {
+            [Some(a), Some(b)] => a.order(&b, *self),
+            _ => Ordering::Equal,
+        }
+    }
+
+    fn is_better(&self, a: &Nearest, b: &Nearest, point: Point, options: &NearestOptions) -> bool {
+        self.compare(a, b, point, options) == Ordering::Less
+    }
 }

@@ -10,7 +10,7 @@ use crate::map::Map;
 use crate::types::{LanePosition, Point};
 use glam::DVec2;
 use mapd_archive::{LaneType, NONE};
-use mapd_geometry::normalize_angle;
+use mapd_geometry::{clamp, normalize_angle};
 use std::cmp::Ordering;
 
 /// Default search radius `[m]`.
@@ -163,7 +163,7 @@ impl<'a> Candidate<'a> {
         point: Point,
         options: &NearestOptions,
     ) -> Option<Self> {
-        let z_difference = point.z.map_or(0.0, |z| (z - place.z(lane)).abs());
+        let z_difference = point.z.map_or(0.0, |z| (z - place.level(lane)).abs());
         let heading_difference = options
             .heading
             .map_or(0.0, |heading| heading_difference(lane, place.heading(lane), heading));
@@ -243,9 +243,11 @@ impl<'a> Map<'a> {
         options.check(point)?;
         let local = point.xy - self.origin();
         // Whether a lane holds the point is cheaper to tell than how far off it is, and mostly one does.
-        let found = self
-            .lane_around(point, local, options)
-            .or_else(|| self.lane_beside(point, local, options));
+        let mut found = self.lane_around(point, local, options);
+        // Just beside an edge, by no more than rounding, another lane may be nearer.
+        if found.as_ref().is_none_or(|found| found.distance() != 0.0) {
+            found = self.lane_beside(found, point, local, options);
+        }
         Ok(found.and_then(|found| found.nearest(*self)))
     }
 
@@ -285,15 +287,16 @@ impl<'a> Map<'a> {
         best.0
     }
 
-    /// The nearest of the lanes, where none holds the point.
+    /// The nearest of the lanes, where none holds the point; `known`, if any, is one of them.
     fn lane_beside(
         &self,
+        known: Option<Candidate<'a>>,
         point: Point,
         local: DVec2,
         options: &NearestOptions,
     ) -> Option<Candidate<'a>> {
         let heights = options.heights(point);
-        let mut best = Best::default();
+        let mut best = Best(known);
         let hinted = options.hint.and_then(|hint| self.hinted(&hint));
         if let Some(place) = hinted {
             best.consider(self.candidate(place, point, local, options), *self, options);
@@ -324,7 +327,8 @@ impl<'a> Map<'a> {
 
     /// The stretch of a lane that a hint names.
     fn hinted(&self, hint: &Nearest) -> Option<(u32, u16)> {
-        let lane = self.lane(hint.lane).ok()?;
+        // Queries in space leave temporary lanes out.
+        let lane = self.lane(hint.lane).ok().filter(|lane| !lane.is_temporary())?;
         let segment = u16::try_from(area::segment_at(&lane, hint.position.s)?).ok()?;
         Some((hint.lane.row(), segment))
     }
@@ -340,7 +344,13 @@ impl<'a> Map<'a> {
         let LanePosition { s, t, offset, distance, z, heading } = found.position;
         let heading_difference =
             options.heading.map_or(0.0, |travel| heading_difference(&lane, heading, travel));
-        let z_difference = point.z.map_or(0.0, |point| (point - z).abs());
+        let z_difference = point.z.map_or(0.0, |point| {
+            let (at, edges) = (lane.at(s), lane.edges_at(s));
+            let (low, high) = (edges.inner.min(edges.outer), edges.inner.max(edges.outer));
+            // As a candidate has it; within the lane z is that already.
+            let beside = if distance == 0.0 { 0.0 } else { t - clamp(t, low, high) };
+            (point - (z - beside * lane.road.roll(at).1)).abs()
+        });
         let lane = found.lane.row();
         Some(Rank { lane, distance, heading_difference, z_difference, offset, s, t })
     }
