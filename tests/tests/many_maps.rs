@@ -7,7 +7,7 @@ use mapd_tests::tracer::{Then, Traced};
 use nix::errno::Errno;
 use nix::sys::signal::{Signal, kill};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use syscalls::Sysno;
 
@@ -19,6 +19,10 @@ const FEWEST: usize = 8;
 /// What doubling the maps added may be more than doubled by this factor: folders that other tests fill meanwhile are read as
 /// well. Where all maps are looked at for each, it is 2 in the end, and 1.7 with these numbers.
 const TOLERANCE: f64 = 1.2;
+
+/// Shares of the start's system calls after which it is told to end, in percent: while maps are claimed, and while they are
+/// filled.
+const STOPPED_AT: [usize; 4] = [30, 45, 60, 75];
 
 /// System calls of a daemon that serves this many maps, from its start until it waits for clients, and then to its end;
 /// those that are compiled come from the cache. `None` where tracing is not permitted.
@@ -79,6 +83,55 @@ fn check(ending: &str) {
     ));
     let growth = (most - twice) as f64 / (2 * (twice - few)) as f64;
     assert!(growth < TOLERANCE, "{few}, {twice}, {most}: the growth grows by {growth:.2}");
+}
+
+/// A daemon of these files that is told to end at a call of its first thread: after how many calls it first waits for clients,
+/// and what it says, if it ended well. `None` where tracing is not permitted.
+fn stopped_at(files: &[String], call: usize) -> Option<(usize, String)> {
+    let place = Place::new(MAPD);
+    let mut command = place.command();
+    command.args(files.iter().flat_map(|file| ["--load", file.as_str()]));
+    let (traced, stderr) = match Traced::start(&command, "", Stdio::piped()) {
+        Err(error) if error.raw_os_error() == Some(Errno::EPERM as i32) => return None,
+        started => started.expect("starts"),
+    };
+    let mut stderr = stderr.expect("piped");
+    let said = std::thread::spawn(move || std::io::read_to_string(&mut stderr).expect("text"));
+    let (pid, mut is_told, mut waits) = (traced.pid(), false, 0);
+    let ended = traced.run(|moment| {
+        if moment.thread == 0 {
+            let is_waiting = moment.name == Sysno::epoll_wait;
+            if is_waiting && waits == 0 {
+                waits = moment.call;
+            }
+            if !is_told && (is_waiting || moment.call >= call) {
+                is_told = true;
+                kill(pid, Signal::SIGTERM).expect("its own child");
+            }
+        }
+        Then::Continue
+    });
+    let said = said.join().expect("read");
+    assert_eq!(ended.expect("runs").code(), Some(0), "told at call {call}: {said}");
+    assert_eq!(place.segments(), Vec::<PathBuf>::new(), "told at call {call}");
+    Some((waits, said))
+}
+
+/// Of many maps the start takes longer than a service manager waits for the end.
+#[test]
+fn a_stop_is_obeyed_while_maps_are_claimed_and_filled() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let files = files(folder.path(), FEWEST, "mapd");
+    let Some((start, said)) = stopped_at(&files, usize::MAX) else {
+        return say("SKIPPED: tracing is not permitted");
+    };
+    assert_eq!(said.matches("serving map").count(), FEWEST, "{said}");
+    for percent in STOPPED_AT {
+        let (waits, said) = stopped_at(&files, start * percent / 100).expect("as before");
+        say(&format!("told to end at {percent} % of {start} calls, waits at {waits}: {said}"));
+        assert!(waits == 0 && !said.contains("serving"), "{percent} %: {said}");
+        assert!(said.contains("stopped"), "{percent} %: {said}");
+    }
 }
 
 /// The start was once quadratic: 300 maps took a minute, 900 took ten.

@@ -96,8 +96,9 @@ impl Meter {
             Progress::Linking { roads } => self.stage(|| format!("linking {roads} roads")),
             Progress::Graph { nodes } => self.stage(|| format!("graph of {nodes} nodes")),
             Progress::Sampling { lanes } => self.stage(|| format!("sampling {lanes} lanes")),
+            // Points are counted by the bytes they are written in.
             Progress::Indexing { segments } => {
-                self.stage(|| format!("indexing {segments} points"));
+                self.stage(|| format!("indexing {} of points", amount(segments as f64)));
             }
         }
     }

@@ -14,6 +14,7 @@ use std::collections::VecDeque;
 use std::error::Error;
 use std::os::unix::fs::FileExt;
 use std::sync::Arc;
+use std::sync::atomic::Ordering;
 
 /// Generations of a map that can be gone back to.
 pub(super) const ROLLBACKS: usize = 4;
@@ -40,6 +41,17 @@ pub(super) struct MapEntry {
     pub(super) before: VecDeque<Kept>,
 }
 
+/// What came of serving all maps for the first time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Begun {
+    All,
+    /// The daemon was told to end meanwhile.
+    Stopped {
+        /// Maps that were sent before.
+        served: usize,
+    },
+}
+
 /// All maps, and the server that serves them.
 pub(super) struct Maps {
     pub(super) server: Server,
@@ -62,26 +74,43 @@ impl Maps {
     }
 
     /// Serves all maps for the first time. Several are filled and proved before the first is sent: either all are served or
-    /// none is.
+    /// none is, but for a stop while they are sent, after which the daemon ends.
     ///
     /// Errors: why one cannot be served; then none is.
-    pub(super) fn begin_all(&mut self, maps: Vec<(MapSettings, Prepared)>) -> anyhow::Result<()> {
+    pub(super) fn begin_all(
+        &mut self,
+        maps: Vec<(MapSettings, Prepared)>,
+    ) -> anyhow::Result<Begun> {
         let stage = maps.len() > 1;
-        self.server.claim_all(maps.iter().map(|(map, _)| map.name.as_str()))?;
+        let cancelled = self.workshop.cancelled.clone();
+        // Many maps take longer than service managers wait for the end: a stop is looked for before each.
+        let is_stopped = || cancelled.load(Ordering::SeqCst);
+        let names = maps.iter().map(|(map, _)| map.name.as_str());
+        self.server.claim_all(names.take_while(|_| !is_stopped()))?;
         let mut filled = Vec::new();
         for (map, prepared) in maps {
-            let kept = self.begin(&map, prepared, stage)?;
-            filled.push((map, kept));
+            if is_stopped() {
+                return Ok(Begun::Stopped { served: 0 });
+            }
+            match self.begin(&map, prepared, stage) {
+                Ok(kept) => filled.push((map, kept)),
+                // The stop ends a compiler as well: that its map is not ready is no failure.
+                Err(_) if is_stopped() => return Ok(Begun::Stopped { served: 0 }),
+                Err(error) => return Err(error),
+            }
         }
-        for (map, mut kept) in filled {
+        for (served, (map, mut kept)) in filled.into_iter().enumerate() {
             if stage {
+                if is_stopped() {
+                    return Ok(Begun::Stopped { served });
+                }
                 self.server.activate(&map.name)?;
                 kept.status.published_unix_ns = unix_ns();
             }
             self.began(map, kept);
         }
         self.look();
-        Ok(())
+        Ok(Begun::All)
     }
 
     /// Fills a map's first generation. If the archive comes from the cache and does not prove, it is compiled after all.

@@ -34,7 +34,7 @@ use crate::serve::{Doorbell, ServeError, Server, StopSignal};
 use anyhow::{Context, Result};
 use log::say;
 use mapd_client::TrustedKey;
-use maps::Maps;
+use maps::{Begun, Maps};
 use orders::{Change, Order, Orders};
 use prepare::{Prepared, Workshop};
 use settings::Settings;
@@ -49,6 +49,9 @@ use worker::Worker;
 
 /// Longest wait of a status for the latest numbers of subscribers; then it has those of a moment ago.
 const LOOK_PATIENCE: Duration = Duration::from_millis(100);
+
+/// What is said of a stop during the start.
+const STOPPED_BEFORE: &str = "stopped before anything was served";
 
 /// Serves every map until stopped. All are prepared before the first is published: either all are served or none.
 ///
@@ -97,7 +100,7 @@ pub(crate) fn run(
         }
     }
     if stop.is_requested() {
-        say("stopped before anything was served");
+        say(STOPPED_BEFORE);
         return Ok(Exit::Done);
     }
     if exit != Exit::Done {
@@ -114,15 +117,25 @@ pub(crate) fn run(
     let names: Vec<String> = maps.iter().map(|map| map.name.clone()).collect();
     let mut state =
         Maps::new(server, domain.clone(), board.clone(), workshop.clone(), watched.clone());
-    if let Err(error) = state.begin_all(ready) {
-        return match error.downcast_ref::<ServeError>() {
-            // Bytes that do not prove: no other start makes them good.
-            Some(ServeError::Fill { .. }) => {
-                say(&format!("nothing is served: {error:#}"));
-                Ok(Exit::Rejected)
-            }
-            _ => Err(error),
-        };
+    match state.begin_all(ready) {
+        Ok(Begun::All) => {}
+        Ok(Begun::Stopped { served: 0 }) => {
+            say(STOPPED_BEFORE);
+            return Ok(Exit::Done);
+        }
+        Ok(Begun::Stopped { .. }) => {
+            drop(state);
+            say("stopped");
+            return Ok(Exit::Done);
+        }
+        // Bytes that do not prove: no other start makes them good.
+        Err(error)
+            if matches!(error.downcast_ref::<ServeError>(), Some(ServeError::Fill { .. })) =>
+        {
+            say(&format!("nothing is served: {error:#}"));
+            return Ok(Exit::Rejected);
+        }
+        Err(error) => return Err(error),
     }
     for (map, reason) in &fallbacks {
         state.fell_back(map, reason);

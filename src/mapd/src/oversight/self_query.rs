@@ -33,6 +33,22 @@ impl SelfQueryError {
     pub(crate) fn is_no_verdict(&self) -> bool {
         matches!(self, Self::Client(error) if could_not_look(error))
     }
+
+    /// Whether a longer wait might have ended better: attaching was tried until the deadline.
+    pub(crate) fn may_be_late(&self) -> bool {
+        matches!(
+            self,
+            Self::Client(ClientError::Attach(
+                AttachError::NoDaemon { .. }
+                    | AttachError::NoSuchMap { .. }
+                    | AttachError::NoGeneration { .. }
+                    | AttachError::Busy { .. }
+                    | AttachError::Stuck { .. }
+                    | AttachError::Io { .. }
+                    | AttachError::Iceoryx(_)
+            ))
+        )
+    }
 }
 
 /// Whether a client met nothing but a lack of room for itself: shared memory is full, or all places are taken. Readers keep
