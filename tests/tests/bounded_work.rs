@@ -1,7 +1,7 @@
 //! What a small file may ask of the compiler: work and memory are bounded by limits and by the file's size.
 
 use mapd_archive::{NO_RELATION, RelationReason, Rows};
-use mapd_compiler::Compilation;
+use mapd_compiler::{Compilation, CompileOptions, ReadOptions, compile_from};
 use mapd_query::{Map, Relation};
 use mapd_tests::object_maps::{PLAIN, compile, document, open};
 use std::fmt::Write as _;
@@ -15,8 +15,15 @@ const PATIENCE: Duration = Duration::from_secs(60);
 
 /// Compiles a document within [`PATIENCE`].
 fn soon(what: &str, text: &str) -> Compilation {
+    soon_with(what, text, &CompileOptions::default())
+}
+
+/// As [`soon`], with these options.
+fn soon_with(what: &str, text: &str, options: &CompileOptions) -> Compilation {
     let start = Instant::now();
-    let compiled = compile(text);
+    let open = || Ok(text.as_bytes());
+    let reading = ReadOptions::default();
+    let compiled = compile_from(open, &reading, options, &mut |_| {}).expect("reading works");
     let taken = start.elapsed();
     mapd_tests::say(&format!("{what}: {} bytes, {:.1} s", text.len(), taken.as_secs_f64()));
     assert!(taken < PATIENCE, "{what}: {taken:?}");
@@ -278,4 +285,75 @@ fn points_of_swept_objects_are_bounded_by_the_file() {
         (copies..OBJECTS).map(|id| format!("OpenDRIVE/road[@id=1]/objects/object[@id={id}]"));
     assert_eq!(lost, expected.collect::<Vec<_>>());
     assert!(copies > 0 && copies < OBJECTS, "{copies}");
+}
+
+/// Roads side by side, each line of some thousand points, whose lanes' rows are apart by what the index keeps lines
+/// for: each of them took the others' place, and was decoded as a whole again for the next segment.
+#[test]
+fn long_lanes_side_by_side_are_not_decoded_for_each_segment() {
+    const LANES: &str = r#"<lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="0.2" b="0" c="0" d="0"/></lane></right></laneSection></lanes>"#;
+    const LENGTH: f64 = 60_000.0;
+    const BETWEEN: usize = 127;
+    let mut text = String::from(r#"<OpenDRIVE><header revMajor="1" revMinor="7"/>"#);
+    let mut road = |id: usize, [x, y]: [f64; 2], length: f64, shape: &str| {
+        let _ = write!(
+            text,
+            r#"<road id="{id}" length="{length:?}" junction="-1"><planView><geometry s="0" x="{x:?}" y="{y:?}" hdg="0" length="{length:?}">{shape}</geometry></planView>{LANES}</road>"#
+        );
+    };
+    let long = 16;
+    for i in 0..long {
+        let id = i * (BETWEEN + 1);
+        road(id, [0.0, 0.3 * i as f64], LENGTH, r#"<arc curvature="0.0001"/>"#);
+        for k in 1..=BETWEEN {
+            road(id + k, [10.0 * k as f64, -1000.0 - 10.0 * i as f64], 1.0, "<line/>");
+        }
+    }
+    text.push_str("</OpenDRIVE>");
+    let fine = 1e-3;
+    let options = CompileOptions {
+        index_tolerance: fine,
+        bound_tolerance: fine,
+        ..CompileOptions::default()
+    };
+    let rows = rows(soon_with("long lanes side by side", &text, &options));
+    let most = rows.lanes.iter().map(|lane| lane.center_count).max();
+    assert!(most > Some(1000), "{most:?} points");
+    // All segments are there: 16 of a leaf.
+    let points = rows.lanes.iter().map(|lane| usize::from(lane.center_count)).sum::<usize>();
+    assert!(rows.index_leaves.len() * 16 + rows.lanes.len() > points, "{points} points");
+}
+
+/// Each pair of stretches of two roads looked through all junctions of one road for each of the other's.
+#[test]
+fn junctions_of_overlapping_roads_are_looked_up() {
+    const JUNCTIONS: usize = 20_000;
+    let overlaps = |is_shared: bool| {
+        let mut text = String::from(r#"<OpenDRIVE><header revMajor="1" revMinor="7"/>"#);
+        for (id, y) in [(1, 0.0), (2, 1.0)] {
+            let _ = write!(
+                text,
+                r#"<road id="{id}" length="1000" junction="-1"><planView><geometry s="0" x="0" y="{y:?}" hdg="0" length="1000"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>"#
+            );
+        }
+        for junction in 0..JUNCTIONS {
+            for road in [1, 2] {
+                let _ = write!(
+                    text,
+                    r#"<junction id="{}"><connection id="0" incomingRoad="{road}" connectingRoad="{road}"/></junction>"#,
+                    2 * junction + road
+                );
+            }
+        }
+        if is_shared {
+            text.push_str(
+                r#"<junction id="both"><connection id="0" incomingRoad="1" connectingRoad="2"/></junction>"#,
+            );
+        }
+        text.push_str("</OpenDRIVE>");
+        let compiled = soon("roads of many junctions", &text);
+        let rules = compiled.diagnostics.iter().map(|told| told.finding.rule);
+        rules.filter(|rule| rule.ends_with(":road.no_overlap_outside_junction")).count()
+    };
+    assert_eq!([true, false].map(overlaps), [0, 1]);
 }

@@ -1,11 +1,15 @@
 //! Lines of lanes, decoded once for who asks for their points again and again.
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use mapd_query::{Map, Polyline};
 
 /// Lines of each kind that are kept. What is computed leaf by leaf asks for some dozen lanes near each other, and comes back to
 /// long ones.
 const KEPT: usize = 256;
+
+/// Points that a line has at most to be kept: what is forgotten is decoded again as a whole, and each place keeps the room of
+/// the longest line it had. Of a longer line only the points that are asked for are decoded, each time.
+const LONGEST_KEPT: usize = 256;
 
 /// A point of a line.
 #[derive(Clone, Copy)]
@@ -17,56 +21,85 @@ pub(crate) struct Point {
 }
 
 /// Points of a line, in ascending s.
-#[derive(Default)]
-pub(crate) struct Line(Vec<Point>);
+pub(crate) struct Line<'l, 'a> {
+    /// All of them, if they are kept.
+    points: &'l [Point],
+    /// The line as it lies in the archive, if it is too long for that.
+    long: Option<Polyline<'a>>,
+    /// Inertial position that places count from `[m]`.
+    origin: DVec3,
+}
 
 /// Lines of one lane.
-pub(crate) struct LaneLines<'l> {
-    pub(crate) center: &'l Line,
+pub(crate) struct LaneLines<'l, 'a> {
+    pub(crate) center: Line<'l, 'a>,
     /// The left one first.
-    pub(crate) borders: [&'l Line; 2],
+    pub(crate) borders: [Line<'l, 'a>; 2],
 }
 
 /// Memory of lines: those of lanes that were asked for lately. Two lanes share the border between them.
 pub(crate) struct Lines<'a> {
     map: Map<'a>,
-    origin: DVec2,
-    centers: Vec<Kept>,
-    borders: Vec<Kept>,
+    /// Inertial position that places count from `[m]`.
+    origin: DVec3,
+    centers: Vec<Kept<'a>>,
+    borders: Vec<Kept<'a>>,
 }
 
 #[derive(Default)]
-struct Kept {
+struct Kept<'a> {
     lane: Option<u32>,
-    line: Line,
+    /// None of a line that is too long.
+    points: Vec<Point>,
+    long: Option<Polyline<'a>>,
     /// Of a centre line: the lanes that have the borders to the left and to the right.
     beside: [u32; 2],
 }
 
-impl Line {
-    fn read(&mut self, line: Polyline<'_>, origin: DVec2) {
-        let origin = origin.extend(0.0);
-        self.0.clear();
-        self.0.extend(line.points().map(|(s, position)| Point { s, place: position - origin }));
+impl Line<'_, '_> {
+    /// The point of this number, from 0.
+    pub(crate) fn point(&self, i: usize) -> Option<Point> {
+        match self.long {
+            Some(line) => {
+                Some(Point { s: line.station(i)?, place: line.position(i)? - self.origin })
+            }
+            None => self.points.get(i).copied(),
+        }
     }
 
     /// Number of points whose s on the road is less than this `[m]`.
     pub(crate) fn points_before(&self, s: f64) -> usize {
-        self.0.partition_point(|point| point.s < s)
+        match self.long {
+            Some(line) => line.points_before(s),
+            None => self.points.partition_point(|point| point.s < s),
+        }
+    }
+}
+
+impl<'a> Kept<'a> {
+    fn read(&mut self, lane: u32, line: Polyline<'a>, origin: DVec3) {
+        self.lane = Some(lane);
+        self.points.clear();
+        self.long = (line.len() > LONGEST_KEPT).then_some(line);
+        if self.long.is_none() {
+            let point = |(s, position): (f64, DVec3)| Point { s, place: position - origin };
+            self.points.extend(line.points().map(point));
+        }
     }
 
-    pub(crate) fn points(&self) -> &[Point] {
-        &self.0
+    fn line(&self, origin: DVec3) -> Line<'_, 'a> {
+        Line { points: &self.points, long: self.long, origin }
     }
 }
 
 impl<'a> Lines<'a> {
     pub(crate) fn new(map: Map<'a>) -> Self {
-        Self { map, origin: map.local_origin(), centers: Vec::new(), borders: Vec::new() }
+        let origin = map.local_origin().extend(0.0);
+        Self { map, origin, centers: Vec::new(), borders: Vec::new() }
     }
 
     /// Lines of a lane by its row; none where there is no such lane.
-    pub(crate) fn of(&mut self, lane: u32) -> Option<LaneLines<'_>> {
+    pub(crate) fn of(&mut self, lane: u32) -> Option<LaneLines<'_, 'a>> {
         if self.centers.is_empty() {
             self.centers.resize_with(KEPT, Kept::default);
             self.borders.resize_with(KEPT, Kept::default);
@@ -74,8 +107,7 @@ impl<'a> Lines<'a> {
         let center = self.centers.get_mut(slot(lane))?;
         if center.lane != Some(lane) {
             let of_map = self.map.lane_by_row(lane)?;
-            center.lane = Some(lane);
-            center.line.read(of_map.center_line(), self.origin);
+            center.read(lane, of_map.center_line(), self.origin);
             // A border is stored once, with the lane on its inner side; rows run from left to right.
             center.beside = match of_map.number() {
                 ..0 => [lane.saturating_sub(1), lane],
@@ -87,13 +119,13 @@ impl<'a> Lines<'a> {
             let border = self.borders.get_mut(slot(lane))?;
             if border.lane != Some(lane) {
                 let of_map = self.map.lane_by_row(lane)?;
-                border.lane = Some(lane);
-                border.line.read(of_map.border(), self.origin);
+                border.read(lane, of_map.border(), self.origin);
             }
         }
         let center = self.centers.get(slot(lane))?;
         let [left, right] = center.beside.map(|lane| self.borders.get(slot(lane)));
-        Some(LaneLines { center: &center.line, borders: [&left?.line, &right?.line] })
+        let borders = [left?.line(self.origin), right?.line(self.origin)];
+        Some(LaneLines { center: center.line(self.origin), borders })
     }
 }
 

@@ -93,7 +93,7 @@ fn ends(lines: &mut Lines<'_>, place: &Place) -> [DVec2; 2] {
     let Some(lane) = lines.of(place.lane) else { return [DVec2::ZERO; 2] };
     let first = usize::from(place.segment);
     [first, first + 1]
-        .map(|i| lane.center.points().get(i).map_or(DVec2::ZERO, |point| point.place.truncate()))
+        .map(|i| lane.center.point(i).map_or(DVec2::ZERO, |point| point.place.truncate()))
 }
 
 impl Extent {
@@ -110,7 +110,7 @@ impl Extent {
 
 /// The extent of a lane's area between two s. The area lies in the hull of both borders' stretches, and what is asked of
 /// it (how far to the sides, beyond the ends, up and down) is greatest at a point of theirs, or where they are cut.
-fn extent(borders: [&Line; 2], ends: [DVec2; 2], cuts: [f64; 2]) -> Extent {
+fn extent(borders: [Line<'_, '_>; 2], ends: [DVec2; 2], cuts: [f64; 2]) -> Extent {
     let along = ends[1] - ends[0];
     let length = along.length();
     let mut extent = Extent::NONE;
@@ -128,10 +128,10 @@ fn extent(borders: [&Line; 2], ends: [DVec2; 2], cuts: [f64; 2]) -> Extent {
         };
         let from = border.points_before(cuts[0]);
         let to = border.points_before(cuts[1].next_up());
-        border.points().get(from..to).unwrap_or(&[]).iter().for_each(|p| visit(p.place));
+        (from..to).filter_map(|i| border.point(i)).for_each(|p| visit(p.place));
         for (cut, i) in [(cuts[0], from), (cuts[1], to)] {
-            if let Some(p) = i.checked_sub(1).and_then(|i| border.points().get(i))
-                && let Some(q) = border.points().get(i)
+            if let Some(p) = i.checked_sub(1).and_then(|i| border.point(i))
+                && let Some(q) = border.point(i)
                 && q.s > p.s
             {
                 visit(p.place.lerp(q.place, clamp((cut - p.s) / (q.s - p.s), 0.0, 1.0)));
@@ -267,7 +267,7 @@ fn entry(
     let mut extent = Extent::NONE;
     if let Some(lane) = lines.of(place.lane) {
         let first = usize::from(place.segment);
-        let station = |i: usize| lane.center.points().get(i).map_or(0.0, |point| point.s);
+        let station = |i: usize| lane.center.point(i).map_or(0.0, |point| point.s);
         extent = self::extent(lane.borders, [a, b], [first, first + 1].map(station));
     }
     let margin = 2.0 * options.bound_tolerance + REACH_MARGIN;

@@ -62,7 +62,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use stream::{Next, Stream};
 pub(crate) use too_large::TooLarge;
-use too_large::{too_large, unfit};
+use too_large::{too_large, too_many_ids, unfit};
 
 /// How a document is read and what becomes of its errors. It never shapes the tables of a map without errors.
 #[derive(Clone, Debug, Default)]
@@ -382,6 +382,7 @@ fn read(
     progress(Progress::Linking { roads: lowering.roads() });
     let mut late = Vec::new();
     let whole = checker.whole();
+    let lacks_ids = whole.lacks_ids();
     let (looked, signals) = rayon::join(
         || part::look(&whole),
         || {
@@ -392,6 +393,9 @@ fn read(
     );
     checker.end(whole, looked);
     collector.add_read(read, checker.take_findings(), &places, without);
+    if lacks_ids {
+        late.push(too_many_ids());
+    }
     collector.add(late, &places);
     let mut graph = graph::Written::default();
     if !collector.is_rejected() {

@@ -59,9 +59,18 @@ fn road_of(rows: &Rows, lane: u32) -> Option<(u32, String)> {
 
 /// What the document asks for does not fit the tables.
 pub(crate) fn too_large(error: &TooLarge) -> Finding {
+    of_document(error.to_string())
+}
+
+/// The rules cannot keep all ids that the document has and names.
+pub(crate) fn too_many_ids() -> Finding {
+    of_document("expected ids of at most 4 GiB together, found more".to_owned())
+}
+
+fn of_document(message: String) -> Finding {
     let (span, path) = (mapd_xodr::Span::default(), "OpenDRIVE".to_owned());
     let hint = "compile the map in smaller tiles";
-    finding(TOO_LARGE, Severity::Error, span, path, error.to_string(), hint)
+    finding(TOO_LARGE, Severity::Error, span, path, message, hint)
 }
 
 /// A lane bends so often that its polyline outgrows what a lane can have, or one of its length; or its section is so large that

@@ -17,6 +17,12 @@ impl Whole {
         self.rules.lists.network.len()
     }
 
+    /// Whether the document's ids are together longer than 4 GiB, so that rules take some of them for empty: who compiles or
+    /// checks such a document rejects it.
+    pub fn lacks_ids(&self) -> bool {
+        self.network.lacks_ids()
+    }
+
     /// Whether a rule looks at all overlaps of roads. Finding them takes longer than any other rule, and who comes first
     /// keeps the others waiting.
     pub fn needs_overlaps(&self, check: usize) -> bool {

@@ -92,6 +92,11 @@ impl Network {
         self.names.find(id)
     }
 
+    /// Whether the ids that the document has and names are together longer than 4 GiB, so that some of them count as empty.
+    pub fn lacks_ids(&self) -> bool {
+        self.names.is_incomplete()
+    }
+
     /// How many ids there are.
     pub(crate) fn names(&self) -> usize {
         self.names.len()

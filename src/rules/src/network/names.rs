@@ -25,7 +25,12 @@ pub(crate) struct Names {
     /// Their numbers where their hashes lead, or behind; 0 where there is none. As many as a power of two.
     table: Vec<u32>,
     hasher: RandomState,
+    /// Whether one no longer fitted.
+    is_incomplete: bool,
 }
+
+/// Bytes of all ids together at most: 4 GiB.
+const MOST_BYTES: usize = u32::MAX as usize;
 
 /// Places in the smallest table.
 const FEWEST: usize = 64;
@@ -41,12 +46,18 @@ impl Names {
         self.ends.len() + 1
     }
 
-    /// Number of an id; adds it if it is new. One that no longer fits 4 GiB counts as empty: such maps have no archive.
+    /// Number of an id; adds it if it is new. One that no longer fits 4 GiB counts as empty, of which
+    /// [`Names::is_incomplete`] tells: such maps are rejected.
     pub(crate) fn add(&mut self, text: &str) -> Name {
         if text.is_empty() {
             return Name::default();
         }
-        self.enter(text, self.hash(text))
+        self.enter(text, self.hash(text), MOST_BYTES)
+    }
+
+    /// Whether an id did not fit, so that it counts as empty.
+    pub(crate) fn is_incomplete(&self) -> bool {
+        self.is_incomplete
     }
 
     /// Number of an id that was added.
@@ -73,8 +84,9 @@ impl Names {
         for (at, hash) in other.hashes.iter().enumerate() {
             let text = other.text(Name(at as u32 + 1));
             let hash = if is_hashed_alike { *hash } else { self.hash(text) };
-            names.push(self.enter(text, hash));
+            names.push(self.enter(text, hash, MOST_BYTES));
         }
+        self.is_incomplete |= other.is_incomplete;
         names
     }
 
@@ -82,7 +94,7 @@ impl Names {
         self.hasher.hash_one(text) as u32
     }
 
-    fn enter(&mut self, text: &str, hash: u32) -> Name {
+    fn enter(&mut self, text: &str, hash: u32, most_bytes: usize) -> Name {
         // A quarter of the places is free.
         if 4 * self.len() > 3 * self.table.len() {
             self.grow();
@@ -91,9 +103,11 @@ impl Names {
             Ok(name) => return name,
             Err(place) => place,
         };
-        let (Ok(number), Ok(end)) =
-            (u32::try_from(self.len()), u32::try_from(self.text.len() + text.len()))
+        let end = self.text.len() + text.len();
+        let (Ok(number), Ok(end), true) =
+            (u32::try_from(self.len()), u32::try_from(end), end <= most_bytes)
         else {
+            self.is_incomplete = true;
             return Name::default();
         };
         self.text.push_str(text);
@@ -159,5 +173,21 @@ mod tests {
             assert_eq!(first.find("none"), None);
             assert_eq!(first.find(""), Some(Name::default()));
         }
+    }
+
+    /// An id that does not fit is told of, also once the part that had it is appended; those before stay what they are.
+    #[test]
+    fn an_id_beyond_the_limit_is_told_of() {
+        let mut names = Names::default();
+        let enter = |names: &mut Names, text: &str| names.enter(text, names.hash(text), 5);
+        let [one, two] = ["one", "22"].map(|text| enter(&mut names, text));
+        assert!(!names.is_incomplete());
+        assert_eq!(enter(&mut names, "3"), Name::default());
+        assert!(names.is_incomplete());
+        assert_eq!([names.text(one), names.text(two)], ["one", "22"]);
+        assert_eq!(enter(&mut names, "one"), one);
+        let mut whole = Names::default();
+        whole.append(&names);
+        assert!(whole.is_incomplete());
     }
 }

@@ -3,7 +3,7 @@
 use super::stations::Heading;
 use super::{LinkTarget, Network, RoadFacts, Station};
 use crate::place::text;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
 /// Roads may touch by this much without overlapping `[m]`: borders of neighbors are rounded, and drawn a little over.
@@ -23,6 +23,9 @@ const STRIPS: usize = 32;
 
 /// Stretches that one strip has at least, unless the map has fewer.
 const STRETCHES_OF_A_STRIP: usize = 1 << 15;
+
+/// Pairs of roads of which it is remembered that their overlaps tell nothing; of others it is looked up for each pair of stretches.
+const REMEMBERED: usize = 1 << 20;
 
 /// Stretches of one road that are nearer along it than this are neighbors, however wide it is `[m]`.
 const NEAR: f64 = 30.0;
@@ -58,6 +61,31 @@ struct Place {
     s: f64,
     z: f64,
     bounds: [f64; 4],
+}
+
+/// What is known of pairs of roads, by their ranks.
+struct Pairs {
+    /// Ranks of roads with those of the junctions that they have to do with, ascending.
+    members: Vec<(u32, u32)>,
+    found: BTreeMap<(usize, usize), Overlap>,
+    /// Those whose overlaps tell nothing: as many as fit.
+    expected: BTreeSet<(usize, usize)>,
+}
+
+impl Pairs {
+    /// Junctions that a road has to do with, ascending.
+    fn junctions_of(&self, road: u32) -> &[(u32, u32)] {
+        let [first, end] = [road, road.saturating_add(1)]
+            .map(|road| self.members.partition_point(|(rank, _)| *rank < road));
+        self.members.get(first..end).unwrap_or_default()
+    }
+
+    /// Whether there is a junction that both roads have to do with.
+    fn share_junction(&self, a: u32, b: u32) -> bool {
+        let [a, b] = [a, b].map(|road| self.junctions_of(road));
+        let (few, many) = if a.len() < b.len() { (a, b) } else { (b, a) };
+        few.iter().any(|(_, junction)| many.binary_search_by_key(junction, |(_, of)| *of).is_ok())
+    }
 }
 
 /// Smallest x, smallest y, largest x, largest y.
@@ -215,8 +243,11 @@ impl Network {
     }
 
     fn find_overlaps(&self) -> Vec<Overlap> {
-        let members = self.memberships();
-        let mut found = BTreeMap::new();
+        let mut pairs = Pairs {
+            members: self.memberships(),
+            found: BTreeMap::new(),
+            expected: BTreeSet::new(),
+        };
         let (mut places, mut cells) = (Vec::new(), Vec::new());
         for strip in self.strips() {
             places.clear();
@@ -231,12 +262,12 @@ impl Network {
                         else {
                             continue;
                         };
-                        self.compare(a, b, &members, &mut found);
+                        self.compare(a, b, &mut pairs);
                     }
                 }
             }
         }
-        found.into_values().collect()
+        pairs.found.into_values().collect()
     }
 
     /// Takes the stretches that lie in a strip, and the cells of it that each lies in.
@@ -284,13 +315,7 @@ impl Network {
     }
 
     /// Notes the place where two roads overlap, if these stretches do and none is known.
-    fn compare(
-        &self,
-        a: &Place,
-        b: &Place,
-        members: &[(u32, u32)],
-        found: &mut BTreeMap<(usize, usize), Overlap>,
-    ) {
+    fn compare(&self, a: &Place, b: &Place, pairs: &mut Pairs) {
         // What is cheap and excludes most comes first.
         if !a.is_near(b) || self.are_of_one_junction(a, b) || self.are_neighbors(a, b) {
             return;
@@ -299,9 +324,14 @@ impl Network {
         let (a, b) = (&a, &b);
         let key = (a.road, b.road);
         let depth = a.depth(b);
-        let is_new = || !found.contains_key(&key);
-        if depth > TOUCH && is_new() && self.may_overlap(a, b, members) {
-            found.insert(key, Overlap { a: a.road, b: b.road, s_a: a.s, s_b: b.s, depth });
+        let is_known = || pairs.found.contains_key(&key) || pairs.expected.contains(&key);
+        if depth <= TOUCH || is_known() {
+            return;
+        }
+        if self.may_overlap(a, b, pairs) {
+            pairs.found.insert(key, Overlap { a: a.road, b: b.road, s_a: a.s, s_b: b.s, depth });
+        } else if pairs.expected.len() < REMEMBERED {
+            pairs.expected.insert(key);
         }
     }
 
@@ -326,7 +356,7 @@ impl Network {
     }
 
     /// Whether an overlap of two roads would tell something: not where they touch, nor where they meet at one junction.
-    fn may_overlap(&self, a: &Stretch, b: &Stretch, members: &[(u32, u32)]) -> bool {
+    fn may_overlap(&self, a: &Stretch, b: &Stretch, pairs: &Pairs) -> bool {
         let (Some(road_a), Some(road_b)) = (self.roads.get(a.road), self.roads.get(b.road)) else {
             return false;
         };
@@ -347,15 +377,7 @@ impl Network {
             let mut targets = road_a.links.iter().flatten().map(|link| link.target);
             targets.any(|target| road_b.links.iter().flatten().any(|link| link.target == target))
         };
-        let junctions_of = |road: &RoadFacts| {
-            let first = members.partition_point(|(rank, _)| *rank < road.rank);
-            let own = members.get(first..).unwrap_or_default().iter();
-            let rank = road.rank;
-            own.take_while(move |(of, _)| *of == rank).map(|(_, junction)| *junction)
-        };
-        let share_junction =
-            || junctions_of(road_a).any(|one| junctions_of(road_b).any(|other| other == one));
-        !share_junction()
+        !pairs.share_junction(road_a.rank, road_b.rank)
             && !touches(road_a, road_b)
             && !touches(road_b, road_a)
             && !share_neighbor()
