@@ -198,7 +198,10 @@ impl Network {
     /// Ranks of roads with those of the junctions that they have to do with, ascending.
     fn memberships(&self) -> Vec<(u32, u32)> {
         let mut members = Vec::new();
+        // Junctions of one id count as one, so that the roads within are taken once.
+        let mut first_of = BTreeMap::new();
         for (rank, junction) in self.junctions.iter().enumerate() {
+            let first = junction.id.map_or(rank, |id| *first_of.entry(id).or_insert(rank));
             let connections = self.connections_of(junction).iter();
             let named = connections.flat_map(|c| [c.incoming, c.connecting, c.linked]);
             let written = junction.written.as_deref();
@@ -211,9 +214,10 @@ impl Network {
                 .map(text)
                 .chain([main]);
             let named = named.chain(others.filter_map(|id| self.name_of(id)));
-            let within = junction.id.into_iter().flat_map(|id| self.roads_within(id));
+            let id = junction.id.filter(|_| first == rank);
+            let within = id.into_iter().flat_map(|id| self.roads_within(id));
             let roads = named.filter_map(|id| self.road_named(id)).chain(within);
-            members.extend(roads.map(|road| (road.rank, rank as u32)));
+            members.extend(roads.map(|road| (road.rank, first as u32)));
         }
         members.sort_unstable();
         members.dedup();
@@ -381,5 +385,49 @@ impl Network {
             && !touches(road_a, road_b)
             && !touches(road_b, road_a)
             && !share_neighbor()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::JunctionFacts;
+    use super::*;
+    use mapd_xodr::{JunctionType, Span};
+
+    /// Roads within a junction are taken once, however many junctions have its id.
+    #[test]
+    fn roads_within_junctions_of_one_id_are_taken_once() {
+        const EACH: u32 = 100;
+        let mut network = Network::default();
+        let id = network.names.add("9");
+        for rank in 0..EACH {
+            network.roads.push(RoadFacts {
+                span: Span::default(),
+                length: 1.0,
+                bounds: [0.0; 4],
+                links: [None, None],
+                rank,
+                id: network.names.add(&format!("road {rank}")),
+                junction: Some(id),
+                sections: 0..0,
+                stations: 0..0,
+                profiles: 0..0,
+                is_straight: true,
+                is_left_hand: false,
+                has_crg: false,
+                has_switches: false,
+                has_elevation: false,
+            });
+            network.junctions.push(JunctionFacts {
+                span: Span::default(),
+                id: Some(id),
+                connections: 0..0,
+                kind: JunctionType::Default,
+                written: None,
+            });
+        }
+        network.finish();
+        let expected: Vec<_> = (0..EACH).map(|road| (road, 0)).collect();
+        assert_eq!(network.memberships(), expected);
     }
 }
