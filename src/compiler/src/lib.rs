@@ -188,7 +188,7 @@ fn build(
 ) -> io::Result<Compilation> {
     compiled.provenance.options_hash = reading.hash(options);
     if let Some(mut rows) = rows.filter(|_| compiled.verdict != Verdict::Rejected) {
-        progress(Progress::Indexing { segments: rows.points.len() });
+        progress(Progress::Indexing { bytes: rows.points.len() });
         objects::index(&mut rows);
         signals::index(&mut rows);
         match index::build(&mut rows, options) {

@@ -47,8 +47,8 @@ pub enum Progress {
     },
     /// Building the index.
     Indexing {
-        /// Points in all.
-        segments: usize,
+        /// Bytes of the points of all lines.
+        bytes: usize,
     },
 }
 

@@ -74,7 +74,7 @@ enum ProgressOnTheWay {
     Linking { roads: usize },
     Sampling { lanes: usize },
     Graph { nodes: usize },
-    Indexing { segments: usize },
+    Indexing { bytes: usize },
 }
 
 /// Where a child writes to.

@@ -96,9 +96,8 @@ impl Meter {
             Progress::Linking { roads } => self.stage(|| format!("linking {roads} roads")),
             Progress::Graph { nodes } => self.stage(|| format!("graph of {nodes} nodes")),
             Progress::Sampling { lanes } => self.stage(|| format!("sampling {lanes} lanes")),
-            // Points are counted by the bytes they are written in.
-            Progress::Indexing { segments } => {
-                self.stage(|| format!("indexing {} of points", amount(segments as f64)));
+            Progress::Indexing { bytes } => {
+                self.stage(|| format!("indexing {} of points", amount(bytes as f64)));
             }
         }
     }
