@@ -58,7 +58,8 @@ pub struct NearestOptions {
     pub radius: f64,
     /// Lane types that count. Default all.
     pub types: LaneTypes,
-    /// Largest difference between the point's z and the lane's `[m]`; needs a point with z. Default none.
+    /// Largest difference between the point's z and the lane's `[m]`, beside the lane that of its nearer edge; needs a point with
+    /// z. Default none.
     pub z_tolerance: Option<f64>,
     /// Heading of travel `[rad]`: breaks ties, and excludes lanes by `heading_tolerance`. Default none.
     pub heading: Option<f64>,
