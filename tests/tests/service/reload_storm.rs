@@ -1,6 +1,6 @@
 //! Many reloads under clients that ask without pause.
 //!
-//! `MAPD_RELOADS=1000 cargo test -p mapd-tests --test reload_storm` is the long form.
+//! `MAPD_RELOADS=1000 cargo test -p mapd-tests --test service reload_storm::` is the long form.
 
 use mapd::control::ReloadResult;
 use mapd_tests::place::Place;

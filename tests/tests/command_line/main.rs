@@ -1,0 +1,12 @@
+//! The command line: what commands take, say and promise, and what the pages say of them.
+
+mod bench_command;
+mod command_line;
+mod command_line_frames;
+mod dependencies;
+mod export;
+mod options_documented;
+mod progress;
+mod tiles;
+mod tiles_page;
+mod units;

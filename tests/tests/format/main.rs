@@ -1,0 +1,5 @@
+//! Archives: opened in constant time, damaged in any way, and defects that came back as tests.
+
+mod constant_time;
+mod corruption;
+mod regressions;

@@ -1,0 +1,31 @@
+//! What a compiled map answers: lanes, positions, graph, routes, signals, objects, heights.
+
+mod brute_force;
+mod conflicts;
+mod crossroads;
+mod geodesy;
+mod graph_maps;
+mod index_oracle;
+mod landmarks;
+mod lane_graph;
+mod lane_layers;
+mod object_counts;
+mod object_details;
+mod object_lanes;
+mod object_positions;
+mod object_queries;
+mod object_shapes;
+mod ontology;
+mod polylines;
+mod reference;
+mod regions;
+mod right_road;
+mod road_marks;
+mod round_trips;
+mod routing;
+mod signal_boards;
+mod signal_positions;
+mod signals_corpus;
+mod single_side;
+mod speed_rules;
+mod surfaces;

@@ -1,0 +1,16 @@
+//! Daemon and clients as processes: boot, reloads, events, kills, oversight, trust.
+
+mod doctor;
+mod events;
+mod first_screen;
+mod killed_writers;
+mod locked;
+mod manners;
+mod many_maps;
+mod oversight;
+mod processes;
+mod reload_storm;
+mod service;
+mod service_trouble;
+mod threads;
+mod trust;
