@@ -105,6 +105,8 @@ pub(crate) struct Cause {
     /// Where the finding stands.
     pub(crate) start: u64,
     pub(crate) message: String,
+    /// Name of the included file that it stands in; empty for the document itself.
+    pub(crate) file: Arc<str>,
     pub(crate) line: u32,
     pub(crate) column: u32,
 }
@@ -243,7 +245,8 @@ impl Collector {
             if rejects {
                 let (rule, start) = (finding.rule, finding.span.start);
                 let message = finding.message.clone();
-                self.causes.push(Cause { rule, start, message, line, column });
+                let file = place.file.clone();
+                self.causes.push(Cause { rule, start, message, file, line, column });
             }
             self.diagnostics.push(Diagnostic { finding, rejects, file: place.file, line, column });
         }

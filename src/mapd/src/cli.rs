@@ -495,8 +495,10 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
             };
             match opening.open(&source)? {
                 Some(snapshot) => {
+                    let document =
+                        if source::is_compiled(&source) { "the document" } else { &*source };
                     query::run(
-                        snapshot.map(),
+                        (snapshot.map(), document),
                         kind,
                         (&options, &route),
                         io::stdin().lock(),

@@ -118,6 +118,8 @@ struct QuarantinedFacts {
     max: Option<[f64; 2]>,
     rule: String,
     message: String,
+    /// The included file that the finding stands in; none for the document itself.
+    file: Option<String>,
     line: u32,
     column: u32,
 }
@@ -285,17 +287,6 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
     }
 }
 
-/// What a part is called, with what it belongs to: `object 12 of road 7`.
-pub(crate) fn part_name(part: &Quarantined<'_>) -> String {
-    let (kind, owner_kind) = (part.kind(), part.owner_kind());
-    match owner_kind == kind {
-        true => format!("{} {}", kind.name(), part.id()),
-        false => {
-            format!("{} {} of {} {}", kind.name(), part.id(), owner_kind.name(), part.owner())
-        }
-    }
-}
-
 fn quarantined(part: &Quarantined<'_>) -> QuarantinedFacts {
     let (line, column) = part.source_position();
     let extent = part.extent();
@@ -304,12 +295,13 @@ fn quarantined(part: &Quarantined<'_>) -> QuarantinedFacts {
         id: part.id().to_owned(),
         owner: part.owner().to_owned(),
         owner_kind: part.owner_kind().name(),
-        name: part_name(part),
+        name: part.to_string(),
         reference_line: part.is_reference_line(),
         min: extent.map(|(min, _)| min.to_array()),
         max: extent.map(|(_, max)| max.to_array()),
         rule: part.rule().to_owned(),
         message: part.message().to_owned(),
+        file: part.source_file().map(str::to_owned),
         line,
         column,
     }

@@ -9,7 +9,7 @@ use crate::polyline::{Points, Polyline};
 use crate::profile::{self, At, Slope};
 use crate::road::Road;
 use crate::section::LaneSection;
-use crate::types::{LaneEdges, LanePosition, Point, Pose};
+use crate::types::{Clamped, LaneEdges, LanePosition, Point, Pose};
 use glam::{DVec2, DVec3};
 use mapd_archive::{ArchivedLaneRow, LaneType, Range, SpeedKind, lane_flags};
 use std::borrow::Cow;
@@ -222,12 +222,12 @@ impl<'a> Lane<'a> {
     ///
     /// Errors: coordinates that are not finite; a damaged archive.
     pub fn pose_at(&self, s: f64, offset: f64) -> Result<Pose, QueryError> {
-        let clamped = mapd_geometry::clamp(s, 0.0, self.road.reference_end().max(0.0));
-        let at = self.at(clamped);
+        let end = self.road.reference_end().max(0.0);
+        let at = self.at(mapd_geometry::clamp(s, 0.0, end));
         let edges = self.edge_slopes(at);
         let center = 0.5 * (edges.inner.value + edges.outer.value);
         let pose = self.road.pose(at, center + offset, 0.0)?;
-        Ok(Pose { clamped: clamped != s, ..pose })
+        Ok(Pose { clamped: Clamped::of(s, 0.0, end), ..pose })
     }
 
     /// A point in the lane's coordinates: exact foot on the reference line within the lane's section, distance from

@@ -102,5 +102,5 @@ pub use signals::{
 };
 pub use structures::{ObjectReference, Structure};
 pub use surface::{Material, Surface};
-pub use types::{LaneEdges, LanePosition, Point, Pose, Track, TrackPosition};
+pub use types::{Clamped, LaneEdges, LanePosition, Point, Pose, Track, TrackPosition};
 pub use waypoints::Waypoint;

@@ -3,12 +3,14 @@
 use crate::map::Map;
 use glam::DVec2;
 use mapd_archive::{ArchivedQuarantinedRow, QuarantinedKind, string};
+use std::fmt;
 
 /// A part of the document that is not in the map as written.
 #[derive(Clone, Copy)]
 pub struct Quarantined<'a> {
     map: Map<'a>,
     row: &'a ArchivedQuarantinedRow,
+    number: u32,
 }
 
 impl<'a> Quarantined<'a> {
@@ -70,6 +72,46 @@ impl<'a> Quarantined<'a> {
     pub fn source_position(&self) -> (u32, u32) {
         (self.row.line(), self.row.column())
     }
+
+    /// Name of the included file that the finding stands in, without its folder; none for the document itself.
+    pub fn source_file(&self) -> Option<&'a str> {
+        let tables = self.map.tables();
+        let row = tables.quarantined_files.iter().find(|row| row.part() == self.number)?;
+        Some(string(tables, row.file()))
+    }
+
+    /// What is left out, why and where the reason stands, as people say it; `document` is what the document is called.
+    pub fn explained<'d>(&self, document: &'d str) -> impl fmt::Display + use<'a, 'd> {
+        Explained { part: *self, document }
+    }
+}
+
+/// `object 12 of road 7`, and of a road or junction `road 7`.
+impl fmt::Display for Quarantined<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", self.kind().name(), self.id())?;
+        if self.owner_kind() != self.kind() {
+            write!(f, " of {} {}", self.owner_kind().name(), self.owner())?;
+        }
+        Ok(())
+    }
+}
+
+struct Explained<'a, 'd> {
+    part: Quarantined<'a>,
+    document: &'d str,
+}
+
+impl fmt::Display for Explained<'_, '_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { part, document } = *self;
+        let kept =
+            if part.is_reference_line() { "has its reference line alone" } else { "is left out" };
+        let (file, (line, column)) =
+            (part.source_file().unwrap_or(document), part.source_position());
+        let (rule, message) = (part.rule(), part.message());
+        write!(f, "{part} {kept}: {rule} in {file}, line {line}, column {column}: {message}")
+    }
 }
 
 impl<'a> Map<'a> {
@@ -77,7 +119,24 @@ impl<'a> Map<'a> {
     /// accepted whole.
     pub fn quarantined(&self) -> impl ExactSizeIterator<Item = Quarantined<'a>> + use<'a> {
         let map = *self;
-        map.tables().quarantined.iter().map(move |row| Quarantined { map, row })
+        let rows = map.tables().quarantined.iter();
+        rows.enumerate().map(move |(i, row)| Quarantined { map, row, number: i as u32 })
+    }
+
+    /// Why the map has no part of this kind and id, or has a road without its lanes: the part itself is in quarantine, or an object
+    /// or signal belongs to a road or junction that is. Of several with that id the first in the document; none where the document
+    /// has no such part. A lane is in quarantine with its road.
+    ///
+    /// Looks at all that is left out, one after the other: for the case that a part is not found.
+    pub fn left_out(&self, kind: QuarantinedKind, id: &str) -> Option<Quarantined<'a>> {
+        let tables = self.tables();
+        let own = |part: &Quarantined<'a>| part.kind() == kind && part.id() == id;
+        self.quarantined().find(own).or_else(|| {
+            let mut contents = tables.quarantined_contents.iter();
+            let content =
+                contents.find(|row| row.kind() == kind.code() && string(tables, row.id()) == id)?;
+            self.quarantined().nth(content.part() as usize)
+        })
     }
 
     /// Those whose extent comes as near to a point as `radius` `[m]` in plan view: an answer about that place may lack them.

@@ -6,7 +6,7 @@ use crate::junction::Junction;
 use crate::map::Map;
 use crate::profile::{self, At};
 use crate::section::LaneSection;
-use crate::types::{Point, Pose, Track, TrackPosition};
+use crate::types::{Clamped, Point, Pose, Track, TrackPosition};
 use glam::{DVec2, DVec3};
 use mapd_archive::{
     ArchivedCubicRow, ArchivedGeometryRow, ArchivedLaneLayerRow, ArchivedRoadRow, ContactPoint,
@@ -17,6 +17,9 @@ use mapd_geometry::{Curve, CurveKind, CurvePoint, Start, clamp, normalize_angle}
 /// Two geometries that meet may miss each other by the rounding of their written coordinates: a unit in the last place of
 /// 8,000 km `[m]`. Of two feet whose distances differ by less, the perpendicular one is the foot.
 const JOINT: f64 = 1e-9;
+
+/// A foot at an end of a piece is exact if its place is as near to the point as this `[m]`: what evaluating and projecting round.
+const EXACT: f64 = 1e-9;
 
 /// A road.
 #[derive(Clone, Copy)]
@@ -308,7 +311,7 @@ impl<'a> Road<'a> {
     pub fn to_inertial(&self, track: Track) -> Result<Pose, QueryError> {
         let s = clamp(track.s, 0.0, self.reference_end().max(0.0));
         let pose = self.pose(At::new(s), track.t, track.h)?;
-        Ok(Pose { clamped: s != track.s, ..pose })
+        Ok(Pose { clamped: Clamped::of(track.s, 0.0, self.reference_end().max(0.0)), ..pose })
     }
 
     /// As [`Road::to_inertial`], at a place of the reference line.
@@ -333,7 +336,7 @@ impl<'a> Road<'a> {
             curvature: point.curvature,
             slope: elevation.derivative,
             superelevation,
-            clamped: false,
+            clamped: Clamped::No,
         })
     }
 
@@ -379,7 +382,12 @@ impl<'a> Road<'a> {
         let (distance, piece, foot) = best.ok_or(QueryError::Corrupt)?;
         let s = clamp(piece.s + foot.u, 0.0, end.max(0.0));
         let (roll_cos, roll_sin) = self.roll(At::new(s));
-        let at_end = foot.clamped && (s <= 0.0 || s >= end);
+        let exact = !foot.clamped || self.leads_back(s, foot.lateral, local);
+        let clamped = match (exact, s <= 0.0, s >= end) {
+            (true, ..) | (_, false, false) => Clamped::No,
+            (_, true, _) => Clamped::Before,
+            (_, _, true) => Clamped::After,
+        };
         let (t, h) = match point.z {
             None => (foot.lateral / roll_cos, None),
             Some(z) => {
@@ -390,6 +398,15 @@ impl<'a> Road<'a> {
                 )
             }
         };
-        Ok(TrackPosition { s, t, h, distance, clamped: at_end })
+        Ok(TrackPosition { s, t, h, distance, clamped, exact })
+    }
+
+    /// Whether the place beside the reference line at s is a point (relative to the local origin), but for rounding: at an end of a
+    /// piece it may not be.
+    fn leads_back(&self, s: f64, lateral: f64, local: DVec2) -> bool {
+        self.reference_at(At::new(s)).is_some_and(|point| {
+            let place = DVec2::new(point.x - point.sin * lateral, point.y + point.cos * lateral);
+            place.distance(local) <= EXACT
+        })
     }
 }

@@ -7,6 +7,7 @@ use crate::lane::Lane;
 use crate::map::Map;
 use crate::profile::{self, At, Slope};
 use crate::road::Road;
+use crate::types::Clamped;
 use glam::{DVec2, DVec3};
 use mapd_archive::{
     ArchivedCubicRow, ArchivedShapeStationRow, ArchivedSurfaceRow, ArchivedSurfaceStripRow, Range,
@@ -27,7 +28,7 @@ pub struct Surface<'a> {
     /// What the lane is made of, where the map says so.
     pub material: Option<Material<'a>>,
     /// Whether s lay outside the road and was moved to its nearer end.
-    pub clamped: bool,
+    pub clamped: Clamped,
 }
 
 /// A `lane/material` record.
@@ -135,7 +136,8 @@ impl<'a> Road<'a> {
         if !(s.is_finite() && t.is_finite()) {
             return Err(QueryError::NotFinite);
         }
-        let inside = clamp(s, 0.0, self.reference_end().max(0.0));
+        let end = self.reference_end().max(0.0);
+        let inside = clamp(s, 0.0, end);
         let at = At::new(inside);
         let frame = self.frame(at)?;
         let lane = self.lane_at(inside, t);
@@ -164,7 +166,7 @@ impl<'a> Road<'a> {
             normal,
             lane: lane.map(|lane| lane.lane_id()),
             material: lane.and_then(|lane| lane.material_at(inside)),
-            clamped: inside != s,
+            clamped: Clamped::of(s, 0.0, end),
         })
     }
 

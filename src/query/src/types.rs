@@ -13,6 +13,47 @@ pub struct Track {
     pub h: f64,
 }
 
+/// Whether a place along a line was moved to one of the line's ends, because what was asked for lies beyond it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Clamped {
+    /// It was not.
+    #[default]
+    No,
+    /// It lay before the beginning.
+    Before,
+    /// It lay after the end.
+    After,
+}
+
+impl Clamped {
+    /// Where a value lies with respect to an interval; of what is no number, `No`.
+    #[inline]
+    pub(crate) fn of(value: f64, start: f64, end: f64) -> Self {
+        if value < start {
+            Self::Before
+        } else if value > end {
+            Self::After
+        } else {
+            Self::No
+        }
+    }
+
+    /// Whether it was moved.
+    #[inline]
+    pub fn is_clamped(self) -> bool {
+        self != Self::No
+    }
+
+    /// `before`, `after`, or nothing.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::No => "",
+            Self::Before => "before",
+            Self::After => "after",
+        }
+    }
+}
+
 /// A place on or beside a road, with the frame there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
@@ -27,7 +68,7 @@ pub struct Pose {
     /// Superelevation `[rad]`, positive lifts the left side.
     pub superelevation: f64,
     /// Whether s lay outside the road and was moved to its nearer end.
-    pub clamped: bool,
+    pub clamped: Clamped,
 }
 
 /// Foot of a point on a road's reference line.
@@ -42,7 +83,10 @@ pub struct TrackPosition {
     /// Plan-view distance from the reference line `[m]`.
     pub distance: f64,
     /// Whether the foot is an end of the road and the point lies beyond it.
-    pub clamped: bool,
+    pub clamped: Clamped,
+    /// Whether (s, t, h) is the point: [`crate::Road::to_inertial`] leads back to it. It is not where the point lies beyond an end
+    /// of the road, nor where it lies in the wedge beside a kink or gap of the reference line, where no foot is perpendicular.
+    pub exact: bool,
 }
 
 /// A point to be matched.

@@ -158,7 +158,7 @@ fn track_inverts() {
     check(
         &["track"],
         "road_id,x,y,z\n1,30,2,11\n1,30,2,\n",
-        "road_id,x,y,z,s,t,h,error\n1,30,2,11,30.0,2.0,1.0,\n1,30,2,,30.0,2.0,,\n",
+        "road_id,x,y,z,s,t,h,clamped,exact,error\n1,30,2,11,30.0,2.0,1.0,,1,\n1,30,2,,30.0,2.0,,,1,\n",
     );
 }
 

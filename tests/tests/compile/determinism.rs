@@ -8,13 +8,13 @@ use std::path::Path;
 /// machine. They change when the layout or the compiler changes;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
-    ("one_road.xodr", "", "ddca9e0ea4e60148e5f059dcca7d7a9f1f81f53deda7dfcca4259009cb726167"),
-    ("town.xodr", "", "16605e8da8724698612c232308d725e05d9776b42060dbb5fcf7758add72eb76"),
-    ("one_road.xodr", "utm", "ab7ddecd02d15777efe6f91aa36bbd3b0550182fb0b910ab22b60adc8ec3560c"),
+    ("one_road.xodr", "", "c02f67996453dd3d2d8861b225e1651a506e51831f4feb3336fd4aa99c15445a"),
+    ("town.xodr", "", "37ac746ddeec3fcd561528b030d29375eceec5aa5006cda77f3053af7fd97ab8"),
+    ("one_road.xodr", "utm", "55ba52f629ead46c89991e2f3e494c06910c1eb76438b7530cca3a8770973684"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "ca1f099b59cc653528043513dfd053db8ae24b93da15b2657ffdfebed2a35957",
+        "671972c74b6583f3ca6849f733efc34554826d632e6c39752e3ff4c83362905f",
     ),
 ];
 

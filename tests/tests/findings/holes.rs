@@ -101,6 +101,95 @@ fn what_is_left_out_is_told_by_every_command() {
     }
 }
 
+/// Such a query was answered as if the file had no such part.
+#[test]
+fn what_is_asked_of_a_part_in_quarantine_says_so_with_rule_file_and_line() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = broken(folder.path(), "x=\"0\" y=\"20\" hdg=\"0\"", "x=\"0\" y=\"20\" hdg=\"east\"");
+    let path = file.display().to_string();
+    let text = std::fs::read_to_string(&file).expect("read");
+    let line = 1 + text.lines().position(|line| line.contains("east")).expect("there");
+    let archive = folder.path().join("hole.mapd").display().to_string();
+    assert_eq!(run(&["compile", &path, "-o", &archive], "").2, Some(3));
+    for (source, document) in [(&path, path.as_str()), (&archive, "the document")] {
+        let reason =
+            format!("road 2 is left out: mapd:value.type in {document}, line {line}, column ");
+        for (kind, input) in [
+            ("inertial", "road_id,s,t\n2,5,0\n"),
+            ("surface", "road_id,s,t\n2,5,0\n"),
+            ("lane", "road_id,s,lane_id\n2,5,-1\n"),
+            ("track", "road_id,x,y\n2,5,20\n"),
+            ("successors", "road_id,s,lane_id\n2,5,-1\n"),
+            ("signals", "road_id,s,lane_id,distance\n2,5,-1,50\n"),
+            ("route", "from_road,from_s,from_lane,to_road,to_s,to_lane\n1,5,-1,2,9,-1\n"),
+        ] {
+            let (out, err, code) = run(&["query", source, kind], input);
+            assert_eq!(code, Some(0), "{kind}: {err}");
+            let row = out.lines().nth(1).unwrap_or_default();
+            assert!(
+                row.contains("the map has no road \"\"2\"\"") && row.contains(&reason),
+                "{kind}: {out}"
+            );
+        }
+    }
+    // A road that is kept as its bare line has no lanes.
+    let file = broken(
+        folder.path(),
+        "<lane id=\"-1\" type=\"driving\"><link></link><width sOffset=\"0\" a=\"3.5\" b=\"0\" c=\"0\" d=\"0\"/></lane>\n</right>\n</laneSection>\n</lanes>\n<objects>",
+        "<lane id=\"-1\" type=\"driving\"/><lane id=\"-1\" type=\"driving\"/></right>\n</laneSection>\n</lanes>\n<objects>",
+    );
+    let archive = folder.path().join("line.mapd").display().to_string();
+    let path = file.display().to_string();
+    let options = ["compile", &path, "-o", &archive, "--on-error", "reference-line"];
+    assert_eq!(run(&options, "").2, Some(3));
+    let (out, ..) = run(&["query", &archive, "lane"], "road_id,s,lane_id\n2,5,-1\n");
+    assert!(out.contains("road 2 has its reference line alone: "), "{out}");
+    let (out, ..) = run(&["query", &archive, "inertial"], "road_id,s,t\n2,5,0\n1,5,0\n");
+    let rows: Vec<&str> = out.lines().collect();
+    assert!(rows[1].ends_with(",road 2,") && rows[2].ends_with(",,"), "{out}");
+}
+
+/// Objects and signals that are gone with their road could not be told from such as the file never had.
+#[test]
+fn the_map_knows_why_an_id_is_missing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = broken(folder.path(), "x=\"0\" y=\"20\" hdg=\"0\"", "x=\"0\" y=\"20\" hdg=\"east\"");
+    let snapshot = mapd_tests::maps::open(&file);
+    let map = snapshot.map();
+    use mapd_query::QuarantinedKind::{Junction, Object, Road, Signal};
+    for (kind, id, lost) in [
+        (Road, "2", true),
+        (Object, "o1", true),
+        (Signal, "s1", true),
+        (Road, "1", false),
+        (Object, "s1", false),
+        (Junction, "2", false),
+    ] {
+        let found = map.left_out(kind, id).map(|part| (part.to_string(), part.rule()));
+        let wanted = lost.then(|| ("road 2".to_owned(), "mapd:value.type"));
+        assert_eq!(found, wanted, "{kind:?} {id}");
+    }
+}
+
+/// A list that is empty because of a hole says so.
+#[test]
+fn an_empty_list_at_a_hole_is_no_silent_answer() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = broken(folder.path(), "s=\"50\" t=\"4\"", "s=\"50\" t=\"4+2i\"");
+    let path = file.display().to_string();
+    for kind in ["objects", "landmarks"] {
+        let (out, ..) = run(&["query", &path, kind], "x,y,radius\n50,24,9\n5,-4,1\n");
+        let rows: Vec<&str> = out.lines().collect();
+        assert_eq!(rows.len(), 2, "{kind}: {out}");
+        assert!(
+            rows[1].ends_with(
+                ",object o1 of road 2,\"nothing found, but something is left out of the map there\""
+            ),
+            "{kind}: {out}"
+        );
+    }
+}
+
 #[test]
 fn a_complex_number_in_an_object_costs_that_object_and_not_its_road() {
     let Some(maps) = mapd_tests::shared("maps") else {

@@ -164,8 +164,14 @@ fn the_command_line_lists_a_row_for_each() {
     let answer = |input: &str| {
         let mut out = Vec::new();
         let options = (&NearestOptions::default(), &RouteArgs::default());
-        mapd::query::run(snapshot.map(), Kind::Landmarks, options, input.as_bytes(), &mut out)
-            .expect("runs");
+        mapd::query::run(
+            (snapshot.map(), "the document"),
+            Kind::Landmarks,
+            options,
+            input.as_bytes(),
+            &mut out,
+        )
+        .expect("runs");
         String::from_utf8(out).expect("text")
     };
     let head = "id,class,distance,road_id,s,t,x,y,z,hdg,length,width,height,kind,error";

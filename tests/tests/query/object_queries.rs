@@ -69,8 +69,14 @@ fn the_command_line_lists_a_row_for_each() {
     let mut out = Vec::new();
     let input = "x,y,radius\n30,0,9\n0,0,1\n30,0,-1\n";
     let options = (&NearestOptions::default(), &RouteArgs::default());
-    mapd::query::run(snapshot.map(), Kind::Objects, options, input.as_bytes(), &mut out)
-        .expect("runs");
+    mapd::query::run(
+        (snapshot.map(), "the document"),
+        Kind::Objects,
+        options,
+        input.as_bytes(),
+        &mut out,
+    )
+    .expect("runs");
     let text = String::from_utf8(out).expect("text");
     // The nearest corners of the spaces: (28.5, −3.55) of the one about 26, (29.5, −3.55) of the one about 32; of the one
     // about 20, (22.5, −3.55).

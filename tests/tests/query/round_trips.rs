@@ -4,6 +4,7 @@ use mapd_archive::encode;
 use mapd_client::{Road, Snapshot, Track, glam::DVec2};
 use mapd_compiler::{CompileOptions, compile};
 use mapd_geometry::{Curve, ParameterRange, Primitive, Start};
+use mapd_query::Clamped;
 use mapd_tests::maps::{Random, carried_and, open};
 use std::fmt::Write;
 
@@ -125,12 +126,16 @@ fn check(road: &Road<'_>, s: f64, t: f64, h: f64) -> bool {
     // Nothing is nearer than the foot that was found.
     assert!(found.distance <= lateral.abs() + TOLERANCE + ROUNDING * ulp, "{found:?} for t = {t}");
     // An end, or a bend that is not smooth, may be nearer than the place we came from; no normal leads from there.
-    let kink = road.to_inertial(Track { s: found.s, ..Track::default() }).expect("a pose");
-    let foot = kink.position.truncate();
-    let sideways = (pose.position.truncate() - foot).dot(DVec2::from_angle(kink.heading).perp());
-    if found.clamped || found.distance - sideways.abs() > TOLERANCE {
+    if !found.exact {
+        let kink = road.to_inertial(Track { s: found.s, ..Track::default() }).expect("a pose");
+        let foot = kink.position.truncate();
+        let sideways =
+            (pose.position.truncate() - foot).dot(DVec2::from_angle(kink.heading).perp());
+        let beyond = found.clamped.is_clamped() || found.distance - sideways.abs() > 0.0;
+        assert!(beyond, "a perpendicular foot is exact: {found:?}");
         return false;
     }
+    assert!(!found.clamped.is_clamped(), "{found:?}");
     let again = road.to_inertial(Track { s: found.s, t: found.t, h }).expect("a pose");
     let off = again.position.distance(pose.position);
     assert!(
@@ -179,5 +184,35 @@ fn real_roads() {
             }
         }
         assert!(checked > 0, "{}", path.display());
+    }
+}
+
+/// A kinked line: 100 m east, then, turned to the left by half a radian, 100 m more.
+const KINKED: &str = "<OpenDRIVE><header revMajor=\"1\" revMinor=\"7\"/><road id=\"1\" length=\"200\" junction=\"-1\"><planView>\
+    <geometry s=\"0\" x=\"0\" y=\"0\" hdg=\"0\" length=\"100\"><line/></geometry>\
+    <geometry s=\"100\" x=\"100\" y=\"0\" hdg=\"0.5\" length=\"100\"><line/></geometry></planView>\
+    <lanes><laneSection s=\"0\"><center><lane id=\"0\"/></center><right><lane id=\"-1\" type=\"driving\">\
+    <width sOffset=\"0\" a=\"3\" b=\"0\" c=\"0\" d=\"0\"/></lane></right></laneSection></lanes></road></OpenDRIVE>";
+
+/// Feet at an end or a kink were told as if the point lay at s and t.
+#[test]
+fn a_foot_that_is_not_the_point_says_so() {
+    let snapshot = mapd_tests::maps::open_text(KINKED);
+    let road = snapshot.map().road_by_id("1").expect("there");
+    let end = DVec2::new(100.0, 0.0) + 100.0 * DVec2::from_angle(0.5);
+    for (point, clamped, exact) in [
+        (DVec2::new(50.0, 3.0), Clamped::No, true),
+        (DVec2::new(100.0, 0.0), Clamped::No, true),
+        (DVec2::new(-0.0, 7.0), Clamped::No, true),
+        (DVec2::new(-1.0, 3.0), Clamped::Before, false),
+        (end + DVec2::new(1.0, 1.0), Clamped::After, false),
+        // Outside the bend no normal leads to the point.
+        (DVec2::new(100.2, -2.0), Clamped::No, false),
+    ] {
+        let found = road.to_track(point).expect("a foot");
+        assert_eq!((found.clamped, found.exact), (clamped, exact), "{point}: {found:?}");
+        let track = Track { s: found.s, t: found.t, h: 0.0 };
+        let again = road.to_inertial(track).expect("a pose").position.truncate();
+        assert_eq!(again.distance(point) < TOLERANCE, exact, "{point}: {found:?}");
     }
 }

@@ -68,6 +68,8 @@ pub struct Moves {
     pub controls: Moved,
     /// `signal_controllers`.
     pub signal_controllers: Moved,
+    /// `quarantined`.
+    pub quarantined: Moved,
     /// `objects`.
     pub objects: Moved,
     /// `object_outlines`.
@@ -167,6 +169,8 @@ impl Rows {
             signal_index_nodes: unused(),
             signal_index_items: unused(),
             quarantined: unused(),
+            quarantined_files: unused(),
+            quarantined_contents: unused(),
             objects: unused(),
             object_outlines: unused(),
             object_points: unused(),
@@ -228,6 +232,7 @@ impl Rows {
             controllers: Moved::behind(self.controllers.len()),
             controls: Moved::behind(self.controls.len()),
             signal_controllers: Moved::behind(self.signal_controllers.len()),
+            quarantined: Moved::behind(self.quarantined.len()),
             objects: Moved::behind(self.objects.len()),
             object_outlines: Moved::behind(self.object_outlines.len()),
             object_points: Moved::behind(self.object_points.len()),
@@ -502,9 +507,19 @@ impl Rows {
                 .iter()
                 .map(|row| moves.signals.row(*row)),
         );
-        let before = self.quarantined.len();
-        self.quarantined.extend_from_slice(part.quarantined.get(1..).unwrap_or_default());
-        self.quarantined.iter_mut().skip(before).for_each(|row| row.move_by(moves));
+        if moves.quarantined.is_behind() {
+            let before = self.quarantined.len();
+            self.quarantined.extend_from_slice(part.quarantined.get(1..).unwrap_or_default());
+            self.quarantined.iter_mut().skip(before).for_each(|row| row.move_by(moves));
+        }
+        let before = self.quarantined_files.len();
+        self.quarantined_files
+            .extend_from_slice(part.quarantined_files.get(1..).unwrap_or_default());
+        self.quarantined_files.iter_mut().skip(before).for_each(|row| row.move_by(moves));
+        let before = self.quarantined_contents.len();
+        self.quarantined_contents
+            .extend_from_slice(part.quarantined_contents.get(1..).unwrap_or_default());
+        self.quarantined_contents.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         if moves.objects.is_behind() {
             let before = self.objects.len();
             self.objects.extend_from_slice(part.objects.get(1..).unwrap_or_default());

@@ -351,6 +351,22 @@ impl QuarantinedRow {
     }
 }
 
+impl QuarantinedFileRow {
+    /// Lets the row refer to where what it refers to comes to lie.
+    pub fn move_by(&mut self, moves: &Moves) {
+        self.part = moves.quarantined.row(self.part);
+        self.file = moves.strings.row(self.file);
+    }
+}
+
+impl QuarantinedContentRow {
+    /// Lets the row refer to where what it refers to comes to lie.
+    pub fn move_by(&mut self, moves: &Moves) {
+        self.id = moves.strings.row(self.id);
+        self.part = moves.quarantined.row(self.part);
+    }
+}
+
 impl ObjectRow {
     /// Lets the row refer to where what it refers to comes to lie.
     pub fn move_by(&mut self, moves: &Moves) {

@@ -663,3 +663,34 @@ impl ArchivedQuarantinedRow {
         self.owner_kind
     }
 }
+
+impl ArchivedQuarantinedFileRow {
+    /// The part.
+    #[inline]
+    pub fn part(&self) -> u32 {
+        self.part.to_native()
+    }
+    /// Name of the included file, without its folder.
+    #[inline]
+    pub fn file(&self) -> u32 {
+        self.file.to_native()
+    }
+}
+
+impl ArchivedQuarantinedContentRow {
+    /// Id of the object or signal.
+    #[inline]
+    pub fn id(&self) -> u32 {
+        self.id.to_native()
+    }
+    /// The road or junction.
+    #[inline]
+    pub fn part(&self) -> u32 {
+        self.part.to_native()
+    }
+    /// As `kind` of the part.
+    #[inline]
+    pub fn kind(&self) -> u8 {
+        self.kind
+    }
+}

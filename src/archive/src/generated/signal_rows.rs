@@ -396,3 +396,34 @@ pub struct QuarantinedRow {
 }
 const _: () =
     assert!(size_of::<QuarantinedRow>() == 72 && size_of::<ArchivedQuarantinedRow>() == 72);
+
+/// Parts in quarantine whose finding stands in an included file, by part; of the others it stands in the document itself.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct QuarantinedFileRow {
+    /// The part.
+    pub part: u32,
+    /// Name of the included file, without its folder.
+    pub file: u32,
+}
+const _: () =
+    assert!(size_of::<QuarantinedFileRow>() == 8 && size_of::<ArchivedQuarantinedFileRow>() == 8);
+
+/// Objects and signals that are missing because the road or junction that they belong to is in quarantine, by that part.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct QuarantinedContentRow {
+    /// Id of the object or signal.
+    pub id: u32,
+    /// The road or junction.
+    pub part: u32,
+    /// As `kind` of the part.
+    pub kind: u8,
+    /// 0.
+    pub reserved: [u8; 3],
+}
+const _: () = assert!(
+    size_of::<QuarantinedContentRow>() == 12 && size_of::<ArchivedQuarantinedContentRow>() == 12
+);

@@ -14,7 +14,7 @@ use rkyv::{Archive, Serialize, rend};
 pub const FORMAT: u32 = 1;
 /// Identifies the layout: tables, fields, types, references and rkyv's format flags.
 pub const LAYOUT_ID: [u8; 16] =
-    [116, 209, 185, 165, 86, 147, 20, 78, 16, 88, 232, 218, 189, 129, 105, 146];
+    [42, 229, 217, 4, 129, 131, 151, 228, 69, 117, 52, 35, 121, 171, 111, 84];
 
 /// All tables of a map as the compiler fills them: the archive's root.
 #[derive(Archive, Serialize, Default)]
@@ -153,6 +153,10 @@ pub struct Rows {
     pub signal_index_items: Table<u32>,
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: Table<QuarantinedRow>,
+    /// Parts in quarantine whose finding stands in an included file, by part; of the others it stands in the document itself.
+    pub quarantined_files: Table<QuarantinedFileRow>,
+    /// Objects and signals that are missing because the road or junction that they belong to is in quarantine, by that part.
+    pub quarantined_contents: Table<QuarantinedContentRow>,
     /// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
     pub objects: Table<ObjectRow>,
     /// Outlines of objects, and of what a continuous repetition sweeps over.
@@ -274,6 +278,8 @@ impl Rows {
             signal_index_nodes: bytemuck::cast_slice(self.signal_index_nodes.as_slice()),
             signal_index_items: (self.signal_index_items.as_slice()),
             quarantined: bytemuck::cast_slice(self.quarantined.as_slice()),
+            quarantined_files: bytemuck::cast_slice(self.quarantined_files.as_slice()),
+            quarantined_contents: bytemuck::cast_slice(self.quarantined_contents.as_slice()),
             objects: bytemuck::cast_slice(self.objects.as_slice()),
             object_outlines: bytemuck::cast_slice(self.object_outlines.as_slice()),
             object_points: bytemuck::cast_slice(self.object_points.as_slice()),
@@ -440,6 +446,10 @@ pub struct Tables<'a> {
     pub signal_index_items: &'a [u32],
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: &'a [ArchivedQuarantinedRow],
+    /// Parts in quarantine whose finding stands in an included file, by part; of the others it stands in the document itself.
+    pub quarantined_files: &'a [ArchivedQuarantinedFileRow],
+    /// Objects and signals that are missing because the road or junction that they belong to is in quarantine, by that part.
+    pub quarantined_contents: &'a [ArchivedQuarantinedContentRow],
     /// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
     pub objects: &'a [ArchivedObjectRow],
     /// Outlines of objects, and of what a continuous repetition sweeps over.
@@ -567,6 +577,8 @@ impl<'a> Tables<'a> {
             signal_index_nodes: root.signal_index_nodes.view(body, "signal_index_nodes")?,
             signal_index_items: root.signal_index_items.view_numbers(body, "signal_index_items")?,
             quarantined: root.quarantined.view(body, "quarantined")?,
+            quarantined_files: root.quarantined_files.view(body, "quarantined_files")?,
+            quarantined_contents: root.quarantined_contents.view(body, "quarantined_contents")?,
             objects: root.objects.view(body, "objects")?,
             object_outlines: root.object_outlines.view(body, "object_outlines")?,
             object_points: root.object_points.view(body, "object_points")?,
@@ -597,7 +609,7 @@ impl<'a> Tables<'a> {
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 91] {
+    pub fn infos(&self) -> [TableInfo; 93] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -666,6 +678,8 @@ impl<'a> Tables<'a> {
             TableInfo::of("signal_index_nodes", self.signal_index_nodes),
             TableInfo::of("signal_index_items", self.signal_index_items),
             TableInfo::of("quarantined", self.quarantined),
+            TableInfo::of("quarantined_files", self.quarantined_files),
+            TableInfo::of("quarantined_contents", self.quarantined_contents),
             TableInfo::of("objects", self.objects),
             TableInfo::of("object_outlines", self.object_outlines),
             TableInfo::of("object_points", self.object_points),

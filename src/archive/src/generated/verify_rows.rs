@@ -519,6 +519,17 @@ impl Tables<'_> {
             check.code("has_extent", row.has_extent(), 2)?;
             check.code("owner_kind", row.owner_kind(), 7)?;
         }
+        for (i, row) in self.quarantined_files.iter().enumerate() {
+            let check = Check { table: "quarantined_files", row: i };
+            check.reference("part", row.part(), self.quarantined.len(), false)?;
+            check.reference("file", row.file(), strings, false)?;
+        }
+        for (i, row) in self.quarantined_contents.iter().enumerate() {
+            let check = Check { table: "quarantined_contents", row: i };
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("part", row.part(), self.quarantined.len(), false)?;
+            check.code("kind", row.kind(), 7)?;
+        }
         for (i, row) in self.objects.iter().enumerate() {
             let check = Check { table: "objects", row: i };
             check.finite("x", row.x())?;

@@ -26,8 +26,9 @@ use crate::{finding, origin};
 pub(crate) use grid::{Joint, transitions};
 pub(crate) use links::{Links, WrittenConnection, WrittenLink};
 use mapd_archive::{
-    ContactPoint, JunctionRow, LaneLayerRow, LinkKind, MapRow, NONE, QuarantinedRow, Range,
-    RoadRow, RoadType, RoadTypeRow, Rows, SpeedKind, StringTable,
+    ContactPoint, JunctionRow, LaneLayerRow, LinkKind, MapRow, NONE, QuarantinedContentRow,
+    QuarantinedFileRow, QuarantinedRow, Range, RoadRow, RoadType, RoadTypeRow, Rows, SpeedKind,
+    StringTable,
 };
 use mapd_xodr::{
     self as xodr, Finding, Header, Junction, JunctionType, Position, Road, Severity, Span,
@@ -318,7 +319,24 @@ impl Lowering {
                 owner_kind: part.owner_kind.code(),
                 reserved: [0; 4],
             };
+            let part_row = self.rows.quarantined.len() as u32;
             self.rows.quarantined.push(row);
+            // Folders differ from machine to machine; the archive does not.
+            let file = std::path::Path::new(&*part.file).file_name();
+            if let Some(file) = file.map(|name| name.to_string_lossy()) {
+                let file = self.strings.add(&file);
+                self.rows.quarantined_files.push(QuarantinedFileRow { part: part_row, file });
+            }
+            for (kind, id) in &part.contents {
+                let id = self.strings.add(id);
+                let row = QuarantinedContentRow {
+                    id,
+                    part: part_row,
+                    kind: kind.code(),
+                    reserved: [0; 3],
+                };
+                self.rows.quarantined_contents.push(row);
+            }
         }
     }
 

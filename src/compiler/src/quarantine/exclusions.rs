@@ -114,6 +114,8 @@ impl Exclusions {
             message: part.cause.message.clone(),
             line: part.cause.line,
             column: part.cause.column,
+            file: part.cause.file.clone(),
+            contents: Vec::new(),
         });
         Some(part.treatment)
     }
@@ -130,10 +132,10 @@ impl Exclusions {
         let id = road.id.text().to_owned();
         let own = (PartKind::Road, &*id);
         let place = || (mapd_rules::extent(&road), road.length.value().unwrap_or(0.0));
-        match self.tell((PartKind::Road, road.span), (&id, own), place, out) {
-            Some(Treatment::Dropped) => return None,
-            Some(Treatment::ReferenceLine) => return bare(road),
-            None => {}
+        if let Some(treatment) = self.tell((PartKind::Road, road.span), (&id, own), place, out) {
+            let objects = road.objects.iter().flat_map(|all| objects_in(all));
+            note_contents(out, objects.chain(road.signals.iter().flat_map(|all| signals_in(all))));
+            return if treatment == Treatment::Dropped { None } else { bare(road) };
         }
         let line = ReferenceLine::new(road.plan_view.as_deref());
         if let Some(objects) = &mut road.objects {
@@ -198,6 +200,7 @@ impl Exclusions {
         }
         let id = junction.id.text().to_owned();
         if !self.top(PartKind::Junction, junction.span, &id, out) {
+            note_contents(out, junction.objects.iter().flat_map(|all| objects_in(all)));
             return None;
         }
         let own = (PartKind::Junction, &*id);
@@ -209,6 +212,26 @@ impl Exclusions {
             self.objects(objects, own, None, out);
         }
         Some(junction)
+    }
+}
+
+/// Objects, tunnels and bridges with their ids.
+fn objects_in(objects: &Objects) -> impl Iterator<Item = (PartKind, String)> + '_ {
+    let ids = objects.object.iter().map(|o| o.id.text());
+    let ids = ids.chain(objects.tunnel.iter().map(|o| o.id.text()));
+    let ids = ids.chain(objects.bridge.iter().map(|o| o.id.text()));
+    ids.map(|id| (PartKind::Object, id.to_owned()))
+}
+
+/// Signals with their ids.
+fn signals_in(signals: &Signals) -> impl Iterator<Item = (PartKind, String)> + '_ {
+    signals.signal.iter().map(|signal| (PartKind::Signal, signal.id.text().to_owned()))
+}
+
+/// Notes what is missing with the part that was told last.
+fn note_contents(out: &mut [QuarantinedPart], contents: impl Iterator<Item = (PartKind, String)>) {
+    if let Some(part) = out.last_mut() {
+        part.contents.extend(contents.filter(|(_, id)| !id.is_empty()));
     }
 }
 

@@ -13,6 +13,8 @@ pub use policy::{OnError, Policy};
 pub use units::PartKind;
 pub(crate) use units::{Unit, Units};
 
+use std::sync::Arc;
+
 /// How a part with errors is treated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Treatment {
@@ -47,6 +49,10 @@ pub struct QuarantinedPart {
     pub line: u32,
     /// Column of the finding in bytes, from 1.
     pub column: u32,
+    /// The included file that the finding stands in; empty for the document itself.
+    pub file: Arc<str>,
+    /// Kinds and ids of the objects and signals that are missing with a road or junction.
+    pub contents: Vec<(PartKind, String)>,
 }
 
 impl QuarantinedPart {

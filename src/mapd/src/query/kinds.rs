@@ -1,6 +1,7 @@
 //! The kinds of queries and their columns.
 
 use super::earth::Earth;
+use super::holes::Holes;
 use super::route::Router;
 use super::row::Row;
 use super::{landmarks, signals};
@@ -26,7 +27,7 @@ pub enum Kind {
     Geodetic,
     /// `lat,lon[,alt]` → x,y,z
     FromGeodetic,
-    /// `road_id,x,y[,z]` → s,t,h
+    /// `road_id,x,y[,z]` → s,t,h, whether s was clamped, and whether s, t, h is the point
     Track,
     /// `road_id,s,lane_id` → successors in driving direction
     Successors,
@@ -82,13 +83,18 @@ impl Kind {
             Self::Nearest => &["lane", "road_id", "lane_id", "s", "t", "offset", "distance"],
             Self::Geodetic => &["lat", "lon", "alt"],
             Self::FromGeodetic => &["x", "y", "z"],
-            Self::Track => &["s", "t", "h"],
+            Self::Track => &["s", "t", "h", "clamped", "exact"],
             Self::Successors => &["successors"],
             Self::Route => &["length", "lane_changes", "lanes"],
             Self::Objects => &["id", "class", "distance", "road_id", "s", "t", "x", "y", "z"],
             Self::Landmarks => landmarks::COLUMNS,
             Self::Signals => signals::COLUMNS,
         }
+    }
+
+    /// Whether it is about places of the map, some of which may be in quarantine.
+    pub(crate) fn concerns_places(self) -> bool {
+        !matches!(self, Self::Geodetic | Self::FromGeodetic)
     }
 
     /// Whether it answers with any number of rows.
@@ -101,13 +107,13 @@ impl Kind {
         self,
         map: Map<'_>,
         options: &NearestOptions,
-        (router, earth): (&mut Router<'_>, &Earth),
+        (router, earth, holes): (&mut Router<'_>, &Earth, &Holes<'_>),
         row: &Row<'_>,
         out: &mut Vec<String>,
     ) -> Result<(), String> {
         match self {
             Self::Inertial => {
-                let road = road(map, row)?;
+                let road = road(holes, map, row)?;
                 let track = Track {
                     s: s_on(&road, row)?,
                     t: row.number("t")?,
@@ -117,7 +123,7 @@ impl Kind {
                 numbers(out, &[pose.position.x, pose.position.y, pose.position.z, pose.heading]);
             }
             Self::Surface => {
-                let road = road(map, row)?;
+                let road = road(holes, map, row)?;
                 let found = road.surface_at(s_on(&road, row)?, row.number("t")?).map_err(text)?;
                 numbers(out, &found.position.to_array());
                 numbers(out, &found.normal.to_array());
@@ -128,7 +134,7 @@ impl Kind {
                 }
             }
             Self::Lane => {
-                let (lane, s) = lane(map, row)?;
+                let (lane, s) = lane(holes, map, row)?;
                 let edges = lane.edges_at(s);
                 let pose = lane.pose_at(s, 0.0).map_err(text)?;
                 let (p, hdg) = (pose.position, pose.heading);
@@ -141,23 +147,25 @@ impl Kind {
             }
             Self::FromGeodetic => numbers(out, &earth.point(row)?.to_array()),
             Self::Track => {
-                let road = road(map, row)?;
+                let road = road(holes, map, row)?;
                 let point = point(row)?;
                 let track = road.to_track(point).map_err(text)?;
                 numbers(out, &[track.s, track.t]);
                 out.push(track.h.map(number).unwrap_or_default());
+                out.push(track.clamped.name().to_owned());
+                out.push(u8::from(track.exact).to_string());
             }
             Self::Successors => {
-                let (lane, _) = lane(map, row)?;
+                let (lane, _) = lane(holes, map, row)?;
                 let mut keys = Vec::new();
                 successors(map, &lane, &mut keys).map_err(text)?;
                 out.push(keys.join(";"));
             }
-            Self::Route => router.answer(map, row, out)?,
+            Self::Route => router.answer(holes, map, row, out)?,
             Self::Objects => super::objects::answer(map, row, out)?,
             Self::Landmarks => landmarks::answer(map, row, out)?,
             Self::Signals => {
-                let (lane, s) = lane(map, row)?;
+                let (lane, s) = lane(holes, map, row)?;
                 signals::answer(map, (&lane, s), row.number("distance")?, router.vehicle(), out)?;
             }
         }
@@ -181,19 +189,6 @@ fn nearest(
     out.push(lane.number().to_string());
     numbers(out, &[hit.position.s, hit.position.t, hit.position.offset, hit.position.distance]);
     Ok(())
-}
-
-/// Parts in quarantine that are as near as an answer may be, joined by `;`.
-pub(crate) fn holes(
-    map: Map<'_>,
-    options: &NearestOptions,
-    row: &Row<'_>,
-    earth: &Earth,
-) -> String {
-    let Ok(point) = point_in(row, earth) else { return String::new() };
-    let near = map.quarantined_near(point.xy, options.radius);
-    let names: Vec<String> = near.map(|part| crate::inspect::part_name(&part)).collect();
-    names.join(";")
 }
 
 /// Keys of a lane's successors; where the lane itself goes on, those of its last piece.
@@ -236,7 +231,7 @@ fn point(row: &Row<'_>) -> Result<Point, String> {
 }
 
 /// The point of a row that has x and y, or latitude and longitude.
-fn point_in(row: &Row<'_>, earth: &Earth) -> Result<Point, String> {
+pub(super) fn point_in(row: &Row<'_>, earth: &Earth) -> Result<Point, String> {
     if row.has("x") && row.has("y") {
         return point(row);
     }
@@ -244,13 +239,18 @@ fn point_in(row: &Row<'_>, earth: &Earth) -> Result<Point, String> {
     Ok(Point { xy: at.truncate(), z: row.optional("alt")?.map(|_| at.z) })
 }
 
-fn road<'a>(map: Map<'a>, row: &Row<'_>) -> Result<Road<'a>, String> {
-    road_in(map, row, "road_id")
+fn road<'a>(holes: &Holes<'_>, map: Map<'a>, row: &Row<'_>) -> Result<Road<'a>, String> {
+    road_in(holes, map, row, "road_id")
 }
 
-fn road_in<'a>(map: Map<'a>, row: &Row<'_>, column: &str) -> Result<Road<'a>, String> {
+fn road_in<'a>(
+    holes: &Holes<'_>,
+    map: Map<'a>,
+    row: &Row<'_>,
+    column: &str,
+) -> Result<Road<'a>, String> {
     let id = row.text(column)?;
-    map.road_by_id(id).ok_or_else(|| format!("the map has no road {id:?}"))
+    map.road_by_id(id).ok_or_else(|| holes.no_road(id))
 }
 
 fn s_on(road: &Road<'_>, row: &Row<'_>) -> Result<f64, String> {
@@ -268,23 +268,28 @@ fn s_in(road: &Road<'_>, row: &Row<'_>, column: &str) -> Result<f64, String> {
 }
 
 /// The lane with a number at s.
-fn lane<'a>(map: Map<'a>, row: &Row<'_>) -> Result<(Lane<'a>, f64), String> {
-    lane_in(map, row, ("road_id", "s", "lane_id"))
+pub(super) fn lane<'a>(
+    holes: &Holes<'_>,
+    map: Map<'a>,
+    row: &Row<'_>,
+) -> Result<(Lane<'a>, f64), String> {
+    lane_in(holes, map, row, ("road_id", "s", "lane_id"))
 }
 
 /// As [`lane`], from columns of these names for road, s and lane number.
 pub(super) fn lane_in<'a>(
+    holes: &Holes<'_>,
     map: Map<'a>,
     row: &Row<'_>,
     (road, s, lane): (&str, &str, &str),
 ) -> Result<(Lane<'a>, f64), String> {
-    let road = road_in(map, row, road)?;
+    let road = road_in(holes, map, row, road)?;
     let s = s_in(&road, row, s)?;
     let number = row.lane_number(lane)?;
-    let section =
-        road.section_at(s).ok_or_else(|| format!("road {:?} has no lane section", road.id()))?;
-    let lane = section
-        .lane(number)
-        .ok_or_else(|| format!("road {:?} has no lane {number} at s = {s:?}", road.id()))?;
+    let missing =
+        |what: String| holes.because(road.id(), format!("road {:?} has {what}", road.id()));
+    let section = road.section_at(s).ok_or_else(|| missing("no lane section".to_owned()))?;
+    let lane =
+        section.lane(number).ok_or_else(|| missing(format!("no lane {number} at s = {s:?}")))?;
     Ok((lane, s))
 }

@@ -5,6 +5,7 @@
 //! them, none where there are none. Numbers are in shortest round-trip form.
 
 pub(crate) mod earth;
+mod holes;
 mod kinds;
 mod landmarks;
 mod objects;
@@ -44,11 +45,11 @@ pub enum QueryRunError {
     Io(#[from] std::io::Error),
 }
 
-/// Answers every row of `input`.
+/// Answers every row of `input`. `document` is what messages call the OpenDRIVE file that the map was made from.
 ///
 /// Errors: missing columns; reading or writing fails.
 pub fn run(
-    map: Map<'_>,
+    (map, document): (Map<'_>, &str),
     kind: Kind,
     (options, route): (&NearestOptions, &RouteArgs),
     input: impl Read,
@@ -71,8 +72,9 @@ pub fn run(
             found: headers.iter().collect::<Vec<_>>().join(","),
         });
     }
-    // Where the map has holes, answers about places say which are near.
-    let tells_holes = kind == Kind::Nearest && map.quarantined().len() > 0;
+    // Where the map has holes, answers about places say which concern them.
+    let tells_holes = kind.concerns_places() && map.quarantined().len() > 0;
+    let holes = holes::Holes::new(map, document);
     let mut answers = kind.answers().to_vec();
     if tells_holes {
         answers.push(HOLES);
@@ -89,23 +91,27 @@ pub fn run(
     while reader.read_record(&mut record)? {
         answer.clear();
         let row = Row::new(&headers, &record);
-        let error = kind.answer(map, options, (&mut router, &earth), &row, &mut answer).err();
+        let tools = (&mut router, &earth, &holes);
+        let mut error = kind.answer(map, options, tools, &row, &mut answer).err();
         if error.is_some() {
             answer.clear();
         }
-        // Kinds that list things answer with as many rows as there are, none where there is nothing.
-        let columns = kind.answers().len();
-        if error.is_some() || !kind.lists() {
-            answer.resize(columns, String::new());
+        let lacks = match tells_holes {
+            true => holes.of(kind, options, &row, (&router, &earth)),
+            false => String::new(),
+        };
+        if kind.lists() && answer.is_empty() && error.is_none() && !lacks.is_empty() {
+            error = Some("nothing found, but something is left out of the map there".to_owned());
         }
-        if tells_holes {
-            answer.push(kinds::holes(map, options, &row, &earth));
+        // Kinds that list things answer with as many rows as there are, none where there is nothing.
+        if error.is_some() || !kind.lists() {
+            answer.resize(kind.answers().len(), String::new());
         }
         let error = error.unwrap_or_default();
-        for one in answer.chunks(answers.len()) {
+        for one in answer.chunks(kind.answers().len()) {
             let echo = echoed.iter().map(|i| record.get(*i).unwrap_or(""));
-            writer
-                .write_record(echo.chain(one.iter().map(String::as_str)).chain([error.as_str()]))?;
+            let last = tells_holes.then_some(lacks.as_str()).into_iter().chain([error.as_str()]);
+            writer.write_record(echo.chain(one.iter().map(String::as_str)).chain(last))?;
         }
     }
     writer.flush()?;

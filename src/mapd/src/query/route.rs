@@ -1,9 +1,11 @@
 //! `mapd query … route`.
 
+use super::holes::{Holes, exit};
 use super::kinds::{lane_in, number, text};
 use super::row::Row;
 use clap::{Args, ValueEnum};
 use mapd_client::Map;
+use mapd_query::glam::DVec2;
 use mapd_query::{
     Enter, LanePlace, RouteScratch, RouteStep, ShortestLength, ShortestTime, VehicleClass,
 };
@@ -64,17 +66,24 @@ impl<'a> Router<'a> {
         self.args.vehicle
     }
 
+    /// Where the steps of the last answer end.
+    pub(super) fn ends(&self, map: Map<'_>) -> impl Iterator<Item = DVec2> {
+        self.steps.iter().filter_map(move |step| exit(&map.lane(step.lane).ok()?))
+    }
+
     /// Answers one row.
     pub(crate) fn answer(
         &mut self,
+        holes: &Holes<'_>,
         map: Map<'_>,
         row: &Row<'_>,
         out: &mut Vec<String>,
     ) -> Result<(), String> {
         let place = |road, s, lane| {
-            let (lane, s) = lane_in(map, row, (road, s, lane))?;
+            let (lane, s) = lane_in(holes, map, row, (road, s, lane))?;
             Ok::<_, String>(LanePlace { lane: lane.lane_id(), s })
         };
+        self.steps.clear();
         let from = place("from_road", "from_s", "from_lane")?;
         let to = place("to_road", "to_s", "to_lane")?;
         let Self { args, scratch, steps } = self;
@@ -91,7 +100,14 @@ impl<'a> Router<'a> {
             }
         };
         let route = found.map_err(text)?;
-        let route = route.ok_or_else(|| format!("no way for {}", args.vehicle.name()))?;
+        let route = route.ok_or_else(|| {
+            let lost = match map.quarantined().len() {
+                0 => String::new(),
+                1 => "; one part of the map is left out".to_owned(),
+                more => format!("; {more} parts of the map are left out"),
+            };
+            format!("no way for {}{lost}", args.vehicle.name())
+        })?;
         let mut keys: Vec<String> = Vec::new();
         let mut last = None;
         for step in &*steps {
