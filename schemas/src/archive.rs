@@ -8,16 +8,46 @@ use std::path::Path;
 #[serde(deny_unknown_fields)]
 pub(crate) struct Layout {
     pub(crate) format: u32,
-    /// The rkyv version and flags that shape the bytes; part of the layout id.
-    pub(crate) rkyv: String,
+    /// Numbers of tables that are no longer written, and never used again.
+    retired: Vec<u32>,
     #[serde(rename = "table")]
     pub(crate) tables: Vec<Table>,
+    #[serde(rename = "feature", default)]
+    pub(crate) features: Vec<Feature>,
 }
+
+/// Something that changes the meaning of tables that older readers know.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Feature {
+    /// Its bit in the header's `must_understand`.
+    pub(crate) bit: u32,
+    pub(crate) name: String,
+    /// First release that reads it.
+    pub(crate) release: [u16; 3],
+    pub(crate) doc: String,
+}
+
+/// Bits of the header's `must_understand`.
+const FEATURE_BITS: u32 = 64;
+
+/// Most bytes of a feature's name: those of `name` in the table `features`.
+const FEATURE_NAME: usize = 32;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Table {
     pub(crate) name: String,
+    /// Its number in the directory, fixed for ever.
+    pub(crate) number: u32,
+    /// Whether every archive has it; the others may be missing, which is the same as empty.
+    #[serde(default)]
+    pub(crate) required: bool,
+    /// The table that this one has a row for each of, or none at all.
+    pub(crate) parallel: Option<String>,
+    /// Raised when unit, sign, order, completeness or meaning changes.
+    #[serde(default = "first")]
+    semantics: u32,
     /// Name of the row type, for tables of structs.
     pub(crate) row: Option<String>,
     /// Element type, for tables of plain numbers.
@@ -44,8 +74,15 @@ pub(crate) struct Field {
     #[serde(default)]
     pub(crate) optional: bool,
     pub(crate) codes: Option<u32>,
+    /// Whether a code that is not known is an error.
+    #[serde(default)]
+    pub(crate) closed: bool,
     pub(crate) unit: Option<String>,
     pub(crate) doc: String,
+}
+
+fn first() -> u32 {
+    1
 }
 
 /// Bytes and alignment of a field type.
@@ -63,7 +100,20 @@ impl Layout {
         for table in &layout.tables {
             layout.check(table).with_context(|| format!("table {}", table.name))?;
         }
+        for feature in &layout.features {
+            ensure!(feature.bit < FEATURE_BITS, "feature {}: no such bit", feature.name);
+            ensure!(feature.name.len() <= FEATURE_NAME, "feature {}: too long", feature.name);
+            let same = |f: &&Feature| f.bit == feature.bit || f.name == feature.name;
+            ensure!(layout.features.iter().filter(same).count() == 1, "{} twice", feature.name);
+        }
         Ok(layout)
+    }
+
+    /// The tables in the order in which they lie.
+    pub(crate) fn by_number(&self) -> Vec<&Table> {
+        let mut tables: Vec<&Table> = self.tables.iter().collect();
+        tables.sort_by_key(|table| table.number);
+        tables
     }
 
     /// Gives tables that name a row type without fields those of the table that writes them out.
@@ -80,6 +130,11 @@ impl Layout {
     }
 
     fn check(&self, table: &Table) -> Result<()> {
+        let number = table.number;
+        ensure!(number > 0 && !self.retired.contains(&number), "{number} cannot be a number");
+        let same = |t: &&Table| t.number == number || t.name == table.name;
+        ensure!(self.tables.iter().filter(same).count() == 1, "its number or name is another's");
+        self.target(table.parallel.as_deref())?;
         ensure!(table.row.is_some() != table.scalar.is_some(), "needs either `row` or `scalar`");
         ensure!(table.row.is_some() != table.fields.is_empty(), "`fields` belong to `row`");
         let writes = |t: &&Table| t.row.is_some() && t.row == table.row && t.fields_of.is_none();
@@ -96,6 +151,7 @@ impl Layout {
             offset += size.bytes;
             align = align.max(size.align);
             self.target(field.to.as_deref())?;
+            ensure!(field.codes.is_some() || !field.closed, "`closed` belongs to `codes`");
             if let Some(count) = &field.count {
                 let is_count = |f: &Field| f.name == *count && f.kind == "u16";
                 ensure!(table.fields.iter().any(is_count), "no count {count} of type u16");
@@ -117,17 +173,11 @@ impl Layout {
         }
     }
 
-    /// Identifies the layout: whatever changes the meaning of a byte changes it, documentation does not.
+    /// Identifies the layout: numbers and row ids of all tables.
     pub(crate) fn id(&self) -> [u8; 16] {
-        let mut text = format!("mapd archive {}; {}\n", self.format, self.rkyv);
-        for table in &self.tables {
-            text += &format!("{} {:?} {:?}\n", table.name, table.scalar, table.to);
-            for f in &table.fields {
-                text += &format!(
-                    "  {} {} {:?} {:?} {} {:?} {:?}\n",
-                    f.name, f.kind, f.to, f.count, f.optional, f.codes, f.unit
-                );
-            }
+        let mut text = format!("mapd archive {}\n", self.format);
+        for table in self.by_number() {
+            text += &format!("{} {:016x}\n", table.number, table.row_id());
         }
         let mut id = [0; 16];
         id.copy_from_slice(&blake3::hash(text.as_bytes()).as_bytes()[..16]);
@@ -136,6 +186,26 @@ impl Layout {
 }
 
 impl Table {
+    /// Identifies what a row is: names, types, references and semantics; neither documentation nor units nor codes.
+    pub(crate) fn row_id(&self) -> u64 {
+        let mut text = format!("{} {}\n", self.name, self.semantics);
+        let mut element = |name: &str, kind: &str, to: &Option<String>, rest: &str| {
+            text += &format!("{name}: {kind} -> {}{rest}\n", to.as_deref().unwrap_or("nothing"));
+        };
+        if let Some(scalar) = &self.scalar {
+            element("", scalar, &self.to, "");
+        }
+        for field in &self.fields {
+            let count = field.count.as_ref().map(|count| format!(" × {count}"));
+            let optional = if field.optional { " or none" } else { "" };
+            let rest = format!("{}{optional}", count.unwrap_or_default());
+            element(&field.name, &field.kind, &field.to, &rest);
+        }
+        let mut id = [0; 8];
+        id.copy_from_slice(&blake3::hash(text.as_bytes()).as_bytes()[..8]);
+        u64::from_le_bytes(id)
+    }
+
     /// Bytes of one element.
     pub(crate) fn element_bytes(&self) -> usize {
         let kinds = self.scalar.iter().chain(self.fields.iter().map(|f| &f.kind));

@@ -1,6 +1,7 @@
 //! Rust code of the archive's rows and tables.
 
 use crate::archive::{Field, Layout, Table, array_of};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 pub(crate) const NOTE: &str = "// Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.\n\n";
@@ -108,6 +109,7 @@ fn getter(field: &Field) -> String {
     let name = ident(field);
     match (field.kind.as_str(), array_of(&field.kind)) {
         ("u8", _) => format!("pub fn {name}(&self) -> u8 {{ self.{name} }}\n"),
+        (kind, Some(("u8", _))) => format!("pub fn {name}(&self) -> &{kind} {{ &self.{name} }}\n"),
         ("range", _) => format!("pub fn {name}(&self) -> Range {{ self.{name}.to_native() }}\n"),
         (_, Some((element, count))) => format!(
             "pub fn {name}(&self) -> &[{element}; {count}] {{ bytemuck::cast_ref::<[rend::{element}_le; {count}], _>(&self.{name}) }}\n"
@@ -116,14 +118,14 @@ fn getter(field: &Field) -> String {
     }
 }
 
-/// The archive's root and the borrowed tables.
+/// The directory's known entries, the rows as the compiler fills them, and the borrowed tables.
 pub(crate) fn tables(layout: &Layout) -> String {
     let mut out = format!("//! The archive's tables in the order in which they lie.\n{NOTE}");
     for (part, ..) in PARTS {
         let _ = writeln!(out, "use super::{part}_rows::*;");
     }
-    out += "use crate::error::OpenError;\n";
-    out += "use crate::table::{Table, TableInfo};\nuse rkyv::{Archive, Serialize, rend};\n\n";
+    out += "use crate::directory::{Feature, Reader, TableKind};\nuse crate::error::OpenError;\n";
+    out += "use crate::table::{Table, TableInfo};\nuse rkyv::rend;\n\n";
     let _ = writeln!(
         out,
         "/// Number of the format, raised by hand when old archives can no longer be read.\npub const FORMAT: u32 = {};",
@@ -131,43 +133,68 @@ pub(crate) fn tables(layout: &Layout) -> String {
     );
     let _ = writeln!(
         out,
-        "/// Identifies the layout: tables, fields, types, references and rkyv's format flags.\npub const LAYOUT_ID: [u8; 16] = {:?};\n",
+        "/// Identifies what this release writes: numbers and row ids of all its tables.\npub const LAYOUT_ID: [u8; 16] = {:?};\n",
         layout.id()
     );
-    out += "/// All tables of a map as the compiler fills them: the archive's root.\n#[derive(Archive, Serialize, Default)]\npub struct Rows {\n";
-    for t in &layout.tables {
+    out += "/// What this release knows of what a reader must know of, by bit of the header's `must_understand`.\n";
+    let _ = writeln!(out, "pub const FEATURES: [Feature; {}] = [", layout.features.len());
+    for f in &layout.features {
+        let (bit, name, release) = (f.bit, &f.name, f.release);
+        let _ = writeln!(out, "// {}", f.doc);
+        let _ = writeln!(out, "Feature {{ bit: {bit}, name: {name:?}, release: {release:?} }},");
+    }
+    out += "];\n\n";
+    let tables = layout.by_number();
+    let _ = writeln!(
+        out,
+        "/// The tables that this release knows, by number.\npub(crate) const TABLES: [TableKind; {}] = [",
+        tables.len()
+    );
+    for t in &tables {
+        let _ = writeln!(
+            out,
+            "TableKind {{ number: {}, name: \"{}\", row_bytes: {}, row_id: {:#018x}, required: {} }},",
+            t.number,
+            t.name,
+            t.element_bytes(),
+            t.row_id(),
+            t.required
+        );
+    }
+    out += "];\n\n/// All tables of a map as the compiler fills them.\n#[derive(Default)]\npub struct Rows {\n";
+    for t in &tables {
         let _ = writeln!(out, "/// {}\npub {}: Table<{}>,", t.doc, t.name, element(t));
     }
     out += "}\n\nimpl Rows {\n/// The rows as the tables that an archive of them would have, so that queries run while it is being built.\npub fn as_tables(&self) -> Tables<'_> {\nTables {\n";
-    for t in &layout.tables {
+    for t in &tables {
         let cast = if t.row.is_some() { "bytemuck::cast_slice" } else { "" };
         let _ = writeln!(out, "{0}: {cast}(self.{0}.as_slice()),", t.name);
     }
-    out += "}\n}\n}\n\n/// All tables of an opened archive. Lengths and places were read once and checked; they stay what they are\n/// whatever happens to the bytes later.\n#[derive(Clone, Copy)]\npub struct Tables<'a> {\n";
-    for t in &layout.tables {
+    out += "}\n}\n\n/// The bytes of all tables, as they lie in an archive, in the order of `TABLES`.\n";
+    let _ = writeln!(out, "pub(crate) fn bytes(&self) -> [&[u8]; {}] {{\n[", tables.len());
+    for t in &tables {
+        let _ = writeln!(out, "bytemuck::cast_slice(self.{}.as_slice()),", t.name);
+    }
+    out += "]\n}\n}\n\n/// All tables of an opened archive; those that it does not have are empty. Lengths and places were read once and\n/// checked; they stay what they are whatever happens to the bytes later.\n#[derive(Clone, Copy)]\npub struct Tables<'a> {\n";
+    for t in &tables {
         let _ = writeln!(out, "/// {}\npub {}: &'a [{}],", t.doc, t.name, view(t));
     }
     out += "}\n\nimpl<'a> Tables<'a> {\n";
-    out += "/// Reads place and length of every table once and checks them against the body.\npub(crate) fn new(root: &ArchivedRows, body: &'a [u8]) -> Result<Self, OpenError> {\nOk(Self {\n";
-    for t in &layout.tables {
-        let cast =
-            if t.row.is_none() && t.scalar.as_deref() != Some("u8") { "_numbers" } else { "" };
-        let _ = writeln!(out, "{0}: root.{0}.view{cast}(body, \"{0}\")?,", t.name);
+    out += "/// Takes the tables that this release knows from the directory.\npub(crate) fn read(directory: &mut Reader<'a>) -> Result<Self, OpenError> {\nOk(Self {\n";
+    for (i, t) in tables.iter().enumerate() {
+        let _ = writeln!(out, "{}: directory.take(&TABLES[{i}])?,", t.name);
     }
     out += "})\n}\n\n/// Name, element size and length of every table, in the order in which they lie.\n";
-    let _ = writeln!(out, "pub fn infos(&self) -> [TableInfo; {}] {{\n[", layout.tables.len());
-    for t in &layout.tables {
+    let _ = writeln!(out, "pub fn infos(&self) -> [TableInfo; {}] {{\n[", tables.len());
+    for t in &tables {
         let _ = writeln!(out, "TableInfo::of(\"{0}\", self.{0}),", t.name);
     }
     out += "]\n}\n}\n";
     out += "\n// The element types as they lie in the bytes.\n";
-    for t in &layout.tables {
-        if let Some(s) = t.scalar.as_deref().filter(|s| *s != "u8") {
-            let _ = writeln!(
-                out,
-                "const _: () = assert!(size_of::<rend::{s}_le>() == size_of::<{s}>());"
-            );
-        }
+    let scalars: BTreeSet<&str> = tables.iter().filter_map(|t| t.scalar.as_deref()).collect();
+    for s in scalars.into_iter().filter(|s| *s != "u8") {
+        let _ =
+            writeln!(out, "const _: () = assert!(size_of::<rend::{s}_le>() == size_of::<{s}>());");
     }
     out
 }
@@ -175,13 +202,31 @@ pub(crate) fn tables(layout: &Layout) -> String {
 /// The row part of `verify()`.
 pub(crate) fn verification(layout: &Layout) -> String {
     let mut out = format!("//! Proving the archive's rows.\n{NOTE}");
-    out +=
-        "use super::tables::Tables;\nuse crate::error::VerifyError;\nuse crate::verify::Check;\n\n";
+    out += "use super::tables::Tables;\nuse crate::error::VerifyError;\nuse crate::unknown::UnknownCodes;\nuse crate::verify::Check;\n\n";
     out += "impl Tables<'_> {\n/// Proves every row: finite numbers, known codes, references and ranges inside their tables.\npub(crate) fn verify_rows(&self) -> Result<(), VerifyError> {\nlet strings = self.string_offsets.len().saturating_sub(1);\n";
     for t in &layout.tables {
         out += &verify_table(t);
     }
-    out + "Ok(())\n}\n}\n"
+    out += "Ok(())\n}\n\n/// Notes codes that this release does not know where nothing else depends on them.\npub(crate) fn note_unknown_codes(&self, found: &mut UnknownCodes) {\n";
+    for t in &layout.tables {
+        let open = |f: &&Field| f.codes.is_some() && !f.closed;
+        let notes: String = t.fields.iter().filter(open).map(|f| note(t, f)).collect();
+        if !notes.is_empty() {
+            let _ =
+                write!(out, "for (i, row) in self.{}.iter().enumerate() {{\n{notes}}}\n", t.name);
+        }
+    }
+    out + "}\n}\n"
+}
+
+fn note(t: &Table, f: &Field) -> String {
+    format!(
+        "found.note(\"{}\", \"{}\", i, row.{}(), {});\n",
+        t.name,
+        f.name,
+        ident(f),
+        f.codes.unwrap_or_default()
+    )
 }
 
 fn element(t: &Table) -> &str {
@@ -239,7 +284,7 @@ fn verify_table(t: &Table) -> String {
                     f.optional
                 );
             }
-            ("u8", _) if f.codes.is_some() => {
+            ("u8", _) if f.closed => {
                 let _ = writeln!(
                     checks,
                     "check.code(\"{name}\", row.{get}(), {})?;",
@@ -255,11 +300,20 @@ fn verify_table(t: &Table) -> String {
             _ => {}
         }
     }
-    if checks.is_empty() {
-        return String::new();
+    let mut out = String::new();
+    if let Some(parent) = &t.parallel {
+        let _ = writeln!(
+            out,
+            "Check {{ table: \"{0}\", row: 0 }}.parallel(self.{0}.len(), self.{parent}.len())?;",
+            t.name
+        );
     }
-    format!(
-        "for (i, row) in self.{0}.iter().enumerate() {{\nlet check = Check {{ table: \"{0}\", row: i }};\n{checks}}}\n",
-        t.name
-    )
+    if !checks.is_empty() {
+        let _ = write!(
+            out,
+            "for (i, row) in self.{0}.iter().enumerate() {{\nlet check = Check {{ table: \"{0}\", row: i }};\n{checks}}}\n",
+            t.name
+        );
+    }
+    out
 }

@@ -16,10 +16,21 @@ pub(crate) fn splice(page: &str, layout: &Layout) -> Result<String> {
 }
 
 fn render(layout: &Layout) -> Result<String> {
-    let id: String = layout.id().iter().map(|b| format!("{b:02x}")).collect();
-    let mut out = format!("\nFormat {}, layout id `{id}`.\n", layout.format);
-    for (i, table) in layout.tables.iter().enumerate() {
-        let _ = write!(out, "\n### {}. `{}`\n\n{}\n", i + 1, table.name, table.doc);
+    let mut out = format!("\nFormat {}.\n", layout.format);
+    for feature in &layout.features {
+        let ([major, minor, patch], name) = (feature.release, &feature.name);
+        let _ = write!(
+            out,
+            "\nBit {} of `must_understand`, `{name}`, from {major}.{minor}.{patch} on: {}\n",
+            feature.bit, feature.doc
+        );
+    }
+    for table in &layout.tables {
+        let _ = write!(out, "\n### {}. `{}`\n\n{}\n", table.number, table.name, table.doc);
+        let need = if table.required { "Required" } else { "Optional" };
+        let parallel = table.parallel.as_ref().map(|to| format!(", a row for each of `{to}`"));
+        let parallel = parallel.unwrap_or_default();
+        let _ = write!(out, "\n{need}{parallel}, row id `{:016x}`.\n", table.row_id());
         if let Some(scalar) = &table.scalar {
             let to = table.to.as_ref().map(|to| format!(" → `{to}`")).unwrap_or_default();
             let _ =

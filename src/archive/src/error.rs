@@ -12,6 +12,28 @@ impl fmt::Display for Hex<'_> {
     }
 }
 
+/// What to do about another format.
+fn remedy(expected: u32, found: u32) -> &'static str {
+    match found < expected {
+        true => "compile the map again with this release",
+        false => "read it with the release that wrote it, or compile the map again with this one",
+    }
+}
+
+fn named(bit: u32, name: &str) -> String {
+    match name {
+        "" => format!("feature {bit}"),
+        name => format!("`{name}`"),
+    }
+}
+
+fn newer(release: [u16; 3]) -> String {
+    match release {
+        [0, 0, 0] => "read it with the release that wrote it".to_owned(),
+        [major, minor, patch] => format!("mapd {major}.{minor}.{patch} and later read it"),
+    }
+}
+
 /// Why bytes cannot be opened as an archive.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[non_exhaustive]
@@ -40,7 +62,8 @@ pub enum OpenError {
     HeaderChecksum,
     /// Another format.
     #[error(
-        "the archive has format {found}, this program reads format {expected}; compile the map again with this version"
+        "the archive has format {found}, this program reads format {expected}; {}",
+        remedy(*.expected, *.found)
     )]
     Format {
         /// Format of this program.
@@ -48,13 +71,35 @@ pub enum OpenError {
         /// Format of the archive.
         found: u32,
     },
-    /// Another layout of tables.
-    #[error("the archive has layout {}, this program reads layout {}; use one mapd version for compiler, daemon and clients, or compile the map again", Hex(.found), Hex(.expected))]
-    Layout {
-        /// Layout of this program.
-        expected: [u8; 16],
-        /// Layout of the archive.
-        found: [u8; 16],
+    /// It uses something without which its tables would be misread.
+    #[error("the map uses {}, which this release does not know; {}", named(*.bit, .name), newer(*.release))]
+    NotUnderstood {
+        /// Bit of the header's `must_understand`.
+        bit: u32,
+        /// What the archive calls it; empty if it does not say.
+        name: String,
+        /// First release that reads it, as the archive says: major, minor, patch; zeros if it does not.
+        release: [u16; 3],
+    },
+    /// A table that every archive has.
+    #[error(
+        "the archive has no table `{table}`, which every map needs; read it with the release that wrote it, or compile the map again"
+    )]
+    NoTable {
+        /// Name of the table.
+        table: &'static str,
+    },
+    /// Rows of another meaning.
+    #[error(
+        "table `{table}` has rows of kind {found:016x}, this release reads {expected:016x}; read the archive with the release that wrote it, or compile the map again"
+    )]
+    Row {
+        /// Name of the table.
+        table: &'static str,
+        /// Row id that this release knows.
+        expected: u64,
+        /// Row id in the archive.
+        found: u64,
     },
     /// Cut off, or with something behind it.
     #[error(
@@ -76,18 +121,21 @@ pub enum OpenError {
         /// Remainder of the address.
         found: usize,
     },
-    /// rkyv refuses the root: a table reaches outside the body.
+    /// The directory reaches outside the archive.
     #[error(
-        "the body's root is not valid: a table lies outside the archive; the archive is damaged, compile it again"
+        "the directory of {tables} tables does not lie inside the archive; it is damaged, compile it again"
     )]
-    Root,
-    /// One table reaches outside the body.
+    Directory {
+        /// Number of tables that the header announces.
+        tables: u32,
+    },
+    /// One table reaches outside the archive or into another, is not aligned or out of order.
     #[error(
-        "table `{table}` with {length} elements does not lie inside the archive; it is damaged, compile it again"
+        "table `{table}` with {length} rows does not lie inside the archive, aligned and behind the table before it; the archive is damaged, compile it again"
     )]
     Table {
-        /// Name of the table.
-        table: &'static str,
+        /// Name of the table; its number if this release does not know it.
+        table: String,
         /// Its length as read.
         length: u64,
     },

@@ -1,7 +1,7 @@
 //! The 128 bytes in front of every archive.
 
+use crate::FORMAT;
 use crate::error::OpenError;
-use crate::{FORMAT, LAYOUT_ID};
 
 /// Length of the header in bytes.
 pub const HEADER_LENGTH: usize = 128;
@@ -26,12 +26,17 @@ pub struct Provenance {
 /// The decoded header.
 ///
 /// ```text
-///   0 magic 8 │ 8 endianness mark 4 │ 12 format 4 │ 16 layout id 16 │ 32 body length 8 │ 40 content hash 32
+///   0 magic 8 │ 8 endianness mark 4 │ 12 format 4 │ 16 must understand 8 │ 24 tables 4 │ 28 zero 4 │ 32 body length 8
+///  40 content hash 32
 ///  72 input hash 32 │ 104 options hash 8 │ 112 compiler version 3×2 │ 118 zero 2 │ 120 header checksum 8
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Header {
-    /// Bytes of the body that follows.
+    /// One bit for each feature that a reader has to know of: see the table `features`.
+    pub must_understand: u64,
+    /// Entries of the directory.
+    pub tables: u32,
+    /// Bytes of the body that follows: the directory and the tables.
     pub body_length: u64,
     /// BLAKE3 of the body.
     pub content_hash: [u8; 32],
@@ -44,11 +49,12 @@ impl Header {
     pub fn encode(&self) -> [u8; HEADER_LENGTH] {
         let mut out = [0; HEADER_LENGTH];
         let version = self.provenance.compiler_version;
-        let fields: [(usize, &[u8]); 11] = [
+        let fields: [(usize, &[u8]); 12] = [
             (0, &MAGIC),
             (8, &ENDIANNESS_MARK.to_le_bytes()),
             (12, &FORMAT.to_le_bytes()),
-            (16, &LAYOUT_ID),
+            (16, &self.must_understand.to_le_bytes()),
+            (24, &self.tables.to_le_bytes()),
             (32, &self.body_length.to_le_bytes()),
             (40, &self.content_hash),
             (72, &self.provenance.input_hash),
@@ -65,7 +71,7 @@ impl Header {
         out
     }
 
-    /// Reads and checks a header: everything in it, but not the body.
+    /// Reads and checks a header: everything in it, but not the body, nor whether this release knows what it must.
     ///
     /// Errors: each names what was expected, what was found and the way out.
     pub fn decode(bytes: &[u8]) -> Result<Self, OpenError> {
@@ -89,12 +95,10 @@ impl Header {
         if format != FORMAT {
             return Err(OpenError::Format { expected: FORMAT, found: format });
         }
-        let layout: [u8; 16] = array(head, 16);
-        if layout != LAYOUT_ID {
-            return Err(OpenError::Layout { expected: LAYOUT_ID, found: layout });
-        }
         let number = |at| u16::from_le_bytes(array(head, at));
         Ok(Self {
+            must_understand: u64::from_le_bytes(array(head, 16)),
+            tables: u32::from_le_bytes(array(head, 24)),
             body_length: u64::from_le_bytes(array(head, 32)),
             content_hash: array(head, 40),
             provenance: Provenance {

@@ -1,7 +1,7 @@
 //! The mapd archive: an HD map as flat tables of numbers, the same bytes in a file and in shared memory.
 //!
-//! An archive is a header of 128 bytes and a body: tables that hold nothing but fixed-width little-endian numbers,
-//! written by rkyv. Opening one is cheap and always validated ([`open`]: the same few hundred nanoseconds for 1 MB and
+//! An archive is a header of 128 bytes, a directory and tables that hold nothing but fixed-width little-endian numbers,
+//! laid out and validated by rkyv. Releases that know other tables read each other's archives. Opening one is cheap and always validated ([`open`]: the same few hundred nanoseconds for 1 MB and
 //! 1 GB); proving every row and the content hash is explicit and linear ([`verify`]).
 //!
 //! Invariants: nothing here does I/O or holds global state; no table holds a bool, an enum, an option or a nested
@@ -31,6 +31,7 @@ compile_error!(
 
 mod classes;
 mod codes;
+mod directory;
 mod error;
 mod generated;
 mod graph_codes;
@@ -44,6 +45,7 @@ mod points;
 mod signal_codes;
 mod strings;
 mod table;
+mod unknown;
 mod verify;
 mod verify_graph;
 mod verify_lines;
@@ -54,6 +56,7 @@ pub use codes::{
     ContactPoint, GeoReferenceForm, LaneType, LinkKind, NONE, QuarantinedKind, RoadType, SpeedKind,
     lane_flags,
 };
+pub use directory::{Feature, MOST_TABLES, TableEntry, directory};
 pub use error::{OpenError, VerifyError, WriteError};
 pub use generated::{
     append::Moves,
@@ -81,6 +84,7 @@ pub use signal_codes::{
     signal_values,
 };
 pub use strings::StringTable;
-pub use table::{ArchivedRange, ArchivedTable, Range, Table, TableInfo};
+pub use table::{ArchivedRange, Range, Table, TableInfo};
+pub use unknown::{Unknown, unknown};
 pub use verify::verify;
 pub use write::{AlignedBytes, encode, encode_into, encode_to, encoded_length};

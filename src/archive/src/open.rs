@@ -1,10 +1,11 @@
 //! Opening: validated, in the same time for every size.
 
+use crate::Tables;
+use crate::directory::{Reader, understood};
 use crate::error::OpenError;
 use crate::header::{HEADER_LENGTH, Header};
-use crate::{ArchivedRows, Tables};
 
-/// Alignment of an archive's first byte.
+/// Alignment of an archive's first byte, and of each table in it.
 pub(crate) const ALIGNMENT: usize = 8;
 
 /// An opened archive.
@@ -16,13 +17,24 @@ pub struct Archive<'a> {
     pub tables: Tables<'a>,
 }
 
-/// Opens an archive in place: checks the header, the exact length, and that every table lies inside the body.
+/// Opens an archive in place: checks the header, the exact length, and that every table lies inside the archive, apart from all others.
 ///
-/// Takes constant time and reads nothing but the header and the root. What the rows say is not examined: accessors
+/// Takes constant time and reads nothing but the header and the directory. Tables that this release does not know are left
+/// alone; optional ones that the archive does not have are empty. What the rows say is not examined: accessors
 /// stay checked, and [`crate::verify`] proves the rest.
 ///
 /// Errors: [`OpenError`], each with what was expected, what was found and the way out.
 pub fn open(bytes: &[u8]) -> Result<Archive<'_>, OpenError> {
+    let header = whole(bytes)?;
+    understood(bytes, &header)?;
+    let mut directory = Reader::new(bytes, &header)?;
+    let tables = Tables::read(&mut directory)?;
+    directory.finish()?;
+    Ok(Archive { header, tables })
+}
+
+/// The header of an archive that lies as it must and is as long as it says.
+pub(crate) fn whole(bytes: &[u8]) -> Result<Header, OpenError> {
     let off = bytes.as_ptr() as usize % ALIGNMENT;
     if off != 0 && bytes.len() >= HEADER_LENGTH {
         return Err(OpenError::Alignment { expected: ALIGNMENT, found: off });
@@ -32,10 +44,7 @@ pub fn open(bytes: &[u8]) -> Result<Archive<'_>, OpenError> {
     if expected != bytes.len() as u64 {
         return Err(OpenError::Length { expected, found: bytes.len() as u64 });
     }
-    let body = &bytes[HEADER_LENGTH..];
-    let root =
-        rkyv::access::<ArchivedRows, rkyv::rancor::Failure>(body).map_err(|_| OpenError::Root)?;
-    Ok(Archive { header, tables: Tables::new(root, body)? })
+    Ok(header)
 }
 
 /// The string of a number; empty if there is none or it is not UTF-8 (a corrupt archive).

@@ -1,5 +1,6 @@
 //! Proving an archive: the content hash and what every row says. Linear in its size.
 
+use crate::directory::feature_bit;
 use crate::error::VerifyError;
 use crate::header::HEADER_LENGTH;
 use crate::open::{Archive, open};
@@ -17,6 +18,8 @@ const WIDTH: usize = 16;
 /// are mirrored, whose components are ordered and whose loops are closed where it says so, objects in the order of
 /// their roads with copies and lanes that know them, each place of theirs and each signal once in their index.
 ///
+/// Tables and codes that this release does not know are no errors: [`crate::unknown`] lists them.
+///
 /// Errors: the first thing that is wrong, with table, row and field.
 pub fn verify(bytes: &[u8]) -> Result<Archive<'_>, VerifyError> {
     let archive = open(bytes)?;
@@ -25,6 +28,7 @@ pub fn verify(bytes: &[u8]) -> Result<Archive<'_>, VerifyError> {
         return Err(VerifyError::ContentHash { expected: archive.header.content_hash, found });
     }
     let tables = &archive.tables;
+    features(&archive)?;
     strings(tables)?;
     tables.verify_rows()?;
     exactly_one_map(tables)?;
@@ -91,6 +95,14 @@ impl Check {
         }
     }
 
+    pub(crate) fn parallel(&self, count: usize, parent: usize) -> Result<(), VerifyError> {
+        if count == 0 || count == parent {
+            Ok(())
+        } else {
+            self.fail("", format!("0 or {parent} rows"), count)
+        }
+    }
+
     pub(crate) fn range(
         &self,
         field: &'static str,
@@ -102,6 +114,21 @@ impl Check {
         } else {
             self.fail(field, format!("a range ending at most at {count}"), format!("{range:?}"))
         }
+    }
+}
+
+/// Each bit of the header's `must_understand` has a row that names it.
+fn features(archive: &Archive<'_>) -> Result<(), VerifyError> {
+    let rows = archive.tables.features;
+    let named = rows.iter().fold(0, |bits, row| bits | feature_bit(row.bit()));
+    let bits = archive.header.must_understand;
+    if named != bits {
+        let check = Check { table: "features", row: 0 };
+        return check.fail("bit", format!("bits {bits:#x}"), format!("{named:#x}"));
+    }
+    match rows.iter().position(|row| row.name_text().is_empty()) {
+        Some(row) => Check { table: "features", row }.fail("name", "UTF-8 text", "none"),
+        None => Ok(()),
     }
 }
 

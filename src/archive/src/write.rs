@@ -1,13 +1,14 @@
 //! Writing: the exact size first, then straight into the destination.
 
 use crate::Rows;
+use crate::directory::{ENTRY_LENGTH, TableEntry, TableKind, feature_bit};
 use crate::error::WriteError;
+use crate::generated::tables::TABLES;
 use crate::header::{HEADER_LENGTH, Header, Provenance};
 use crate::open::ALIGNMENT;
 use rkyv::rancor::{Failure, Fallible};
-use rkyv::ser::allocator::SubAllocator;
 use rkyv::ser::writer::Buffer;
-use rkyv::ser::{Positional, Serializer, Writer};
+use rkyv::ser::{Positional, Writer, WriterExt};
 use std::io::{self, Seek, SeekFrom, Write};
 
 /// A byte buffer at an aligned address.
@@ -33,12 +34,66 @@ impl Writer<Failure> for Counter {
     }
 }
 
+/// What an archive of some rows will be.
+struct Plan {
+    directory: Vec<TableEntry>,
+    /// Exact length in bytes.
+    length: usize,
+}
+
+/// The tables that an archive gets: those that every archive has, and those that have rows.
+fn tables(rows: &Rows) -> impl Iterator<Item = (&'static TableKind, &[u8])> {
+    let tables = TABLES.iter().zip(rows.bytes());
+    tables.filter(|(kind, bytes)| kind.required || !bytes.is_empty())
+}
+
+impl Plan {
+    fn of(rows: &Rows) -> Result<Self, Failure> {
+        let mut counter = Counter(HEADER_LENGTH + tables(rows).count() * ENTRY_LENGTH);
+        let mut directory = Vec::with_capacity(TABLES.len());
+        for (kind, bytes) in tables(rows) {
+            directory.push(TableEntry {
+                number: kind.number,
+                row_bytes: kind.row_bytes,
+                row_id: kind.row_id,
+                offset: counter.align(ALIGNMENT)? as u64,
+                count: (bytes.len() / kind.row_bytes as usize) as u64,
+            });
+            counter.write(bytes)?;
+        }
+        Ok(Self { directory, length: counter.0 })
+    }
+
+    /// Writes directory and tables behind a header. Rows have no padding and the machine is little-endian: their bytes are
+    /// the archived bytes.
+    fn write(&self, rows: &Rows, out: &mut impl Writer<Failure>) -> Result<(), Failure> {
+        out.write(bytemuck::cast_slice(&self.directory))?;
+        for (_, bytes) in tables(rows) {
+            out.align(ALIGNMENT)?;
+            out.write(bytes)?;
+        }
+        Ok(())
+    }
+
+    fn header(&self, rows: &Rows, provenance: &Provenance, content: &blake3::Hasher) -> Header {
+        let bits = rows.features.iter().map(|feature| feature_bit(feature.bit));
+        Header {
+            must_understand: bits.fold(0, |all, bit| all | bit),
+            tables: self.directory.len() as u32,
+            body_length: (self.length - HEADER_LENGTH) as u64,
+            content_hash: *content.finalize().as_bytes(),
+            provenance: *provenance,
+        }
+    }
+}
+
+fn failed(error: Failure) -> WriteError {
+    WriteError::Serialize(error.to_string())
+}
+
 /// Exact length in bytes of the archive that [`encode_into`] will write.
 pub fn encoded_length(rows: &Rows) -> Result<usize, WriteError> {
-    let mut counter = Serializer::new(Counter(0), SubAllocator::empty(), ());
-    rkyv::api::serialize_using::<_, Failure>(rows, &mut counter)
-        .map_err(|e| WriteError::Serialize(e.to_string()))?;
-    Ok(HEADER_LENGTH + counter.into_writer().0)
+    Ok(Plan::of(rows).map_err(failed)?.length)
 }
 
 /// Writes an archive into a destination of exactly [`encoded_length`] bytes, aligned to 8. Whatever the destination
@@ -50,27 +105,23 @@ pub fn encode_into(
     provenance: &Provenance,
     out: &mut [u8],
 ) -> Result<Header, WriteError> {
-    let expected = encoded_length(rows)?;
-    if out.len() != expected {
-        return Err(WriteError::Length { expected, found: out.len() });
+    let plan = Plan::of(rows).map_err(failed)?;
+    if out.len() != plan.length {
+        return Err(WriteError::Length { expected: plan.length, found: out.len() });
     }
     if !(out.as_ptr() as usize).is_multiple_of(ALIGNMENT) {
         return Err(WriteError::Alignment { expected: ALIGNMENT });
     }
-    let (head, body) = out.split_at_mut(HEADER_LENGTH);
-    let mut writer = Serializer::new(Buffer::from(&mut *body), SubAllocator::empty(), ());
-    rkyv::api::serialize_using::<_, Failure>(rows, &mut writer)
-        .map_err(|e| WriteError::Serialize(e.to_string()))?;
     // Gaps between tables are written as zeros: with the right length, nothing is left of what was there.
-    let found = HEADER_LENGTH + writer.into_writer().len();
-    if found != expected {
-        return Err(WriteError::Length { expected, found });
+    let mut writer = Buffer::from(&mut *out);
+    Writer::<Failure>::write(&mut writer, &[0; HEADER_LENGTH]).map_err(failed)?;
+    plan.write(rows, &mut writer).map_err(failed)?;
+    let found = writer.len();
+    if found != plan.length {
+        return Err(WriteError::Length { expected: plan.length, found });
     }
-    let header = Header {
-        body_length: body.len() as u64,
-        content_hash: *blake3::hash(body).as_bytes(),
-        provenance: *provenance,
-    };
+    let (head, body) = out.split_at_mut(HEADER_LENGTH);
+    let header = plan.header(rows, provenance, blake3::Hasher::new().update(body));
     head.copy_from_slice(&header.encode());
     Ok(header)
 }
@@ -120,20 +171,16 @@ pub fn encode_to(
     provenance: &Provenance,
     out: &mut (impl Write + Seek),
 ) -> io::Result<Header> {
+    let plan = Plan::of(rows).map_err(|error| io::Error::other(error.to_string()))?;
     out.seek(SeekFrom::Start(HEADER_LENGTH as u64))?;
-    let stream = Streamed { out, position: 0, hasher: blake3::Hasher::new(), failed: None };
-    let mut writer = Serializer::new(stream, SubAllocator::empty(), ());
-    let done = rkyv::api::serialize_using::<_, Failure>(rows, &mut writer);
-    let stream = writer.into_writer();
+    let (hasher, position) = (blake3::Hasher::new(), HEADER_LENGTH);
+    let mut stream = Streamed { out, position, hasher, failed: None };
+    let done = plan.write(rows, &mut stream);
     if let Some(error) = stream.failed {
         return Err(error);
     }
     done.map_err(|error| io::Error::other(error.to_string()))?;
-    let header = Header {
-        body_length: stream.position as u64,
-        content_hash: *stream.hasher.finalize().as_bytes(),
-        provenance: *provenance,
-    };
+    let header = plan.header(rows, provenance, &stream.hasher);
     stream.out.seek(SeekFrom::Start(0))?;
     stream.out.write_all(&header.encode())?;
     Ok(header)

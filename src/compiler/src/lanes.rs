@@ -6,7 +6,7 @@ use crate::cuts::{Cuts, Memory};
 use crate::flatten::{Curve, Fault, Sample, flatten};
 use crate::options::CompileOptions;
 use glam::DVec3;
-use mapd_archive::{Archive, Header, LaneRow, PointCode, Provenance, Rows, SectionRow};
+use mapd_archive::{Archive, Header, LaneRow, PointCode, Rows, SectionRow};
 use mapd_query::{Lane, LaneEdges, Map};
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -123,9 +123,7 @@ pub(crate) fn sample(
 
 /// Unfinished rows, seen as an archive.
 pub(crate) fn view(rows: &Rows) -> Archive<'_> {
-    let header =
-        Header { body_length: 0, content_hash: [0; 32], provenance: Provenance::default() };
-    Archive { header, tables: rows.as_tables() }
+    Archive { header: Header::default(), tables: rows.as_tables() }
 }
 
 /// Samples the lanes of some sections.

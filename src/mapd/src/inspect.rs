@@ -15,7 +15,8 @@ struct Inspection {
     source: String,
     bytes: usize,
     format: u32,
-    layout_id: String,
+    /// What this release does not know of it.
+    unknown: Vec<String>,
     content_hash: String,
     input_hash: String,
     options_hash: String,
@@ -190,7 +191,10 @@ pub(crate) fn run(
     }
     writeln!(out, "archive       {} bytes, {:.0} per km of road", i.bytes, m.bytes_per_road_km)?;
     writeln!(out, "generation    {}", i.generation)?;
-    writeln!(out, "layout id     {} (format {})", i.layout_id, i.format)?;
+    writeln!(out, "format        {}", i.format)?;
+    for unknown in &i.unknown {
+        writeln!(out, "warning       {unknown}")?;
+    }
     writeln!(out, "content hash  {}", i.content_hash)?;
     writeln!(out, "input hash    {}", i.input_hash)?;
     writeln!(out, "options hash  {}", i.options_hash)?;
@@ -241,7 +245,7 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
         source: source.to_owned(),
         bytes,
         format: mapd_archive::FORMAT,
-        layout_id: hex(&mapd_archive::LAYOUT_ID),
+        unknown: unknown_to_this_release(snapshot),
         content_hash: hex(&header.content_hash),
         input_hash: hex(&header.provenance.input_hash),
         options_hash: hex(&header.provenance.options_hash),
@@ -285,6 +289,12 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
             })
             .collect(),
     }
+}
+
+fn unknown_to_this_release(snapshot: &Snapshot) -> Vec<String> {
+    // What is open can be opened again.
+    let unknown = mapd_archive::unknown(snapshot.bytes()).unwrap_or_default();
+    unknown.iter().map(ToString::to_string).collect()
 }
 
 fn quarantined(part: &Quarantined<'_>) -> QuarantinedFacts {

@@ -93,7 +93,7 @@ pub(crate) fn open_input(path: &Path) -> Result<File> {
 
 /// Opens a SOURCE: `shm:NAME` (in a domain, waiting so long at most), a `.mapd` file in place, or an OpenDRIVE file compiled in memory.
 ///
-/// Errors: files that cannot be read, archives of another layout, no such live map.
+/// Errors: files that cannot be read, archives that this release cannot read, no such live map.
 pub fn open(
     source: &str,
     (reading, options): (&ReadOptions, &CompileOptions),

@@ -5,16 +5,16 @@ use mapd_compiler::{CompileOptions, compile};
 use std::path::Path;
 
 /// Content hashes of the carried maps with the options' defaults, and in target frames whose functions are the same on every
-/// machine. They change when the layout or the compiler changes;
+/// machine. They change when the format or the compiler changes;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
-    ("one_road.xodr", "", "c02f67996453dd3d2d8861b225e1651a506e51831f4feb3336fd4aa99c15445a"),
-    ("town.xodr", "", "37ac746ddeec3fcd561528b030d29375eceec5aa5006cda77f3053af7fd97ab8"),
-    ("one_road.xodr", "utm", "55ba52f629ead46c89991e2f3e494c06910c1eb76438b7530cca3a8770973684"),
+    ("one_road.xodr", "", "a288279aef5e4cd56b2b03c4b7e3bda0ec4de019d6c82defab7fbbffa6b26424"),
+    ("town.xodr", "", "1f57fbb7b3c36cead8ffc0432b97f7a21b8174d9ef927f040abae3be1bfe9af1"),
+    ("one_road.xodr", "utm", "75ab88daf48e6ebe3b97cd2482f7102b2185c1eee1f013d3d232954b9546d3d5"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "671972c74b6583f3ca6849f733efc34554826d632e6c39752e3ff4c83362905f",
+        "2e8eefa9f8d801815a8807aa26183099453f3a8a84f542b7037fdb380e4c88ee",
     ),
 ];
 

@@ -1,7 +1,8 @@
 //! Damaged archives: typed errors or merely wrong answers, never a panic or a read outside.
 
 use mapd_archive::{
-    AlignedBytes, HEADER_LENGTH, OpenError, TableInfo, Tables, VerifyError, encode, open, verify,
+    AlignedBytes, HEADER_LENGTH, MOST_TABLES, OpenError, TableEntry, TableInfo, Tables,
+    VerifyError, encode, open, verify,
 };
 use mapd_compiler::{CompileOptions, compile};
 use mapd_tests::damage::{ask_everything, seal, seal_header};
@@ -77,23 +78,25 @@ fn survive_flips(good: &AlignedBytes) {
         );
         ask_everything(bad);
     }
-    // The table of contents lies at the end: every byte of it, every value that is likely to hurt.
-    for at in good.len() - 700..good.len() {
+    // The directory lies behind the header: every byte of it, every value that is likely to hurt.
+    let tables = open(good).expect("opens").header.tables as usize;
+    for at in HEADER_LENGTH..HEADER_LENGTH + tables * size_of::<TableEntry>() {
         for value in [0, 1, 0x7f, 0x80, 0xff] {
             let mut bad = good.clone();
             bad[at] = value;
+            seal(&mut bad);
             ask_everything(bad);
         }
     }
 }
 
-/// Where each table's bytes lie in the archive, by name.
+/// Where the bytes of each table that has rows lie in the archive, by name.
 fn places(tables: &Tables<'_>, base: usize) -> Vec<(&'static str, std::ops::Range<usize>)> {
     let place = |info: &TableInfo| {
         let start = info.address - base;
         (info.name, start..start + info.count * info.element_bytes)
     };
-    tables.infos().iter().map(place).collect()
+    tables.infos().iter().filter(|info| info.count > 0).map(place).collect()
 }
 
 /// Flips per table of the town.
@@ -265,14 +268,22 @@ fn headers_of_others_are_refused_for_their_reason() {
     let good = archive("one_road.xodr");
     let length = good.len() as u64 - HEADER_LENGTH as u64;
     let is_length = |error: &OpenError| matches!(error, OpenError::Length { .. });
-    let cases: [Case; 7] = [
+    let is_directory = |error: &OpenError| matches!(error, OpenError::Directory { .. });
+    let cases: [Case; 10] = [
         ("mark", 0, b"PK\x03\x04....".to_vec(), |e| matches!(e, OpenError::NotAnArchive { .. })),
         ("byte order", 8, good[8..12].iter().rev().copied().collect(), |e| {
             matches!(e, OpenError::Endianness)
         }),
         ("no byte order", 8, vec![0; 4], |e| matches!(e, OpenError::Endianness)),
         ("format", 12, vec![0xff; 4], |e| matches!(e, OpenError::Format { found: u32::MAX, .. })),
-        ("layout", 16, vec![0x11; 16], |e| matches!(e, OpenError::Layout { .. })),
+        ("format of old", 12, vec![1, 0, 0, 0], |e| {
+            matches!(e, OpenError::Format { found: 1, .. })
+        }),
+        ("a feature of later", 16, vec![0, 0, 1], |e| {
+            matches!(e, OpenError::NotUnderstood { bit: 16, .. })
+        }),
+        ("too many tables", 24, (MOST_TABLES + 1).to_le_bytes().to_vec(), is_directory),
+        ("more tables than bytes", 24, MOST_TABLES.to_le_bytes().to_vec(), is_directory),
         ("longer", 32, (length + 1).to_le_bytes().to_vec(), is_length),
         ("endless", 32, u64::MAX.to_le_bytes().to_vec(), is_length),
     ];
@@ -300,8 +311,8 @@ fn the_command_names_what_is_wrong_with_a_file() {
         ("text", b"not a map at all\n".repeat(20), "not a mapd archive"),
         ("cut", good[..good.len() - 1].to_vec(), "cut off"),
         ("longer", [&good[..], b"x"].concat(), "something appended"),
-        ("layout", flipped(20), "checksum"),
-        ("string", flipped(HEADER_LENGTH), "content hash"),
+        ("features", flipped(20), "checksum"),
+        ("row", flipped(good.len() / 2), "content hash"),
         ("last", flipped(good.len() - 1), ""),
     ];
     for (name, bytes, expected) in cases {

@@ -3,3 +3,4 @@
 mod constant_time;
 mod corruption;
 mod regressions;
+mod releases;

@@ -3,7 +3,7 @@
 //! On a straight piece from (x₀, y₀) with heading ψ: (x, y) = (x₀ + u·cos ψ − t·sin ψ, y₀ + u·sin ψ + t·cos ψ), u the
 //! distance from the piece's start; z = elevation + zOffset; facing = ψ + π + hOffset for `+`, ψ + hOffset for `−` and `none`.
 
-use mapd_archive::{Archive, Header, Provenance, Rows};
+use mapd_archive::{Archive, Header, Rows};
 use mapd_compiler::{CompileOptions, ReadOptions, compile_from};
 use mapd_query::{Map, SignalPosition};
 use mapd_tests::graph_maps::{Line, document, lane, road, section};
@@ -59,9 +59,7 @@ fn rows(open: impl FnMut() -> std::io::Result<Box<dyn std::io::Read + Send>>) ->
 }
 
 fn view(rows: &Rows) -> Archive<'_> {
-    let header =
-        Header { body_length: 0, content_hash: [0; 32], provenance: Provenance::default() };
-    Archive { header, tables: rows.as_tables() }
+    Archive { header: Header::default(), tables: rows.as_tables() }
 }
 
 fn check(map: Map<'_>, road: &str, id: &str, expected: [f64; 4]) {

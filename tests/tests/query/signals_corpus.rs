@@ -1,6 +1,6 @@
 //! Signals of every map of the corpus: as many as the manifest says, each placed and either for lanes or named in a finding.
 
-use mapd_archive::{Archive, Header, Provenance, Rows};
+use mapd_archive::{Archive, Header, Rows};
 use mapd_compiler::{Compilation, CompileOptions, ReadOptions, Verdict, compile_from};
 use mapd_query::{Class, Map};
 use std::collections::HashMap;
@@ -25,9 +25,7 @@ fn manifest() -> HashMap<String, Counts> {
 }
 
 fn view(rows: &Rows) -> Archive<'_> {
-    let header =
-        Header { body_length: 0, content_hash: [0; 32], provenance: Provenance::default() };
-    Archive { header, tables: rows.as_tables() }
+    Archive { header: Header::default(), tables: rows.as_tables() }
 }
 
 fn check(name: &str, compiled: &Compilation, expected: Counts) {

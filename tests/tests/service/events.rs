@@ -119,7 +119,7 @@ fn every_wait_in_vain_says_why() {
 
 /// A daemon that is there and has not published, and one that has published what this release cannot read.
 #[test]
-fn a_map_that_is_coming_and_one_of_another_layout() {
+fn a_map_that_is_coming_and_one_that_cannot_be_read() {
     let place = place();
     let mut server = Server::start(&place.domain()).expect("starts");
     server.claim("town").expect("claimed");

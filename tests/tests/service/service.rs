@@ -2,6 +2,7 @@
 //! it is.
 
 use mapd::control::{ReloadReport, ReloadResult, Request, Response, Trigger};
+use mapd_archive::{Feature, FeatureRow};
 use mapd_client::Client;
 use mapd_tests::place::{Daemon, PATIENCE, Place};
 use mapd_tests::two_maps::TwoMaps;
@@ -659,33 +660,34 @@ fn nonsense_on_the_socket_hurts_nobody() {
     scene.has(1);
 }
 
-/// An archive as a program of another release would have written it.
-fn of_another_layout(maps: &TwoMaps) -> Vec<u8> {
+/// What a later release could write that this one must not read.
+const FEATURE: Feature = Feature { bit: 63, name: "lanes in the air", release: [7, 8, 9] };
+
+/// An archive of a later release, with something that a reader has to know of.
+fn of_a_later_release(maps: &TwoMaps) -> Vec<u8> {
     let compiled = mapd::source::compile_file(&maps.path(), &Default::default(), &mut |_| {});
     let compiled = compiled.expect("readable");
-    let rows = compiled.rows.expect("accepted");
-    let mut bytes = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes").to_vec();
-    bytes[16..32].fill(0xab);
-    let checksum = blake3::hash(&bytes[..120]);
-    bytes[120..128].copy_from_slice(&checksum.as_bytes()[..8]);
-    bytes
+    let mut rows = compiled.rows.expect("accepted");
+    rows.features.push(FeatureRow::of(&FEATURE));
+    mapd_archive::encode(&rows, &compiled.provenance).expect("encodes").to_vec()
 }
 
 #[test]
-fn another_layout_is_told_and_leaves_what_is_held() {
+fn what_this_release_must_not_read_is_named_and_leaves_what_is_held() {
     use mapd::serve::{PublishMeta, Server, StopSignal};
     let (place, maps) = (Place::new(MAPD), TwoMaps::new());
     let daemon = serve(&place, &maps, &[]);
     let client = Client::connect_in(&place.domain(), "map", PATIENCE).expect("attaches");
-    let other = of_another_layout(&maps);
+    let other = of_a_later_release(&maps);
+    assert_eq!(daemon.stop(), 0);
     // As a map's source.
     let archive = maps.folder().join("map.mapd");
     fs::write(&archive, &other).expect("written");
     let refused = place.command().args(["--load", archive.to_str().expect("text")]).output();
     let refused = text(&refused.expect("ends"));
-    assert!(refused.contains("layout") && refused.contains("abab"), "{refused}");
+    let named = |told: &str| told.contains(FEATURE.name) && told.contains("mapd 7.8.9");
+    assert!(named(&refused), "{refused}");
     // As what a daemon of another release publishes under a living client.
-    assert_eq!(daemon.stop(), 0);
     let stop = StopSignal::new().expect("a signal");
     let (domain, bytes, ready) = (place.domain(), &other, std::sync::Barrier::new(2));
     std::thread::scope(|scope| {
@@ -701,16 +703,16 @@ fn another_layout_is_told_and_leaves_what_is_held() {
             server.run(&stop).expect("serves");
         });
         ready.wait();
-        let told = client.wait_next(PATIENCE).err().expect("another layout").to_string();
-        assert!(told.contains("layout") && told.contains("abab"), "{told}");
+        let told = client.wait_next(PATIENCE).err().expect("refused").to_string();
+        assert!(named(&told), "{told}");
         // Not the first time alone.
         for _ in 0..2 {
-            let told = client.refresh().err().expect("another layout").to_string();
-            assert!(told.contains("layout"), "{told}");
+            let told = client.refresh().err().expect("refused").to_string();
+            assert!(named(&told), "{told}");
         }
         assert!(maps.is(&client.snapshot(), 0), "what is held stays");
-        let fresh = Client::connect_in(&domain, "map", PATIENCE).err().expect("another layout");
-        assert!(fresh.to_string().contains("layout"), "{fresh}");
+        let fresh = Client::connect_in(&domain, "map", PATIENCE).err().expect("refused");
+        assert!(named(&fresh.to_string()), "{fresh}");
         stop.request();
     });
     // A daemon of this release comes back.
@@ -732,10 +734,10 @@ fn an_archive_is_served_as_it_is_and_replaced_by_renaming() {
     let daemon = place.serve(&[archive.to_str().expect("text"), "--watch"]);
     let client = Client::connect_in(&place.domain(), "map", PATIENCE).expect("attaches");
     let scene = Scene { place, maps, daemon, client };
-    let other = of_another_layout(&scene.maps);
+    let other = of_a_later_release(&scene.maps);
     let new = archive.with_extension("new");
     fs::write(&new, other).and_then(|()| fs::rename(&new, &archive)).expect("replaced");
-    scene.failed(&scene.reload(), "layout", 0);
+    scene.failed(&scene.reload(), FEATURE.name, 0);
     scene.maps.put(1);
     let mut command = scene.place.command();
     command.arg("compile").arg(scene.maps.path()).arg("-o").arg(&archive);

@@ -106,6 +106,7 @@ impl Rows {
             string_offsets: unused(),
             map: unused(),
             file_frames: unused(),
+            features: unused(),
             roads: unused(),
             geometries: unused(),
             coefficients: unused(),
@@ -257,6 +258,7 @@ impl Rows {
         let before = self.file_frames.len();
         self.file_frames.extend_from_slice(part.file_frames.get(1..).unwrap_or_default());
         self.file_frames.iter_mut().skip(before).for_each(|row| row.move_by(moves));
+        self.features.extend_from_slice(part.features.get(1..).unwrap_or_default());
         if moves.roads.is_behind() {
             let before = self.roads.len();
             self.roads.extend_from_slice(part.roads.get(1..).unwrap_or_default());

@@ -3,6 +3,7 @@
 
 use super::network_rows::*;
 use crate::table::Range;
+use rkyv::rend;
 
 impl ArchivedMapRow {
     /// `[m]` x of the local origin: geometry lies relative to it. 0 unless coordinates are large.
@@ -262,6 +263,24 @@ impl ArchivedFileFrameRow {
     #[inline]
     pub fn target(&self) -> u32 {
         self.target.to_native()
+    }
+}
+
+impl ArchivedFeatureRow {
+    /// Number of the bit, from 0.
+    #[inline]
+    pub fn bit(&self) -> u32 {
+        self.bit.to_native()
+    }
+    /// First release of mapd that reads it: major, minor, patch.
+    #[inline]
+    pub fn release(&self) -> &[u16; 3] {
+        bytemuck::cast_ref::<[rend::u16_le; 3], _>(&self.release)
+    }
+    /// Name in UTF-8, then zeros.
+    #[inline]
+    pub fn name(&self) -> &[u8; 32] {
+        &self.name
     }
 }
 

@@ -125,6 +125,22 @@ pub struct FileFrameRow {
 }
 const _: () = assert!(size_of::<FileFrameRow>() == 128 && size_of::<ArchivedFileFrameRow>() == 128);
 
+/// What a reader has to know of before it may read this map: one row for each bit of the header's `must_understand`, so that a reader that does not can say what it lacks.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct FeatureRow {
+    /// Number of the bit, from 0.
+    pub bit: u32,
+    /// First release of mapd that reads it: major, minor, patch.
+    pub release: [u16; 3],
+    /// 0.
+    pub reserved: u16,
+    /// Name in UTF-8, then zeros.
+    pub name: [u8; 32],
+}
+const _: () = assert!(size_of::<FeatureRow>() == 44 && size_of::<ArchivedFeatureRow>() == 44);
+
 /// One row per road, in file order. The row number is the RoadId.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]

@@ -6,18 +6,684 @@ use super::index_rows::*;
 use super::network_rows::*;
 use super::object_rows::*;
 use super::signal_rows::*;
+use crate::directory::{Feature, Reader, TableKind};
 use crate::error::OpenError;
 use crate::table::{Table, TableInfo};
-use rkyv::{Archive, Serialize, rend};
+use rkyv::rend;
 
 /// Number of the format, raised by hand when old archives can no longer be read.
-pub const FORMAT: u32 = 1;
-/// Identifies the layout: tables, fields, types, references and rkyv's format flags.
+pub const FORMAT: u32 = 2;
+/// Identifies what this release writes: numbers and row ids of all its tables.
 pub const LAYOUT_ID: [u8; 16] =
-    [42, 229, 217, 4, 129, 131, 151, 228, 69, 117, 52, 35, 121, 171, 111, 84];
+    [109, 143, 136, 8, 99, 2, 250, 198, 0, 19, 100, 188, 177, 206, 213, 48];
 
-/// All tables of a map as the compiler fills them: the archive's root.
-#[derive(Archive, Serialize, Default)]
+/// What this release knows of what a reader must know of, by bit of the header's `must_understand`.
+pub const FEATURES: [Feature; 0] = [];
+
+/// The tables that this release knows, by number.
+pub(crate) const TABLES: [TableKind; 94] = [
+    TableKind {
+        number: 1,
+        name: "string_bytes",
+        row_bytes: 1,
+        row_id: 0xb6f9a5667163132f,
+        required: true,
+    },
+    TableKind {
+        number: 2,
+        name: "string_offsets",
+        row_bytes: 4,
+        row_id: 0x67743eeea1e68648,
+        required: true,
+    },
+    TableKind {
+        number: 3,
+        name: "map",
+        row_bytes: 216,
+        row_id: 0x8e54515d07a23d48,
+        required: true,
+    },
+    TableKind {
+        number: 4,
+        name: "file_frames",
+        row_bytes: 128,
+        row_id: 0x89dad40c2fd5fac4,
+        required: false,
+    },
+    TableKind {
+        number: 5,
+        name: "roads",
+        row_bytes: 96,
+        row_id: 0xfb6cedd9d0615655,
+        required: true,
+    },
+    TableKind {
+        number: 6,
+        name: "geometries",
+        row_bytes: 72,
+        row_id: 0xecb1aa7240050010,
+        required: true,
+    },
+    TableKind {
+        number: 7,
+        name: "coefficients",
+        row_bytes: 8,
+        row_id: 0x0c0f4d7cf56b5341,
+        required: true,
+    },
+    TableKind {
+        number: 8,
+        name: "cubics",
+        row_bytes: 40,
+        row_id: 0x0a0a4aa464521a66,
+        required: true,
+    },
+    TableKind {
+        number: 9,
+        name: "road_types",
+        row_bytes: 24,
+        row_id: 0x098b88bd73b008d7,
+        required: false,
+    },
+    TableKind {
+        number: 10,
+        name: "sections",
+        row_bytes: 56,
+        row_id: 0xf0ea5b5ffb7e3e54,
+        required: true,
+    },
+    TableKind {
+        number: 11,
+        name: "lanes",
+        row_bytes: 36,
+        row_id: 0x490696e9915b4da5,
+        required: true,
+    },
+    TableKind {
+        number: 12,
+        name: "lane_speeds",
+        row_bytes: 24,
+        row_id: 0xd76fadd9a86575b4,
+        required: false,
+    },
+    TableKind {
+        number: 13,
+        name: "point_stations",
+        row_bytes: 4,
+        row_id: 0x58f333ea48108926,
+        required: true,
+    },
+    TableKind {
+        number: 14,
+        name: "points",
+        row_bytes: 1,
+        row_id: 0x4b72ca61f8a8f00e,
+        required: true,
+    },
+    TableKind {
+        number: 15,
+        name: "junctions",
+        row_bytes: 28,
+        row_id: 0xc23751632cf353dd,
+        required: true,
+    },
+    TableKind {
+        number: 16,
+        name: "connections",
+        row_bytes: 24,
+        row_id: 0xbdadbbc015d1b17e,
+        required: true,
+    },
+    TableKind {
+        number: 17,
+        name: "connection_lane_links",
+        row_bytes: 8,
+        row_id: 0xd5748e776320428c,
+        required: true,
+    },
+    TableKind {
+        number: 18,
+        name: "roads_by_id",
+        row_bytes: 4,
+        row_id: 0x793fd5f46a8e48ac,
+        required: true,
+    },
+    TableKind {
+        number: 19,
+        name: "junctions_by_id",
+        row_bytes: 4,
+        row_id: 0xa435444c21ad5b69,
+        required: true,
+    },
+    TableKind {
+        number: 20,
+        name: "index_levels",
+        row_bytes: 4,
+        row_id: 0x5cf15cba80bb79f3,
+        required: true,
+    },
+    TableKind {
+        number: 21,
+        name: "index_nodes",
+        row_bytes: 384,
+        row_id: 0xe49681739f596c88,
+        required: true,
+    },
+    TableKind {
+        number: 22,
+        name: "index_leaves",
+        row_bytes: 368,
+        row_id: 0x2851e701ba683d87,
+        required: true,
+    },
+    TableKind {
+        number: 23,
+        name: "surfaces",
+        row_bytes: 44,
+        row_id: 0x5cf7c04cb6e969f5,
+        required: false,
+    },
+    TableKind {
+        number: 24,
+        name: "shape_stations",
+        row_bytes: 16,
+        row_id: 0xb99b9a78e9a5112c,
+        required: false,
+    },
+    TableKind {
+        number: 25,
+        name: "surface_strips",
+        row_bytes: 48,
+        row_id: 0xc86e3a23811ccaca,
+        required: false,
+    },
+    TableKind {
+        number: 26,
+        name: "lane_heights",
+        row_bytes: 32,
+        row_id: 0x2c8cbef449e21eef,
+        required: false,
+    },
+    TableKind {
+        number: 27,
+        name: "lane_materials",
+        row_bytes: 32,
+        row_id: 0x450cc237d3693168,
+        required: false,
+    },
+    TableKind {
+        number: 28,
+        name: "elevation_grids",
+        row_bytes: 72,
+        row_id: 0x2829cc255efed4ad,
+        required: false,
+    },
+    TableKind {
+        number: 29,
+        name: "grid_rows",
+        row_bytes: 24,
+        row_id: 0xcd9f20d50c7f9de9,
+        required: false,
+    },
+    TableKind {
+        number: 30,
+        name: "grid_heights",
+        row_bytes: 8,
+        row_id: 0x7008583082ff3ba1,
+        required: false,
+    },
+    TableKind {
+        number: 31,
+        name: "grid_transitions",
+        row_bytes: 40,
+        row_id: 0x1cccaa4a4aa4ecb6,
+        required: false,
+    },
+    TableKind {
+        number: 32,
+        name: "road_marks",
+        row_bytes: 16,
+        row_id: 0xb8e1916b44ff5fe8,
+        required: false,
+    },
+    TableKind {
+        number: 33,
+        name: "road_mark_styles",
+        row_bytes: 48,
+        row_id: 0x93e1b1a6cc094dad,
+        required: false,
+    },
+    TableKind {
+        number: 34,
+        name: "road_mark_lines",
+        row_bytes: 48,
+        row_id: 0x9047674317462903,
+        required: false,
+    },
+    TableKind {
+        number: 35,
+        name: "lane_layers",
+        row_bytes: 20,
+        row_id: 0x2697966dd4b6413a,
+        required: false,
+    },
+    TableKind {
+        number: 36,
+        name: "graph",
+        row_bytes: 48,
+        row_id: 0x0d14b21a15279a5a,
+        required: true,
+    },
+    TableKind {
+        number: 37,
+        name: "lane_nodes",
+        row_bytes: 36,
+        row_id: 0x9557bc5e45b97eae,
+        required: true,
+    },
+    TableKind {
+        number: 38,
+        name: "successor_offsets",
+        row_bytes: 4,
+        row_id: 0x2e3d10bb395ba577,
+        required: true,
+    },
+    TableKind {
+        number: 39,
+        name: "successors",
+        row_bytes: 4,
+        row_id: 0x52992a05c0218e21,
+        required: true,
+    },
+    TableKind {
+        number: 40,
+        name: "edges",
+        row_bytes: 12,
+        row_id: 0xb6b3fa253bb0b7a2,
+        required: true,
+    },
+    TableKind {
+        number: 41,
+        name: "predecessor_offsets",
+        row_bytes: 4,
+        row_id: 0xd531633e9ef47caf,
+        required: true,
+    },
+    TableKind {
+        number: 42,
+        name: "predecessors",
+        row_bytes: 4,
+        row_id: 0x41b312084fbb5935,
+        required: true,
+    },
+    TableKind {
+        number: 43,
+        name: "conflicts",
+        row_bytes: 20,
+        row_id: 0x379d49c5becabcbe,
+        required: false,
+    },
+    TableKind {
+        number: 44,
+        name: "landmark_lengths",
+        row_bytes: 2,
+        row_id: 0x2e8edef522dae545,
+        required: false,
+    },
+    TableKind {
+        number: 45,
+        name: "landmark_times",
+        row_bytes: 2,
+        row_id: 0xd1daf623e0f0f178,
+        required: false,
+    },
+    TableKind {
+        number: 46,
+        name: "signals",
+        row_bytes: 224,
+        row_id: 0xe0bd89daa2d8b17b,
+        required: false,
+    },
+    TableKind {
+        number: 47,
+        name: "signals_by_id",
+        row_bytes: 4,
+        row_id: 0x83e1751aa28700ad,
+        required: false,
+    },
+    TableKind {
+        number: 48,
+        name: "signal_places",
+        row_bytes: 48,
+        row_id: 0xb5cf554e7e6e5c88,
+        required: false,
+    },
+    TableKind {
+        number: 49,
+        name: "signal_lanes",
+        row_bytes: 16,
+        row_id: 0x96617ed30a5edb10,
+        required: false,
+    },
+    TableKind {
+        number: 50,
+        name: "lane_signals",
+        row_bytes: 4,
+        row_id: 0x0f2e60546e955168,
+        required: false,
+    },
+    TableKind {
+        number: 51,
+        name: "signal_dependencies",
+        row_bytes: 12,
+        row_id: 0x0d8626368059db81,
+        required: false,
+    },
+    TableKind {
+        number: 52,
+        name: "signal_links",
+        row_bytes: 24,
+        row_id: 0x1cbb1c486eb0b236,
+        required: false,
+    },
+    TableKind {
+        number: 53,
+        name: "object_signals",
+        row_bytes: 4,
+        row_id: 0x2d2706c85c2b5cc5,
+        required: false,
+    },
+    TableKind {
+        number: 54,
+        name: "signal_semantics",
+        row_bytes: 24,
+        row_id: 0xdbaa548affd552b2,
+        required: false,
+    },
+    TableKind {
+        number: 55,
+        name: "signal_boards",
+        row_bytes: 72,
+        row_id: 0xcb9852e7b1b82d0b,
+        required: false,
+    },
+    TableKind {
+        number: 56,
+        name: "display_areas",
+        row_bytes: 40,
+        row_id: 0x523d94c748c92ee2,
+        required: false,
+    },
+    TableKind {
+        number: 57,
+        name: "board_groups",
+        row_bytes: 20,
+        row_id: 0x3dae14a07a0eb3d8,
+        required: false,
+    },
+    TableKind {
+        number: 58,
+        name: "controllers",
+        row_bytes: 28,
+        row_id: 0xdf2f2bc84f08fde7,
+        required: false,
+    },
+    TableKind {
+        number: 59,
+        name: "controls",
+        row_bytes: 12,
+        row_id: 0x688795094329d051,
+        required: false,
+    },
+    TableKind {
+        number: 60,
+        name: "signal_controllers",
+        row_bytes: 4,
+        row_id: 0x7dab41798bcbc9b8,
+        required: false,
+    },
+    TableKind {
+        number: 61,
+        name: "junction_controllers",
+        row_bytes: 20,
+        row_id: 0x0898c459066d80a3,
+        required: false,
+    },
+    TableKind {
+        number: 62,
+        name: "junction_priorities",
+        row_bytes: 12,
+        row_id: 0x8f112c0f978611e6,
+        required: false,
+    },
+    TableKind {
+        number: 63,
+        name: "default_speeds",
+        row_bytes: 16,
+        row_id: 0x97976ed924ea25dd,
+        required: false,
+    },
+    TableKind {
+        number: 64,
+        name: "signal_index_levels",
+        row_bytes: 4,
+        row_id: 0x848d74d41bf34fcf,
+        required: false,
+    },
+    TableKind {
+        number: 65,
+        name: "signal_index_nodes",
+        row_bytes: 256,
+        row_id: 0xf90a1dc9a57aeadc,
+        required: false,
+    },
+    TableKind {
+        number: 66,
+        name: "signal_index_items",
+        row_bytes: 4,
+        row_id: 0xac28552c2bd7dcac,
+        required: false,
+    },
+    TableKind {
+        number: 67,
+        name: "quarantined",
+        row_bytes: 72,
+        row_id: 0x8742c7cf0b580a6e,
+        required: false,
+    },
+    TableKind {
+        number: 68,
+        name: "objects",
+        row_bytes: 152,
+        row_id: 0x9b7f3f9337256574,
+        required: false,
+    },
+    TableKind {
+        number: 69,
+        name: "object_outlines",
+        row_bytes: 16,
+        row_id: 0x77ab195e57b1158a,
+        required: false,
+    },
+    TableKind {
+        number: 70,
+        name: "object_points",
+        row_bytes: 16,
+        row_id: 0xd102bcf24c1c639b,
+        required: false,
+    },
+    TableKind {
+        number: 71,
+        name: "object_copies",
+        row_bytes: 88,
+        row_id: 0x6c7be34dd6dc3257,
+        required: false,
+    },
+    TableKind {
+        number: 72,
+        name: "lane_ranges",
+        row_bytes: 8,
+        row_id: 0x5429f5178ac145fa,
+        required: false,
+    },
+    TableKind {
+        number: 73,
+        name: "object_lanes",
+        row_bytes: 24,
+        row_id: 0xcb9fa1a0aaf37201,
+        required: false,
+    },
+    TableKind {
+        number: 74,
+        name: "lane_objects",
+        row_bytes: 4,
+        row_id: 0xc37ed44706da2235,
+        required: false,
+    },
+    TableKind {
+        number: 75,
+        name: "objects_by_id",
+        row_bytes: 4,
+        row_id: 0x4282c0e656a4e9ad,
+        required: false,
+    },
+    TableKind {
+        number: 76,
+        name: "object_index_levels",
+        row_bytes: 4,
+        row_id: 0x4b20818d8b102177,
+        required: false,
+    },
+    TableKind {
+        number: 77,
+        name: "object_index_nodes",
+        row_bytes: 256,
+        row_id: 0xb07b95f860a19152,
+        required: false,
+    },
+    TableKind {
+        number: 78,
+        name: "object_index_items",
+        row_bytes: 4,
+        row_id: 0xafc86856b946a0b7,
+        required: false,
+    },
+    TableKind {
+        number: 79,
+        name: "object_markings",
+        row_bytes: 56,
+        row_id: 0x622cb75bbb439608,
+        required: false,
+    },
+    TableKind {
+        number: 80,
+        name: "object_corners",
+        row_bytes: 4,
+        row_id: 0x6eb489f90ec11821,
+        required: false,
+    },
+    TableKind {
+        number: 81,
+        name: "object_borders",
+        row_bytes: 24,
+        row_id: 0x499428b7bb47efa3,
+        required: false,
+    },
+    TableKind {
+        number: 82,
+        name: "object_skeletons",
+        row_bytes: 12,
+        row_id: 0xb7b1c356ad9993dd,
+        required: false,
+    },
+    TableKind {
+        number: 83,
+        name: "skeleton_vertices",
+        row_bytes: 20,
+        row_id: 0x7f339c20fdc09e45,
+        required: false,
+    },
+    TableKind {
+        number: 84,
+        name: "parking_spaces",
+        row_bytes: 12,
+        row_id: 0xc650ca80925ec7f4,
+        required: false,
+    },
+    TableKind {
+        number: 85,
+        name: "object_materials",
+        row_bytes: 20,
+        row_id: 0x15476e718cd3f0b5,
+        required: false,
+    },
+    TableKind {
+        number: 86,
+        name: "object_references",
+        row_bytes: 48,
+        row_id: 0x42054cbd59b3ea48,
+        required: false,
+    },
+    TableKind {
+        number: 87,
+        name: "structures",
+        row_bytes: 64,
+        row_id: 0x0d68ea63ec5cf4f4,
+        required: false,
+    },
+    TableKind {
+        number: 88,
+        name: "switches",
+        row_bytes: 48,
+        row_id: 0x7ffa9d797f7141cc,
+        required: false,
+    },
+    TableKind {
+        number: 89,
+        name: "stations",
+        row_bytes: 20,
+        row_id: 0x4e1e42033e6d3444,
+        required: false,
+    },
+    TableKind {
+        number: 90,
+        name: "platforms",
+        row_bytes: 16,
+        row_id: 0x141b62c84d8360c3,
+        required: false,
+    },
+    TableKind {
+        number: 91,
+        name: "platform_segments",
+        row_bytes: 24,
+        row_id: 0x961a8f432575300c,
+        required: false,
+    },
+    TableKind {
+        number: 92,
+        name: "features",
+        row_bytes: 44,
+        row_id: 0x0b868cf0387a8dfc,
+        required: false,
+    },
+    TableKind {
+        number: 93,
+        name: "quarantined_files",
+        row_bytes: 8,
+        row_id: 0x3e0ee063bebb428d,
+        required: false,
+    },
+    TableKind {
+        number: 94,
+        name: "quarantined_contents",
+        row_bytes: 12,
+        row_id: 0x04019c74bcebc7c1,
+        required: false,
+    },
+];
+
+/// All tables of a map as the compiler fills them.
+#[derive(Default)]
 pub struct Rows {
     /// UTF-8 text of all strings, one after the other, each once. String 0 is empty.
     pub string_bytes: Table<u8>,
@@ -153,10 +819,6 @@ pub struct Rows {
     pub signal_index_items: Table<u32>,
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: Table<QuarantinedRow>,
-    /// Parts in quarantine whose finding stands in an included file, by part; of the others it stands in the document itself.
-    pub quarantined_files: Table<QuarantinedFileRow>,
-    /// Objects and signals that are missing because the road or junction that they belong to is in quarantine, by that part.
-    pub quarantined_contents: Table<QuarantinedContentRow>,
     /// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
     pub objects: Table<ObjectRow>,
     /// Outlines of objects, and of what a continuous repetition sweeps over.
@@ -205,6 +867,12 @@ pub struct Rows {
     pub platforms: Table<PlatformRow>,
     /// Stretches of track beside platforms.
     pub platform_segments: Table<PlatformSegmentRow>,
+    /// What a reader has to know of before it may read this map: one row for each bit of the header's `must_understand`, so that a reader that does not can say what it lacks.
+    pub features: Table<FeatureRow>,
+    /// Parts in quarantine whose finding stands in an included file, by part; of the others it stands in the document itself.
+    pub quarantined_files: Table<QuarantinedFileRow>,
+    /// Objects and signals that are missing because the road or junction that they belong to is in quarantine, by that part.
+    pub quarantined_contents: Table<QuarantinedContentRow>,
 }
 
 impl Rows {
@@ -278,8 +946,6 @@ impl Rows {
             signal_index_nodes: bytemuck::cast_slice(self.signal_index_nodes.as_slice()),
             signal_index_items: (self.signal_index_items.as_slice()),
             quarantined: bytemuck::cast_slice(self.quarantined.as_slice()),
-            quarantined_files: bytemuck::cast_slice(self.quarantined_files.as_slice()),
-            quarantined_contents: bytemuck::cast_slice(self.quarantined_contents.as_slice()),
             objects: bytemuck::cast_slice(self.objects.as_slice()),
             object_outlines: bytemuck::cast_slice(self.object_outlines.as_slice()),
             object_points: bytemuck::cast_slice(self.object_points.as_slice()),
@@ -304,12 +970,115 @@ impl Rows {
             stations: bytemuck::cast_slice(self.stations.as_slice()),
             platforms: bytemuck::cast_slice(self.platforms.as_slice()),
             platform_segments: bytemuck::cast_slice(self.platform_segments.as_slice()),
+            features: bytemuck::cast_slice(self.features.as_slice()),
+            quarantined_files: bytemuck::cast_slice(self.quarantined_files.as_slice()),
+            quarantined_contents: bytemuck::cast_slice(self.quarantined_contents.as_slice()),
         }
+    }
+
+    /// The bytes of all tables, as they lie in an archive, in the order of `TABLES`.
+    pub(crate) fn bytes(&self) -> [&[u8]; 94] {
+        [
+            bytemuck::cast_slice(self.string_bytes.as_slice()),
+            bytemuck::cast_slice(self.string_offsets.as_slice()),
+            bytemuck::cast_slice(self.map.as_slice()),
+            bytemuck::cast_slice(self.file_frames.as_slice()),
+            bytemuck::cast_slice(self.roads.as_slice()),
+            bytemuck::cast_slice(self.geometries.as_slice()),
+            bytemuck::cast_slice(self.coefficients.as_slice()),
+            bytemuck::cast_slice(self.cubics.as_slice()),
+            bytemuck::cast_slice(self.road_types.as_slice()),
+            bytemuck::cast_slice(self.sections.as_slice()),
+            bytemuck::cast_slice(self.lanes.as_slice()),
+            bytemuck::cast_slice(self.lane_speeds.as_slice()),
+            bytemuck::cast_slice(self.point_stations.as_slice()),
+            bytemuck::cast_slice(self.points.as_slice()),
+            bytemuck::cast_slice(self.junctions.as_slice()),
+            bytemuck::cast_slice(self.connections.as_slice()),
+            bytemuck::cast_slice(self.connection_lane_links.as_slice()),
+            bytemuck::cast_slice(self.roads_by_id.as_slice()),
+            bytemuck::cast_slice(self.junctions_by_id.as_slice()),
+            bytemuck::cast_slice(self.index_levels.as_slice()),
+            bytemuck::cast_slice(self.index_nodes.as_slice()),
+            bytemuck::cast_slice(self.index_leaves.as_slice()),
+            bytemuck::cast_slice(self.surfaces.as_slice()),
+            bytemuck::cast_slice(self.shape_stations.as_slice()),
+            bytemuck::cast_slice(self.surface_strips.as_slice()),
+            bytemuck::cast_slice(self.lane_heights.as_slice()),
+            bytemuck::cast_slice(self.lane_materials.as_slice()),
+            bytemuck::cast_slice(self.elevation_grids.as_slice()),
+            bytemuck::cast_slice(self.grid_rows.as_slice()),
+            bytemuck::cast_slice(self.grid_heights.as_slice()),
+            bytemuck::cast_slice(self.grid_transitions.as_slice()),
+            bytemuck::cast_slice(self.road_marks.as_slice()),
+            bytemuck::cast_slice(self.road_mark_styles.as_slice()),
+            bytemuck::cast_slice(self.road_mark_lines.as_slice()),
+            bytemuck::cast_slice(self.lane_layers.as_slice()),
+            bytemuck::cast_slice(self.graph.as_slice()),
+            bytemuck::cast_slice(self.lane_nodes.as_slice()),
+            bytemuck::cast_slice(self.successor_offsets.as_slice()),
+            bytemuck::cast_slice(self.successors.as_slice()),
+            bytemuck::cast_slice(self.edges.as_slice()),
+            bytemuck::cast_slice(self.predecessor_offsets.as_slice()),
+            bytemuck::cast_slice(self.predecessors.as_slice()),
+            bytemuck::cast_slice(self.conflicts.as_slice()),
+            bytemuck::cast_slice(self.landmark_lengths.as_slice()),
+            bytemuck::cast_slice(self.landmark_times.as_slice()),
+            bytemuck::cast_slice(self.signals.as_slice()),
+            bytemuck::cast_slice(self.signals_by_id.as_slice()),
+            bytemuck::cast_slice(self.signal_places.as_slice()),
+            bytemuck::cast_slice(self.signal_lanes.as_slice()),
+            bytemuck::cast_slice(self.lane_signals.as_slice()),
+            bytemuck::cast_slice(self.signal_dependencies.as_slice()),
+            bytemuck::cast_slice(self.signal_links.as_slice()),
+            bytemuck::cast_slice(self.object_signals.as_slice()),
+            bytemuck::cast_slice(self.signal_semantics.as_slice()),
+            bytemuck::cast_slice(self.signal_boards.as_slice()),
+            bytemuck::cast_slice(self.display_areas.as_slice()),
+            bytemuck::cast_slice(self.board_groups.as_slice()),
+            bytemuck::cast_slice(self.controllers.as_slice()),
+            bytemuck::cast_slice(self.controls.as_slice()),
+            bytemuck::cast_slice(self.signal_controllers.as_slice()),
+            bytemuck::cast_slice(self.junction_controllers.as_slice()),
+            bytemuck::cast_slice(self.junction_priorities.as_slice()),
+            bytemuck::cast_slice(self.default_speeds.as_slice()),
+            bytemuck::cast_slice(self.signal_index_levels.as_slice()),
+            bytemuck::cast_slice(self.signal_index_nodes.as_slice()),
+            bytemuck::cast_slice(self.signal_index_items.as_slice()),
+            bytemuck::cast_slice(self.quarantined.as_slice()),
+            bytemuck::cast_slice(self.objects.as_slice()),
+            bytemuck::cast_slice(self.object_outlines.as_slice()),
+            bytemuck::cast_slice(self.object_points.as_slice()),
+            bytemuck::cast_slice(self.object_copies.as_slice()),
+            bytemuck::cast_slice(self.lane_ranges.as_slice()),
+            bytemuck::cast_slice(self.object_lanes.as_slice()),
+            bytemuck::cast_slice(self.lane_objects.as_slice()),
+            bytemuck::cast_slice(self.objects_by_id.as_slice()),
+            bytemuck::cast_slice(self.object_index_levels.as_slice()),
+            bytemuck::cast_slice(self.object_index_nodes.as_slice()),
+            bytemuck::cast_slice(self.object_index_items.as_slice()),
+            bytemuck::cast_slice(self.object_markings.as_slice()),
+            bytemuck::cast_slice(self.object_corners.as_slice()),
+            bytemuck::cast_slice(self.object_borders.as_slice()),
+            bytemuck::cast_slice(self.object_skeletons.as_slice()),
+            bytemuck::cast_slice(self.skeleton_vertices.as_slice()),
+            bytemuck::cast_slice(self.parking_spaces.as_slice()),
+            bytemuck::cast_slice(self.object_materials.as_slice()),
+            bytemuck::cast_slice(self.object_references.as_slice()),
+            bytemuck::cast_slice(self.structures.as_slice()),
+            bytemuck::cast_slice(self.switches.as_slice()),
+            bytemuck::cast_slice(self.stations.as_slice()),
+            bytemuck::cast_slice(self.platforms.as_slice()),
+            bytemuck::cast_slice(self.platform_segments.as_slice()),
+            bytemuck::cast_slice(self.features.as_slice()),
+            bytemuck::cast_slice(self.quarantined_files.as_slice()),
+            bytemuck::cast_slice(self.quarantined_contents.as_slice()),
+        ]
     }
 }
 
-/// All tables of an opened archive. Lengths and places were read once and checked; they stay what they are
-/// whatever happens to the bytes later.
+/// All tables of an opened archive; those that it does not have are empty. Lengths and places were read once and
+/// checked; they stay what they are whatever happens to the bytes later.
 #[derive(Clone, Copy)]
 pub struct Tables<'a> {
     /// UTF-8 text of all strings, one after the other, each once. String 0 is empty.
@@ -446,10 +1215,6 @@ pub struct Tables<'a> {
     pub signal_index_items: &'a [u32],
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: &'a [ArchivedQuarantinedRow],
-    /// Parts in quarantine whose finding stands in an included file, by part; of the others it stands in the document itself.
-    pub quarantined_files: &'a [ArchivedQuarantinedFileRow],
-    /// Objects and signals that are missing because the road or junction that they belong to is in quarantine, by that part.
-    pub quarantined_contents: &'a [ArchivedQuarantinedContentRow],
     /// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
     pub objects: &'a [ArchivedObjectRow],
     /// Outlines of objects, and of what a continuous repetition sweeps over.
@@ -498,118 +1263,117 @@ pub struct Tables<'a> {
     pub platforms: &'a [ArchivedPlatformRow],
     /// Stretches of track beside platforms.
     pub platform_segments: &'a [ArchivedPlatformSegmentRow],
+    /// What a reader has to know of before it may read this map: one row for each bit of the header's `must_understand`, so that a reader that does not can say what it lacks.
+    pub features: &'a [ArchivedFeatureRow],
+    /// Parts in quarantine whose finding stands in an included file, by part; of the others it stands in the document itself.
+    pub quarantined_files: &'a [ArchivedQuarantinedFileRow],
+    /// Objects and signals that are missing because the road or junction that they belong to is in quarantine, by that part.
+    pub quarantined_contents: &'a [ArchivedQuarantinedContentRow],
 }
 
 impl<'a> Tables<'a> {
-    /// Reads place and length of every table once and checks them against the body.
-    pub(crate) fn new(root: &ArchivedRows, body: &'a [u8]) -> Result<Self, OpenError> {
+    /// Takes the tables that this release knows from the directory.
+    pub(crate) fn read(directory: &mut Reader<'a>) -> Result<Self, OpenError> {
         Ok(Self {
-            string_bytes: root.string_bytes.view(body, "string_bytes")?,
-            string_offsets: root.string_offsets.view_numbers(body, "string_offsets")?,
-            map: root.map.view(body, "map")?,
-            file_frames: root.file_frames.view(body, "file_frames")?,
-            roads: root.roads.view(body, "roads")?,
-            geometries: root.geometries.view(body, "geometries")?,
-            coefficients: root.coefficients.view_numbers(body, "coefficients")?,
-            cubics: root.cubics.view(body, "cubics")?,
-            road_types: root.road_types.view(body, "road_types")?,
-            sections: root.sections.view(body, "sections")?,
-            lanes: root.lanes.view(body, "lanes")?,
-            lane_speeds: root.lane_speeds.view(body, "lane_speeds")?,
-            point_stations: root.point_stations.view_numbers(body, "point_stations")?,
-            points: root.points.view(body, "points")?,
-            junctions: root.junctions.view(body, "junctions")?,
-            connections: root.connections.view(body, "connections")?,
-            connection_lane_links: root
-                .connection_lane_links
-                .view(body, "connection_lane_links")?,
-            roads_by_id: root.roads_by_id.view_numbers(body, "roads_by_id")?,
-            junctions_by_id: root.junctions_by_id.view_numbers(body, "junctions_by_id")?,
-            index_levels: root.index_levels.view_numbers(body, "index_levels")?,
-            index_nodes: root.index_nodes.view(body, "index_nodes")?,
-            index_leaves: root.index_leaves.view(body, "index_leaves")?,
-            surfaces: root.surfaces.view(body, "surfaces")?,
-            shape_stations: root.shape_stations.view(body, "shape_stations")?,
-            surface_strips: root.surface_strips.view(body, "surface_strips")?,
-            lane_heights: root.lane_heights.view(body, "lane_heights")?,
-            lane_materials: root.lane_materials.view(body, "lane_materials")?,
-            elevation_grids: root.elevation_grids.view(body, "elevation_grids")?,
-            grid_rows: root.grid_rows.view(body, "grid_rows")?,
-            grid_heights: root.grid_heights.view_numbers(body, "grid_heights")?,
-            grid_transitions: root.grid_transitions.view(body, "grid_transitions")?,
-            road_marks: root.road_marks.view(body, "road_marks")?,
-            road_mark_styles: root.road_mark_styles.view(body, "road_mark_styles")?,
-            road_mark_lines: root.road_mark_lines.view(body, "road_mark_lines")?,
-            lane_layers: root.lane_layers.view(body, "lane_layers")?,
-            graph: root.graph.view(body, "graph")?,
-            lane_nodes: root.lane_nodes.view(body, "lane_nodes")?,
-            successor_offsets: root.successor_offsets.view_numbers(body, "successor_offsets")?,
-            successors: root.successors.view_numbers(body, "successors")?,
-            edges: root.edges.view(body, "edges")?,
-            predecessor_offsets: root
-                .predecessor_offsets
-                .view_numbers(body, "predecessor_offsets")?,
-            predecessors: root.predecessors.view_numbers(body, "predecessors")?,
-            conflicts: root.conflicts.view(body, "conflicts")?,
-            landmark_lengths: root.landmark_lengths.view_numbers(body, "landmark_lengths")?,
-            landmark_times: root.landmark_times.view_numbers(body, "landmark_times")?,
-            signals: root.signals.view(body, "signals")?,
-            signals_by_id: root.signals_by_id.view_numbers(body, "signals_by_id")?,
-            signal_places: root.signal_places.view(body, "signal_places")?,
-            signal_lanes: root.signal_lanes.view(body, "signal_lanes")?,
-            lane_signals: root.lane_signals.view_numbers(body, "lane_signals")?,
-            signal_dependencies: root.signal_dependencies.view(body, "signal_dependencies")?,
-            signal_links: root.signal_links.view(body, "signal_links")?,
-            object_signals: root.object_signals.view_numbers(body, "object_signals")?,
-            signal_semantics: root.signal_semantics.view(body, "signal_semantics")?,
-            signal_boards: root.signal_boards.view(body, "signal_boards")?,
-            display_areas: root.display_areas.view(body, "display_areas")?,
-            board_groups: root.board_groups.view(body, "board_groups")?,
-            controllers: root.controllers.view(body, "controllers")?,
-            controls: root.controls.view(body, "controls")?,
-            signal_controllers: root.signal_controllers.view_numbers(body, "signal_controllers")?,
-            junction_controllers: root.junction_controllers.view(body, "junction_controllers")?,
-            junction_priorities: root.junction_priorities.view(body, "junction_priorities")?,
-            default_speeds: root.default_speeds.view(body, "default_speeds")?,
-            signal_index_levels: root
-                .signal_index_levels
-                .view_numbers(body, "signal_index_levels")?,
-            signal_index_nodes: root.signal_index_nodes.view(body, "signal_index_nodes")?,
-            signal_index_items: root.signal_index_items.view_numbers(body, "signal_index_items")?,
-            quarantined: root.quarantined.view(body, "quarantined")?,
-            quarantined_files: root.quarantined_files.view(body, "quarantined_files")?,
-            quarantined_contents: root.quarantined_contents.view(body, "quarantined_contents")?,
-            objects: root.objects.view(body, "objects")?,
-            object_outlines: root.object_outlines.view(body, "object_outlines")?,
-            object_points: root.object_points.view(body, "object_points")?,
-            object_copies: root.object_copies.view(body, "object_copies")?,
-            lane_ranges: root.lane_ranges.view(body, "lane_ranges")?,
-            object_lanes: root.object_lanes.view(body, "object_lanes")?,
-            lane_objects: root.lane_objects.view_numbers(body, "lane_objects")?,
-            objects_by_id: root.objects_by_id.view_numbers(body, "objects_by_id")?,
-            object_index_levels: root
-                .object_index_levels
-                .view_numbers(body, "object_index_levels")?,
-            object_index_nodes: root.object_index_nodes.view(body, "object_index_nodes")?,
-            object_index_items: root.object_index_items.view_numbers(body, "object_index_items")?,
-            object_markings: root.object_markings.view(body, "object_markings")?,
-            object_corners: root.object_corners.view_numbers(body, "object_corners")?,
-            object_borders: root.object_borders.view(body, "object_borders")?,
-            object_skeletons: root.object_skeletons.view(body, "object_skeletons")?,
-            skeleton_vertices: root.skeleton_vertices.view(body, "skeleton_vertices")?,
-            parking_spaces: root.parking_spaces.view(body, "parking_spaces")?,
-            object_materials: root.object_materials.view(body, "object_materials")?,
-            object_references: root.object_references.view(body, "object_references")?,
-            structures: root.structures.view(body, "structures")?,
-            switches: root.switches.view(body, "switches")?,
-            stations: root.stations.view(body, "stations")?,
-            platforms: root.platforms.view(body, "platforms")?,
-            platform_segments: root.platform_segments.view(body, "platform_segments")?,
+            string_bytes: directory.take(&TABLES[0])?,
+            string_offsets: directory.take(&TABLES[1])?,
+            map: directory.take(&TABLES[2])?,
+            file_frames: directory.take(&TABLES[3])?,
+            roads: directory.take(&TABLES[4])?,
+            geometries: directory.take(&TABLES[5])?,
+            coefficients: directory.take(&TABLES[6])?,
+            cubics: directory.take(&TABLES[7])?,
+            road_types: directory.take(&TABLES[8])?,
+            sections: directory.take(&TABLES[9])?,
+            lanes: directory.take(&TABLES[10])?,
+            lane_speeds: directory.take(&TABLES[11])?,
+            point_stations: directory.take(&TABLES[12])?,
+            points: directory.take(&TABLES[13])?,
+            junctions: directory.take(&TABLES[14])?,
+            connections: directory.take(&TABLES[15])?,
+            connection_lane_links: directory.take(&TABLES[16])?,
+            roads_by_id: directory.take(&TABLES[17])?,
+            junctions_by_id: directory.take(&TABLES[18])?,
+            index_levels: directory.take(&TABLES[19])?,
+            index_nodes: directory.take(&TABLES[20])?,
+            index_leaves: directory.take(&TABLES[21])?,
+            surfaces: directory.take(&TABLES[22])?,
+            shape_stations: directory.take(&TABLES[23])?,
+            surface_strips: directory.take(&TABLES[24])?,
+            lane_heights: directory.take(&TABLES[25])?,
+            lane_materials: directory.take(&TABLES[26])?,
+            elevation_grids: directory.take(&TABLES[27])?,
+            grid_rows: directory.take(&TABLES[28])?,
+            grid_heights: directory.take(&TABLES[29])?,
+            grid_transitions: directory.take(&TABLES[30])?,
+            road_marks: directory.take(&TABLES[31])?,
+            road_mark_styles: directory.take(&TABLES[32])?,
+            road_mark_lines: directory.take(&TABLES[33])?,
+            lane_layers: directory.take(&TABLES[34])?,
+            graph: directory.take(&TABLES[35])?,
+            lane_nodes: directory.take(&TABLES[36])?,
+            successor_offsets: directory.take(&TABLES[37])?,
+            successors: directory.take(&TABLES[38])?,
+            edges: directory.take(&TABLES[39])?,
+            predecessor_offsets: directory.take(&TABLES[40])?,
+            predecessors: directory.take(&TABLES[41])?,
+            conflicts: directory.take(&TABLES[42])?,
+            landmark_lengths: directory.take(&TABLES[43])?,
+            landmark_times: directory.take(&TABLES[44])?,
+            signals: directory.take(&TABLES[45])?,
+            signals_by_id: directory.take(&TABLES[46])?,
+            signal_places: directory.take(&TABLES[47])?,
+            signal_lanes: directory.take(&TABLES[48])?,
+            lane_signals: directory.take(&TABLES[49])?,
+            signal_dependencies: directory.take(&TABLES[50])?,
+            signal_links: directory.take(&TABLES[51])?,
+            object_signals: directory.take(&TABLES[52])?,
+            signal_semantics: directory.take(&TABLES[53])?,
+            signal_boards: directory.take(&TABLES[54])?,
+            display_areas: directory.take(&TABLES[55])?,
+            board_groups: directory.take(&TABLES[56])?,
+            controllers: directory.take(&TABLES[57])?,
+            controls: directory.take(&TABLES[58])?,
+            signal_controllers: directory.take(&TABLES[59])?,
+            junction_controllers: directory.take(&TABLES[60])?,
+            junction_priorities: directory.take(&TABLES[61])?,
+            default_speeds: directory.take(&TABLES[62])?,
+            signal_index_levels: directory.take(&TABLES[63])?,
+            signal_index_nodes: directory.take(&TABLES[64])?,
+            signal_index_items: directory.take(&TABLES[65])?,
+            quarantined: directory.take(&TABLES[66])?,
+            objects: directory.take(&TABLES[67])?,
+            object_outlines: directory.take(&TABLES[68])?,
+            object_points: directory.take(&TABLES[69])?,
+            object_copies: directory.take(&TABLES[70])?,
+            lane_ranges: directory.take(&TABLES[71])?,
+            object_lanes: directory.take(&TABLES[72])?,
+            lane_objects: directory.take(&TABLES[73])?,
+            objects_by_id: directory.take(&TABLES[74])?,
+            object_index_levels: directory.take(&TABLES[75])?,
+            object_index_nodes: directory.take(&TABLES[76])?,
+            object_index_items: directory.take(&TABLES[77])?,
+            object_markings: directory.take(&TABLES[78])?,
+            object_corners: directory.take(&TABLES[79])?,
+            object_borders: directory.take(&TABLES[80])?,
+            object_skeletons: directory.take(&TABLES[81])?,
+            skeleton_vertices: directory.take(&TABLES[82])?,
+            parking_spaces: directory.take(&TABLES[83])?,
+            object_materials: directory.take(&TABLES[84])?,
+            object_references: directory.take(&TABLES[85])?,
+            structures: directory.take(&TABLES[86])?,
+            switches: directory.take(&TABLES[87])?,
+            stations: directory.take(&TABLES[88])?,
+            platforms: directory.take(&TABLES[89])?,
+            platform_segments: directory.take(&TABLES[90])?,
+            features: directory.take(&TABLES[91])?,
+            quarantined_files: directory.take(&TABLES[92])?,
+            quarantined_contents: directory.take(&TABLES[93])?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 93] {
+    pub fn infos(&self) -> [TableInfo; 94] {
         [
             TableInfo::of("string_bytes", self.string_bytes),
             TableInfo::of("string_offsets", self.string_offsets),
@@ -678,8 +1442,6 @@ impl<'a> Tables<'a> {
             TableInfo::of("signal_index_nodes", self.signal_index_nodes),
             TableInfo::of("signal_index_items", self.signal_index_items),
             TableInfo::of("quarantined", self.quarantined),
-            TableInfo::of("quarantined_files", self.quarantined_files),
-            TableInfo::of("quarantined_contents", self.quarantined_contents),
             TableInfo::of("objects", self.objects),
             TableInfo::of("object_outlines", self.object_outlines),
             TableInfo::of("object_points", self.object_points),
@@ -704,32 +1466,15 @@ impl<'a> Tables<'a> {
             TableInfo::of("stations", self.stations),
             TableInfo::of("platforms", self.platforms),
             TableInfo::of("platform_segments", self.platform_segments),
+            TableInfo::of("features", self.features),
+            TableInfo::of("quarantined_files", self.quarantined_files),
+            TableInfo::of("quarantined_contents", self.quarantined_contents),
         ]
     }
 }
 
 // The element types as they lie in the bytes.
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
-const _: () = assert!(size_of::<rend::f64_le>() == size_of::<f64>());
 const _: () = assert!(size_of::<rend::f32_le>() == size_of::<f32>());
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::f64_le>() == size_of::<f64>());
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
-const _: () = assert!(size_of::<rend::u16_le>() == size_of::<u16>());
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
-const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());
 const _: () = assert!(size_of::<rend::u32_le>() == size_of::<u32>());

@@ -3,6 +3,7 @@
 
 use super::tables::Tables;
 use crate::error::VerifyError;
+use crate::unknown::UnknownCodes;
 use crate::verify::Check;
 
 impl Tables<'_> {
@@ -40,7 +41,6 @@ impl Tables<'_> {
             check.reference("vendor", row.vendor(), strings, false)?;
             check.reference("geo_reference", row.geo_reference(), strings, false)?;
             check.reference("projection", row.projection(), strings, false)?;
-            check.code("geo_reference_form", row.geo_reference_form(), 7)?;
             check.code("offset_sign", row.offset_sign(), 2)?;
             check.code("has_geodetic_bounds", row.has_geodetic_bounds(), 2)?;
         }
@@ -113,7 +113,6 @@ impl Tables<'_> {
             check.finite("s", row.s())?;
             check.finite("speed", row.speed())?;
             check.reference("country", row.country(), strings, false)?;
-            check.code("speed_kind", row.speed_kind(), 4)?;
         }
         for (i, row) in self.sections.iter().enumerate() {
             let check = Check { table: "sections", row: i };
@@ -155,7 +154,6 @@ impl Tables<'_> {
             check.reference("id", row.id(), strings, false)?;
             check.reference("name", row.name(), strings, false)?;
             check.range("connections", row.connections(), self.connections.len())?;
-            check.code("kind", row.kind(), 4)?;
         }
         for (i, row) in self.connections.iter().enumerate() {
             let check = Check { table: "connections", row: i };
@@ -282,10 +280,6 @@ impl Tables<'_> {
             check.reference("name", row.name(), strings, false)?;
             check.range("lines", row.lines(), self.road_mark_lines.len())?;
             check.range("sway", row.sway(), self.cubics.len())?;
-            check.code("kind", row.kind(), 13)?;
-            check.code("weight", row.weight(), 3)?;
-            check.code("color", row.color(), 10)?;
-            check.code("lane_change", row.lane_change(), 5)?;
         }
         for (i, row) in self.road_mark_lines.iter().enumerate() {
             let check = Check { table: "road_mark_lines", row: i };
@@ -294,8 +288,6 @@ impl Tables<'_> {
             check.finite("t_offset", row.t_offset())?;
             check.finite("s_offset", row.s_offset())?;
             check.finite("width", row.width())?;
-            check.code("rule", row.rule(), 4)?;
-            check.code("color", row.color(), 10)?;
         }
         for (i, row) in self.lane_layers.iter().enumerate() {
             let check = Check { table: "lane_layers", row: i };
@@ -321,6 +313,7 @@ impl Tables<'_> {
             let check = Check { table: "successors", row: i };
             check.reference("", *row, self.lane_nodes.len(), false)?;
         }
+        Check { table: "edges", row: 0 }.parallel(self.edges.len(), self.successors.len())?;
         for (i, row) in self.edges.iter().enumerate() {
             let check = Check { table: "edges", row: i };
             check.code("kind", row.kind(), 7)?;
@@ -335,8 +328,9 @@ impl Tables<'_> {
             check.reference("other", row.other(), self.lanes.len(), false)?;
             check.code("kind", row.kind(), 4)?;
             check.code("relation", row.relation(), 5)?;
-            check.code("reason", row.reason(), 8)?;
         }
+        Check { table: "landmark_times", row: 0 }
+            .parallel(self.landmark_times.len(), self.landmark_lengths.len())?;
         for (i, row) in self.signals.iter().enumerate() {
             let check = Check { table: "signals", row: i };
             check.finite("x", row.x())?;
@@ -369,9 +363,6 @@ impl Tables<'_> {
             check.range("semantics", row.semantics(), self.signal_semantics.len())?;
             check.range("boards", row.boards(), self.signal_boards.len())?;
             check.range("controllers", row.controllers(), self.signal_controllers.len())?;
-            check.code("orientation", row.orientation(), 3)?;
-            check.code("dynamic", row.dynamic(), 2)?;
-            check.code("position", row.position(), 3)?;
         }
         for (i, row) in self.signals_by_id.iter().enumerate() {
             let check = Check { table: "signals_by_id", row: i };
@@ -384,7 +375,6 @@ impl Tables<'_> {
             check.reference("signal", row.signal(), self.signals.len(), false)?;
             check.reference("road", row.road(), self.roads.len(), false)?;
             check.range("lanes", row.lanes(), self.signal_lanes.len())?;
-            check.code("orientation", row.orientation(), 3)?;
             check.code("kind", row.kind(), 2)?;
         }
         for (i, row) in self.signal_lanes.iter().enumerate() {
@@ -392,7 +382,6 @@ impl Tables<'_> {
             check.reference("place", row.place(), self.signal_places.len(), false)?;
             check.reference("lane", row.lane(), self.lanes.len(), false)?;
             check.finite("distance", f64::from(row.distance()))?;
-            check.code("method", row.method(), 4)?;
         }
         for (i, row) in self.lane_signals.iter().enumerate() {
             let check = Check { table: "lane_signals", row: i };
@@ -514,10 +503,8 @@ impl Tables<'_> {
             check.reference("owner", row.owner(), strings, false)?;
             check.reference("rule", row.rule(), strings, false)?;
             check.reference("message", row.message(), strings, false)?;
-            check.code("kind", row.kind(), 7)?;
             check.code("treatment", row.treatment(), 2)?;
             check.code("has_extent", row.has_extent(), 2)?;
-            check.code("owner_kind", row.owner_kind(), 7)?;
         }
         for (i, row) in self.quarantined_files.iter().enumerate() {
             let check = Check { table: "quarantined_files", row: i };
@@ -528,7 +515,6 @@ impl Tables<'_> {
             let check = Check { table: "quarantined_contents", row: i };
             check.reference("id", row.id(), strings, false)?;
             check.reference("part", row.part(), self.quarantined.len(), false)?;
-            check.code("kind", row.kind(), 7)?;
         }
         for (i, row) in self.objects.iter().enumerate() {
             let check = Check { table: "objects", row: i };
@@ -556,13 +542,10 @@ impl Tables<'_> {
             check.range("copies", row.copies(), self.object_copies.len())?;
             check.range("lanes", row.lanes(), self.object_lanes.len())?;
             check.range("validities", row.validities(), self.lane_ranges.len())?;
-            check.code("shape", row.shape(), 4)?;
-            check.code("orientation", row.orientation(), 3)?;
         }
         for (i, row) in self.object_outlines.iter().enumerate() {
             let check = Check { table: "object_outlines", row: i };
             check.range("points", row.points(), self.object_points.len())?;
-            check.code("fill", row.fill(), 9)?;
         }
         for (i, row) in self.object_points.iter().enumerate() {
             let check = Check { table: "object_points", row: i };
@@ -587,7 +570,6 @@ impl Tables<'_> {
             check.finite("radius", f64::from(row.radius()))?;
             check.reference("object", row.object(), self.objects.len(), false)?;
             check.range("outlines", row.outlines(), self.object_outlines.len())?;
-            check.code("shape", row.shape(), 4)?;
         }
         for (i, row) in self.object_lanes.iter().enumerate() {
             let check = Check { table: "object_lanes", row: i };
@@ -596,7 +578,6 @@ impl Tables<'_> {
             check.finite("s_from", f64::from(row.s_from()))?;
             check.finite("s_to", f64::from(row.s_to()))?;
             check.finite("distance", f64::from(row.distance()))?;
-            check.code("method", row.method(), 4)?;
         }
         for (i, row) in self.lane_objects.iter().enumerate() {
             let check = Check { table: "lane_objects", row: i };
@@ -635,7 +616,6 @@ impl Tables<'_> {
             check.finite("space_length", f64::from(row.space_length()))?;
             check.finite("start_offset", f64::from(row.start_offset()))?;
             check.finite("stop_offset", f64::from(row.stop_offset()))?;
-            check.code("side", row.side(), 5)?;
         }
         for (i, row) in self.object_corners.iter().enumerate() {
             let check = Check { table: "object_corners", row: i };
@@ -685,7 +665,6 @@ impl Tables<'_> {
             check.range("validities", row.validities(), self.lane_ranges.len())?;
             check.finite("z_offset", f64::from(row.z_offset()))?;
             check.finite("valid_length", f64::from(row.valid_length()))?;
-            check.code("orientation", row.orientation(), 3)?;
         }
         for (i, row) in self.structures.iter().enumerate() {
             let check = Check { table: "structures", row: i };
@@ -698,7 +677,6 @@ impl Tables<'_> {
             check.range("validities", row.validities(), self.lane_ranges.len())?;
             check.finite("lighting", f64::from(row.lighting()))?;
             check.finite("daylight", f64::from(row.daylight()))?;
-            check.code("kind", row.kind(), 2)?;
         }
         for (i, row) in self.switches.iter().enumerate() {
             let check = Check { table: "switches", row: i };
@@ -710,9 +688,6 @@ impl Tables<'_> {
             check.reference("main", row.main(), self.roads.len(), true)?;
             check.reference("side", row.side(), self.roads.len(), true)?;
             check.reference("partner", row.partner(), self.switches.len(), true)?;
-            check.code("position", row.position(), 4)?;
-            check.code("main_direction", row.main_direction(), 3)?;
-            check.code("side_direction", row.side_direction(), 3)?;
         }
         for (i, row) in self.stations.iter().enumerate() {
             let check = Check { table: "stations", row: i };
@@ -732,8 +707,81 @@ impl Tables<'_> {
             check.finite("s_start", row.s_start())?;
             check.finite("s_end", row.s_end())?;
             check.reference("road", row.road(), self.roads.len(), true)?;
-            check.code("side", row.side(), 3)?;
         }
         Ok(())
+    }
+
+    /// Notes codes that this release does not know where nothing else depends on them.
+    pub(crate) fn note_unknown_codes(&self, found: &mut UnknownCodes) {
+        for (i, row) in self.map.iter().enumerate() {
+            found.note("map", "geo_reference_form", i, row.geo_reference_form(), 7);
+        }
+        for (i, row) in self.road_types.iter().enumerate() {
+            found.note("road_types", "speed_kind", i, row.speed_kind(), 4);
+        }
+        for (i, row) in self.junctions.iter().enumerate() {
+            found.note("junctions", "kind", i, row.kind(), 4);
+        }
+        for (i, row) in self.road_mark_styles.iter().enumerate() {
+            found.note("road_mark_styles", "kind", i, row.kind(), 13);
+            found.note("road_mark_styles", "weight", i, row.weight(), 3);
+            found.note("road_mark_styles", "color", i, row.color(), 10);
+            found.note("road_mark_styles", "lane_change", i, row.lane_change(), 5);
+        }
+        for (i, row) in self.road_mark_lines.iter().enumerate() {
+            found.note("road_mark_lines", "rule", i, row.rule(), 4);
+            found.note("road_mark_lines", "color", i, row.color(), 10);
+        }
+        for (i, row) in self.conflicts.iter().enumerate() {
+            found.note("conflicts", "reason", i, row.reason(), 8);
+        }
+        for (i, row) in self.signals.iter().enumerate() {
+            found.note("signals", "orientation", i, row.orientation(), 3);
+            found.note("signals", "dynamic", i, row.dynamic(), 2);
+            found.note("signals", "position", i, row.position(), 3);
+        }
+        for (i, row) in self.signal_places.iter().enumerate() {
+            found.note("signal_places", "orientation", i, row.orientation(), 3);
+        }
+        for (i, row) in self.signal_lanes.iter().enumerate() {
+            found.note("signal_lanes", "method", i, row.method(), 4);
+        }
+        for (i, row) in self.quarantined.iter().enumerate() {
+            found.note("quarantined", "kind", i, row.kind(), 7);
+            found.note("quarantined", "owner_kind", i, row.owner_kind(), 7);
+        }
+        for (i, row) in self.quarantined_contents.iter().enumerate() {
+            found.note("quarantined_contents", "kind", i, row.kind(), 7);
+        }
+        for (i, row) in self.objects.iter().enumerate() {
+            found.note("objects", "shape", i, row.shape(), 4);
+            found.note("objects", "orientation", i, row.orientation(), 3);
+        }
+        for (i, row) in self.object_outlines.iter().enumerate() {
+            found.note("object_outlines", "fill", i, row.fill(), 9);
+        }
+        for (i, row) in self.object_copies.iter().enumerate() {
+            found.note("object_copies", "shape", i, row.shape(), 4);
+        }
+        for (i, row) in self.object_lanes.iter().enumerate() {
+            found.note("object_lanes", "method", i, row.method(), 4);
+        }
+        for (i, row) in self.object_markings.iter().enumerate() {
+            found.note("object_markings", "side", i, row.side(), 5);
+        }
+        for (i, row) in self.object_references.iter().enumerate() {
+            found.note("object_references", "orientation", i, row.orientation(), 3);
+        }
+        for (i, row) in self.structures.iter().enumerate() {
+            found.note("structures", "kind", i, row.kind(), 2);
+        }
+        for (i, row) in self.switches.iter().enumerate() {
+            found.note("switches", "position", i, row.position(), 4);
+            found.note("switches", "main_direction", i, row.main_direction(), 3);
+            found.note("switches", "side_direction", i, row.side_direction(), 3);
+        }
+        for (i, row) in self.platform_segments.iter().enumerate() {
+            found.note("platform_segments", "side", i, row.side(), 3);
+        }
     }
 }

@@ -29,7 +29,7 @@ pub struct GenerationInfo {
     pub published_unix_ns: u64,
     /// Process id of the daemon that published it, in the daemon's own process namespace.
     pub daemon_pid: u64,
-    /// Identifies the archive's layout; opaque here.
+    /// Identifies the tables that the publisher's release writes; opaque here.
     pub layout_id: [u8; 32],
     /// Hash of the archive's content; opaque here.
     pub content_hash: [u8; 32],

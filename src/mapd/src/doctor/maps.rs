@@ -3,9 +3,8 @@
 use super::domain::segments;
 use super::finding::{Finding, size};
 use crate::faults::minor_faults;
-use crate::report::hex;
 use crate::serve::NODE_COUNTER;
-use mapd_archive::LAYOUT_ID;
+use mapd_archive::FORMAT;
 use mapd_client::transport::{MapStatus, TRANSPORT_REVISION, list_maps, read_published};
 use mapd_client::{Client, Domain};
 use std::time::{Duration, Instant};
@@ -18,11 +17,10 @@ const PAGE: usize = 4096;
 
 /// Examines what is served; attaches to every map, waiting so long.
 pub(super) fn examine(domain: &Domain, wait: Duration, out: &mut Vec<Finding>) {
-    let layout = hex(&LAYOUT_ID);
     out.push(Finding::ok(
         "versions",
         format!(
-            "mapd {}, iceoryx2 {ICEORYX2}, transport revision {TRANSPORT_REVISION}, layout {layout}",
+            "mapd {}, iceoryx2 {ICEORYX2}, transport revision {TRANSPORT_REVISION}, archive format {FORMAT}",
             env!("CARGO_PKG_VERSION")
         ),
     ));
@@ -71,16 +69,14 @@ fn one(domain: &Domain, map: &MapStatus, wait: Duration, out: &mut Vec<Finding>)
     }
     let pid = info.map_or_else(|| "unknown".to_owned(), |info| info.daemon_pid.to_string());
     out.push(Finding::ok("daemon", format!("{name}: process {pid}")));
-    if let Some((revision, info)) = read_published(domain, name) {
-        let ours = (TRANSPORT_REVISION, LAYOUT_ID.as_slice());
-        let theirs = (revision, info.layout_id.get(..LAYOUT_ID.len()).unwrap_or_default());
-        if ours != theirs {
-            out.push(Finding::problem(
-                "versions",
-                format!("{name}: served with transport revision {revision}, layout {}", hex(theirs.1)),
-                "use daemon and clients of one release; end the old daemon and start this release's",
-            ));
-        }
+    if let Some((revision, _)) = read_published(domain, name)
+        && revision != TRANSPORT_REVISION
+    {
+        out.push(Finding::problem(
+            "versions",
+            format!("{name}: served with transport revision {revision}"),
+            "use daemon and clients of one release; end the old daemon and start this release's",
+        ));
     }
     out.push(attach(domain, name, wait));
 }

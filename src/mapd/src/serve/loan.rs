@@ -11,7 +11,7 @@ use std::mem::MaybeUninit;
 /// What the writer of a generation says about it. Opaque here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PublishMeta {
-    /// Identifies the archive's layout.
+    /// Identifies the tables that the publisher's release writes; nobody is refused for it.
     pub layout_id: [u8; 32],
     /// Hash of the archive's content.
     pub content_hash: [u8; 32],
