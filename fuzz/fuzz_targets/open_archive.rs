@@ -1,14 +1,17 @@
 //! Opens damaged archives, proves them, and asks everything of them: no panic, no access outside.
 //!
-//! The first byte chooses: the rest as an archive of its own, or as a list of patches (place, value) to a good one, whose
-//! hashes are then made to fit or not, and which may be cut.
+//! The first byte chooses: the rest as an archive of its own, or as a list of patches (place, value) to a good one, in the header and the
+//! directory or anywhere, whose hashes are then made to fit or not, and which may be cut.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use mapd_archive::AlignedBytes;
+use mapd_archive::{AlignedBytes, HEADER_LENGTH, TableEntry};
 use mapd_tests::damage::{ask_everything, seal, seal_header};
 use mapd_tests::{carried, maps};
 use std::sync::OnceLock;
+
+/// Bytes behind the header that the directory takes at least.
+const DIRECTORY: usize = 20 * size_of::<TableEntry>();
 
 /// Patches of one input.
 const PATCHES: usize = 16;
@@ -31,9 +34,13 @@ fuzz_target!(|data: &[u8]| {
     }
     let mut bytes = aligned(good());
     for patch in rest.chunks_exact(4).take(PATCHES) {
-        // The table of contents lies at the end, where small numbers count from.
         let at = usize::from(u16::from_le_bytes([patch[0], patch[1]]));
-        let at = if patch[2] & 1 == 0 { at } else { bytes.len().wrapping_sub(1 + at) };
+        let at = match patch[2] & 3 {
+            // Header and directory, which decide where everything lies.
+            0 => at % (HEADER_LENGTH + DIRECTORY),
+            1 => bytes.len().wrapping_sub(1 + at),
+            _ => at,
+        };
         if let Some(byte) = bytes.get_mut(at) {
             *byte = patch[3];
         }
@@ -47,5 +54,6 @@ fuzz_target!(|data: &[u8]| {
         }
         _ => {}
     }
+    let _ = mapd_archive::unknown(&bytes);
     ask_everything(bytes);
 });

@@ -187,7 +187,7 @@ pub(crate) fn tables(layout: &Layout) -> String {
     out += "})\n}\n\n/// Name, element size and length of every table, in the order in which they lie.\n";
     let _ = writeln!(out, "pub fn infos(&self) -> [TableInfo; {}] {{\n[", tables.len());
     for t in &tables {
-        let _ = writeln!(out, "TableInfo::of(\"{0}\", self.{0}),", t.name);
+        let _ = writeln!(out, "TableInfo::of({1}, \"{0}\", self.{0}),", t.name, t.number);
     }
     out += "]\n}\n}\n";
     out += "\n// The element types as they lie in the bytes.\n";

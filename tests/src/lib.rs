@@ -18,6 +18,7 @@ pub mod maps;
 pub mod object_maps;
 pub mod place;
 pub mod plain_route;
+pub mod releases;
 pub mod small;
 pub mod stage;
 pub mod sumo;

@@ -41,6 +41,7 @@ mod mark_codes;
 mod moves;
 mod object_codes;
 mod open;
+pub mod packed_index;
 mod points;
 mod signal_codes;
 mod strings;

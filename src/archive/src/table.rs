@@ -91,6 +91,8 @@ impl ArchivedRange {
 /// What a table is called and how much it holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TableInfo {
+    /// Its number in the directory.
+    pub number: u32,
     /// Its name in the layout manifest.
     pub name: &'static str,
     /// Number of elements.
@@ -102,8 +104,9 @@ pub struct TableInfo {
 }
 
 impl TableInfo {
-    pub(crate) fn of<T>(name: &'static str, elements: &[T]) -> Self {
+    pub(crate) fn of<T>(number: u32, name: &'static str, elements: &[T]) -> Self {
         Self {
+            number,
             name,
             count: elements.len(),
             element_bytes: size_of::<T>(),

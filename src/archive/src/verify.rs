@@ -4,14 +4,12 @@ use crate::directory::feature_bit;
 use crate::error::VerifyError;
 use crate::header::HEADER_LENGTH;
 use crate::open::{Archive, open};
+use crate::packed_index::WIDTH;
 use crate::table::Range;
 use crate::verify_graph::graph;
 use crate::verify_lines::lines;
 use crate::verify_objects::{objects, signal_index};
 use crate::{NONE, Tables};
-
-/// Places in a node or leaf of the index.
-const WIDTH: usize = 16;
 
 /// Opens an archive and proves it: content hash, finite numbers, known codes, references and ranges inside their
 /// tables, strings that are UTF-8, ascending `s`, sections that meet, an index that is a complete tree, a lane graph whose edges

@@ -4,8 +4,9 @@ use crate::TooLarge;
 use crate::decoded::{Line, Lines};
 use crate::lanes::view;
 use crate::options::CompileOptions;
-use crate::packed::{Key, ROUNDING, WIDTH, ordered, round_up, stack};
+use crate::packed::{Key, ROUNDING, ordered, round_up, stack};
 use glam::{DVec2, DVec3};
+use mapd_archive::packed_index::{HEIGHT_UNIT, REACH_UNIT, WIDTH};
 use mapd_archive::{IndexLeafRow, IndexNodeRow, NONE, Rows};
 use mapd_geometry::clamp;
 use mapd_query::Map;
@@ -16,9 +17,9 @@ const REACH_MARGIN: f64 = 1e-4;
 /// Least step of a leaf `[m]`: finer ones mean nothing, and products with them stay normal numbers.
 const LEAST_STEP: f32 = 1.0 / (1 << 20) as f32;
 /// Units of `reach` and `overshoot` in a metre.
-const REACH_UNITS: f64 = 128.0;
+const REACH_UNITS: f64 = 1.0 / REACH_UNIT as f64;
 /// Units of `z_low` and `z_high` in a metre.
-const HEIGHT_UNITS: f64 = 16.0;
+const HEIGHT_UNITS: f64 = 1.0 / HEIGHT_UNIT as f64;
 
 /// A segment of a centre line. All of them are ordered at once, so that there is no more of each than its name; what is
 /// stored of it is computed leaf by leaf.

@@ -2,10 +2,9 @@
 
 use glam::DVec2;
 use mapd_archive::BoxNodeRow;
+use mapd_archive::packed_index::WIDTH;
 use rayon::prelude::*;
 
-/// Children of a node.
-pub(crate) const WIDTH: usize = 16;
 /// Entries that one task orders.
 const TOGETHER: usize = 4096;
 /// Relative rounding of single precision, doubled twice: coordinates are rounded once here and once in a query.

@@ -127,6 +127,7 @@ struct QuarantinedFacts {
 
 #[derive(Serialize)]
 struct TableFacts {
+    number: u32,
     name: &'static str,
     count: usize,
     element_bytes: usize,
@@ -280,6 +281,7 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
             .infos()
             .iter()
             .map(|t| TableFacts {
+                number: t.number,
                 name: t.name,
                 count: t.count,
                 element_bytes: t.element_bytes,

@@ -2,19 +2,10 @@
 
 use crate::packed;
 use glam::{DVec2, Vec4};
+use mapd_archive::packed_index::{ANY, HEIGHT_UNIT, LEVELS, REACH_UNIT, WIDTH};
 use mapd_archive::{ArchivedIndexLeafRow, ArchivedIndexNodeRow, NONE, Tables};
 use std::hint::black_box;
 
-/// Children of a node, places of a leaf.
-const WIDTH: usize = 16;
-/// Metres in a unit of `reach` and `overshoot`.
-const REACH_UNIT: f32 = 1.0 / 128.0;
-/// Metres in a unit of `z_low` and `z_high`.
-const HEIGHT_UNIT: f32 = 1.0 / 16.0;
-/// In `reach`, `overshoot` and `z_high`: any distance.
-const ANY: u16 = u16::MAX;
-/// Levels of nodes: 16⁸ leaves.
-const LEVELS: usize = 8;
 /// Places on the search stack: 15 siblings on each of 8 levels (16⁸ leaves) and some more.
 const STACK: usize = 160;
 

@@ -2,11 +2,8 @@
 
 use glam::DVec2;
 use mapd_archive::ArchivedBoxNodeRow;
+use mapd_archive::packed_index::{LEVELS, WIDTH};
 
-/// Children of a node.
-const WIDTH: usize = 16;
-/// Levels of a tree: 16⁸ places below it. A damaged archive may state more.
-const LEVELS: usize = 8;
 /// Places on the search stack: 15 siblings on each of these levels and some more.
 const STACK: usize = 160;
 

@@ -5,6 +5,7 @@
 //! - `write NAME`: writes to the map, which must end the process.
 //! - `connect NAME WAIT_MS`: attaches with a deadline and says what came of it.
 //! - `ask NAME WAIT_MS`: attaches, asks for a lane, detaches.
+//! - `answers NAME WAIT_MS`: attaches and says what the map answers.
 //! - `populated NAME FILE`: minor page faults of queries all over a map whose pages are all mapped, and of the same without;
 //!   FILE is the same archive, on which everything is asked before, so that the program's own pages are not counted.
 //! - `hold NAME`: attaches, touches the whole map, says so, and ends when stdin does.
@@ -41,6 +42,7 @@ fn main() -> ExitCode {
         ["write", map] => write(map),
         ["connect", map, wait] => milliseconds(wait).and_then(|wait| connect(map, wait)),
         ["ask", map, wait] => milliseconds(wait).and_then(|wait| ask(map, wait)),
+        ["answers", map, wait] => milliseconds(wait).and_then(|wait| answers(map, wait)),
         ["populated", map, file] => populated(map, file),
         ["hold", map] => hold(map),
         ["empty"] => empty(),
@@ -99,6 +101,12 @@ fn ask(map: &str, wait: Duration) -> Outcome {
     let snapshot = Client::connect(map, wait)?.snapshot();
     let hit = snapshot.map().nearest_lane(DVec2::new(50.0, -1.75), &NearestOptions::default())?;
     println!("lane {}", snapshot.map().lane(hit.ok_or("no lane")?.lane)?.key());
+    Ok(())
+}
+
+fn answers(map: &str, wait: Duration) -> Outcome {
+    let snapshot = Client::connect(map, wait)?.snapshot();
+    print!("{}", mapd_tests::releases::answers(snapshot.map())?);
     Ok(())
 }
 

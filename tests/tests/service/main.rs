@@ -9,6 +9,7 @@ mod manners;
 mod many_maps;
 mod oversight;
 mod processes;
+mod releases;
 mod reload_storm;
 mod service;
 mod service_trouble;

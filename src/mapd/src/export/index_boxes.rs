@@ -2,14 +2,10 @@
 
 use super::svg::Paper;
 use mapd_archive::NONE;
+use mapd_archive::packed_index::{REACH_UNIT, WIDTH};
 use mapd_client::Map;
 use mapd_client::glam::DVec2;
 use std::io::{Result, Write};
-
-/// Metres in a unit of a leaf's `reach` and `overshoot`.
-const UNIT: f64 = 1.0 / 128.0;
-/// Children of a node, places of a leaf.
-const WIDTH: usize = 16;
 
 /// Draws all boxes.
 ///
@@ -33,6 +29,7 @@ pub(super) fn write(map: Map<'_>, paper: Paper, out: &mut dyn Write) -> Result<(
             )?;
         }
     }
+    let unit = f64::from(REACH_UNIT);
     for leaf in tables.index_leaves {
         for k in (0..WIDTH).filter(|k| leaf.lane()[*k] != NONE) {
             let corner = origin + DVec2::new(f64::from(leaf.x()), f64::from(leaf.y()));
@@ -42,8 +39,8 @@ pub(super) fn write(map: Map<'_>, paper: Paper, out: &mut dyn Write) -> Result<(
             let start = place(leaf.start_x()[k], leaf.start_y()[k]);
             let delta = place(leaf.end_x()[k], leaf.end_y()[k]) - start;
             let along = delta.normalize_or_zero();
-            let before = along * (f64::from(leaf.overshoot()[k]) * UNIT);
-            let beside = along.perp() * (f64::from(leaf.reach()[k]) * UNIT);
+            let before = along * (f64::from(leaf.overshoot()[k]) * unit);
+            let beside = along.perp() * (f64::from(leaf.reach()[k]) * unit);
             let (a, b) = (start - before, start + delta + before);
             let corners = [a - beside, b - beside, b + beside, a + beside];
             write!(out, "<path class=\"leaf\" d=\"")?;

@@ -1,0 +1,140 @@
+//! Archives as releases of other ages write them: with tables that this one does not know, or without some that it does.
+
+use crate::damage::seal;
+use mapd_archive::{AlignedBytes, HEADER_LENGTH, TableEntry, directory};
+use mapd_client::{Map, NearestOptions, glam::DVec2};
+use mapd_query::{LanePlace, RouteScratch, ShortestLength, VehicleClass};
+use std::fmt::{self, Write as _};
+use std::path::PathBuf;
+
+/// A table that no release knows.
+pub const UNKNOWN_TABLE: u32 = 60_000;
+
+/// Where the archives of released layouts lie, each beside what is asked of it and answered ([`answers`]).
+pub fn golden() -> PathBuf {
+    crate::workspace().join("tests/data/archives")
+}
+
+/// An archive taken apart, to be put together with other tables.
+pub struct Parts {
+    header: Vec<u8>,
+    tables: Vec<(TableEntry, Vec<u8>)>,
+}
+
+impl Parts {
+    /// Of an archive of this release.
+    pub fn of(bytes: &[u8]) -> Self {
+        let bytes_of = |entry: &TableEntry| {
+            let start = entry.offset as usize;
+            bytes[start..start + entry.count as usize * entry.row_bytes as usize].to_vec()
+        };
+        let entries = directory(bytes).expect("a sound archive");
+        let tables = entries.into_iter().map(|entry| (entry, bytes_of(&entry)));
+        Self { header: bytes[..HEADER_LENGTH].to_vec(), tables: tables.collect() }
+    }
+
+    /// Numbers of its tables.
+    pub fn numbers(&self) -> Vec<u32> {
+        self.tables.iter().map(|(entry, _)| entry.number).collect()
+    }
+
+    /// Without a table.
+    pub fn without(mut self, number: u32) -> Self {
+        self.tables.retain(|(entry, _)| entry.number != number);
+        self
+    }
+
+    /// With a table more, whose rows have so many bytes.
+    pub fn with(mut self, number: u32, row_bytes: u32, rows: &[u8]) -> Self {
+        let count = rows.len() as u64 / u64::from(row_bytes);
+        let entry = TableEntry { number, row_bytes, row_id: 0x1234, offset: 0, count };
+        self.tables.push((entry, rows.to_vec()));
+        self.tables.sort_by_key(|(entry, _)| entry.number);
+        self
+    }
+
+    /// With another description of a table; its bytes stay.
+    pub fn edit(mut self, number: u32, edit: impl Fn(&mut TableEntry)) -> Self {
+        for (entry, _) in self.tables.iter_mut().filter(|(entry, _)| entry.number == number) {
+            edit(entry);
+        }
+        self
+    }
+
+    /// The archive, with hashes that fit.
+    pub fn to_archive(&self) -> AlignedBytes {
+        let mut out = AlignedBytes::new();
+        out.extend_from_slice(&self.header);
+        let mut place = HEADER_LENGTH + self.tables.len() * size_of::<TableEntry>();
+        for (entry, rows) in &self.tables {
+            place = place.next_multiple_of(8);
+            let TableEntry { number, row_bytes, row_id, count, .. } = entry;
+            out.extend_from_slice(&number.to_le_bytes());
+            out.extend_from_slice(&row_bytes.to_le_bytes());
+            out.extend_from_slice(&row_id.to_le_bytes());
+            out.extend_from_slice(&(place as u64).to_le_bytes());
+            out.extend_from_slice(&count.to_le_bytes());
+            place += rows.len();
+        }
+        for (_, rows) in &self.tables {
+            out.resize(out.len().next_multiple_of(8), 0);
+            out.extend_from_slice(rows);
+        }
+        let (tables, length) = (self.tables.len() as u32, (out.len() - HEADER_LENGTH) as u64);
+        out[24..28].copy_from_slice(&tables.to_le_bytes());
+        out[32..40].copy_from_slice(&length.to_le_bytes());
+        seal(&mut out);
+        out
+    }
+}
+
+/// Points to ask about along each axis of a map.
+const POINTS: usize = 6;
+/// Lanes between which routes are asked for.
+const ROUTED: usize = 12;
+
+/// What a map answers, as text: the same for ever. Millimetres are the finest that is said.
+///
+/// Errors: what writing to a string gives, which is none.
+pub fn answers(map: Map<'_>) -> Result<String, fmt::Error> {
+    let mut out = String::new();
+    for info in map.tables().infos().iter().filter(|info| info.count > 0) {
+        writeln!(out, "table {} {}", info.name, info.count)?;
+    }
+    let (low, high) = map.bounds();
+    for i in 0..POINTS * POINTS {
+        let share = DVec2::new((i % POINTS) as f64, (i / POINTS) as f64) / (POINTS - 1) as f64;
+        let point = low.truncate() + (high - low).truncate() * share;
+        let Ok(Some(hit)) = map.nearest_lane(point, &NearestOptions::default()) else { continue };
+        let key = map.lane(hit.lane).map(|lane| lane.key().to_string()).unwrap_or_default();
+        let at = hit.position;
+        writeln!(out, "nearest {i} {key} {:.3} {:.3} {:.3}", at.s, at.t, at.distance)?;
+    }
+    let key = |id| map.lane(id).map(|lane| lane.key().to_string()).unwrap_or_default();
+    for lane in map.lanes() {
+        write!(out, "lane {} {} ->", lane.key(), lane.kind().name())?;
+        lane.successors().try_for_each(|next| write!(out, " {}", key(next)))?;
+        lane.road_marks().try_for_each(|mark| write!(out, ", {}", mark.kind().name()))?;
+        writeln!(out)?;
+    }
+    for signal in map.signals() {
+        let (class, at) = (signal.class().name(), signal.position());
+        writeln!(out, "signal {} {class} {:.3} {:.3}", signal.id(), at.x, at.y)?;
+    }
+    for object in map.objects() {
+        writeln!(out, "object {} {}", object.id(), object.class().name())?;
+    }
+    let places: Vec<_> = map.lanes().take(ROUTED).collect();
+    let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
+    for (from, to) in places.iter().flat_map(|a| places.iter().map(move |b| (a, b))) {
+        let place = |lane: &mapd_query::Lane<'_>| LanePlace { lane: lane.lane_id(), s: 1.0 };
+        let (car, cost) = (VehicleClass::PassengerCar, ShortestLength::default());
+        if let Ok(Some(_)) = map.route(place(from), place(to), car, &cost, &mut scratch, &mut steps)
+        {
+            write!(out, "route")?;
+            steps.iter().try_for_each(|step| write!(out, " {}", key(step.lane)))?;
+            writeln!(out)?;
+        }
+    }
+    Ok(out)
+}
