@@ -2,6 +2,7 @@
 
 use crate::catalog;
 use crate::rule::{NEWEST, Rule};
+use crate::settings::{Profile, Settings};
 use crate::structural::{KEPT, LEFT_OUT, STRUCTURAL};
 use mapd_xodr::Severity;
 use std::fmt::Write as _;
@@ -17,7 +18,7 @@ the standard forbids what is written, and **information** where it is lawful and
 |---|---|---|
 | `default` | all | as below |
 | `strict` | all | as below, in the second column: whatever the standard forbids is an error |
-| `asam` | those with an id of ASAM's, from the version in it on | error; recommendations are warnings |
+| `asam` | those with an id of ASAM's, from the version in it on | as below, in the third column: error, recommendations are warnings; what ASAM's checker looks at as it grades it |
 
 A configuration file switches single rules off or grades them otherwise; see [checks.md](checks.md).
 ";
@@ -54,12 +55,13 @@ fn tolerances(rule: &Rule) -> String {
 pub fn documentation() -> Vec<(String, String)> {
     let mut index = HEAD.to_owned();
     let mut pages = Vec::new();
+    let asam = Settings { profile: Profile::Asam, ..Settings::default() };
     for (title, slices) in catalog::GROUPS {
         let page = page(title);
         // Writing to a string cannot fail.
         let _ = write!(
             index,
-            "\n## {title}\n\nWith examples: [rules/{page}.md](rules/{page}.md)\n\n| rule | default | strict | versions | what must hold | bounds |\n|---|---|---|---|---|---|\n"
+            "\n## {title}\n\nWith examples: [rules/{page}.md](rules/{page}.md)\n\n| rule | default | strict | asam | versions | what must hold | bounds |\n|---|---|---|---|---|---|---|\n"
         );
         let mut text = format!(
             "# {title}\n\nWritten by `cargo run -p mapd-rules --example rules_doc`; see [rules.md](../rules.md).\n"
@@ -68,10 +70,11 @@ pub fn documentation() -> Vec<(String, String)> {
             let advisory = if rule.advisory { " (recommended)" } else { "" };
             let _ = writeln!(
                 index,
-                "| `{}` | {} | {} | {} | {}{advisory} | {} |",
+                "| `{}` | {} | {} | {} | {} | {}{advisory} | {} |",
                 rule.id,
                 word(rule.severity),
                 word(rule.strict),
+                asam.severity(rule).map_or("–", word),
                 versions(rule),
                 rule.meaning,
                 tolerances(rule),

@@ -1,7 +1,7 @@
 //! Elements with what surrounds them.
 
 use crate::line::ReferenceLine;
-use mapd_xodr::{Lane, LaneSection, Lanes, Object, Road, Signal, TrafficRule};
+use mapd_xodr::{Lane, LaneSection, Lanes, LayerType, Object, Road, Signal, TrafficRule};
 
 /// Side of a section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,6 +63,34 @@ impl<'a> SectionIn<'a> {
     /// Length `[m]`, not negative.
     pub fn length(&self) -> f64 {
         self.s_end() - self.s()
+    }
+
+    /// Whether it says what lies to a side. A section for one side only (`singleSide`) leaves the other as it was; one with
+    /// lanes on both or none, the first of its road, and those of temporary lanes count for both.
+    pub fn holds(&self, side: Side) -> bool {
+        let is_temporary = value(&self.lanes.layer) == Some(LayerType::Temporary);
+        value(&self.section.single_side) != Some(true)
+            || self.index == 0
+            || is_temporary
+            || !self.side(side).is_empty()
+            || (self.side(Side::Left).is_empty() && self.side(Side::Right).is_empty())
+    }
+
+    /// Where its lanes of a side end: at its own length, the next section that holds for the side, or the end of the road `[m]`.
+    pub fn s_end_of(&self, side: Side) -> f64 {
+        // The search ends at the next section that holds for the side: all of a road's together look at each section once.
+        if self.section.length.is_some() || !self.holds(side) {
+            return self.s_end();
+        }
+        let later = self.lanes.lane_section.iter().enumerate().skip(self.index + 1);
+        let mut later = later.map(|(index, section)| SectionIn { section, index, ..*self });
+        let next = later.find(|section| section.holds(side));
+        next.map_or(number(&self.road.length), |next| next.s()).max(self.s())
+    }
+
+    /// Length of its lanes of a side `[m]`, not negative.
+    pub fn length_of(&self, side: Side) -> f64 {
+        self.s_end_of(side) - self.s()
     }
 
     /// Lanes of a side in file order.

@@ -71,6 +71,8 @@ pub struct Rule {
     pub severity: Severity,
     /// How bad it is in the strict profile.
     pub strict: Severity,
+    /// How bad it is in the profile of ASAM's rules, where ASAM's checker grades it otherwise than that profile does.
+    pub asam: Option<Severity>,
     /// What must hold, in one sentence.
     pub meaning: &'static str,
     /// First version that it is applied to.
@@ -103,6 +105,7 @@ impl Rule {
             aliases: &[],
             severity,
             strict,
+            asam: None,
             meaning,
             since: 4,
             until: NEWEST,
@@ -175,6 +178,12 @@ impl Rule {
         self
     }
 
+    /// The rule, with the severity that ASAM's checker gives it.
+    pub(crate) const fn asam(mut self, severity: Severity) -> Self {
+        self.asam = Some(severity);
+        self
+    }
+
     /// The rule, with the bounds that decide.
     pub(crate) const fn within(mut self, tolerances: &'static [Tolerance]) -> Self {
         self.tolerances = tolerances;
@@ -186,10 +195,14 @@ impl Rule {
         self.id.starts_with("asam.net:")
     }
 
-    /// The version in the rule's id: `asam.net:xodr:1.7.0:…` is of 1.7. 1.4 where there is none.
+    /// The first version in the ids that ASAM has for the rule: `asam.net:xodr:1.7.0:…` is of 1.7. 1.4 where there is none.
     pub fn id_version(&self) -> Minor {
-        let version = self.id.split(':').nth(2).unwrap_or_default();
-        version.split('.').nth(1).and_then(|minor| minor.parse().ok()).unwrap_or(4).max(4)
+        let version = |id: &&str| {
+            let version = id.split(':').nth(2).unwrap_or_default();
+            version.split('.').nth(1).and_then(|minor| minor.parse().ok()).unwrap_or(4).max(4)
+        };
+        let own = std::iter::once(&self.id).chain(self.aliases);
+        own.filter(|id| id.starts_with("asam.net:")).map(version).min().unwrap_or(4)
     }
 
     /// The version that the examples are written in.

@@ -17,7 +17,7 @@ pub enum Profile {
     /// Whatever the standard forbids is an error.
     Strict,
     /// ASAM's rules alone, each from the version in its id on; whatever they forbid is an error, recommendations are
-    /// warnings.
+    /// warnings. What ASAM's checker looks at has the severity that it has there.
     Asam,
 }
 
@@ -74,6 +74,7 @@ impl Settings {
             Profile::Default => Some(rule.severity),
             Profile::Strict => Some(rule.strict),
             Profile::Asam if !rule.is_asam() => None,
+            Profile::Asam if rule.asam.is_some() => rule.asam,
             Profile::Asam if rule.severity == Severity::Info => Some(Severity::Info),
             Profile::Asam if rule.advisory => Some(Severity::Warning),
             Profile::Asam => Some(Severity::Error),

@@ -87,9 +87,14 @@ impl Sink<'_> {
         expected: impl fmt::Display,
         found: impl fmt::Display,
     ) {
+        self.at_most(severity, |sink| sink.add_within(part, span, expected, found));
+    }
+
+    /// What is added within is no worse than this.
+    pub fn at_most(&mut self, severity: Severity, add: impl FnOnce(&mut Self)) {
         let before = self.severity;
         self.severity = severity.min(before);
-        self.add_within(part, span, expected, found);
+        add(self);
         self.severity = before;
     }
 

@@ -42,7 +42,7 @@ pub static STRUCTURAL: &[Structural] = &[
     ),
     entry(
         &["asam.net:xodr:1.0.0:xml.fileheader_is_present"],
-        ids::ELEMENT,
+        ids::HEADER,
         "header",
         Example::File("<OpenDRIVE></OpenDRIVE>"),
     ),

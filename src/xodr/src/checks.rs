@@ -196,7 +196,9 @@ impl Cursor<'_> {
             };
             let message =
                 format!("expected the element {}, required in {standard}, found none", child.name);
-            self.add(rule_ids::ELEMENT, Severity::Error, open.span, child.name, message);
+            let is_header = child.name == "header";
+            let rule = if is_header { rule_ids::HEADER } else { rule_ids::ELEMENT };
+            self.add(rule, Severity::Error, open.span, child.name, message);
         }
         for slot in bits(open.schema.counted) {
             let Some(child) = children.get(slot) else { continue };

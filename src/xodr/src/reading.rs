@@ -385,13 +385,11 @@ impl Cursor<'_> {
             let stated = if self.stated.is_empty() { "none" } else { &self.stated };
             let message = format!("expected revision 1.4 to 1.9, found {stated}; {done}");
             let path = format!("{}/header", self.path());
-            self.findings.add(
-                rule_ids::VERSION,
-                Severity::Warning,
-                span,
-                ("Header", "revMinor"),
-                || (path, message),
-            );
+            // What is none is worse than one that is not known.
+            let is_stated = [&major, &minor].map(|number| number.trim().parse::<u16>().is_ok());
+            let severity = if is_stated == [true; 2] { Severity::Warning } else { Severity::Error };
+            self.findings
+                .add(rule_ids::VERSION, severity, span, ("Header", "revMinor"), || (path, message));
         }
     }
 }

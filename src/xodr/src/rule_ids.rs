@@ -16,7 +16,9 @@ pub const INCLUDE: &str = "mapd:xml.include";
 pub const ROOT: &str = "asam.net:xodr:1.0.0:xml.root_tag_is_opendrive";
 /// The root stands in a namespace that is none of OpenDRIVE's.
 pub const NAMESPACE: &str = "mapd:xml.namespace";
-/// The version is missing or unknown.
+/// There is no header.
+pub const HEADER: &str = "asam.net:xodr:1.0.0:xml.fileheader_is_present";
+/// The version is missing, no number, or unknown.
 pub const VERSION: &str = "asam.net:xodr:1.0.0:xml.version_is_defined";
 
 /// A required attribute is missing.
@@ -64,7 +66,7 @@ pub const ENUMERATION: &str = "mapd:value.enumeration";
 pub fn is_structural(rule: &str) -> bool {
     rule.starts_with("mapd:structure.")
         || rule.starts_with("mapd:value.")
-        || matches!(rule, VERSION | NAMESPACE | BEFORE_DECLARATION)
+        || matches!(rule, HEADER | VERSION | NAMESPACE | BEFORE_DECLARATION)
 }
 
 /// The id under which ASAM's checker reports what a rule finds; none where it has no such rule.
@@ -72,6 +74,7 @@ pub fn asam(rule: &str) -> Option<&'static str> {
     match rule {
         XML => Some("asam.net:xodr:1.0.0:xml.valid_xml_document"),
         ROOT => Some(ROOT),
+        HEADER => Some(HEADER),
         VERSION => Some(VERSION),
         MISSING | ELEMENT | OCCURRENCE | CHOICE | ORDER | UNKNOWN_ATTRIBUTE | UNKNOWN_ELEMENT
         | OTHER_VERSION | VARIANT | TEXT | VALUE | RANGE | ENUMERATION => {

@@ -1,10 +1,12 @@
 //! What is wrong with a map is found, named with its place, and takes out no more than it must.
 
+mod asam_checker;
 mod broken_parts;
 mod check;
 mod clean_maps;
 mod cycles;
 mod holes;
+mod linked_lanes;
 mod mutations;
 mod quarantine;
 mod quirks;

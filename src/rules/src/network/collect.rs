@@ -199,10 +199,10 @@ impl Network {
         let before = self.sections.len();
         for section in permanent(road) {
             let first = self.lanes.len();
-            let length = section.length();
+            let sides = [Side::Left, Side::Right];
             let mut inner: [Vec<_>; 2] = [Vec::new(), Vec::new()];
-            for (at, ds) in [(0, 0.0), (1, length)] {
-                for side in [Side::Left, Side::Right] {
+            for side in sides {
+                for (at, ds) in [(0, 0.0), (1, section.length_of(side))] {
                     inner[at].extend(borders_at(&section, side, ds));
                 }
             }
@@ -242,7 +242,8 @@ impl Network {
             self.sections.push(SectionFacts {
                 span: section.section.span,
                 s: section.s(),
-                s_end: section.s_end(),
+                ends: sides.map(|side| section.s_end_of(side)),
+                holds: sides.map(|side| section.holds(side)),
                 lanes: first as u32..self.lanes.len() as u32,
             });
         }

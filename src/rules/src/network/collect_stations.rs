@@ -4,7 +4,7 @@ use super::Network;
 use super::collect::permanent;
 use super::stations::{Heading, OnLine, STATION_STEP, Station};
 use crate::line::ReferenceLine;
-use crate::place::{SectionIn, Side, number, value};
+use crate::place::{SectionIn, Side, number};
 use crate::profile::{elevation_at, outermost_at, superelevation_at};
 use mapd_xodr::Road;
 use std::ops::Range;
@@ -84,15 +84,9 @@ fn extent_at(sections: &[SectionIn<'_>], s: f64) -> [f64; 2] {
     let begun = sections.get(..after).unwrap_or_default();
     [Side::Left, Side::Right].map(|side| {
         // A section of one side leaves the other as it was.
-        let holds = begun.iter().rev().find(|section| {
-            let is_there = match side {
-                Side::Left => section.section.left.is_some(),
-                Side::Right => section.section.right.is_some(),
-            };
-            is_there || value(&section.section.single_side) != Some(true)
-        });
+        let holds = begun.iter().rev().find(|section| section.holds(side));
         let Some(section) = holds else { return 0.0 };
-        outermost_at(section, side, s.min(section.s_end()) - section.s())
+        outermost_at(section, side, s.min(section.s_end_of(side)) - section.s())
     })
 }
 

@@ -92,6 +92,11 @@ impl RoadFacts {
     }
 }
 
+/// The side of a lane: 0 to the left, 1 to the right.
+fn side_of(id: i32) -> usize {
+    usize::from(id < 0)
+}
+
 /// A lane section of the permanent layer.
 #[derive(Clone, Debug)]
 pub struct SectionFacts {
@@ -99,12 +104,24 @@ pub struct SectionFacts {
     pub span: Span,
     /// Where it begins `[m]`.
     pub s: f64,
-    /// Where it ends `[m]`.
-    pub s_end: f64,
+    /// Where its lanes end: to the left, to the right `[m]`.
+    pub(super) ends: [f64; 2],
+    /// Whether it says what lies to the left, to the right.
+    pub(super) holds: [bool; 2],
     pub(super) lanes: Range<u32>,
 }
 
 impl SectionFacts {
+    /// Where its lanes on the side of an id end `[m]`.
+    pub fn s_end(&self, id: i32) -> f64 {
+        self.ends[side_of(id)]
+    }
+
+    /// Whether it says what lies on the side of an id: one for the other side only does not. Lane 0 is on both.
+    pub fn holds(&self, id: i32) -> bool {
+        id == 0 || self.holds[side_of(id)]
+    }
+
     /// Ranks of its lanes in [`Network::lanes`](super::Network::lanes).
     pub fn lane_ranks(&self) -> Range<usize> {
         self.lanes.start as usize..self.lanes.end as usize

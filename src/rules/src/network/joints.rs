@@ -105,23 +105,26 @@ impl Network {
         Some((target.rank, link.contact.or_else(nearer)?))
     }
 
-    /// What touches an end of a section, given by its rank in its road.
+    /// What touches an end of a section, given by its rank in its road, on the side of a lane.
     pub fn neighbor<'a>(
         &'a self,
         road: &'a RoadFacts,
         rank: usize,
         end: Contact,
+        lane: i32,
     ) -> Option<Neighbor<'a>> {
-        let sections = self.sections_of(road);
+        let (before, after) = self.sections_of(road).split_at_checked(rank)?;
         let next = match end {
-            Contact::Start => rank.checked_sub(1),
-            Contact::End => rank.checked_add(1),
+            Contact::Start => before.iter().rev().find(|section| section.holds(lane)),
+            Contact::End => after.iter().skip(1).find(|section| section.holds(lane)),
         };
-        if let Some(section) = next.and_then(|next| sections.get(next)) {
+        if let Some(section) = next {
             return Some(Neighbor { road, section, end: end.other() });
         }
         let (target, contact) = self.linked_road(road, end)?;
-        let section = self.section_at(target, contact)?;
+        let is_turned = end == contact;
+        let section =
+            self.section_at(target, contact, if is_turned { lane.saturating_neg() } else { lane })?;
         Some(Neighbor { road: target, section, end: contact })
     }
 
@@ -137,9 +140,16 @@ impl Network {
     ) -> impl Iterator<Item = LaneJoint<'a>> {
         let sections = self.sections_of(road).iter().enumerate();
         sections.flat_map(move |(rank, section)| {
-            let neighbors = Contact::BOTH.map(|end| self.neighbor(road, rank, end));
+            // Of lanes on a side that the section holds, the neighbors on that side.
+            let neighbors = [1, -1].map(|side| {
+                let is_there =
+                    self.lanes_of(section).iter().any(|lane| (lane.id < 0) == (side < 0));
+                Contact::BOTH
+                    .map(|end| is_there.then(|| self.neighbor(road, rank, end, side)).flatten())
+            });
             let lanes = section.lane_ranks().zip(self.lanes_of(section));
             lanes.flat_map(move |(lane_rank, lane)| {
+                let neighbors = neighbors[usize::from(lane.id < 0)];
                 Contact::BOTH.into_iter().flat_map(move |end| {
                     self.links_of(lane, end).iter().map(move |link| {
                         let neighbor = neighbors[end as usize];
@@ -224,7 +234,7 @@ impl Network {
 
     /// Inner and outer border of a lane at `s`, linear between the section's ends: t `[m]`.
     pub fn borders_over(section: &SectionFacts, lane: &LaneFacts, s: f64) -> [f64; 2] {
-        let length = section.s_end - section.s;
+        let length = section.s_end(lane.id) - section.s;
         let part = if length > 0.0 {
             mapd_geometry::clamp((s - section.s) / length, 0.0, 1.0)
         } else {

@@ -49,7 +49,22 @@ impl ConnectionFacts {
 }
 
 /// Which lane leads into which: ids, as far as they are written.
-pub type ConnectedLanes = [Option<i32>; 2];
+#[derive(Clone, Copy, Debug)]
+pub struct ConnectedLanes {
+    start: u64,
+    len: u32,
+    /// The lane of the road that leads in.
+    pub from: Option<i32>,
+    /// The lane of the road that is entered.
+    pub to: Option<i32>,
+}
+
+impl ConnectedLanes {
+    /// The start tag.
+    pub fn span(&self) -> Span {
+        Span { start: self.start, len: self.len }
+    }
+}
 
 /// Whether a junction says more than which lanes it connects.
 fn is_kept(junction: &Junction) -> bool {
@@ -117,7 +132,12 @@ impl Network {
         let before = self.connections.len() as u32;
         for c in &junction.connection {
             let first = self.connected_lanes.len() as u32;
-            let lanes = c.lane_link.iter().map(|link| [value(&link.from), value(&link.to)]);
+            let lanes = c.lane_link.iter().map(|link| ConnectedLanes {
+                start: link.span.start,
+                len: link.span.len,
+                from: value(&link.from),
+                to: value(&link.to),
+            });
             self.connected_lanes.extend(lanes);
             let [id, incoming, connecting, linked] =
                 [&c.id, &c.incoming_road, &c.connecting_road, &c.linked_road]

@@ -5,6 +5,7 @@ mod append;
 mod collect;
 mod collect_signals;
 mod collect_stations;
+mod connected;
 mod facts;
 mod joints;
 mod junctions;
@@ -14,6 +15,7 @@ mod references;
 mod stations;
 
 pub use collect_stations::extent;
+pub use connected::{ConnectedEnds, ConnectedJoint, LaneEnd};
 pub use facts::{
     Contact, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, Part, PartKind, RoadFacts,
     SectionFacts,
@@ -146,19 +148,21 @@ impl Network {
         Some(section.lane_ranks().start + at)
     }
 
-    /// The section of a road that touches one of its ends.
-    pub fn section_at(&self, road: &RoadFacts, end: Contact) -> Option<&SectionFacts> {
+    /// The section of a road that touches one of its ends on the side of a lane.
+    pub fn section_at(&self, road: &RoadFacts, end: Contact, lane: i32) -> Option<&SectionFacts> {
+        let mut sections = self.sections_of(road).iter();
         match end {
-            Contact::Start => self.sections_of(road).first(),
-            Contact::End => self.sections_of(road).last(),
+            Contact::Start => sections.find(|section| section.holds(lane)),
+            Contact::End => sections.rev().find(|section| section.holds(lane)),
         }
     }
 
-    /// The section of a road at `s` `[m]`.
-    pub fn section_over(&self, road: &RoadFacts, s: f64) -> Option<&SectionFacts> {
+    /// The section of a road at `s` `[m]` on the side of a lane.
+    pub fn section_over(&self, road: &RoadFacts, s: f64, lane: i32) -> Option<&SectionFacts> {
         let sections = self.sections_of(road);
         let after = sections.partition_point(|section| section.s <= s);
-        sections.get(after.saturating_sub(1))
+        let begun = sections.get(..after.max(1)).unwrap_or(sections);
+        begun.iter().rev().find(|section| section.holds(lane))
     }
 
     /// Completes what needs the whole document.

@@ -11,24 +11,6 @@ use std::collections::{BTreeMap, BTreeSet};
 
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
-        "asam.net:xodr:1.4.0:junctions.connection.connect_road_no_incoming_road",
-        "A road within a junction does not lead into it.",
-        Junction(both),
-        [
-            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
-            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection><connection id="1" incomingRoad="2" connectingRoad="3" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
-        ],
-    ),
-    Rule::warning(
-        "asam.net:xodr:1.8.0:junctions.connection.one_link_to_incoming",
-        "An incoming road and a road within the junction have one connection.",
-        Junction(one_per_pair),
-        [
-            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
-            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection><connection id="1" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
-        ],
-    ),
-    Rule::warning(
         "asam.net:xodr:1.7.0:junctions.connection.one_connection_element",
         "A road within a junction has one connection.",
         Junction(one_per_road),
@@ -77,30 +59,6 @@ pub(super) static RULES: &[Rule] = &[
     ),
 ];
 
-fn both(junction: &xodr::Junction, sink: &mut Sink<'_>) {
-    if matches!(kind(junction), Kind::Direct | Kind::Crossing) {
-        return;
-    }
-    let within: BTreeSet<&str> = junction
-        .connection
-        .iter()
-        .filter_map(|c| c.connecting_road.as_ref())
-        .map(|id| &*id.value)
-        .collect();
-    for connection in &junction.connection {
-        let incoming = text(&connection.incoming_road);
-        if within.contains(incoming) && !incoming.is_empty() {
-            let found = format_args!("road {incoming}, which is within the junction");
-            sink.add_within(
-                "connection",
-                connection.span,
-                "a road that leads into the junction",
-                found,
-            );
-        }
-    }
-}
-
 /// Shows every element whose key another had before.
 fn repeated<'a, K: Ord>(
     elements: impl Iterator<Item = (Option<K>, Span, &'a str)>,
@@ -114,17 +72,6 @@ fn repeated<'a, K: Ord>(
             show(span, name);
         }
     }
-}
-
-fn one_per_pair(junction: &xodr::Junction, sink: &mut Sink<'_>) {
-    let pairs = junction.connection.iter().map(|c| {
-        let pair = c.connecting_road.as_ref().zip(c.incoming_road.as_ref());
-        (pair.map(|(a, b)| (&a.value, &b.value)), c.span, text(&c.connecting_road))
-    });
-    repeated(pairs, |span, road| {
-        let found = format_args!("another to road {road}");
-        sink.add_within("connection", span, "one connection of two roads", found);
-    });
 }
 
 fn one_per_road(junction: &xodr::Junction, sink: &mut Sink<'_>) {

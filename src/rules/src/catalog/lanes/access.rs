@@ -3,8 +3,12 @@
 use crate::example::Example::Lane as OfLane;
 use crate::place::{LaneIn, number, value};
 use crate::rule::Check::Lane;
-use crate::rule::Rule;
+use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
+
+/// Records so near to one another are of one place, as in ASAM's checker.
+const SAME_PLACE: Tolerance =
+    Tolerance { name: "difference of sOffset of one place", value: 1e-6, unit: "m" };
 
 pub(super) static RULES: &[Rule] = &[Rule::warning(
     "asam.net:xodr:1.7.0:road.lane.access.no_mix_of_deny_or_allow",
@@ -18,17 +22,25 @@ pub(super) static RULES: &[Rule] = &[Rule::warning(
             r#"<access sOffset="0" rule="deny"><restriction type="bus"/></access><access sOffset="0" rule="allow"><restriction type="taxi"/></access>"#,
         ),
     ],
-)];
+)
+.within(&[SAME_PLACE])];
 
 fn no_mix(of: &LaneIn<'_>, sink: &mut Sink<'_>) {
-    for pair in of.lane.access.windows(2) {
-        let (a, b) = (value(&pair[0].rule), value(&pair[1].rule));
-        if number(&pair[0].s_offset) == number(&pair[1].s_offset)
-            && a.is_some()
-            && b.is_some()
-            && a != b
-        {
-            sink.add_within("access", pair[1].span, "either allow or deny at one place", "both");
+    if of.lane.access.len() < 2 {
+        return;
+    }
+    // Those of one place stand beside one another, whatever their order in the file.
+    let records = of.lane.access.iter().enumerate();
+    let rules = records.filter_map(|(at, access)| {
+        Some((number(&access.s_offset), at, value(&access.rule)?, access.span))
+    });
+    let mut rules: Vec<_> = rules.collect();
+    rules.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    for pair in rules.windows(2) {
+        let [a, b] = pair else { continue };
+        if b.0 - a.0 <= SAME_PLACE.value && a.2 != b.2 {
+            let (_, _, _, span) = if a.1 > b.1 { a } else { b };
+            sink.add_within("access", *span, "either allow or deny at one place", "both");
         }
     }
 }

@@ -98,10 +98,11 @@ fn overlaps(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
         if of.side(side).iter().all(|lane| lane.border.is_empty()) {
             continue;
         }
-        let steps = ((of.length() / STEP).ceil() as usize).clamp(1, PLACES);
+        let length = of.length_of(side);
+        let steps = ((length / STEP).ceil() as usize).clamp(1, PLACES);
         let mut worst: Option<(i32, f64, f64)> = None;
         for step in 0..=steps {
-            let ds = of.length() * step as f64 / steps as f64;
+            let ds = length * step as f64 / steps as f64;
             for (id, inner, outer) in borders_at(of, side, ds) {
                 let crossing = sign * (inner - outer);
                 if crossing > CROSSING.value && worst.is_none_or(|worst| crossing > worst.1) {

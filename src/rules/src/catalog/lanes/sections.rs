@@ -1,7 +1,7 @@
 //! Lane sections cover the road.
 
 use crate::example::Example::{Lanes, Road};
-use crate::place::{RoadIn, SectionIn, lane_part, number, value};
+use crate::place::{RoadIn, SectionIn, Side, lane_part, number, value};
 use crate::rule::Check::{self, Section};
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
@@ -105,8 +105,10 @@ fn boundaries(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
         sink.add(of.section.span, format_args!("a section within the road's {length} m"), s);
         return;
     }
-    let end = of.length() + ROUNDING.value;
-    for lane in of.lanes() {
+    let both = [Side::Left, Side::Right].into_iter();
+    let lengths = both.map(|side| (side, of.length_of(side)));
+    let lanes = lengths.flat_map(|(side, length)| of.side(side).iter().map(move |l| (l, length)));
+    for (lane, length) in lanes {
         let lists = [
             lane.width.iter().map(|e| (&e.s_offset, e.span)).collect::<Vec<_>>(),
             lane.border.iter().map(|e| (&e.s_offset, e.span)).collect(),
@@ -115,8 +117,8 @@ fn boundaries(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
         ];
         for (s_offset, span) in lists.into_iter().flatten() {
             let s_offset = number(s_offset);
-            if s_offset > end {
-                let expected = format_args!("sOffset within the section's {} m", of.length());
+            if s_offset > length + ROUNDING.value {
+                let expected = format_args!("sOffset within the section's {length} m");
                 sink.add_within(&lane_part(lane, ""), span, expected, s_offset);
             }
         }

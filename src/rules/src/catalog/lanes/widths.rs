@@ -82,12 +82,13 @@ fn least(record: &Record, length: f64) -> (f64, f64) {
 }
 
 fn not_negative(of: &LaneIn<'_>, sink: &mut Sink<'_>) {
+    let length = of.section.length_of(of.side);
     for (rank, width) in of.lane.width.iter().enumerate() {
         let record = record!(width, s_offset);
         let next = of.lane.width.get(rank + 1);
-        let end = next.map_or(of.section.length(), |next| number(&next.s_offset));
-        let (value, ds) = least(&record, end.min(of.section.length()) - record.s);
-        if value < -NEGATIVE.value && record.s <= of.section.length() {
+        let end = next.map_or(length, |next| number(&next.s_offset));
+        let (value, ds) = least(&record, end.min(length) - record.s);
+        if value < -NEGATIVE.value && record.s <= length {
             let s = of.section.s() + record.s + ds;
             let found = format_args!("{value:.4} m at s = {s:.3}; taken as 0");
             sink.add_within("width", width.span, "a width of at least 0", found);
@@ -96,12 +97,13 @@ fn not_negative(of: &LaneIn<'_>, sink: &mut Sink<'_>) {
 }
 
 fn long_without(of: &LaneIn<'_>, sink: &mut Sink<'_>) {
+    let section_length = of.section.length_of(of.side);
     // A cubic without width at its ends and two places between has none at all.
     let is_none = |ds: f64| width_at(of.lane, ds).is_some_and(|width| width.abs() <= NONE.value);
     for (rank, width) in of.lane.width.iter().enumerate() {
         let start = number(&width.s_offset);
         let next = of.lane.width.get(rank + 1);
-        let end = next.map_or(of.section.length(), |next| number(&next.s_offset));
+        let end = next.map_or(section_length, |next| number(&next.s_offset));
         let length = end - start;
         // The next record holds at its own start.
         let before_end = start + 0.999 * length;

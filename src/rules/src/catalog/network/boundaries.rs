@@ -119,7 +119,7 @@ type Point = [f64; 2];
 
 /// The border of a lane: its outer edge; of lane 0 the reference line as shifted.
 fn border(network: &Network, road: &crate::network::RoadFacts, s: f64, lane: i32) -> Option<Point> {
-    let section = network.section_over(road, s)?;
+    let section = network.section_over(road, s, lane)?;
     let t = match lane {
         // The inner border of the first lane of either side.
         0 => network
@@ -145,12 +145,11 @@ fn points(network: &Network, segment: &BoundarySegment) -> Option<Vec<Point>> {
     let road = network.road(text(&segment.road_id))?;
     if value(&segment.r#type) == Some(SegmentType::Joint) {
         let s = place(&value(&segment.contact_point)?, road.length);
-        let section = network.section_over(road, s)?;
-        let lanes = network.lanes_of(section);
+        let lanes = |side| Some(network.lanes_of(network.section_over(road, s, side)?));
         let first = value(&segment.joint_lane_start)
-            .or_else(|| lanes.first().map(|lane| lane.id.max(0)))?;
-        let last =
-            value(&segment.joint_lane_end).or_else(|| lanes.last().map(|lane| lane.id.min(0)))?;
+            .or_else(|| lanes(1)?.first().map(|lane| lane.id.max(0)))?;
+        let last = value(&segment.joint_lane_end)
+            .or_else(|| lanes(-1)?.last().map(|lane| lane.id.min(0)))?;
         return Some(vec![border(network, road, s, first)?, border(network, road, s, last)?]);
     }
     let lane = value(&segment.boundary_lane)?;

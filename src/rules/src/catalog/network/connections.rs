@@ -1,28 +1,28 @@
 //! Connections of junctions, seen with the roads that they join.
 
-use super::joints::{CORNER, Edge, KINK};
+use super::joints::{Edge, KINK};
 use crate::catalog::lanes::is_drivable;
 use crate::example::Example::{Document, Junction as In};
 use crate::network::{
-    ConnectionFacts, Contact, JunctionFacts, LinkTarget, Name, Network, RoadFacts,
+    ConnectedJoint, ConnectionFacts, Contact, JunctionFacts, LinkTarget, Name, Network, RoadFacts,
 };
 use crate::place::text;
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
 use crate::sink::Sink;
-use mapd_xodr::JunctionType as Kind;
+use mapd_xodr::{JunctionType as Kind, Span};
 use std::collections::{BTreeMap, BTreeSet};
 
 const SOUND: crate::example::Example = In(
     r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#,
 );
 
-/// A road into junction 9, two roads within it and one behind; the example gives the second one's y and surface.
+/// A road into junction 9, two roads within it and one behind; the example gives the second one's heading and surface.
 macro_rules! split {
-    ($y:literal, $surface:literal, $junction:literal) => {
+    ($hdg:literal, $surface:literal, $junction:literal) => {
         Document(concat!(
             r#"<road id="1" length="50" junction="-1"><link><successor elementType="junction" elementId="9"/></link><planView><geometry s="0" x="0" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
-<road id="2" length="20" junction="9"><link><predecessor elementType="road" elementId="1" contactPoint="end"/></link><planView><geometry s="0" x="50" y=""#, $y, r#"" hdg="0" length="20"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes>"#, $surface, r#"</road>
+<road id="2" length="20" junction="9"><link><predecessor elementType="road" elementId="1" contactPoint="end"/></link><planView><geometry s="0" x="50" y="0" hdg=""#, $hdg, r#"" length="20"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes>"#, $surface, r#"</road>
 <junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection>"#, $junction, "</junction>"
         ))
     };
@@ -66,23 +66,12 @@ pub(super) static RULES: &[Rule] = &[
         ],
     ),
     Rule::warning(
-        "mapd:xodr:1.4.0:junction.lane_direction",
-        "A connection links lanes that lead into the junction.",
-        All(leads_in),
-        [
-            SOUND,
-            Document(r#"<road id="1" length="50" junction="-1"><link><successor elementType="junction" elementId="9"/></link><planView><geometry s="0" x="0" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><left><lane id="1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></left><center><lane id="0" type="none"/></center></laneSection></lanes></road>
-<road id="2" length="20" junction="9"><link><predecessor elementType="road" elementId="1" contactPoint="end"/></link><planView><geometry s="0" x="50" y="0" hdg="0" length="20"><line/></geometry></planView><lanes><laneSection s="0"><left><lane id="1" type="driving"><link><predecessor id="1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></left><center><lane id="0" type="none"/></center></laneSection></lanes></road>
-<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="1" to="1"/></connection></junction>"#),
-        ],
-    ),
-    Rule::warning(
         "asam.net:xodr:1.9.0:junctions.connection.smooth_fit",
-        "Linked lanes of an incoming road and a road within the junction meet without gap and kink.",
+        "Linked lanes of an incoming road and a road within the junction have one heading where they meet.",
         All(smooth),
-        [split!("0", "", ""), split!("1", "", "")],
+        [split!("0", "", ""), split!("0.1", "", "")],
     )
-    .within(&[CORNER, KINK]),
+    .within(&[KINK]),
     Rule::info(
         "asam.net:xodr:1.9.0:junctions.common.not_only_two",
         "A junction joins more than two roads.",
@@ -144,14 +133,34 @@ fn joined(network: &Network) -> impl Iterator<Item = Joined<'_>> {
 
 /// Adds a finding about a connection.
 pub(super) fn add_to_connection(
-    (network, junction, connection): (&Network, &JunctionFacts, &ConnectionFacts),
+    at: (&Network, &JunctionFacts, &ConnectionFacts),
     sink: &mut Sink<'_>,
     expected: impl std::fmt::Display,
     found: impl std::fmt::Display,
 ) {
-    let part = format!("connection[@id={}]", network.name(connection.id));
-    let junction = ("junction", network.junction_id(junction), part.as_str());
-    sink.add_in(junction, connection.span(), expected, found);
+    add_to_part(at, ("", at.2.span()), sink, expected, found);
+}
+
+/// Adds a finding about a link of a connection.
+pub(super) fn add_to_link(
+    (network, joint): (&Network, &ConnectedJoint<'_>),
+    sink: &mut Sink<'_>,
+    expected: impl std::fmt::Display,
+    found: impl std::fmt::Display,
+) {
+    let at = (network, joint.junction, joint.connection);
+    add_to_part(at, ("/laneLink", joint.link.span()), sink, expected, found);
+}
+
+fn add_to_part(
+    (network, junction, connection): (&Network, &JunctionFacts, &ConnectionFacts),
+    (within, span): (&str, Span),
+    sink: &mut Sink<'_>,
+    expected: impl std::fmt::Display,
+    found: impl std::fmt::Display,
+) {
+    let part = format!("connection[@id={}]{within}", network.name(connection.id));
+    sink.add_in(("junction", network.junction_id(junction), &part), span, expected, found);
 }
 
 impl Joined<'_> {
@@ -209,38 +218,19 @@ fn lane_links(network: &Network, sink: &mut Sink<'_>) {
     for joined in joined(network) {
         let sides = [(joined.incoming, joined.incoming_end), (joined.connecting, joined.contact)];
         for link in network.connected_lanes(joined.connection) {
-            for ((road, end), id) in sides.iter().zip(*link) {
+            for ((road, end), id) in sides.iter().zip([link.from, link.to]) {
                 let (Some(road), Some(end), Some(id)) = (road, end, id) else { continue };
-                let Some(section) = network.section_at(road, *end) else { continue };
+                let Some(section) = network.section_at(road, *end, id) else { continue };
                 if network.lane(section, id).is_none() && id != 0 {
                     let expected = format_args!(
                         "a lane at the {} of road {}",
                         end.name(),
                         network.name(road.id)
                     );
-                    joined.add(sink, expected, format_args!("lane {id}, which is not there"));
-                }
-            }
-        }
-    }
-}
-
-fn leads_in(network: &Network, sink: &mut Sink<'_>) {
-    for joined in joined(network) {
-        // Traffic leaves the incoming road at its end and enters the other one there.
-        let from = joined.incoming.zip(joined.incoming_end).map(|(road, end)| (road, end, true));
-        let to = joined.connecting.zip(joined.contact).map(|(road, end)| (road, end, false));
-        for [from_id, to_id] in network.connected_lanes(joined.connection) {
-            for (place, id) in [(from, *from_id), (to, *to_id)] {
-                let (Some((road, end, leaves)), Some(id)) = (place, id) else { continue };
-                let section = network.section_at(road, end);
-                let lane = section.and_then(|section| network.lane(section, id));
-                let Some(lane) = lane.filter(|lane| is_drivable(lane.kind)) else { continue };
-                let due = (end == Contact::End) == leaves;
-                if Network::goes_along(road, lane).is_some_and(|along| along != due) {
-                    let road = network.name(road.id);
-                    let found = format_args!("lane {id} of road {road}, which leads the other way");
-                    joined.add(sink, "lanes that lead into the junction", found);
+                    let span = link.span();
+                    let found = format_args!("lane {id}, which is not there");
+                    let junction = (network, joined.junction, joined.connection);
+                    add_to_part(junction, ("/laneLink", span), sink, expected, found);
                 }
             }
         }
@@ -248,38 +238,19 @@ fn leads_in(network: &Network, sink: &mut Sink<'_>) {
 }
 
 fn smooth(network: &Network, sink: &mut Sink<'_>) {
-    for joined in joined(network) {
-        let (Some(incoming), Some(incoming_end)) = (joined.incoming, joined.incoming_end) else {
+    for joint in network.connected_joints(Kind::Default) {
+        if !is_drivable(joint.from.lane.kind) || !is_drivable(joint.to.lane.kind) {
             continue;
-        };
-        let (Some(connecting), Some(contact)) = (joined.connecting, joined.contact) else {
-            continue;
-        };
-        let (Some(from), Some(to)) =
-            (network.section_at(incoming, incoming_end), network.section_at(connecting, contact))
+        }
+        let (Some(a), Some(b)) = (Edge::of(network, &joint.from), Edge::of(network, &joint.to))
         else {
             continue;
         };
-        for link in network.connected_lanes(joined.connection) {
-            let [Some(from_id), Some(to_id)] = *link else { continue };
-            let (Some(a), Some(b)) = (network.lane(from, from_id), network.lane(to, to_id)) else {
-                continue;
-            };
-            if !is_drivable(a.kind) || !is_drivable(b.kind) {
-                continue;
-            }
-            let a = Edge::of(network, incoming, from, a, incoming_end);
-            let b = Edge::of(network, connecting, to, b, contact);
-            let (Some(a), Some(b)) = (a, b) else { continue };
-            let (gap, kink) = (a.gap(&b), a.kink(&b));
-            if gap > CORNER.value || kink > KINK.value {
-                let expected = format_args!("lanes {from_id} and {to_id} that meet");
-                joined.add(
-                    sink,
-                    expected,
-                    format_args!("a gap of {gap:.3} m and a kink of {kink:.4} rad"),
-                );
-            }
+        let kink = a.kink(&b);
+        if kink > KINK.value {
+            let [from, to] = [&joint.from, &joint.to].map(|end| end.lane.id);
+            let expected = format_args!("lanes {from} and {to} with one heading");
+            add_to_link((network, &joint), sink, expected, format_args!("a kink of {kink:.4} rad"));
         }
     }
 }

@@ -133,7 +133,7 @@ fn junction_id(network: &Network, sink: &mut Sink<'_>) {
 fn lane_types(network: &Network, sink: &mut Sink<'_>) {
     for end in ends(network) {
         let (Some(road), Some(from)) = (end.touched, value(&end.link.from)) else { continue };
-        let section = network.section_over(road, number(&end.link.s));
+        let section = network.section_over(road, number(&end.link.s), from);
         let Some(lane) = section.and_then(|section| network.lane(section, from)) else { continue };
         if !matches!(
             lane.kind,
@@ -149,12 +149,14 @@ fn lane_types(network: &Network, sink: &mut Sink<'_>) {
 fn lanes_there(network: &Network, sink: &mut Sink<'_>) {
     for end in ends(network) {
         let crossing = network.road(text(&end.path.crossing_road));
-        let touched = end
-            .touched
-            .and_then(|road| Some((road, network.section_over(road, number(&end.link.s))?)));
-        let own = crossing.and_then(|road| Some((road, network.section_at(road, end.contact)?)));
-        for (place, id) in [(touched, value(&end.link.from)), (own, value(&end.link.to))] {
-            let (Some((road, section)), Some(id)) = (place, id) else { continue };
+        let (from, to) = (value(&end.link.from), value(&end.link.to));
+        let touched = end.touched.zip(from).and_then(|(road, id)| {
+            Some((road, network.section_over(road, number(&end.link.s), id)?, id))
+        });
+        let own = crossing
+            .zip(to)
+            .and_then(|(road, id)| Some((road, network.section_at(road, end.contact, id)?, id)));
+        for (road, section, id) in [touched, own].into_iter().flatten() {
             if network.lane(section, id).is_none() && id != 0 {
                 let expected = format_args!("a lane of road {}", network.name(road.id));
                 add(
@@ -174,7 +176,7 @@ fn contained(network: &Network, sink: &mut Sink<'_>) {
         let (Some(road), Some(from)) = (end.touched, value(&end.link.from)) else { continue };
         let Some(station) = network.station_of(crossing, end.contact) else { continue };
         let Some((s, t, _)) = network.project(road, [station.x, station.y]) else { continue };
-        let section = network.section_over(road, number(&end.link.s));
+        let section = network.section_over(road, number(&end.link.s), from);
         let Some((section, lane)) =
             section.and_then(|section| Some((section, network.lane(section, from)?)))
         else {

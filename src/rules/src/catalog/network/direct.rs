@@ -1,6 +1,6 @@
 //! Direct junctions, seen with the roads that they join.
 
-use super::connections::add_to_connection;
+use super::connections::{add_to_connection, add_to_link};
 use super::joints::{CORNER, Edge, KINK, STEP};
 use crate::catalog::lanes::is_drivable;
 use crate::example::Example::Document;
@@ -57,11 +57,9 @@ struct Joined<'a> {
 fn joined(network: &Network) -> impl Iterator<Item = Joined<'_>> {
     let junctions = network.junctions.iter().filter(|junction| junction.kind == Kind::Direct);
     junctions.flat_map(move |junction| {
-        let id = junction.id.unwrap_or_default();
         network.connections_of(junction).iter().filter_map(move |connection| {
-            let incoming = network.road_named(connection.incoming)?;
-            let linked = (network.road_named(connection.linked)?, connection.contact?);
-            let incoming = (incoming, network.end_at_junction(incoming, id, None)?);
+            let [incoming, linked] = network.connected_ends(junction, connection);
+            let (incoming, linked) = (incoming?, linked?);
             Some(Joined { network, junction, connection, incoming, linked })
         })
     })
@@ -78,26 +76,6 @@ impl Joined<'_> {
         add_to_connection(about, sink, expected, found);
     }
 
-    /// The two lanes of each link, as far as they are there.
-    fn edges<'a>(
-        &'a self,
-        network: &'a Network,
-    ) -> impl Iterator<Item = (i32, i32, Edge, Edge)> + 'a {
-        let ends = [self.incoming, self.linked]
-            .map(|(road, end)| network.section_at(road, end).map(|s| (road, s, end)));
-        network.connected_lanes(self.connection).iter().filter_map(move |[from, to]| {
-            let (from, to) = ((*from)?, (*to)?);
-            let [a, b] = ends;
-            let (a, b) = (a?, b?);
-            let (lane_a, lane_b) = (network.lane(a.1, from)?, network.lane(b.1, to)?);
-            if !is_drivable(lane_a.kind) || !is_drivable(lane_b.kind) {
-                return None;
-            }
-            let a = Edge::of(network, a.0, a.1, lane_a, a.2)?;
-            Some((from, to, a, Edge::of(network, b.0, b.1, lane_b, b.2)?))
-        })
-    }
-
     /// The two reference lines where they meet.
     fn lines(&self, network: &Network) -> Option<(Edge, Edge)> {
         let edge = |(road, end): (&RoadFacts, Contact)| {
@@ -108,16 +86,19 @@ impl Joined<'_> {
 }
 
 fn smooth(network: &Network, sink: &mut Sink<'_>) {
-    for joined in joined(network) {
-        for (from, to, a, b) in joined.edges(network) {
-            let gap = a.gap(&b);
-            if gap > CORNER.value {
-                joined.add(
-                    sink,
-                    format_args!("lanes {from} and {to} that meet"),
-                    format_args!("a gap of {gap:.3} m"),
-                );
-            }
+    for joint in network.connected_joints(Kind::Direct) {
+        if !is_drivable(joint.from.lane.kind) || !is_drivable(joint.to.lane.kind) {
+            continue;
+        }
+        let (Some(a), Some(b)) = (Edge::of(network, &joint.from), Edge::of(network, &joint.to))
+        else {
+            continue;
+        };
+        let gap = a.gap(&b);
+        if gap > CORNER.value {
+            let [from, to] = [&joint.from, &joint.to].map(|end| end.lane.id);
+            let expected = format_args!("lanes {from} and {to} that meet");
+            add_to_link((network, &joint), sink, expected, format_args!("a gap of {gap:.3} m"));
         }
     }
 }

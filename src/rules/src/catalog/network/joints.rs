@@ -1,12 +1,15 @@
 //! Linked lanes meet.
 
+use super::connections::add_to_link;
 use crate::catalog::lanes::is_drivable;
 use crate::example::Example::Lanes;
-use crate::network::{Contact, LaneFacts, Network, RoadFacts, SectionFacts, Station};
+use crate::network::{ConnectedJoint, Contact, LaneEnd, LaneJoint, Neighbor, Network, Station};
 use crate::rule::Check::Network as All;
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
 use mapd_geometry::normalize_angle;
+use mapd_xodr::{JunctionType as Kind, Span};
+use std::collections::BTreeMap;
 
 /// Distance of corners that are meant to be one, as in ASAM's checker.
 pub(super) const CORNER: Tolerance =
@@ -19,7 +22,7 @@ pub(super) const STEP: Tolerance = Tolerance { name: "step of height", value: 0.
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.7.0:lane_smoothness.contact_point_no_horizontal_gaps",
-        "The corners of two linked lanes for driving lie on one another.",
+        "The corners of two linked lanes for driving lie on one another; where a lane goes on as several side by side, the outermost ones.",
         All(corners),
         [
             Lanes(
@@ -57,16 +60,11 @@ pub(super) struct Edge {
 
 impl Edge {
     /// A lane at an end of its section.
-    pub(super) fn of(
-        network: &Network,
-        road: &RoadFacts,
-        section: &SectionFacts,
-        lane: &LaneFacts,
-        end: Contact,
-    ) -> Option<Self> {
+    pub(super) fn of(network: &Network, of: &LaneEnd<'_>) -> Option<Self> {
+        let LaneEnd { road, section, lane, end } = *of;
         let s = match end {
             Contact::Start => section.s,
-            Contact::End => section.s_end,
+            Contact::End => section.s_end(lane.id),
         };
         let borders = [lane.inner[end as usize], lane.outer[end as usize]];
         Some(Self { station: network.station_at(road, s)?, borders })
@@ -74,12 +72,14 @@ impl Edge {
 
     /// The largest distance between the corners of two lanes `[m]`.
     pub(super) fn gap(&self, other: &Self) -> f64 {
-        let distance = |corner: usize| {
-            let [ax, ay] = self.station.at(self.borders[corner]);
-            let [bx, by] = other.station.at(other.borders[corner]);
-            (ax - bx).hypot(ay - by)
-        };
-        distance(0).max(distance(1))
+        self.apart(other, 0).max(self.apart(other, 1))
+    }
+
+    /// The distance between the inner (0) or outer (1) corners of two lanes `[m]`.
+    fn apart(&self, other: &Self, corner: usize) -> f64 {
+        let [ax, ay] = self.station.at(self.borders[corner]);
+        let [bx, by] = other.station.at(other.borders[corner]);
+        (ax - bx).hypot(ay - by)
     }
 
     /// The angle between the two reference lines, whichever way they run `[rad]`.
@@ -94,36 +94,124 @@ impl Edge {
     }
 }
 
+/// A corner that is not where it should be: of which of the lanes that lie there, and how far away `[m]`.
+type Astray = (usize, f64);
+
+/// Whether a lane meets those that it goes on as, or that go on as it: one of them whole; of several that lie side by side,
+/// the inner corner of the innermost and the outer one of the outermost. Nothing is said of lanes on both sides of lane 0.
+fn astray(network: &Network, own: &LaneEnd<'_>, others: &[LaneEnd<'_>]) -> [Option<Astray>; 2] {
+    let is_told = is_drivable(own.lane.kind)
+        && others.iter().all(|other| is_drivable(other.lane.kind))
+        && others.windows(2).all(|pair| (pair[0].lane.id < 0) == (pair[1].lane.id < 0));
+    let distance = |at: &usize| others.get(*at).map_or(0, |other| other.lane.id.unsigned_abs());
+    let Some(edge) = Edge::of(network, own).filter(|_| is_told) else { return [None; 2] };
+    let edge_of = |at: usize| Edge::of(network, others.get(at)?);
+    let found = |at: usize, apart: f64| (apart > CORNER.value).then_some((at, apart));
+    if let [_] = others {
+        return [edge_of(0).and_then(|other| found(0, edge.gap(&other))), None];
+    }
+    let ends = [
+        (0..others.len()).min_by_key(distance).map(|at| (at, 0)),
+        (0..others.len()).max_by_key(distance).map(|at| (at, 1)),
+    ];
+    ends.map(|end| end.and_then(|(at, corner)| found(at, edge.apart(&edge_of(at)?, corner))))
+}
+
 fn corners(network: &Network, sink: &mut Sink<'_>) {
+    let mut add = |joint: &LaneJoint<'_>, link: Span, other: &LaneEnd<'_>, gap: f64| {
+        let (s, id) = (joint.section.s, joint.lane.id);
+        let part = format!("lanes/laneSection[@s={s}]/lane[@id={id}]/link");
+        let (own, road) = (network.name(joint.road.id), network.name(other.road.id));
+        let expected = format_args!("the corners of lane {} of road {road}", other.lane.id);
+        let found = format_args!("them {gap:.3} m away");
+        sink.add_in(("road", own, &part), link, expected, found);
+    };
     network.lane_joints().for_each(|joint| {
-        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { return };
-        if !is_drivable(joint.lane.kind) || !is_drivable(target.kind) {
+        let Some(Neighbor { road, section, end }) = joint.neighbor else { return };
+        let own =
+            LaneEnd { road: joint.road, section: joint.section, lane: joint.lane, end: joint.end };
+        let links = network.links_of(joint.lane, joint.end);
+        if let [first, _, ..] = links {
+            // All links of a lane are looked at with the first of them.
+            if first.span() != joint.link.span() {
+                return;
+            }
+            let others = links.iter().filter_map(|link| {
+                let lane = network.lane(section, link.id)?;
+                let is_split = network.links_of(lane, end).len() > 1;
+                (!is_split).then_some((link.span(), LaneEnd { road, section, lane, end }))
+            });
+            let (spans, others): (Vec<_>, Vec<_>) = others.unzip();
+            if others.len() == links.len() {
+                let found = astray(network, &own, &others);
+                for (at, gap) in found.into_iter().flatten() {
+                    if let (Some(span), Some(other)) = (spans.get(at), others.get(at)) {
+                        add(&joint, *span, other, gap);
+                    }
+                }
+            }
             return;
         }
-        // Lanes that split or merge at a line share only some corners.
-        let several = |lane, end| network.links_of(lane, end).len() > 1;
-        if several(joint.lane, joint.end) || several(target, neighbor.end) {
-            return;
-        }
-        let is_same_road = joint.road.id == neighbor.road.id;
+        let Some(lane) = joint.target else { return };
+        // Of lanes that merge here, only some corners are those of the one that they go on as.
+        let is_merging = network.links_of(lane, end).len() > 1;
         // Within a road, a pair of lanes is looked at once.
-        if is_same_road && joint.end == Contact::Start && joint.rank > 0 {
+        let is_seen = joint.road.id == road.id && joint.end == Contact::Start && joint.rank > 0;
+        if is_merging || is_seen {
             return;
         }
-        let own = Edge::of(network, joint.road, joint.section, joint.lane, joint.end);
-        let other = Edge::of(network, neighbor.road, neighbor.section, target, neighbor.end);
-        let (Some(own), Some(other)) = (own, other) else { return };
-        let gap = own.gap(&other);
-        if gap > CORNER.value {
-            let (s, id) = (joint.section.s, joint.lane.id);
-            let part = format!("lanes/laneSection[@s={s}]/lane[@id={id}]/link");
-            let road = network.name(neighbor.road.id);
-            let expected = format_args!("the corners of lane {} of road {road}", target.id);
-            let found = format_args!("them {gap:.3} m away");
-            let own = network.name(joint.road.id);
-            sink.add_in(("road", own, &part), joint.link.span(), expected, found);
+        let other = LaneEnd { road, section, lane, end };
+        if let [Some((_, gap)), _] = astray(network, &own, &[other]) {
+            add(&joint, joint.link.span(), &other, gap);
         }
     });
+    for junction in network.junctions.iter().filter(|junction| junction.kind == Kind::Default) {
+        for connection in network.connections_of(junction) {
+            let joints: Vec<_> = network.connected_joints_of(junction, connection).collect();
+            connected_corners(network, &joints, sink);
+        }
+    }
+}
+
+/// The corners of lanes that a connection links: each pair, or the lanes side by side that one goes on as.
+fn connected_corners(network: &Network, joints: &[ConnectedJoint<'_>], sink: &mut Sink<'_>) {
+    let count = |id: fn(&ConnectedJoint<'_>) -> i32| {
+        joints.iter().fold(BTreeMap::<i32, usize>::new(), |mut counts, joint| {
+            *counts.entry(id(joint)).or_default() += 1;
+            counts
+        })
+    };
+    let (of_from, of_to) = (count(|joint| joint.from.lane.id), count(|joint| joint.to.lane.id));
+    let are_several = |counts: &BTreeMap<i32, usize>, id| counts.get(&id).is_some_and(|n| *n > 1);
+    let splits = |joint: &ConnectedJoint<'_>| are_several(&of_from, joint.from.lane.id);
+    let merges = |joint: &ConnectedJoint<'_>| are_several(&of_to, joint.to.lane.id);
+    let mut groups: BTreeMap<(i32, i32), Vec<&ConnectedJoint<'_>>> = BTreeMap::new();
+    for joint in joints {
+        let key = match (splits(joint), merges(joint)) {
+            (true, true) => continue,
+            (true, false) => (joint.from.lane.id, 0),
+            (false, true) => (0, joint.to.lane.id),
+            (false, false) => (joint.from.lane.id, joint.to.lane.id),
+        };
+        groups.entry(key).or_default().push(joint);
+    }
+    for ((_, to), group) in &groups {
+        // Where lanes link to one another themselves, their own links are looked at.
+        let Some(first) = group.first().filter(|_| !group.iter().any(|j| network.links_back(j)))
+        else {
+            continue;
+        };
+        let is_split = *to == 0;
+        let own = if is_split || group.len() == 1 { &first.from } else { &first.to };
+        let others = group.iter().map(|j| if is_split || group.len() == 1 { j.to } else { j.from });
+        let others: Vec<_> = others.collect();
+        for (at, gap) in astray(network, own, &others).into_iter().flatten() {
+            let Some(joint) = group.get(at) else { continue };
+            let [from, to] = [&joint.from, &joint.to].map(|end| end.lane.id);
+            let expected = format_args!("lanes {from} and {to} that meet");
+            add_to_link((network, joint), sink, expected, format_args!("a gap of {gap:.3} m"));
+        }
+    }
 }
 
 fn heights(network: &Network, sink: &mut Sink<'_>) {

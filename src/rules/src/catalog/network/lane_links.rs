@@ -1,11 +1,14 @@
 //! Links of lanes.
 
+use super::connections::add_to_link;
 use crate::catalog::lanes::is_drivable;
 use crate::example::Example::{Document, Junction, Lanes};
 use crate::network::{Contact, LaneJoint, LinkTarget, Network};
 use crate::rule::Check::Network as All;
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
+use mapd_xodr::JunctionType as Kind;
+use std::collections::BTreeSet;
 
 /// Widths that count as none.
 const NONE: Tolerance = Tolerance { name: "width that counts as none", value: 1e-6, unit: "m" };
@@ -185,6 +188,13 @@ fn opening(network: &Network, sink: &mut Sink<'_>) {
             );
         }
     });
+    for joint in network.connected_joints(Kind::Default) {
+        let opens = joint.to.width() <= NONE.value && joint.from.width() > NONE.value;
+        if opens && !network.links_back(&joint) {
+            let found = format_args!("one to lane {}", joint.to.lane.id);
+            add_to_link((network, &joint), sink, "no link to a lane without width here", found);
+        }
+    }
 }
 
 fn no_width(network: &Network, end: Contact, sink: &mut Sink<'_>) {
@@ -199,6 +209,21 @@ fn no_width(network: &Network, end: Contact, sink: &mut Sink<'_>) {
             );
         }
     });
+    // A lane of several connections is told once; one that has links of its own is told above.
+    let mut told = BTreeSet::new();
+    for joint in network.connected_joints(Kind::Default) {
+        for of in [&joint.from, &joint.to] {
+            let is_linked = !network.links_of(of.lane, of.end).is_empty();
+            if of.end != end || of.width() > NONE.value || is_linked {
+                continue;
+            }
+            if told.insert((of.road.id, of.lane.span().start)) {
+                let (lane, road) = (of.lane.id, network.name(of.road.id));
+                let found = format_args!("lane {lane} of road {road}");
+                add_to_link((network, &joint), sink, "no link of a lane without width here", found);
+            }
+        }
+    }
 }
 
 fn no_width_at_start(network: &Network, sink: &mut Sink<'_>) {
@@ -228,12 +253,7 @@ fn abrupt(network: &Network, sink: &mut Sink<'_>) {
 
 fn without_partner(network: &Network, sink: &mut Sink<'_>) {
     network.lane_joints().for_each(|joint| {
-        let sections = network.sections_of(joint.road);
-        let is_inside = match joint.end {
-            Contact::Start => joint.rank > 0,
-            Contact::End => joint.rank + 1 < sections.len(),
-        };
-        if is_inside || joint.neighbor.is_some() {
+        if joint.neighbor.is_some() {
             return;
         }
         let found = match joint.road.link(joint.end).map(|link| &link.target) {

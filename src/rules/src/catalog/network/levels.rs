@@ -1,10 +1,12 @@
 //! Lanes that are kept level.
 
+use super::connections::add_to_link;
 use crate::example::Example::Section as In;
 use crate::network::{LaneFacts, Network};
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
 use crate::sink::Sink;
+use mapd_xodr::{JunctionType as Kind, Severity};
 
 pub(super) static RULES: &[Rule] = &[Rule::warning(
     "asam.net:xodr:1.7.0:road.lane.level_true_one_side",
@@ -19,6 +21,9 @@ pub(super) static RULES: &[Rule] = &[Rule::warning(
 <lane id="-2" type="driving" level="false"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right>"#),
     ],
 )];
+
+/// What is expected of lanes that are linked.
+const ALIKE: &str = "linked lanes that are both kept level or both not";
 
 fn level(network: &Network, sink: &mut Sink<'_>) {
     for road in &network.roads {
@@ -57,9 +62,20 @@ fn level(network: &Network, sink: &mut Sink<'_>) {
         };
         let part =
             format!("lanes/laneSection[@s={}]/lane[@id={}]/link", joint.section.s, joint.lane.id);
-        let expected = "linked lanes that are both kept level or both not";
         let found = format_args!("lane {} otherwise", target.id);
         let road = network.name(joint.road.id);
-        sink.add_in(("road", road, &part), joint.link.span(), expected, found);
+        // As in ASAM's checker, milder than what stands in one section.
+        sink.at_most(Severity::Warning, |sink| {
+            sink.add_in(("road", road, &part), joint.link.span(), ALIKE, found);
+        });
     });
+    for joint in network.connected_joints(Kind::Default) {
+        let (from, to) = (joint.from.lane, joint.to.lane);
+        if from.is_level != to.is_level && !network.links_back(&joint) {
+            let found = format_args!("lanes {} and {}, which are not", from.id, to.id);
+            sink.at_most(Severity::Warning, |sink| {
+                add_to_link((network, &joint), sink, ALIKE, found);
+            });
+        }
+    }
 }

@@ -8,6 +8,7 @@ mod dependencies;
 mod direct;
 mod extent;
 mod ids;
+mod incoming;
 mod joints;
 mod lane_links;
 mod levels;
@@ -27,6 +28,7 @@ pub(super) static RULES: &[&[Rule]] = &[
     levels::RULES,
     joints::RULES,
     connections::RULES,
+    incoming::RULES,
     direct::RULES,
     virtual_junctions::RULES,
     crossings::RULES,

@@ -2,7 +2,7 @@
 
 use crate::catalog::lanes::is_drivable;
 use crate::example::Example::Document;
-use crate::network::{Contact, Name, Network};
+use crate::network::{Contact, Name, Network, RoadFacts};
 use crate::place::{text, value};
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
@@ -90,16 +90,19 @@ fn linked_lanes(network: &Network, mut show: impl FnMut(usize, usize)) {
         let Some(other) = network.road_named(other) else { continue };
         let Some(contact) = connection.contact else { continue };
         let id = junction.id.unwrap_or_default();
-        let from = match network.end_at_junction(incoming, id, Some((other, contact))) {
-            Some(end) => network.section_at(incoming, end),
-            // Roads leave the main road of a virtual junction somewhere.
-            None => other.link(contact).and_then(|link| network.section_over(incoming, link.s?)),
-        };
-        let (Some(from), Some(to)) = (from, network.section_at(other, contact)) else {
-            continue;
-        };
+        let from = network.end_at_junction(incoming, id, Some((other, contact)));
+        // Roads leave the main road of a virtual junction somewhere.
+        let s = other.link(contact).and_then(|link| link.s);
         for link in network.connected_lanes(connection) {
-            let [Some(a), Some(b)] = *link else { continue };
+            let (Some(a), Some(b)) = (link.from, link.to) else { continue };
+            let from = match (from, s) {
+                (Some(end), _) => network.section_at(incoming, end, a),
+                (None, Some(s)) => network.section_over(incoming, s, a),
+                (None, None) => None,
+            };
+            let (Some(from), Some(to)) = (from, network.section_at(other, contact, b)) else {
+                continue;
+            };
             if let (Some(a), Some(b)) = (network.lane_rank(from, a), network.lane_rank(to, b)) {
                 show(a, b);
             }
@@ -114,14 +117,13 @@ fn virtually_linked(
     links: &[JunctionLaneLink],
     show: &mut impl FnMut(usize, usize),
 ) {
-    let [from, to] = ends.map(|end| {
-        let road = network.road(text(&end.element_id))?;
-        network.section_over(road, value(&end.element_s)?)
-    });
-    let (Some(from), Some(to)) = (from, to) else { return };
+    let [from, to] = ends.map(|end| network.road(text(&end.element_id)).zip(value(&end.element_s)));
+    let rank = |place: Option<(&RoadFacts, f64)>, lane: i32| {
+        let (road, s) = place?;
+        network.lane_rank(network.section_over(road, s, lane)?, lane)
+    };
     for (left, entered) in links.iter().filter_map(|l| value(&l.from).zip(value(&l.to))) {
-        if let (Some(a), Some(b)) = (network.lane_rank(from, left), network.lane_rank(to, entered))
-        {
+        if let (Some(a), Some(b)) = (rank(from, left), rank(to, entered)) {
             show(a, b);
         }
     }

@@ -143,10 +143,9 @@ fn smooth(network: &Network, sink: &mut Sink<'_>) {
 
 /// The gap between a lane of the main road and one of the road that leaves it `[m]`.
 fn gap(network: &Network, leaving: &Leaving<'_>, from: i32, to: i32) -> Option<f64> {
-    let over = network.section_over(leaving.main, leaving.s)?;
+    let over = network.section_over(leaving.main, leaving.s, from)?;
     let borders = Network::borders_over(over, network.lane(over, from)?, leaving.s);
     let main = Edge { station: network.station_at(leaving.main, leaving.s)?, borders };
-    let section = network.section_at(leaving.road, leaving.end)?;
-    let own = Edge::of(network, leaving.road, section, network.lane(section, to)?, leaving.end)?;
+    let own = Edge::of(network, &network.lane_end((leaving.road, leaving.end), to)?)?;
     Some(main.gap(&own))
 }

@@ -5,7 +5,7 @@ use crate::place::{RoadIn, number, value};
 use crate::rule::Check::Road;
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
-use mapd_xodr::{Geometry, ParamPoly3, ParamPoly3Range};
+use mapd_xodr::{Geometry, ParamPoly3, ParamPoly3Range, Severity};
 
 /// Difference of a curve's true length and the written one, as in ASAM's checker.
 const LENGTH: Tolerance = Tolerance { name: "difference of lengths", value: 1e-3, unit: "m" };
@@ -29,7 +29,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[ZERO]),
     Rule::warning(
         "asam.net:xodr:1.7.0:road.geometry.paramPoly3.length_match",
-        "A parametric cubic is as long as it says.",
+        "A parametric cubic over the range from 0 to 1, that of no range included, is as long as it says.",
         Road(length_match),
         [
             PlanView(
@@ -40,6 +40,7 @@ pub(super) static RULES: &[Rule] = &[
             ),
         ],
     )
+    .asam(Severity::Warning)
     .within(&[LENGTH]),
     Rule::warning(
         "asam.net:xodr:1.7.0:road.geometry.paramPoly3.arcLength_range",
@@ -96,11 +97,20 @@ fn mismatch(of: &RoadIn<'_>, at: usize) -> Option<f64> {
     Some(piece.compiled.length_mismatch)
 }
 
+/// Cubics whose curve is longer or shorter than they say, by how much `[m]`: those over arc length, or the others.
+fn mismatched<'a>(
+    of: &RoadIn<'a>,
+    over_arc_length: bool,
+) -> impl Iterator<Item = (&'a Geometry, f64)> {
+    cubics(of).filter_map(move |(at, geometry, cubic)| {
+        let is_over = value(&cubic.p_range) == Some(ParamPoly3Range::ArcLength);
+        let longer = mismatch(of, at).filter(|longer| longer.abs() > LENGTH.value)?;
+        (is_over == over_arc_length).then_some((geometry, longer))
+    })
+}
+
 fn length_match(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
-    for (at, geometry, _) in cubics(of) {
-        let Some(longer) = mismatch(of, at).filter(|longer| longer.abs() > LENGTH.value) else {
-            continue;
-        };
+    for (geometry, longer) in mismatched(of, false) {
         let expected = format_args!("a curve of the length {} m", number(&geometry.length));
         let found = format_args!("one that is {longer:.6} m longer; scaled to the written length");
         sink.add_within(PART, geometry.span, expected, found);
@@ -108,21 +118,11 @@ fn length_match(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
 }
 
 fn arc_length_range(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
-    for (at, geometry, cubic) in cubics(of) {
-        // Beyond a percent, it is the range and not the fit that is at fault.
+    for (geometry, longer) in mismatched(of, true) {
         let length = number(&geometry.length);
-        let broken = |longer: &f64| longer.abs() > LENGTH.value.max(0.01 * length);
-        if value(&cubic.p_range) == Some(ParamPoly3Range::ArcLength)
-            && let Some(longer) = mismatch(of, at).filter(broken)
-        {
-            let expected = format_args!("a parameter from 0 to {length} that is the arc length");
-            sink.add_within(
-                PART,
-                geometry.span,
-                expected,
-                format_args!("a curve {longer:.3} m longer"),
-            );
-        }
+        let expected = format_args!("a parameter from 0 to {length} that is the arc length");
+        let found = format_args!("a curve {longer:.6} m longer; scaled to the written length");
+        sink.add_within(PART, geometry.span, expected, found);
     }
 }
 

@@ -6,7 +6,7 @@ use crate::profile::{Record, record};
 use crate::rule::Check::Road;
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
-use mapd_xodr::Span;
+use mapd_xodr::{Severity, Span};
 
 /// Coefficients that are the same.
 const SAME: Tolerance = Tolerance { name: "difference of coefficients", value: 1e-6, unit: "" };
@@ -22,6 +22,7 @@ pub(super) static RULES: &[Rule] = &[Rule::info(
 )
 .also(&["asam.net:xodr:1.7.0:performance.avoid_redundant_info"])
 .within(&[SAME])
+.asam(Severity::Warning)
 .advisory()];
 
 /// Whether a record yields what the one before it would.
@@ -56,6 +57,11 @@ fn redundant(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
         look(
             "lanes/laneSection/lane/width",
             lane.width.iter().map(|e| (record!(e, s_offset), e.span)),
+            sink,
+        );
+        look(
+            "lanes/laneSection/lane/border",
+            lane.border.iter().map(|e| (record!(e, s_offset), e.span)),
             sink,
         );
     }
