@@ -7,12 +7,13 @@ use std::fmt::Write as _;
 pub(crate) const NOTE: &str = "// Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.\n\n";
 
 /// Parts of the generated code, so that no file grows too long: name, first table, what the tables hold.
-pub(crate) const PARTS: [(&str, &str, &str); 5] = [
+pub(crate) const PARTS: [(&str, &str, &str); 6] = [
     ("network", "", "the network"),
     ("index", "index_levels", "the index over lanes"),
     ("beside", "surfaces", "what is derived from the network and lies beside it"),
     ("signal", "signals", "signals and of what is left out"),
     ("object", "objects", "objects"),
+    ("annotation", "annotations", "what files say besides"),
 ];
 
 /// Tables by the part that they are in.

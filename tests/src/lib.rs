@@ -8,6 +8,7 @@
 //! assert!(mapd_tests::carried("one_road.xodr").exists());
 //! ```
 
+pub mod annotated;
 pub mod command;
 pub mod crossroads;
 pub mod damage;

@@ -13,9 +13,9 @@ mapd either
 
 - **builds** from it: the compiled map depends on it,
 - **stores** it: the compiled map carries it as written, or
-- **ignores** it: whoever reads the document has it, the compiled map does not.
+- **keeps** it: nothing is built from it; the compiled map has it as an annotation of the part that it stands in ([annotations.md](annotations.md)).
 
-What stands in a file beyond these (other namespaces, unknown elements) is kept as text with its place.
+What stands in a file beyond these (other namespaces, unknown elements) is an annotation too, as text with its place.
 ";
 
 /// The whole page.
@@ -29,7 +29,7 @@ pub(super) fn page(table: &Table) -> String {
     };
     out += "\n| | types of elements | attributes |\n|---|---|---|\n";
     for (name, wanted) in
-        [("builds", Some(Use::Builds)), ("stores", Some(Use::Stores)), ("ignores", None)]
+        [("builds", Some(Use::Builds)), ("stores", Some(Use::Stores)), ("keeps", None)]
     {
         let (e, a) = of(wanted);
         let _ = writeln!(out, "| {name} | {e} | {a} |");
@@ -72,7 +72,7 @@ fn word(mapd: Option<Use>) -> &'static str {
     match mapd {
         Some(Use::Builds) => "builds",
         Some(Use::Stores) => "stores",
-        None => "ignores",
+        None => "keeps",
     }
 }
 

@@ -6,6 +6,7 @@ mod reader_code;
 mod schema_code;
 mod struct_code;
 mod versions;
+mod walk_code;
 mod words_code;
 
 use anyhow::{Context, Result, bail, ensure};
@@ -337,6 +338,9 @@ pub fn outputs(table: &Table) -> Result<Vec<crate::Output>> {
         outputs.push((format!("{FOLDER}/{name}.rs"), struct_code::structs(table, part)?));
         outputs.push((format!("{FOLDER}/schema_{name}.rs"), schema_code::statics(table, part)?));
         outputs.push((format!("{FOLDER}/read_{name}.rs"), reader_code::readers(table, part)?));
+        if part.elements.iter().any(|element| !struct_code::is_root(element)) {
+            outputs.push((format!("{FOLDER}/walk_{name}.rs"), walk_code::walks(part)));
+        }
     }
     Ok(outputs)
 }
@@ -355,6 +359,9 @@ fn module(table: &Table) -> String {
         // Top-level elements are read from outside.
         let public = if name == "document" { "pub(crate) " } else { "" };
         out += &format!("mod {name};\n{public}mod read_{name};\npub(crate) mod schema_{name};\n");
+        if part.elements.iter().any(|element| !struct_code::is_root(element)) {
+            out += &format!("mod walk_{name};\n");
+        }
     }
     out += "pub(crate) mod schema_words;\nmod words;\n\n";
     for part in &table.parts {

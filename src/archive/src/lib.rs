@@ -29,6 +29,7 @@ compile_error!(
     "mapd archives are little-endian and read in place: big-endian machines are not supported"
 );
 
+mod annotation_codes;
 mod classes;
 mod codes;
 mod directory;
@@ -48,11 +49,13 @@ mod strings;
 mod table;
 mod unknown;
 mod verify;
+mod verify_annotations;
 mod verify_graph;
 mod verify_lines;
 mod verify_objects;
 mod write;
 
+pub use annotation_codes::{AnnotationKind, AnnotationOwner, JunctionGroupKind};
 pub use codes::{
     ContactPoint, GeoReferenceForm, LaneType, LinkKind, NONE, QuarantinedKind, RoadType, SpeedKind,
     lane_flags,
@@ -60,6 +63,7 @@ pub use codes::{
 pub use directory::{Feature, MOST_TABLES, TableEntry, directory};
 pub use error::{OpenError, VerifyError, WriteError};
 pub use generated::{
+    annotation_rows::*,
     append::Moves,
     beside_rows::*,
     classes::{Class, ClassGroup},

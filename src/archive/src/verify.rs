@@ -6,6 +6,7 @@ use crate::header::HEADER_LENGTH;
 use crate::open::{Archive, open};
 use crate::packed_index::WIDTH;
 use crate::table::Range;
+use crate::verify_annotations::annotations;
 use crate::verify_graph::graph;
 use crate::verify_lines::lines;
 use crate::verify_objects::{objects, signal_index};
@@ -14,7 +15,8 @@ use crate::{NONE, Tables};
 /// Opens an archive and proves it: content hash, finite numbers, known codes, references and ranges inside their
 /// tables, strings that are UTF-8, ascending `s`, sections that meet, an index that is a complete tree, a lane graph whose edges
 /// are mirrored, whose components are ordered and whose loops are closed where it says so, objects in the order of
-/// their roads with copies and lanes that know them, each place of theirs and each signal once in their index.
+/// their roads with copies and lanes that know them, each place of theirs and each signal once in their index, annotations in the
+/// order of owners that there are.
 ///
 /// Tables and codes that this release does not know are no errors: [`crate::unknown`] lists them.
 ///
@@ -37,6 +39,7 @@ pub fn verify(bytes: &[u8]) -> Result<Archive<'_>, VerifyError> {
     graph(tables)?;
     objects(tables)?;
     signal_index(tables)?;
+    annotations(tables)?;
     Ok(archive)
 }
 
@@ -191,6 +194,8 @@ fn ascending(tables: &Tables<'_>) -> Result<(), VerifyError> {
     by_lane("lane_speeds", tables.lane_speeds, |r| (r.lane(), r.s()))?;
     by_lane("lane_heights", tables.lane_heights, |r| (r.lane(), r.s()))?;
     by_lane("lane_materials", tables.lane_materials, |r| (r.lane(), r.s()))?;
+    by_lane("lane_visibilities", tables.lane_visibilities, |r| (r.lane(), r.s()))?;
+    by_lane("lane_rules", tables.lane_rules, |r| (r.lane(), r.s()))?;
     marks(tables)
 }
 

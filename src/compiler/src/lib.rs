@@ -19,6 +19,7 @@
 //! ```
 
 mod allowance;
+mod annotations;
 mod cuts;
 mod decoded;
 mod flatten;
@@ -42,6 +43,7 @@ mod signals;
 mod stream;
 mod too_large;
 
+pub use annotations::{Extra, Without};
 pub use mapd_geodesy::{Target, TargetError};
 pub use options::{CompileOptions, CyclePolicy, OffsetSign, OptionsError};
 pub use quarantine::{OnError, PartKind, Policy, QuarantinedPart, Treatment};
@@ -227,7 +229,7 @@ fn round(
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Round> {
-    let mut document = read(input, reading, without, progress)?;
+    let mut document = read(input, reading, (without, options.without), progress)?;
     let roads = document.lowering.rows.roads.len();
     let length = document.lowering.rows.roads.iter().map(|road| road.length).sum();
     let rows = document.sample(options, progress)?;
@@ -295,6 +297,7 @@ impl Document {
         }
         progress(Progress::Graph { nodes: rows.lane_nodes.len() });
         let mut findings = graph::complete(&mut rows, &self.graph, options);
+        annotations::rings(&mut rows);
         georeference::complete(&mut rows, &placed, frame.as_ref(), options, &mut findings);
         self.collector.add_late(findings, &self.places);
         match objects::build(&mut rows, written, options) {
@@ -311,12 +314,12 @@ impl Document {
 fn read(
     input: impl Read + Send,
     reading: &ReadOptions,
-    without: &Exclusions,
+    (without, extras): (&Exclusions, Without),
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Document> {
     let mut hashing = HashingReader::new(input);
     let ontology = Arc::new(reading.ontology.clone());
-    let mut lowering = Lowering::new(Arc::clone(&ontology));
+    let mut lowering = Lowering::new(Arc::clone(&ontology), extras);
     let mut collector = Collector::new(without);
     let mut quarantined = Vec::new();
     let (places, version, mut checker, read) = {
@@ -333,7 +336,8 @@ fn read(
         let (mut elements, mut before) = (VecDeque::new(), 0);
         loop {
             // What is left out is so before anything looks at it.
-            let plan = || without.is_empty().then(|| Plan::new(&checker, &ontology, &places));
+            let plan =
+                || without.is_empty().then(|| Plan::new(&checker, &ontology, &places, extras));
             let Some(next) = stream.next(&plan)? else { break };
             let read = stream.reader.take_findings();
             let mut checked = Vec::new();
@@ -377,6 +381,7 @@ fn read(
         let reader = &mut stream.reader;
         let stated = reader.stated_version().to_owned();
         let version = Version { stated, checked: reader.checked_version() };
+        lowering.annotate_root(reader.extensions().as_slice(), &places);
         (places, version, checker, reader.take_findings())
     };
     progress(Progress::Linking { roads: lowering.roads() });
@@ -388,6 +393,7 @@ fn read(
         || {
             lowering.finish_reading(&mut late);
             links::resolve(&mut lowering, without, &mut late);
+            lowering.resolve_groups();
             signals::resolve(&mut lowering, &places, &mut late)
         },
     );
@@ -414,6 +420,7 @@ fn read(
     };
     let provenance =
         Provenance { input_hash, options_hash: [0; 8], compiler_version: crate::version() };
+    lowering.finish_annotations(&places, reading.include_folder.as_deref());
     lowering.quarantine(&quarantined);
     Ok(Document { lowering, graph, signals, collector, places, provenance, version, quarantined })
 }

@@ -1,5 +1,6 @@
 //! What shapes the output.
 
+use crate::annotations::Without;
 use mapd_geodesy::Target;
 use thiserror::Error;
 
@@ -38,6 +39,8 @@ pub struct CompileOptions {
     /// Frame that x, y and z are transformed into; s and t stay as written (docs/coordinates.md). Default: none, they stay
     /// those of the file.
     pub crs: Option<Target>,
+    /// What is left out of the archive. Default: nothing.
+    pub without: Without,
 }
 
 /// Sign with which the header's offset is applied.
@@ -90,6 +93,7 @@ impl Default for CompileOptions {
             landmarks: LANDMARKS,
             offset_sign: OffsetSign::default(),
             crs: None,
+            without: Without::default(),
         }
     }
 }
@@ -118,6 +122,10 @@ impl CompileOptions {
         hasher.update(&self.lane_reach.to_le_bytes());
         hasher.update(&[self.cycles as u8, self.landmarks.min(MOST_LANDMARKS)]);
         hasher.update(&[self.offset_sign as u8]);
+        if !self.without.is_empty() {
+            hasher.update(b"without");
+            hasher.update(&self.without.bytes());
+        }
         if let Some(target) = &self.crs {
             hasher.update(target.text().as_bytes());
         }

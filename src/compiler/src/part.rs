@@ -1,7 +1,9 @@
 //! Top-level elements, checked and lowered: one by one, or a batch of them by itself on any thread.
 
+use crate::annotations::Without;
 use crate::lower::{Lowering, Owner};
 use crate::quarantine::Units;
+use mapd_archive::AnnotationOwner;
 use mapd_ontology::Ontology;
 use mapd_rules::{Checker, Looked, Looker, Network, Whole};
 use mapd_xodr::source::Places;
@@ -15,6 +17,7 @@ pub(crate) struct Plan {
     looker: Looker,
     ontology: Arc<Ontology>,
     places: Places,
+    without: Without,
 }
 
 /// What was found in an element.
@@ -38,15 +41,20 @@ pub(crate) struct Lowered {
 
 impl Plan {
     /// For batches of a document of which the header was seen.
-    pub(crate) fn new(checker: &Checker, ontology: &Arc<Ontology>, places: &Places) -> Self {
+    pub(crate) fn new(
+        checker: &Checker,
+        ontology: &Arc<Ontology>,
+        places: &Places,
+        without: Without,
+    ) -> Self {
         let (ontology, places) = (Arc::clone(ontology), places.clone());
-        Self { looker: checker.looker(), ontology, places }
+        Self { looker: checker.looker(), ontology, places, without }
     }
 
     /// Reads a batch; each of its elements is checked and lowered while it is still at hand.
     pub(crate) fn read(self, context: &Context, batch: Batch) -> (ReadBatch, Lowered) {
-        let Self { mut looker, ontology, places } = self;
-        let mut lowering = Lowering::part(ontology);
+        let Self { mut looker, ontology, places, without } = self;
+        let mut lowering = Lowering::part(ontology, without);
         let mut units = Units::default();
         let none = lowering.roads();
         let mut elements = VecDeque::new();
@@ -90,29 +98,56 @@ pub(crate) fn lower(
 ) {
     let ontology = Arc::clone(&lowering.signals.ontology);
     let position = |span: Span| places.position(span.start);
+    lowering.owners.clear();
     match item {
-        Item::Header(header) => lowering.header(&header, findings),
+        Item::Header(header) => {
+            lowering.header(&header, findings);
+            let document = (AnnotationOwner::Document, 0);
+            lowering.annotate(&*header, (document, "header"), places);
+        }
         Item::Road(road) => {
             let number = lowering.roads();
             lowering.road(&road, position(road.span), findings);
-            let is_there = lowering.roads() > number;
-            if let Some(railroad) = road.railroad.as_deref().filter(|_| is_there) {
+            if lowering.roads() == number {
+                return;
+            }
+            if let Some(railroad) = road.railroad.as_deref() {
                 lowering.switches(number as u32, railroad);
             }
-            if let Some(objects) = road.objects.as_deref().filter(|_| is_there) {
+            if let Some(objects) = road.objects.as_deref() {
                 let owner = Owner::Road(number as u32, road.id.text());
                 lowering.objects(owner, objects, (&ontology, position), findings);
             }
+            let owner = (AnnotationOwner::Road, number as u32);
+            lowering.annotate(&*road, (owner, ""), places);
         }
-        Item::Station(station) => lowering.station(&station),
+        Item::Station(station) => {
+            let owner = (AnnotationOwner::Station, lowering.objects.stations.len() as u32);
+            lowering.station(&station);
+            lowering.annotate(&*station, (owner, ""), places);
+        }
         Item::Junction(junction) => {
-            let number = lowering.rows.junctions.len();
-            lowering.junction_objects(&junction, number as u32, (&ontology, position), findings);
+            let number = lowering.rows.junctions.len() as u32;
+            lowering.junction_objects(&junction, number, (&ontology, position), findings);
+            if junction.id.is_some() {
+                let owner = (AnnotationOwner::Junction, number);
+                lowering.note_connections(&junction);
+                lowering.annotate(&*junction, (owner, ""), places);
+            }
             let at = position(junction.span);
             lowering.junction(*junction, at, findings);
         }
-        Item::Controller(controller) => lowering.controller(&controller),
-        Item::VmsGroup(group) => lowering.board_group(&group),
-        Item::JunctionGroup(_) => {}
+        Item::Controller(controller) => {
+            let owner = (AnnotationOwner::Controller, lowering.signals.controllers() as u32);
+            lowering.controller(&controller);
+            lowering.annotate(&*controller, (owner, ""), places);
+        }
+        Item::VmsGroup(group) => {
+            lowering.board_group(&group);
+            let path = format!("vmsGroup[@id={}]", group.id.text());
+            let document = (AnnotationOwner::Document, 0);
+            lowering.annotate(&*group, (document, &path), places);
+        }
+        Item::JunctionGroup(group) => lowering.junction_group(&group, places),
     }
 }

@@ -18,7 +18,7 @@ use crate::{bench, check, doctor, export, inspect, sign, source, status};
 use anyhow::{Result, bail};
 use clap::{ArgMatches, Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions, Snapshot};
-use mapd_compiler::{CompileOptions, CyclePolicy, OffsetSign, ReadOptions, Target};
+use mapd_compiler::{CompileOptions, CyclePolicy, Extra, OffsetSign, ReadOptions, Target};
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -84,11 +84,38 @@ pub(crate) struct Options {
     #[arg(long, value_enum, default_value_t = Sign::Auto)]
     offset_sign: Sign,
 
+    /// What is left out of the archive: nothing else in it depends on these
+    #[arg(long, value_name = "KIND", value_enum, value_delimiter = ',')]
+    without: Vec<WithoutKind>,
+
     #[command(flatten)]
     frame: FrameArgs,
 
     #[command(flatten)]
     ontology: OntologyArgs,
+}
+
+/// As [`Extra`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct WithoutKind(Extra);
+
+impl ValueEnum for WithoutKind {
+    fn value_variants<'a>() -> &'a [Self] {
+        const ALL: [WithoutKind; Extra::ALL.len()] = {
+            let mut all = [WithoutKind(Extra::UserData); Extra::ALL.len()];
+            let mut i = 0;
+            while i < all.len() {
+                all[i] = WithoutKind(Extra::ALL[i]);
+                i += 1;
+            }
+            all
+        };
+        &ALL
+    }
+
+    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
+        Some(clap::builder::PossibleValue::new(self.0.name()))
+    }
 }
 
 #[derive(Args)]
@@ -345,6 +372,12 @@ Columns:
   signals     road_id,s,lane_id,distance
                                    a row for each signal ahead, the nearest first, none where there is none:
                                    id,class,distance,road_id,s,t,x,y,z,state_machine (lamps:phases[:movements])
+  annotations owner[,id]           a row for each thing that the file says of it besides: kind,path,name,value,text,file,line,column;
+                                   owner is document, road, section (id road:section), lane (a key), junction, object, signal,
+                                   controller, junction-group or station
+  visibility  road_id,s,lane_id    forward,back,left,right: how far one sees, empty where not given
+  lane-rule   road_id,s,lane_id    rule in words
+  junction-groups  junction_id     a row for each group of the junction: group,name,type,junctions,ring (joined by ;)
 Metres and radians; latitudes and longitudes on WGS 84 in degrees. A row that has no answer says why in the column `error`; the command still ends with 0.
 
   printf 'x,y\\n12.5,-3\\n' | mapd query map.xodr nearest";
@@ -367,6 +400,7 @@ impl Options {
                 Sign::Negated => OffsetSign::Negated,
             },
             crs: self.frame.crs.clone(),
+            without: self.without.iter().map(|kind| kind.0).collect(),
         }
     }
 }

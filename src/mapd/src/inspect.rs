@@ -1,5 +1,6 @@
 //! `mapd inspect`.
 
+use crate::annotation_facts::AnnotationFacts;
 use crate::graph_facts::{GraphFacts, lane_links};
 use crate::object_facts::ObjectFacts;
 use crate::report::hex;
@@ -27,6 +28,7 @@ struct Inspection {
     graph: GraphFacts,
     signals: SignalFacts,
     objects: ObjectFacts,
+    besides: AnnotationFacts,
     quarantined: Vec<QuarantinedFacts>,
     tables: Vec<TableFacts>,
 }
@@ -171,6 +173,7 @@ pub(crate) fn run(
     i.graph.print(out)?;
     i.signals.print(out)?;
     i.objects.print(out)?;
+    i.besides.print(out)?;
     writeln!(out, "bounds [m]    {:?} to {:?}", m.min, m.max)?;
     writeln!(out, "geoReference  {} ({})", m.geo_reference.trim(), m.geo_reference_form)?;
     match (&m.projection, m.geodetic_bounds) {
@@ -276,6 +279,7 @@ fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
         graph: GraphFacts::of(map),
         signals: SignalFacts::of(map),
         objects: ObjectFacts::of(map),
+        besides: AnnotationFacts::of(map),
         quarantined: map.quarantined().map(|part| quarantined(&part)).collect(),
         tables: tables
             .infos()

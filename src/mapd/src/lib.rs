@@ -17,6 +17,7 @@
 //! ```
 
 mod allocator;
+mod annotation_facts;
 pub mod archive_file;
 mod bench;
 pub mod cache;

@@ -35,19 +35,20 @@ impl<'a> Junction<'a> {
 
     /// Connections in file order.
     pub fn connections(&self) -> impl ExactSizeIterator<Item = Connection<'a>> + use<'a> {
-        let map = self.map;
-        self.row
-            .connections()
-            .of(map.tables().connections)
-            .iter()
-            .map(move |row| Connection { map, row })
+        let (map, range) = (self.map, self.row.connections());
+        let rows = range.of(map.tables().connections).iter().enumerate();
+        rows.map(move |(i, row)| {
+            let number = range.first.wrapping_add(i as u32);
+            Connection { map, number, row }
+        })
     }
 }
 
 /// A connection of a junction, as written.
 #[derive(Clone, Copy)]
 pub struct Connection<'a> {
-    map: Map<'a>,
+    pub(crate) map: Map<'a>,
+    pub(crate) number: u32,
     row: &'a ArchivedConnectionRow,
 }
 

@@ -15,6 +15,7 @@
 //! }
 //! ```
 
+mod annotation;
 mod area;
 mod class_set;
 mod cross_section;
@@ -28,10 +29,12 @@ mod grid;
 mod ids;
 mod index;
 mod junction;
+mod junction_group;
 mod key;
 mod landmark;
 mod lane;
 mod lane_length;
+mod lane_words;
 mod map;
 mod near;
 mod nearest;
@@ -52,6 +55,7 @@ mod surface;
 mod types;
 mod waypoints;
 
+pub use annotation::{Annotated, Annotation, IncludedFile};
 pub use class_set::ClassSet;
 pub use cross_section::{CrossSection, SectionCutter};
 pub use error::QueryError;
@@ -65,16 +69,18 @@ pub use ids::{
 };
 pub use index::{SegmentHit, nearest_segment};
 pub use junction::{Connection, Junction};
+pub use junction_group::{JunctionGroup, JunctionGroupMember};
 pub use key::{LaneKey, LaneLayer, ParseLaneKeyError};
 pub use landmark::{Landmark, LandmarkSource};
 pub use lane::{Lane, LaneSpeed};
+pub use lane_words::{LaneRule, LaneVisibility};
 pub use map::Map;
 pub use mapd_archive::{
-    Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind, GeoReferenceForm, LaneMethod,
-    LaneType, MarkLaneChange, ObjectShape, ObjectSide, Orientation, OutlineFill, PlatformSide,
-    QuarantinedKind, Relation, RelationReason, RoadMarkColor, RoadMarkKind, RoadMarkRule,
-    RoadMarkWeight, RoadType, SignalPosition, SpeedKind, StructureKind, SwitchPosition,
-    VehicleClass,
+    AnnotationKind, AnnotationOwner, Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind,
+    GeoReferenceForm, JunctionGroupKind, LaneMethod, LaneType, MarkLaneChange, ObjectShape,
+    ObjectSide, Orientation, OutlineFill, PlatformSide, QuarantinedKind, Relation, RelationReason,
+    RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight, RoadType, SignalPosition, SpeedKind,
+    StructureKind, SwitchPosition, VehicleClass,
 };
 #[cfg(feature = "geodesy")]
 pub use mapd_geodesy::{DefinitionError, Geodetic, Offset, ProjectionError, Projector};

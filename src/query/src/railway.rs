@@ -72,7 +72,8 @@ impl<'a> Switch<'a> {
 /// A station.
 #[derive(Clone, Copy)]
 pub struct Station<'a> {
-    map: Map<'a>,
+    pub(crate) map: Map<'a>,
+    pub(crate) number: u32,
     row: &'a ArchivedStationRow,
 }
 
@@ -151,6 +152,7 @@ impl<'a> Map<'a> {
     /// All stations in file order.
     pub fn stations(&self) -> impl ExactSizeIterator<Item = Station<'a>> + use<'a> {
         let map = *self;
-        map.tables().stations.iter().map(move |row| Station { map, row })
+        let rows = map.tables().stations.iter().enumerate();
+        rows.map(move |(number, row)| Station { map, number: number as u32, row })
     }
 }

@@ -108,6 +108,12 @@ macro_rules! enumeration {
             }
         }
 
+        impl $crate::written::Shown for $name {
+            fn shown(&self) -> String {
+                self.name().to_owned()
+            }
+        }
+
         impl $crate::attribute::Enumeration for $name {
             fn list() -> &'static $crate::schema::WordList { &$list }
             fn of_rank(rank: usize) -> Self {

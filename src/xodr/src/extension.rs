@@ -1,6 +1,8 @@
 //! What files have beyond the standard's own elements.
 
 use crate::finding::Span;
+use quick_xml::escape::unescape;
+use quick_xml::events::Event;
 
 /// Kinds of what stands beyond the standard's own elements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,5 +55,90 @@ impl<'a> IntoIterator for &'a Extensions {
 
     fn into_iter(self) -> Self::IntoIter {
         self.as_slice().iter()
+    }
+}
+
+/// An element in an extension's text.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ExtensionElement {
+    /// Tags from the extension itself down to it, with `/` in between.
+    pub path: String,
+    /// Its attributes as written, entities resolved.
+    pub attributes: Vec<(String, String)>,
+}
+
+impl Extension {
+    /// The element itself; none where its text was not kept.
+    pub fn element(&self) -> Option<ExtensionElement> {
+        self.elements(1).pop()
+    }
+
+    /// The element itself and those inside, in file order, so many at most.
+    pub fn elements(&self, most: usize) -> Vec<ExtensionElement> {
+        let mut xml = quick_xml::Reader::from_str(&self.text);
+        let (mut path, mut out) = (Vec::new(), Vec::new());
+        // The text was found well-formed when it was read: what follows a fault is nobody's.
+        while let Ok(event) = xml.read_event() {
+            let (tag, is_open) = match &event {
+                Event::Start(tag) => (tag, true),
+                Event::Empty(tag) => (tag, false),
+                Event::End(_) => {
+                    path.pop();
+                    continue;
+                }
+                Event::Eof => break,
+                _ => continue,
+            };
+            if out.len() == most {
+                break;
+            }
+            path.push(tag.name().as_ref().to_owned());
+            let attributes = tag.attributes().flatten().map(|attribute| {
+                let value = unescape(&attribute.value).unwrap_or_default().into_owned();
+                (attribute.key.as_ref().to_owned(), value)
+            });
+            out.push(ExtensionElement { path: path.join("/"), attributes: attributes.collect() });
+            if !is_open {
+                path.pop();
+            }
+        }
+        out
+    }
+
+    /// What stands between its start and its end tag, without the space around it.
+    pub fn inner(&self) -> &str {
+        let mut xml = quick_xml::Reader::from_str(&self.text);
+        let start = match xml.read_event() {
+            Ok(Event::Start(_)) => usize::try_from(xml.buffer_position()).unwrap_or(usize::MAX),
+            _ => return "",
+        };
+        let end = self.text.rfind("</").unwrap_or(0);
+        self.text.get(start..end).unwrap_or("").trim()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_extension_is_read_from_its_text() {
+        let of = |text: &str| Extension {
+            kind: ExtensionKind::UserData,
+            text: text.into(),
+            span: Span::default(),
+        };
+        let plain = of("<userData code=\"a&amp;b\" value='1'/>");
+        assert_eq!(plain.inner(), "");
+        let element = plain.element().expect("there");
+        assert_eq!(element.path, "userData");
+        let pairs = [("code", "a&b"), ("value", "1")];
+        assert_eq!(element.attributes, pairs.map(|(k, v)| (k.to_owned(), v.to_owned())));
+        let nested = of("<userData code=\"x\">\n <a b='>'><c/></a>t\n</userData>");
+        assert_eq!(nested.inner(), "<a b='>'><c/></a>t");
+        let paths: Vec<_> = nested.elements(9).into_iter().map(|e| e.path).collect();
+        assert_eq!(paths, ["userData", "userData/a", "userData/a/c"]);
+        assert_eq!(nested.elements(2).len(), 2);
+        assert_eq!(of("").element(), None);
     }
 }

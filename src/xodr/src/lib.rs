@@ -44,13 +44,15 @@ pub mod values;
 mod variants;
 pub mod well_formed;
 mod window;
+mod written;
 
 pub use attribute::{Attribute, PositionOrEnd, SpeedLimit, Text, Value};
 pub use batch::{Batch, Context, Cutter, ReadBatch};
-pub use extension::{Extension, ExtensionKind, Extensions};
+pub use extension::{Extension, ExtensionElement, ExtensionKind, Extensions};
 pub use finding::{Finding, Severity, Span};
 pub use generated::*;
 pub use limits::Limits;
 pub use reader::{Handed, Reader};
 pub use record::CubicRecord;
 pub use source::{LineIndex, Position};
+pub use written::{Keep, Shown, Visit, Written};

@@ -286,6 +286,65 @@ fn signals_are_a_row_each() {
 }
 
 #[test]
+fn what_files_say_besides_is_a_row_each() {
+    use mapd_tests::annotated::{NESTED, document, road, roundabout};
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("besides.xodr");
+    let lane = r#"<visibility sOffset="0" forward="50" back="40" left="30" right="20"/><rule sOffset="5" value="no stopping"/>"#;
+    let map = document(5, "", &road("1", 0.0, "junction=\"-1\"", NESTED, lane));
+    std::fs::write(&path, map).expect("written");
+    let source = path.display().to_string();
+    let check = |kind: &str, input: &str, expected: &str| {
+        let output = run(&["query", &source, kind], input);
+        let errors = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(String::from_utf8_lossy(&output.stdout), expected, "{kind}: {errors}");
+    };
+    check(
+        "annotations",
+        "owner,id\nroad,1\nlane,1:0:-1\nroad,7\nhouse,1\n",
+        "owner,id,kind,path,name,value,text,file,line,column,error\n\
+         road,1,user-data,,vendor,v,\"<a b=\"\"1\"\"><c/></a>\",,4,240,\n\
+         road,7,,,,,,,,,\"the map has no road \"\"7\"\"\"\n\
+         house,1,,,,,,,,,\"owner must be one of document, road, section, lane, junction, connection, object, signal, controller, junction-group, station, found \"\"house\"\"\"\n",
+    );
+    check(
+        "visibility",
+        "road_id,s,lane_id\n1,3,-1\n",
+        "road_id,s,lane_id,forward,back,left,right,error\n1,3,-1,50.0,40.0,30.0,20.0,\n",
+    );
+    check(
+        "lane-rule",
+        "road_id,s,lane_id\n1,3,-1\n1,7,-1\n",
+        "road_id,s,lane_id,rule,error\n1,3,-1,,\n1,7,-1,no stopping,\n",
+    );
+    let inspected = |more: &[&str]| {
+        let output = run(&[&["inspect", source.as_str()], more].concat(), "");
+        String::from_utf8_lossy(&output.stdout).into_owned()
+    };
+    let text = inspected(&[]);
+    assert!(text.contains("annotations   1: 1 of road"), "{text}");
+    assert!(text.contains("user-data            1: 1 \"vendor\""), "{text}");
+    assert!(text.contains("lane records  1 of visibility, 1 rules in words"), "{text}");
+    let json: serde_json::Value = serde_json::from_str(&inspected(&["--json"])).expect("JSON");
+    assert_eq!(json["besides"]["by_kind"]["user-data"]["vendor"], 1);
+    let archive = folder.path().join("bare.mapd").display().to_string();
+    let bare = ["compile", &source, "-o", &archive, "--without", "user-data,visibility"];
+    assert_eq!(run(&bare, "").status.code(), Some(0));
+    let output = run(&["inspect", &archive], "");
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(!text.contains("annotations   "), "{text}");
+    assert!(text.contains("lane records  0 of visibility, 1 rules in words"), "{text}");
+    let group = r#"<junctionGroup id="g" name="" type="roundabout"><junctionReference junction="A"/><junctionReference junction="B"/></junctionGroup>"#;
+    std::fs::write(&path, roundabout(group)).expect("written");
+    check(
+        "junction-groups",
+        "junction_id\nA\n",
+        "junction_id,group,name,type,junctions,ring,error\n\
+         A,g,,roundabout,A;B,1:0:-1;2:0:-1;3:0:-1;4:0:-1,\n",
+    );
+}
+
+#[test]
 fn a_table_of_ones_own_changes_what_signals_mean() {
     use mapd_tests::crossroads::{crossroads, signal};
     let folder = tempfile::tempdir().expect("a folder");

@@ -1,5 +1,6 @@
 //! What a compiled map answers: lanes, positions, graph, routes, signals, objects, heights.
 
+mod annotations;
 mod brute_force;
 mod conflicts;
 mod crossroads;

@@ -92,6 +92,12 @@ pub struct Moves {
     pub platforms: Moved,
     /// `platform_segments`.
     pub platform_segments: Moved,
+    /// `junction_groups`.
+    pub junction_groups: Moved,
+    /// `junction_group_members`.
+    pub junction_group_members: Moved,
+    /// `ring_lanes`.
+    pub ring_lanes: Moved,
 }
 
 impl Rows {
@@ -196,6 +202,13 @@ impl Rows {
             stations: unused(),
             platforms: unused(),
             platform_segments: unused(),
+            annotations: unused(),
+            included_files: unused(),
+            lane_visibilities: unused(),
+            lane_rules: unused(),
+            junction_groups: unused(),
+            junction_group_members: unused(),
+            ring_lanes: unused(),
         }
     }
 
@@ -245,6 +258,9 @@ impl Rows {
             switches: Moved::behind(self.switches.len()),
             platforms: Moved::behind(self.platforms.len()),
             platform_segments: Moved::behind(self.platform_segments.len()),
+            junction_groups: Moved::behind(self.junction_groups.len()),
+            junction_group_members: Moved::behind(self.junction_group_members.len()),
+            ring_lanes: Moved::behind(self.ring_lanes.len()),
         }
     }
 
@@ -622,6 +638,40 @@ impl Rows {
             self.platform_segments
                 .extend_from_slice(part.platform_segments.get(1..).unwrap_or_default());
             self.platform_segments.iter_mut().skip(before).for_each(|row| row.move_by(moves));
+        }
+        let before = self.annotations.len();
+        self.annotations.extend_from_slice(part.annotations.get(1..).unwrap_or_default());
+        self.annotations.iter_mut().skip(before).for_each(|row| row.move_by(moves));
+        let before = self.included_files.len();
+        self.included_files.extend_from_slice(part.included_files.get(1..).unwrap_or_default());
+        self.included_files.iter_mut().skip(before).for_each(|row| row.move_by(moves));
+        let before = self.lane_visibilities.len();
+        self.lane_visibilities
+            .extend_from_slice(part.lane_visibilities.get(1..).unwrap_or_default());
+        self.lane_visibilities.iter_mut().skip(before).for_each(|row| row.move_by(moves));
+        let before = self.lane_rules.len();
+        self.lane_rules.extend_from_slice(part.lane_rules.get(1..).unwrap_or_default());
+        self.lane_rules.iter_mut().skip(before).for_each(|row| row.move_by(moves));
+        if moves.junction_groups.is_behind() {
+            let before = self.junction_groups.len();
+            self.junction_groups
+                .extend_from_slice(part.junction_groups.get(1..).unwrap_or_default());
+            self.junction_groups.iter_mut().skip(before).for_each(|row| row.move_by(moves));
+        }
+        if moves.junction_group_members.is_behind() {
+            let before = self.junction_group_members.len();
+            self.junction_group_members
+                .extend_from_slice(part.junction_group_members.get(1..).unwrap_or_default());
+            self.junction_group_members.iter_mut().skip(before).for_each(|row| row.move_by(moves));
+        }
+        if moves.ring_lanes.is_behind() {
+            self.ring_lanes.extend(
+                part.ring_lanes
+                    .get(1..)
+                    .unwrap_or_default()
+                    .iter()
+                    .map(|row| moves.lanes.row(*row)),
+            );
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Code written from `schemas/archive.toml` and `schemas/ontology`.
 
+mod annotation_accessors;
+pub(crate) mod annotation_rows;
 pub(crate) mod append;
 mod beside_accessors;
 pub(crate) mod beside_rows;

@@ -1,6 +1,7 @@
 //! Letting rows refer to where what they refer to comes to lie.
 // Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
 
+use super::annotation_rows::*;
 use super::append::Moves;
 use super::beside_rows::*;
 use super::network_rows::*;
@@ -510,5 +511,56 @@ impl PlatformSegmentRow {
     /// Lets the row refer to where what it refers to comes to lie.
     pub fn move_by(&mut self, moves: &Moves) {
         self.road = moves.roads.row(self.road);
+    }
+}
+
+impl AnnotationRow {
+    /// Lets the row refer to where what it refers to comes to lie.
+    pub fn move_by(&mut self, moves: &Moves) {
+        self.path = moves.strings.row(self.path);
+        self.name = moves.strings.row(self.name);
+        self.value = moves.strings.row(self.value);
+        self.text = moves.strings.row(self.text);
+    }
+}
+
+impl IncludedFileRow {
+    /// Lets the row refer to where what it refers to comes to lie.
+    pub fn move_by(&mut self, moves: &Moves) {
+        self.name = moves.strings.row(self.name);
+    }
+}
+
+impl LaneVisibilityRow {
+    /// Lets the row refer to where what it refers to comes to lie.
+    pub fn move_by(&mut self, moves: &Moves) {
+        self.lane = moves.lanes.row(self.lane);
+    }
+}
+
+impl LaneRuleRow {
+    /// Lets the row refer to where what it refers to comes to lie.
+    pub fn move_by(&mut self, moves: &Moves) {
+        self.lane = moves.lanes.row(self.lane);
+        self.value = moves.strings.row(self.value);
+    }
+}
+
+impl JunctionGroupRow {
+    /// Lets the row refer to where what it refers to comes to lie.
+    pub fn move_by(&mut self, moves: &Moves) {
+        self.id = moves.strings.row(self.id);
+        self.name = moves.strings.row(self.name);
+        self.members = moves.junction_group_members.range(self.members);
+        self.ring = moves.ring_lanes.range(self.ring);
+    }
+}
+
+impl JunctionGroupMemberRow {
+    /// Lets the row refer to where what it refers to comes to lie.
+    pub fn move_by(&mut self, moves: &Moves) {
+        self.group = moves.junction_groups.row(self.group);
+        self.junction = moves.junctions.row(self.junction);
+        self.id = moves.strings.row(self.id);
     }
 }

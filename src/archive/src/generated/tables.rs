@@ -1,6 +1,7 @@
 //! The archive's tables in the order in which they lie.
 // Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
 
+use super::annotation_rows::*;
 use super::beside_rows::*;
 use super::index_rows::*;
 use super::network_rows::*;
@@ -15,13 +16,13 @@ use rkyv::rend;
 pub const FORMAT: u32 = 2;
 /// Identifies what this release writes: numbers and row ids of all its tables.
 pub const LAYOUT_ID: [u8; 16] =
-    [109, 143, 136, 8, 99, 2, 250, 198, 0, 19, 100, 188, 177, 206, 213, 48];
+    [18, 42, 249, 56, 43, 201, 246, 166, 132, 7, 250, 170, 11, 99, 67, 86];
 
 /// What this release knows of what a reader must know of, by bit of the header's `must_understand`.
 pub const FEATURES: [Feature; 0] = [];
 
 /// The tables that this release knows, by number.
-pub(crate) const TABLES: [TableKind; 94] = [
+pub(crate) const TABLES: [TableKind; 101] = [
     TableKind {
         number: 1,
         name: "string_bytes",
@@ -680,6 +681,55 @@ pub(crate) const TABLES: [TableKind; 94] = [
         row_id: 0x04019c74bcebc7c1,
         required: false,
     },
+    TableKind {
+        number: 95,
+        name: "annotations",
+        row_bytes: 32,
+        row_id: 0x357273453ca9dc80,
+        required: false,
+    },
+    TableKind {
+        number: 96,
+        name: "included_files",
+        row_bytes: 16,
+        row_id: 0xfaf74350f2c52a10,
+        required: false,
+    },
+    TableKind {
+        number: 97,
+        name: "lane_visibilities",
+        row_bytes: 48,
+        row_id: 0x4cf3d171fd17eefd,
+        required: false,
+    },
+    TableKind {
+        number: 98,
+        name: "lane_rules",
+        row_bytes: 16,
+        row_id: 0x74affd9b118d4fd0,
+        required: false,
+    },
+    TableKind {
+        number: 99,
+        name: "junction_groups",
+        row_bytes: 36,
+        row_id: 0xab7ee43851167851,
+        required: false,
+    },
+    TableKind {
+        number: 100,
+        name: "junction_group_members",
+        row_bytes: 12,
+        row_id: 0x264893d3f0f22877,
+        required: false,
+    },
+    TableKind {
+        number: 101,
+        name: "ring_lanes",
+        row_bytes: 4,
+        row_id: 0x4a3ba2d95ea39192,
+        required: false,
+    },
 ];
 
 /// All tables of a map as the compiler fills them.
@@ -873,6 +923,20 @@ pub struct Rows {
     pub quarantined_files: Table<QuarantinedFileRow>,
     /// Objects and signals that are missing because the road or junction that they belong to is in quarantine, by that part.
     pub quarantined_contents: Table<QuarantinedContentRow>,
+    /// What files say of their parts beyond what has a table of its own, by owner, in file order: data of applications, quality of data, elements that the standard does not have, and attributes that nothing is built from.
+    pub annotations: Table<AnnotationRow>,
+    /// Files that the document included, in the order in which it did.
+    pub included_files: Table<IncludedFileRow>,
+    /// lane/visibility records, by lane and s (OpenDRIVE 1.4, 1.5).
+    pub lane_visibilities: Table<LaneVisibilityRow>,
+    /// lane/rule records, by lane and s.
+    pub lane_rules: Table<LaneRuleRow>,
+    /// Groups of junctions in file order: roundabouts and interchanges.
+    pub junction_groups: Table<JunctionGroupRow>,
+    /// junctionGroup/junctionReference, by group.
+    pub junction_group_members: Table<JunctionGroupMemberRow>,
+    /// Lanes of roundabouts' rings, by group: those from which a way leads round within the group and back.
+    pub ring_lanes: Table<u32>,
 }
 
 impl Rows {
@@ -973,11 +1037,18 @@ impl Rows {
             features: bytemuck::cast_slice(self.features.as_slice()),
             quarantined_files: bytemuck::cast_slice(self.quarantined_files.as_slice()),
             quarantined_contents: bytemuck::cast_slice(self.quarantined_contents.as_slice()),
+            annotations: bytemuck::cast_slice(self.annotations.as_slice()),
+            included_files: bytemuck::cast_slice(self.included_files.as_slice()),
+            lane_visibilities: bytemuck::cast_slice(self.lane_visibilities.as_slice()),
+            lane_rules: bytemuck::cast_slice(self.lane_rules.as_slice()),
+            junction_groups: bytemuck::cast_slice(self.junction_groups.as_slice()),
+            junction_group_members: bytemuck::cast_slice(self.junction_group_members.as_slice()),
+            ring_lanes: (self.ring_lanes.as_slice()),
         }
     }
 
     /// The bytes of all tables, as they lie in an archive, in the order of `TABLES`.
-    pub(crate) fn bytes(&self) -> [&[u8]; 94] {
+    pub(crate) fn bytes(&self) -> [&[u8]; 101] {
         [
             bytemuck::cast_slice(self.string_bytes.as_slice()),
             bytemuck::cast_slice(self.string_offsets.as_slice()),
@@ -1073,6 +1144,13 @@ impl Rows {
             bytemuck::cast_slice(self.features.as_slice()),
             bytemuck::cast_slice(self.quarantined_files.as_slice()),
             bytemuck::cast_slice(self.quarantined_contents.as_slice()),
+            bytemuck::cast_slice(self.annotations.as_slice()),
+            bytemuck::cast_slice(self.included_files.as_slice()),
+            bytemuck::cast_slice(self.lane_visibilities.as_slice()),
+            bytemuck::cast_slice(self.lane_rules.as_slice()),
+            bytemuck::cast_slice(self.junction_groups.as_slice()),
+            bytemuck::cast_slice(self.junction_group_members.as_slice()),
+            bytemuck::cast_slice(self.ring_lanes.as_slice()),
         ]
     }
 }
@@ -1269,6 +1347,20 @@ pub struct Tables<'a> {
     pub quarantined_files: &'a [ArchivedQuarantinedFileRow],
     /// Objects and signals that are missing because the road or junction that they belong to is in quarantine, by that part.
     pub quarantined_contents: &'a [ArchivedQuarantinedContentRow],
+    /// What files say of their parts beyond what has a table of its own, by owner, in file order: data of applications, quality of data, elements that the standard does not have, and attributes that nothing is built from.
+    pub annotations: &'a [ArchivedAnnotationRow],
+    /// Files that the document included, in the order in which it did.
+    pub included_files: &'a [ArchivedIncludedFileRow],
+    /// lane/visibility records, by lane and s (OpenDRIVE 1.4, 1.5).
+    pub lane_visibilities: &'a [ArchivedLaneVisibilityRow],
+    /// lane/rule records, by lane and s.
+    pub lane_rules: &'a [ArchivedLaneRuleRow],
+    /// Groups of junctions in file order: roundabouts and interchanges.
+    pub junction_groups: &'a [ArchivedJunctionGroupRow],
+    /// junctionGroup/junctionReference, by group.
+    pub junction_group_members: &'a [ArchivedJunctionGroupMemberRow],
+    /// Lanes of roundabouts' rings, by group: those from which a way leads round within the group and back.
+    pub ring_lanes: &'a [u32],
 }
 
 impl<'a> Tables<'a> {
@@ -1369,11 +1461,18 @@ impl<'a> Tables<'a> {
             features: directory.take(&TABLES[91])?,
             quarantined_files: directory.take(&TABLES[92])?,
             quarantined_contents: directory.take(&TABLES[93])?,
+            annotations: directory.take(&TABLES[94])?,
+            included_files: directory.take(&TABLES[95])?,
+            lane_visibilities: directory.take(&TABLES[96])?,
+            lane_rules: directory.take(&TABLES[97])?,
+            junction_groups: directory.take(&TABLES[98])?,
+            junction_group_members: directory.take(&TABLES[99])?,
+            ring_lanes: directory.take(&TABLES[100])?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 94] {
+    pub fn infos(&self) -> [TableInfo; 101] {
         [
             TableInfo::of(1, "string_bytes", self.string_bytes),
             TableInfo::of(2, "string_offsets", self.string_offsets),
@@ -1469,6 +1568,13 @@ impl<'a> Tables<'a> {
             TableInfo::of(92, "features", self.features),
             TableInfo::of(93, "quarantined_files", self.quarantined_files),
             TableInfo::of(94, "quarantined_contents", self.quarantined_contents),
+            TableInfo::of(95, "annotations", self.annotations),
+            TableInfo::of(96, "included_files", self.included_files),
+            TableInfo::of(97, "lane_visibilities", self.lane_visibilities),
+            TableInfo::of(98, "lane_rules", self.lane_rules),
+            TableInfo::of(99, "junction_groups", self.junction_groups),
+            TableInfo::of(100, "junction_group_members", self.junction_group_members),
+            TableInfo::of(101, "ring_lanes", self.ring_lanes),
         ]
     }
 }

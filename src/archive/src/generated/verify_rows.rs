@@ -708,6 +708,49 @@ impl Tables<'_> {
             check.finite("s_end", row.s_end())?;
             check.reference("road", row.road(), self.roads.len(), true)?;
         }
+        for (i, row) in self.annotations.iter().enumerate() {
+            let check = Check { table: "annotations", row: i };
+            check.reference("path", row.path(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.reference("value", row.value(), strings, false)?;
+            check.reference("text", row.text(), strings, false)?;
+        }
+        for (i, row) in self.included_files.iter().enumerate() {
+            let check = Check { table: "included_files", row: i };
+            check.reference("name", row.name(), strings, false)?;
+        }
+        for (i, row) in self.lane_visibilities.iter().enumerate() {
+            let check = Check { table: "lane_visibilities", row: i };
+            check.finite("s", row.s())?;
+            check.finite("forward", row.forward())?;
+            check.finite("back", row.back())?;
+            check.finite("left", row.left())?;
+            check.finite("right", row.right())?;
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+        }
+        for (i, row) in self.lane_rules.iter().enumerate() {
+            let check = Check { table: "lane_rules", row: i };
+            check.finite("s", row.s())?;
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+            check.reference("value", row.value(), strings, false)?;
+        }
+        for (i, row) in self.junction_groups.iter().enumerate() {
+            let check = Check { table: "junction_groups", row: i };
+            check.reference("id", row.id(), strings, false)?;
+            check.reference("name", row.name(), strings, false)?;
+            check.range("members", row.members(), self.junction_group_members.len())?;
+            check.range("ring", row.ring(), self.ring_lanes.len())?;
+        }
+        for (i, row) in self.junction_group_members.iter().enumerate() {
+            let check = Check { table: "junction_group_members", row: i };
+            check.reference("group", row.group(), self.junction_groups.len(), false)?;
+            check.reference("junction", row.junction(), self.junctions.len(), true)?;
+            check.reference("id", row.id(), strings, false)?;
+        }
+        for (i, row) in self.ring_lanes.iter().enumerate() {
+            let check = Check { table: "ring_lanes", row: i };
+            check.reference("", *row, self.lanes.len(), false)?;
+        }
         Ok(())
     }
 
@@ -782,6 +825,13 @@ impl Tables<'_> {
         }
         for (i, row) in self.platform_segments.iter().enumerate() {
             found.note("platform_segments", "side", i, row.side(), 3);
+        }
+        for (i, row) in self.annotations.iter().enumerate() {
+            found.note("annotations", "kind", i, row.kind(), 7);
+            found.note("annotations", "owner_kind", i, row.owner_kind(), 11);
+        }
+        for (i, row) in self.junction_groups.iter().enumerate() {
+            found.note("junction_groups", "kind", i, row.kind(), 5);
         }
     }
 }

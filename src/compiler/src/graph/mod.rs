@@ -21,6 +21,7 @@ mod virtual_connections;
 mod walk;
 mod zones;
 
+pub(crate) use components::strong_components;
 pub(crate) use permissions::Permissions;
 
 use crate::TooLarge;

@@ -3,6 +3,8 @@
 mod append;
 mod grid;
 mod interned;
+mod junction_groups;
+mod lane_words;
 mod links;
 mod marks;
 mod need;
@@ -16,6 +18,7 @@ mod sections;
 mod structures;
 mod surface;
 
+use crate::annotations::{Owners, Without};
 use crate::georeference::Placed;
 use crate::graph::Permissions;
 use crate::objects::written::Objects;
@@ -55,13 +58,17 @@ pub(crate) struct Lowering {
     styles: marks::Styles,
     interned: interned::Interned,
     pub(crate) signals: Pending,
+    /// What got rows of the top-level element that is being lowered.
+    pub(crate) owners: Owners,
+    /// What is left out of the archive.
+    pub(crate) without: Without,
     map: Option<MapRow>,
 }
 
 impl Lowering {
-    /// Nothing yet; `ontology` says what signals mean.
-    pub(crate) fn new(ontology: Arc<mapd_ontology::Ontology>) -> Self {
-        Self { signals: Pending::new(ontology), ..Self::default() }
+    /// Nothing yet; `ontology` says what signals mean, `without` what is left out.
+    pub(crate) fn new(ontology: Arc<mapd_ontology::Ontology>, without: Without) -> Self {
+        Self { signals: Pending::new(ontology), without, ..Self::default() }
     }
 
     pub(crate) fn roads(&self) -> usize {

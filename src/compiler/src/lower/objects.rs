@@ -4,7 +4,9 @@ use super::Lowering;
 use super::need::Part;
 use crate::objects::single;
 use crate::objects::written::{Object, Repeat};
-use mapd_archive::{NONE, ObjectRow, ObjectShape, Orientation, Range, object_flags};
+use mapd_archive::{
+    AnnotationOwner, NONE, ObjectRow, ObjectShape, Orientation, Range, object_flags,
+};
 use mapd_ontology::{Class, ObjectCode, Ontology};
 use mapd_xodr::{self as xodr, Finding, Position, Severity, Span, Text as _, Value as _};
 
@@ -57,6 +59,8 @@ impl Lowering {
             let details = self.details(object, &outlines, &mut part);
             let of = self.repeats(object, &mut part);
             let angles = [&object.hdg, &object.pitch, &object.roll];
+            let number = self.objects.objects.len() as u32;
+            self.owners.add(object.span, AnnotationOwner::Object, number);
             self.objects.objects.push(Object {
                 row: with_shape(row, !outlines.is_empty()),
                 z_offset: object.z_offset.value().unwrap_or(0.0),

@@ -5,8 +5,8 @@ use super::{Lowering, WrittenLink, between, speed};
 use crate::too_large::TOO_LARGE;
 use bytemuck::Zeroable as _;
 use mapd_archive::{
-    LaneRow, LaneSpeedRow, LaneType, MOST_OF_LANE, NONE, Range, SectionRow, VehicleClass,
-    lane_flags,
+    AnnotationOwner, LaneRow, LaneSpeedRow, LaneType, MOST_OF_LANE, NONE, Range, SectionRow,
+    VehicleClass, lane_flags,
 };
 use mapd_xodr::{
     self as xodr, Finding, LaneDirection, Road, Severity, Span, Text as _, TrafficRule, Value as _,
@@ -33,6 +33,8 @@ struct AnyLane<'a> {
     material: &'a [xodr::LaneMaterial],
     road_mark: &'a [xodr::RoadMark],
     access: &'a [xodr::LaneAccess],
+    visibility: &'a [xodr::LaneVisibility],
+    rule: &'a [xodr::LaneRule],
     span: Span,
 }
 
@@ -89,6 +91,8 @@ fn lanes_of<'a>(
             material: &lane.material,
             road_mark: &lane.road_mark,
             access: &lane.access,
+            visibility: &lane.visibility,
+            rule: &lane.rule,
             span: lane.span,
         }));
     }
@@ -106,6 +110,8 @@ fn lanes_of<'a>(
             material: &lane.material,
             road_mark: &lane.road_mark,
             access: &lane.access,
+            visibility: &[],
+            rule: &lane.rule,
             span: lane.span,
         }));
     }
@@ -187,6 +193,8 @@ impl Lowering {
             // Only sections of the temporary layer have a length of their own (OpenDRIVE 1.9, laneSection@length).
             let own = section.length.value().filter(|_| layer.is_temporary);
             let s_end = own.map_or(next, |own| next.min(s + own)).max(*s);
+            let row = self.rows.sections.len() as u32;
+            self.owners.add(section.span, AnnotationOwner::Section, row);
             let lanes = self.section(section, sides[i], right_hand, path, findings);
             self.rows.sections.push(SectionRow {
                 s_start: *s,
@@ -299,6 +307,7 @@ impl Lowering {
                 kind: kind.code().into(),
             });
         }
+        self.lane_words(lane.visibility, lane.rule, section_s, road, findings);
         let mut forward = (lane.id < 0) == right_hand && lane.id != 0;
         let kind = LaneType::from_name(lane.kind.map_or("", xodr::LaneType::name));
         let mut flags = side.layer.flags();
@@ -321,6 +330,9 @@ impl Lowering {
         // Lane 0 is always that of the stretch's own section.
         let shift = if lane.id == 0 { 0.0 } else { side.begins - side.s };
         let row = self.rows.lanes.len() as u32;
+        if side.continues == 0 || lane.id == 0 {
+            self.owners.add(lane.span, AnnotationOwner::Lane, row);
+        }
         self.permissions.lane((row, shift), kind, lane.road_mark, lane.access);
         let mut numbers = |linked: &[xodr::LinkedLane]| -> Vec<WrittenLink> {
             let number = |link: &xodr::LinkedLane| {

@@ -20,6 +20,19 @@ pub(crate) struct Objects {
     pub(crate) stations: Vec<Station>,
 }
 
+impl Objects {
+    /// The rows that objects will have: those of junctions come last, for they have no road, whose number is the largest.
+    pub(crate) fn rows(&self) -> Vec<u32> {
+        let mut order: Vec<usize> = (0..self.objects.len()).collect();
+        order.sort_by_key(|number| self.objects[*number].row.road);
+        let mut rows = vec![0; order.len()];
+        for (row, number) in (0..).zip(order) {
+            rows[number] = row;
+        }
+        rows
+    }
+}
+
 /// An object: its row but for what follows from its place, and the shapes that are placed with it.
 pub(crate) struct Object {
     pub(crate) row: ObjectRow,

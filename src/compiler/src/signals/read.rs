@@ -4,8 +4,8 @@ use super::semantics::{Meant, meant};
 use super::{Pending, Position, Reference, Written, empty_row};
 use crate::lower::{Lowering, Part, between, lanes, orientation};
 use mapd_archive::{
-    BoardGroupRow, Class, ControlRow, ControllerRow, DisplayAreaRow, LaneRangeRow, NONE,
-    SignalBoardRow, SignalDependencyRow, SignalLinkRow, SignalSemanticsRow, signal_flags,
+    AnnotationOwner, BoardGroupRow, Class, ControlRow, ControllerRow, DisplayAreaRow, LaneRangeRow,
+    NONE, SignalBoardRow, SignalDependencyRow, SignalLinkRow, SignalSemanticsRow, signal_flags,
     signal_values,
 };
 use mapd_ontology::{Meaning, SignalCode};
@@ -119,6 +119,7 @@ impl Lowering {
         on_carrier: Option<(f64, f64)>,
     ) -> u32 {
         let number = self.rows.signals.len() as u32;
+        self.owners.add(signal.span, AnnotationOwner::Signal, number);
         let [_, name, r#type, subtype, country, _, _, unit] = signal.texts;
         let code = SignalCode { country, r#type, subtype, name, value: signal.value, unit };
         let stated = signal.semantics.map(meant).unwrap_or_default();
@@ -342,6 +343,11 @@ impl Pending {
     /// Nothing yet, with a vocabulary.
     pub(crate) fn new(ontology: std::sync::Arc<mapd_ontology::Ontology>) -> Self {
         Self { ontology, ..Self::default() }
+    }
+
+    /// Number of controllers so far.
+    pub(crate) fn controllers(&self) -> usize {
+        self.controllers.len()
     }
 }
 

@@ -45,8 +45,10 @@ pub(super) fn meant(semantics: &Semantics) -> Vec<Meant> {
     out.extend(semantics.priority.iter().map(|one| {
         kind("priority", one.r#type.value().map_or("", xodr::PrioritySemanticsType::name))
     }));
+    for one in &semantics.prohibited {
+        concerned(PROHIBITED, &one.person, &one.vehicle, &one.animal, &mut out);
+    }
     let plain = [
-        ("prohibited", semantics.prohibited.len()),
         ("warning", semantics.warning.len()),
         ("routing", semantics.routing.len()),
         ("streetname", semantics.streetname.len()),
@@ -72,13 +74,52 @@ pub(super) fn meant(semantics: &Semantics) -> Vec<Meant> {
         let name = one.r#type.value().map_or("", xodr::EnvironmentSemanticsType::name);
         kind("supplementaryEnvironment", name)
     }));
-    let plates = [
-        ("supplementaryAllows", semantics.supplementary_allows.len()),
-        ("supplementaryProhibits", semantics.supplementary_prohibits.len()),
-        ("supplementaryExplanatory", semantics.supplementary_explanatory.len()),
-    ];
-    for (element, count) in plates {
-        out.extend(std::iter::repeat_n(kind(element, ""), count));
+    for one in &semantics.supplementary_allows {
+        concerned(ALLOWS, &one.person, &one.vehicle, &one.animal, &mut out);
     }
+    for one in &semantics.supplementary_prohibits {
+        concerned(PROHIBITS, &one.person, &one.vehicle, &one.animal, &mut out);
+    }
+    let explained = semantics.supplementary_explanatory.len();
+    out.extend(std::iter::repeat_n(kind("supplementaryExplanatory", ""), explained));
     out
+}
+
+/// Names of an element that says who is meant: its own, and with its person, vehicle and animal (1.9).
+type Names = [&'static str; 4];
+
+const PROHIBITED: Names =
+    ["prohibited", "prohibited/person", "prohibited/vehicle", "prohibited/animal"];
+const ALLOWS: Names = [
+    "supplementaryAllows",
+    "supplementaryAllows/person",
+    "supplementaryAllows/vehicle",
+    "supplementaryAllows/animal",
+];
+const PROHIBITS: Names = [
+    "supplementaryProhibits",
+    "supplementaryProhibits/person",
+    "supplementaryProhibits/vehicle",
+    "supplementaryProhibits/animal",
+];
+
+/// The element itself, then whom it concerns: a row for each person, vehicle and animal that is named.
+fn concerned(
+    [own, person, vehicle, animal]: Names,
+    persons: &[xodr::PersonSemantics],
+    vehicles: &[xodr::VehicleSemantics],
+    animals: &[xodr::AnimalSemantics],
+    out: &mut Vec<Meant>,
+) {
+    let kind = |element, kind| Meant { element, kind, ..Meant::default() };
+    out.push(kind(own, ""));
+    out.extend(persons.iter().map(|one| {
+        let category = one.r#type.as_ref().and_then(|category| category.content.value());
+        kind(person, category.map_or("", xodr::PersonCategory::name))
+    }));
+    out.extend(vehicles.iter().map(|one| {
+        let category = one.r#type.as_ref().and_then(|category| category.content.value());
+        kind(vehicle, category.map_or("", xodr::VehicleCategory::name))
+    }));
+    out.extend(animals.iter().map(|_| kind(animal, "")));
 }

@@ -4,7 +4,7 @@ use super::earth::Earth;
 use super::holes::Holes;
 use super::route::Router;
 use super::row::Row;
-use super::{landmarks, signals};
+use super::{besides, landmarks, signals};
 use clap::ValueEnum;
 use mapd_client::{Lane, Map, NearestOptions, Point, QueryError, Road, Track};
 use mapd_query::glam::DVec2;
@@ -39,6 +39,14 @@ pub enum Kind {
     Landmarks,
     /// `road_id,s,lane_id,distance` → a row for each signal ahead: id,class,distance,road_id,s,t,x,y,z,state_machine
     Signals,
+    /// `owner[,id]` → a row for each thing that the file says of it besides: kind,path,name,value,text,file,line,column
+    Annotations,
+    /// `road_id,s,lane_id` → forward,back,left,right: how far one sees
+    Visibility,
+    /// `road_id,s,lane_id` → rule in words
+    LaneRule,
+    /// `junction_id` → a row for each group of the junction: group,name,type,junctions,ring
+    JunctionGroups,
 }
 
 impl Kind {
@@ -56,6 +64,10 @@ impl Kind {
             Self::Objects => "objects",
             Self::Landmarks => "landmarks",
             Self::Signals => "signals",
+            Self::Annotations => "annotations",
+            Self::Visibility => "visibility",
+            Self::LaneRule => "lane-rule",
+            Self::JunctionGroups => "junction-groups",
         }
     }
 
@@ -63,7 +75,11 @@ impl Kind {
     pub(crate) fn needs(self) -> &'static [&'static [&'static str]] {
         match self {
             Self::Inertial | Self::Surface => &[&["road_id", "s", "t"]],
-            Self::Lane | Self::Successors => &[&["road_id", "s", "lane_id"]],
+            Self::Lane | Self::Successors | Self::Visibility | Self::LaneRule => {
+                &[&["road_id", "s", "lane_id"]]
+            }
+            Self::Annotations => &[&["owner"]],
+            Self::JunctionGroups => &[&["junction_id"]],
             Self::Nearest => &[&["x", "y"], &["lat", "lon"]],
             Self::Geodetic => &[&["x", "y"]],
             Self::FromGeodetic => &[&["lat", "lon"]],
@@ -89,6 +105,10 @@ impl Kind {
             Self::Objects => &["id", "class", "distance", "road_id", "s", "t", "x", "y", "z"],
             Self::Landmarks => landmarks::COLUMNS,
             Self::Signals => signals::COLUMNS,
+            Self::Annotations => besides::ANNOTATIONS,
+            Self::Visibility => &["forward", "back", "left", "right"],
+            Self::LaneRule => &["rule"],
+            Self::JunctionGroups => besides::GROUPS,
         }
     }
 
@@ -99,7 +119,14 @@ impl Kind {
 
     /// Whether it answers with any number of rows.
     pub(crate) fn lists(self) -> bool {
-        matches!(self, Self::Objects | Self::Landmarks | Self::Signals)
+        matches!(
+            self,
+            Self::Objects
+                | Self::Landmarks
+                | Self::Signals
+                | Self::Annotations
+                | Self::JunctionGroups
+        )
     }
 
     /// Answers one row; the error says why there is no answer.
@@ -168,6 +195,16 @@ impl Kind {
                 let (lane, s) = lane(holes, map, row)?;
                 signals::answer(map, (&lane, s), row.number("distance")?, router.vehicle(), out)?;
             }
+            Self::Annotations => besides::annotations(map, row, out)?,
+            Self::Visibility => {
+                let (lane, s) = lane(map, row)?;
+                besides::visibility(lane.visibility_at(s), out);
+            }
+            Self::LaneRule => {
+                let (lane, s) = lane(map, row)?;
+                out.push(lane.rule_at(s).map_or("", |rule| rule.value).to_owned());
+            }
+            Self::JunctionGroups => besides::groups(map, row, out)?,
         }
         Ok(())
     }

@@ -4,6 +4,7 @@
 //! the answer's columns and `error`, which is empty where the row has an answer. Kinds that list things give a row for each of
 //! them, none where there are none. Numbers are in shortest round-trip form.
 
+mod besides;
 pub(crate) mod earth;
 mod holes;
 mod kinds;

@@ -9,7 +9,7 @@ use mapd_archive::{ArchivedControllerRow, ArchivedJunctionControllerRow, string}
 /// A controller: a group of signals that switch together (OpenDRIVE 1.8.1, 14.6).
 #[derive(Clone, Copy)]
 pub struct Controller<'a> {
-    map: Map<'a>,
+    pub(crate) map: Map<'a>,
     number: u32,
     row: &'a ArchivedControllerRow,
 }

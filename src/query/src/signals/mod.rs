@@ -36,7 +36,7 @@ use mapd_archive::{
 /// A traffic sign, light or marking of OpenDRIVE's `signals` (OpenDRIVE 1.8.1, 14).
 #[derive(Clone, Copy)]
 pub struct Signal<'a> {
-    map: Map<'a>,
+    pub(crate) map: Map<'a>,
     number: u32,
     row: &'a ArchivedSignalRow,
 }

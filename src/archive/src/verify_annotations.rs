@@ -1,0 +1,65 @@
+//! Proving what files say besides: annotations are in the order of their owners, and these are there.
+
+use crate::Tables;
+use crate::annotation_codes::{AnnotationKind, AnnotationOwner};
+use crate::error::VerifyError;
+use crate::verify::Check;
+
+/// Owners are there, in order; files are those that were included; members of groups know their group.
+pub(crate) fn annotations(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    let mut before = (0, 0);
+    for (row, annotation) in tables.annotations.iter().enumerate() {
+        let check = Check { table: "annotations", row };
+        let kind = AnnotationOwner::from_code(annotation.owner_kind());
+        // What a later release may annotate besides is not known here.
+        if kind != AnnotationOwner::Unknown {
+            check.reference("owner", annotation.owner(), owners(tables, kind), false)?;
+        }
+        let owner = (annotation.owner_kind(), annotation.owner());
+        if owner < before {
+            return check.fail("owner", format!("at least {before:?}"), format!("{owner:?}"));
+        }
+        before = owner;
+        let file = usize::from(annotation.file());
+        let is_of_a_file = annotation.kind() == AnnotationKind::SourceFile.code();
+        let files = tables.included_files.len();
+        if file > files || (is_of_a_file && file == 0) {
+            return check.fail("file", format!("at most {files}, of a source file above 0"), file);
+        }
+    }
+    for (row, file) in tables.included_files.iter().enumerate() {
+        // A file is included by one that was opened before it.
+        if file.file() as usize > row {
+            let check = Check { table: "included_files", row };
+            return check.fail("file", format!("at most {row}"), file.file());
+        }
+    }
+    for (number, group) in tables.junction_groups.iter().enumerate() {
+        for (i, member) in group.members().of(tables.junction_group_members).iter().enumerate() {
+            let row = group.members().first as usize + i;
+            if member.group() as usize != number {
+                let check = Check { table: "junction_group_members", row };
+                return check.fail("group", number.to_string(), member.group());
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Rows that owners of a kind may have.
+fn owners(tables: &Tables<'_>, kind: AnnotationOwner) -> usize {
+    match kind {
+        AnnotationOwner::Document => 1,
+        AnnotationOwner::Road => tables.roads.len(),
+        AnnotationOwner::Section => tables.sections.len(),
+        AnnotationOwner::Lane => tables.lanes.len(),
+        AnnotationOwner::Junction => tables.junctions.len(),
+        AnnotationOwner::Connection => tables.connections.len(),
+        AnnotationOwner::Object => tables.objects.len(),
+        AnnotationOwner::Signal => tables.signals.len(),
+        AnnotationOwner::Controller => tables.controllers.len(),
+        AnnotationOwner::JunctionGroup => tables.junction_groups.len(),
+        AnnotationOwner::Station => tables.stations.len(),
+        AnnotationOwner::Unknown => 0,
+    }
+}
