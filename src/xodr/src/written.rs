@@ -92,7 +92,7 @@ pub(crate) fn keep<T: Shown>(name: &'static str, attribute: &Option<Attribute<T>
 
 /// Hands out a child that there can be one of.
 #[inline]
-#[expect(clippy::borrowed_box, clippy::ref_option, reason = "the fields are what they are")]
+#[expect(clippy::ref_option, reason = "the fields are what they are")]
 pub(crate) fn child<T: Written>(tag: &'static str, child: &Option<Box<T>>, visit: Visit<'_>) {
     if let Some(child) = child {
         visit(tag, 0, &**child);

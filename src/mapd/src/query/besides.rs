@@ -1,9 +1,10 @@
 //! `mapd query … annotations`, `visibility` and `junction-groups`: what files say besides.
 
+use super::holes::Holes;
 use super::kinds::{number, text};
 use super::row::Row;
 use mapd_client::Map;
-use mapd_query::{Annotation, AnnotationOwner, LaneKey, LaneVisibility};
+use mapd_query::{Annotation, AnnotationOwner, LaneKey, LaneVisibility, QuarantinedKind};
 
 /// Columns of annotations.
 pub(super) const ANNOTATIONS: &[&str] =
@@ -14,13 +15,20 @@ pub(super) const GROUPS: &[&str] = &["group", "name", "type", "junctions", "ring
 /// What the file says besides of the part that the columns `owner` and `id` name.
 pub(super) fn annotations(
     map: Map<'_>,
+    holes: &Holes<'_>,
     row: &Row<'_>,
     out: &mut Vec<String>,
 ) -> Result<(), String> {
     let owner = row.text("owner")?.trim();
     let kind = AnnotationOwner::ALL.iter().find(|kind| kind.name() == owner);
     let id = if row.has("id") { row.text("id")? } else { "" };
-    let missing = || format!("the map has no {owner} {id:?}");
+    let missing = || {
+        let (error, part) = (format!("the map has no {owner} {id:?}"), kind.and_then(left_out_as));
+        match part {
+            Some(part) => holes.because_of(part, id, error),
+            None => error,
+        }
+    };
     match kind {
         Some(AnnotationOwner::Document) => write(map.document_annotations(), out),
         Some(AnnotationOwner::Road) => {
@@ -72,6 +80,18 @@ pub(super) fn annotations(
     Ok(())
 }
 
+/// What a part of the kind is in quarantine as.
+fn left_out_as(kind: &AnnotationOwner) -> Option<QuarantinedKind> {
+    match kind {
+        AnnotationOwner::Road => Some(QuarantinedKind::Road),
+        AnnotationOwner::Junction => Some(QuarantinedKind::Junction),
+        AnnotationOwner::Object => Some(QuarantinedKind::Object),
+        AnnotationOwner::Signal => Some(QuarantinedKind::Signal),
+        AnnotationOwner::Controller => Some(QuarantinedKind::Controller),
+        _ => None,
+    }
+}
+
 fn write<'a>(annotations: impl Iterator<Item = Annotation<'a>>, out: &mut Vec<String>) {
     write_below("", annotations, out);
 }
@@ -100,10 +120,18 @@ pub(super) fn visibility(seen: Option<LaneVisibility>, out: &mut Vec<String>) {
 }
 
 /// Groups of a junction, with their junctions and the lanes of the ring.
-pub(super) fn groups(map: Map<'_>, row: &Row<'_>, out: &mut Vec<String>) -> Result<(), String> {
+pub(super) fn groups(
+    map: Map<'_>,
+    holes: &Holes<'_>,
+    row: &Row<'_>,
+    out: &mut Vec<String>,
+) -> Result<(), String> {
     let id = row.text("junction_id")?;
-    let junction =
-        map.junction_by_id(id).ok_or_else(|| format!("the map has no junction {id:?}"))?;
+    let missing = || {
+        let error = format!("the map has no junction {id:?}");
+        holes.because_of(QuarantinedKind::Junction, id, error)
+    };
+    let junction = map.junction_by_id(id).ok_or_else(missing)?;
     for group in junction.groups() {
         let members: Vec<&str> = group.members().map(|member| member.id()).collect();
         let ring = group.ring().map(|lane| Ok(map.lane(lane).map_err(text)?.key().to_string()));

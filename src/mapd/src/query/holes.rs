@@ -30,7 +30,12 @@ impl<'a> Holes<'a> {
 
     /// What is wrong with a road's lanes, and that the road is in quarantine if it is.
     pub(crate) fn because(&self, road: &str, error: String) -> String {
-        match self.map.left_out(QuarantinedKind::Road, road) {
+        self.because_of(QuarantinedKind::Road, road, error)
+    }
+
+    /// What is wrong with a part, and that it is in quarantine if it is.
+    pub(super) fn because_of(&self, kind: QuarantinedKind, id: &str, error: String) -> String {
+        match self.map.left_out(kind, id) {
             Some(part) => format!("{error}: {}", part.explained(self.document)),
             None => error,
         }
@@ -66,10 +71,15 @@ impl<'a> Holes<'a> {
                     parts.add(self.map.quarantined_near(end, REACH));
                 }
             }
-            Kind::Inertial | Kind::Surface | Kind::Lane | Kind::Track => {
+            Kind::Inertial
+            | Kind::Surface
+            | Kind::Lane
+            | Kind::Track
+            | Kind::Visibility
+            | Kind::LaneRule => {
                 parts.add(self.road(row, "road_id"));
             }
-            Kind::Geodetic | Kind::FromGeodetic => {}
+            Kind::Geodetic | Kind::FromGeodetic | Kind::Annotations | Kind::JunctionGroups => {}
         }
         parts.0.join(";")
     }

@@ -195,16 +195,16 @@ impl Kind {
                 let (lane, s) = lane(holes, map, row)?;
                 signals::answer(map, (&lane, s), row.number("distance")?, router.vehicle(), out)?;
             }
-            Self::Annotations => besides::annotations(map, row, out)?,
+            Self::Annotations => besides::annotations(map, holes, row, out)?,
             Self::Visibility => {
-                let (lane, s) = lane(map, row)?;
+                let (lane, s) = lane(holes, map, row)?;
                 besides::visibility(lane.visibility_at(s), out);
             }
             Self::LaneRule => {
-                let (lane, s) = lane(map, row)?;
+                let (lane, s) = lane(holes, map, row)?;
                 out.push(lane.rule_at(s).map_or("", |rule| rule.value).to_owned());
             }
-            Self::JunctionGroups => besides::groups(map, row, out)?,
+            Self::JunctionGroups => besides::groups(map, holes, row, out)?,
         }
         Ok(())
     }
