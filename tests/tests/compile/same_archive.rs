@@ -1,7 +1,7 @@
 //! The same archive, whatever form the map comes in and however many threads compile it.
 
 use mapd_archive::{AlignedBytes, HEADER_LENGTH, Header, Provenance, encode};
-use mapd_compiler::{CompileOptions, ReadOptions, compile_from};
+use mapd_compiler::{CompileOptions, Extra, ReadOptions, compile_from};
 use mapd_tests::place::{PATIENCE, Place};
 use std::fs::{self, File};
 use std::io::Write;
@@ -64,11 +64,14 @@ fn without_places(source: &Path) -> AlignedBytes {
     let include_folder = source.parent().map(Path::to_owned);
     let reading = ReadOptions { include_folder, ..ReadOptions::default() };
     let open = || File::open(source);
-    let compiled = compile_from(open, &reading, &CompileOptions::default(), &mut |_| {});
+    let without = [Extra::Includes].into_iter().collect();
+    let options = CompileOptions { without, ..CompileOptions::default() };
+    let compiled = compile_from(open, &reading, &options, &mut |_| {});
     let mut rows = compiled.expect("read").rows.expect("accepted");
     rows.roads.iter_mut().for_each(|road| (road.line, road.column) = (0, 0));
     rows.junctions.iter_mut().for_each(|place| (place.line, place.column) = (0, 0));
     rows.edges.iter_mut().for_each(|edge| (edge.line, edge.column, edge.file) = (0, 0, 0));
+    rows.annotations.iter_mut().for_each(|place| (place.line, place.column) = (0, 0));
     encode(&rows, &Provenance::default()).expect("encodes")
 }
 
