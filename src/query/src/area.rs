@@ -7,7 +7,7 @@ use crate::lane::Lane;
 use crate::polyline::segment_ends;
 use crate::profile::At;
 use crate::road::Piece;
-use crate::types::{LaneEdges, LanePosition};
+use crate::types::{Clamped, LaneEdges, LanePosition, turned};
 use glam::DVec2;
 use mapd_archive::ArchivedGeometryRow;
 use mapd_geometry::{clamp, normalize_angle};
@@ -143,15 +143,17 @@ pub(crate) struct Place<'a> {
     pub(crate) t: f64,
     /// How far beside the lane's nearer edge `[m]`, 0 between them.
     beside: f64,
-    /// Distance from the lane's centre, positive to the left `[m]`.
+    /// Distance from the lane's centre, positive to the left of the reference line `[m]`.
     pub(crate) offset: f64,
+    /// Whether the foot is an end of the slab, and the point lies beyond it.
+    is_beyond: bool,
     /// Distance from the lane's area in plan view `[m]`.
     pub(crate) distance: f64,
 }
 
 impl<'a> Place<'a> {
     #[inline]
-    fn new(slab: &Slab<'a>, across: &Across, distance: f64) -> Self {
+    fn new(slab: &Slab<'a>, across: &Across, (distance, is_beyond): (f64, bool)) -> Self {
         Self {
             geometry: slab.geometry,
             at: across.at,
@@ -159,6 +161,7 @@ impl<'a> Place<'a> {
             t: across.t,
             beside: across.t - clamp(across.t, across.sides()[0], across.sides()[1]),
             offset: across.t - across.edges.center(),
+            is_beyond,
             distance,
         }
     }
@@ -190,13 +193,24 @@ impl<'a> Place<'a> {
 
     #[inline]
     pub(crate) fn position(&self, lane: &Lane<'_>) -> LanePosition {
+        let heading = self.heading(lane);
+        let (s, start, end) = (self.at.s, lane.section.s_start(), lane.section.s_end());
+        let clamped = match self.is_beyond {
+            true if s <= start => Clamped::Before,
+            true if s >= end => Clamped::After,
+            _ => Clamped::No,
+        };
+        let forward = lane.is_forward();
         LanePosition {
-            s: self.at.s,
+            s,
             t: self.t,
-            offset: self.offset,
+            offset: if forward { self.offset } else { -self.offset },
+            offset_of_reference_line: self.offset,
             distance: self.distance,
             z: self.z(lane),
-            heading: self.heading(lane),
+            heading: if forward { heading } else { turned(heading) },
+            heading_of_reference_line: heading,
+            clamped,
         }
     }
 }
@@ -223,7 +237,7 @@ pub(crate) fn place_inside<'a>(
     }
     let beside = across.is_beside();
     let distance = if beside { across.border_distance(lane, slab, local) } else { 0.0 };
-    Some(Place::new(slab, &across, distance))
+    Some(Place::new(slab, &across, (distance, false)))
 }
 
 /// The place of a point with respect to one slab, wherever the point is; `local` is relative to the map's origin.
@@ -253,7 +267,7 @@ pub(crate) fn place<'a>(lane: &Lane<'a>, slab: &Slab<'a>, local: DVec2) -> Place
     if beside {
         distance = distance.min(across.border_distance(lane, slab, local));
     }
-    Place::new(slab, &across, distance)
+    Place::new(slab, &across, (distance, foot.clamped))
 }
 
 /// One border of a lane within a slab, as seen from a point.

@@ -242,8 +242,12 @@ impl<'a> Lane<'a> {
             .filter_map(move |n| LaneNode::new(map, n))
     }
 
-    /// The node that holds s, in one direction of travel; at a cut the later one in that direction.
+    /// The node that holds s, in one direction of travel; at a cut the later one in that direction. s outside the lane's section
+    /// counts as its nearer end; none for an s that is not finite.
     pub fn node_at(&self, s: f64, forward: bool) -> Option<LaneNode<'a>> {
+        if !s.is_finite() {
+            return None;
+        }
         let way = |node: &LaneNode<'a>| node.is_forward() == forward;
         let mut found = None;
         for node in self.nodes().filter(way) {

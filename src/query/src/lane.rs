@@ -7,7 +7,7 @@ use crate::key::{LaneKey, LaneLayer};
 use crate::map::Map;
 use crate::polyline::{Points, Polyline};
 use crate::profile::{self, At, Slope};
-use crate::road::Road;
+use crate::road::{JOINT, Road};
 use crate::section::LaneSection;
 use crate::types::{Clamped, LaneEdges, LanePosition, Point, Pose};
 use glam::{DVec2, DVec3};
@@ -100,7 +100,8 @@ impl<'a> Lane<'a> {
         self.road
     }
 
-    /// Whether vehicles travel towards +s (by traffic rule, side and `direction`).
+    /// Whether vehicles travel towards +s (by traffic rule, side and `direction`). Left, right and ahead of a lane are those of
+    /// this direction; of a lane that is used both ways, it is the one of its side by the traffic rule.
     pub fn is_forward(&self) -> bool {
         self.row.flags() & lane_flags::FORWARD != 0
     }
@@ -131,20 +132,45 @@ impl<'a> Lane<'a> {
     }
 
     /// Both edges at s, from the file's own polynomials (OpenDRIVE 1.8.1, 11.6). Negative widths count as 0. At the end of
-    /// the lane's section what holds in the section counts, not what begins with the next.
+    /// the lane's section what holds in the section counts, not what begins with the next. s outside the section counts as its
+    /// nearer end; of an s that is not finite both edges are NaN.
     #[inline]
     pub fn edges_at(&self, s: f64) -> LaneEdges {
-        let edges = self.edge_slopes(self.at(s));
+        let Ok((at, _)) = self.place(s) else { return LaneEdges::NOWHERE };
+        let edges = self.edge_slopes(at);
         LaneEdges { inner: edges.inner.value, outer: edges.outer.value }
     }
 
-    /// Both edges at s in inertial coordinates, on the plane h = 0: the inner one first. None for a damaged archive or an s
-    /// that is not finite.
+    /// Both edges at s in inertial coordinates, on the plane h = 0: the inner one first. s outside the lane's section counts as its
+    /// nearer end. None for a damaged archive or an s that is not finite.
     pub fn edge_points_at(&self, s: f64) -> Option<[DVec3; 2]> {
+        let (at, _) = self.place(s).ok()?;
         let edges = self.edges_at(s);
-        let cut = self.road.cross_section(s)?;
+        let cut = self.road.cross_section(at.s)?;
         let origin = self.map.origin().extend(0.0);
         Some([edges.inner, edges.outer].map(|t| origin + cut.place(t)))
+    }
+
+    /// As [`Lane::edge_points_at`], the edge on the left of the lane's traffic first.
+    pub fn bounds_at(&self, s: f64) -> Option<[DVec3; 2]> {
+        let [inner, outer] = self.edge_points_at(s)?;
+        let outer_is_left = (self.number() > 0) == self.is_forward();
+        Some(if outer_is_left { [outer, inner] } else { [inner, outer] })
+    }
+
+    /// The place that an s means: within the lane's section and the reference line.
+    ///
+    /// Errors: an s that is not finite.
+    #[inline]
+    pub(crate) fn place(&self, s: f64) -> Result<(At, Clamped), QueryError> {
+        if !s.is_finite() {
+            return Err(QueryError::NotFinite);
+        }
+        let (start, end) = (self.section.s_start(), self.section.s_end());
+        let line = self.road.reference_end();
+        let inside = mapd_geometry::clamp(s, start, end);
+        let at = At { s: if inside > line { line } else { inside }, ..self.at(inside) };
+        Ok((at, Clamped::of(s, start, end.min(line + JOINT))))
     }
 
     /// A place on the lane: at its end with what holds in its section, whatever begins with the next one.
@@ -213,21 +239,31 @@ impl<'a> Lane<'a> {
             .chain(self.road.temporary_lane_offsets().iter().map(|record| record.s()))
     }
 
-    /// Width at s `[m]`, never negative.
+    /// Width at s `[m]`, never negative. As [`Lane::edges_at`] otherwise.
     pub fn width_at(&self, s: f64) -> f64 {
         self.edges_at(s).width()
     }
 
-    /// Pose at s, `offset` from the lane's centre (positive to the left of the reference line), on the plane h = 0.
+    /// Pose at s as the lane's traffic has it, `offset` `[m]` to its left of the lane's centre, on the plane h = 0. s outside the
+    /// lane's section is moved to its nearer end and flagged.
     ///
     /// Errors: coordinates that are not finite; a damaged archive.
     pub fn pose_at(&self, s: f64, offset: f64) -> Result<Pose, QueryError> {
-        let end = self.road.reference_end().max(0.0);
-        let at = self.at(mapd_geometry::clamp(s, 0.0, end));
+        if self.is_forward() {
+            return self.pose_of_reference_line(s, offset);
+        }
+        self.pose_of_reference_line(s, -offset).map(Pose::turned)
+    }
+
+    /// As [`Lane::pose_at`], along the reference line: ahead is the way s rises, and `offset` counts to the left of that.
+    ///
+    /// Errors: as [`Lane::pose_at`].
+    pub fn pose_of_reference_line(&self, s: f64, offset: f64) -> Result<Pose, QueryError> {
+        let (at, clamped) = self.place(s)?;
         let edges = self.edge_slopes(at);
         let center = 0.5 * (edges.inner.value + edges.outer.value);
         let pose = self.road.pose(at, center + offset, 0.0)?;
-        Ok(Pose { clamped: Clamped::of(s, 0.0, end), ..pose })
+        Ok(Pose { clamped, ..pose })
     }
 
     /// A point in the lane's coordinates: exact foot on the reference line within the lane's section, distance from
@@ -293,13 +329,31 @@ impl<'a> Lane<'a> {
         (lane.row.section() == self.row.section()).then_some(lane)
     }
 
-    /// Border on the left of the reference line's direction, in ascending s.
+    /// Border on the left of the lane's traffic, in ascending s.
     pub fn left_bound(&self) -> Polyline<'a> {
+        if self.is_forward() {
+            self.left_bound_of_reference_line()
+        } else {
+            self.right_bound_of_reference_line()
+        }
+    }
+
+    /// Border on the right of the lane's traffic, in ascending s.
+    pub fn right_bound(&self) -> Polyline<'a> {
+        if self.is_forward() {
+            self.right_bound_of_reference_line()
+        } else {
+            self.left_bound_of_reference_line()
+        }
+    }
+
+    /// Border on the left of the reference line's direction, in ascending s.
+    pub fn left_bound_of_reference_line(&self) -> Polyline<'a> {
         if self.number() >= 0 { self.border() } else { self.neighbour_border(-1) }
     }
 
     /// Border on the right of the reference line's direction, in ascending s.
-    pub fn right_bound(&self) -> Polyline<'a> {
+    pub fn right_bound_of_reference_line(&self) -> Polyline<'a> {
         if self.number() <= 0 { self.border() } else { self.neighbour_border(1) }
     }
 
@@ -310,13 +364,24 @@ impl<'a> Lane<'a> {
         self.border_of(row)
     }
 
-    /// The next lane to the left of the reference line's direction; lane 0 is skipped.
+    /// The next lane to the left of this lane's traffic, whichever way it is travelled itself; lane 0 is skipped. One that
+    /// shares the direction and may be changed to is [`crate::LaneNode::change_left`].
     pub fn left(&self) -> Option<Lane<'a>> {
+        self.beside(if self.is_forward() { -1 } else { 1 })
+    }
+
+    /// The next lane to the right of this lane's traffic, as [`Lane::left`].
+    pub fn right(&self) -> Option<Lane<'a>> {
+        self.beside(if self.is_forward() { 1 } else { -1 })
+    }
+
+    /// The next lane to the left of the reference line's direction; lane 0 is skipped.
+    pub fn left_of_reference_line(&self) -> Option<Lane<'a>> {
         self.beside(-1)
     }
 
     /// The next lane to the right of the reference line's direction; lane 0 is skipped.
-    pub fn right(&self) -> Option<Lane<'a>> {
+    pub fn right_of_reference_line(&self) -> Option<Lane<'a>> {
         self.beside(1)
     }
 

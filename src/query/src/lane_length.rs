@@ -47,8 +47,12 @@ fn is_constant(records: &[ArchivedCubicRow], from: f64, to: f64) -> bool {
 
 impl<'a> Lane<'a> {
     /// Length of the centre line in plan view between two places on the road `[m]`, from the file's own polynomials: where the
-    /// stored polyline bends, the integral is cut. s outside the lane's section counts as its nearer end.
+    /// stored polyline bends, the integral is cut. s outside the lane's section counts as its nearer end; with one that is not
+    /// finite: NaN.
     pub fn length_between(&self, a: f64, b: f64) -> f64 {
+        if !(a.is_finite() && b.is_finite()) {
+            return f64::NAN;
+        }
         let section = self.section();
         let (start, end) = (section.s_start(), section.s_end());
         let inside = |s: f64| mapd_geometry::clamp(s, start, end.max(start));
@@ -114,8 +118,12 @@ impl<'a> Lane<'a> {
     }
 
     /// Speed limit at s `[m/s]`: the lane's own record, else that of the road's type (OpenDRIVE 1.8.1, 11.8.2, 10.4).
-    /// Infinite where the file says `no limit`; none where it says nothing. Signals are not looked at.
+    /// Infinite where the file says `no limit`; none where it says nothing, and for an s that is not finite. Signals are not
+    /// looked at.
     pub fn speed_limit_at(&self, s: f64) -> Option<f64> {
+        if !s.is_finite() {
+            return None;
+        }
         let limit = |kind: SpeedKind, value: f64| match kind {
             SpeedKind::Value => Some(value),
             SpeedKind::NoLimit => Some(f64::INFINITY),

@@ -6,6 +6,11 @@
 //! state; the compiler evaluates geometry through the same functions, bit for bit. Deliberately absent: how the bytes
 //! came here (see `mapd-client`).
 //!
+//! Of a lane, left, right and ahead are those of its traffic unless a name says `of_reference_line`; of a road, those of its
+//! reference line. An s that is no finite number has no answer: [`QueryError::NotFinite`], `None`, or NaN where the answer is a bare
+//! number. One that lies outside is moved to the nearer end of the road, or of the lane's section: answers that say where they are
+//! tell so ([`Clamped`]), bare numbers are those of the end.
+//!
 //! ```
 //! use mapd_query::{Map, NearestOptions, glam::DVec2};
 //!
@@ -107,6 +112,6 @@ pub use signals::{
     SpeedRule, Turn,
 };
 pub use structures::{ObjectReference, Structure};
-pub use surface::{Material, Surface};
+pub use surface::{LaneHeight, Material, Surface};
 pub use types::{Clamped, LaneEdges, LanePosition, Point, Pose, Track, TrackPosition};
 pub use waypoints::Waypoint;

@@ -342,7 +342,9 @@ impl<'a> Map<'a> {
         options: &NearestOptions,
     ) -> Option<Rank> {
         let lane = Lane::new(*self, found.lane.row())?;
-        let LanePosition { s, t, offset, distance, z, heading } = found.position;
+        let LanePosition { s, t, distance, z, .. } = found.position;
+        let offset = found.position.offset_of_reference_line;
+        let heading = found.position.heading_of_reference_line;
         let heading_difference =
             options.heading.map_or(0.0, |travel| heading_difference(&lane, heading, travel));
         let z_difference = point.z.map_or(0.0, |point| {

@@ -177,7 +177,8 @@ pub(crate) fn crosses(a: DVec2, b: DVec2, point: DVec2) -> bool {
 
 /// Whether a lane's area, the polygon between its borders, meets a rectangle.
 fn area_meets(lane: &Lane<'_>, region: Region) -> bool {
-    let (left, right) = (lane.left_bound(), lane.right_bound());
+    let left = lane.left_bound_of_reference_line();
+    let right = lane.right_bound_of_reference_line();
     let middle = 0.5 * (region.low + region.high);
     // A border or an end in the rectangle, else the rectangle whole in the area: its middle then is inside, which an odd
     // number of crossings of a ray tells.

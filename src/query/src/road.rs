@@ -15,8 +15,8 @@ use mapd_archive::{
 use mapd_geometry::{Curve, CurveKind, CurvePoint, Start, clamp, normalize_angle};
 
 /// Two geometries that meet may miss each other by the rounding of their written coordinates: a unit in the last place of
-/// 8,000 km `[m]`. Of two feet whose distances differ by less, the perpendicular one is the foot.
-const JOINT: f64 = 1e-9;
+/// 8,000 km `[m]`. Nor is an s moved that lies by no more beyond the end. Of two feet whose distances differ by less, the perpendicular one is the foot.
+pub(crate) const JOINT: f64 = 1e-9;
 
 /// A foot at an end of a piece is exact if its place is as near to the point as this `[m]`: what evaluating and projecting round.
 const EXACT: f64 = 1e-9;
@@ -180,8 +180,11 @@ impl<'a> Road<'a> {
         LaneSection::new(self.map, range.first.checked_add(number)?)
     }
 
-    /// Section at s; at a boundary the later one, beyond the ends the first or last.
+    /// Section at s; at a boundary the later one, beyond the ends the first or last. None for an s that is not finite.
     pub fn section_at(&self, s: f64) -> Option<LaneSection<'a>> {
+        if !s.is_finite() {
+            return None;
+        }
         let range = self.row.sections();
         let rows = range.of(self.map.tables().sections);
         let after = rows.partition_point(|section| section.s_start() <= s);
@@ -193,14 +196,19 @@ impl<'a> Road<'a> {
         range.of(self.map.tables().cubics)
     }
 
-    /// Elevation of the reference line at s `[m]`.
+    /// Elevation of the reference line at s `[m]`. s outside the road counts as its nearer end; of an s that is not finite: NaN.
     pub fn elevation_at(&self, s: f64) -> f64 {
-        self.elevation(At::new(s))
+        self.place(s).map_or(f64::NAN, |at| self.elevation(at))
     }
 
-    /// Superelevation at s `[rad]`; positive lifts the left side.
+    /// Superelevation at s `[rad]`; positive lifts the left side. As [`Road::elevation_at`] otherwise.
     pub fn superelevation_at(&self, s: f64) -> f64 {
-        profile::value(self.superelevations(), At::new(s))
+        self.place(s).map_or(f64::NAN, |at| profile::value(self.superelevations(), at))
+    }
+
+    /// The place that an s means: on the reference line. None for an s that is not finite.
+    fn place(&self, s: f64) -> Option<At> {
+        s.is_finite().then(|| At::new(clamp(s, 0.0, self.reference_end().max(0.0))))
     }
 
     /// Change of the superelevation by s `[rad/m]`.
@@ -233,9 +241,9 @@ impl<'a> Road<'a> {
         profile::slope(self.elevations(), at)
     }
 
-    /// Lane offset at s `[m]`; positive to the left.
+    /// Lane offset at s `[m]`; positive to the left. As [`Road::elevation_at`] otherwise.
     pub fn lane_offset_at(&self, s: f64) -> f64 {
-        self.lane_offset_slope(At::new(s)).value
+        self.place(s).map_or(f64::NAN, |at| self.lane_offset_slope(at).value)
     }
 
     #[inline]
@@ -309,9 +317,15 @@ impl<'a> Road<'a> {
     ///
     /// Errors: coordinates that are not finite; a damaged archive.
     pub fn to_inertial(&self, track: Track) -> Result<Pose, QueryError> {
+        if !track.s.is_finite() {
+            return Err(QueryError::NotFinite);
+        }
         let s = clamp(track.s, 0.0, self.reference_end().max(0.0));
         let pose = self.pose(At::new(s), track.t, track.h)?;
-        Ok(Pose { clamped: Clamped::of(track.s, 0.0, self.reference_end().max(0.0)), ..pose })
+        Ok(Pose {
+            clamped: Clamped::of(track.s, 0.0, self.reference_end().max(0.0) + JOINT),
+            ..pose
+        })
     }
 
     /// As [`Road::to_inertial`], at a place of the reference line.

@@ -137,16 +137,26 @@ impl<'a> RoadMark<'a> {
         self.style.sway().count > 0
     }
 
-    /// Lateral shift of the mark from the lane's border at s `[m]` (`sway`); 0 for most.
+    /// Lateral shift of the mark from the lane's border at s `[m]` (`sway`); 0 for most. s outside the mark counts as its nearer
+    /// end; of an s that is not finite: NaN.
     pub fn sway_at(&self, s: f64) -> f64 {
-        let records = self.style.sway().of(self.map.tables().cubics);
-        profile::value(records, At::within(s, self.s, self.s_end))
+        self.place(s).map_or(f64::NAN, |at| self.sway(at))
     }
 
-    /// t of the mark's middle at s `[m]`: the border's plus the sway.
+    fn sway(&self, at: At) -> f64 {
+        profile::value(self.style.sway().of(self.map.tables().cubics), at)
+    }
+
+    /// The place that an s means: on the mark. None for an s that is not finite.
+    fn place(&self, s: f64) -> Option<At> {
+        let inside = mapd_geometry::clamp(s, self.s, self.s_end);
+        s.is_finite().then(|| At::within(inside, self.s, self.s_end))
+    }
+
+    /// t of the mark's middle at s `[m]`: the border's plus the sway. As [`RoadMark::sway_at`] otherwise.
     pub fn t_at(&self, s: f64) -> f64 {
-        let at = At::within(s, self.s, self.s_end);
-        self.lane.edge_slopes(at).outer.value + self.sway_at(s)
+        let outer = |at| self.lane.edge_slopes(at).outer.value;
+        self.place(s).map_or(f64::NAN, |at| outer(at) + self.sway(at))
     }
 }
 

@@ -6,7 +6,7 @@ use crate::ids::LaneId;
 use crate::lane::Lane;
 use crate::map::Map;
 use crate::profile::{self, At, Slope};
-use crate::road::Road;
+use crate::road::{JOINT, Road};
 use crate::types::Clamped;
 use glam::{DVec2, DVec3};
 use mapd_archive::{
@@ -42,6 +42,15 @@ pub struct Material<'a> {
     pub friction: Option<f64>,
     /// Roughness as written.
     pub roughness: Option<f64>,
+}
+
+/// What a lane lies above the road's surface.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LaneHeight {
+    /// At the edge nearer to lane 0 `[m]`.
+    pub inner: f64,
+    /// At the edge away from lane 0 `[m]`.
+    pub outer: f64,
 }
 
 /// A point with its derivatives by s and t.
@@ -166,7 +175,7 @@ impl<'a> Road<'a> {
             normal,
             lane: lane.map(|lane| lane.lane_id()),
             material: lane.and_then(|lane| lane.material_at(inside)),
-            clamped: Clamped::of(s, 0.0, end),
+            clamped: Clamped::of(s, 0.0, end + JOINT),
         })
     }
 
@@ -233,10 +242,13 @@ impl<'a> Lane<'a> {
         })
     }
 
-    /// What the lane lies above the road's surface at s: at the edge nearer to lane 0, and at the other one `[m]`.
-    pub fn height_at(&self, s: f64) -> (f64, f64) {
-        let rise = self.rise_at(s);
-        (rise.inner, rise.outer)
+    /// What the lane lies above the road's surface at s. Of an s that is not finite: NaN.
+    pub fn height_at(&self, s: f64) -> LaneHeight {
+        let LaneRise { inner, outer } = match s.is_finite() {
+            true => self.rise_at(s),
+            false => LaneRise { inner: f64::NAN, outer: f64::NAN },
+        };
+        LaneHeight { inner, outer }
     }
 
     fn rise_at(&self, s: f64) -> LaneRise {

@@ -1,6 +1,7 @@
 //! Coordinates and results, in the field's words.
 
 use glam::{DVec2, DVec3};
+use std::f64::consts::PI;
 
 /// Track coordinates of a road (OpenDRIVE 1.8.1, 8.3).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -54,21 +55,43 @@ impl Clamped {
     }
 }
 
-/// A place on or beside a road, with the frame there.
+/// A place on or beside a road or lane, with the frame there: of a road ([`crate::Road::to_inertial`]) ahead is the way its reference
+/// line runs, of a lane ([`crate::Lane::pose_at`]) the way its traffic goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
     /// Inertial position `[m]`.
     pub position: DVec3,
-    /// Heading of the reference line `[rad]`, in (−π, π], counter-clockwise from x.
+    /// Direction of the reference line, ahead `[rad]`, in (−π, π], counter-clockwise from x.
     pub heading: f64,
     /// Curvature of the reference line `[1/m]`, positive to the left.
     pub curvature: f64,
-    /// Slope dz/ds of the reference line.
+    /// Slope of the reference line: metres upwards per metre of s ahead.
     pub slope: f64,
     /// Superelevation `[rad]`, positive lifts the left side.
     pub superelevation: f64,
-    /// Whether s lay outside the road and was moved to its nearer end.
+    /// Whether s lay outside the road, or the lane's section, and was moved to its nearer end.
     pub clamped: Clamped,
+}
+
+impl Pose {
+    /// The same place, as who goes against the reference line sees it.
+    #[inline]
+    #[must_use]
+    pub(crate) fn turned(self) -> Self {
+        Self {
+            heading: turned(self.heading),
+            curvature: -self.curvature,
+            slope: -self.slope,
+            superelevation: -self.superelevation,
+            ..self
+        }
+    }
+}
+
+/// The opposite of a heading in (−π, π], in (−π, π].
+#[inline]
+pub(crate) fn turned(heading: f64) -> f64 {
+    if heading > 0.0 { heading - PI } else { heading + PI }
 }
 
 /// Foot of a point on a road's reference line.
@@ -120,6 +143,9 @@ pub struct LaneEdges {
 }
 
 impl LaneEdges {
+    /// Edges of a place that is none.
+    pub(crate) const NOWHERE: Self = Self { inner: f64::NAN, outer: f64::NAN };
+
     /// Width `[m]`, never negative.
     pub fn width(self) -> f64 {
         (self.outer - self.inner).abs()
@@ -131,19 +157,26 @@ impl LaneEdges {
     }
 }
 
-/// A point in a lane's own coordinates.
+/// A point in a lane's own coordinates. Left, right and ahead are those of the lane's traffic ([`crate::Lane::is_forward`]) unless a
+/// name says `of_reference_line`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LanePosition {
     /// Along the road's reference line `[m]`, within the lane's section.
     pub s: f64,
-    /// Lateral coordinate on the road `[m]`, positive to the left.
+    /// Lateral coordinate on the road `[m]`, positive to the left of the reference line.
     pub t: f64,
-    /// From the lane's centre `[m]`, positive to the left of the reference line.
+    /// From the lane's centre `[m]`, positive to the left as its traffic goes.
     pub offset: f64,
+    /// From the lane's centre `[m]`, positive to the left of the reference line.
+    pub offset_of_reference_line: f64,
     /// Plan-view distance from the lane's area `[m]`; 0 inside.
     pub distance: f64,
     /// Height of the plane h = 0 at (s, t) `[m]`.
     pub z: f64,
-    /// Heading of the reference line at s `[rad]`, in (−π, π].
+    /// The way the lane's traffic goes at s, along the reference line `[rad]`, in (−π, π].
     pub heading: f64,
+    /// Heading of the reference line at s `[rad]`, in (−π, π].
+    pub heading_of_reference_line: f64,
+    /// Whether the point lies before or after the lane's section in the direction of s, which has no foot for it.
+    pub clamped: Clamped,
 }

@@ -2,7 +2,7 @@
 
 use crate::error::QueryError;
 use crate::lane::Lane;
-use crate::types::Pose;
+use crate::types::{Clamped, Pose};
 use glam::DVec3;
 use mapd_geometry::normalize_angle;
 
@@ -13,19 +13,21 @@ pub struct Waypoint {
     pub s: f64,
     /// Inertial position on the plane h = 0 `[m]`.
     pub position: DVec3,
-    /// Heading of the centre line in driving direction `[rad]`, in (−π, π]. Lanes used both ways: towards +s.
+    /// Heading of the centre line in driving direction `[rad]`, in (−π, π].
     pub heading: f64,
     /// Width of the lane `[m]`.
     pub width: f64,
+    /// Whether the s that was asked for lay outside the lane's section and was moved to its nearer end.
+    pub clamped: Clamped,
 }
 
 impl<'a> Lane<'a> {
     /// The centre line's exact place at s, with its own direction: that of the lane where it widens or shifts, not that
-    /// of the reference line.
+    /// of the reference line. s outside the lane's section is moved to its nearer end and flagged.
     ///
     /// Errors: coordinates that are not finite; a damaged archive.
     pub fn waypoint_at(&self, s: f64) -> Result<Waypoint, QueryError> {
-        let at = self.at(s);
+        let (at, clamped) = self.place(s)?;
         let edges = self.edge_slopes(at);
         let t = 0.5 * (edges.inner.value + edges.outer.value);
         let drift = 0.5 * (edges.inner.derivative + edges.outer.derivative);
@@ -35,11 +37,15 @@ impl<'a> Lane<'a> {
         let (roll_cos, roll_sin) = self.road().roll(at);
         let roll_slope = self.road().superelevation_slope(at);
         let change = drift * roll_cos - t * roll_sin * roll_slope;
-        let turn = mapd_geometry::atan2(change, 1.0 - curvature * t * roll_cos);
-        let back =
-            if self.is_forward() || self.is_bidirectional() { 0.0 } else { std::f64::consts::PI };
+        let along = 1.0 - curvature * t * roll_cos;
+        // Beyond the centre of curvature the line runs backwards; traffic does not.
+        let turn = mapd_geometry::atan2(if along < 0.0 { -change } else { change }, along.abs());
+        let back = if self.is_forward() { 0.0 } else { std::f64::consts::PI };
         let width = (edges.outer.value - edges.inner.value).abs();
-        Ok(Waypoint { s, position, heading: normalize_angle(heading + turn + back), width })
+        let heading = normalize_angle(heading + turn + back);
+        let (start, end) = (self.section().s_start(), self.section().s_end());
+        let s = mapd_geometry::clamp(s, start, end);
+        Ok(Waypoint { s, position, heading, width, clamped })
     }
 
     /// Waypoints in driving direction, `step` metres of s apart, from where the lane is entered to where it is left; both
@@ -56,7 +62,7 @@ impl<'a> Lane<'a> {
         let lane = *self;
         let (start, end) = (self.section().s_start(), self.section().s_end());
         let length = if self.number() == 0 { -1.0 } else { end - start };
-        let forward = self.is_forward() || self.is_bidirectional();
+        let forward = self.is_forward();
         let mut next = 0u64;
         let mut ended = length < 0.0;
         Ok(std::iter::from_fn(move || {

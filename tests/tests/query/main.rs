@@ -4,6 +4,7 @@ mod annotations;
 mod brute_force;
 mod conflicts;
 mod crossroads;
+mod driving_direction;
 mod geodesy;
 mod graph_maps;
 mod index_oracle;

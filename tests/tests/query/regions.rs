@@ -239,7 +239,7 @@ fn waypoints_run_along_the_lane_at_their_step() {
                     .collect::<Result<_, _>>()
                     .expect("waypoints");
                 let (first, last) = (points[0], points[points.len() - 1]);
-                let forward = lane.is_forward() || lane.is_bidirectional();
+                let forward = lane.is_forward();
                 let ends = if forward { (start, end) } else { (end, start) };
                 assert_eq!((first.s, last.s), ends, "{}: {}", path.display(), lane.key());
                 for w in points.windows(2) {
@@ -274,7 +274,7 @@ fn waypoints_head_where_the_centre_line_goes() {
             }
             let at = |s: f64| lane.waypoint_at(s).expect("a place");
             let mut gone = (at(s + STEP).position - at(s - STEP).position).truncate();
-            if !(lane.is_forward() || lane.is_bidirectional()) {
+            if !lane.is_forward() {
                 gone = -gone;
             }
             let heading = DVec2::from_angle(at(s).heading);

@@ -5,7 +5,7 @@ use mapd_archive::{
     Range, Rows, ShapeStationRow, SurfaceRow, SurfaceStripRow, encode,
 };
 use mapd_client::glam::DVec3;
-use mapd_client::{LaneKey, Snapshot};
+use mapd_client::{LaneHeight, LaneKey, Snapshot};
 use mapd_compiler::{CompileOptions, compile};
 
 /// Rounding of coordinates of some hundred metres `[m]`.
@@ -203,7 +203,7 @@ fn lanes_rise_and_have_materials() {
     assert_eq!(material(20.0, 1.0), None);
     let key: LaneKey<'_> = "1:0:-1".parse().expect("a key");
     let lane = snapshot.map().lane_by_key(&key).expect("the lane");
-    assert_eq!(lane.height_at(70.0), (0.1, 0.45));
+    assert_eq!(lane.height_at(70.0), LaneHeight { inner: 0.1, outer: 0.45 });
     assert_eq!(road.surface_at(70.0, -1.0).expect("a surface").lane, Some(lane.lane_id()));
     assert_eq!(road.surface_at(70.0, -9.0).expect("a surface").lane, None);
 }

@@ -299,7 +299,7 @@ fn nearest(
             return false;
         }
         let Some(mine) = road_heading else { return true };
-        let turned = mapd_geometry::normalize_angle(at.heading - mine).abs();
+        let turned = mapd_geometry::normalize_angle(at.heading_of_reference_line - mine).abs();
         let is_opposed = turned > std::f64::consts::FRAC_PI_2;
         let parallel = turned.min(std::f64::consts::PI - turned) <= MOST_TURNED;
         // Along one road may be against the s of another.

@@ -100,8 +100,8 @@ fn area(lane: &Lane<'_>, paper: Paper, out: &mut dyn Write) -> Result<()> {
         return Ok(());
     }
     write!(out, "<path class=\"{}\" d=\"", style::class(lane.kind()))?;
-    points(lane.left_bound().positions(), paper, 'M', out)?;
-    let right: Vec<DVec3> = lane.right_bound().positions().collect();
+    points(lane.left_bound_of_reference_line().positions(), paper, 'M', out)?;
+    let right: Vec<DVec3> = lane.right_bound_of_reference_line().positions().collect();
     points(right.into_iter().rev(), paper, 'L', out)?;
     writeln!(
         out,
@@ -148,8 +148,7 @@ fn way(lane: &Lane<'_>, paper: Paper, out: &mut dyn Write) -> Result<()> {
     if lane.width_at(middle) < size {
         return Ok(());
     }
-    let forward = if lane.is_forward() { 1.0 } else { -1.0 };
-    let ahead = DVec2::from_angle(pose.heading) * (forward * size);
+    let ahead = DVec2::from_angle(pose.heading) * size;
     let center = pose.position.truncate();
     let tips = [
         center + ahead,

@@ -163,7 +163,7 @@ impl Kind {
             Self::Lane => {
                 let (lane, s) = lane(holes, map, row)?;
                 let edges = lane.edges_at(s);
-                let pose = lane.pose_at(s, 0.0).map_err(text)?;
+                let pose = lane.pose_of_reference_line(s, 0.0).map_err(text)?;
                 let (p, hdg) = (pose.position, pose.heading);
                 numbers(out, &[edges.width(), edges.inner, edges.outer, p.x, p.y, p.z, hdg]);
             }
@@ -224,7 +224,9 @@ fn nearest(
     out.push(lane.key().to_string());
     out.push(lane.road().id().to_owned());
     out.push(lane.number().to_string());
-    numbers(out, &[hit.position.s, hit.position.t, hit.position.offset, hit.position.distance]);
+    let position = hit.position;
+    let offset = position.offset_of_reference_line;
+    numbers(out, &[position.s, position.t, offset, position.distance]);
     Ok(())
 }
 

@@ -106,8 +106,7 @@ impl<'a> Lane<'a> {
         let section = self.section();
         let forward = self.is_forward();
         let s = if forward == at_end { section.s_end() } else { section.s_start() };
-        let heading = self.pose_at(s, 0.0).map_or(0.0, |pose| pose.heading);
-        mapd_geometry::normalize_angle(if forward { heading } else { heading + PI })
+        self.pose_at(s, 0.0).map_or(0.0, |pose| pose.heading)
     }
 
     /// Lanes of the same junction before (or behind) this one, itself first: one movement in pieces.

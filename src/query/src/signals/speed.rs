@@ -38,6 +38,9 @@ impl<'a> Lane<'a> {
     /// A sign holds from its place on, in driving direction, until another sign ends or replaces it, over lanes that lead
     /// on alone, and not beyond a junction.
     pub fn speed_rule_at(&self, s: f64) -> SpeedRule {
+        if !s.is_finite() {
+            return SpeedRule { max: None, origin: SpeedOrigin::None, signal: None };
+        }
         if let Some(sign) = sign_before(self, s, begins, ends) {
             let signal = sign.signal();
             let (max, signal) = (signal.value(), Some(signal.signal_id()));
