@@ -172,10 +172,10 @@ impl Daemon {
         }
     }
 
-    /// Reads its messages until it says that it serves.
+    /// Reads its messages until it says that it serves; gives what it said.
     ///
     /// Errors: it ended before; what it said.
-    pub fn wait_for_serving(&mut self) -> Result<(), String> {
+    pub fn wait_for_serving(&mut self) -> Result<String, String> {
         let stderr = self.0.stderr.take().expect("stderr");
         let mut lines = BufReader::new(stderr);
         let mut text = String::new();
@@ -183,7 +183,7 @@ impl Daemon {
             if text.lines().last().is_some_and(|line| line.contains("serving")) {
                 // Whatever follows is not needed, but must not block the daemon.
                 std::thread::spawn(move || std::io::copy(&mut lines, &mut std::io::sink()));
-                return Ok(());
+                return Ok(text);
             }
         }
         Err(text)

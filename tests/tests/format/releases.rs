@@ -68,7 +68,6 @@ fn archives_of_released_layouts_are_read_and_answer_as_ever() {
 fn a_table_of_a_later_release_is_left_alone() {
     let good = crossing();
     let rows: Vec<u8> = (0..5 * 12).collect();
-    // Among the known ones and behind them; one known table has a number between.
     let bytes = Parts::of(&good).with(UNKNOWN_TABLE, 12, &rows).to_archive();
     verify(&bytes).expect("proves");
     assert_eq!(
@@ -76,6 +75,15 @@ fn a_table_of_a_later_release_is_left_alone() {
         [Unknown::Table { number: UNKNOWN_TABLE, row_bytes: 12, count: 5 }]
     );
     assert_eq!(unknown(&good).expect("opens"), []);
+    let file = tempfile::NamedTempFile::with_suffix(".mapd").expect("a file");
+    std::fs::write(file.path(), &bytes).expect("written");
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_mapd_under_test"))
+        .args(["inspect", "--verify", file.path().to_str().expect("text")])
+        .output()
+        .expect("ends");
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(output.status.success(), "{text}");
+    assert!(text.contains("warning       table 60000 with 5 rows of 12 bytes"), "{text}");
     assert_eq!(answers_of(bytes.clone()), answers_of(good));
     // Its bytes are proved all the same.
     let mut bad = bytes;

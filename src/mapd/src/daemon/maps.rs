@@ -199,6 +199,10 @@ impl Maps {
             if proved.header != archive.header {
                 return Err("the file has changed since it was prepared".into());
             }
+            // It is served all the same: its tables may be of use to clients of other releases.
+            for unknown in mapd_archive::unknown(loan)? {
+                tracing::warn!(map, "{unknown}");
+            }
             counts = counts_of(&proved);
             hashes = (proved.header.content_hash, proved.header.provenance.input_hash);
             let mut layout_id = [0; 32];
