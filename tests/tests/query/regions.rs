@@ -3,7 +3,7 @@
 use mapd_client::{
     Lane, LaneId, LaneTypes, Map, NearestOptions, Point, Region, Snapshot, Track, glam::DVec2,
 };
-use mapd_tests::maps::{Random, carried_and, open};
+use mapd_tests::maps::{Random, carried_and, open, open_text};
 use std::path::PathBuf;
 
 /// Points per map; each looks at every lane.
@@ -283,5 +283,29 @@ fn waypoints_head_where_the_centre_line_goes() {
             compared += 1;
         }
         assert!(compared > 0, "{}", path.display());
+    }
+}
+
+/// A lane of 6 m inside a bend of 2 m runs back along it; traffic goes on with the road all the same. Outside of the bend,
+/// and within its radius, the direction is that of the line.
+#[test]
+fn waypoints_of_a_folded_lane_keep_to_the_driving_direction() {
+    let map = |curvature: f64, rule: &str| {
+        format!(
+            r#"<OpenDRIVE><header revMajor="1" revMinor="8"/><road id="1" length="5" junction="-1" rule="{rule}"><planView><geometry s="0" x="0" y="0" hdg="0" length="5"><arc curvature="{curvature}"/></geometry></planView><lanes><laneSection s="0"><left><lane id="1" type="driving"><width sOffset="0" a="6" b="0.1" c="0" d="0"/></lane></left><center><lane id="0" type="none"/></center></laneSection></lanes></road></OpenDRIVE>"#
+        )
+    };
+    for (curvature, rule) in [(0.5, "RHT"), (0.5, "LHT"), (0.1, "RHT"), (0.1, "LHT"), (-0.5, "LHT")]
+    {
+        let snapshot = open_text(&map(curvature, rule));
+        let lane = snapshot.map().lanes().find(|lane| lane.number() == 1).expect("the lane");
+        for place in 0..=10 {
+            let s = 0.5 * f64::from(place);
+            let back = if rule == "RHT" { std::f64::consts::PI } else { 0.0 };
+            let along = DVec2::from_angle(curvature * s + back);
+            let heading = DVec2::from_angle(lane.waypoint_at(s).expect("a place").heading);
+            let off = heading.angle_to(along).abs();
+            assert!(off < 0.5, "{off} rad off at {s} in a bend of {curvature} 1/m, {rule}");
+        }
     }
 }

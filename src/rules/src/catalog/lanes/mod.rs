@@ -2,6 +2,7 @@
 
 mod access;
 mod center;
+mod folds;
 mod layers;
 mod numbering;
 mod offsets;
@@ -16,6 +17,7 @@ pub(super) static RULES: &[&[Rule]] = &[
     numbering::RULES,
     center::RULES,
     widths::RULES,
+    folds::RULES,
     offsets::RULES,
     access::RULES,
     layers::RULES,
