@@ -35,8 +35,8 @@ fn check(path: &Path) -> usize {
     let mut reader = Reader::open(path, Limits::default()).expect("the map opens");
     let mut checker = Checker::new(&Settings::default());
     let mut count = 0;
-    while let Some(item) = reader.next().expect("reading works") {
-        checker.item(&item);
+    while let Some(mut item) = reader.next().expect("reading works") {
+        checker.item(&mut item);
         count += reader.take_findings().len() + checker.take_findings().len();
     }
     checker.finish();

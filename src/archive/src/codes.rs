@@ -248,6 +248,8 @@ codes! {
         Controller = 5, "controller";
         /// A junction group, station or group of boards.
         Other = 6, "group";
+        /// A lane link of a connection.
+        LaneLink = 7, "laneLink";
     }
 }
 

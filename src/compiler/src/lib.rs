@@ -361,16 +361,16 @@ fn read(
                 }
                 Next::Item(item) => {
                     collector.add_units(&item);
-                    if let Some(item) = without.filter(item, &mut quarantined) {
-                        match &item {
+                    if let Some(mut item) = without.filter(item, &mut quarantined) {
+                        let line = match &item {
                             // What refers to its lanes and links is seen as if it were not there.
                             Item::Road(road) if without.is_bare(road.span.start) => {
-                                checker.item_apart(&item);
+                                checker.item_apart(&mut item)
                             }
-                            _ => checker.item(&item),
-                        }
+                            _ => checker.item(&mut item),
+                        };
                         checked = checker.take_findings();
-                        part::lower(&mut lowering, item, &places, &mut checked);
+                        part::lower(&mut lowering, (item, &line), &places, &mut checked);
                     }
                 }
             }

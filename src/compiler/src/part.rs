@@ -5,6 +5,7 @@ use crate::lower::{Lowering, Owner};
 use crate::quarantine::Units;
 use mapd_archive::AnnotationOwner;
 use mapd_ontology::Ontology;
+use mapd_rules::line::ReferenceLine;
 use mapd_rules::{Checker, Looked, Looker, Network, Whole};
 use mapd_xodr::source::Places;
 use mapd_xodr::{Batch, Context, Finding, Item, ReadBatch, Span, Text as _};
@@ -58,11 +59,11 @@ impl Plan {
         let mut units = Units::default();
         let none = lowering.roads();
         let mut elements = VecDeque::new();
-        let read = context.read_each(batch, &mut |item| {
+        let read = context.read_each(batch, &mut |mut item| {
             units.add(&item);
-            let (looked, _) = looker.item(&item);
+            let (looked, line) = looker.item(&mut item);
             let mut built = Vec::new();
-            lower(&mut lowering, item, &places, &mut built);
+            lower(&mut lowering, (item, &line), &places, &mut built);
             elements.push_back(Element { looked, built, roads: lowering.roads() - none });
             None
         });
@@ -89,10 +90,10 @@ pub(crate) fn look(whole: &Whole) -> Vec<Looked> {
     all.map(|(check, looked)| looked.unwrap_or_else(|| whole.look(check))).collect()
 }
 
-/// Appends what a top-level element says to the rows.
+/// Appends what a top-level element says to the rows; its reference line is the one that the rules looked at.
 pub(crate) fn lower(
     lowering: &mut Lowering,
-    item: Item,
+    (item, line): (Item, &ReferenceLine),
     places: &Places,
     findings: &mut Vec<Finding>,
 ) {
@@ -107,7 +108,7 @@ pub(crate) fn lower(
         }
         Item::Road(road) => {
             let number = lowering.roads();
-            lowering.road(&road, position(road.span), findings);
+            lowering.road((&road, line), position(road.span), findings);
             if lowering.roads() == number {
                 return;
             }
@@ -128,7 +129,8 @@ pub(crate) fn lower(
         }
         Item::Junction(junction) => {
             let number = lowering.rows.junctions.len() as u32;
-            lowering.junction_objects(&junction, number, (&ontology, position), findings);
+            let with = (&*ontology, position, line);
+            lowering.junction_objects(&junction, number, with, findings);
             if junction.id.is_some() {
                 let owner = (AnnotationOwner::Junction, number);
                 lowering.note_connections(&junction);

@@ -1,7 +1,7 @@
 //! What a compilation yields besides rows.
 
 use crate::lower::UNUSABLE;
-use crate::quarantine::{Exclusions, PartKind, QuarantinedPart, Units};
+use crate::quarantine::{Exclusions, PartKind, QuarantinedPart, Unit, Units};
 use mapd_archive::{Provenance, Rows};
 use mapd_xodr::source::Places;
 use mapd_xodr::{Finding, Item, Severity, rule_ids};
@@ -179,7 +179,7 @@ impl Collector {
         let mut explained = vec![false; unusable.len()];
         for mut finding in read {
             let unit = self.units.of(finding.span.start);
-            if !without.is_empty() && unit.is_some_and(|unit| without.covers(unit)) {
+            if !without.is_empty() && unit.is_some_and(|unit| self.is_left_out(unit, without)) {
                 continue;
             }
             // Objects and signals are small enough to be left out where one of their values cannot be read.
@@ -209,6 +209,18 @@ impl Collector {
             }
         }
         self.add(built, places);
+    }
+
+    /// Whether a part, or one that it is in, is left out already.
+    fn is_left_out(&mut self, unit: Unit, without: &Exclusions) -> bool {
+        let mut part = Some(unit);
+        while let Some(unit) = part {
+            if without.dropped(unit.start) {
+                return true;
+            }
+            part = self.units.around(unit);
+        }
+        false
     }
 
     /// Adds findings of which each error rejects the map.
@@ -294,11 +306,22 @@ impl Collector {
     }
 }
 
-/// Whether a value of an object or signal cannot be read, or one is missing without which it has no place.
+/// Elements of an object that neither place nor shape it: a value in one of them hinders nothing else.
+const BESIDE_THE_SHAPE: [&str; 6] =
+    ["marking", "cornerReference", "border", "material", "parkingSpace", "CRG"];
+/// Attributes that name what is there all the same.
+const NAMES: [&str; 2] = ["id", "outlineId"];
+
+/// Whether an object or signal cannot be used for what it says: a value that places or shapes it, or that it shows, cannot be
+/// read, or it has no place.
 fn is_unreadable(read: &Finding) -> bool {
     match read.rule {
-        rule_ids::VALUE | rule_ids::FINITE => true,
-        rule_ids::MISSING | rule_ids::EMPTY => &*read.subject == "id" || is_place(read),
+        rule_ids::VALUE | rule_ids::FINITE => {
+            let element = read.path.rsplit('/').next().unwrap_or_default();
+            let element = element.split('[').next().unwrap_or_default();
+            !BESIDE_THE_SHAPE.contains(&element) && !NAMES.contains(&&*read.subject)
+        }
+        rule_ids::MISSING | rule_ids::EMPTY => is_place(read),
         _ => false,
     }
 }

@@ -64,12 +64,16 @@ fn leave_out(round: &mut crate::Round, reading: &ReadOptions, without: &mut Excl
         let Some(unit) = round.units.of(cause.start).filter(|_| cause.can_be_left_out()) else {
             return false;
         };
-        if !seen.insert(unit.start) || without.add(unit, cause.clone(), keep) {
+        if !seen.insert(unit.start) {
             return true;
         }
         // What cannot be mended by leaving out the part may be by leaving out what it is in.
-        let owner = round.units.of(unit.owner).filter(|owner| *owner != unit);
-        owner.is_some_and(|owner| without.add(owner, cause.clone(), keep))
+        let mut parts = vec![unit];
+        while let Some(around) = parts.last().and_then(|unit| round.units.around(*unit)) {
+            parts.push(around);
+        }
+        let top = parts.last().map_or(unit.start, |top| top.start);
+        parts.into_iter().any(|part| without.add((part, top), cause.clone(), keep))
     })
 }
 

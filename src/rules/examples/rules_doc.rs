@@ -1,4 +1,5 @@
-//! Writes `docs/rules.md` and the pages of examples from the catalog. A test proves them clean.
+//! Writes `docs/rules.md`, the pages of examples and the list of errors in `docs/checks.md` from the catalog. A test proves
+//! them clean.
 
 use std::io;
 use std::path::Path;
@@ -9,5 +10,8 @@ fn main() -> io::Result<()> {
     for (path, text) in mapd_rules::documentation() {
         std::fs::write(docs.join(path), text)?;
     }
-    Ok(())
+    let checks = docs.join("checks.md");
+    let page = std::fs::read_to_string(&checks)?;
+    let page = mapd_rules::with_errors(&page);
+    std::fs::write(checks, page.ok_or_else(|| io::Error::other("checks.md has no list of errors"))?)
 }

@@ -21,9 +21,9 @@ fn main() -> io::Result<()> {
         let mut reader = Reader::open(Path::new(file), Limits::default())?;
         let mut checker = Checker::new(&settings);
         let mut checking = 0.0;
-        while let Some(item) = reader.next()? {
+        while let Some(mut item) = reader.next()? {
             let before = Instant::now();
-            checker.item(&item);
+            checker.item(&mut item);
             checking += before.elapsed().as_secs_f64();
         }
         let before = Instant::now();

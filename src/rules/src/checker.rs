@@ -1,5 +1,6 @@
 //! Shows a document to the rules, element by element.
 
+use crate::line::ReferenceLine;
 use crate::looker::{Found, Looked, Looker, Rules};
 use crate::network::Network;
 use crate::rule::{Minor, NEWEST};
@@ -31,19 +32,22 @@ impl Checker {
         Self { settings: settings.clone(), looker, left_out, findings: Vec::new() }
     }
 
-    /// Looks at a top-level element, and keeps what the rules on the network need of it.
-    pub fn item(&mut self, item: &Item) {
+    /// Looks at a top-level element, and keeps what the rules on the network need of it; yields its reference line, if it has
+    /// one. Once the rules on their order have looked, a road's records are sorted.
+    pub fn item(&mut self, item: &mut Item) -> ReferenceLine {
         self.select(item);
-        let (looked, _) = self.looker.item(item);
+        let (looked, line) = self.looker.item(item);
         self.keep(looked);
+        line
     }
 
     /// Looks at a top-level element by itself: to the rules on the network it is not there.
-    pub fn item_apart(&mut self, item: &Item) {
+    pub fn item_apart(&mut self, item: &mut Item) -> ReferenceLine {
         self.select(item);
-        self.looker.look(item);
+        let line = self.looker.look(item);
         let looked = Looked(std::mem::take(&mut self.looker.found));
         self.keep(looked);
+        line
     }
 
     /// Looks at elements behind the header, on any thread; what it finds comes back with [`Checker::looked`].

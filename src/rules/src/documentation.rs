@@ -51,6 +51,26 @@ fn tolerances(rule: &Rule) -> String {
     bounds.map(|bound| bound.trim_end().to_owned()).collect::<Vec<_>>().join("; ")
 }
 
+/// In `docs/checks.md`, what stands between these two lines is written from the catalog.
+const ERRORS: [&str; 2] = ["<!-- errors of the catalog -->", "<!-- end -->"];
+
+/// Rules whose findings take a part out, with the reason why it cannot be used: a table of `docs/checks.md`.
+fn errors() -> String {
+    let mut table = "\n| rule | the part cannot be used, because |\n|---|---|\n".to_owned();
+    for rule in catalog::all().filter(|rule| rule.severity == Severity::Error) {
+        // Writing to a string cannot fail.
+        let _ = writeln!(table, "| `{}` | {} |", rule.id, rule.because);
+    }
+    table + "\n"
+}
+
+/// `docs/checks.md` with the list of errors that the catalog yields; none where it has no place for one.
+pub fn with_errors(page: &str) -> Option<String> {
+    let (before, rest) = page.split_once(ERRORS[0])?;
+    let (_, after) = rest.split_once(ERRORS[1])?;
+    Some(format!("{before}{}\n{}{}{after}", ERRORS[0], errors(), ERRORS[1]))
+}
+
 /// Every page: its path from `docs/`, and its text.
 pub fn documentation() -> Vec<(String, String)> {
     let mut index = HEAD.to_owned();

@@ -4,7 +4,8 @@
 //! A [`Checker`] is shown each top-level element of a document once, then looks at the compact [`Network`] that it kept of
 //! them; a [`Looker`] does the former on any thread. To add a rule, write its function and an entry beside it in a file of [`catalog`].
 //!
-//! Invariants: rules read, they change nothing; the document is never whole in memory; nothing panics, whatever a document
+//! Invariants: rules read, they change nothing, and what they looked at is what is built: records out of order are sorted between
+//! the rules on order and all others, and a geometry becomes a curve in [`line`] alone; the document is never whole in memory; nothing panics, whatever a document
 //! says. Deliberately absent: what the schema says already (see [`structural`]), and any decision about what to do.
 //!
 //! ```
@@ -14,8 +15,8 @@
 //!   <lanes><laneSection s="0"><center><lane id="0"/></center></laneSection></lanes></road></OpenDRIVE>"#;
 //! let mut reader = Reader::new(map.as_bytes(), Limits::default());
 //! let mut checker = mapd_rules::Checker::new(&Default::default());
-//! while let Some(item) = reader.next().unwrap() {
-//!     checker.item(&item);
+//! while let Some(mut item) = reader.next().unwrap() {
+//!     checker.item(&mut item);
 //! }
 //! checker.finish();
 //! let findings = checker.take_findings();
@@ -29,6 +30,7 @@ mod example;
 pub mod line;
 mod looker;
 pub mod network;
+mod order;
 mod place;
 mod profile;
 mod rule;
@@ -39,7 +41,7 @@ mod walk;
 mod whole;
 
 pub use checker::Checker;
-pub use documentation::documentation;
+pub use documentation::{documentation, with_errors};
 pub use example::Example;
 pub use looker::{Looked, Looker};
 pub use network::{Network, extent};

@@ -1,10 +1,12 @@
-//! The reference line of a road, ready to be evaluated.
+//! From `<geometry>` to curves: the one place where that is done. The rules look at these curves, and the map is built of them.
 
-use crate::place::{number, value};
-use mapd_geometry::{Compiled, Curve, CurvePoint, ParameterRange, Primitive, Start, compile};
-use mapd_xodr::{Geometry, ParamPoly3Range, PlanView};
+use crate::place::value;
+use mapd_geometry::{
+    CompileError, Compiled, Curve, CurvePoint, ParameterRange, Primitive, Start, compile,
+};
+use mapd_xodr::{Attribute, Geometry, ParamPoly3Range, PlanView, Span};
 
-/// A geometry that could be compiled.
+/// A geometry that is a curve.
 #[derive(Clone, Debug)]
 pub struct Piece {
     /// Where it begins as written `[m]`.
@@ -15,16 +17,109 @@ pub struct Piece {
     pub index: usize,
     /// Position and heading as written.
     pub start: Start,
+    /// Range of a parametric cubic as written; none where it is not, which counts as normalized, and of other shapes.
+    pub range: Option<ParameterRange>,
     /// The shape, and how far its true length is from the one that is written.
     pub compiled: Compiled,
 }
 
+/// What keeps a geometry from being a curve.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Fault {
+    /// A number is absent or cannot be read.
+    Missing {
+        /// The attribute.
+        name: &'static str,
+        /// The tag that lacks it: the geometry's or its shape's.
+        span: Span,
+    },
+    /// It has not one shape but so many.
+    Shapes(usize),
+    /// The shape and its length make no curve.
+    Curve(CompileError),
+}
+
+/// Number of shapes that a geometry may choose from.
+const SHAPES: usize = 5;
+
+/// Numbers of a tag; none where one is missing, with a fault about each.
+fn numbers<const N: usize>(
+    span: Span,
+    written: [(&'static str, &Option<Attribute<f64>>); N],
+    faults: &mut Vec<Fault>,
+) -> Option<[f64; N]> {
+    let mut all = [0.0; N];
+    let mut is_whole = true;
+    for (place, (name, attribute)) in all.iter_mut().zip(written) {
+        match attribute {
+            Some(attribute) => *place = attribute.value,
+            None => {
+                faults.push(Fault::Missing { name, span });
+                is_whole = false;
+            }
+        }
+    }
+    is_whole.then_some(all)
+}
+
+/// Number of shapes that a geometry has.
+fn shapes(g: &Geometry) -> usize {
+    let written: [bool; SHAPES] = [
+        g.line.is_some(),
+        g.spiral.is_some(),
+        g.arc.is_some(),
+        g.poly3.is_some(),
+        g.param_poly3.is_some(),
+    ];
+    written.into_iter().filter(|is_there| *is_there).count()
+}
+
+/// The shape that a geometry has, as written, and the range of a parametric cubic, if it is written. None where it has no
+/// shape, several, or one that lacks a number.
+fn primitive(g: &Geometry, faults: &mut Vec<Fault>) -> Option<(Primitive, Option<ParameterRange>)> {
+    let count = shapes(g);
+    if count != 1 {
+        faults.push(Fault::Shapes(count));
+        return None;
+    }
+    if let Some(p) = &g.spiral {
+        let written = [("curvStart", &p.curv_start), ("curvEnd", &p.curv_end)];
+        let [curvature_start, curvature_end] = numbers(p.span, written, faults)?;
+        return Some((Primitive::Spiral { curvature_start, curvature_end }, None));
+    }
+    if let Some(p) = &g.arc {
+        let [curvature] = numbers(p.span, [("curvature", &p.curvature)], faults)?;
+        return Some((Primitive::Arc { curvature }, None));
+    }
+    if let Some(p) = &g.poly3 {
+        let written = [("a", &p.a), ("b", &p.b), ("c", &p.c), ("d", &p.d)];
+        return Some((Primitive::Poly3 { v: numbers(p.span, written, faults)? }, None));
+    }
+    let Some(p) = &g.param_poly3 else { return Some((Primitive::Line, None)) };
+    let u = [("aU", &p.a_u), ("bU", &p.b_u), ("cU", &p.c_u), ("dU", &p.d_u)];
+    let v = [("aV", &p.a_v), ("bV", &p.b_v), ("cV", &p.c_v), ("dV", &p.d_v)];
+    let (u, v) = (numbers(p.span, u, faults), numbers(p.span, v, faults));
+    let written = match value(&p.p_range) {
+        Some(ParamPoly3Range::ArcLength) => Some(ParameterRange::ArcLength),
+        Some(ParamPoly3Range::Normalized) => Some(ParameterRange::Normalized),
+        _ => None,
+    };
+    let range = written.unwrap_or(ParameterRange::Normalized);
+    Some((Primitive::ParamPoly3 { u: u?, v: v?, range }, written))
+}
+
 impl Piece {
-    fn new(geometry: &Geometry, index: usize) -> Option<Self> {
-        let length = number(&geometry.length);
-        let start = Start::new(number(&geometry.x), number(&geometry.y), number(&geometry.hdg));
-        let compiled = compile(&primitive(geometry)?, length).ok()?;
-        Some(Self { s: number(&geometry.s), length, index, start, compiled })
+    /// The curve of a geometry; none where something is wrong with it, with all that is.
+    fn new(g: &Geometry, index: usize, faults: &mut Vec<Fault>) -> Option<Self> {
+        let written =
+            [("s", &g.s), ("x", &g.x), ("y", &g.y), ("hdg", &g.hdg), ("length", &g.length)];
+        let numbers = numbers(g.span, written, faults);
+        let primitive = primitive(g, faults);
+        let ([s, x, y, heading, length], (primitive, range)) = (numbers?, primitive?);
+        let compiled =
+            compile(&primitive, length).map_err(|error| faults.push(Fault::Curve(error)));
+        let start = Start::new(x, y, heading);
+        Some(Self { s, length, index, start, range, compiled: compiled.ok()? })
     }
 
     /// The curve.
@@ -38,48 +133,39 @@ impl Piece {
     }
 }
 
-/// The shape that a geometry has, as written; none where it has none. Missing numbers count as 0.
-pub fn primitive(geometry: &Geometry) -> Option<Primitive> {
-    if geometry.line.is_some() {
-        Some(Primitive::Line)
-    } else if let Some(arc) = &geometry.arc {
-        Some(Primitive::Arc { curvature: number(&arc.curvature) })
-    } else if let Some(spiral) = &geometry.spiral {
-        let (curvature_start, curvature_end) =
-            (number(&spiral.curv_start), number(&spiral.curv_end));
-        Some(Primitive::Spiral { curvature_start, curvature_end })
-    } else if let Some(p) = &geometry.poly3 {
-        Some(Primitive::Poly3 { v: [number(&p.a), number(&p.b), number(&p.c), number(&p.d)] })
-    } else if let Some(p) = &geometry.param_poly3 {
-        let range = match value(&p.p_range) {
-            Some(ParamPoly3Range::ArcLength) => ParameterRange::ArcLength,
-            _ => ParameterRange::Normalized,
-        };
-        Some(Primitive::ParamPoly3 {
-            u: [number(&p.a_u), number(&p.b_u), number(&p.c_u), number(&p.d_u)],
-            v: [number(&p.a_v), number(&p.b_v), number(&p.c_v), number(&p.d_v)],
-            range,
-        })
-    } else {
-        None
-    }
-}
-
-/// The geometries of a road that can be evaluated, in file order.
+/// The geometries of a road or junction, in file order.
 #[derive(Clone, Debug, Default)]
 pub struct ReferenceLine {
-    /// The pieces.
+    /// Those that are curves.
     pub pieces: Vec<Piece>,
+    /// What is wrong with the others, by their rank among the geometries.
+    pub faults: Vec<(usize, Fault)>,
 }
 
 impl ReferenceLine {
     /// Compiles what can be compiled.
     pub fn new(plan_view: Option<&PlanView>) -> Self {
         let geometries = plan_view.map_or(&[][..], |plan_view| &plan_view.geometry);
-        let pieces = geometries.iter().enumerate();
-        Self {
-            pieces: pieces.filter_map(|(index, geometry)| Piece::new(geometry, index)).collect(),
+        let mut line = Self { pieces: Vec::with_capacity(geometries.len()), faults: Vec::new() };
+        let mut found = Vec::new();
+        for (index, geometry) in geometries.iter().enumerate() {
+            line.pieces.extend(Piece::new(geometry, index, &mut found));
+            line.faults.extend(found.drain(..).map(|fault| (index, fault)));
         }
+        line
+    }
+
+    /// The curve of the geometry of a rank; none where it is none.
+    pub fn piece(&self, index: usize) -> Option<&Piece> {
+        let at = self.pieces.binary_search_by_key(&index, |piece| piece.index).ok()?;
+        self.pieces.get(at)
+    }
+
+    /// What keeps the geometry of a rank from being a curve.
+    pub fn faults_of(&self, index: usize) -> impl Iterator<Item = &Fault> {
+        let first = self.faults.partition_point(|(rank, _)| *rank < index);
+        let rest = self.faults.get(first..).unwrap_or_default().iter();
+        rest.take_while(move |(rank, _)| *rank == index).map(|(_, fault)| fault)
     }
 
     /// The point at `s` `[m]`, kept within the piece that begins last before it. None where there is no piece.

@@ -6,6 +6,7 @@
 use crate::catalog;
 use crate::line::ReferenceLine;
 use crate::network::Network;
+use crate::order::sort_records;
 use crate::rule::{Check, Minor, Rule};
 use crate::settings::Settings;
 use crate::sink::{Sink, Step};
@@ -22,6 +23,7 @@ pub(crate) struct Applied {
 #[derive(Default)]
 pub(crate) struct Lists {
     pub(crate) header: Vec<usize>,
+    pub(crate) order: Vec<usize>,
     pub(crate) road: Vec<usize>,
     pub(crate) section: Vec<usize>,
     pub(crate) lane: Vec<usize>,
@@ -42,6 +44,7 @@ impl Lists {
         for (rank, applied) in applied.iter().enumerate() {
             let list = match applied.rule.check {
                 Check::Header(_) => &mut lists.header,
+                Check::Order(_) => &mut lists.order,
                 Check::Road(_) => &mut lists.road,
                 Check::Section(_) => &mut lists.section,
                 Check::Lane(_) => &mut lists.lane,
@@ -119,8 +122,9 @@ impl Looker {
         Self { rules, counts, found: Vec::new(), network: self.network.another() }
     }
 
-    /// Looks at a top-level element, and keeps what the rules on the network need of it; yields a road's reference line, too.
-    pub fn item(&mut self, item: &Item) -> (Looked, ReferenceLine) {
+    /// Looks at a top-level element, and keeps what the rules on the network need of it; yields its reference line, too, if
+    /// it has one. Once the rules on their order have looked, a road's records are sorted.
+    pub fn item(&mut self, item: &mut Item) -> (Looked, ReferenceLine) {
         let line = self.look(item);
         self.network.add(item, &line);
         (Looked(std::mem::take(&mut self.found)), line)
@@ -131,13 +135,18 @@ impl Looker {
         self.network
     }
 
-    /// Applies the rules on elements; yields a road's reference line.
-    pub(crate) fn look(&mut self, item: &Item) -> ReferenceLine {
+    /// Applies the rules on elements; yields the reference line of a road or junction.
+    pub(crate) fn look(&mut self, item: &mut Item) -> ReferenceLine {
+        let rules = Arc::clone(&self.rules);
         let line = match item {
-            Item::Road(road) => ReferenceLine::new(road.plan_view.as_deref()),
+            Item::Road(road) => {
+                self.order(&rules, road);
+                sort_records(road);
+                ReferenceLine::new(road.plan_view.as_deref())
+            }
+            Item::Junction(junction) => ReferenceLine::new(junction.plan_view.as_deref()),
             _ => ReferenceLine::default(),
         };
-        let rules = Arc::clone(&self.rules);
         self.walk(&rules, item, &line);
         line
     }

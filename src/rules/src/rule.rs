@@ -5,7 +5,7 @@ use crate::network::Network;
 use crate::place::{LaneIn, ObjectIn, RoadIn, SectionIn, SignalIn};
 use crate::sink::Sink;
 use mapd_xodr::{
-    CenterLane, Controller, Header, Junction, JunctionGroup, Severity, Station, VmsGroup,
+    CenterLane, Controller, Header, Junction, JunctionGroup, Road, Severity, Station, VmsGroup,
 };
 
 /// A version of OpenDRIVE 1: its minor number, such as 7 for 1.7.
@@ -30,6 +30,8 @@ pub struct Tolerance {
 pub enum Check {
     /// The header.
     Header(fn(&Header, &mut Sink<'_>)),
+    /// A road as written, before its records are sorted.
+    Order(fn(&Road, &mut Sink<'_>)),
     /// A road.
     Road(fn(&RoadIn<'_>, &mut Sink<'_>)),
     /// A lane section.
@@ -75,6 +77,8 @@ pub struct Rule {
     pub asam: Option<Severity>,
     /// What must hold, in one sentence.
     pub meaning: &'static str,
+    /// Why the part cannot be used where an error is found; empty for rules that take no part out in the default profile.
+    pub because: &'static str,
     /// First version that it is applied to.
     pub since: Minor,
     /// Last version that it is applied to.
@@ -107,6 +111,7 @@ impl Rule {
             strict,
             asam: None,
             meaning,
+            because: "",
             since: 4,
             until: NEWEST,
             advisory: false,
@@ -117,14 +122,15 @@ impl Rule {
         }
     }
 
-    /// A rule without which a part cannot be used. The examples are the valid and the invalid one.
+    /// A rule without which a part cannot be used, and why. The examples are the valid and the invalid one.
     pub(crate) const fn error(
         id: &'static str,
-        meaning: &'static str,
+        [meaning, because]: [&'static str; 2],
         check: Check,
         examples: [Example; 2],
     ) -> Self {
-        Self::new(id, Severity::Error, Severity::Error, meaning, check, examples)
+        let rule = Self::new(id, Severity::Error, Severity::Error, meaning, check, examples);
+        Self { because, ..rule }
     }
 
     /// A rule that may be broken without making a part useless.

@@ -46,6 +46,12 @@ impl Looker {
         }
     }
 
+    /// Applies the rules on the order of a road's records.
+    pub(crate) fn order(&mut self, rules: &Rules, road: &Road) {
+        let step = Step("road", Key::Id(text(&road.id)));
+        apply!(self, rules, order, Order, &[step], road);
+    }
+
     fn road(&mut self, rules: &Rules, road: &Road, line: &ReferenceLine) {
         let step = Step("road", Key::Id(text(&road.id)));
         apply!(self, rules, road, Road, &[step], &RoadIn { road, line });

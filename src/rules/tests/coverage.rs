@@ -1,7 +1,7 @@
 //! Every rule of the list beside the project is in the catalog, said by the schema, kept by what mapd does, or left out.
 
 use mapd_rules::{catalog, structural};
-use mapd_xodr::{Limits, Reader};
+use mapd_xodr::{Limits, Reader, Severity};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -65,6 +65,13 @@ fn the_schema_says_what_it_is_said_to() {
 }
 
 #[test]
+fn every_rule_that_takes_a_part_out_says_why() {
+    for rule in catalog::all() {
+        assert_eq!(rule.severity == Severity::Error, !rule.because.is_empty(), "{}", rule.id);
+    }
+}
+
+#[test]
 fn the_documentation_is_what_the_catalog_yields() {
     let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
     for (path, text) in mapd_rules::documentation() {
@@ -74,4 +81,9 @@ fn the_documentation_is_what_the_catalog_yields() {
             "docs/{path} is not clean: cargo run -p mapd-rules --example rules_doc"
         );
     }
+    let checks = std::fs::read_to_string(docs.join("checks.md")).unwrap_or_default();
+    assert!(
+        mapd_rules::with_errors(&checks).as_ref() == Some(&checks),
+        "docs/checks.md is not clean: cargo run -p mapd-rules --example rules_doc"
+    );
 }

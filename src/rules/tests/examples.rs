@@ -9,9 +9,9 @@ fn findings(document: &str) -> (Vec<Finding>, Vec<Finding>) {
     let mut reader = Reader::new(document.as_bytes(), Limits::default());
     let mut checker = Checker::new(&Settings::default());
     let mut read = Vec::new();
-    while let Some(item) = reader.next().expect("reading from memory works") {
+    while let Some(mut item) = reader.next().expect("reading from memory works") {
         read.extend(reader.take_findings());
-        checker.item(&item);
+        checker.item(&mut item);
     }
     read.extend(reader.take_findings());
     checker.finish();

@@ -111,14 +111,14 @@ fn every_part_of_the_standard_is_the_same() {
 
 #[test]
 fn limits_on_findings_are_passed_in_the_same_places() {
-    // Widths that are negative, elevations out of order and objects without size: findings of several rules in each road.
+    // Widths that are negative, elevations out of order or without a number, and objects without size: findings of several rules in each road.
     let road = |id: usize| {
         let x = id * 100;
-        let word = if id.is_multiple_of(7) { "none" } else { "driving" };
+        let (word, b) = if id.is_multiple_of(7) { ("none", "steep") } else { ("driving", "0") };
         format!(
             "<road id=\"{id}\" length=\"50\" junction=\"-1\"><link><successor elementType=\"road\" elementId=\"x\"/></link>\
              <planView><geometry s=\"0\" x=\"{x}\" y=\"0\" hdg=\"0\" length=\"49\"><line/></geometry></planView>\
-             <elevationProfile><elevation s=\"5\" a=\"0\" b=\"0\" c=\"0\" d=\"0\"/><elevation s=\"3\" a=\"0\" b=\"0\" c=\"0\" d=\"0\"/></elevationProfile>\
+             <elevationProfile><elevation s=\"5\" a=\"0\" b=\"0\" c=\"0\" d=\"0\"/><elevation s=\"3\" a=\"0\" b=\"{b}\" c=\"0\" d=\"0\"/></elevationProfile>\
              <lanes><laneSection s=\"0\"><center><lane id=\"0\" type=\"none\"/></center><right>\
              <lane id=\"-1\" type=\"{word}\"><width sOffset=\"0\" a=\"-3\" b=\"0\" c=\"0\" d=\"0\"/></lane>\
              <lane id=\"-3\" type=\"odd\"><width sOffset=\"9\" a=\"3\" b=\"0\" c=\"0\" d=\"0\"/></lane></right></laneSection></lanes>\

@@ -157,9 +157,15 @@ fn many_errors_of_one_rule_take_out_as_many_parts() {
     };
     let loops = many(&|i| loop_at(&format!("l{i}"), 10.0 * i as f64, 0.04));
     let links = many(&|i| {
-        let line = Line(0.0, -10.0 * i as f64, 0.0, 100.0, 0.0);
-        let sections = section(0.0, "", &lane(-1, "s-5")) + &section(50.0, "", &lane(-1, ""));
-        road(&format!("r{i}"), "junction=\"-1\"", line, "", &sections)
+        let line = |x: f64| Line(x, -10.0 * i as f64, 0.0, 50.0, 0.0);
+        let one = section(0.0, "", &lane(-1, ""));
+        let (leads, back) = (link(&format!("s junction {i}")), link(&format!("p road r{i} end")));
+        let attributes = format!(
+            "id=\"x\" incomingRoad=\"r{i}\" connectingRoad=\"c{i}\" contactPoint=\"start\""
+        );
+        road(&format!("r{i}"), "junction=\"-1\"", line(0.0), &leads, &one)
+            + &road(&format!("c{i}"), &format!("junction=\"{i}\""), line(50.0), &back, &one)
+            + &junction(&i.to_string(), "", &connection(&attributes, "-1>-1 -1>-5"))
     });
     for (what, text, rule) in
         [("loops", loops, "mapd:graph.no_progress"), ("links", links, "mapd:graph.missing_lane")]

@@ -11,4 +11,5 @@ mod mutations;
 mod quarantine;
 mod quirks;
 mod signal_faults;
+mod smallest_parts;
 mod sources_are_safe;

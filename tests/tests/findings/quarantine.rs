@@ -51,9 +51,9 @@ const CASES: [Case; 20] = [
         ROAD,
     ),
     (
-        "order of elevations",
-        r#"<elevation s="0" a="0" b="0""#,
-        r#"<elevation s="80" a="0" b="0""#,
+        "two shapes",
+        r#"x="150" y="0" hdg="0" length="50"><line/>"#,
+        r#"x="150" y="0" hdg="0" length="50"><line/><arc curvature="0.01"/>"#,
         ROAD,
     ),
     ("elevation", r#"a="0" b="0.01""#, r#"a="0" b="0.0.1""#, ROAD),

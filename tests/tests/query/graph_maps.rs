@@ -235,7 +235,7 @@ fn broken() -> Vec<Broken> {
             "a link to a lane that is not there",
             two("s-5", ""),
             "mapd:graph.missing_lane",
-            Severity::Error,
+            Severity::Warning,
             "<successor id=\"-5\"",
         ),
         (

@@ -612,7 +612,7 @@ impl ArchivedQuarantinedRow {
     pub fn length(&self) -> f64 {
         self.length.to_native()
     }
-    /// Id of the part.
+    /// Id of the part; of a lane link `connection:from:to`.
     #[inline]
     pub fn id(&self) -> u32 {
         self.id.to_native()
@@ -642,7 +642,7 @@ impl ArchivedQuarantinedRow {
     pub fn column(&self) -> u32 {
         self.column.to_native()
     }
-    /// 0 road, 1 junction, 2 connection, 3 object, 4 signal, 5 controller, 6 other group.
+    /// 0 road, 1 junction, 2 connection, 3 object, 4 signal, 5 controller, 6 other group, 7 lane link.
     #[inline]
     pub fn kind(&self) -> u8 {
         self.kind

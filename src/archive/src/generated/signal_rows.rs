@@ -371,7 +371,7 @@ pub struct QuarantinedRow {
     pub max_y: f64,
     /// `[m]` Length of a road as written; 0 for other parts.
     pub length: f64,
-    /// Id of the part.
+    /// Id of the part; of a lane link `connection:from:to`.
     pub id: u32,
     /// Id of the road or junction that it belongs to; its own for these.
     pub owner: u32,
@@ -383,7 +383,7 @@ pub struct QuarantinedRow {
     pub line: u32,
     /// Column of the finding in bytes, from 1.
     pub column: u32,
-    /// 0 road, 1 junction, 2 connection, 3 object, 4 signal, 5 controller, 6 other group.
+    /// 0 road, 1 junction, 2 connection, 3 object, 4 signal, 5 controller, 6 other group, 7 lane link.
     pub kind: u8,
     /// 0 left out, 1 kept as reference line.
     pub treatment: u8,

@@ -790,8 +790,8 @@ impl Tables<'_> {
             found.note("signal_lanes", "method", i, row.method(), 4);
         }
         for (i, row) in self.quarantined.iter().enumerate() {
-            found.note("quarantined", "kind", i, row.kind(), 7);
-            found.note("quarantined", "owner_kind", i, row.owner_kind(), 7);
+            found.note("quarantined", "kind", i, row.kind(), 8);
+            found.note("quarantined", "owner_kind", i, row.owner_kind(), 8);
         }
         for (i, row) in self.quarantined_contents.iter().enumerate() {
             found.note("quarantined_contents", "kind", i, row.kind(), 7);

@@ -94,7 +94,9 @@ fn out_of_road(
         for link in written_links(lowering, lane, successor) {
             match node_at(lowering, cuts, place, link.number, true) {
                 Ok(to) => edges.push(at_place(from, to, link.span())),
-                Err(missing) => problems.add(missing.problem(from, link.number, link.span())),
+                Err(missing) => {
+                    problems.add(missing.problem(from, link.number, link.span(), false));
+                }
             }
         }
     }
@@ -130,13 +132,14 @@ fn into_road(
             // Lanes of the main road that travel the other way have nothing to do with this place.
             Err(Missing::Direction(_)) => continue,
             Err(missing) => {
-                problems.add(missing.problem(u32::MAX, number, span));
+                problems.add(missing.problem(u32::MAX, number, span, true));
                 continue;
             }
         };
         let lane = lane_of(lowering, section, entered);
         let Some(lane) = lane else {
-            problems.add(Problem::MissingLane { from, section, number: entered, span });
+            let (number, is_lane_link) = (entered, true);
+            problems.add(Problem::MissingLane { from, section, number, span, is_lane_link });
             continue;
         };
         match rows.lanes.get(lane as usize).and_then(|row| first_node(row, start)) {
@@ -157,9 +160,12 @@ pub(crate) enum Missing {
 }
 
 impl Missing {
-    pub(crate) fn problem(self, from: u32, number: i32, span: Span) -> Problem {
+    /// The problem of a link that names the lane: a connection's `laneLink`, or a lane's own link.
+    pub(crate) fn problem(self, from: u32, number: i32, span: Span, is_lane_link: bool) -> Problem {
         match self {
-            Self::Lane(section) => Problem::MissingLane { from, section, number, span },
+            Self::Lane(section) => {
+                Problem::MissingLane { from, section, number, span, is_lane_link }
+            }
             Self::Direction(lane) => Problem::Direction { from, lane, span },
             Self::Stretch => Problem::NoPlace {
                 path: "OpenDRIVE/junction/connection/laneLink",

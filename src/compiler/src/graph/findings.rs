@@ -11,8 +11,9 @@ const NAMED: usize = 100;
 
 /// Something wrong with a lane link.
 pub(crate) enum Problem {
-    /// The link names a lane that the section does not have.
-    MissingLane { from: u32, section: u32, number: i32, span: Span },
+    /// The link names a lane that the section does not have. A `laneLink` of a connection is a part of its own, which is
+    /// left out; a lane's own link is not.
+    MissingLane { from: u32, section: u32, number: i32, span: Span, is_lane_link: bool },
     /// The link leads into a lane that travels the other way.
     Direction { from: u32, lane: u32, span: Span },
     /// The link names a place that no road of the map has.
@@ -31,9 +32,10 @@ impl Problems {
     /// Findings in file order; of each kind the first ones by name, the rest as a number.
     pub(crate) fn report(mut self, lowering: &Lowering, findings: &mut Vec<Finding>) {
         self.0.sort_by_key(|problem| problem.span().start);
-        // A link that names nothing breaks what the file promises; one against the traffic is the rule for lanes that end.
+        // A link against the traffic is the rule for lanes that end.
         for (rule, severity, what) in [
             ("mapd:graph.missing_lane", Severity::Error, "links name lanes that are not there"),
+            ("mapd:graph.missing_lane", Severity::Warning, "links name lanes that are not there"),
             (
                 "mapd:graph.direction",
                 Severity::Warning,
@@ -41,7 +43,7 @@ impl Problems {
             ),
             ("mapd:graph.no_place", Severity::Warning, "links name places that no road has"),
         ] {
-            let of_kind = || self.0.iter().filter(|problem| problem.rule() == rule);
+            let of_kind = || self.0.iter().filter(|p| (p.rule(), p.severity()) == (rule, severity));
             let named = if severity == Severity::Error { usize::MAX } else { NAMED };
             for problem in of_kind().take(named) {
                 let (path, message) = problem.text(lowering);
@@ -63,6 +65,13 @@ impl Problem {
             Self::MissingLane { span, .. }
             | Self::Direction { span, .. }
             | Self::NoPlace { span, .. } => span,
+        }
+    }
+
+    fn severity(&self) -> Severity {
+        match self {
+            Self::MissingLane { is_lane_link: true, .. } => Severity::Error,
+            _ => Severity::Warning,
         }
     }
 

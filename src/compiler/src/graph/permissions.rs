@@ -32,7 +32,7 @@ pub(crate) struct Permissions {
 }
 
 impl Permissions {
-    /// Adds what a lane says. Lanes come in the order of their rows; `shift` is how far the row's stretch begins behind the
+    /// Adds what a lane says; its records ascend. Lanes come in the order of their rows; `shift` is how far the row's stretch begins behind the
     /// section that the lane is written in.
     pub(crate) fn lane(
         &mut self,
@@ -41,20 +41,15 @@ impl Permissions {
         marks: &[RoadMark],
         accesses: &[LaneAccess],
     ) {
-        let before = self.marks.len();
         self.marks.extend(marks.iter().map(|mark| Mark {
             lane: row,
             s: mark.s_offset.value().unwrap_or(0.0) - shift,
             change: mark.lane_change.value().unwrap_or(LaneChange::Both),
         }));
-        let marks = &mut self.marks[before..];
-        marks.sort_by(|a, b| a.s.total_cmp(&b.s));
         let base = VehicleClass::of_lane_type(kind);
         let s_of = |record: &LaneAccess| record.s_offset.value().unwrap_or(0.0) - shift;
-        let mut records: Vec<&LaneAccess> = accesses.iter().collect();
-        records.sort_by(|a, b| s_of(a).total_cmp(&s_of(b)));
-        for set in records.chunk_by(|a, b| s_of(a) == s_of(b)) {
-            let Some(s) = set.first().map(|first| s_of(first)) else { continue };
+        for set in accesses.chunk_by(|a, b| s_of(a) == s_of(b)) {
+            let Some(s) = set.first().map(s_of) else { continue };
             self.accesses.push(Access { lane: row, s, classes: classes(base, set) });
         }
     }
@@ -119,10 +114,10 @@ fn of_lane<T>(rows: &[T], lane: u32, key: impl Fn(&T) -> u32) -> &[T] {
 
 /// Classes that a set of records at one place leaves (OpenDRIVE 1.8.1, 11.8.1): where one allows, all others are banned;
 /// `none` resets to what the lane's type says. A record without `rule` denies, which is what a restriction does.
-fn classes(base: u16, set: &[&LaneAccess]) -> u16 {
+fn classes(base: u16, set: &[LaneAccess]) -> u16 {
     let bits = |allow: bool| {
         let of_rule =
-            |record: &&&LaneAccess| (record.rule.value() == Some(AccessRule::Allow)) == allow;
+            |record: &&LaneAccess| (record.rule.value() == Some(AccessRule::Allow)) == allow;
         let named = set.iter().filter(of_rule).flat_map(|record| {
             let nested = record.restriction_element.iter().filter_map(|r| r.r#type.value());
             record.restriction.value().into_iter().chain(nested)

@@ -59,7 +59,9 @@ pub(crate) fn edges(
             let span = link.span;
             let mut node = |place, number, entering, from: u32| {
                 let found = node_at(lowering, cuts, place, number, entering);
-                found.map_err(|missing: Missing| problems.add(missing.problem(from, number, span)))
+                found.map_err(|missing: Missing| {
+                    problems.add(missing.problem(from, number, span, true))
+                })
             };
             let Ok(from) = node(from, left, false, u32::MAX) else { continue };
             let Ok(to) = node(to, entered, true, from) else { continue };

@@ -206,7 +206,9 @@ impl Walk<'_> {
         let Some(lane) = self.find(entry, number) else {
             if !self.only_walked(from) {
                 let section = entry.section;
-                self.problems.add(Problem::MissingLane { from, section, number, span });
+                let is_lane_link = kind == EdgeKind::Connection;
+                let missing = Problem::MissingLane { from, section, number, span, is_lane_link };
+                self.problems.add(missing);
             }
             return;
         };

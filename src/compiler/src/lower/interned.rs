@@ -20,10 +20,9 @@ impl Interned {
         Self { known: HashMap::new(), sequences: Some(Vec::new()) }
     }
 
-    /// Orders the records from `before` on by s; where the same ones are there already, those stand for them.
+    /// Takes the records from `before` on; where the same ones are there already, those stand for them.
     pub(super) fn add(&mut self, cubics: &mut Vec<CubicRow>, before: usize) -> Range {
-        let Some(new) = cubics.get_mut(before..) else { return Range::default() };
-        new.sort_by(|a, b| a.s.total_cmp(&b.s));
+        let Some(new) = cubics.get(before..) else { return Range::default() };
         let mut hasher = DefaultHasher::new();
         bytemuck::cast_slice::<_, u8>(new).hash(&mut hasher);
         self.add_hashed(cubics, before, hasher.finish())

@@ -117,11 +117,10 @@ impl Lowering {
         for mark in marks {
             let path = (road, "lanes/laneSection/lane/roadMark");
             let mut part = Part { span: mark.span, path, findings };
-            let Some(s) = place(mark.s_offset.value(), &mut part) else { continue };
+            let Some(s) = place(mark.s_offset.value(), "sOffset", &mut part) else { continue };
             let style = self.style(mark, section_s + s, (road, findings));
             own.push((s, style));
         }
-        own.sort_by(|a, b| a.0.total_cmp(&b.0));
         self.styles.sequence(&mut self.rows, &own)
     }
 

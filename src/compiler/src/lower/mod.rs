@@ -33,6 +33,7 @@ use mapd_archive::{
     QuarantinedFileRow, QuarantinedRow, Range, RoadRow, RoadType, RoadTypeRow, Rows, SpeedKind,
     StringTable,
 };
+use mapd_rules::line::ReferenceLine;
 use mapd_xodr::{
     self as xodr, Finding, Header, Junction, JunctionType, Position, Road, Severity, Span,
     SpeedLimit, Text as _, TrafficRule, UnitSpeed, Value as _,
@@ -98,7 +99,12 @@ impl Lowering {
     }
 
     /// Appends a road. Its links are resolved later; whatever makes it unusable is an error finding.
-    pub(crate) fn road(&mut self, road: &Road, position: Position, findings: &mut Vec<Finding>) {
+    pub(crate) fn road(
+        &mut self,
+        (road, line): (&Road, &ReferenceLine),
+        position: Position,
+        findings: &mut Vec<Finding>,
+    ) {
         let path = format!("OpenDRIVE/road[@id={}]", road.id.text());
         let mut part = Part { span: road.span, path: (&path, ""), findings };
         let id = part.need(road.id.as_ref(), "id");
@@ -120,8 +126,9 @@ impl Lowering {
         // Without id and length there is nothing to hang the road on; the errors say so.
         let (Some(_), Some(length)) = (id, length.filter(|length| *length >= 0.0)) else { return };
         let number = self.rows.roads.len() as u32;
-        let geometries = plan_view
-            .map_or_else(Range::default, |plan_view| self.geometries(plan_view, &path, findings));
+        let geometries = plan_view.map_or_else(Range::default, |plan_view| {
+            self.geometries((plan_view, line), &path, findings)
+        });
         let records = road.elevation_profile.as_ref().map_or(&[][..], |p| &p.elevation);
         let elevations = self.cubics(records, 0.0, (&path, "elevationProfile/elevation"), findings);
         let records = road.lateral_profile.as_ref().map_or(&[][..], |p| &p.superelevation);
@@ -222,7 +229,7 @@ impl Lowering {
         let before = self.rows.road_types.len();
         for record in &road.r#type {
             let mut part = Part { span: record.span, path: (path, "type"), findings };
-            let Some(s) = part.need(record.s.value(), "s") else { continue };
+            let Some(s) = surface::place(record.s.value(), "s", &mut part) else { continue };
             let stated = record.speed.as_deref();
             let max = stated.and_then(|speed| speed.max.value());
             let (kind, speed) = speed(max, stated.and_then(|speed| speed.unit.value()));

@@ -42,7 +42,10 @@ fn outline(
             corners.push(corner);
             ids.push(id.unwrap_or(NONE));
         }
-        None => left_out(part, "a corner lacks a number; the corner is left out".to_owned()),
+        None => {
+            let message = "a corner lacks a number, or has two shapes; the corner is left out";
+            left_out(part, message.to_owned());
+        }
     };
     for c in &outline.corner_road {
         add(c.id.value(), numbers([&c.s, &c.t, &c.dz, &c.height]).map(Corner::Road));
@@ -91,6 +94,10 @@ fn numbers([a, b, z, height]: [&Option<Attribute<f64>>; 4]) -> Option<[f64; 4]> 
 }
 
 fn curve(written: &xodr::CurveLocal) -> Option<Curve> {
+    let shapes = [written.line.is_some(), written.arc.is_some(), written.param_poly3.is_some()];
+    if shapes.into_iter().filter(|is_there| *is_there).count() > 1 {
+        return None;
+    }
     let start = numbers([&written.u, &written.v, &written.z, &written.height])?;
     let primitive = if let Some(arc) = &written.arc {
         Primitive::Arc { curvature: arc.curvature.value()? }

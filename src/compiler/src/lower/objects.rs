@@ -8,6 +8,7 @@ use mapd_archive::{
     AnnotationOwner, NONE, ObjectRow, ObjectShape, Orientation, Range, object_flags,
 };
 use mapd_ontology::{Class, ObjectCode, Ontology};
+use mapd_rules::line::ReferenceLine;
 use mapd_xodr::{self as xodr, Finding, Position, Severity, Span, Text as _, Value as _};
 
 /// What objects are written in.
@@ -83,7 +84,7 @@ impl Lowering {
         &mut self,
         junction: &xodr::Junction,
         number: u32,
-        (ontology, position): (&Ontology, impl Fn(Span) -> Position),
+        (ontology, position, line): (&Ontology, impl Fn(Span) -> Position, &ReferenceLine),
         findings: &mut Vec<Finding>,
     ) {
         let Some(objects) = junction.objects.as_deref().filter(|all| !all.object.is_empty()) else {
@@ -96,7 +97,7 @@ impl Lowering {
         let path = format!("OpenDRIVE/junction[@id={}]", junction.id.text());
         match junction.plan_view.as_deref() {
             Some(plan_view) => {
-                let line = self.geometries(plan_view, &path, findings);
+                let line = self.geometries((plan_view, line), &path, findings);
                 self.objects.junction_lines.push((number, line));
             }
             None => {

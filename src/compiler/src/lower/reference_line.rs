@@ -3,25 +3,29 @@
 use super::need::Part;
 use super::{Lowering, between};
 use mapd_archive::{CubicRow, GeometryRow, Range};
-use mapd_geometry::{ParameterRange, Primitive, Start, compile};
-use mapd_xodr::{
-    self as xodr, Attribute, CubicRecord, Finding, ParamPoly3Range, Severity, Span, Value as _,
-};
+use mapd_geometry::ParameterRange;
+use mapd_rules::line::{Fault, Piece, ReferenceLine};
+use mapd_xodr::{self as xodr, CubicRecord, Finding, Severity, Span, Value as _};
 
 /// Path of a geometry within its road.
 const GEOMETRY: &str = "planView/geometry";
 
 impl Lowering {
+    /// Appends the geometries of a reference line, which are the curves that the rules looked at.
     pub(super) fn geometries(
         &mut self,
-        plan_view: &xodr::PlanView,
+        (plan_view, line): (&xodr::PlanView, &ReferenceLine),
         road: &str,
         findings: &mut Vec<Finding>,
     ) -> Range {
         let before = self.rows.geometries.len();
-        for g in &plan_view.geometry {
+        for (index, g) in plan_view.geometry.iter().enumerate() {
             let found = findings.len();
-            self.geometry(g, &mut Part { span: g.span, path: (road, GEOMETRY), findings });
+            let mut part = Part { span: g.span, path: (road, GEOMETRY), findings };
+            match line.piece(index) {
+                Some(piece) => self.geometry(piece, g.param_poly3.is_some(), &mut part),
+                None => line.faults_of(index).for_each(|fault| say(fault, g.span, &mut part)),
+            }
             // Which one, only where there is something to say: writing a number takes longer than lowering a line.
             if let Some(s) = g.s.value() {
                 for finding in findings.iter_mut().skip(found) {
@@ -33,36 +37,30 @@ impl Lowering {
     }
 
     /// Appends a geometry.
-    fn geometry(&mut self, g: &xodr::Geometry, part: &mut Part<'_>) {
-        let numbers =
-            [("s", &g.s), ("x", &g.x), ("y", &g.y), ("hdg", &g.hdg), ("length", &g.length)]
-                .map(|(name, attribute)| part.need(attribute.value(), name));
-        let primitive = primitive(g, part);
-        let (
-            [Some(s), Some(x), Some(y), Some(hdg), Some(length)],
-            Some((primitive, parameter_range)),
-        ) = (numbers, primitive)
-        else {
-            return;
+    fn geometry(&mut self, piece: &Piece, is_parametric: bool, part: &mut Part<'_>) {
+        let parameter_range = match piece.range {
+            Some(ParameterRange::ArcLength) => 1,
+            Some(ParameterRange::Normalized) => 2,
+            None => 0,
         };
-        let compiled = match compile(&primitive, length) {
-            Ok(compiled) => compiled,
-            Err(error) => {
-                let message = format!("the curve cannot be evaluated: {error}");
-                return part.add("mapd:compile.curve", Severity::Error, message);
+        if is_parametric && piece.range.is_none() {
+            let message = "expected paramPoly3/@pRange, found none; read as normalized".to_owned();
+            part.add("mapd:compile.p_range", Severity::Warning, message);
+            if let Some(finding) = part.findings.last_mut() {
+                finding.hint = "write pRange=\"normalized\" or pRange=\"arcLength\"".to_owned();
             }
-        };
-        let start = Start::new(x, y, hdg);
+        }
+        let Piece { start, compiled, .. } = piece;
         let first = self.rows.coefficients.len();
         self.rows.coefficients.extend_from_slice(&compiled.coefficients);
         self.rows.geometries.push(GeometryRow {
-            s,
-            x,
-            y,
-            hdg,
+            s: piece.s,
+            x: start.x,
+            y: start.y,
+            hdg: start.heading,
             cos: start.cos,
             sin: start.sin,
-            length,
+            length: piece.length,
             coefficients: between(first, self.rows.coefficients.len()),
             error: (compiled.error as f32).next_up(),
             kind: compiled.kind.code(),
@@ -71,8 +69,7 @@ impl Lowering {
         });
     }
 
-    /// Records with `shift` added to their s, by s. Where the file's order differs (a finding: by rounding a warning, else
-    /// an error) s decides, because a record holds until the next one along the road.
+    /// Records with `shift` added to their s, by s.
     pub(super) fn cubics<R: CubicRecord>(
         &mut self,
         records: &[R],
@@ -102,59 +99,23 @@ fn incomplete<R: CubicRecord>(record: &R, part: &mut Part<'_>) {
     }
 }
 
-/// Numbers of a shape's tag; none where one is missing, with findings about each.
-fn numbers<const N: usize>(
-    part: &mut Part<'_>,
-    span: Span,
-    written: [(&str, &Option<Attribute<f64>>); N],
-) -> Option<[f64; N]> {
-    let geometry = std::mem::replace(&mut part.span, span);
-    let values = written.map(|(name, attribute)| part.need(attribute.value(), name));
-    part.span = geometry;
-    let mut all = [0.0; N];
-    for (place, value) in all.iter_mut().zip(values) {
-        *place = value?;
-    }
-    Some(all)
-}
-
-/// The primitive and the code of `pRange` as written. Of several shapes the first one that the standard names counts.
-fn primitive(g: &xodr::Geometry, part: &mut Part<'_>) -> Option<(Primitive, u8)> {
-    if g.line.is_some() {
-        return Some((Primitive::Line, 0));
-    }
-    if let Some(p) = &g.spiral {
-        let written = [("curvStart", &p.curv_start), ("curvEnd", &p.curv_end)];
-        let [curvature_start, curvature_end] = numbers(part, p.span, written)?;
-        return Some((Primitive::Spiral { curvature_start, curvature_end }, 0));
-    }
-    if let Some(p) = &g.arc {
-        let [curvature] = numbers(part, p.span, [("curvature", &p.curvature)])?;
-        return Some((Primitive::Arc { curvature }, 0));
-    }
-    if let Some(p) = &g.poly3 {
-        let v = numbers(part, p.span, [("a", &p.a), ("b", &p.b), ("c", &p.c), ("d", &p.d)])?;
-        return Some((Primitive::Poly3 { v }, 0));
-    }
-    let Some(p) = &g.param_poly3 else {
-        let message = "expected one of line, spiral, arc, poly3, paramPoly3, found none".to_owned();
-        part.unusable("", message);
-        return None;
-    };
-    let u = [("aU", &p.a_u), ("bU", &p.b_u), ("cU", &p.c_u), ("dU", &p.d_u)];
-    let v = [("aV", &p.a_v), ("bV", &p.b_v), ("cV", &p.c_v), ("dV", &p.d_v)];
-    let (u, v) = (numbers(part, p.span, u), numbers(part, p.span, v));
-    let (range, code) = match p.p_range.value() {
-        Some(ParamPoly3Range::ArcLength) => (ParameterRange::ArcLength, 1),
-        Some(ParamPoly3Range::Normalized) => (ParameterRange::Normalized, 2),
-        _ => {
-            let message = "expected paramPoly3/@pRange, found none; read as normalized".to_owned();
-            part.add("mapd:compile.p_range", Severity::Warning, message);
-            if let Some(finding) = part.findings.last_mut() {
-                finding.hint = "write pRange=\"normalized\" or pRange=\"arcLength\"".to_owned();
-            }
-            (ParameterRange::Normalized, 0)
+/// Says what keeps a geometry from being a curve.
+#[cold]
+fn say(fault: &Fault, geometry: Span, part: &mut Part<'_>) {
+    match fault {
+        Fault::Missing { name, span } => {
+            part.span = *span;
+            part.need(None::<f64>, name);
+            part.span = geometry;
         }
-    };
-    Some((Primitive::ParamPoly3 { u: u?, v: v?, range }, code))
+        Fault::Shapes(count) => {
+            let found = if *count == 0 { "none".to_owned() } else { format!("{count} of them") };
+            let shapes = "line, spiral, arc, poly3, paramPoly3";
+            part.unusable("", format!("expected one of {shapes}, found {found}"));
+        }
+        Fault::Curve(error) => {
+            let message = format!("the curve cannot be evaluated: {error}");
+            part.add("mapd:compile.curve", Severity::Error, message);
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! Lane sections and lanes.
 
 use super::need::Part;
+use super::surface::place;
 use super::{Lowering, WrittenLink, between, speed};
 use crate::too_large::TOO_LARGE;
 use bytemuck::Zeroable as _;
@@ -298,7 +299,8 @@ impl Lowering {
         for record in lane.speed {
             let path = (road, "lanes/laneSection/lane/speed");
             let mut part = Part { span: record.span, path, findings };
-            let Some(s) = part.need(record.s_offset.value(), "sOffset") else { continue };
+            let s = place(record.s_offset.value(), "sOffset", &mut part);
+            let Some(s) = s else { continue };
             let (kind, max) = speed(record.max.value(), record.unit.value());
             self.rows.lane_speeds.push(LaneSpeedRow {
                 s: section_s + s,
@@ -338,7 +340,8 @@ impl Lowering {
             let number = |link: &xodr::LinkedLane| {
                 let span = link.span;
                 let path = (road, "lanes/laneSection/lane/link");
-                let number = Part { span, path, findings }.need(link.id.value(), "id")?;
+                let mut part = Part { span, path, findings };
+                let number = place(link.id.value(), "id", &mut part)?;
                 Some(WrittenLink::new(number, span))
             };
             // Links into another layer are no links between these lanes.

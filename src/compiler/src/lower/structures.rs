@@ -12,7 +12,8 @@ use mapd_xodr::{self as xodr, Attribute, Finding, Position, Span, Text as _, Val
 const NOT_GIVEN: f32 = -1.0;
 
 impl Lowering {
-    /// Takes the references of a road to objects. One without a place is an error of its own.
+    /// Takes the references of a road to objects. One without a place or the id of an object is an error of its
+    /// own.
     pub(super) fn references(
         &mut self,
         road: u32,
@@ -25,7 +26,8 @@ impl Lowering {
             let mut part = Part { span: reference.span, path, findings };
             let place = [("s", &reference.s), ("t", &reference.t)]
                 .map(|(name, at)| part.need(at.value(), name));
-            let [Some(s), Some(t)] = place else { continue };
+            let id = part.need(reference.id.as_ref(), "id");
+            let ([Some(s), Some(t)], Some(_)) = (place, id) else { continue };
             let row = ObjectReferenceRow {
                 s,
                 t,

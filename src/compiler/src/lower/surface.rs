@@ -83,7 +83,6 @@ impl Lowering {
             };
             placed.push((s, CubicRow { s: t, a, b, c, d }));
         }
-        placed.sort_by(|(s, a), (z, b)| s.total_cmp(z).then(a.s.total_cmp(&b.s)));
         for station in placed.chunk_by(|(s, _), (z, _)| s == z) {
             let first = self.rows.cubics.len();
             self.rows.cubics.extend(station.iter().map(|(_, row)| *row));
@@ -141,11 +140,10 @@ impl Lowering {
         findings: &mut Vec<Finding>,
     ) {
         let lane = self.rows.lanes.len() as u32;
-        let before = self.rows.lane_heights.len();
         for record in heights {
             let path = (road, "lanes/laneSection/lane/height");
             let mut part = Part { span: record.span, path, findings };
-            let Some(s) = place(record.s_offset.value(), &mut part) else { continue };
+            let Some(s) = place(record.s_offset.value(), "sOffset", &mut part) else { continue };
             self.rows.lane_heights.push(LaneHeightRow {
                 s: section_s + s,
                 inner: record.inner.value().unwrap_or(0.0),
@@ -154,12 +152,10 @@ impl Lowering {
                 reserved: 0,
             });
         }
-        self.rows.lane_heights[before..].sort_by(|a, b| a.s.total_cmp(&b.s));
-        let before = self.rows.lane_materials.len();
         for record in materials {
             let path = (road, "lanes/laneSection/lane/material");
             let mut part = Part { span: record.span, path, findings };
-            let Some(s) = place(record.s_offset.value(), &mut part) else { continue };
+            let Some(s) = place(record.s_offset.value(), "sOffset", &mut part) else { continue };
             let number = |value: Option<f64>| value.filter(|n| *n >= 0.0).unwrap_or(NOT_GIVEN);
             self.rows.lane_materials.push(LaneMaterialRow {
                 s: section_s + s,
@@ -169,15 +165,14 @@ impl Lowering {
                 surface: self.strings.add(record.surface.text()),
             });
         }
-        self.rows.lane_materials[before..].sort_by(|a, b| a.s.total_cmp(&b.s));
     }
 }
 
-/// Where a record begins that nothing else is built from: without it, the record alone is left out.
-pub(super) fn place(s_offset: Option<f64>, part: &mut Part<'_>) -> Option<f64> {
-    if s_offset.is_none() {
-        let message = "expected @sOffset, found none that can be used; the record is left out";
-        part.add("mapd:compile.record", Severity::Warning, message.to_owned());
+/// What a record needs that nothing else is built from: without it, the record alone is left out.
+pub(super) fn place<T>(value: Option<T>, name: &str, part: &mut Part<'_>) -> Option<T> {
+    if value.is_none() {
+        let message = format!("expected @{name}, found none that can be used; it is left out");
+        part.add("mapd:compile.record", Severity::Warning, message);
     }
-    s_offset
+    value
 }

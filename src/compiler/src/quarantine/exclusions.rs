@@ -3,7 +3,7 @@
 use super::{PartKind, QuarantinedPart, Treatment, Unit};
 use crate::report::Cause;
 use mapd_rules::line::ReferenceLine;
-use mapd_xodr::{Item, Junction, Objects, Road, Signals, Span, Text as _, Value as _};
+use mapd_xodr::{Connection, Item, Junction, Objects, Road, Signals, Span, Text as _, Value as _};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -41,23 +41,24 @@ impl Exclusions {
         self.parts.is_empty()
     }
 
-    /// Leaves out a part, or does so more thoroughly. False where nothing more can be done about it.
-    pub(crate) fn add(&mut self, unit: Unit, cause: Cause, keep_reference_lines: bool) -> bool {
+    /// Leaves out a part of the top-level element that begins at `top`, or does so more thoroughly. False where nothing more
+    /// can be done about it.
+    pub(crate) fn add(
+        &mut self,
+        (unit, top): (Unit, u64),
+        cause: Cause,
+        keep_reference_lines: bool,
+    ) -> bool {
         let treatment = match self.parts.get(&unit.start).map(|part| part.treatment) {
             None if keep_reference_lines && unit.kind == PartKind::Road => Treatment::ReferenceLine,
             None | Some(Treatment::ReferenceLine) => Treatment::Dropped,
             Some(Treatment::Dropped) => return false,
         };
-        self.owners.insert(unit.owner);
+        self.owners.insert(top);
         // The first reason stays: it is the one that the file's author has to mend.
         let cause = self.parts.remove(&unit.start).map_or(cause, |part| part.cause);
         self.parts.insert(unit.start, Excluded { treatment, cause });
         true
-    }
-
-    /// Whether a part, or the element that it is in, is left out already.
-    pub(crate) fn covers(&self, unit: Unit) -> bool {
-        self.dropped(unit.start) || self.dropped(unit.owner)
     }
 
     /// Whether the road that begins here is kept as its reference line alone.
@@ -65,7 +66,8 @@ impl Exclusions {
         self.parts.get(&start).is_some_and(|part| part.treatment == Treatment::ReferenceLine)
     }
 
-    fn dropped(&self, start: u64) -> bool {
+    /// Whether the part that begins here is left out.
+    pub(crate) fn dropped(&self, start: u64) -> bool {
         self.parts.get(&start).is_some_and(|part| part.treatment == Treatment::Dropped)
     }
 
@@ -204,9 +206,11 @@ impl Exclusions {
             return None;
         }
         let own = (PartKind::Junction, &*id);
-        junction.connection.retain(|c| {
+        junction.connection.retain_mut(|c| {
             let kind = PartKind::Connection;
-            self.tell((kind, c.span), (c.id.text(), own), || (None, 0.0), out).is_none()
+            let place = || (None, 0.0);
+            self.tell((kind, c.span), (c.id.text(), own), place, out).is_none()
+                && self.lane_links(c, own, out)
         });
         if let Some(objects) = &mut junction.objects {
             self.objects(objects, own, None, out);
@@ -232,6 +236,35 @@ fn signals_in(signals: &Signals) -> impl Iterator<Item = (PartKind, String)> + '
 fn note_contents(out: &mut [QuarantinedPart], contents: impl Iterator<Item = (PartKind, String)>) {
     if let Some(part) = out.last_mut() {
         part.contents.extend(contents.filter(|(_, id)| !id.is_empty()));
+    }
+}
+
+impl Exclusions {
+    /// Leaves out lane links of a connection. False where none is left: then the connection goes, for without any it would
+    /// join lanes of equal numbers, which it does not say.
+    fn lane_links(
+        &self,
+        connection: &mut Connection,
+        junction: (PartKind, &str),
+        out: &mut Vec<QuarantinedPart>,
+    ) -> bool {
+        let is_left_out = |span: Span| self.parts.contains_key(&span.start);
+        let id = connection.id.text().to_owned();
+        if let Some(first) = connection.lane_link.first()
+            && connection.lane_link.iter().all(|link| is_left_out(link.span))
+        {
+            let part = (PartKind::Connection, first.span);
+            self.tell(part, (&id, junction), || (None, 0.0), out);
+            return false;
+        }
+        connection.lane_link.retain(|link| {
+            let lane = |number: Option<i32>| number.map_or("?".to_owned(), |n| n.to_string());
+            let own = || format!("{id}:{}:{}", lane(link.from.value()), lane(link.to.value()));
+            let part = (PartKind::LaneLink, link.span);
+            !is_left_out(link.span)
+                || self.tell(part, (&own(), junction), || (None, 0.0), out).is_none()
+        });
+        true
     }
 }
 

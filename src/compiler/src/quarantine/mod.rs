@@ -29,7 +29,7 @@ pub enum Treatment {
 pub struct QuarantinedPart {
     /// What it is.
     pub kind: PartKind,
-    /// Its id.
+    /// Its id; of a lane link that of its connection and the lanes that it names, as in `0:-1:-2`.
     pub id: String,
     /// Id of the road or junction that it belongs to; its own for a road or junction.
     pub owner: String,

@@ -20,6 +20,8 @@ pub enum PartKind {
     Controller,
     /// A junction group, station or group of boards.
     Other,
+    /// A lane link of a connection.
+    LaneLink,
 }
 
 impl PartKind {
@@ -33,6 +35,7 @@ impl PartKind {
             Self::Signal => "signal",
             Self::Controller => "controller",
             Self::Other => "group",
+            Self::LaneLink => "laneLink",
         }
     }
 
@@ -47,7 +50,7 @@ impl PartKind {
 pub(crate) struct Unit {
     pub(crate) kind: PartKind,
     pub(crate) start: u64,
-    /// Start of the top-level element that it is in.
+    /// Start of the part that it is in: a connection for a lane link, the top-level element for others, its own for these.
     pub(crate) owner: u64,
 }
 
@@ -55,17 +58,7 @@ pub(crate) struct Unit {
 #[derive(Clone, Copy)]
 struct Begin {
     place: u64,
-    owner: u64,
-    kind: PartKind,
-    /// The part begins here; else the owner goes on.
-    is_own: bool,
-}
-
-impl Begin {
-    fn unit(self) -> Unit {
-        let start = if self.is_own { self.place } else { self.owner };
-        Unit { kind: self.kind, start, owner: self.owner }
-    }
+    unit: Unit,
 }
 
 /// Where each part begins, in the order of the document.
@@ -83,7 +76,12 @@ impl Units {
             self.is_sorted = true;
         }
         let after = self.begins.partition_point(|begin| begin.place <= place);
-        Some(self.begins.get(after.checked_sub(1)?)?.unit())
+        Some(self.begins.get(after.checked_sub(1)?)?.unit)
+    }
+
+    /// The part that a part is in; none for a top-level element.
+    pub(crate) fn around(&mut self, unit: Unit) -> Option<Unit> {
+        self.of(unit.owner).filter(|owner| *owner != unit)
     }
 
     /// Takes the places of the parts of the elements that come next.
@@ -118,7 +116,7 @@ impl Units {
             let begin = self.begins[at];
             let last = self.begins[before..kept].last().copied();
             let goes_on = last.is_some_and(|last| {
-                last.unit() == begin.unit()
+                last.unit == begin.unit
                     && Places::file_of(last.place) == Places::file_of(begin.place)
             });
             if !goes_on {
@@ -135,12 +133,14 @@ impl Units {
 
     /// A part within an element.
     fn part(&mut self, kind: PartKind, span: Span, owner: Span) {
-        self.begins.push(Begin { place: span.start, owner: owner.start, kind, is_own: true });
+        let unit = Unit { kind, start: span.start, owner: owner.start };
+        self.begins.push(Begin { place: span.start, unit });
     }
 
     /// From here on, a place is in the element itself again.
     fn back(&mut self, kind: PartKind, span: Span, owner: Span) {
-        self.begins.push(Begin { place: span.start, owner: owner.start, kind, is_own: false });
+        let unit = Unit { kind, start: owner.start, owner: owner.start };
+        self.begins.push(Begin { place: span.start, unit });
     }
 
     fn road(&mut self, road: &Road) {
@@ -184,6 +184,14 @@ impl Units {
         self.top(kind, own);
         for connection in &junction.connection {
             self.part(PartKind::Connection, connection.span, own);
+            for link in &connection.lane_link {
+                self.part(PartKind::LaneLink, link.span, connection.span);
+            }
+            // What else a connection has may stand behind its lane links.
+            let (start, owner) = (connection.span.start, own.start);
+            let unit = Unit { kind: PartKind::Connection, start, owner };
+            let ends = [&connection.predecessor, &connection.successor].into_iter().flatten();
+            self.begins.extend(ends.map(|end| Begin { place: end.span.start, unit }));
         }
         let rest = junction
             .road_section

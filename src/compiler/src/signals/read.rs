@@ -84,7 +84,6 @@ impl Lowering {
         let Some(signals) = road.signals.as_deref() else { return };
         for signal in &signals.signal {
             let mut part = Part { span: signal.span, path: (path, "signals/signal"), findings };
-            part.need(signal.id.as_ref(), "id");
             let (s, t) = (part.need(signal.s.value(), "s"), part.need(signal.t.value(), "t"));
             let (Some(s), Some(t)) = (s, t) else { continue };
             let z = signal.z_offset.value().unwrap_or(0.0);

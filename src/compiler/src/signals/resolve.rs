@@ -24,7 +24,9 @@ pub(crate) fn resolve(
     let pending = std::mem::take(&mut lowering.signals);
     // Of signals with one id, the first is meant.
     let mut signals = ById::new();
-    for (row, signal) in lowering.rows.signals.iter().enumerate() {
+    // Nothing refers to one without an id.
+    let with_id = lowering.rows.signals.iter().enumerate().filter(|(_, signal)| signal.id != 0);
+    for (row, signal) in with_id {
         signals.entry(signal.id).or_insert(row as u32);
     }
     let found = |id: u32| signals.get(&id).copied().unwrap_or(NONE);

@@ -6,7 +6,7 @@ use crate::place::text;
 use crate::rule::Check::Junction;
 use crate::rule::Rule;
 use crate::sink::Sink;
-use mapd_xodr::{self as xodr, ConnectionType, JunctionType as Kind};
+use mapd_xodr::{self as xodr, ConnectionType, JunctionType as Kind, Severity};
 use std::collections::BTreeSet;
 
 const SOUND: crate::example::Example = In(
@@ -16,21 +16,27 @@ const SOUND: crate::example::Example = In(
 pub(super) static RULES: &[Rule] = &[
     Rule::error(
         "asam.net:xodr:1.7.0:junctions.type_default_no_linked_road",
-        "Only connections of direct junctions name a linked road.",
+        [
+            "Only connections of direct junctions name a linked road.",
+            "where a connection names a connecting and a linked road, which one is entered is open; with a linked road alone it is used (warning)",
+        ],
         Junction(linked_road),
         [
             SOUND,
-            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" linkedRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" linkedRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
         ],
     )
     .also(&["asam.net:xodr:1.7.0:junctions.direct.correct_type_linked_road_usage"]),
     Rule::error(
         "asam.net:xodr:1.7.0:junctions.type_direct_no_conn_road",
-        "Connections of direct junctions name no connecting road.",
+        [
+            "Connections of direct junctions name no connecting road.",
+            "where a connection names a connecting and a linked road, which one is entered is open; with a connecting road alone it is used (warning)",
+        ],
         Junction(connecting_road),
         [
             SOUND,
-            In(r#"<junction id="9" name="" type="direct"><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+            In(r#"<junction id="9" name="" type="direct"><connection id="0" incomingRoad="1" connectingRoad="2" linkedRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
         ],
     )
     .also(&[
@@ -113,13 +119,22 @@ pub(super) static RULES: &[Rule] = &[
     ),
 ];
 
+/// An error where it is open which road is entered; where one alone is named, that is it.
+fn open(connection: &xodr::Connection) -> Severity {
+    match connection.linked_road.is_some() && connection.connecting_road.is_some() {
+        true => Severity::Error,
+        false => Severity::Warning,
+    }
+}
+
 fn linked_road(junction: &xodr::Junction, sink: &mut Sink<'_>) {
     if kind(junction) == Kind::Direct {
         return;
     }
     for connection in junction.connection.iter().filter(|c| c.linked_road.is_some()) {
         let found = format_args!("one in a junction of the kind {}", kind(junction).name());
-        sink.add_within("connection", connection.span, "no @linkedRoad", found);
+        let severity = open(connection);
+        sink.add_milder(severity, "connection", connection.span, "no @linkedRoad", found);
     }
 }
 
@@ -128,12 +143,8 @@ fn connecting_road(junction: &xodr::Junction, sink: &mut Sink<'_>) {
         return;
     }
     for connection in junction.connection.iter().filter(|c| c.connecting_road.is_some()) {
-        sink.add_within(
-            "connection",
-            connection.span,
-            "no @connectingRoad in a direct junction",
-            "one",
-        );
+        let expected = "no @connectingRoad in a direct junction";
+        sink.add_milder(open(connection), "connection", connection.span, expected, "one");
     }
 }
 

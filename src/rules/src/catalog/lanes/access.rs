@@ -26,21 +26,16 @@ pub(super) static RULES: &[Rule] = &[Rule::warning(
 .within(&[SAME_PLACE])];
 
 fn no_mix(of: &LaneIn<'_>, sink: &mut Sink<'_>) {
-    if of.lane.access.len() < 2 {
-        return;
-    }
-    // Those of one place stand beside one another, whatever their order in the file.
-    let records = of.lane.access.iter().enumerate();
-    let rules = records.filter_map(|(at, access)| {
-        Some((number(&access.s_offset), at, value(&access.rule)?, access.span))
-    });
-    let mut rules: Vec<_> = rules.collect();
-    rules.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    // Those of one place stand beside one another: records are sorted.
+    let rules = of.lane.access.iter();
+    let rules = rules.filter_map(|a| Some((number(&a.s_offset), value(&a.rule)?, a.span)));
+    let rules: Vec<_> = rules.collect();
     for pair in rules.windows(2) {
         let [a, b] = pair else { continue };
-        if b.0 - a.0 <= SAME_PLACE.value && a.2 != b.2 {
-            let (_, _, _, span) = if a.1 > b.1 { a } else { b };
-            sink.add_within("access", *span, "either allow or deny at one place", "both");
+        if b.0 - a.0 <= SAME_PLACE.value && a.1 != b.1 {
+            // The one that stands behind the other in the file.
+            let span = if a.2.start > b.2.start { a.2 } else { b.2 };
+            sink.add_within("access", span, "either allow or deny at one place", "both");
         }
     }
 }

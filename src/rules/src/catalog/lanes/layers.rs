@@ -51,7 +51,10 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::error(
         "asam.net:xodr:1.9.0:road.lane.layer.layer_mandatory_permanent",
-        "A road has permanent lanes everywhere.",
+        [
+            "A road has permanent lanes everywhere.",
+            "a road is built of its permanent lanes",
+        ],
         Road(has_permanent),
         [
             SOUND,

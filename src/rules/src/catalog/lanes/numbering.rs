@@ -15,7 +15,10 @@ const CENTER: &str = r#"<center><lane id="0" type="none"/></center><right>
 pub(super) static RULES: &[Rule] = &[
     Rule::error(
         "asam.net:xodr:1.4.0:ids.id_unique_in_lane_section",
-        "A lane id occurs once in a section.",
+        [
+            "A lane id occurs once in a section.",
+            "lanes are known by their ids: widths add up and links lead to one of the two",
+        ],
         Section(unique),
         [
             In(CENTER),

@@ -10,7 +10,10 @@ use std::collections::{HashMap, HashSet};
 pub(super) static RULES: &[Rule] = &[
     Rule::error(
         "mapd:xodr:1.4.0:topology.dependency_cycle",
-        "No signal depends on itself through others.",
+        [
+            "No signal depends on itself through others.",
+            "who follows what the signal depends on never ends",
+        ],
         All(cycles),
         [
             Signals(

@@ -22,7 +22,10 @@ macro_rules! roads {
 pub(super) static RULES: &[Rule] = &[
     Rule::error(
         "asam.net:xodr:1.4.0:ids.id_unique_in_class",
-        "An id occurs once among the elements of a kind.",
+        [
+            "An id occurs once among the elements of a kind.",
+            "of two roads or junctions with one id, neither can be told to be the one that links name; other parts stay (warning)",
+        ],
         All(unique),
         [
             roads!(r#"id="1" junction="-1""#, r#"id="2" junction="-1""#, ""),

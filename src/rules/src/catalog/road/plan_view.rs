@@ -32,7 +32,10 @@ const CURVATURE: Tolerance = Tolerance { name: "step of curvature", value: 1e-3,
 pub(super) static RULES: &[Rule] = &[
     Rule::error(
         "mapd:xodr:1.4.0:geometry.s_monotonic",
-        "Geometries begin at s = 0, and each where the one before it ends.",
+        [
+            "Geometries begin at s = 0, and each where the one before it ends.",
+            "over more than rounding (warning), some s has no point or two",
+        ],
         Road(s_monotonic),
         [
             PlanView(
@@ -75,7 +78,10 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[LENGTH]),
     Rule::error(
         "asam.net:xodr:1.4.0:road.geometry.refline_no_gaps",
-        "A geometry begins at the point where the one before it ends.",
+        [
+            "A geometry begins at the point where the one before it ends.",
+            "beyond 1 m (below: warning) the road is torn; nobody can drive along it",
+        ],
         Road(gaps),
         [
             PlanView(
@@ -92,7 +98,10 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[GAP, GAP_BROKEN]),
     Rule::error(
         "asam.net:xodr:1.4.0:road.geometry.refline_no_kinks",
-        "A geometry begins with the heading that the one before it ends with.",
+        [
+            "A geometry begins with the heading that the one before it ends with.",
+            "beyond 45° (below: warning) lanes fold at the inner side of the turn",
+        ],
         Road(kinks),
         [
             PlanView(

@@ -1,6 +1,7 @@
 //! Parametric cubics of the reference line.
 
 use crate::example::Example::PlanView;
+use crate::line::Fault;
 use crate::place::{RoadIn, number, value};
 use crate::rule::Check::Road;
 use crate::rule::{Rule, Tolerance};
@@ -58,7 +59,10 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[LENGTH]),
     Rule::error(
         "mapd:xodr:1.4.0:geometry.computable",
-        "A geometry is a curve that can be evaluated.",
+        [
+            "A geometry is a curve that can be evaluated.",
+            "there is no curve to lay lanes along",
+        ],
         Road(computable),
         [
             PlanView(r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><line/></geometry>"#),
@@ -93,8 +97,7 @@ fn valid_parameters(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
 
 /// By how much a geometry's curve is longer than it says `[m]`; none where it cannot be evaluated.
 fn mismatch(of: &RoadIn<'_>, at: usize) -> Option<f64> {
-    let piece = of.line.pieces.iter().find(|piece| piece.index == at)?;
-    Some(piece.compiled.length_mismatch)
+    Some(of.line.piece(at)?.compiled.length_mismatch)
 }
 
 /// Cubics whose curve is longer or shorter than they say, by how much `[m]`: those over arc length, or the others.
@@ -127,13 +130,9 @@ fn arc_length_range(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
 }
 
 fn computable(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
-    let all = of.road.plan_view.iter().flat_map(|plan_view| &plan_view.geometry).enumerate();
-    for (at, geometry) in all {
-        let Some(primitive) = crate::line::primitive(geometry) else { continue };
-        if of.line.pieces.iter().any(|piece| piece.index == at) {
-            continue;
-        }
-        if let Err(error) = mapd_geometry::compile(&primitive, number(&geometry.length)) {
+    let all = of.road.plan_view.as_deref().map_or(&[][..], |plan_view| &plan_view.geometry);
+    for (at, fault) in &of.line.faults {
+        if let (Fault::Curve(error), Some(geometry)) = (fault, all.get(*at)) {
             sink.add_within(PART, geometry.span, "a curve that can be evaluated", error);
         }
     }

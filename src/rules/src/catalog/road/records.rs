@@ -1,13 +1,13 @@
 //! Records along s ascend.
 
 use crate::example::Example;
-use crate::place::{LaneIn, RoadIn, number};
-use crate::rule::Check::{self, Lane, Road};
+use crate::place::number;
+use crate::rule::Check::{self, Order};
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
-use mapd_xodr::{Attribute, Severity, Span};
+use mapd_xodr::{Attribute, Coefficients, LaneSection, Road, RoadMark, Severity, Span};
 
-/// A fall that comes from rounding in the file.
+/// A fall that comes from rounding in the file, where order decides what a part is.
 const ROUNDING: Tolerance =
     Tolerance { name: "fall that counts as rounding", value: 1e-6, unit: "m" };
 
@@ -71,20 +71,24 @@ macro_rules! lane_records {
     };
 }
 
+/// A rule on records that are sorted where they break it.
 const fn rule(
     id: &'static str,
     meaning: &'static str,
     check: Check,
     examples: [Example; 2],
 ) -> Rule {
-    Rule::error(id, meaning, check, examples).within(&[ROUNDING])
+    Rule::warning(id, meaning, check, examples)
 }
 
 pub(super) static RULES: &[Rule] = &[
-    rule(
+    Rule::error(
         "asam.net:xodr:1.4.0:road.geometry.elem_asc_order",
-        "Geometries stand in the order of s.",
-        Road(geometries),
+        [
+            "Geometries stand in the order of s.",
+            "a geometry goes on from the one before it: which one that is, is open",
+        ],
+        Order(geometries),
         [
             Example::PlanView(
                 r#"<geometry s="0" x="0" y="0" hdg="0" length="50"><line/></geometry>
@@ -95,11 +99,12 @@ pub(super) static RULES: &[Rule] = &[
 <geometry s="0" x="0" y="0" hdg="0" length="50"><line/></geometry>"#,
             ),
         ],
-    ),
+    )
+    .within(&[ROUNDING]),
     rule(
         "asam.net:xodr:1.4.0:road.elevation.elem_asc_order",
         "Elevations stand in the order of s.",
-        Road(elevations),
+        Order(elevations),
         records!(
             "<elevationProfile>",
             "elevation",
@@ -110,7 +115,7 @@ pub(super) static RULES: &[Rule] = &[
     rule(
         "asam.net:xodr:1.4.0:road.superelevation.elem_asc_order",
         "Superelevations stand in the order of s.",
-        Road(superelevations),
+        Order(superelevations),
         records!(
             "<lateralProfile>",
             "superelevation",
@@ -121,13 +126,13 @@ pub(super) static RULES: &[Rule] = &[
     rule(
         "asam.net:xodr:1.4.0:road.type.elem_asc_order",
         "Types of a road stand in the order of s.",
-        Road(types),
+        Order(types),
         records!("", "type", r#"type="town"/>"#, ""),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lanes.lane_offset.elem_asc_order",
         "Lane offsets stand in the order of s.",
-        Road(lane_offsets),
+        Order(lane_offsets),
         [
             Example::Lanes(
                 r#"<laneOffset s="0" a="0" b="0.01" c="0" d="0"/><laneOffset s="50" a="0.5" b="0" c="0" d="0"/>
@@ -142,7 +147,7 @@ pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.4.0:road.shape.elem_asc_order",
         "Shapes stand in the order of s, and where s is the same in the order of t.",
-        Road(shapes),
+        Order(shapes),
         [
             Example::Road(
                 r#"<lateralProfile><shape s="0" t="-5" a="0" b="0.01" c="0" d="0"/><shape s="0" t="0" a="0" b="0.02" c="0" d="0"/></lateralProfile>"#,
@@ -152,10 +157,13 @@ pub(super) static RULES: &[Rule] = &[
             ),
         ],
     ),
-    rule(
+    Rule::error(
         "asam.net:xodr:1.4.0:road.lane_section.elem_asc_order",
-        "Lane sections stand in the order of s.",
-        Road(sections),
+        [
+            "Lane sections stand in the order of s.",
+            "keys of lanes and links between sections count sections in their order",
+        ],
+        Order(sections),
         [
             Example::Lanes(
                 r#"<laneSection s="0"><center><lane id="0" type="none"/></center></laneSection>
@@ -166,145 +174,240 @@ pub(super) static RULES: &[Rule] = &[
 <laneSection s="0"><center><lane id="0" type="none"/></center></laneSection>"#,
             ),
         ],
-    ),
+    )
+    .within(&[ROUNDING]),
     rule(
         "asam.net:xodr:1.4.0:road.lane.width.elem_asc_order",
         "Widths of a lane stand in the order of sOffset.",
-        Lane(widths),
+        Order(widths),
         lane_records!("width", r#"a="3" b="0" c="0" d="0"/>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.border.elem_asc_order",
         "Borders of a lane stand in the order of sOffset.",
-        Lane(borders),
+        Order(borders),
         lane_records!("border", r#"a="-3" b="0" c="0" d="0"/>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.height.elem_asc_order",
         "Heights of a lane stand in the order of sOffset.",
-        Lane(heights),
+        Order(heights),
         lane_records!("height", r#"inner="0" outer="0.1"/>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.material.elem_asc_order",
         "Materials of a lane stand in the order of sOffset.",
-        Lane(materials),
+        Order(materials),
         lane_records!("material", r#"friction="0.8"/>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.speed.elem_asc_order",
         "Speed limits of a lane stand in the order of sOffset.",
-        Lane(speeds),
+        Order(speeds),
         lane_records!("speed", r#"max="50" unit="km/h"/>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.access.elem_asc_order",
         "Access restrictions of a lane stand in the order of sOffset.",
-        Lane(accesses),
+        Order(accesses),
         lane_records!("access", r#"rule="deny"><restriction type="bus"/></access>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.rule.elem_asc_order",
         "Traffic rules of a lane stand in the order of sOffset.",
-        Lane(rules),
+        Order(rules),
         lane_records!("rule", r#"value="no stopping at any time"/>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.road_mark.elem_asc_order",
         "Road marks of a lane stand in the order of sOffset.",
-        Lane(road_marks),
+        Order(road_marks),
         lane_records!("roadMark", r#"type="solid" color="white"/>"#),
+    ),
+    rule(
+        "mapd:xodr:1.4.0:record.elem_asc_order",
+        "Crossfalls, coefficients of a cross-section surface, visibilities of a lane and the sway of a road mark stand in the order of s.",
+        Order(others),
+        [
+            Example::Lane(
+                r#"<roadMark sOffset="0" type="solid" color="white"><sway ds="0" a="0" b="0" c="0" d="0"/><sway ds="9" a="0.1" b="0" c="0" d="0"/></roadMark>"#,
+            ),
+            Example::Lane(
+                r#"<roadMark sOffset="0" type="solid" color="white"><sway ds="9" a="0.1" b="0" c="0" d="0"/><sway ds="0" a="0" b="0" c="0" d="0"/></roadMark>"#,
+            ),
+        ],
     ),
 ];
 
-/// Each record begins at or behind the one before it.
-fn ascend<'a>(
-    part: &str,
-    records: impl Iterator<Item = (&'a Option<Attribute<f64>>, Span)>,
-    sink: &mut Sink<'_>,
-) {
+/// Where a record begins, and its tag.
+type At = (f64, Span);
+
+/// Shows each record that begins before the one in front of it: how far, where that one begins, and itself.
+fn falls(records: impl Iterator<Item = At>, mut show: impl FnMut(f64, f64, At)) {
     let mut before = f64::NEG_INFINITY;
     for (s, span) in records {
-        let s = number(s);
         if s < before {
-            let severity =
-                if before - s <= ROUNDING.value { Severity::Warning } else { Severity::Error };
-            sink.add_milder(
-                severity,
-                part,
-                span,
-                format_args!("s of at least {before}, that of the one before"),
-                s,
-            );
+            show(before - s, before, (s, span));
         }
         before = s.max(before);
     }
 }
 
-fn geometries(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
-    let all = of.road.plan_view.iter().flat_map(|plan_view| &plan_view.geometry);
-    ascend("planView/geometry", all.map(|g| (&g.s, g.span)), sink);
+/// Whether a fall from `before` on is no more than rounding, in the file or of the difference itself.
+fn is_rounding(fall: f64, before: f64) -> bool {
+    fall <= ROUNDING.value + 2.0 * f64::EPSILON * before.abs()
 }
 
-fn elevations(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
-    let all = of.road.elevation_profile.iter().flat_map(|profile| &profile.elevation);
-    ascend("elevationProfile/elevation", all.map(|e| (&e.s, e.span)), sink);
+/// Each of what is built in file order begins at or behind the one before it.
+fn ascend(part: &str, records: impl Iterator<Item = At>, sink: &mut Sink<'_>) {
+    falls(records, |fall, before, (s, span)| {
+        let severity = if is_rounding(fall, before) { Severity::Warning } else { Severity::Error };
+        let expected = format_args!("s of at least {before}, that of the one before");
+        sink.add_milder(severity, part, span, expected, s);
+    });
 }
 
-fn superelevations(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
-    let all = of.road.lateral_profile.iter().flat_map(|profile| &profile.superelevation);
-    ascend("lateralProfile/superelevation", all.map(|e| (&e.s, e.span)), sink);
+/// Each record begins at or behind the one before it; where not, they are sorted.
+fn sorted(part: impl Fn() -> String, records: impl Iterator<Item = At>, sink: &mut Sink<'_>) {
+    falls(records, |_, before, (s, span)| {
+        let expected = format_args!("s of at least {before}, that of the one before");
+        sink.add_within(&part(), span, expected, format_args!("{s}; sorted"));
+    });
 }
 
-fn types(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
-    ascend("type", of.road.r#type.iter().map(|e| (&e.s, e.span)), sink);
+fn at(s: &Option<Attribute<f64>>, span: Span) -> At {
+    (number(s), span)
 }
 
-fn lane_offsets(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
-    for lanes in &of.road.lanes {
-        ascend("lanes/laneOffset", lanes.lane_offset.iter().map(|e| (&e.s, e.span)), sink);
+fn geometries(road: &Road, sink: &mut Sink<'_>) {
+    let all = road.plan_view.iter().flat_map(|plan_view| &plan_view.geometry);
+    ascend("planView/geometry", all.map(|g| at(&g.s, g.span)), sink);
+}
+
+fn sections(road: &Road, sink: &mut Sink<'_>) {
+    for lanes in &road.lanes {
+        ascend("lanes/laneSection", lanes.lane_section.iter().map(|e| at(&e.s, e.span)), sink);
     }
 }
 
-fn sections(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
-    for lanes in &of.road.lanes {
-        ascend("lanes/laneSection", lanes.lane_section.iter().map(|e| (&e.s, e.span)), sink);
+fn elevations(road: &Road, sink: &mut Sink<'_>) {
+    let all = road.elevation_profile.iter().flat_map(|profile| &profile.elevation);
+    sorted(|| "elevationProfile/elevation".to_owned(), all.map(|e| at(&e.s, e.span)), sink);
+}
+
+fn superelevations(road: &Road, sink: &mut Sink<'_>) {
+    let all = road.lateral_profile.iter().flat_map(|profile| &profile.superelevation);
+    sorted(|| "lateralProfile/superelevation".to_owned(), all.map(|e| at(&e.s, e.span)), sink);
+}
+
+fn types(road: &Road, sink: &mut Sink<'_>) {
+    sorted(|| "type".to_owned(), road.r#type.iter().map(|e| at(&e.s, e.span)), sink);
+}
+
+fn lane_offsets(road: &Road, sink: &mut Sink<'_>) {
+    for lanes in &road.lanes {
+        let all = lanes.lane_offset.iter().map(|e| at(&e.s, e.span));
+        sorted(|| "lanes/laneOffset".to_owned(), all, sink);
     }
 }
 
-fn shapes(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
-    let Some(profile) = &of.road.lateral_profile else { return };
+fn shapes(road: &Road, sink: &mut Sink<'_>) {
+    let Some(profile) = &road.lateral_profile else { return };
     let part = "lateralProfile/shape";
-    ascend(part, profile.shape.iter().map(|e| (&e.s, e.span)), sink);
+    sorted(|| part.to_owned(), profile.shape.iter().map(|e| at(&e.s, e.span)), sink);
     for pair in profile.shape.windows(2).filter(|pair| number(&pair[0].s) == number(&pair[1].s)) {
         let (before, t) = (number(&pair[0].t), number(&pair[1].t));
         if t < before {
-            sink.add_within(
-                part,
-                pair[1].span,
-                format_args!("t of at least {before}, that of the one before"),
-                t,
-            );
+            let expected = format_args!("t of at least {before}, that of the one before");
+            sink.add_within(part, pair[1].span, expected, format_args!("{t}; sorted"));
         }
     }
 }
 
-/// A function that looks at one list of a lane's records.
-macro_rules! of_lane {
-    ($($function:ident: $field:ident, $part:literal;)*) => {$(
-        fn $function(of: &LaneIn<'_>, sink: &mut Sink<'_>) {
-            ascend($part, of.lane.$field.iter().map(|e| (&e.s_offset, e.span)), sink);
+/// Path of a lane's records from its road.
+fn lane_path(
+    section: &LaneSection,
+    side: &str,
+    id: Option<Attribute<i32>>,
+    record: &str,
+) -> String {
+    let (s, id) = (number(&section.s), id.map_or(0, |id| id.value));
+    format!("lanes/laneSection[@s={s}]/{side}/lane[@id={id}]/{record}")
+}
+
+/// Shows one list of records of each lane, center lanes among them.
+macro_rules! each_lane {
+    ($road:expr, $field:ident, $record:literal, $show:expr) => {
+        for section in $road.lanes.iter().flat_map(|lanes| &lanes.lane_section) {
+            for (side, lanes) in [("left", &section.left), ("right", &section.right)] {
+                for lane in lanes.iter().flat_map(|side| &side.lane) {
+                    $show(&|| lane_path(section, side, lane.id, $record), &lane.$field[..]);
+                }
+            }
+            for lane in section.center.iter().flat_map(|center| &center.lane) {
+                $show(&|| lane_path(section, "center", lane.id, $record), &lane.$field[..]);
+            }
+        }
+    };
+}
+
+/// A function that looks at one list of the records of all lanes.
+macro_rules! of_lanes {
+    ($($function:ident: $field:ident of $type:ident, $record:literal;)*) => {$(
+        fn $function(road: &Road, sink: &mut Sink<'_>) {
+            let mut show = |path: &dyn Fn() -> String, records: &[mapd_xodr::$type]| {
+                sorted(path, records.iter().map(|e| at(&e.s_offset, e.span)), sink);
+            };
+            each_lane!(road, $field, $record, show);
         }
     )*};
 }
 
-of_lane! {
-    widths: width, "width";
-    borders: border, "border";
-    heights: height, "height";
-    materials: material, "material";
-    speeds: speed, "speed";
-    accesses: access, "access";
-    rules: rule, "rule";
-    road_marks: road_mark, "roadMark";
+of_lanes! {
+    widths: width of LaneWidth, "width";
+    borders: border of LaneBorder, "border";
+    heights: height of LaneHeight, "height";
+    materials: material of LaneMaterial, "material";
+    speeds: speed of LaneSpeed, "speed";
+    accesses: access of LaneAccess, "access";
+    rules: rule of LaneRule, "rule";
+    road_marks: road_mark of RoadMark, "roadMark";
+}
+
+/// Records that ASAM has no rule for.
+fn others(road: &Road, sink: &mut Sink<'_>) {
+    if let Some(profile) = &road.lateral_profile {
+        let all = profile.crossfall.iter().map(|e| at(&e.s, e.span));
+        sorted(|| "lateralProfile/crossfall".to_owned(), all, sink);
+        let surface = profile.cross_section_surface.as_deref();
+        let path = || "lateralProfile/crossSectionSurface".to_owned();
+        let mut over_s = |records: Option<&[Coefficients]>| {
+            let records = records.into_iter().flatten();
+            sorted(path, records.map(|e| at(&e.s, e.span)), sink);
+        };
+        let offset = surface.and_then(|surface| surface.t_offset.as_deref());
+        over_s(offset.map(|of| &of.coefficients[..]));
+        let strips = surface.and_then(|surface| surface.surface_strips.as_deref());
+        for strip in strips.iter().flat_map(|strips| &strips.strip) {
+            over_s(strip.width.as_deref().map(|of| &of.coefficients[..]));
+            over_s(strip.constant.as_deref().map(|of| &of.coefficients[..]));
+            over_s(strip.linear.as_deref().map(|of| &of.coefficients[..]));
+            over_s(strip.quadratic.as_deref().map(|of| &of.coefficients[..]));
+            over_s(strip.cubic.as_deref().map(|of| &of.coefficients[..]));
+        }
+    }
+    let mut sways = |path: &dyn Fn() -> String, marks: &[RoadMark]| {
+        for mark in marks {
+            sorted(path, mark.sway.iter().map(|e| at(&e.ds, e.span)), sink);
+        }
+    };
+    each_lane!(road, road_mark, "roadMark/sway", sways);
+    for section in road.lanes.iter().flat_map(|lanes| &lanes.lane_section) {
+        for (side, lanes) in [("left", &section.left), ("right", &section.right)] {
+            for lane in lanes.iter().flat_map(|side| &side.lane) {
+                let path = || lane_path(section, side, lane.id, "visibility");
+                sorted(path, lane.visibility.iter().map(|e| at(&e.s_offset, e.span)), sink);
+            }
+        }
+    }
 }
