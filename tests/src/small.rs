@@ -1,20 +1,30 @@
-//! Shared memory of any size: a thread that sees a `/dev/shm` of its own, and whatever it starts sees the same.
+//! Shared memory, or another folder, of any size: a thread that sees one of its own, and whatever it starts sees the same.
 
 use nix::mount::{MsFlags, mount};
 use nix::sched::{CloneFlags, unshare};
 use std::fs::File;
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Runs `work` in a thread whose `/dev/shm` is empty and holds at most `bytes`. `None`, with the reason said aloud, where
 /// that is not permitted.
 pub fn in_small_shared_memory<T: Send>(bytes: u64, work: impl FnOnce() -> T + Send) -> Option<T> {
+    in_small_folder(Path::new("/dev/shm"), bytes, work)
+}
+
+/// The same of any folder.
+pub fn in_small_folder<T: Send>(
+    folder: &Path,
+    bytes: u64,
+    work: impl FnOnce() -> T + Send,
+) -> Option<T> {
     std::thread::scope(|scope| {
-        let thread = scope.spawn(|| match mount_own(bytes) {
+        let thread = scope.spawn(|| match mount_own(folder, bytes) {
             Ok(()) => Some(work()),
             Err(error) => {
                 crate::say(&format!(
-                    "skipped: no shared memory of our own can be mounted: {error}"
+                    "skipped: {} of our own cannot be mounted: {error}",
+                    folder.display()
                 ));
                 None
             }
@@ -23,13 +33,13 @@ pub fn in_small_shared_memory<T: Send>(bytes: u64, work: impl FnOnce() -> T + Se
     })
 }
 
-fn mount_own(bytes: u64) -> io::Result<()> {
+fn mount_own(folder: &Path, bytes: u64) -> io::Result<()> {
     let nothing: Option<&str> = None;
     unshare(CloneFlags::CLONE_NEWNS)?;
     // Else the new mount would be seen outside.
     mount(nothing, "/", nothing, MsFlags::MS_REC | MsFlags::MS_PRIVATE, nothing)?;
     let options = format!("size={bytes},mode=1777");
-    mount(Some("tmpfs"), "/dev/shm", Some("tmpfs"), MsFlags::empty(), Some(options.as_str()))?;
+    mount(Some("tmpfs"), folder, Some("tmpfs"), MsFlags::empty(), Some(options.as_str()))?;
     Ok(())
 }
 

@@ -171,10 +171,7 @@ pub fn read_signature(archive: &Path) -> Result<String, TrustError> {
 
 /// Reads a small text.
 fn read(path: &Path) -> std::io::Result<String> {
-    use std::io::Read;
-    let mut text = String::new();
-    std::fs::File::open(path)?.take(LARGEST).read_to_string(&mut text)?;
-    Ok(text)
+    crate::transport::read_regular(path, LARGEST)
 }
 
 impl Snapshot {

@@ -1,13 +1,17 @@
 //! `mapd reload`, `rollback`, `activate`: what a running daemon is told.
 
-use crate::cli::{DomainArgs, UsageError};
+use crate::cli::DomainArgs;
 use crate::control::{ReloadResult, Request, Response, ask};
 use crate::daemon::sentence;
 use crate::exit::Exit;
+use crate::number::Seconds;
 use anyhow::{Result, bail};
 use clap::Args;
 use std::io::Write;
 use std::time::Duration;
+
+/// Longest wait for the outcome of a change, where nothing else is said.
+const OUTCOME: Duration = Duration::from_secs(600);
 
 /// Which map, and how its outcome is told.
 #[derive(Args)]
@@ -15,8 +19,8 @@ pub(crate) struct ChangeArgs {
     /// The map
     name: String,
     /// Longest wait for the outcome [s]; the daemon goes on also without
-    #[arg(long, value_name = "S", default_value_t = 600.0)]
-    wait: f64,
+    #[arg(long, value_name = "S", default_value_t = Seconds(OUTCOME))]
+    wait: Seconds,
     /// The outcome as JSON
     #[arg(long)]
     json: bool,
@@ -33,11 +37,9 @@ impl ChangeArgs {
         request: impl FnOnce(String) -> Request,
         out: &mut dyn Write,
     ) -> Result<Exit> {
-        let wait = Duration::try_from_secs_f64(self.wait)
-            .map_err(|error| UsageError(format!("--wait: {error}")))?;
         let domain = self.domain.domain()?;
         mapd_client::transport::check_map_name(&self.name)?;
-        match ask(&domain, &self.name, &request(self.name.clone()), wait)? {
+        match ask(&domain, &self.name, &request(self.name.clone()), self.wait.0)? {
             Response::Done(report) => {
                 if self.json {
                     serde_json::to_writer(&mut *out, &report)?;

@@ -3,16 +3,17 @@
 //! The child is this program as `mapd compile` with hidden options. It says on its standard output, a line of JSON each, how
 //! far it is and what it made; on its standard error what a user would see. It ends with its parent.
 
+use crate::allocator::NO_MEMORY_IS_LEFT;
 use crate::compile_args::CompileArguments;
 use crate::exit::Exit;
 use crate::report::Counts;
 use crate::size::Size;
+use crate::threads::ThreadCount;
 use mapd_compiler::Progress;
 use rustix::process::{Resource, Rlimit, Signal};
 use serde::{Deserialize, Serialize};
 use std::ffi::OsStr;
 use std::io::{self, BufRead, BufReader, Read};
-use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -24,11 +25,13 @@ const SHARE: (u64, u64) = (3, 4);
 /// Pauses between two looks at the child.
 const PAUSES: (Duration, Duration) = (Duration::from_micros(500), Duration::from_millis(20));
 
-/// What the standard library says, around the bytes, when memory cannot be had; then it ends the process by SIGABRT.
+/// What a process says, around the bytes, when memory cannot be had; then it ends.
 const NO_MEMORY: (&str, &str) = ("memory allocation of ", " bytes failed");
 
-/// What it says next, which is of use to nobody.
-const NO_BACKTRACE: [&str; 2] = [
+/// What it says next, which is said better with the limit; the standard library's words where the program has not its own
+/// allocator.
+const NO_BACKTRACE: [&str; 3] = [
+    NO_MEMORY_IS_LEFT,
     "skipping backtrace printing to avoid potential recursion",
     "note: run with `RUST_BACKTRACE=1` environment variable to display a backtrace",
 ];
@@ -44,6 +47,9 @@ pub(crate) struct Told {
     pub(crate) counts: Counts,
     /// Nothing for a rejected map.
     pub(crate) archive: Option<ArchiveFacts>,
+    /// Whether the map is compiled, and the archive could not be written.
+    #[serde(default)]
+    pub(crate) is_unwritten: bool,
 }
 
 /// What an archive holds.
@@ -93,7 +99,7 @@ pub(crate) struct Work<'a> {
     /// Bytes that it may take for its own data.
     pub(crate) memory: Option<u64>,
     /// Threads [default: all cores].
-    pub(crate) threads: Option<NonZeroUsize>,
+    pub(crate) threads: Option<ThreadCount>,
     /// Whether it has this process's standard input, from which a map may come.
     pub(crate) has_input: bool,
 }
@@ -128,7 +134,8 @@ pub(crate) fn run(
     let (stdout, stderr) = (child.stdout.take(), child.stderr.take());
     let mut no_memory = None;
     let (status, told) = std::thread::scope(|scope| {
-        let listening = scope.spawn(move || {
+        let named = |name: &str| std::thread::Builder::new().name(name.to_owned());
+        let hear = move || {
             let mut told = Told::default();
             for line in lines(stdout) {
                 match serde_json::from_str(&line) {
@@ -139,8 +146,8 @@ pub(crate) fn run(
                 }
             }
             told
-        });
-        let relaying = scope.spawn(|| {
+        };
+        let relay = || {
             for line in lines(stderr) {
                 match last_words(&line) {
                     None if NO_BACKTRACE.contains(&line.as_str()) => {}
@@ -148,18 +155,29 @@ pub(crate) fn run(
                     None => said(&line),
                 }
             }
-        });
+        };
+        let threads = named("hear")
+            .spawn_scoped(scope, hear)
+            .and_then(|listening| Ok((listening, named("relay").spawn_scoped(scope, relay)?)));
+        let (listening, relaying) = match threads {
+            Ok(threads) => threads,
+            Err(error) => {
+                // Whom nobody hears is not wanted.
+                child.kill().and_then(|()| child.wait())?;
+                return Err(error);
+            }
+        };
         let status = wait(&mut child, cancelled, deadline);
         // Panics of the callbacks are theirs.
         let told = listening.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
         relaying.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-        (status, told)
-    });
+        Ok((status, told))
+    })?;
     let status = status?;
     let exit = status.code().and_then(|code| Exit::from_code(u8::try_from(code).ok()?));
     let end = match (exit, no_memory) {
+        (Some(Exit::Environment) | None, Some(asked)) => End::OutOfMemory { asked },
         (Some(exit), _) => End::Exit(exit),
-        (None, Some(asked)) => End::OutOfMemory { asked },
         (None, None) => End::Broken(status),
     };
     Ok((end, told))
@@ -187,7 +205,7 @@ fn command(work: &Work<'_>) -> Command {
         command.arg("--max-memory").arg(memory.to_string());
     }
     if let Some(threads) = work.threads {
-        command.arg("--threads").arg(threads.to_string());
+        command.arg("--threads").arg(threads.get().to_string());
     }
     command.args(work.options.as_slice()).arg("--").arg(work.source);
     // Where memory has run out, printing a backtrace needs some, and waits for a lock that is held: without, it ends.

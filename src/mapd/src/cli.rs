@@ -7,21 +7,24 @@ use crate::control::Request;
 use crate::daemon::{self, DaemonArgs};
 use crate::exit::Exit;
 use crate::judging::JudgingArgs;
+use crate::number::{Seconds, finite, not_negative};
 use crate::ontology_args::OntologyArgs;
 use crate::oversight::OversightArgs;
 use crate::progress::ProgressArgs;
 use crate::query::{self, Kind};
 use crate::same_file::is_same_file;
+use crate::size::Size;
 use crate::threads::ThreadsArg;
 use crate::trust::{TrustArgs, is_distrust};
 use crate::{bench, check, doctor, export, inspect, sign, source, status};
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 use clap::{ArgMatches, Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 use mapd_client::{Domain, LaneType, LaneTypes, NearestOptions, Snapshot};
 use mapd_compiler::{CompileOptions, CyclePolicy, Extra, OffsetSign, ReadOptions, Target};
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// Compile OpenDRIVE maps once and serve them to every process from shared memory.
@@ -61,15 +64,15 @@ const EXIT_CODES: &str = "Exit codes: 0 done and accepted, 3 accepted with quara
 #[derive(Args)]
 pub(crate) struct Options {
     /// Largest distance of a lane's centre line from its polyline [m]
-    #[arg(long, value_name = "M", default_value_t = CompileOptions::default().index_tolerance)]
+    #[arg(long, value_name = "M", default_value_t = CompileOptions::default().index_tolerance, value_parser = finite)]
     index_tolerance: f64,
 
     /// Largest distance of a lane's border from its polyline [m]
-    #[arg(long, value_name = "M", default_value_t = CompileOptions::default().bound_tolerance)]
+    #[arg(long, value_name = "M", default_value_t = CompileOptions::default().bound_tolerance, value_parser = finite)]
     bound_tolerance: f64,
 
     /// Largest distance of an object or signal from a lane that it belongs to as the nearest [m]
-    #[arg(long, value_name = "M", default_value_t = CompileOptions::default().lane_reach)]
+    #[arg(long, value_name = "M", default_value_t = CompileOptions::default().lane_reach, value_parser = finite)]
     lane_reach: f64,
 
     /// Landmarks for routing, 0 to 32: more are faster over long ways and larger
@@ -193,15 +196,13 @@ struct Live {
     domain: DomainArgs,
 
     /// shm:NAME: longest wait for daemon and map [s]
-    #[arg(long, value_name = "S", default_value_t = source::WAIT.as_secs_f64())]
-    wait: f64,
+    #[arg(long, value_name = "S", default_value_t = Seconds(source::WAIT))]
+    wait: Seconds,
 }
 
 impl Live {
     fn get(&self) -> Result<(Domain, Duration)> {
-        let wait = Duration::try_from_secs_f64(self.wait)
-            .map_err(|error| UsageError(format!("--wait: {error}")))?;
-        Ok((self.domain.domain()?, wait))
+        Ok((self.domain.domain()?, self.wait.0))
     }
 }
 
@@ -260,16 +261,16 @@ enum Command {
         #[arg(value_enum)]
         kind: Kind,
         /// nearest: largest distance from a lane's area [m]
-        #[arg(long, value_name = "M", default_value_t = NearestOptions::default().radius, value_parser = distance)]
+        #[arg(long, value_name = "M", default_value_t = NearestOptions::default().radius, value_parser = not_negative)]
         radius: f64,
         /// nearest: lane types that count, separated by commas, or `drivable` [default: all]
         #[arg(long, value_name = "TYPES", value_delimiter = ',')]
         types: Vec<String>,
         /// nearest: largest difference in z [m], where the input has z
-        #[arg(long, value_name = "M", value_parser = distance)]
+        #[arg(long, value_name = "M", value_parser = not_negative)]
         z_tolerance: Option<f64>,
         /// nearest: largest difference from the lane's driving direction [rad], where the input has hdg
-        #[arg(long, value_name = "RAD", value_parser = distance)]
+        #[arg(long, value_name = "RAD", value_parser = not_negative)]
         heading_tolerance: Option<f64>,
         #[command(flatten)]
         route: query::RouteArgs,
@@ -437,6 +438,7 @@ pub fn command() -> clap::Command {
 /// Runs the program with the process's arguments.
 pub fn run() -> ExitCode {
     crate::allocator::give_back();
+    survive_file_limits();
     match execute(&command().get_matches()) {
         Ok(exit) => exit.into(),
         // The reader of our output has gone: nobody is left to be told.
@@ -453,13 +455,31 @@ pub fn run() -> ExitCode {
     }
 }
 
-/// A distance or the size of an angle: finite, and not negative.
-fn distance(text: &str) -> Result<f64, String> {
-    let number = text.parse::<f64>().map_err(|error| error.to_string())?;
-    match number.is_finite() && number >= 0.0 {
-        true => Ok(number),
-        false => Err("expected a finite number that is not negative".to_owned()),
+/// Has a write beyond the limit of file sizes (`ulimit -f`) fail with an error, as one to a full disk does; without a handler
+/// SIGXFSZ ends the process.
+fn survive_file_limits() {
+    // Where it cannot be had, all is as it would be without.
+    let _ = signal_hook::flag::register(libc::SIGXFSZ, Arc::default());
+}
+
+/// Address space that must be left at the start where it is limited \[bytes\]: with less, the C library ends a thread that it
+/// cannot register by SIGABRT.
+const LEAST_ROOM: usize = 16 << 20;
+
+/// Looks for room to work in where the address space is limited (`ulimit -v`).
+///
+/// Errors: there is none.
+fn check_room() -> Result<()> {
+    if rustix::process::getrlimit(rustix::process::Resource::As).current.is_some() {
+        let room = memmap2::MmapMut::map_anon(LEAST_ROOM);
+        drop(room.with_context(|| {
+            format!(
+                "{} of address space are not left; raise the limit (`ulimit -v`)",
+                Size(LEAST_ROOM as u64)
+            )
+        })?);
     }
+    Ok(())
 }
 
 /// Wrong usage that only shows while running.
@@ -477,6 +497,7 @@ fn is_broken_pipe(error: &anyhow::Error) -> bool {
 
 fn execute(matches: &ArgMatches) -> Result<Exit> {
     let cli = Cli::from_arg_matches(matches)?;
+    check_room()?;
     let out = &mut BufWriter::new(io::stdout().lock());
     let Some(command) = cli.command else {
         if !cli.daemon.is_wanted() {
@@ -498,7 +519,7 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
         }
         Command::Check { file, format, frame, reading, threads, progress } => {
             threads.start(None)?;
-            let manner = progress.manner()?;
+            let manner = progress.manner();
             let options = CompileOptions { crs: frame.crs, ..CompileOptions::default() };
             check::run(&file, format, (&reading, &options), manner, out)?.verdict.into()
         }

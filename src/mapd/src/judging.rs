@@ -1,5 +1,7 @@
 //! Which rules apply, and what becomes of a map with errors: arguments and configuration file.
 
+use crate::number::finite;
+use crate::small_text;
 use anyhow::{Context, Result, bail};
 use clap::{Args, ValueEnum};
 use mapd_compiler::{OnError, Policy, ReadOptions};
@@ -53,7 +55,7 @@ pub(crate) struct JudgingArgs {
     max_quarantined: Option<usize>,
 
     /// Reject a map with a larger share of its roads' length in quarantine, from 0 to 1
-    #[arg(long, value_name = "SHARE")]
+    #[arg(long, value_name = "SHARE", value_parser = finite)]
     max_quarantined_share: Option<f64>,
 }
 
@@ -125,8 +127,7 @@ impl JudgingArgs {
 
     fn configuration(&self) -> Result<Configuration> {
         let Some(path) = &self.rules else { return Ok(Configuration::default()) };
-        let text =
-            std::fs::read_to_string(path).with_context(|| format!("reading {}", path.display()))?;
+        let text = small_text::read(path)?;
         toml::from_str(&text).with_context(|| format!("reading {}", path.display()))
     }
 }

@@ -39,6 +39,7 @@ mod graph_facts;
 mod inspect;
 mod joining;
 mod judging;
+mod number;
 mod object_facts;
 mod ontology_args;
 mod oversight;
@@ -50,7 +51,10 @@ pub mod serve;
 mod sign;
 mod signal_facts;
 mod size;
+mod small_text;
 pub mod source;
 mod status;
 mod threads;
 mod trust;
+
+pub use allocator::Allocator;

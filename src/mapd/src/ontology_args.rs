@@ -1,7 +1,8 @@
 //! Tables of the user's that say what signals and objects mean.
 
 use crate::cli::UsageError;
-use anyhow::{Context, Result};
+use crate::small_text;
+use anyhow::Result;
 use clap::Args;
 use mapd_compiler::ReadOptions;
 use std::path::PathBuf;
@@ -20,8 +21,7 @@ impl OntologyArgs {
     /// Errors: a file cannot be read, or is no table.
     pub(crate) fn apply(&self, mut reading: ReadOptions) -> Result<ReadOptions> {
         for path in &self.ontology {
-            let text = std::fs::read_to_string(path)
-                .with_context(|| format!("reading {}", path.display()))?;
+            let text = small_text::read(path)?;
             let name = path.display().to_string();
             reading.ontology.extend(&name, &text).map_err(|error| UsageError(error.to_string()))?;
         }

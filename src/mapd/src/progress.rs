@@ -1,6 +1,6 @@
 //! How far long work is: a bar where stderr is a terminal, else a line every few seconds, or nothing.
 
-use crate::cli::UsageError;
+use crate::number::Seconds;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use mapd_compiler::Progress;
@@ -12,9 +12,9 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-/// Seconds between two lines of progress where nothing else is said: seldom enough for a log, often enough to see that work
+/// Time between two lines of progress where nothing else is said: seldom enough for a log, often enough to see that work
 /// goes on.
-const INTERVAL: f64 = 5.0;
+const INTERVAL: Duration = Duration::from_secs(5);
 
 /// First bytes of a gzip file.
 const GZIP: [u8; 2] = [0x1f, 0x8b];
@@ -27,18 +27,14 @@ pub(crate) struct ProgressArgs {
     pub(crate) quiet: bool,
 
     /// Where stderr is no terminal: seconds between two lines of progress
-    #[arg(long, value_name = "S", default_value_t = INTERVAL)]
-    progress_interval: f64,
+    #[arg(long, value_name = "S", default_value_t = Seconds(INTERVAL))]
+    progress_interval: Seconds,
 }
 
 impl ProgressArgs {
     /// How progress is shown.
-    ///
-    /// Errors: no interval.
-    pub(crate) fn manner(&self) -> anyhow::Result<Manner> {
-        let interval = Duration::try_from_secs_f64(self.progress_interval)
-            .map_err(|error| UsageError(format!("--progress-interval: {error}")))?;
-        Ok(if self.quiet { Manner::Silent } else { Manner::Lines(interval) })
+    pub(crate) fn manner(&self) -> Manner {
+        if self.quiet { Manner::Silent } else { Manner::Lines(self.progress_interval.0) }
     }
 }
 

@@ -1,6 +1,7 @@
 //! SOURCE: an OpenDRIVE file, an archive, or a live map.
 
 use crate::report;
+use crate::threads::ThreadsArg;
 use crate::trust::{NotSignable, signable};
 use anyhow::{Context, Result};
 use mapd_archive::{MAGIC, encode};
@@ -128,6 +129,9 @@ pub(crate) fn open_or_report(
         }
         signable(Path::new(source))?;
         return Ok(Some(Snapshot::open_trusted(source, &key)?));
+    }
+    if !is_compiled(source) {
+        ThreadsArg::default().start(None)?;
     }
     let bar = crate::progress::Meter::of_file(Path::new(source), crate::progress::Manner::Bar);
     let opened = open(source, compiling, live, &mut |p| bar.show(p))?;

@@ -257,9 +257,8 @@ impl Cursor<'_> {
             end
         } else if ahead.starts_with(b"<!DOCTYPE") {
             let end = self.doctype_end();
-            if let Some(content) = end.and_then(|end| self.window.ahead().get(9..end - 1)) {
-                let content = content.trim_ascii();
-                self.structure.document_type(content, start, &mut faults);
+            if let Some(markup) = end.and_then(|end| self.window.ahead().get(..end)) {
+                self.structure.document_type(markup, start, &mut faults);
             }
             end
         } else if ahead.starts_with(b"<?") {

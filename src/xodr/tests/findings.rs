@@ -206,6 +206,20 @@ fn documents_that_are_not_well_formed() {
     }
 }
 
+/// The reader once gave a document type without its beginning to what looks at it, which then knew none.
+#[test]
+fn document_types_are_warnings() {
+    let body = document(&[]);
+    for kind in [" OpenDRIVE", "\nOpenDRIVE SYSTEM 'a.dtd'", " OpenDRIVE PUBLIC \"a\" \"b.dtd\" "] {
+        check(&format!("¦<!DOCTYPE{kind}>{body}"), (rule::XML, Warning));
+    }
+    for bad in
+        ["<!DOCTYPE>", "<!DOCTYPEOpenDRIVE>", "<!DOCTYPE 1>", "<!DOCTYPE a [<!ENTITY b 'c'>]>"]
+    {
+        check(&format!("¦{bad}{body}"), (rule::XML, Error));
+    }
+}
+
 #[test]
 fn what_stands_before_the_declaration_is_read_over() {
     let text = format!(" <?xml version=\"1.0\"?>\n{}", document(&[]));

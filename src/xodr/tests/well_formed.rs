@@ -132,6 +132,7 @@ fn declarations_and_document_types() {
         &[(0, DocumentType), (12, MisplacedDocumentType), (12, DocumentType)],
     );
     check("<a/><!DOCTYPE a>", &[(4, MisplacedDocumentType), (4, DocumentType)]);
+    check("<!DOCTYPE a PUBLIC 'a' \"b.dtd\" ><a/>", &[(0, DocumentType)]);
     check("<!doctype a><a/>", &[(0, UnknownMarkup)]);
     check("<!DOCTYPEa><a/>", &[(0, UnknownMarkup)]);
 }

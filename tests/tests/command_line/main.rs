@@ -5,6 +5,7 @@ mod command_line;
 mod command_line_frames;
 mod dependencies;
 mod export;
+mod numbers;
 mod options_documented;
 mod progress;
 mod tiles;

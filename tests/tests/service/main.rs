@@ -3,7 +3,9 @@
 mod doctor;
 mod events;
 mod first_screen;
+mod hostile_files;
 mod killed_writers;
+mod limits;
 mod locked;
 mod manners;
 mod many_maps;
@@ -11,6 +13,7 @@ mod oversight;
 mod processes;
 mod releases;
 mod reload_storm;
+mod repairs;
 mod service;
 mod service_trouble;
 mod threads;

@@ -4,7 +4,7 @@ use mapd_client::transport::{AttachLock, Subscription};
 use mapd_tests::manager::{Manager, WATCHDOG};
 use mapd_tests::place::{PATIENCE, Place};
 use serde_json::Value;
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::net::TcpStream;
 use std::os::unix::fs::PermissionsExt;
 use std::process::{Child, ChildStderr, Command};
@@ -186,6 +186,34 @@ fn metrics_are_read_over_http_by_this_machine_only() {
     let refused = place.command().args(open).output().expect("ends");
     let said = String::from_utf8_lossy(&refused.stderr).into_owned();
     assert!(refused.status.code() == Some(2) && said.contains("--metrics-open"), "{said}");
+}
+
+/// Who connected and said nothing once kept everybody else waiting, two seconds each.
+#[test]
+fn whoever_asks_for_metrics_waits_for_nobody() {
+    const IDLE: usize = 100;
+    let place = place();
+    let args = ["--log", "json", "--metrics", "127.0.0.1:0"];
+    let mut daemon = Logged::start(&mut place.command(), &args);
+    let address = daemon.event("metrics at")["address"].as_str().expect("an address").to_owned();
+    // On a machine that stands still for longer than they may be silent, another time.
+    let is_answered_beside_them = (0..5).any(|_| {
+        let idle: Vec<_> =
+            (0..IDLE).map(|_| TcpStream::connect(&address).expect("connects")).collect();
+        let mut slow = TcpStream::connect(&address).expect("connects");
+        write!(slow, "GET /metrics HTTP/1.1\r\n").expect("written");
+        assert!(metric(&address, "mapd_map_generation{map=\"town\"}").is_some());
+        let last = idle.last().expect("one");
+        last.set_nonblocking(true).expect("set");
+        // Who came last is still listened to, who came first has made room.
+        let is_open = last.peek(&mut [0]).is_err_and(|e| e.kind() == ErrorKind::WouldBlock);
+        assert_eq!(idle[0].peek(&mut [0]).unwrap_or(0), 0, "its place is another's");
+        let mut page = String::new();
+        let answered = write!(slow, "\r\n").and_then(|()| slow.read_to_string(&mut page));
+        is_open && answered.is_ok() && page.contains("mapd_map_generation")
+    });
+    assert!(is_answered_beside_them);
+    assert_eq!(daemon.terminate(), Some(0));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! One attempt to attach.
 
 use super::attach_lock::{AttachGuard, AttachLock};
-use super::claim::served_by;
+use super::claim::who_serves;
 use super::config::{TransportService, iceoryx2_config};
 use super::domain::Domain;
 use super::error::AttachError;
@@ -148,7 +148,8 @@ fn enter(
         }
         other => other?,
     }
-    if served_by(domain, map).is_none() {
+    let served = who_serves(domain, map).map_err(|error| AttachError::io(domain.root(), error))?;
+    if served.is_none() {
         let available = alive_maps(domain);
         return Err(if available.is_empty() {
             missing()

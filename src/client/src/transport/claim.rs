@@ -1,6 +1,7 @@
 //! Who serves a map: one daemon at a time, known by a lock that the kernel releases when it dies.
 
 use super::domain::Domain;
+use super::regular::open_regular;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, Read, Write};
 use std::os::unix::fs::{MetadataExt, OpenOptionsExt};
@@ -14,6 +15,9 @@ pub(crate) const SUFFIX: &str = ".lock";
 /// How long a daemon tries to claim a map: longer than a client needs to look whether the map is served, which takes the
 /// lock for some microseconds.
 const PATIENCE: Duration = Duration::from_millis(200);
+
+/// Longest text of a process id that is read \[bytes\].
+const LONGEST_PID: u64 = 32;
 
 /// Pause between two attempts.
 const PAUSE: Duration = Duration::from_millis(2);
@@ -108,16 +112,27 @@ fn is_named(file: &File, path: &std::path::Path) -> bool {
 
 fn read_pid(file: &mut File) -> Option<u32> {
     let mut text = String::new();
-    file.read_to_string(&mut text).ok()?;
+    file.take(LONGEST_PID).read_to_string(&mut text).ok()?;
     text.trim().parse().ok()
 }
 
-/// Process id of the daemon that serves a map now, 0 if it is alive but has not said; `None` if nobody serves it.
+/// Process id of the daemon that serves a map now, 0 if it is alive but has not said; `None` if nobody serves it, or it cannot
+/// be looked at.
 pub fn served_by(domain: &Domain, map: &str) -> Option<u32> {
-    let mut file = File::open(domain.map_file(map, SUFFIX)).ok()?;
-    match file.try_lock_shared() {
+    who_serves(domain, map).ok().flatten()
+}
+
+/// As [`served_by`].
+///
+/// Errors: it cannot be looked at.
+pub(crate) fn who_serves(domain: &Domain, map: &str) -> io::Result<Option<u32>> {
+    let mut file = match open_regular(&domain.map_file(map, SUFFIX)) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
+        other => other?,
+    };
+    Ok(match file.try_lock_shared() {
         // Closing the file releases the lock.
         Ok(()) => None,
         Err(_) => Some(read_pid(&mut file).unwrap_or(0)),
-    }
+    })
 }

@@ -3,7 +3,7 @@
 use super::domain::DomainError;
 use super::domain::SHARED_MEMORY_FOLDER;
 use super::limits::{MAX_MAP_NAME_LENGTH, MAX_PINNED, MAX_SUBSCRIBERS, TRANSPORT_REVISION};
-use super::room::{ATTACH_ROOM, check_room};
+use super::room::{ATTACH_DESCRIPTORS, ATTACH_ROOM, check_descriptors, check_room};
 use std::path::PathBuf;
 use thiserror::Error;
 
@@ -119,6 +119,17 @@ pub enum AttachError {
         /// Bytes that are left.
         available: u64,
     },
+    /// This process may open no more files.
+    #[error(
+        "attaching needs {ATTACH_DESCRIPTORS} file descriptors, {left} of {limit} are left to this process; close some, or raise the limit \
+         (`ulimit -n`, LimitNOFILE=)"
+    )]
+    NoDescriptors {
+        /// File descriptors that are left.
+        left: u64,
+        /// As many as the process may have.
+        limit: u64,
+    },
     /// A file of the domain cannot be used.
     #[error("{}: {error}", path.display())]
     Io {
@@ -143,11 +154,14 @@ impl AttachError {
         Self::Io { path: path.into(), error }
     }
 
-    /// The same, or that shared memory is full, if it is: whatever failed, failed for that.
-    pub(crate) fn or_no_room(self) -> Self {
-        match (&self, check_room()) {
-            (Self::Iceoryx(_) | Self::Io { .. }, Err(no_room)) => no_room,
-            _ => self,
+    /// The same, or what there is too little of, if there is: whatever failed, failed for that.
+    pub(crate) fn or_shortage(self) -> Self {
+        match self {
+            Self::Iceoryx(_) | Self::Io { .. } => check_room()
+                .and_then(|()| check_descriptors(ATTACH_DESCRIPTORS))
+                .err()
+                .unwrap_or(self),
+            other => other,
         }
     }
 

@@ -50,6 +50,7 @@ mod payload;
 mod pinned;
 mod presence;
 mod record;
+mod regular;
 mod room;
 mod status;
 mod subscription;
@@ -70,10 +71,12 @@ pub use payload::{Chunk64, GenerationInfo, chunks_for};
 pub use pinned::Pinned;
 pub use presence::Presence;
 pub use record::{
-    GENERATION_SUFFIX, hex, read_generation, read_published, read_staged, replace_text,
-    replace_text_durably, write_generation, write_published, write_staged,
+    GENERATION_SUFFIX, LARGEST_GENERATION, hex, parse_generation, read_generation,
+    read_generation_file, read_published, read_staged, replace_text, replace_text_durably,
+    write_generation, write_published, write_staged,
 };
-pub use room::{ATTACH_ROOM, free_bytes};
+pub use regular::{open_regular, read_regular};
+pub use room::{ATTACH_DESCRIPTORS, ATTACH_ROOM, descriptors_left, free_bytes};
 pub use status::{MapStatus, list_maps};
 pub use subscription::Subscription;
 pub use unfinished::unfinished_segments;

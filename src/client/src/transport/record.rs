@@ -3,6 +3,7 @@
 use super::domain::Domain;
 use super::limits::TRANSPORT_REVISION;
 use super::payload::GenerationInfo;
+use super::regular::read_regular;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -12,17 +13,43 @@ pub const GENERATION_SUFFIX: &str = ".generation";
 const PUBLISHED: &str = ".published";
 const STAGED: &str = ".staged";
 
+/// Longest record that is read \[bytes\]: they have a few hundred.
+const LONGEST: u64 = 4096;
+
+/// Largest number of a generation. Numbers begin with the milliseconds since 1970 and rise by one: a larger one, of the year
+/// 287,000, is nonsense that was not handed out, and to go on from it would soon leave none.
+pub const LARGEST_GENERATION: u64 = 1 << 53;
+
+/// A generation's number as a file has it.
+///
+/// Errors: no number, or one above [`LARGEST_GENERATION`].
+pub fn parse_generation(text: &str) -> io::Result<u64> {
+    let nonsense = |reason: String| io::Error::new(io::ErrorKind::InvalidData, reason);
+    let number: u64 = text.trim().parse().map_err(|error| nonsense(format!("{error}")))?;
+    match number <= LARGEST_GENERATION {
+        true => Ok(number),
+        false => Err(nonsense(format!(
+            "expected the number of a generation, at most {LARGEST_GENERATION}, found {number}"
+        ))),
+    }
+}
+
+/// The number that a file holds; 0 if it is not there.
+///
+/// Errors: it cannot be read, is no regular file, or holds no number that makes sense.
+pub fn read_generation_file(path: &Path) -> io::Result<u64> {
+    match read_regular(path, LONGEST) {
+        Ok(text) => parse_generation(&text),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(0),
+        Err(error) => Err(error),
+    }
+}
+
 /// The last generation number handed out for a map; 0 if none was.
 ///
 /// Errors: the file cannot be read, or holds no number.
 pub fn read_generation(domain: &Domain, map: &str) -> io::Result<u64> {
-    match fs::read_to_string(domain.map_file(map, GENERATION_SUFFIX)) {
-        Ok(text) => {
-            text.trim().parse().map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))
-        }
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(0),
-        Err(error) => Err(error),
-    }
+    read_generation_file(&domain.map_file(map, GENERATION_SUFFIX))
 }
 
 /// Remembers that a generation number has been handed out. Only the daemon that has claimed the map does so.
@@ -34,7 +61,7 @@ pub fn write_generation(domain: &Domain, map: &str, generation: u64) -> io::Resu
 
 /// What was published last, and by which transport revision; `None` if nothing was.
 pub fn read_published(domain: &Domain, map: &str) -> Option<(u32, GenerationInfo)> {
-    parse(&fs::read_to_string(domain.map_file(map, PUBLISHED)).ok()?)
+    parse(&read_regular(&domain.map_file(map, PUBLISHED), LONGEST).ok()?)
 }
 
 /// Writes down what is served now; `None` removes it.
@@ -50,7 +77,7 @@ pub fn write_published(
 
 /// The generation that waits to be served; `None` if none does.
 pub fn read_staged(domain: &Domain, map: &str) -> Option<(u32, GenerationInfo)> {
-    parse(&fs::read_to_string(domain.map_file(map, STAGED)).ok()?)
+    parse(&read_regular(&domain.map_file(map, STAGED), LONGEST).ok()?)
 }
 
 /// Writes down what is staged now; `None` removes it.
@@ -82,12 +109,20 @@ fn unfinished(path: &Path) -> PathBuf {
     new.into()
 }
 
+/// Makes a file in the place of what a killed writer has left, or of whatever else is there.
+fn create_anew(path: &Path) -> io::Result<File> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => File::create_new(path),
+    }
+}
+
 /// Replaces a file so that a reader sees the old text or the new one.
 ///
 /// Errors: what the system says.
 pub fn replace_text(path: &Path, text: &str) -> io::Result<()> {
     let new = unfinished(path);
-    fs::write(&new, text)?;
+    create_anew(&new)?.write_all(text.as_bytes())?;
     fs::rename(&new, path)
 }
 
@@ -96,7 +131,7 @@ pub fn replace_text(path: &Path, text: &str) -> io::Result<()> {
 /// Errors: what the system says.
 pub fn replace_text_durably(path: &Path, text: &str) -> io::Result<()> {
     let new = unfinished(path);
-    let mut file = File::create(&new)?;
+    let mut file = create_anew(&new)?;
     file.write_all(text.as_bytes())?;
     file.sync_all()?;
     fs::rename(&new, path)?;

@@ -1,5 +1,6 @@
 //! Whether shared memory has room for what a client or a daemon makes besides the maps. iceoryx2 reserves no pages for its
-//! own segments: where there is no room, whoever writes into a new one is killed by a signal.
+//! own segments: where there is no room, whoever writes into a new one is killed by a signal. And whether the process has
+//! file descriptors left.
 
 use super::domain::SHARED_MEMORY_FOLDER;
 use super::error::AttachError;
@@ -20,6 +21,37 @@ pub fn free_bytes() -> Option<u64> {
 pub(crate) fn check_room() -> Result<(), AttachError> {
     match free_bytes() {
         Some(available) if available < ATTACH_ROOM => Err(AttachError::NoRoom { available }),
+        _ => Ok(()),
+    }
+}
+
+/// File descriptors that a process must have left to attach, or to make what serves one map.
+pub const ATTACH_DESCRIPTORS: u64 = 24;
+
+/// Those of them that are needed last, to receive a generation.
+pub(crate) const RECEIVE_DESCRIPTORS: u64 = 4;
+
+/// File descriptors that are left to this process, and how many it may have; `None` where there is no limit, or the system
+/// does not say.
+pub fn descriptors_left() -> Option<(u64, u64)> {
+    let limit = rustix::process::getrlimit(rustix::process::Resource::Nofile).current?;
+    let used = match std::fs::read_dir("/proc/self/fd") {
+        // One of them reads the folder.
+        Ok(entries) => (entries.count() as u64).saturating_sub(1),
+        Err(error) if error.raw_os_error() == Some(rustix::io::Errno::MFILE.raw_os_error()) => {
+            limit
+        }
+        Err(_) => return None,
+    };
+    Some((limit.saturating_sub(used), limit))
+}
+
+/// Checks that there are so many. Takes a look at each descriptor: for whoever has failed already.
+///
+/// Errors: [`AttachError::NoDescriptors`].
+pub(crate) fn check_descriptors(needed: u64) -> Result<(), AttachError> {
+    match descriptors_left() {
+        Some((left, limit)) if left < needed => Err(AttachError::NoDescriptors { left, limit }),
         _ => Ok(()),
     }
 }

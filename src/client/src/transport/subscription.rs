@@ -1,7 +1,7 @@
 //! Following one map.
 
 use super::attach::{AttachTiming, Ports, open_listener, open_ports};
-use super::claim::served_by;
+use super::claim::{served_by, who_serves};
 use super::config::{TransportService, silence_iceoryx2};
 use super::domain::Domain;
 use super::error::AttachError;
@@ -9,7 +9,7 @@ use super::limits::{MAX_PINNED, MAX_SUBSCRIBERS, MAX_SUBSCRIPTIONS, check_map_na
 use super::payload::GenerationInfo;
 use super::pinned::{Pinned, Watch};
 use super::record::read_staged;
-use super::room::check_room;
+use super::room::{RECEIVE_DESCRIPTORS, check_descriptors, check_room};
 use iceoryx2::port::listener::Listener;
 use iceoryx2::service::port_factory::PortFactory as _;
 use std::fmt;
@@ -70,7 +70,10 @@ impl Subscription {
     }
 
     /// As [`Subscription::connect`], for a daemon that looks at what it serves: also where clients have taken all places.
-    pub(crate) fn connect_in_reserve(
+    ///
+    /// Errors: as [`Subscription::connect`].
+    #[doc(hidden)]
+    pub fn connect_in_reserve(
         domain: &Domain,
         map: &str,
         deadline: Instant,
@@ -88,7 +91,7 @@ impl Subscription {
         silence_iceoryx2();
         let mut pause = FIRST_PAUSE;
         let mut inbox = loop {
-            match open_ports(domain, map, most, deadline).map_err(AttachError::or_no_room) {
+            match open_ports(domain, map, most, deadline).map_err(AttachError::or_shortage) {
                 Ok(ports) => break Inbox { ports, held: Vec::new() },
                 Err(error) if error.may_pass() && Instant::now() < deadline => {
                     sleep(&mut pause, deadline)
@@ -268,24 +271,31 @@ impl Inbox {
                     return Ok(pinned);
                 }
                 Err(error) if !error.may_pass() => return Err(error),
-                Err(error @ AttachError::NoRoom { .. }) if Instant::now() >= deadline => {
+                Err(error @ (AttachError::NoRoom { .. } | AttachError::NoDescriptors { .. }))
+                    if Instant::now() >= deadline =>
+                {
                     return Err(error);
                 }
                 // A publisher that was killed cannot be connected to until a daemon has cleaned up.
                 Ok(None) | Err(_) => {}
             }
             if Instant::now() >= deadline {
-                return Err(match served_by(domain, map) {
-                    Some(_) => AttachError::NoGeneration {
-                        map: map.to_owned(),
-                        newer_than: 0,
-                        daemon_alive: true,
+                // iceoryx2 passes over a publisher that it can open no files of.
+                check_descriptors(RECEIVE_DESCRIPTORS)?;
+                let served = who_serves(domain, map);
+                return Err(
+                    match served.map_err(|error| AttachError::io(domain.root(), error))? {
+                        Some(_) => AttachError::NoGeneration {
+                            map: map.to_owned(),
+                            newer_than: 0,
+                            daemon_alive: true,
+                        },
+                        None => AttachError::NoDaemon {
+                            map: map.to_owned(),
+                            root: domain.root().to_owned(),
+                        },
                     },
-                    None => AttachError::NoDaemon {
-                        map: map.to_owned(),
-                        root: domain.root().to_owned(),
-                    },
-                });
+                );
             }
             sleep(&mut pause, deadline);
             if rung.elapsed() >= RING_AGAIN {
@@ -319,8 +329,8 @@ impl Inbox {
                 return newest.ok_or_else(full).map(Some);
             }
             // The last round, which finds nothing, also unmaps generations that nobody holds any more.
-            let Some(sample) = self.ports.subscriber.receive().map_err(AttachError::iceoryx)?
-            else {
+            let failed = |error| AttachError::iceoryx(error).or_shortage();
+            let Some(sample) = self.ports.subscriber.receive().map_err(failed)? else {
                 return Ok(newest);
             };
             let pinned = Pinned::new(sample, map, &self.ports.presence)?;

@@ -1,8 +1,8 @@
 //! What an archive is compiled from, as a name.
 
-use mapd_archive::LAYOUT_ID;
+use mapd_archive::{Header, LAYOUT_ID};
+use mapd_client::transport::open_regular;
 use std::fmt;
-use std::fs::File;
 use std::io;
 use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
@@ -17,6 +17,11 @@ impl Key {
     /// them (see [`InputHash`] and [`mapd_compiler::ReadOptions::hash`]).
     pub fn of_archive(input: &[u8; 32], options: &[u8; 8]) -> Self {
         Self::of(b"archive", &[input, options, program(), &LAYOUT_ID])
+    }
+
+    /// Of the archive that has this header.
+    pub fn of_header(header: &Header) -> Self {
+        Self::of_archive(&header.provenance.input_hash, &header.provenance.options_hash)
     }
 
     /// Of a document without what it includes, and of the folder that it includes from.
@@ -98,10 +103,10 @@ impl InputHash {
         includes: impl FnOnce(&[u8; 32]) -> Vec<PathBuf>,
     ) -> io::Result<Self> {
         let mut hasher = blake3::Hasher::new();
-        hasher.update_reader(File::open(document)?)?;
+        hasher.update_reader(open_regular(document)?)?;
         let alone = *hasher.finalize().as_bytes();
         for file in includes(&alone) {
-            hasher.update_reader(File::open(file)?)?;
+            hasher.update_reader(open_regular(&file)?)?;
         }
         Ok(Self { document: alone, input: *hasher.finalize().as_bytes() })
     }

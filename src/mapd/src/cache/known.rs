@@ -73,8 +73,7 @@ impl Cache {
     ) -> io::Result<(InputHash, Vec<PathBuf>)> {
         let document = std::path::absolute(document)?;
         let record = self.path(&Key::of_place(&document), KNOWN);
-        let known =
-            fs::read(&record).ok().and_then(|text| serde_json::from_slice::<Known>(&text).ok());
+        let known = self.read(&record).and_then(|text| serde_json::from_str::<Known>(&text).ok());
         if let Some(known) = known.filter(|known| known.holds(&document)) {
             let files = known.files.into_iter().map(|(file, _)| file).collect();
             return Ok((InputHash { document: known.document, input: known.input }, files));

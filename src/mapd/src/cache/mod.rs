@@ -2,7 +2,8 @@
 //!
 //! An archive's name is its [`Key`]: a hash of everything that shapes it. Files appear under their names whole, by renaming;
 //! they are never changed afterwards. The cache is a convenience and nothing else: it may be deleted, in part or as a whole,
-//! at any time, by anyone; what is read from it is proved before it is used; a file that does not prove is removed.
+//! at any time, by anyone; what is read from it is proved before it is used; a file that does not prove, or is not what its
+//! name says, is removed. Pipes, folders and devices under its names are not waited for.
 //!
 //! ```text
 //! {folder}/{key}.mapd        an archive; the time of its last use is the file's
@@ -22,6 +23,7 @@ pub use key::{InputHash, Key};
 pub use known::Identity;
 
 use crate::clock::since_epoch;
+use mapd_client::transport::{open_regular, read_regular};
 use std::ffi::OsStr;
 use std::fs::{self, DirBuilder, File, OpenOptions, TryLockError};
 use std::io;
@@ -46,6 +48,9 @@ const MOST_RECORDS: usize = 4096;
 
 /// Records that are written before those that are too many are looked for again: looking takes as long as there are files.
 const RECORDS_UNLOOKED: usize = 256;
+
+/// Longest record that is read \[bytes\]: one names the files that a document includes.
+const LONGEST_RECORD: u64 = 16 << 20;
 
 const ARCHIVE: &str = "mapd";
 const SERVED: &str = "served";
@@ -108,7 +113,7 @@ impl Cache {
         for entry in fs::read_dir(&cache.folder)?.filter_map(Result::ok) {
             let unfinished = entry.file_name().to_string_lossy().starts_with(UNFINISHED);
             let path = entry.path();
-            if unfinished && File::open(&path).is_ok_and(|file| file.try_lock().is_ok()) {
+            if unfinished && open_regular(&path).is_ok_and(|file| file.try_lock().is_ok()) {
                 // Tried again by the next.
                 let _ = fs::remove_file(path);
             }
@@ -137,8 +142,8 @@ impl Cache {
     /// An archive, opened for reading, and its length \[bytes\]; it stays readable whatever becomes of its name. It has not
     /// been proved.
     pub fn get(&self, key: &Key) -> Option<(File, u64)> {
-        let file = File::open(self.path(key, ARCHIVE)).ok()?;
-        let metadata = file.metadata().ok().filter(fs::Metadata::is_file)?;
+        let file = open_regular(&self.path(key, ARCHIVE)).ok()?;
+        let metadata = file.metadata().ok()?;
         // The least recently used archives are removed first. On a read-only disk all of them stay.
         let _ = file.set_modified(SystemTime::now());
         Some((file, metadata.len()))
@@ -199,7 +204,7 @@ impl Cache {
 
     /// The archive that was served last under a name, as far as is remembered.
     pub fn last_served(&self, name: &str) -> Option<Key> {
-        Key::from_text(&fs::read_to_string(self.folder.join(format!("{name}.{SERVED}"))).ok()?)
+        Key::from_text(&self.read(&self.folder.join(format!("{name}.{SERVED}")))?)
     }
 
     /// Writes a record, which is there as a whole or not.
@@ -228,8 +233,13 @@ impl Cache {
 
     /// The files that a document includes, as far as is remembered.
     pub fn includes(&self, document: &Key) -> Vec<PathBuf> {
-        let text = fs::read(self.path(document, INCLUDES)).ok();
-        text.and_then(|text| serde_json::from_slice(&text).ok()).unwrap_or_default()
+        let text = self.read(&self.path(document, INCLUDES));
+        text.and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default()
+    }
+
+    /// Reads a record; nothing where there is none, or something else has its name.
+    fn read(&self, record: &Path) -> Option<String> {
+        read_regular(record, LONGEST_RECORD).ok()
     }
 
     fn make_folder(&self) -> io::Result<()> {

@@ -17,7 +17,7 @@ use crate::judging::JudgingArgs;
 use crate::progress::{Meter, ProgressArgs};
 use crate::same_file::is_same_file;
 use crate::size::Size;
-use crate::threads::ThreadsArg;
+use crate::threads::{ThreadCount, ThreadsArg};
 use anyhow::{Context, Result, bail};
 use clap::{ArgMatches, Args, ValueEnum};
 use mapd_compiler::Progress;
@@ -160,8 +160,12 @@ fn be_child(
                 .and_then(|()| tell(&Message::Progress(progress)));
         }
     };
-    let (verdict, mut told) = one::compile(file, &target, (&reading, &options), &mut progress)?;
+    let compiled = one::compile(file, &target, (&reading, &options), &mut progress);
     failed?;
+    if compiled.as_ref().is_err_and(|error| error.is::<one::Unwritten>()) {
+        tell(&Message::Told(Told { is_unwritten: true, ..Told::default() }))?;
+    }
+    let (verdict, mut told) = compiled?;
     if to == ChildOutput::At {
         // They are in the report; a name that is no text cannot be told.
         told.included.clear();
@@ -177,7 +181,7 @@ fn compile_one(
     matches: &ArgMatches,
     out: &mut dyn Write,
 ) -> Result<Exit> {
-    let manner = command.progress.manner()?;
+    let manner = command.progress.manner();
     let archive = command.output.clone().unwrap_or_else(|| file.with_extension("mapd"));
     if is_same_file(&archive, file) {
         let message =
@@ -260,7 +264,7 @@ fn compile_many(
             bail!(UsageError(message));
         }
     }
-    let manner = command.progress.manner()?;
+    let manner = command.progress.manner();
     let reading = command.options.reading(&command.judging)?;
     let options = command.options.validated()?;
     let tiles = inputs::tiles(&command.inputs, command.output_dir.as_deref())?;
@@ -275,7 +279,9 @@ fn compile_many(
         force: command.force,
         jobs,
         // Together as many as there are cores.
-        threads: threads.or(NonZeroUsize::new(cores.get() / jobs)).unwrap_or(NonZeroUsize::MIN),
+        threads: threads.unwrap_or_else(|| {
+            ThreadCount::at_most(NonZeroUsize::new(cores.get() / jobs).unwrap_or(NonZeroUsize::MIN))
+        }),
         memory: command.max_memory.map(|size| size.0).or_else(child::default_memory),
     };
     let begun = Instant::now();

@@ -5,7 +5,7 @@ use crate::archive_file;
 use crate::child::{ArchiveFacts, Told};
 use crate::same_file::is_same_file;
 use crate::{draft, report, source};
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 use mapd_archive::{HEADER_LENGTH, Header, Rows};
 use mapd_compiler::{CompileOptions, Progress, ReadOptions, Verdict};
 use std::path::{Path, PathBuf};
@@ -17,6 +17,11 @@ pub(super) struct Target {
     /// Whether the archive goes into a file that is there and that nobody reads yet.
     pub(super) is_there: bool,
 }
+
+/// The map is compiled; the place for its archive is what failed.
+#[derive(Debug, thiserror::Error)]
+#[error("the archive finds no place")]
+pub(super) struct Unwritten;
 
 /// Compiles a file, prints what was found, and writes the report, then the archive. Of a rejected map there is none; what was
 /// there stays.
@@ -39,13 +44,14 @@ pub(super) fn compile(
         }
     }
     let missing = compiled.missing.iter().map(|file| absolute(file)).collect();
-    let mut told = Told { included, missing, counts: report::counts(&compiled), archive: None };
+    let counts = report::counts(&compiled);
+    let mut told = Told { included, missing, counts, archive: None, is_unwritten: false };
     let mut unnamed = None;
     let mut report = report::report(&name, &compiled);
     if let Some(rows) = &compiled.rows {
         let provenance = &compiled.provenance;
         let header = if target.is_there {
-            archive_file::write_into(&target.archive, rows, provenance)?
+            archive_file::write_into(&target.archive, rows, provenance).context(Unwritten)?
         } else {
             let written = archive_file::prepare(&target.archive, rows, provenance)?;
             let header = written.header;

@@ -11,6 +11,7 @@ use crate::compile_args::CompileArguments;
 use crate::draft;
 use crate::exit::Exit;
 use crate::progress::{Manner, Meter, decoded_bytes};
+use crate::threads::ThreadCount;
 use anyhow::{Context, Result};
 use mapd_compiler::Progress;
 use signal_hook::consts::{SIGINT, SIGTERM};
@@ -30,7 +31,7 @@ pub(super) struct Plan<'a> {
     /// Tiles at once.
     pub(super) jobs: NonZeroUsize,
     /// Threads for each of them.
-    pub(super) threads: NonZeroUsize,
+    pub(super) threads: ThreadCount,
     /// For all of them together \[bytes\].
     pub(super) memory: Option<u64>,
 }
@@ -59,15 +60,13 @@ pub(super) fn run(plan: &Plan<'_>, manner: Manner) -> Result<Vec<Row>> {
         is_last: plan.jobs.get() == 1 || plan.memory.is_none(),
     };
     std::thread::scope(|scope| {
-        for _ in 0..plan.jobs.get() {
-            scope.spawn(|| work.through(first));
+        for _ in 1..plan.jobs.get() {
+            // Where no more threads can be had, fewer tiles are compiled at a time.
+            let _ = std::thread::Builder::new().spawn_scoped(scope, || work.through(first));
         }
+        work.through(first);
     });
-    work.again(Try {
-        memory: plan.memory,
-        threads: plan.threads.saturating_mul(plan.jobs),
-        is_last: true,
-    });
+    work.again(Try { memory: plan.memory, threads: plan.threads.times(plan.jobs), is_last: true });
     work.meter.finish();
     let rows = work.rows.into_inner().unwrap_or_else(PoisonError::into_inner);
     Ok(rows.into_iter().flatten().collect())
@@ -78,7 +77,7 @@ pub(super) fn run(plan: &Plan<'_>, manner: Manner) -> Result<Vec<Row>> {
 struct Try {
     /// \[bytes\]
     memory: Option<u64>,
-    threads: NonZeroUsize,
+    threads: ThreadCount,
     /// Whether there will be no other with more.
     is_last: bool,
 }

@@ -9,8 +9,10 @@ use crate::child::ArchiveFacts;
 use crate::exit::Exit;
 use crate::report::{self, Counts};
 use mapd_archive::{HEADER_LENGTH, Header, Provenance};
+use mapd_client::transport::open_regular;
 use serde::{Deserialize, Serialize};
-use std::fs::{self, File};
+use std::fs;
+use std::io::BufReader;
 use std::os::unix::fs::FileExt;
 use std::path::{Path, PathBuf};
 
@@ -54,7 +56,8 @@ pub(super) struct Known {
 /// What is known of a tile's archive, if it is up to date with options of this hash.
 pub(super) fn known(tile: &Tile, options: &[u8; 8]) -> Option<Known> {
     let header = header(&tile.archive)?;
-    let report: Report = serde_json::from_slice(&fs::read(&tile.report).ok()?).ok()?;
+    let report: Report =
+        serde_json::from_reader(BufReader::new(open_regular(&tile.report).ok()?)).ok()?;
     let record = report.archive?;
     let exit = match report.verdict.as_str() {
         "accepted" => Exit::Done,
@@ -82,7 +85,7 @@ pub(super) fn known(tile: &Tile, options: &[u8; 8]) -> Option<Known> {
 
 /// The header of an archive that is as long as it says.
 fn header(archive: &Path) -> Option<Header> {
-    let file = File::open(archive).ok()?;
+    let file = open_regular(archive).ok()?;
     let mut bytes = [0; HEADER_LENGTH];
     file.read_exact_at(&mut bytes, 0).ok()?;
     let header = Header::decode(&bytes).ok()?;

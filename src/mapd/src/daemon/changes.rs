@@ -9,6 +9,7 @@ use super::watch::watch_more;
 use super::worker::Worker;
 use crate::clock::unix_ns;
 use crate::control::{ReloadReport, ReloadResult, Response, Trigger};
+use crate::oversight::proof::{Proof, prove};
 use crate::serve::ServeError;
 
 /// How a change ended: result, generation, reason.
@@ -82,7 +83,7 @@ impl Maps {
             }
         };
         self.follow_includes(&change.map, &prepared);
-        if let Some(generation) = self.is_served(&change.map, &prepared) {
+        if let Some(generation) = self.is_served_soundly(&change.map, &prepared) {
             let reason = match self.give_up_staged(&change.map) {
                 Some(staged) => format!(
                     "the file yields the archive that is served; generation {staged}, which was staged, is given up"
@@ -150,6 +151,21 @@ impl Maps {
             entry.staged = None;
         }
         self.board.map(map, |state| state.staged = None);
+    }
+
+    /// The generation that is served, if it is the same and not known to be damaged: it is proved first, so that a reload
+    /// repairs what has gone bad in memory.
+    fn is_served_soundly(&self, map: &str, prepared: &Prepared) -> Option<u64> {
+        let generation = self.is_served(map, prepared)?;
+        let proof = self.server.meanwhile(|| prove(&self.domain, &self.board, map));
+        match proof {
+            Ok(Proof::Damaged(reason)) => {
+                tracing::error!(map = %map, error = %reason, "map {map}: what is served does not prove, and is published anew: {reason}");
+                None
+            }
+            // What nobody could look at is not known to be bad.
+            Ok(Proof::Sound(_) | Proof::NotLooked(_)) | Err(_) => Some(generation),
+        }
     }
 
     /// The generation that is served, if it was made of the same input and is the same.

@@ -4,10 +4,10 @@ use super::log::{relay, say};
 use super::settings::MapSettings;
 use crate::child::{self, End, Output, Told, Work};
 use crate::exit::Exit;
+use crate::threads::ThreadCount;
 use std::collections::VecDeque;
 use std::ffi::OsStr;
 use std::io;
-use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
@@ -28,6 +28,8 @@ pub(crate) enum Refusal {
     Rejected(String),
     /// The map is rejected, and other files than its own may mend it.
     RejectedWith(String, OtherFiles),
+    /// The map is compiled, and its archive found no place.
+    Unwritten(String),
     /// Something else failed.
     Failed(String),
 }
@@ -43,7 +45,10 @@ pub(crate) struct OtherFiles {
 
 impl Refusal {
     pub(crate) fn reason(&self) -> &str {
-        let (Self::Rejected(reason) | Self::RejectedWith(reason, _) | Self::Failed(reason)) = self;
+        let (Self::Rejected(reason)
+        | Self::RejectedWith(reason, _)
+        | Self::Unwritten(reason)
+        | Self::Failed(reason)) = self;
         reason
     }
 
@@ -51,14 +56,14 @@ impl Refusal {
     pub(crate) fn other_files(&self) -> Option<&OtherFiles> {
         match self {
             Self::RejectedWith(_, files) => Some(files),
-            Self::Rejected(_) | Self::Failed(_) => None,
+            Self::Rejected(_) | Self::Unwritten(_) | Self::Failed(_) => None,
         }
     }
 
     pub(crate) fn exit(&self) -> Exit {
         match self {
             Self::Rejected(_) | Self::RejectedWith(..) => Exit::Rejected,
-            Self::Failed(_) => Exit::Environment,
+            Self::Unwritten(_) | Self::Failed(_) => Exit::Environment,
         }
     }
 }
@@ -69,7 +74,7 @@ pub(crate) struct Means {
     /// Memory \[bytes\]; a share of what is free where nothing is said.
     pub(crate) memory: Option<u64>,
     /// Threads; as many as there are cores where nothing is said.
-    pub(crate) threads: Option<NonZeroUsize>,
+    pub(crate) threads: Option<ThreadCount>,
 }
 
 /// Compiles a map into `output`, which is there already. The child's messages go where the daemon's go.
@@ -107,6 +112,7 @@ pub(crate) fn compile(
             let files = OtherFiles { included: told.included, missing: told.missing };
             Err(Refusal::RejectedWith(reason(&said), files))
         }
+        End::Exit(Exit::Environment) if told.is_unwritten => Err(Refusal::Unwritten(reason(&said))),
         End::Exit(Exit::Environment | Exit::Usage) => Err(Refusal::Failed(reason(&said))),
         End::OutOfMemory { .. } => Err(Refusal::Failed(end.reason(memory, LIMIT))),
         End::Broken(_) => {

@@ -5,12 +5,14 @@ use super::sources;
 use crate::compile_args::CompileArguments;
 use crate::oversight::OversightSettings;
 use crate::size::Size;
+use crate::small_text;
+use crate::threads::ThreadCount;
 use anyhow::{Context, Result};
 use mapd_client::Domain;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::net::SocketAddr;
-use std::num::{NonZeroU32, NonZeroUsize};
+use std::num::NonZeroU32;
 use std::path::{Path, PathBuf};
 use toml::{Spanned, Value};
 
@@ -22,7 +24,7 @@ pub(crate) struct Configuration {
     pub(crate) no_cache: bool,
     pub(crate) cache_size: Option<Size>,
     pub(crate) compile_memory: Option<Size>,
-    pub(crate) threads: Option<NonZeroUsize>,
+    pub(crate) threads: Option<ThreadCount>,
     pub(crate) lock_memory: bool,
     pub(crate) trust: Option<PathBuf>,
     pub(crate) oversight: OversightSettings,
@@ -43,7 +45,7 @@ struct File {
     no_cache: bool,
     cache_size: Option<Size>,
     compile_memory: Option<Size>,
-    threads: Option<NonZeroUsize>,
+    threads: Option<ThreadCount>,
     #[serde(default)]
     lock_memory: bool,
     trust: Option<PathBuf>,
@@ -86,7 +88,7 @@ impl Configuration {
     /// Errors: it cannot be read; with line and column, what is wrong in it.
     pub(crate) fn read(path: &Path) -> Result<Self> {
         let reading = || format!("reading {}", path.display());
-        let text = std::fs::read_to_string(path).with_context(reading)?;
+        let text = small_text::read(path)?;
         let folder = path.parent().unwrap_or(Path::new(""));
         Self::parse(&text, folder).map_err(anyhow::Error::msg).with_context(reading)
     }
@@ -188,7 +190,7 @@ mod tests {
     fn maps_have_their_own_names_and_options() {
         let file = Configuration::parse(GOOD, Path::new("/etc/mapd")).expect("good");
         assert_eq!(file.domain, Domain::new("veh_").ok());
-        assert_eq!(file.threads, NonZeroUsize::new(4));
+        assert_eq!(file.threads.map(ThreadCount::get), Some(4));
         let [town, ring] = file.maps.as_slice() else { panic!("two maps") };
         assert_eq!((town.name.as_str(), town.watch, town.max_bytes), ("town", true, None));
         assert_eq!(town.source, Path::new("/etc/mapd/town.xodr"));
@@ -203,7 +205,10 @@ mod tests {
             ("wach = true", "line 1, column 1", "wach"),
             ("metrics = 'here'", "line 1, column 11", "address"),
             ("scrub = 0", "line 1, column 9", "nonzero"),
-            ("threads = 0", "line 1, column 11", "nonzero"),
+            ("threads = 0", "line 1, column 11", "from 1 to 512"),
+            ("threads = 513", "line 1, column 11", "from 1 to 512"),
+            ("scrub = inf", "line 1, column 9", "float"),
+            ("options.index_tolerance = nan", "line 1, column 9", "finite"),
             ("watch = 3", "line 1, column 9", "boolean"),
             ("cache_size = 'big'", "line 1, column 14", "bytes"),
             ("\nprefix = 'a_b_'", "line 2, column 10", "prefix"),

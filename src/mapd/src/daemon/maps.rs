@@ -243,6 +243,8 @@ impl Maps {
         self.board.map(map, |state| {
             state.served = Some(kept.status);
             state.staged = None;
+            // These bytes were proved when they were filled in; what a scrub has found is about others.
+            state.scrubs.last_failed = None;
             state.rollbacks = rollbacks;
             state.published += 1;
         });

@@ -1,11 +1,13 @@
 //! From a map's source to an archive in a file: as it is, from the cache, or compiled.
 
 use super::child::{self, Means, Refusal};
+use super::log::say;
 use super::settings::MapSettings;
 use crate::cache::{Cache, InputHash, Key};
 use crate::source;
 use crate::trust::signable;
 use mapd_archive::{HEADER_LENGTH, Header};
+use mapd_client::transport::open_regular;
 use mapd_client::{Domain, TrustError, TrustedKey, read_signature, signature_path};
 use std::fs::File;
 use std::io;
@@ -90,11 +92,8 @@ impl Workshop {
             let message = "--crs transforms OpenDRIVE files only; the archive keeps its frame";
             return Err(failed(message.to_owned()));
         }
-        let file = File::open(&map.source).map_err(|error| failed(error.to_string()))?;
+        let file = open_regular(&map.source).map_err(|error| failed(error.to_string()))?;
         let metadata = file.metadata().map_err(|error| failed(error.to_string()))?;
-        if !metadata.is_file() {
-            return Err(failed("not a file".to_owned()));
-        }
         let header = read_header(&file).map_err(|error| match error.kind() {
             io::ErrorKind::UnexpectedEof => Refusal::Rejected(format!(
                 "{}: no archive, or one that was cut off: {} bytes, a header alone has {HEADER_LENGTH}",
@@ -142,7 +141,11 @@ impl Workshop {
         let Ok((hash, files)) = cache.input_hash(&map.source, &folder) else { return Ok(None) };
         let key = Key::of_archive(&hash.input, &reading.hash(&options));
         let Some((file, length)) = cache.get(&key) else { return Ok(None) };
-        let Ok(header) = read_header(&file) else {
+        let Some(header) = header_of(&file, &key) else {
+            say(&format!(
+                "map {}: an archive in the cache is not what its name says; it is removed",
+                map.name
+            ));
             cache.remove(&key);
             return Ok(None);
         };
@@ -165,7 +168,7 @@ impl Workshop {
         let key = cache.last_served(&name_in_cache(domain, &map.name))?;
         let (file, length) = cache.get(&key)?;
         Some(Prepared {
-            header: read_header(&file).ok()?,
+            header: header_of(&file, &key)?,
             file: Arc::new(file),
             length,
             key: Some(key),
@@ -188,18 +191,35 @@ impl Workshop {
         let run =
             |output: &Path| child::compile(map, output.as_os_str(), self.means, &self.cancelled);
         // A cache that cannot be written any more is done without.
-        let begun = self.cache.as_ref().and_then(|cache| Some((cache, cache.begin().ok()?)));
-        let (file, length, header, key, told, is_on_disk) = match begun {
-            Some((cache, unfinished)) => {
-                let told = run(unfinished.path())?;
-                let header =
-                    File::open(unfinished.path()).and_then(|f| read_header(&f)).map_err(failed)?;
+        let without = |why: &dyn std::fmt::Display| {
+            say(&format!("map {}: going on without the cache: {why}", map.name));
+        };
+        let begun = self.cache.as_ref().and_then(|cache| {
+            let begun = cache.begin().inspect_err(|error| without(error));
+            Some((cache, begun.ok()?))
+        });
+        let in_cache = match begun {
+            Some((cache, unfinished)) => match run(unfinished.path()) {
+                Ok(told) => Some((cache, unfinished, told)),
+                Err(Refusal::Unwritten(reason)) => {
+                    without(&reason);
+                    None
+                }
+                Err(refusal) => return Err(refusal),
+            },
+            None => None,
+        };
+        let (file, length, header, key, told, is_on_disk) = match in_cache {
+            Some((cache, unfinished, told)) => {
+                let file = open_regular(unfinished.path()).map_err(failed)?;
+                let header = read_header(&file).map_err(failed)?;
+                let length = file.metadata().map_err(failed)?.len();
                 // Of what has been read, whatever the files hold meanwhile.
-                let provenance = &header.provenance;
-                let key = Key::of_archive(&provenance.input_hash, &provenance.options_hash);
-                let (file, length) = cache.keep(unfinished, &key).map_err(failed)?;
+                let key = Key::of_header(&header);
+                // The file is open: it is served also where it cannot have its name.
+                let kept = cache.keep(unfinished, &key).inspect_err(|error| without(error));
                 self.remember_includes(cache, map, &told.included);
-                (file, length, header, Some(key), told, true)
+                (file, length, header, kept.is_ok().then_some(key), told, true)
             }
             None => {
                 let (file, path) = child::nameless().map_err(failed)?;
@@ -242,6 +262,11 @@ fn name_in_cache(domain: &Domain, map: &str) -> String {
 
 fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
+}
+
+/// The header of an archive in the cache, if it is the one that its name says: files can be copied, and renamed.
+fn header_of(file: &File, key: &Key) -> Option<Header> {
+    read_header(file).ok().filter(|header| Key::of_header(header) == *key)
 }
 
 fn read_header(file: &File) -> io::Result<Header> {

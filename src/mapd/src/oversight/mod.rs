@@ -9,6 +9,7 @@ pub(crate) mod log;
 mod metrics;
 mod page;
 mod periodic;
+pub(crate) mod proof;
 mod rounds;
 mod scrubber;
 mod self_query;

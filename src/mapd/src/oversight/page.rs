@@ -1,9 +1,9 @@
 //! One page over HTTP: enough of it for `GET /metrics`, and no more.
 //!
-//! A server of the usual kind would bring an asynchronous runtime for a page that is read every 15 seconds. Requests are
-//! answered one after the other, each within a deadline, in a thread that nothing else waits for.
+//! A server of the usual kind would bring an asynchronous runtime for a page that is read every 15 seconds. One thread, which
+//! nothing else waits for, has all connections side by side: none waits for another, and none blocks.
 
-use rustix::event::{PollFd, PollFlags, poll};
+use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use std::fmt;
 use std::io::{self, Read, Write};
 use std::net::{TcpListener, TcpStream};
@@ -11,8 +11,11 @@ use std::os::unix::net::UnixStream;
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-/// How long a request may take in all.
+/// How long a request and its answer may take in all.
 const PATIENCE: Duration = Duration::from_secs(2);
+
+/// Connections at a time; one more takes the place of the one that came first.
+const MOST_CONNECTIONS: usize = 64;
 
 /// Pause where connections cannot be taken.
 const PAUSE: Duration = Duration::from_millis(100);
@@ -21,6 +24,9 @@ const PAUSE: Duration = Duration::from_millis(100);
 const LONGEST_HEAD: usize = 8 << 10;
 
 const CONTENT_TYPE: &str = "application/openmetrics-text; version=1.0.0; charset=utf-8";
+
+/// Makes the page.
+type Text<'a> = &'a dyn Fn() -> Result<String, fmt::Error>;
 
 /// Serves the page until it is dropped.
 pub(crate) struct Page {
@@ -56,36 +62,130 @@ impl Drop for Page {
     }
 }
 
-fn listen(
-    stopped: &UnixStream,
-    listener: &TcpListener,
-    text: &dyn Fn() -> Result<String, fmt::Error>,
-) {
+fn listen(stopped: &UnixStream, listener: &TcpListener, text: Text<'_>) {
+    // In the order in which they came.
+    let mut connections: Vec<Connection> = Vec::new();
     loop {
-        let mut waits = [PollFd::new(listener, PollFlags::IN), PollFd::new(stopped, PollFlags::IN)];
-        match poll(&mut waits, None) {
+        let mut waits =
+            vec![PollFd::new(stopped, PollFlags::IN), PollFd::new(listener, PollFlags::IN)];
+        waits.extend(connections.iter().map(|one| PollFd::new(&one.stream, one.waits_for())));
+        let now = Instant::now();
+        let left = connections.first().map(|one| one.until.saturating_duration_since(now));
+        let left = left.and_then(|left| Timespec::try_from(left).ok());
+        match poll(&mut waits, left.as_ref()) {
             Ok(_) => {}
             Err(rustix::io::Errno::INTR) => continue,
             // Cannot happen with descriptors of our own; the maps are served on without metrics.
             Err(_) => return,
         }
-        if !waits[1].revents().is_empty() {
+        let is_ready: Vec<bool> = waits.iter().map(|wait| !wait.revents().is_empty()).collect();
+        let [is_stopped, is_asked, ready @ ..] = is_ready.as_slice() else { return };
+        if *is_stopped {
             return;
         }
-        match listener.accept() {
-            // Whoever hangs up or says nothing has no answer.
-            Ok((stream, _)) => drop(answer(stream, text)),
-            Err(error) if error.kind() == io::ErrorKind::WouldBlock => {}
-            // As without descriptors that are left.
-            Err(_) => std::thread::sleep(PAUSE),
+        let mut ready = ready.iter();
+        let now = Instant::now();
+        connections.retain_mut(|one| {
+            let is_ready = ready.next().is_some_and(|ready| *ready);
+            // Whoever hangs up, says nothing in time or too much has no answer.
+            now < one.until && (!is_ready || one.go_on(text).is_ok_and(|is_done| !is_done))
+        });
+        if *is_asked {
+            take(listener, &mut connections, text);
         }
     }
 }
 
-fn answer(mut stream: TcpStream, text: &dyn Fn() -> Result<String, fmt::Error>) -> io::Result<()> {
-    stream.set_nonblocking(false)?;
-    stream.set_write_timeout(Some(PATIENCE))?;
-    let head = read_head(&mut stream)?;
+/// Takes all who wait.
+fn take(listener: &TcpListener, connections: &mut Vec<Connection>, text: Text<'_>) {
+    loop {
+        match listener.accept() {
+            Ok((stream, _)) => {
+                let Ok(mut one) = Connection::new(stream) else { continue };
+                // Who asks in the same breath is answered before it takes anybody's place.
+                if !one.go_on(text).is_ok_and(|is_done| !is_done) {
+                    continue;
+                }
+                if connections.len() >= MOST_CONNECTIONS {
+                    connections.remove(0);
+                }
+                connections.push(one);
+            }
+            Err(error) if error.kind() == io::ErrorKind::WouldBlock => return,
+            Err(error) if error.kind() == io::ErrorKind::ConnectionAborted => {}
+            // As without descriptors that are left.
+            Err(_) => return std::thread::sleep(PAUSE),
+        }
+    }
+}
+
+/// Somebody who asks, and is answered.
+struct Connection {
+    stream: TcpStream,
+    until: Instant,
+    head: Vec<u8>,
+    /// What is still to be written, once the request is known.
+    answer: Option<Vec<u8>>,
+    written: usize,
+}
+
+impl Connection {
+    fn new(stream: TcpStream) -> io::Result<Self> {
+        stream.set_nonblocking(true)?;
+        let until = Instant::now() + PATIENCE;
+        Ok(Self { stream, until, head: Vec::new(), answer: None, written: 0 })
+    }
+
+    fn waits_for(&self) -> PollFlags {
+        if self.answer.is_some() { PollFlags::OUT } else { PollFlags::IN }
+    }
+
+    /// Reads and writes what can be; whether the answer has been written.
+    ///
+    /// Errors: who asks has gone, or asks too much.
+    fn go_on(&mut self, text: Text<'_>) -> io::Result<bool> {
+        match self.read().and_then(|()| self.write(text)) {
+            Err(error) if error.kind() == io::ErrorKind::WouldBlock => Ok(false),
+            other => other.map(|()| true),
+        }
+    }
+
+    /// Reads up to the empty line; the request has no body.
+    fn read(&mut self) -> io::Result<()> {
+        let mut buffer = [0; 1024];
+        while self.answer.is_none() && !self.head.windows(4).any(|end| end == b"\r\n\r\n") {
+            if self.head.len() > LONGEST_HEAD {
+                return Err(io::ErrorKind::InvalidData.into());
+            }
+            match self.stream.read(&mut buffer) {
+                Ok(0) => return Err(io::ErrorKind::UnexpectedEof.into()),
+                Ok(count) => {
+                    self.head.extend_from_slice(buffer.get(..count).unwrap_or_default());
+                }
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(())
+    }
+
+    fn write(&mut self, text: Text<'_>) -> io::Result<()> {
+        let answer = self.answer.get_or_insert_with(|| answer(&self.head, text));
+        while let Some(left) = answer.get(self.written..).filter(|left| !left.is_empty()) {
+            match self.stream.write(left) {
+                Ok(0) => return Err(io::ErrorKind::WriteZero.into()),
+                Ok(count) => self.written += count,
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The answer to a request.
+fn answer(head: &[u8], text: Text<'_>) -> Vec<u8> {
+    let head = String::from_utf8_lossy(head);
     let mut words = head.split(' ');
     let (method, path) = (words.next(), words.next());
     // What is asked beyond the path chooses nothing here.
@@ -102,27 +202,8 @@ fn answer(mut stream: TcpStream, text: &dyn Fn() -> Result<String, fmt::Error>) 
     };
     let length = body.len();
     let body = if method == Some("HEAD") { "" } else { body.as_str() };
-    write!(
-        stream,
+    format!(
         "HTTP/1.1 {status}\r\nContent-Type: {CONTENT_TYPE}\r\nContent-Length: {length}\r\nConnection: close\r\n\r\n{body}"
     )
-}
-
-/// Reads up to the empty line; the request has no body.
-fn read_head(stream: &mut TcpStream) -> io::Result<String> {
-    let until = Instant::now() + PATIENCE;
-    let mut head = Vec::new();
-    let mut buffer = [0; 1024];
-    while !head.windows(4).any(|end| end == b"\r\n\r\n") {
-        let left = until.saturating_duration_since(Instant::now());
-        if left.is_zero() || head.len() > LONGEST_HEAD {
-            return Err(io::ErrorKind::InvalidData.into());
-        }
-        stream.set_read_timeout(Some(left))?;
-        match stream.read(&mut buffer)? {
-            0 => return Err(io::ErrorKind::UnexpectedEof.into()),
-            count => head.extend_from_slice(buffer.get(..count).unwrap_or_default()),
-        }
-    }
-    Ok(String::from_utf8_lossy(&head).into_owned())
+    .into_bytes()
 }

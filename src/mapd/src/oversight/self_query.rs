@@ -51,12 +51,17 @@ impl SelfQueryError {
     }
 }
 
-/// Whether a client met nothing but a lack of room for itself: shared memory is full, or all places are taken. Readers keep
+/// Whether a client met nothing but a lack of room for itself: shared memory is full, all places are taken, or
+/// this process may open no more files. Readers keep
 /// what they have, and another daemon could serve nothing better.
 fn could_not_look(error: &ClientError) -> bool {
     matches!(
         error,
-        ClientError::Attach(AttachError::NoRoom { .. } | AttachError::TooManySubscribers { .. })
+        ClientError::Attach(
+            AttachError::NoRoom { .. }
+                | AttachError::NoDescriptors { .. }
+                | AttachError::TooManySubscribers { .. }
+        )
     )
 }
 

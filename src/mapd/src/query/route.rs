@@ -3,6 +3,7 @@
 use super::holes::{Holes, exit};
 use super::kinds::{lane_in, number, text};
 use super::row::Row;
+use crate::number::not_negative;
 use clap::{Args, ValueEnum};
 use mapd_client::Map;
 use mapd_query::glam::DVec2;
@@ -26,7 +27,7 @@ pub struct RouteArgs {
     #[arg(long, value_enum, default_value_t = RouteBy::Length)]
     by: RouteBy,
     /// route: what a change of lane costs, in metres or seconds [default: 20 m, 2 s]
-    #[arg(long, value_name = "COST")]
+    #[arg(long, value_name = "COST", value_parser = not_negative)]
     lane_change: Option<f64>,
     /// route, signals: who travels, in the words of access/restriction
     #[arg(long, value_name = "CLASS", default_value = VehicleClass::PassengerCar.name(), value_parser = vehicle)]

@@ -1,6 +1,6 @@
 //! Why a map cannot be served.
 
-use mapd_client::transport::{AttachError, ClaimError};
+use mapd_client::transport::{ATTACH_DESCRIPTORS, AttachError, ClaimError};
 use std::error::Error;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -65,6 +65,17 @@ pub enum ServeError {
         limit: &'static str,
         /// How to get more.
         hint: &'static str,
+    },
+    /// The daemon may open no more files.
+    #[error(
+        "serving a map needs {ATTACH_DESCRIPTORS} file descriptors at a time, {left} of {limit} are left to this process; raise the limit \
+         (`ulimit -n`, LimitNOFILE=)"
+    )]
+    NoDescriptors {
+        /// File descriptors that are left.
+        left: u64,
+        /// As many as the process may have.
+        limit: u64,
     },
     /// There is nothing to activate.
     #[error(

@@ -12,11 +12,11 @@ use super::error::ServeError;
 use super::notice::Notice;
 use crate::clock::since_epoch;
 use mapd_client::transport::{
-    Domain, GENERATION_SUFFIX, read_generation, replace_text_durably, write_generation,
+    Domain, GENERATION_SUFFIX, LARGEST_GENERATION, read_generation, read_generation_file,
+    replace_text_durably, write_generation,
 };
-use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Hands out numbers.
 #[derive(Debug, Default)]
@@ -42,16 +42,28 @@ impl Generations {
     ) -> Result<u64, ServeError> {
         let path = || domain.root().join(format!("{map}{GENERATION_SUFFIX}"));
         let kept = self.folder.as_ref().map(|folder| kept_file(folder, domain, map));
-        let known = kept.as_deref().map_or(0, read_kept);
+        // Nonsense in one place is no reason to serve nothing where the number is known, or can begin anew.
+        let known = kept.as_deref().map_or(Ok(0), read_generation_file);
+        let known = known.unwrap_or_else(|error| {
+            let what = "reading the last generation that the cache folder keeps";
+            notify(&Notice::Failed { what: what.to_owned(), error: error.to_string() });
+            0
+        });
         let here = match read_generation(domain, map) {
-            // Nonsense here is no reason to serve nothing where the number is known.
-            Err(error) if error.kind() == io::ErrorKind::InvalidData && known > 0 => 0,
+            Err(error) if known > 0 => {
+                let what = format!("reading {}", path().display());
+                notify(&Notice::Failed { what, error: error.to_string() });
+                0
+            }
             other => other.map_err(ServeError::io(path()))?,
         };
         let last = here.max(known);
         let before = if last == 0 { unix_ms() } else { last };
-        let next = before.checked_add(1).ok_or(io::ErrorKind::InvalidData.into());
-        let next = next.map_err(ServeError::io(path()))?;
+        if before >= LARGEST_GENERATION {
+            let message = format!("generation {before} is the last that there can be");
+            return Err(ServeError::io(path())(io::Error::other(message)));
+        }
+        let next = before + 1;
         write_generation(domain, map, next).map_err(ServeError::io(path()))?;
         if let Some(file) = kept
             && let Err(error) = replace_text_durably(&file, &next.to_string())
@@ -66,13 +78,8 @@ impl Generations {
     }
 }
 
-fn kept_file(folder: &Path, domain: &Domain, map: &str) -> PathBuf {
+fn kept_file(folder: &std::path::Path, domain: &Domain, map: &str) -> PathBuf {
     folder.join(format!("{}{map}{GENERATION_SUFFIX}", domain.prefix()))
-}
-
-/// What is kept; 0 where nothing that makes sense is.
-fn read_kept(file: &Path) -> u64 {
-    fs::read_to_string(file).ok().and_then(|text| text.trim().parse().ok()).unwrap_or(0)
 }
 
 fn unix_ms() -> u64 {
@@ -82,6 +89,7 @@ fn unix_ms() -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
 
     /// A domain with a root folder, which is removed at the end.
     struct Place(Domain);
@@ -136,11 +144,35 @@ mod tests {
         let ahead = unix_ms() + 100_000_000_000;
         fs::write(kept_file(kept.path(), &place.0, "m"), ahead.to_string()).expect("written");
         assert_eq!(numbers.next(&place.0, "m", &|_| {}).ok(), Some(ahead + 1));
-        fs::write(place.0.root().join("m.generation"), u64::MAX.to_string()).expect("written");
+        fs::write(place.0.root().join("m.generation"), LARGEST_GENERATION.to_string())
+            .expect("written");
         assert!(
             numbers.next(&place.0, "m", &|_| {}).is_err(),
             "the last number is refused, not repeated"
         );
+    }
+
+    /// A number that nobody handed out once left room for a single generation.
+    #[test]
+    fn a_number_that_makes_no_sense_is_not_gone_on_from() {
+        let (place, kept) = (Place::new("gensend"), tempfile::tempdir().expect("a folder"));
+        let mut numbers = Generations::default();
+        numbers.keep_in(kept.path().to_owned());
+        let there = kept_file(kept.path(), &place.0, "m");
+        let told = std::cell::Cell::new(0);
+        let next = || numbers.next(&place.0, "m", &|_| told.set(told.get() + 1));
+        let mut last = 0;
+        for nonsense in [(u64::MAX - 1).to_string(), (LARGEST_GENERATION + 1).to_string()] {
+            fs::write(&there, nonsense).expect("written");
+            let first = next().expect("a number");
+            assert!(first > last && first < LARGEST_GENERATION / 2, "{first}");
+            last = first;
+        }
+        fs::remove_file(&there).expect("was there");
+        std::os::unix::fs::symlink("/dev/zero", &there).expect("a link");
+        assert_eq!(next().ok(), Some(last + 1), "a file without an end is not read");
+        assert_eq!(told.get(), 3);
+        assert_eq!(fs::read_to_string(&there).expect("a file").trim(), (last + 1).to_string());
     }
 
     #[test]

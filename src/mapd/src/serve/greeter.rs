@@ -97,8 +97,8 @@ pub(crate) fn greeting_meanwhile<T>(
     let stop = StopSignal::new().map_err(ServeError::io("socket pair"))?;
     std::thread::scope(|scope| {
         let _at_end = StopAtEnd(&stop);
-        // If it fails, newcomers wait until the work is done, as they would without it.
-        scope.spawn(|| {
+        // If it fails, or no thread can be had, newcomers wait until the work is done, as they would without it.
+        let _ = std::thread::Builder::new().name("greet".to_owned()).spawn_scoped(scope, || {
             greet_until((&stop, None), &mut Instant::now(), maps, lock, &|_| {}, &mut || Ok(()))
         });
         work()

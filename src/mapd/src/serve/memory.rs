@@ -3,7 +3,10 @@
 
 use super::control_group;
 use super::error::ServeError;
-use mapd_client::transport::{ATTACH_ROOM, ClaimError, SHARED_MEMORY_FOLDER, free_bytes};
+use mapd_client::transport::{
+    ATTACH_DESCRIPTORS, ATTACH_ROOM, AttachError, ClaimError, SHARED_MEMORY_FOLDER,
+    descriptors_left, free_bytes,
+};
 use std::fs;
 
 /// What a publisher needs besides the payload: header, allocator state, queues to all subscribers, rounding to pages.
@@ -54,14 +57,27 @@ pub(crate) fn check_queue() -> Result<(), ServeError> {
     }
 }
 
-/// The same error, or that there is no room, if there is none: whatever failed, failed for that.
-pub(crate) fn or_no_room(error: ServeError) -> ServeError {
+/// The same error, or what there is too little of, if there is: whatever failed, failed for that.
+pub(crate) fn or_shortage(error: ServeError) -> ServeError {
     use ServeError as E;
     match error {
-        E::Iceoryx { .. } | E::Io { .. } | E::Claim(ClaimError::Io { .. }) => {
-            check_overhead().err().unwrap_or(error)
+        E::Iceoryx { .. }
+        | E::Io { .. }
+        | E::Claim(ClaimError::Io { .. })
+        | E::Domain(AttachError::Io { .. } | AttachError::Iceoryx(_)) => {
+            check_overhead().and_then(|()| check_descriptors()).err().unwrap_or(error)
         }
         other => other,
+    }
+}
+
+/// Checks that descriptors are left. Takes a look at each of them: for whoever has failed already.
+fn check_descriptors() -> Result<(), ServeError> {
+    match descriptors_left() {
+        Some((left, limit)) if left < ATTACH_DESCRIPTORS => {
+            Err(ServeError::NoDescriptors { left, limit })
+        }
+        _ => Ok(()),
     }
 }
 

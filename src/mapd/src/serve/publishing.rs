@@ -51,7 +51,7 @@ impl Server {
         let published = self
             .fill_next(map, length, fill)
             .and_then(|staged| self.send(map, staged))
-            .map_err(memory::or_no_room);
+            .map_err(memory::or_shortage);
         if published.is_err() && !known {
             self.withdraw(map);
         }
@@ -69,7 +69,7 @@ impl Server {
         fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
     ) -> Result<u64, ServeError> {
         let known = self.maps.contains_key(map);
-        let staged = match self.fill_next(map, length, fill).map_err(memory::or_no_room) {
+        let staged = match self.fill_next(map, length, fill).map_err(memory::or_shortage) {
             Ok(staged) => staged,
             Err(error) => {
                 if !known {
@@ -96,7 +96,7 @@ impl Server {
         let Some(staged) = self.staged.remove(map) else {
             return Err(ServeError::NothingStaged { map: map.to_owned() });
         };
-        let sent = self.send(map, staged).map_err(memory::or_no_room);
+        let sent = self.send(map, staged).map_err(memory::or_shortage);
         self.tell_if_failed("removing the record", write_staged(&self.domain, map, None));
         sent
     }

@@ -97,7 +97,7 @@ impl Server {
         silence_iceoryx2();
         let config = iceoryx2_config(domain)?;
         memory::check_overhead()?;
-        let (lock, exclusive) = enter(domain).map_err(memory::or_no_room)?;
+        let (lock, exclusive) = enter(domain).map_err(memory::or_shortage)?;
         match &exclusive {
             Some(guard) if Presence::is_deserted(domain) => cleanup::wipe(domain, false, guard),
             Some(guard) => cleanup::sweep(domain, guard, &notify),
@@ -132,7 +132,7 @@ impl Server {
             .signal_handling_mode(SignalHandlingMode::Disabled);
         let node = reserving(|| builder.create::<TransportService>())
             .map_err(ServeError::iceoryx("creating a node"))
-            .map_err(memory::or_no_room)?;
+            .map_err(memory::or_shortage)?;
         server.tell_if_failed("keeping other users out", rights::tighten(domain));
         if let Some(guard) = &exclusive {
             cleanup::clean(domain, &node, guard, &server.notify);
@@ -175,7 +175,7 @@ impl Server {
         for map in maps {
             check_map_name(map)?;
             if !self.maps.contains_key(map) {
-                self.claim_new(map).map_err(memory::or_no_room)?;
+                self.claim_new(map).map_err(memory::or_shortage)?;
                 is_new = true;
             }
         }

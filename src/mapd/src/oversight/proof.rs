@@ -1,0 +1,98 @@
+//! Proving what is served: the bytes that readers see, against what was published.
+
+use crate::control::{Board, GenerationStatus};
+use crate::report::hex;
+use crate::serve::reserving;
+use mapd_archive::{LAYOUT_ID, verify};
+use mapd_client::AttachError;
+use mapd_client::transport::{Domain, GenerationInfo, Pinned, Subscription};
+use std::time::{Duration, Instant};
+
+/// Longest wait for a map.
+const WAIT: Duration = Duration::from_secs(2);
+
+/// Attempts to meet a generation that the board names: one may be published just now.
+const ATTEMPTS: usize = 3;
+
+/// Pause between them: the board is written right after a generation is sent.
+const PAUSE: Duration = Duration::from_millis(50);
+
+/// What came of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Proof {
+    /// This generation is what was published.
+    Sound(u64),
+    /// Readers see something else, or nothing.
+    Damaged(String),
+    /// Nobody has looked, for there was no room, or not time enough.
+    NotLooked(String),
+}
+
+/// Proves what a map's readers see, through a mapping like theirs: what is said about the generation, its header, its hash
+/// and every row. Who serves has to greet meanwhile.
+pub(crate) fn prove(domain: &Domain, board: &Board, map: &str) -> Proof {
+    let mut found = None;
+    for attempt in 0..ATTEMPTS {
+        if attempt > 0 {
+            std::thread::sleep(PAUSE);
+        }
+        let before = served(board, map);
+        let attached =
+            reserving(|| Subscription::connect_in_reserve(domain, map, Instant::now() + WAIT));
+        let pinned = match attached {
+            Ok(subscription) => subscription.current(),
+            Err(error) if says_nothing(&error) => return Proof::NotLooked(error.to_string()),
+            // Nothing stands in the way but what is in memory.
+            Err(error) => return Proof::Damaged(error.to_string()),
+        };
+        let generation = pinned.info().generation;
+        let known = [before, served(board, map)].into_iter().flatten();
+        match { known }.find(|served| served.generation == generation) {
+            Some(published) => {
+                return match compare(&pinned, &published) {
+                    Ok(()) => Proof::Sound(generation),
+                    Err(reason) => Proof::Damaged(reason),
+                };
+            }
+            None => found = Some(generation),
+        }
+    }
+    let found = found.unwrap_or_default();
+    Proof::Damaged(format!("readers see generation {found}, which was never published"))
+}
+
+fn served(board: &Board, map: &str) -> Option<GenerationStatus> {
+    board.status().maps.into_iter().find(|state| state.name == map)?.served
+}
+
+/// Whether bytes that nobody has looked at may be sound.
+fn says_nothing(error: &AttachError) -> bool {
+    matches!(
+        error,
+        AttachError::NoRoom { .. }
+            | AttachError::NoDescriptors { .. }
+            | AttachError::TooManySubscribers { .. }
+            | AttachError::Busy { .. }
+            | AttachError::Stuck { .. }
+            | AttachError::NoDaemon { .. }
+            | AttachError::NoSuchMap { .. }
+            | AttachError::NoGeneration { .. }
+    )
+}
+
+fn compare(pinned: &Pinned, published: &GenerationStatus) -> Result<(), String> {
+    let GenerationInfo { length, layout_id, content_hash, input_hash, .. } = pinned.info();
+    let said = layout_id.starts_with(&LAYOUT_ID)
+        && (*length, hex(content_hash), hex(input_hash))
+            == (published.bytes, published.content_hash.clone(), published.input_hash.clone());
+    if !said {
+        return Err("what is said about the generation is not what was published".to_owned());
+    }
+    let archive = verify(pinned.bytes()).map_err(|error| error.to_string())?;
+    let header = &archive.header;
+    let hashes = (hex(&header.content_hash), hex(&header.provenance.input_hash));
+    match hashes == (published.content_hash.clone(), published.input_hash.clone()) {
+        true => Ok(()),
+        false => Err("the archive is not the one that was published".to_owned()),
+    }
+}
