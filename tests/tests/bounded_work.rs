@@ -357,3 +357,104 @@ fn junctions_of_overlapping_roads_are_looked_up() {
     };
     assert_eq!([true, false].map(overlaps), [0, 1]);
 }
+
+/// A road of a metre, of an id, that begins at x and has a lane.
+fn metre(id: &str, x: f64) -> String {
+    format!(
+        r#"<road id="{id}" length="1" junction="-1"><planView><geometry s="0" x="{x:?}" y="0" hdg="0" length="1"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>"#
+    )
+}
+
+fn map_of(content: &str) -> String {
+    format!(r#"<OpenDRIVE><header revMajor="1" revMinor="7"/>{content}</OpenDRIVE>"#)
+}
+
+/// Findings of a rule.
+fn count(compiled: &Compilation, rule: &str) -> usize {
+    compiled.diagnostics.iter().filter(|told| told.finding.rule == rule).count()
+}
+
+const OVERLAPS: &str = "mapd:compile.overlaps";
+
+/// Each pair was compared and kept: 32 million, in gigabytes.
+#[test]
+fn roads_over_one_another_are_not_all_compared() {
+    let at = |x: fn(u32) -> f64| {
+        map_of(&(0..8000).map(|id| metre(&id.to_string(), x(id))).collect::<String>())
+    };
+    let before = peak();
+    let compiled = soon("roads at one place", &at(|_| 0.0));
+    assert!(peak() - before < 400 << 20, "{} bytes", peak() - before);
+    assert_eq!(count(&compiled, OVERLAPS), 1);
+    assert_eq!(rows(compiled).roads.len(), 8000);
+    // Beside one another, nothing is cut short.
+    let compiled = soon("roads in a row", &at(|id| f64::from(id) * 2.0));
+    assert_eq!(count(&compiled, OVERLAPS), 0);
+}
+
+/// So were those that share an id, of which all but none are left out.
+#[test]
+fn roads_of_one_id_are_not_all_compared() {
+    let text = map_of(&metre("1", 0.0).repeat(4000));
+    let compiled = soon("roads of one id", &text);
+    assert!(compiled.rows.is_none());
+    assert!(count(&compiled, "mapd:compile.duplicate_road") > 0);
+}
+
+/// Roads without anything, each of which is left out.
+#[test]
+fn empty_roads_are_left_out_at_once() {
+    let roads: String =
+        (0..25_000).map(|id| format!(r#"<road id="{id}" length="1" junction="-1"/>"#)).collect();
+    let compiled = soon("empty roads", &map_of(&roads));
+    assert!(compiled.rows.is_none());
+}
+
+/// For each geometry all those before it were looked through, and cross-sections of each were compared with those of all others.
+#[test]
+fn geometries_are_not_looked_through_for_each_other() {
+    const COUNT: usize = 100_000;
+    let each = 1.0 / COUNT as f64;
+    let shapes: String = (0..COUNT)
+        .map(|i| {
+            let s = i as f64 * each;
+            format!(r#"<geometry s="{s:?}" x="{s:?}" y="0" hdg="0" length="{each:?}"><line/></geometry>"#)
+        })
+        .collect();
+    let whole = r#"<geometry s="0" x="0.0" y="0" hdg="0" length="1"><line/></geometry>"#;
+    let text = map_of(&metre("1", 0.0).replace(whole, &shapes));
+    assert!(text.len() > 80 * COUNT);
+    check("geometries in a metre", &text, ("mapd:compile.too_large", "OpenDRIVE/road[@id=1]"));
+    // As many as a lane can have are built.
+    let few: String = shapes.split_inclusive("</geometry>").step_by(4).collect();
+    let few =
+        few.replace(&format!(r#"length="{each:?}""#), &format!(r#"length="{:?}""#, 4.0 * each));
+    let rows = rows(soon("fewer geometries in a metre", &text.replace(&shapes, &few)));
+    assert_eq!(rows.geometries.len(), COUNT / 4);
+}
+
+/// Roads that lead to one junction lie over one another, and it is no fault: their pairs were looked at all the same.
+#[test]
+fn roads_of_one_junction_are_not_all_compared() {
+    const EACH: usize = 3000;
+    let mut text = String::new();
+    for id in 0..EACH {
+        let link = r#"<link><successor elementType="junction" elementId="9"/></link><planView>"#;
+        text += &metre(&format!("in{id}"), -1.0).replace("<planView>", link);
+        let link = format!(
+            r#"<link><predecessor elementType="road" elementId="in{id}" contactPoint="end"/></link><planView>"#
+        );
+        let road = metre(&id.to_string(), 0.0).replace("<planView>", &link);
+        text += &road.replace(r#"junction="-1""#, r#"junction="9""#);
+    }
+    text += r#"<junction id="9" name="">"#;
+    for id in 0..EACH {
+        let _ = write!(
+            text,
+            r#"<connection id="{id}" incomingRoad="in{id}" connectingRoad="{id}" contactPoint="start"><laneLink from="-1" to="-1"/></connection>"#
+        );
+    }
+    let compiled = soon("connections of a junction", &map_of(&(text + "</junction>")));
+    assert_eq!(count(&compiled, OVERLAPS), 1);
+    assert_eq!(rows(compiled).connections.len(), EACH);
+}

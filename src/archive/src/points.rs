@@ -295,6 +295,7 @@ mod tests {
     fn rounds_as_the_library_does() {
         let odd = [0.0, -0.0, -0.5, -7.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300];
         let near = (0..64).flat_map(|exponent| {
+            #[allow(clippy::disallowed_methods, reason = "powers of two are exact")]
             let power = 2f64.powi(exponent);
             [power, power - 0.5, power + 0.5, power.next_down(), power.next_up(), power - 0.25]
         });

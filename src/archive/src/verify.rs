@@ -256,16 +256,17 @@ fn sections(tables: &Tables<'_>) -> Result<(), VerifyError> {
     }
     for (number, section) in tables.sections.iter().enumerate() {
         let lanes = section.lanes();
-        let mut left = i32::MAX;
+        let mut left = i64::from(i32::MAX) + 1;
         for (i, lane) in lanes.of(tables.lanes).iter().enumerate() {
             let check = Check { table: "lanes", row: lanes.first as usize + i };
             if lane.section() as usize != number {
                 return check.fail("section", number.to_string(), lane.section());
             }
-            if lane.number() >= left {
-                return check.fail("number", format!("below {left}"), lane.number());
+            let number = i64::from(lane.number());
+            if number >= left {
+                return check.fail("number", format!("below {left}"), number);
             }
-            left = lane.number();
+            left = number;
         }
     }
     Ok(())

@@ -64,7 +64,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use stream::{Next, Stream};
 pub(crate) use too_large::TooLarge;
-use too_large::{too_large, too_many_ids, unfit};
+use too_large::{too_large, too_many_ids, too_many_overlaps, unfit};
 
 /// How a document is read and what becomes of its errors. It never shapes the tables of a map without errors.
 #[derive(Clone, Debug, Default)]
@@ -397,6 +397,9 @@ fn read(
             signals::resolve(&mut lowering, &places, &mut late)
         },
     );
+    if whole.has_more_overlaps() {
+        late.push(too_many_overlaps());
+    }
     checker.end(whole, looked);
     collector.add_read(read, checker.take_findings(), &places, without);
     if lacks_ids {

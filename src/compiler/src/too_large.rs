@@ -7,6 +7,9 @@ use mapd_xodr::{Finding, Severity};
 /// Rule of maps and lanes that do not fit the tables.
 pub(crate) const TOO_LARGE: &str = "mapd:compile.too_large";
 
+/// Rule of maps in which the search for overlaps of roads was cut short.
+const OVERLAPS: &str = "mapd:compile.overlaps";
+
 /// A table outgrew 32-bit row numbers.
 #[derive(Debug)]
 pub(crate) struct TooLarge {
@@ -65,6 +68,14 @@ pub(crate) fn too_large(error: &TooLarge) -> Finding {
 /// The rules cannot keep all ids that the document has and names.
 pub(crate) fn too_many_ids() -> Finding {
     of_document("expected ids of at most 4 GiB together, found more".to_owned())
+}
+
+/// More roads lie over one another than the rules look at.
+pub(crate) fn too_many_overlaps() -> Finding {
+    let message = "expected roads that lie beside one another, found so many over one another that their overlaps are not all looked for";
+    let (span, path) = (mapd_xodr::Span::default(), "OpenDRIVE".to_owned());
+    let hint = "remove copies of roads";
+    finding(OVERLAPS, Severity::Warning, span, path, message.to_owned(), hint)
 }
 
 fn of_document(message: String) -> Finding {

@@ -30,6 +30,20 @@ pub fn atan2(y: f64, x: f64) -> f64 {
     libm::atan2(y, x)
 }
 
+/// The largest whole number that is not above `value`, by `libm`.
+#[inline]
+#[must_use]
+pub fn floor(value: f64) -> f64 {
+    libm::floor(value)
+}
+
+/// Length of (x, y), by `libm`: equal bit for bit on every machine, and without overflow on the way.
+#[inline]
+#[must_use]
+pub fn hypot(x: f64, y: f64) -> f64 {
+    libm::hypot(x, y)
+}
+
 /// Cosine and sine of an angle `[rad]`, by `libm`: equal bit for bit on every machine.
 #[inline]
 #[must_use]

@@ -43,7 +43,7 @@ mod spiral;
 pub mod surface;
 mod transformed;
 
-pub use angle::{atan2, beside, cos_sin, normalize_angle};
+pub use angle::{atan2, beside, cos_sin, floor, hypot, normalize_angle};
 pub use attitude::Attitude;
 pub use compile::{
     Chart, CompileError, Compiled, CurveTransform, MAX_LENGTH, MAX_PIECES, MAX_TURNING,

@@ -1,4 +1,5 @@
 //! Compiled curves against adaptive integration with 32 digits, in the curve's own frame.
+#![allow(clippy::disallowed_methods, reason = "what is compared with may come from the system")]
 
 #[path = "extended/double.rs"]
 mod double;

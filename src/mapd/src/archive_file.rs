@@ -3,6 +3,7 @@
 use crate::draft::Draft;
 use anyhow::{Context, Result};
 use mapd_archive::{Header, Provenance, Rows, encode_to, encoded_length};
+use mapd_client::Snapshot;
 use rustix::fs::FallocateFlags;
 use std::fs::{File, OpenOptions};
 use std::path::Path;
@@ -33,19 +34,29 @@ pub fn write(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Header
     Ok(header)
 }
 
-/// Writes an archive to the disk that will be at `path`.
+/// Writes an archive to the disk that will be at `path`, and proves it as whoever serves it will.
 ///
-/// Errors: the folder cannot be written, or the disk is full; nothing is left behind.
+/// Errors: the folder cannot be written, or the disk is full; the archive is not sound, which is this program's fault; nothing
+/// is left behind.
 pub(crate) fn prepare(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Written> {
     let context = || format!("writing {}", path.display());
     let draft = Draft::begin(path).with_context(context)?;
     let header = fill(draft.file(), rows, provenance).with_context(context)?;
+    prove(draft.path()).with_context(context)?;
     draft.file().sync_data().with_context(context)?;
     Ok(Written { draft, header })
 }
 
+/// Proves an archive that has been written, in place.
+///
+/// Errors: the first thing that is wrong.
+fn prove(path: &Path) -> Result<()> {
+    let proof = || -> Result<()> { Ok(Snapshot::open(path)?.verify()?) };
+    proof().context("the archive that was made of this map is not sound: a defect of mapd")
+}
+
 /// Writes an archive into a file that is there already and that nobody reads yet: a temporary file, or one without a name
-/// under `/proc`. It is not forced to the disk.
+/// under `/proc`. It is not forced to the disk, and not proved: whoever gave the file does so where it is served.
 ///
 /// Errors: the file cannot be written, or the disk is full.
 pub fn write_into(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Header> {

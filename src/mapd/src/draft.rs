@@ -52,6 +52,11 @@ impl Draft {
         Ok(Self { path, place: place.to_owned(), file, is_published: false })
     }
 
+    /// Where it is until it is published.
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+
     /// The file.
     pub(crate) fn file(&self) -> &File {
         &self.file

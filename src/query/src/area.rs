@@ -260,7 +260,7 @@ pub(crate) fn place<'a>(lane: &Lane<'a>, slab: &Slab<'a>, local: DVec2) -> Place
         let away = local - DVec2::new(foot.x, foot.y);
         let sideways = away.dot(normal);
         let past = sideways - clamp(sideways, low, high);
-        distance = away.dot(tangent).hypot(past);
+        distance = mapd_geometry::hypot(away.dot(tangent), past);
     } else if !beside {
         distance = 0.0;
     }

@@ -4,8 +4,8 @@ use crate::junction::Junction;
 use crate::map::Map;
 use glam::{DVec2, DVec3};
 use mapd_archive::{ArchivedElevationGridRow, ArchivedGridRowRow, ArchivedGridTransitionRow};
-use mapd_geometry::clamp;
 use mapd_geometry::surface::{CellCorner, grid_cell, transition};
+use mapd_geometry::{clamp, floor};
 
 /// The rows of one grid.
 struct Grid<'a> {
@@ -67,7 +67,7 @@ impl Grid<'_> {
             return self.point(0, 0).map(|z| [z, 0.0, 0.0]);
         }
         let inside_along = clamp(along, 0.0, last);
-        let i = inside_along.min(last - 1.0).floor();
+        let i = floor(inside_along.min(last - 1.0));
         let (right, left) = self.columns(i as i64)?;
         if right == left {
             // Heights on the reference line only: level across.
@@ -77,7 +77,7 @@ impl Grid<'_> {
             return Some([z, if inside_along == along { slope } else { 0.0 }, 0.0]);
         }
         let inside_across = clamp(across, right as f64, left as f64);
-        let j = inside_across.floor().min((left - 1) as f64);
+        let j = floor(inside_across).min((left - 1) as f64);
         let (row, column) = (i as i64, j as i64);
         let cell = [
             [self.corner(row, column)?, self.corner(row, column + 1)?],

@@ -68,7 +68,7 @@ impl<'a> LaneSection<'a> {
             let inside = t >= edges.inner.min(edges.outer) && t <= edges.inner.max(edges.outer);
             if inside
                 && edges.width() > 0.0
-                && hit.is_none_or(|h| lane.number().abs() < h.number().abs())
+                && hit.is_none_or(|h| lane.number().unsigned_abs() < h.number().unsigned_abs())
             {
                 hit = Some(lane);
             }

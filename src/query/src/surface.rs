@@ -212,7 +212,7 @@ impl<'a> Road<'a> {
             .lanes()
             .filter(|lane| lane.row.flags() & lane_flags::LEVEL != 0)
             .filter(|lane| if left { lane.number() > 0 } else { lane.number() < 0 })
-            .min_by_key(|lane| lane.number().abs())?;
+            .min_by_key(|lane| lane.number().unsigned_abs())?;
         let edge = level.edge_slopes(at).inner;
         let beyond = if left { t > edge.value } else { t < edge.value };
         beyond.then_some(edge)

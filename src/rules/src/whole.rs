@@ -23,6 +23,11 @@ impl Whole {
         self.network.lacks_ids()
     }
 
+    /// Whether more roads lie over one another than the rules that looked have been told of; see [`Network::overlaps`].
+    pub fn has_more_overlaps(&self) -> bool {
+        self.network.has_more_overlaps()
+    }
+
     /// Whether a rule looks at all overlaps of roads. Finding them takes longer than any other rule, and who comes first
     /// keeps the others waiting.
     pub fn needs_overlaps(&self, check: usize) -> bool {

@@ -451,3 +451,28 @@ fn a_document_beyond_the_limit_is_not_read_to_an_end_that_it_has_not() {
     let _ = endless.wait();
     assert_eq!(ends("/dev/zero", Stdio::null()), Some(4));
 }
+
+/// Exit code 0 came with an archive that `inspect --verify` refused.
+#[test]
+fn what_compile_writes_is_proved() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [map, archive] = ["map.xodr", "map.mapd"].map(|name| folder.path().join(name));
+    let plain = std::fs::read_to_string(one_road()).expect("the map can be read");
+    let [map_path, archive_path] = [&map, &archive].map(|path| path.display().to_string());
+    for (from, to, exit) in [
+        ("", "", 0),
+        (r#"<lane id="2""#, r#"<lane id="2147483647""#, 4),
+        (r#"<laneSection s="0"#, r#"<laneSection s="-1e308"#, 4),
+    ] {
+        assert!(plain.contains(from), "{from}");
+        std::fs::write(&map, plain.replacen(from, to, 1)).expect("written");
+        let output = run(&["compile", &map_path, "-o", &archive_path], "");
+        assert_eq!(output.status.code(), Some(exit), "{to}: {output:?}");
+        assert_eq!(archive.exists(), exit == 0, "{to}");
+        if exit == 0 {
+            let output = run(&["inspect", &archive_path, "--verify"], "");
+            assert_eq!(output.status.code(), Some(0), "{output:?}");
+            std::fs::remove_file(&archive).expect("removed");
+        }
+    }
+}

@@ -8,6 +8,7 @@ mod export;
 mod numbers;
 mod options_documented;
 mod progress;
+mod readme;
 mod tiles;
 mod tiles_page;
 mod units;

@@ -2,5 +2,6 @@
 
 mod constant_time;
 mod corruption;
+mod extremes;
 mod regressions;
 mod releases;

@@ -179,7 +179,7 @@ fn permission(lowering: &Lowering, s: f64, a: u32, b: u32) -> (bool, bool) {
     let number = |lane: u32| lowering.rows.lanes.get(lane as usize).map_or(0, |row| row.number);
     let shared = if (number(a) > 0) != (number(b) > 0) {
         a.min(b) + 1
-    } else if number(a).abs() < number(b).abs() {
+    } else if number(a).unsigned_abs() < number(b).unsigned_abs() {
         a
     } else {
         b

@@ -108,7 +108,7 @@ impl Lowering {
         let path = format!("OpenDRIVE/road[@id={}]", road.id.text());
         let mut part = Part { span: road.span, path: (&path, ""), findings };
         let id = part.need(road.id.as_ref(), "id");
-        let length = part.need(road.length.value(), "length");
+        let length = part.need_along(road.length.value(), "length");
         if length.is_some_and(|length| length < 0.0) {
             let message = "expected a length that is not negative".to_owned();
             part.unusable("length", message);

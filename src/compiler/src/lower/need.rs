@@ -6,6 +6,17 @@ use mapd_xodr::{Finding, Severity, Span};
 /// one stands for this one; see `Collector`.
 pub(crate) const UNUSABLE: &str = "mapd:compile.unusable";
 
+/// Largest number that a lane may have, to either side: more lanes than a section can have points, and small enough that numbers
+/// can be subtracted from each other.
+pub(crate) const MOST_LANES: i32 = 65_535;
+
+/// Largest distance along a road or beside it, and length of one `[m]`: up to here doubles tell micrometres apart, and single precision, in which
+/// places on a section are stored, holds them.
+pub(crate) const FARTHEST: f64 = 1e9;
+
+/// Largest coefficient of a polynomial, to either side: its values and slopes over [`FARTHEST`] stay numbers.
+pub(crate) const MOST_COEFFICIENT: f64 = 1e12;
+
 /// An element that rows are built from, and where findings about it go.
 pub(crate) struct Part<'a> {
     /// The element's start tag.
@@ -23,6 +34,28 @@ impl Part<'_> {
             self.unusable(name, message);
         }
         value
+    }
+
+    /// As [`Part::need`], for a distance along or beside the road, or a length `[m]`: within [`FARTHEST`].
+    pub(crate) fn need_along(&mut self, value: Option<f64>, name: &str) -> Option<f64> {
+        let value = self.need(value, name)?;
+        if value.abs() <= FARTHEST {
+            return Some(value);
+        }
+        let message = format!("expected @{name} from -{FARTHEST} to {FARTHEST} m, found {value}");
+        self.unusable(name, message);
+        None
+    }
+
+    /// As [`Part::need`], for the number of a lane: within [`MOST_LANES`].
+    pub(crate) fn need_lane(&mut self, value: Option<i32>, name: &str) -> Option<i32> {
+        let value = self.need(value, name)?;
+        if value.unsigned_abs() <= MOST_LANES.unsigned_abs() {
+            return Some(value);
+        }
+        let message = format!("expected @{name} from -{MOST_LANES} to {MOST_LANES}, found {value}");
+        self.unusable(name, message);
+        None
     }
 
     /// Adds the finding that something cannot be used: an attribute or child by its name, or with no name the element.

@@ -51,8 +51,8 @@ impl Lowering {
         for object in &objects.object {
             let tail = format!("object[@id={}]", object.id.text());
             let mut part = Part { span: object.span, path: (&base, &tail), findings };
-            let place =
-                [("s", &object.s), ("t", &object.t)].map(|(name, at)| part.need(at.value(), name));
+            let place = [("s", &object.s), ("t", &object.t)]
+                .map(|(name, at)| part.need_along(at.value(), name));
             let [Some(s), Some(t)] = place else { continue };
             let mut row = self.object_row(owner, object, [s, t], position(object.span));
             row.class = class(ontology, object).code();

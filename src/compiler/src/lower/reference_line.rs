@@ -1,6 +1,6 @@
 //! The reference line and the cubics along it.
 
-use super::need::Part;
+use super::need::{MOST_COEFFICIENT, Part};
 use super::{Lowering, between};
 use mapd_archive::{CubicRow, GeometryRow, Range};
 use mapd_geometry::ParameterRange;
@@ -38,6 +38,10 @@ impl Lowering {
 
     /// Appends a geometry.
     fn geometry(&mut self, piece: &Piece, is_parametric: bool, part: &mut Part<'_>) {
+        let along = [(piece.s, "s"), (piece.length, "length")];
+        if !along.iter().all(|(value, name)| part.need_along(Some(*value), name).is_some()) {
+            return;
+        }
         let parameter_range = match piece.range {
             Some(ParameterRange::ArcLength) => 1,
             Some(ParameterRange::Normalized) => 2,
@@ -84,6 +88,11 @@ impl Lowering {
                 incomplete(record, &mut Part { span: record.span(), path, findings });
                 continue;
             };
+            if let Some(value) = [a, b, c, d].iter().find(|value| value.abs() > MOST_COEFFICIENT) {
+                let mut part = Part { span: record.span(), path, findings };
+                too_steep(&mut part, *value);
+                continue;
+            }
             self.rows.cubics.push(CubicRow { s: s + shift, a, b, c, d });
         }
         self.interned.add(&mut self.rows.cubics, before)
@@ -97,6 +106,15 @@ fn incomplete<R: CubicRecord>(record: &R, part: &mut Part<'_>) {
     for (name, value) in ["a", "b", "c", "d"].iter().zip(record.coefficients()) {
         part.need(value, name);
     }
+}
+
+/// Says that a coefficient is beyond measure.
+#[cold]
+fn too_steep(part: &mut Part<'_>, value: f64) {
+    let message = format!(
+        "expected coefficients from -{MOST_COEFFICIENT:e} to {MOST_COEFFICIENT:e}, found {value:e}"
+    );
+    part.unusable("", message);
 }
 
 /// Says what keeps a geometry from being a curve.

@@ -74,7 +74,7 @@ fn lanes_of<'a>(
     findings: &mut Vec<Finding>,
 ) -> Vec<AnyLane<'a>> {
     let mut id = |span, id: &Option<xodr::Attribute<i32>>| {
-        Part { span, path: (road, LANE), findings }.need(id.value(), "id")
+        Part { span, path: (road, LANE), findings }.need_lane(id.value(), "id")
     };
     let mut lanes = Vec::new();
     let sides = [section.left.as_deref(), section.right.as_deref()];
@@ -184,7 +184,7 @@ impl Lowering {
             .filter_map(|section| {
                 let path = (path, "lanes/laneSection");
                 let mut part = Part { span: section.span, path, findings };
-                Some((part.need(section.s.value(), "s")?, section))
+                Some((part.need_along(section.s.value(), "s")?, section))
             })
             .collect();
         let right_hand = road.rule.value() != Some(TrafficRule::Lht);

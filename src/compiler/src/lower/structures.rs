@@ -25,7 +25,7 @@ impl Lowering {
             let path = (base, "objectReference");
             let mut part = Part { span: reference.span, path, findings };
             let place = [("s", &reference.s), ("t", &reference.t)]
-                .map(|(name, at)| part.need(at.value(), name));
+                .map(|(name, at)| part.need_along(at.value(), name));
             let id = part.need(reference.id.as_ref(), "id");
             let ([Some(s), Some(t)], Some(_)) = (place, id) else { continue };
             let row = ObjectReferenceRow {
@@ -93,8 +93,8 @@ fn structure(
     at: Position,
     mut part: Part<'_>,
 ) -> Option<StructureRow> {
-    let s = part.need(s.value(), "s");
-    let length = part.need(length.value(), "length");
+    let s = part.need_along(s.value(), "s");
+    let length = part.need_along(length.value(), "length");
     Some(StructureRow {
         s: s?,
         length: length?.max(0.0),

@@ -84,7 +84,8 @@ impl Lowering {
         let Some(signals) = road.signals.as_deref() else { return };
         for signal in &signals.signal {
             let mut part = Part { span: signal.span, path: (path, "signals/signal"), findings };
-            let (s, t) = (part.need(signal.s.value(), "s"), part.need(signal.t.value(), "t"));
+            let (s, t) =
+                (part.need_along(signal.s.value(), "s"), part.need_along(signal.t.value(), "t"));
             let (Some(s), Some(t)) = (s, t) else { continue };
             let z = signal.z_offset.value().unwrap_or(0.0);
             let row = self.signal(&common!(signal), (number, NONE), [s, t, z], None);
@@ -93,7 +94,10 @@ impl Lowering {
         for reference in &signals.signal_reference {
             let path = (path, "signals/signalReference");
             let mut part = Part { span: reference.span, path, findings };
-            let (s, t) = (part.need(reference.s.value(), "s"), part.need(reference.t.value(), "t"));
+            let (s, t) = (
+                part.need_along(reference.s.value(), "s"),
+                part.need_along(reference.t.value(), "t"),
+            );
             let id = part.need(reference.id.as_ref(), "id");
             let (Some(s), Some(t), Some(_)) = (s, t, id) else { continue };
             let id = self.strings.add(reference.id.text());

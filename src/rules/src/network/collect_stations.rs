@@ -15,6 +15,10 @@ const CHORD_ERROR: f64 = 0.02;
 /// Cross-sections are this far apart at least `[m]`, however narrow a curve.
 const STATION_STEP_MIN: f64 = 0.5;
 
+/// Cross-sections of one geometry at most, but for those of lane sections; of longer ones they are farther apart than
+/// [`STATION_STEP`].
+const STATIONS_OF_A_GEOMETRY: f64 = 1024.0;
+
 /// Cross-sections of one road at most: a bound on memory for hostile files.
 const STATIONS_OF_A_ROAD: usize = 100_000;
 
@@ -36,9 +40,10 @@ impl Network {
         let end = number(&road.length).min(line.end());
         let mut heading = Heading::default();
         let sections: Vec<SectionIn<'_>> = permanent(road).collect();
+        let written = written(&sections);
         for s in places(line, &sections, end) {
             let Some(point) = line.at(s) else { break };
-            let [left, right] = extent_at(&sections, s);
+            let [left, right] = extent_at(&sections, &written, s);
             let station = Station {
                 s,
                 x: point.x,
@@ -78,15 +83,33 @@ pub fn extent(road: &Road) -> Option<[f64; 4]> {
     bounds.iter().all(|value| value.is_finite()).then_some(bounds)
 }
 
+/// A section by its rank, and where its lanes of a side end `[m]`.
+type Written = Option<(usize, f64)>;
+
+/// For each section the ones in which its left and its right lanes are written: a section of one side leaves the other
+/// as it was.
+fn written(sections: &[SectionIn<'_>]) -> Vec<[Written; 2]> {
+    let mut last = [None; 2];
+    let own = sections.iter().enumerate().map(|(at, section)| {
+        for (last, side) in last.iter_mut().zip([Side::Left, Side::Right]) {
+            if section.holds(side) {
+                *last = Some((at, section.s_end_of(side)));
+            }
+        }
+        last
+    });
+    own.collect()
+}
+
 /// t of the outermost borders at `s`: left, right `[m]`.
-fn extent_at(sections: &[SectionIn<'_>], s: f64) -> [f64; 2] {
-    let after = sections.partition_point(|section| section.s() <= s);
-    let begun = sections.get(..after).unwrap_or_default();
-    [Side::Left, Side::Right].map(|side| {
-        // A section of one side leaves the other as it was.
-        let holds = begun.iter().rev().find(|section| section.holds(side));
-        let Some(section) = holds else { return 0.0 };
-        outermost_at(section, side, s.min(section.s_end_of(side)) - section.s())
+fn extent_at(sections: &[SectionIn<'_>], written: &[[Written; 2]], s: f64) -> [f64; 2] {
+    let begun = sections.partition_point(|section| section.s() <= s);
+    let holds = begun.checked_sub(1).and_then(|last| written.get(last)).copied();
+    let [left, right] = holds.unwrap_or_default();
+    [(Side::Left, left), (Side::Right, right)].map(|(side, at)| {
+        let Some((at, end)) = at else { return 0.0 };
+        let Some(section) = sections.get(at) else { return 0.0 };
+        outermost_at(section, side, s.min(end) - section.s())
     })
 }
 
@@ -101,7 +124,7 @@ fn places(line: &ReferenceLine, sections: &[SectionIn<'_>], end: f64) -> Vec<f64
             let bend = piece.at(s - piece.s).map_or(0.0, |p| p.curvature.abs());
             let ahead = piece.at(s - piece.s + STATION_STEP_MIN).map_or(0.0, |p| p.curvature.abs());
             let step = (8.0 * CHORD_ERROR / bend.max(ahead)).sqrt().min(STATION_STEP);
-            s += step.max(STATION_STEP_MIN);
+            s += step.max(STATION_STEP_MIN).max(piece.length / STATIONS_OF_A_GEOMETRY);
         }
     }
     places.extend(sections.iter().map(|section| section.s()).filter(|s| *s >= 0.0 && *s < end));

@@ -98,7 +98,7 @@ impl Network {
             let own = self.station_of(road, end)?;
             let [start, last] = Contact::BOTH.map(|end| {
                 self.station_of(target, end)
-                    .map_or(f64::INFINITY, |s| (s.x - own.x).hypot(s.y - own.y))
+                    .map_or(f64::INFINITY, |s| mapd_geometry::hypot(s.x - own.x, s.y - own.y))
             });
             Some(if start <= last { Contact::Start } else { Contact::End })
         };
@@ -223,7 +223,7 @@ impl Network {
             let part = ((x - a.x) * dx + (y - a.y) * dy) / square;
             let part = mapd_geometry::clamp(part, 0.0, 1.0);
             let (px, py) = (x - (a.x + part * dx), y - (a.y + part * dy));
-            let distance = px.hypot(py);
+            let distance = mapd_geometry::hypot(px, py);
             if best.is_none_or(|best| distance < best.2) {
                 let t = (dx * py - dy * px) / square.sqrt();
                 best = Some((a.s + part * (b.s - a.s), t, distance));

@@ -11,8 +11,10 @@ mod joints;
 mod junctions;
 mod names;
 mod overlap;
+mod overlap_search;
 mod references;
 mod stations;
+mod stretch;
 
 pub use collect_stations::extent;
 pub use connected::{ConnectedEnds, ConnectedJoint, LaneEnd};
@@ -64,7 +66,7 @@ pub struct Network {
     connections: Vec<ConnectionFacts>,
     /// Lane links of all connections.
     connected_lanes: Vec<ConnectedLanes>,
-    overlaps: std::sync::OnceLock<Vec<Overlap>>,
+    overlaps: std::sync::OnceLock<overlap::Overlaps>,
     /// By road and end: rank of the road that it is linked to, doubled, and the end of that.
     linked: Vec<[u32; 2]>,
     /// By the number of an id: the first road that has it.

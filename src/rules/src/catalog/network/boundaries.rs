@@ -167,7 +167,7 @@ fn ring(network: &Network, junction: &Junction) -> Option<Vec<(Span, Vec<Point>)
 }
 
 fn distance(a: Point, b: Point) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
+    mapd_geometry::hypot(a[0] - b[0], a[1] - b[1])
 }
 
 fn closed(network: &Network, sink: &mut Sink<'_>) {

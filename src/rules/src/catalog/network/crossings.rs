@@ -31,14 +31,23 @@ pub(super) static RULES: &[Rule] = &[Rule::warning(
 )
 .within(&[BEYOND])];
 
+/// Road sections of one junction that are compared with each other; two roads cross in a crossing, seldom more.
+const SECTIONS: usize = 16;
+
 fn cover(network: &Network, sink: &mut Sink<'_>) {
     for junction in
         network.junctions_as_written().filter(|junction| kind(junction) == Kind::Crossing)
     {
-        for section in &junction.road_section {
+        let sections = &junction.road_section;
+        if sections.len() > SECTIONS {
+            let part = ("junction", text(&junction.id), "roadSection");
+            let expected = format_args!("at most {SECTIONS} road sections that are compared");
+            sink.add_in(part, junction.span, expected, sections.len());
+        }
+        let sections = sections.get(..SECTIONS.min(sections.len())).unwrap_or_default();
+        for section in sections {
             let Some(road) = network.road(text(&section.road_id)) else { continue };
-            let others =
-                junction.road_section.iter().filter(|other| other.road_id != section.road_id);
+            let others = sections.iter().filter(|other| other.road_id != section.road_id);
             for other in others {
                 let Some(other) = network.road(text(&other.road_id)) else { continue };
                 let Some((start, end)) = network.overlap_along(road, other) else { continue };

@@ -79,7 +79,7 @@ impl Edge {
     fn apart(&self, other: &Self, corner: usize) -> f64 {
         let [ax, ay] = self.station.at(self.borders[corner]);
         let [bx, by] = other.station.at(other.borders[corner]);
-        (ax - bx).hypot(ay - by)
+        mapd_geometry::hypot(ax - bx, ay - by)
     }
 
     /// The angle between the two reference lines, whichever way they run `[rad]`.
@@ -224,7 +224,7 @@ fn heights(network: &Network, sink: &mut Sink<'_>) {
                 continue;
             };
             // Rolled reference lines that lie beside one another differ in height.
-            let apart = (own.x - other.x).hypot(own.y - other.y);
+            let apart = mapd_geometry::hypot(own.x - other.x, own.y - other.y);
             let step = (own.z - other.z).abs();
             if step > STEP.value && apart <= CORNER.value {
                 let span = road.link(end).map_or(road.span, |link| link.span());

@@ -100,7 +100,7 @@ fn meet(network: &Network, sink: &mut Sink<'_>) {
             else {
                 continue;
             };
-            let apart = (own.x - other.x).hypot(own.y - other.y);
+            let apart = mapd_geometry::hypot(own.x - other.x, own.y - other.y);
             // Within a junction, reference lines may be beside one another: lanes meet, not they.
             if apart > APART.value && road.junction.is_none() && target.junction.is_none() {
                 let span = road.link(end).map_or(road.span, |link| link.span());

@@ -232,7 +232,7 @@ fn continuous(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
                 continue;
             };
             let end = shape.evaluate(length);
-            let gap = (number(&next.u) - end.x).hypot(number(&next.v) - end.y);
+            let gap = mapd_geometry::hypot(number(&next.u) - end.x, number(&next.v) - end.y);
             if gap > GAP.value {
                 let found = format_args!("one {gap:.3} m away");
                 sink.add_within(

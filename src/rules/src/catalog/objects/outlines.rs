@@ -179,7 +179,10 @@ fn touching(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
                 }
                 let place = |c: &xodr::CornerLocal| [number(&c.u), number(&c.v), number(&c.z)];
                 let (a, b) = (place(corner), place(other));
-                let apart = (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2]);
+                let apart = mapd_geometry::hypot(
+                    mapd_geometry::hypot(a[0] - b[0], a[1] - b[1]),
+                    a[2] - b[2],
+                );
                 if apart > 0.0 && apart < TOUCH.value {
                     let found = format_args!("one {apart:.6} m beside it");
                     sink.add_within(

@@ -213,7 +213,7 @@ fn joints(of: &RoadIn<'_>, mut show: impl FnMut(&Geometry, f64, f64, f64)) {
             continue;
         };
         let Some(geometry) = all.get(pair[1].index) else { continue };
-        let gap = (start.x - end.x).hypot(start.y - end.y);
+        let gap = mapd_geometry::hypot(start.x - end.x, start.y - end.y);
         let kink = normalize_angle(start.heading - end.heading).abs();
         show(geometry, gap, kink, (start.curvature - end.curvature).abs());
     }
