@@ -4,7 +4,7 @@ use crate::finding;
 use crate::lower::{Lowering, between};
 use crate::quarantine::Exclusions;
 use mapd_archive::{ConnectionLaneLinkRow, ConnectionRow, ContactPoint, LinkKind, NONE, RoadRow};
-use mapd_xodr::{self as xodr, Finding, Severity, Span};
+use mapd_xodr::{self as xodr, Finding, Severity};
 use std::collections::HashMap;
 
 /// Rows by the number of their id's string.
@@ -14,24 +14,12 @@ type ById = HashMap<u32, u32>;
 ///
 /// Nothing leads to a road that is kept as its reference line alone: it has no lanes that could be entered.
 pub(crate) fn resolve(lowering: &mut Lowering, without: &Exclusions, findings: &mut Vec<Finding>) {
-    let mut roads = by_id(
-        lowering.rows.roads.iter().map(|road| road.id),
-        &lowering.links.road_spans,
-        ("road", "mapd:compile.duplicate_road"),
-        findings,
-    );
+    let mut roads = by_id(lowering.rows.roads.iter().map(|road| road.id));
     roads.retain(|_, row| {
         let span = lowering.links.road_spans.get(*row as usize);
         !span.is_some_and(|span| without.is_bare(span.start))
     });
-    let junction_spans: Vec<Span> =
-        lowering.links.junctions.iter().map(|junction| junction.span).collect();
-    let junctions = by_id(
-        lowering.rows.junctions.iter().map(|junction| junction.id),
-        &junction_spans,
-        ("junction", "mapd:compile.duplicate_junction"),
-        findings,
-    );
+    let junctions = by_id(lowering.rows.junctions.iter().map(|junction| junction.id));
     let names = Named::new(lowering, &roads, &junctions);
     for number in 0..lowering.rows.roads.len() {
         resolve_road(lowering, number, &names, findings);
@@ -40,27 +28,11 @@ pub(crate) fn resolve(lowering: &mut Lowering, without: &Exclusions, findings: &
     sort_by_id(lowering);
 }
 
-fn by_id(
-    ids: impl Iterator<Item = u32>,
-    spans: &[Span],
-    (what, rule): (&str, &'static str),
-    findings: &mut Vec<Finding>,
-) -> ById {
+/// Rows by their ids. Where several have one, of which a rule tells, the first is meant.
+fn by_id(ids: impl Iterator<Item = u32>) -> ById {
     let mut rows = ById::new();
     for (row, id) in ids.enumerate() {
-        if rows.insert(id, row as u32).is_some() {
-            let span = spans.get(row).copied().unwrap_or_default();
-            let message = format!("the id of this {what} stands on an earlier one too");
-            let path = format!("OpenDRIVE/{what}");
-            findings.push(finding(
-                rule,
-                Severity::Error,
-                span,
-                path,
-                message,
-                "give each its own id",
-            ));
-        }
+        rows.entry(id).or_insert(row as u32);
     }
     rows
 }

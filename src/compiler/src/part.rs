@@ -137,7 +137,7 @@ pub(crate) fn lower(
                 lowering.annotate(&*junction, (owner, ""), places);
             }
             let at = position(junction.span);
-            lowering.junction(*junction, at, findings);
+            lowering.junction((*junction, line), at, findings);
         }
         Item::Controller(controller) => {
             let owner = (AnnotationOwner::Controller, lowering.signals.controllers() as u32);

@@ -4,13 +4,21 @@
 use mapd_archive::{AlignedBytes, Provenance, encode, verify};
 use mapd_compiler::Verdict::{self, Accepted, Quarantined};
 use mapd_compiler::{Compilation, CompileOptions, ReadOptions, compile_from};
+use mapd_rules::{Grade, Settings};
 use mapd_tests::graph_maps::{self as graph, Line};
 use mapd_tests::object_maps::{ObjectRoad, PLAIN, document};
 
 fn compile(text: &str) -> Compilation {
+    compile_without(text, &[])
+}
+
+/// With these rules switched off.
+fn compile_without(text: &str, off: &[&str]) -> Compilation {
+    let grades = off.iter().map(|rule| (Box::from(*rule), Grade::Off)).collect();
+    let rules = Settings { grades, ..Settings::default() };
+    let reading = ReadOptions { rules, ..ReadOptions::default() };
     let options = CompileOptions::default();
-    compile_from(|| Ok(text.as_bytes()), &ReadOptions::default(), &options, &mut |_| {})
-        .expect("reading works")
+    compile_from(|| Ok(text.as_bytes()), &reading, &options, &mut |_| {}).expect("reading works")
 }
 
 /// The archive, proven, as if it were made of one document whatever the input was.
@@ -249,4 +257,44 @@ fn a_geometry_with_two_shapes_is_an_error() {
         check(shapes, &compiled, Quarantined, &["road 1"]);
         assert_eq!(told(&compiled, "mapd:structure.choice"), ["Error"], "{shapes}");
     }
+}
+
+#[test]
+fn an_id_twice_is_said_once_and_not_where_its_rule_is_off() {
+    let line = |y: f64| Line(0.0, y, 0.0, 50.0, 0.0);
+    let road = |id: &str, y: f64, lanes: &str| {
+        graph::road(id, "junction=\"-1\"", line(y), "", &graph::section(0.0, "", lanes))
+    };
+    let one = graph::lane(-1, "");
+    let lanes = one.clone() + &graph::wide(-1, "", "", "a=\"9\" b=\"0\" c=\"0\" d=\"0\"", "");
+    const IN_SECTION: &str = "asam.net:xodr:1.4.0:ids.id_unique_in_lane_section";
+    const IN_CLASS: &str = "asam.net:xodr:1.4.0:ids.id_unique_in_class";
+    let apart = road("9", 90.0, &one);
+    for (what, map, rule, lost) in [
+        ("lane", road("1", 0.0, &lanes), IN_SECTION, &["road 1"][..]),
+        ("road", road("1", 0.0, &one) + &road("1", 30.0, &one), IN_CLASS, &["road 1", "road 1"]),
+        (
+            "junction",
+            graph::junction("5", "", "") + &graph::junction("5", "", ""),
+            IN_CLASS,
+            &["junction 5"],
+        ),
+    ] {
+        let text = graph::document(&(map + &apart));
+        let compiled = compile(&text);
+        check(what, &compiled, Quarantined, lost);
+        let errors = compiled.diagnostics.iter().filter(|told| told.rejects);
+        let rules: Vec<_> = errors.map(|told| told.finding.rule).collect();
+        assert_eq!(rules, vec![rule; lost.len()], "{what}");
+        let compiled = compile_without(&text, &[rule]);
+        check(what, &compiled, Accepted, &[]);
+        assert_eq!(told(&compiled, rule), [""; 0], "{what}");
+        archive(&compiled);
+    }
+    // Of lanes with one id, the first is meant.
+    let compiled = compile_without(&graph::document(&road("1", 0.0, &lanes)), &[IN_SECTION]);
+    let snapshot = mapd_client::Snapshot::from_bytes(archive(&compiled)).expect("opens");
+    let road = snapshot.map().road_by_id("1").expect("is there");
+    let section = road.section(0).expect("is there");
+    assert_eq!(section.lanes().filter(|lane| lane.number() == -1).count(), 1);
 }

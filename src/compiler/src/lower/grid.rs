@@ -5,6 +5,7 @@ use super::{Lowering, between};
 use glam::DVec2;
 use mapd_archive::{ContactPoint, ElevationGridRow, GridRowRow, GridTransitionRow, Range, Rows};
 use mapd_query::{Map, Road, Track};
+use mapd_rules::line::ReferenceLine;
 use mapd_xodr::{Finding, Junction, PositionOrEnd, SegmentType, Severity, Text as _, Value as _};
 
 /// Rule of everything that is wrong with a grid: the junction then keeps its roads' own heights.
@@ -34,7 +35,7 @@ impl Lowering {
     /// Appends the grid of the junction whose row comes next.
     pub(super) fn elevation_grid(
         &mut self,
-        junction: &Junction,
+        (junction, line): (&Junction, &ReferenceLine),
         path: &str,
         findings: &mut Vec<Finding>,
     ) {
@@ -45,11 +46,11 @@ impl Lowering {
             part.add(RULE, Severity::Warning, message);
         };
         let geometries = junction.plan_view.as_deref().map_or(&[][..], |plan| &plan.geometry);
-        let line = geometries.first().filter(|g| geometries.len() == 1 && g.line.is_some());
-        let place = line.and_then(|g| Some((g.x.value()?, g.y.value()?, g.hdg.value()?)));
-        let Some((x, y, heading)) = place else {
+        let is_straight = geometries.len() == 1 && geometries.iter().all(|g| g.line.is_some());
+        let Some(piece) = line.piece(0).filter(|_| is_straight) else {
             return refuse("expected one straight reference line of the junction");
         };
+        let (x, y, heading) = (piece.start.x, piece.start.y, piece.start.heading);
         let number = |text: &str| numbers(text).filter(|n| n.len() == 1).map(|n| n[0]);
         let place = (number(grid.s_start.text()), number(grid.grid_spacing.text()));
         let (Some(s_start), Some(spacing)) = place else {

@@ -249,7 +249,7 @@ impl Lowering {
     /// Appends a junction. Its connections are resolved later.
     pub(crate) fn junction(
         &mut self,
-        junction: Junction,
+        (junction, line): (Junction, &ReferenceLine),
         position: Position,
         findings: &mut Vec<Finding>,
     ) {
@@ -258,7 +258,11 @@ impl Lowering {
         if part.need(junction.id.as_ref(), "id").is_none() {
             return;
         }
-        self.elevation_grid(&junction, &format!("{path}[@id={}]", junction.id.text()), findings);
+        self.elevation_grid(
+            (&junction, line),
+            &format!("{path}[@id={}]", junction.id.text()),
+            findings,
+        );
         self.rows.junctions.push(JunctionRow {
             id: self.strings.add(junction.id.text()),
             name: self.strings.add(junction.name.text()),

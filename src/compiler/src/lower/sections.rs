@@ -230,11 +230,8 @@ impl Lowering {
             }
         }
         lanes.sort_by_key(|lane| (std::cmp::Reverse(lane.id), lane.span.start));
-        for pair in lanes.windows(2).filter(|pair| pair[0].id == pair[1].id) {
-            let message = format!("lane {} occurs twice in this section", pair[1].id);
-            let mut part = Part { span: pair[1].span, path: (road, &tail()), findings };
-            part.add("asam.net:xodr:1.4.0:ids.id_unique_in_lane_section", Severity::Error, message);
-        }
+        // Of lanes with one id, of which a rule tells, the first is meant.
+        lanes.dedup_by_key(|lane| lane.id);
         let center = lanes.partition_point(|lane| lane.id > 0);
         let has_center = lanes.get(center).is_some_and(|lane| lane.id == 0);
         if !has_center {

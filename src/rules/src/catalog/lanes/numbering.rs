@@ -103,16 +103,14 @@ pub(super) static RULES: &[Rule] = &[
 
 fn unique(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
     let mut ids = BTreeSet::new();
-    for lane in of.lanes() {
-        let Some(id) = value(&lane.id) else { continue };
-        if !ids.insert(id) {
-            sink.add_within(
-                &lane_part(lane, ""),
-                lane.span,
-                "a lane id that no other lane of the section has",
-                id,
-            );
-        }
+    let center = of.section.center.iter().flat_map(|center| &center.lane);
+    let center = center.map(|lane| (lane.id, lane.span));
+    let left = of.side(Side::Left).iter().map(|lane| (lane.id, lane.span));
+    let right = of.side(Side::Right).iter().map(|lane| (lane.id, lane.span));
+    for (id, span) in left.chain(center).chain(right) {
+        let Some(id) = value(&id).filter(|id| !ids.insert(*id)) else { continue };
+        let part = format!("lane[@id={id}]");
+        sink.add_within(&part, span, "a lane id that no other lane of the section has", id);
     }
 }
 
