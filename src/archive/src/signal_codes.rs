@@ -18,6 +18,8 @@ pub mod signal_values {
     pub const WRITTEN: u8 = 1;
     /// The class has a value.
     pub const MEANT: u8 = 2;
+    /// The unit of that value is not written: it is that of the table that maps the sign, or the SI unit.
+    pub const UNIT_ASSUMED: u8 = 4;
 }
 
 codes! {
@@ -55,6 +57,8 @@ codes! {
         Track = 2, "s and t";
         /// No lane lies nearer that travels that way.
         Nearest = 3, "nearest";
+        /// A guess: the validity names lane 0 alone, no reference names others, and the lane travels the way the signal is for.
+        OrientationGuess = 4, "orientation guess";
     }
 }
 

@@ -367,12 +367,13 @@ Columns:
   route       from_road,from_s,from_lane,to_road,to_s,to_lane
                                    length,lane_changes,lanes (keys in driving order, joined by ;)
   objects     x,y,radius           a row for each place of an object, the nearest first:
-                                   id,class,distance,road_id,s,t,x,y,z
+                                   id,class,distance,road_id,s,t,x,y,z,value
   landmarks   x,y,radius[,classes] a row for each signal or object that localisers use, or of these classes (joined by ;):
                                    id,class,distance,road_id,s,t,x,y,z,hdg,length,width,height,kind (signal or object)
   signals     road_id,s,lane_id,distance
                                    a row for each signal ahead, the nearest first, none where there is none:
-                                   id,class,distance,road_id,s,t,x,y,z,state_machine (lamps:phases[:movements])
+                                   id,class,distance,road_id,s,t,x,y,z,state_machine,method,value (state_machine:
+                                   lamps:phases[:movements]; method: how it came to the lane; value in m/s, m or kg)
   annotations owner[,id]           a row for each thing that the file says of it besides: kind,path,name,value,text,file,line,column;
                                    owner is document, road, section (id road:section), lane (a key), junction, object, signal,
                                    controller, junction-group or station

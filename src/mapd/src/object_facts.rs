@@ -20,6 +20,8 @@ pub(crate) struct ObjectFacts {
     lanes: Vec<(&'static str, usize)>,
     /// Objects that belong to no lane.
     without_lane: usize,
+    /// Objects with a value, whose unit no object states.
+    assumed_units: usize,
 }
 
 impl ObjectFacts {
@@ -42,6 +44,7 @@ impl ObjectFacts {
             unmapped,
             lanes: LaneMethod::ALL.iter().map(|m| (m.name(), lanes(*m))).collect(),
             without_lane: map.objects().filter(|object| object.lanes().len() == 0).count(),
+            assumed_units: map.objects().filter(|object| object.value().is_some()).count(),
         }
     }
 
@@ -57,6 +60,10 @@ impl ObjectFacts {
         writeln!(out, "objects       {} in {} places: {classes}", self.objects, self.places)?;
         let lanes = list(&mut self.lanes.iter().copied());
         writeln!(out, "              on lanes: {lanes}; {} on none", self.without_lane)?;
+        if self.assumed_units > 0 {
+            let count = self.assumed_units;
+            writeln!(out, "              {count} with a value without unit")?;
+        }
         if !self.unmapped.is_empty() {
             let codes = list(&mut self.unmapped.iter().map(|(code, n)| (code.as_str(), *n)));
             writeln!(out, "              not in the vocabulary (type/subtype): {codes}")?;

@@ -1,9 +1,9 @@
 //! What `mapd inspect` says about signals.
 
 use mapd_client::Map;
-use mapd_query::Class;
+use mapd_query::{Class, LaneMethod};
 use serde::Serialize;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 use std::io::{self, Write};
 
 /// Codes without a class that are listed at most.
@@ -15,7 +15,12 @@ pub(crate) struct SignalFacts {
     signals: usize,
     references: usize,
     controllers: usize,
+    /// Signals that are for no lane of any road.
     without_lanes: usize,
+    /// By how they came to their lanes.
+    lanes: Vec<(&'static str, usize)>,
+    /// Signals whose value is written without a unit.
+    assumed_units: usize,
     by_class: BTreeMap<&'static str, usize>,
     /// Codes that no table maps: country, type, subtype, name.
     unknown: BTreeMap<String, usize>,
@@ -24,6 +29,9 @@ pub(crate) struct SignalFacts {
 impl SignalFacts {
     pub(crate) fn of(map: Map<'_>) -> Self {
         let (mut by_class, mut unknown) = (BTreeMap::new(), BTreeMap::new());
+        let on_lanes = || map.signal_places().flat_map(|place| place.lanes());
+        let with_lanes: HashSet<_> = on_lanes().map(|one| one.signal().signal_id()).collect();
+        let lanes = |method| on_lanes().filter(|one| one.method() == method).count();
         for signal in map.signals() {
             *by_class.entry(signal.class().name()).or_insert(0) += 1;
             if signal.class() == Class::Unknown {
@@ -36,7 +44,9 @@ impl SignalFacts {
             signals: map.signals().len(),
             references: map.signal_places().filter(|place| place.is_reference()).count(),
             controllers: map.controllers().len(),
-            without_lanes: map.signal_places().filter(|p| p.lanes().next().is_none()).count(),
+            without_lanes: map.signals().len() - with_lanes.len(),
+            lanes: LaneMethod::ALL.iter().map(|one| (one.name(), lanes(*one))).collect(),
+            assumed_units: map.signals().filter(|signal| signal.is_unit_assumed()).count(),
             by_class,
             unknown,
         }
@@ -54,6 +64,13 @@ impl SignalFacts {
             "signals       {}, {} references, {} controllers, {} for no lane",
             self.signals, self.references, self.controllers, self.without_lanes
         )?;
+        let lanes: Vec<String> =
+            self.lanes.iter().map(|(name, count)| format!("{count} {name}")).collect();
+        writeln!(out, "              on lanes: {}", lanes.join(", "))?;
+        if self.assumed_units > 0 {
+            let count = self.assumed_units;
+            writeln!(out, "              {count} with a value without unit")?;
+        }
         for (class, count) in &self.by_class {
             writeln!(out, "  {class:<28}{count:>6}")?;
         }

@@ -3,7 +3,7 @@
 use crate::file::{Entry, File, Wrong};
 use crate::light::{Light, arrows};
 use crate::pattern::Pattern;
-use crate::value::{Source, factor, sources};
+use crate::value::{Source, Unit, sources, unit};
 use mapd_archive::Class;
 use std::collections::HashMap;
 
@@ -22,8 +22,12 @@ pub(crate) struct Ready {
     name: Option<Pattern>,
     pub(crate) class: Class,
     pub(crate) sources: Vec<Source>,
+    /// Of the entry.
+    pub(crate) unit: Option<Unit>,
     /// Of the entry, else of the file.
-    pub(crate) unit: Option<String>,
+    pub(crate) unit_here: Option<Unit>,
+    /// Whether its file is for every country.
+    pub(crate) is_everywhere: bool,
     pub(crate) light: Option<Light>,
 }
 
@@ -40,10 +44,9 @@ impl Ready {
         if entry.r#type.is_none() && entry.subtype.is_none() && entry.name.is_none() {
             return Err(Wrong::Nothing);
         }
-        let unit = entry.unit.as_ref().or(file.unit.as_ref());
-        if let Some(unit) = unit.filter(|unit| factor(unit).is_none()) {
-            return Err(Wrong::Unit(unit.clone()));
-        }
+        let known = |name: &String| unit(name).ok_or_else(|| Wrong::Unit(name.clone()));
+        let own = entry.unit.as_ref().map(known).transpose()?;
+        let of_file = file.unit.as_ref().map(known).transpose()?;
         let light = match &entry.light {
             Some(name) => {
                 let light = lights.get(name).ok_or_else(|| Wrong::Light(name.clone()))?;
@@ -57,7 +60,9 @@ impl Ready {
             name: entry.name.as_deref().map(Pattern::new),
             class,
             sources: sources(entry, file)?,
-            unit: unit.cloned(),
+            unit: own,
+            unit_here: own.or(of_file),
+            is_everywhere: file.countries.iter().any(|country| country == "*"),
             light,
         })
     }

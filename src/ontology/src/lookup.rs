@@ -4,7 +4,7 @@ use crate::entry::{Question, Ready};
 use crate::file::{Entry, File, Lights, OntologyError, Wrong};
 use crate::generated::TABLES;
 use crate::light::Light;
-use crate::value::factor;
+use crate::value::{SI, Source, Unit, unit};
 use mapd_archive::Class;
 use std::collections::HashMap;
 use std::sync::{Arc, LazyLock};
@@ -44,11 +44,15 @@ pub struct Meaning {
     pub class: Class,
     /// Its value in m/s, m or kg, if it has one.
     pub value: Option<f64>,
+    /// The unit in which a number was read that the file states without one, such as `km/h`, or `SI`; none where the unit is
+    /// written, and where the value is part of the code.
+    pub assumed_unit: Option<&'static str>,
     /// What it can show, if it is a light.
     pub light: Option<Light>,
 }
 
-const UNKNOWN: Meaning = Meaning { class: Class::Unknown, value: None, light: None };
+const UNKNOWN: Meaning =
+    Meaning { class: Class::Unknown, value: None, assumed_unit: None, light: None };
 
 /// Files with a place of their own in the order.
 const GENERIC: &str = "opendrive";
@@ -65,6 +69,8 @@ struct Table {
     /// In lower case.
     countries: Vec<String>,
     base: Option<String>,
+    /// Of values that are written without one.
+    unit: Option<Unit>,
     signals: Vec<Ready>,
     objects: Vec<Ready>,
 }
@@ -148,6 +154,7 @@ impl Ontology {
             signals: signals.map(ready).collect::<Result<_, _>>()?,
             objects: objects.map(ready).collect::<Result<_, _>>()?,
             countries: read.countries.iter().map(|country| country.to_lowercase()).collect(),
+            unit: read.unit.as_deref().and_then(unit),
             name: read.name,
             base: read.base,
         })
@@ -159,7 +166,30 @@ impl Ontology {
         let (subtype, name) = (absent(code.subtype), code.name.to_lowercase());
         let question = Question { r#type: &r#type, subtype: &subtype, name: &name };
         let found = self.entry(&country, question, |table| &table.signals);
-        found.map_or(UNKNOWN, |entry| meaning(entry, code, &subtype))
+        found.map_or(UNKNOWN, |entry| {
+            meaning(entry, code, &subtype, || self.unit_without_any(entry, &country))
+        })
+    }
+
+    /// The unit of a number that the file states without one: that of the country's own table, or of the entry where the table
+    /// says otherwise; SI units for the generic catalogue and for countries without a table, as the standard has it.
+    fn unit_without_any(&self, entry: &Ready, country: &str) -> Unit {
+        if entry.is_everywhere {
+            return entry.unit_here.unwrap_or(SI);
+        }
+        let all = || self.user.iter().chain(self.standard.iter());
+        let own = || all().filter(|table| table.is_for(country) && table.name != SEMANTICS);
+        let mut of_country = own().find_map(|table| table.unit);
+        let mut next = own().next();
+        for _ in 0..DEEPEST_BASE {
+            let Some(table) = next.filter(|_| of_country.is_none()) else { break };
+            of_country = table.unit;
+            next = all().find(|one| Some(&one.name) == table.base.as_ref());
+        }
+        match of_country {
+            None | Some(SI) => SI,
+            Some(of_country) => entry.unit.unwrap_or(of_country),
+        }
     }
 
     /// What an element of `signal/semantics` means: `element` such as `speed`, `kind` its `type`.
@@ -170,16 +200,17 @@ impl Ontology {
         let mut of = tables.filter(|table| table.countries.iter().any(|one| one == SEMANTICS));
         let code = SignalCode { value, unit, ..SignalCode::default() };
         let found = of.find_map(|table| best(&table.signals, question, |_| true));
-        found.map_or(UNKNOWN, |entry| meaning(entry, &code, &subtype))
+        found.map_or(UNKNOWN, |entry| meaning(entry, &code, &subtype, || here(entry)))
     }
 
-    /// What an object means.
-    pub fn object(&self, code: &ObjectCode<'_>) -> Class {
+    /// What an object means, with the value that its name states.
+    pub fn object(&self, code: &ObjectCode<'_>) -> Meaning {
         let (r#type, subtype) = (absent(code.r#type), absent(code.subtype));
         let name = code.name.to_lowercase();
         let question = Question { r#type: &r#type, subtype: &subtype, name: &name };
         let found = self.entry("", question, |table| &table.objects);
-        found.map_or(Class::Unknown, |entry| entry.class)
+        let named = SignalCode { name: code.name, ..SignalCode::default() };
+        found.map_or(UNKNOWN, |entry| meaning(entry, &named, &subtype, || here(entry)))
     }
 
     fn entry(
@@ -249,11 +280,33 @@ fn best<'a>(
     fitting.max_by_key(|(fit, _)| *fit).map(|(_, entry)| entry)
 }
 
-fn meaning(entry: &Ready, code: &SignalCode<'_>, subtype: &str) -> Meaning {
-    let found = entry.sources.iter().find_map(|s| s.value(code.value, subtype, code.name));
-    let unit = factor(code.unit).or_else(|| entry.unit.as_deref().and_then(factor));
-    let value = found.map(|value| value * unit.unwrap_or(1.0));
-    Meaning { class: entry.class, value, light: entry.light }
+/// The unit of values in the file that an entry stands in.
+fn here(entry: &Ready) -> Unit {
+    entry.unit_here.unwrap_or(SI)
+}
+
+/// What an entry says of a code; `without_any`: the unit of numbers that the file states without one.
+fn meaning(
+    entry: &Ready,
+    code: &SignalCode<'_>,
+    subtype: &str,
+    without_any: impl FnOnce() -> Unit,
+) -> Meaning {
+    let value =
+        |source: &Source| Some((source.value(code.value, subtype, code.name)?, source.is_stated()));
+    let Some((value, is_stated)) = entry.sources.iter().find_map(value) else {
+        return Meaning { class: entry.class, light: entry.light, ..UNKNOWN };
+    };
+    let written = unit(code.unit);
+    let is_assumed = is_stated && written.is_none();
+    let (name, factor) =
+        written.unwrap_or_else(|| if is_stated { without_any() } else { here(entry) });
+    Meaning {
+        class: entry.class,
+        value: Some(value * factor),
+        assumed_unit: is_assumed.then_some(name),
+        light: entry.light,
+    }
 }
 
 /// In lower case; files write `-1` and `none` for what is not there.

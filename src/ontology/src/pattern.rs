@@ -1,4 +1,7 @@
-//! Patterns of types and names: `*` stands for any text, `?` for any character, capital letters do not count.
+//! Patterns of types and names: `*` stands for any text, `?` for any character, `#` for a digit, capital letters do not count.
+
+/// What stands for other characters.
+pub(crate) const WILD: [char; 3] = ['*', '?', '#'];
 
 /// A pattern in lower case.
 #[derive(Clone, Debug)]
@@ -21,7 +24,11 @@ impl Pattern {
                     star = Some((p, t));
                     p += 1;
                 }
-                Some(&letter) if letter == b'?' || letter == text[t] => {
+                Some(&letter)
+                    if letter == b'?'
+                        || letter == text[t]
+                        || letter == b'#' && text[t].is_ascii_digit() =>
+                {
                     p += 1;
                     t += 1;
                 }
@@ -39,7 +46,7 @@ impl Pattern {
 
     /// Whether the pattern is one text.
     pub(crate) fn is_exact(&self) -> bool {
-        !self.0.contains(['*', '?'])
+        !self.0.contains(WILD)
     }
 }
 
@@ -60,6 +67,8 @@ mod tests {
             ("a*b*c", "axxbyy", false),
             ("", "", true),
             ("*", "", true),
+            ("speed_#*", "speed_30_2", true),
+            ("speed_#*", "speed_bump", false),
         ] {
             assert_eq!(Pattern::new(pattern).fits(text), expected, "{pattern} {text}");
         }

@@ -276,7 +276,8 @@ impl Cursor<'_> {
             let form = if self.version >= usize::from(V1_6) { "two or three" } else { "three" };
             let expected =
                 format!("{form} capital letters or a country's name ({})", self.standard());
-            self.about(rule_ids::VALUE, Severity::Error, &expected, "; kept as text");
+            // The text is kept, and whoever looks it up finds the generic catalogue: nothing is lost by it.
+            self.about(rule_ids::VALUE, Severity::Warning, &expected, "; kept as text");
         } else if lexical.value.is_none() {
             self.quirk(Quirk::UnknownCountry, true);
         }

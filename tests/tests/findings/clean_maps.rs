@@ -20,7 +20,6 @@ const JUSTIFIED: [(&str, Errors); 3] = [
             ("asam.net:xodr:1.4.0:road.geometry.refline_no_gaps", 2, true),
             ("asam.net:xodr:1.4.0:road.geometry.refline_no_kinks", 2, true),
             ("mapd:structure.choice", 10, false),
-            ("mapd:value.type", 1, false),
         ],
     ),
 ];

@@ -10,6 +10,7 @@ mod linked_lanes;
 mod mutations;
 mod quarantine;
 mod quirks;
+mod signal_codes;
 mod signal_faults;
 mod smallest_parts;
 mod sources_are_safe;

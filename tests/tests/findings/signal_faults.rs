@@ -93,7 +93,7 @@ fn lanes(left: bool, signal: &str) -> Vec<(i32, LaneMethod)> {
 
 #[test]
 fn lanes_are_found_by_validity_orientation_place_and_nearness() {
-    use LaneMethod::{Nearest, Orientation, Track, Validity};
+    use LaneMethod::{Nearest, Orientation, OrientationGuess, Track, Validity};
     let at = |t: f64, orientation: &str, validity: &str| {
         holding("x", orientation, validity).replace("t=\"-5\"", &format!("t=\"{t}\""))
     };
@@ -105,7 +105,7 @@ fn lanes_are_found_by_validity_orientation_place_and_nearness() {
     assert_eq!(lanes(true, &at(-5.0, "+", "")), [(-1, Orientation)]);
     assert_eq!(lanes(true, &at(5.0, "-", "")), [(1, Orientation)]);
     assert_eq!(lanes(true, &at(5.0, "none", "")), [(1, Orientation), (-1, Orientation)]);
-    assert_eq!(lanes(true, &at(-5.0, "+", &one(0))), [(-1, Orientation)], "lane 0 names none");
+    assert_eq!(lanes(true, &at(-5.0, "+", &one(0))), [(-1, OrientationGuess)], "0 names none");
     assert_eq!(lanes(true, &at(-1.0, "+", &one(-7))), [(-1, Track)], "no such lane");
     assert_eq!(lanes(true, &at(-9.0, "+", &one(-7))), [(-1, Nearest)], "beside the road");
     assert_eq!(lanes(true, &at(-90.0, "+", &one(-7))), [], "far beside the road");

@@ -27,6 +27,7 @@ mod round_trips;
 mod routing;
 mod signal_boards;
 mod signal_positions;
+mod signal_references;
 mod signals_corpus;
 mod single_side;
 mod speed_rules;

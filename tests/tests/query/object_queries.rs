@@ -82,7 +82,7 @@ fn the_command_line_lists_a_row_for_each() {
     // about 20, (22.5, −3.55).
     let d = |x: f64, y: f64| format!("{:?}", (x * x + y * y).sqrt());
     let lines: Vec<&str> = text.lines().collect();
-    assert_eq!(lines[0], "radius,id,class,distance,road_id,s,t,x,y,z,error");
+    assert_eq!(lines[0], "radius,id,class,distance,road_id,s,t,x,y,z,value,error");
     let field = |line: &str, i: usize| line.split(',').nth(i).expect("a field").to_owned();
     let number = |line: &str, i: usize| field(line, i).parse::<f64>().expect("a number");
     let ids: Vec<_> =
@@ -94,7 +94,7 @@ fn the_command_line_lists_a_row_for_each() {
     );
     assert!((number(lines[1], 3) - 3.55).abs() < 1e-6, "{}", lines[1]);
     assert!((number(lines[4], 3) - d(7.5, 3.55).parse::<f64>().expect("a number")).abs() < 1e-6);
-    assert_eq!(lines[3], "9,a,tree,8.0,1,30.0,8.0,30.0,8.0,0.5,");
+    assert_eq!(lines[3], "9,a,tree,8.0,1,30.0,8.0,30.0,8.0,0.5,,");
     // Nothing is near the second point; the third asks for what there is not.
     assert_eq!(lines.len(), 6);
     assert!(lines[5].contains("radius must not be negative, found -1.0"), "{}", lines[5]);

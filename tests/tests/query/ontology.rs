@@ -1,6 +1,6 @@
 //! The vocabulary of signals and objects: codes of many catalogues, the corpus, and a country that is only a file.
 
-use mapd_ontology::{Class, Light, Ontology, SignalCode, arrow, bulb};
+use mapd_ontology::{Class, Light, ObjectCode, Ontology, SignalCode, arrow, bulb};
 use mapd_xodr::{Item, Limits, Reader, Text as _, Value as _};
 use std::collections::BTreeMap;
 
@@ -45,6 +45,19 @@ const CASES: &[Case] = &[
     (("DE", "262", "-1", "", 7.5, "t"), Class::MaximumWeight, 7500.0),
     (("DE", "265", "-1", "", 3.8, ""), Class::MaximumHeight, 3.8),
     (("DE", "9999", "-1", "", 0.0, ""), Class::Unknown, 0.0),
+    // Without a unit: the country's, also for signs of the table that it is based on; SI units without a table.
+    (("OpenDRIVE", "274", "-1", "", 16.5, ""), Class::SpeedLimit, 16.5),
+    (("", "274", "-1", "", 16.5, ""), Class::SpeedLimit, 16.5),
+    (("FRA", "274", "-1", "", 16.5, ""), Class::SpeedLimit, 16.5),
+    (("ARGENTINA", "274", "-1", "", 40.0, "km/h"), Class::SpeedLimit, 40.0 * KMH),
+    (("Germany", "274", "-1", "", 60.0, ""), Class::SpeedLimit, 60.0 * KMH),
+    (("US", "274", "-1", "", 25.0, ""), Class::SpeedLimit, 25.0 * MPH),
+    (("DE", "262", "-1", "", 7.5, ""), Class::MaximumWeight, 7500.0),
+    (("", "262", "-1", "", 7500.0, ""), Class::MaximumWeight, 7500.0),
+    (("OpenDRIVE", "-1", "-1", "StopLine", -1.0, ""), Class::StopLine, 0.0),
+    (("OpenDRIVE", "-1", "-1", "Speed_30_2", -1.0, ""), Class::SpeedLimit, 30.0 * KMH),
+    (("OpenDRIVE", "-1", "-1", "Speed_30", -1.0, "mph"), Class::SpeedLimit, 30.0 * MPH),
+    (("OpenDRIVE", "-1", "-1", "Speed_Bump", -1.0, ""), Class::Unknown, 0.0),
     (("DE", "1000001", "-1", "", -1.0, ""), Class::TrafficLight, 0.0),
 ];
 
@@ -60,6 +73,36 @@ fn codes_of_many_catalogues() {
         let meaning = ontology.signal(&code(case));
         assert_eq!(meaning.class, case.1, "{case:?}");
         assert!((meaning.value.unwrap_or(0.0) - case.2).abs() < 1e-9, "{case:?}: {meaning:?}");
+    }
+}
+
+#[test]
+fn a_unit_that_is_not_written_is_named() {
+    let ontology = Ontology::standard();
+    for (country, subtype, name, value, unit, expected) in [
+        ("DE", "-1", "", 50.0, "", Some("km/h")),
+        ("DE", "-1", "", 50.0, "km/h", None),
+        ("DE", "55", "", -1.0, "", None),
+        ("OpenDRIVE", "-1", "", 50.0, "", Some("SI")),
+        ("US", "-1", "", 50.0, "", Some("mph")),
+    ] {
+        let value = Some(value);
+        let code = SignalCode { country, r#type: "274", subtype, name, value, unit };
+        let meaning = ontology.signal(&code);
+        assert!(meaning.value.is_some(), "{code:?}");
+        assert_eq!(meaning.assumed_unit, expected, "{code:?}");
+    }
+    for (name, class, value) in [
+        ("Speed_90", Class::SpeedLimit, Some(90.0 * KMH)),
+        ("speed_60", Class::SpeedLimit, Some(60.0 * KMH)),
+        ("Speed_Bump", Class::Unknown, None),
+        ("StopLine", Class::StopLine, None),
+        ("Sign_Stop", Class::Sign, None),
+    ] {
+        let code = ObjectCode { r#type: "-1", subtype: "", name };
+        let meaning = ontology.object(&code);
+        assert_eq!((meaning.class, meaning.value), (class, value), "{name}");
+        assert_eq!(meaning.assumed_unit, value.map(|_| "km/h"), "{name}");
     }
 }
 

@@ -196,6 +196,7 @@ impl Rows {
             skeleton_vertices: unused(),
             parking_spaces: unused(),
             object_materials: unused(),
+            object_values: unused(),
             object_references: unused(),
             structures: unused(),
             switches: unused(),
@@ -613,6 +614,9 @@ impl Rows {
         let before = self.object_materials.len();
         self.object_materials.extend_from_slice(part.object_materials.get(1..).unwrap_or_default());
         self.object_materials.iter_mut().skip(before).for_each(|row| row.move_by(moves));
+        let before = self.object_values.len();
+        self.object_values.extend_from_slice(part.object_values.get(1..).unwrap_or_default());
+        self.object_values.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         let before = self.object_references.len();
         self.object_references
             .extend_from_slice(part.object_references.get(1..).unwrap_or_default());

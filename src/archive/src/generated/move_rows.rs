@@ -455,6 +455,14 @@ impl ObjectMaterialRow {
     }
 }
 
+impl ObjectValueRow {
+    /// Lets the row refer to where what it refers to comes to lie.
+    pub fn move_by(&mut self, moves: &Moves) {
+        self.object = moves.objects.row(self.object);
+        self.unit = moves.strings.row(self.unit);
+    }
+}
+
 impl ObjectReferenceRow {
     /// Lets the row refer to where what it refers to comes to lie.
     pub fn move_by(&mut self, moves: &Moves) {

@@ -544,6 +544,24 @@ impl ArchivedObjectMaterialRow {
     }
 }
 
+impl ArchivedObjectValueRow {
+    /// `[m/s, m or kg]` What the class means by its value.
+    #[inline]
+    pub fn value(&self) -> f64 {
+        self.value.to_native()
+    }
+    /// The object.
+    #[inline]
+    pub fn object(&self) -> u32 {
+        self.object.to_native()
+    }
+    /// Unit in which the number is read: objects state none. `SI`: whatever SI unit fits.
+    #[inline]
+    pub fn unit(&self) -> u32 {
+        self.unit.to_native()
+    }
+}
+
 impl ArchivedObjectReferenceRow {
     /// `[m]` Place on the referring road.
     #[inline]

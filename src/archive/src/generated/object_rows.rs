@@ -327,6 +327,21 @@ pub struct ObjectMaterialRow {
 const _: () =
     assert!(size_of::<ObjectMaterialRow>() == 20 && size_of::<ArchivedObjectMaterialRow>() == 20);
 
+/// Values that objects mean, by object: the limit that the name of a sign states.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct ObjectValueRow {
+    /// `[m/s, m or kg]` What the class means by its value.
+    pub value: f64,
+    /// The object.
+    pub object: u32,
+    /// Unit in which the number is read: objects state none. `SI`: whatever SI unit fits.
+    pub unit: u32,
+}
+const _: () =
+    assert!(size_of::<ObjectValueRow>() == 16 && size_of::<ArchivedObjectValueRow>() == 16);
+
 /// Objects of one road that concern another, by road, in file order.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]

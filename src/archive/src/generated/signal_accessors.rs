@@ -200,7 +200,7 @@ impl ArchivedSignalRow {
     pub fn arrows(&self) -> u8 {
         self.arrows
     }
-    /// 1 a value is written, 2 the class has a value.
+    /// 1 a value is written, 2 the class has a value, 4 the unit of that value is not written: it is that of the country's table, or the SI unit.
     #[inline]
     pub fn has_value(&self) -> u8 {
         self.has_value
@@ -276,7 +276,7 @@ impl ArchivedSignalLaneRow {
     pub fn distance(&self) -> f32 {
         self.distance.to_native()
     }
-    /// How they belong together: 0 validity, 1 orientation (no validity: all lanes that travel that way), 2 s and t, 3 nearest lane.
+    /// How they belong together: 0 validity, 1 orientation (no validity: all lanes that travel that way), 2 s and t, 3 nearest lane, 4 a guess by orientation (the validity names lane 0 alone, and no reference names others).
     #[inline]
     pub fn method(&self) -> u8 {
         self.method

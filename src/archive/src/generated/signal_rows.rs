@@ -88,7 +88,7 @@ pub struct SignalRow {
     pub phases: u8,
     /// Movements that a light is for, 0 all: 1 left, 2 straight, 4 right, 8 back.
     pub arrows: u8,
-    /// 1 a value is written, 2 the class has a value.
+    /// 1 a value is written, 2 the class has a value, 4 the unit of that value is not written: it is that of the country's table, or the SI unit.
     pub has_value: u8,
     /// 1 temporary, 2 invalidated (1.9), 4 s was moved to the road's end.
     pub flags: u8,
@@ -137,7 +137,7 @@ pub struct SignalLaneRow {
     pub lane: u32,
     /// `[m]` Distance of the signal's s and t from the lane's area, in plan view.
     pub distance: f32,
-    /// How they belong together: 0 validity, 1 orientation (no validity: all lanes that travel that way), 2 s and t, 3 nearest lane.
+    /// How they belong together: 0 validity, 1 orientation (no validity: all lanes that travel that way), 2 s and t, 3 nearest lane, 4 a guess by orientation (the validity names lane 0 alone, and no reference names others).
     pub method: u8,
     /// 0.
     pub reserved: [u8; 3],

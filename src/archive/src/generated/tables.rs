@@ -16,13 +16,13 @@ use rkyv::rend;
 pub const FORMAT: u32 = 2;
 /// Identifies what this release writes: numbers and row ids of all its tables.
 pub const LAYOUT_ID: [u8; 16] =
-    [18, 42, 249, 56, 43, 201, 246, 166, 132, 7, 250, 170, 11, 99, 67, 86];
+    [145, 134, 66, 103, 164, 89, 74, 68, 191, 60, 34, 145, 218, 219, 11, 167];
 
 /// What this release knows of what a reader must know of, by bit of the header's `must_understand`.
 pub const FEATURES: [Feature; 0] = [];
 
 /// The tables that this release knows, by number.
-pub(crate) const TABLES: [TableKind; 101] = [
+pub(crate) const TABLES: [TableKind; 102] = [
     TableKind {
         number: 1,
         name: "string_bytes",
@@ -730,6 +730,13 @@ pub(crate) const TABLES: [TableKind; 101] = [
         row_id: 0x4a3ba2d95ea39192,
         required: false,
     },
+    TableKind {
+        number: 102,
+        name: "object_values",
+        row_bytes: 16,
+        row_id: 0x3a1f165bf76376b0,
+        required: false,
+    },
 ];
 
 /// All tables of a map as the compiler fills them.
@@ -937,6 +944,8 @@ pub struct Rows {
     pub junction_group_members: Table<JunctionGroupMemberRow>,
     /// Lanes of roundabouts' rings, by group: those from which a way leads round within the group and back.
     pub ring_lanes: Table<u32>,
+    /// Values that objects mean, by object: the limit that the name of a sign states.
+    pub object_values: Table<ObjectValueRow>,
 }
 
 impl Rows {
@@ -1044,11 +1053,12 @@ impl Rows {
             junction_groups: bytemuck::cast_slice(self.junction_groups.as_slice()),
             junction_group_members: bytemuck::cast_slice(self.junction_group_members.as_slice()),
             ring_lanes: (self.ring_lanes.as_slice()),
+            object_values: bytemuck::cast_slice(self.object_values.as_slice()),
         }
     }
 
     /// The bytes of all tables, as they lie in an archive, in the order of `TABLES`.
-    pub(crate) fn bytes(&self) -> [&[u8]; 101] {
+    pub(crate) fn bytes(&self) -> [&[u8]; 102] {
         [
             bytemuck::cast_slice(self.string_bytes.as_slice()),
             bytemuck::cast_slice(self.string_offsets.as_slice()),
@@ -1151,6 +1161,7 @@ impl Rows {
             bytemuck::cast_slice(self.junction_groups.as_slice()),
             bytemuck::cast_slice(self.junction_group_members.as_slice()),
             bytemuck::cast_slice(self.ring_lanes.as_slice()),
+            bytemuck::cast_slice(self.object_values.as_slice()),
         ]
     }
 }
@@ -1361,6 +1372,8 @@ pub struct Tables<'a> {
     pub junction_group_members: &'a [ArchivedJunctionGroupMemberRow],
     /// Lanes of roundabouts' rings, by group: those from which a way leads round within the group and back.
     pub ring_lanes: &'a [u32],
+    /// Values that objects mean, by object: the limit that the name of a sign states.
+    pub object_values: &'a [ArchivedObjectValueRow],
 }
 
 impl<'a> Tables<'a> {
@@ -1468,11 +1481,12 @@ impl<'a> Tables<'a> {
             junction_groups: directory.take(&TABLES[98])?,
             junction_group_members: directory.take(&TABLES[99])?,
             ring_lanes: directory.take(&TABLES[100])?,
+            object_values: directory.take(&TABLES[101])?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 101] {
+    pub fn infos(&self) -> [TableInfo; 102] {
         [
             TableInfo::of(1, "string_bytes", self.string_bytes),
             TableInfo::of(2, "string_offsets", self.string_offsets),
@@ -1575,6 +1589,7 @@ impl<'a> Tables<'a> {
             TableInfo::of(99, "junction_groups", self.junction_groups),
             TableInfo::of(100, "junction_group_members", self.junction_group_members),
             TableInfo::of(101, "ring_lanes", self.ring_lanes),
+            TableInfo::of(102, "object_values", self.object_values),
         ]
     }
 }

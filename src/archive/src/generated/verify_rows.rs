@@ -655,6 +655,12 @@ impl Tables<'_> {
             check.finite("friction", f64::from(row.friction()))?;
             check.finite("roughness", f64::from(row.roughness()))?;
         }
+        for (i, row) in self.object_values.iter().enumerate() {
+            let check = Check { table: "object_values", row: i };
+            check.finite("value", row.value())?;
+            check.reference("object", row.object(), self.objects.len(), false)?;
+            check.reference("unit", row.unit(), strings, false)?;
+        }
         for (i, row) in self.object_references.iter().enumerate() {
             let check = Check { table: "object_references", row: i };
             check.finite("s", row.s())?;
@@ -787,7 +793,7 @@ impl Tables<'_> {
             found.note("signal_places", "orientation", i, row.orientation(), 3);
         }
         for (i, row) in self.signal_lanes.iter().enumerate() {
-            found.note("signal_lanes", "method", i, row.method(), 4);
+            found.note("signal_lanes", "method", i, row.method(), 5);
         }
         for (i, row) in self.quarantined.iter().enumerate() {
             found.note("quarantined", "kind", i, row.kind(), 8);

@@ -39,7 +39,7 @@ use mapd_xodr::{
     SpeedLimit, Text as _, TrafficRule, UnitSpeed, Value as _,
 };
 pub(crate) use need::{Part, UNUSABLE};
-pub(crate) use objects::{Owner, lanes, orientation};
+pub(crate) use objects::{Owner, assumed_unit, lanes, orientation};
 use sections::Layer;
 use std::sync::Arc;
 

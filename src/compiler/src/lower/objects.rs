@@ -5,9 +5,9 @@ use super::need::Part;
 use crate::objects::single;
 use crate::objects::written::{Object, Repeat};
 use mapd_archive::{
-    AnnotationOwner, NONE, ObjectRow, ObjectShape, Orientation, Range, object_flags,
+    AnnotationOwner, NONE, ObjectRow, ObjectShape, ObjectValueRow, Orientation, Range, object_flags,
 };
-use mapd_ontology::{Class, ObjectCode, Ontology};
+use mapd_ontology::{Class, Meaning, ObjectCode, Ontology};
 use mapd_rules::line::ReferenceLine;
 use mapd_xodr::{self as xodr, Finding, Position, Severity, Span, Text as _, Value as _};
 
@@ -55,9 +55,17 @@ impl Lowering {
                 .map(|(name, at)| part.need_along(at.value(), name));
             let [Some(s), Some(t)] = place else { continue };
             let mut row = self.object_row(owner, object, [s, t], position(object.span));
-            row.class = class(ontology, object).code();
+            let meaning = meaning(ontology, object);
+            row.class = meaning.class.code();
             let outlines = self.outlines(object, &mut part);
-            let details = self.details(object, &outlines, &mut part);
+            let mut details = self.details(object, &outlines, &mut part);
+            if let Some(value) = meaning.value {
+                let unit = meaning.assumed_unit.unwrap_or_default();
+                assumed_unit(unit, &mut part);
+                let unit = self.strings.add(unit);
+                details.get_or_insert_default().value =
+                    Some(ObjectValueRow { value, object: NONE, unit });
+            }
             let of = self.repeats(object, &mut part);
             let angles = [&object.hdg, &object.pitch, &object.roll];
             let number = self.objects.objects.len() as u32;
@@ -177,16 +185,24 @@ impl Lowering {
 }
 
 /// What an object means. An element `parkingSpace` says it whatever the type.
-fn class(ontology: &Ontology, object: &xodr::Object) -> Class {
+fn meaning(ontology: &Ontology, object: &xodr::Object) -> Meaning {
     let code = ObjectCode {
         r#type: object.r#type.text(),
         subtype: object.subtype.text(),
         name: object.name.text(),
     };
-    match ontology.object(&code) {
-        Class::Unknown | Class::None if object.parking_space.is_some() => Class::ParkingSpace,
-        class => class,
+    let meaning = ontology.object(&code);
+    if matches!(meaning.class, Class::Unknown | Class::None) && object.parking_space.is_some() {
+        return Meaning { class: Class::ParkingSpace, ..meaning };
     }
+    meaning
+}
+
+/// Says in which unit a number is read that the file states without one.
+pub(crate) fn assumed_unit(unit: &str, part: &mut Part<'_>) {
+    let message =
+        format!("expected the unit of its value, found none; the number is read in {unit}");
+    part.add("mapd:compile.assumed_unit", Severity::Info, message);
 }
 
 /// The row with the shape that its sizes or outlines make.

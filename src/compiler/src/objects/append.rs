@@ -49,5 +49,8 @@ impl Details {
         if let Some(row) = &mut self.parking {
             row.move_by(moves);
         }
+        if let Some(row) = &mut self.value {
+            row.move_by(moves);
+        }
     }
 }

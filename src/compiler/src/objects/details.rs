@@ -8,8 +8,8 @@ use super::written::{Along, Corner, Details, Vertex};
 use crate::TooLarge;
 use glam::DVec3;
 use mapd_archive::{
-    NONE, ObjectBorderRow, ObjectMarkingRow, ObjectMaterialRow, ObjectSkeletonRow, ParkingSpaceRow,
-    Range, Rows, SkeletonVertexRow,
+    NONE, ObjectBorderRow, ObjectMarkingRow, ObjectMaterialRow, ObjectSkeletonRow, ObjectValueRow,
+    ParkingSpaceRow, Range, Rows, SkeletonVertexRow,
 };
 
 /// The vertices of an object's skeletons, line by line, in its own frame.
@@ -97,5 +97,6 @@ pub(super) fn append(
     rows.object_materials
         .extend(details.materials.iter().map(|row| ObjectMaterialRow { object, ..*row }));
     rows.parking_spaces.extend(details.parking.map(|row| ParkingSpaceRow { object, ..row }));
+    rows.object_values.extend(details.value.map(|row| ObjectValueRow { object, ..row }));
     Ok(())
 }

@@ -2,8 +2,8 @@
 
 use mapd_archive::{
     ObjectBorderRow, ObjectMarkingRow, ObjectMaterialRow, ObjectOutlineRow, ObjectReferenceRow,
-    ObjectRow, ParkingSpaceRow, PlatformRow, PlatformSegmentRow, Range, StationRow, StructureRow,
-    SwitchRow,
+    ObjectRow, ObjectValueRow, ParkingSpaceRow, PlatformRow, PlatformSegmentRow, Range, StationRow,
+    StructureRow, SwitchRow,
 };
 use mapd_geometry::Primitive;
 use mapd_xodr::Span;
@@ -128,6 +128,7 @@ pub(crate) struct Details {
     pub(crate) skeletons: Vec<Vec<Vertex>>,
     pub(crate) materials: Vec<ObjectMaterialRow>,
     pub(crate) parking: Option<ParkingSpaceRow>,
+    pub(crate) value: Option<ObjectValueRow>,
 }
 
 /// Which outline's which corners a line runs along, as written.

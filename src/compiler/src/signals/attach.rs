@@ -11,6 +11,14 @@ use mapd_xodr::{Finding, Severity};
 /// Lanes of a place: row of the lane and its distance `[m]`.
 type Found = (LaneMethod, Vec<(u32, f64)>);
 
+impl PlaceWritten {
+    /// Whether a validity limits it to lane 0 alone, which is nobody's lane: to none of the road's. Exporters write it where
+    /// other roads' references name the lanes, and where they do not know.
+    fn names_no_lane(&self) -> bool {
+        !self.validity.is_empty() && self.validity.iter().all(|range| *range == (0, 0))
+    }
+}
+
 /// Fills the signals' places, their lanes and the lanes' signals.
 pub(super) fn attach(rows: &mut Rows, resolved: &Resolved, reach: f64) -> Vec<Finding> {
     let mut findings = Vec::new();
@@ -21,6 +29,12 @@ pub(super) fn attach(rows: &mut Rows, resolved: &Resolved, reach: f64) -> Vec<Fi
         let lanes = |place: &PlaceWritten| lanes_of(roads.get(place.road as usize)?, place, reach);
         resolved.places.iter().map(lanes).collect()
     };
+    let mut has_lanes = vec![false; rows.signals.len()];
+    for (place, _) in resolved.places.iter().zip(&found).filter(|(_, found)| found.is_some()) {
+        if let Some(own) = has_lanes.get_mut(place.signal as usize) {
+            *own = true;
+        }
+    }
     for (place, found) in resolved.places.iter().zip(found) {
         let number = rows.signal_places.len() as u32;
         let before = rows.signal_lanes.len();
@@ -33,12 +47,19 @@ pub(super) fn attach(rows: &mut Rows, resolved: &Resolved, reach: f64) -> Vec<Fi
                     rows.signal_lanes.push(row);
                 }
             }
+            // For none of this road's lanes, as it says; its references name others.
+            None if place.names_no_lane()
+                && has_lanes.get(place.signal as usize).is_some_and(|has| *has) => {}
             None => findings.push(finding(
                 SIGNAL_LANES,
                 Severity::Warning,
                 place.span,
                 "OpenDRIVE/road/signals".to_owned(),
-                "no lane travels the way that it is for; it is kept on the road".to_owned(),
+                if place.names_no_lane() && place.has_references {
+                    "no validity names a lane that it is for; it is kept on the road".to_owned()
+                } else {
+                    "no lane travels the way that it is for; it is kept on the road".to_owned()
+                },
                 "give it the validity and orientation of the lanes that it is for",
             )),
         }
@@ -63,7 +84,8 @@ pub(super) fn attach(rows: &mut Rows, resolved: &Resolved, reach: f64) -> Vec<Fi
 }
 
 /// By validity; without any, all lanes that travel the way the signal is for (OpenDRIVE 1.8.1, 14.2); if there are none, the
-/// lane that it stands on; else the nearest within `reach` `[m]` that travels that way.
+/// lane that it stands on; else the nearest within `reach` `[m]` that travels that way. A validity of lane 0 alone names no lane: with
+/// references to the signal that is all, without any its orientation is the only thing to go by, and the answer says so.
 fn lanes_of(road: &Road<'_>, place: &PlaceWritten, reach: f64) -> Option<Found> {
     let s = clamp(place.s, 0.0, road.length());
     let section = road.section_at(s)?;
@@ -80,9 +102,11 @@ fn lanes_of(road: &Road<'_>, place: &PlaceWritten, reach: f64) -> Option<Found> 
         let number = lane.number();
         place.validity.iter().any(|(a, b)| (*a..=*b).contains(&number))
     };
-    // Lane 0 alone is nobody's lane: exporters write it for "not known".
-    let says = place.validity.iter().any(|range| *range != (0, 0));
-    if says {
+    let is_guess = place.names_no_lane();
+    if is_guess && place.has_references {
+        return None;
+    }
+    if !is_guess && !place.validity.is_empty() {
         let both: Vec<_> = lanes().filter(named).filter(fits).map(row).collect();
         let named: Vec<_> =
             if both.is_empty() { lanes().filter(named).map(row).collect() } else { both };
@@ -93,7 +117,9 @@ fn lanes_of(road: &Road<'_>, place: &PlaceWritten, reach: f64) -> Option<Found> 
         let drivable = |lane: &Lane<'_>| lane.kind().is_drivable() && lane.width_at(s) > 0.0;
         let all: Vec<_> = lanes().filter(fits).filter(drivable).map(row).collect();
         if !all.is_empty() {
-            return Some((LaneMethod::Orientation, all));
+            let method =
+                if is_guess { LaneMethod::OrientationGuess } else { LaneMethod::Orientation };
+            return Some((method, all));
         }
     }
     let on = section.lane_at(s, place.t).filter(fits);

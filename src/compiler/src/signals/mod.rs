@@ -78,6 +78,8 @@ struct PlaceWritten {
     orientation: u8,
     kind: u8,
     validity: Box<[(i32, i32)]>,
+    /// Whether roads refer to the signal, or to what carries it: then they say which lanes it is for where a validity names none.
+    has_references: bool,
     span: Span,
     line: u32,
     column: u32,

@@ -2,7 +2,7 @@
 
 use super::semantics::{Meant, meant};
 use super::{Pending, Position, Reference, Written, empty_row};
-use crate::lower::{Lowering, Part, between, lanes, orientation};
+use crate::lower::{Lowering, Part, assumed_unit, between, lanes, orientation};
 use mapd_archive::{
     AnnotationOwner, BoardGroupRow, Class, ControlRow, ControllerRow, DisplayAreaRow, LaneRangeRow,
     NONE, SignalBoardRow, SignalDependencyRow, SignalLinkRow, SignalSemanticsRow, signal_flags,
@@ -88,8 +88,8 @@ impl Lowering {
                 (part.need_along(signal.s.value(), "s"), part.need_along(signal.t.value(), "t"));
             let (Some(s), Some(t)) = (s, t) else { continue };
             let z = signal.z_offset.value().unwrap_or(0.0);
-            let row = self.signal(&common!(signal), (number, NONE), [s, t, z], None);
-            self.boards(&common!(signal), (number, row), [s, t, z], DEEPEST_BOARD);
+            let row = self.signal(&common!(signal), (number, NONE), [s, t, z], None, &mut part);
+            self.boards(&common!(signal), (number, row), [s, t, z], DEEPEST_BOARD, &mut part);
         }
         for reference in &signals.signal_reference {
             let path = (path, "signals/signalReference");
@@ -120,6 +120,7 @@ impl Lowering {
         (road, carrier): (u32, u32),
         [s, t, z_offset]: [f64; 3],
         on_carrier: Option<(f64, f64)>,
+        part: &mut Part<'_>,
     ) -> u32 {
         let number = self.rows.signals.len() as u32;
         self.owners.add(signal.span, AnnotationOwner::Signal, number);
@@ -127,6 +128,14 @@ impl Lowering {
         let code = SignalCode { country, r#type, subtype, name, value: signal.value, unit };
         let stated = signal.semantics.map(meant).unwrap_or_default();
         let meaning = self.meaning(&code, &stated);
+        // Of a value that is written, a rule says that its unit is missing.
+        let is_written = signal.value.is_some_and(|value| value > 0.0);
+        if let Some(unit) = meaning.assumed_unit.filter(|_| !is_written) {
+            assumed_unit(
+                unit,
+                &mut Part { span: signal.span, path: part.path, findings: part.findings },
+            );
+        }
         let [id, name, r#type, subtype, country, country_revision, text, unit] =
             signal.texts.map(|text| self.strings.add(text));
         let [width, height, length] = signal.size.map(|size| size.unwrap_or(-1.0));
@@ -155,7 +164,8 @@ impl Lowering {
         row.dynamic = u8::from(signal.dynamic);
         (row.bulbs, row.phases, row.arrows) = (light.bulbs, light.phases, light.arrows);
         row.has_value = bit(signal.value.is_some(), signal_values::WRITTEN)
-            | bit(meaning.value.is_some(), signal_values::MEANT);
+            | bit(meaning.value.is_some(), signal_values::MEANT)
+            | bit(meaning.assumed_unit.is_some(), signal_values::UNIT_ASSUMED);
         row.flags = signal.flags;
         let position = position(signal, &mut |id| self.strings.add(id));
         row.position = match position {
@@ -182,7 +192,10 @@ impl Lowering {
         match own.into_iter().find(|meaning| meaning.class != Class::Unknown) {
             // A light's lamps follow from its code, where that is known.
             Some(own) if own.class != by_code.class => own,
-            Some(own) => Meaning { value: own.value.or(by_code.value), ..by_code },
+            Some(own) if own.value.is_some() => {
+                Meaning { value: own.value, assumed_unit: own.assumed_unit, ..by_code }
+            }
+            Some(_) => by_code,
             None => by_code,
         }
     }
@@ -194,6 +207,7 @@ impl Lowering {
         (road, carrier): (u32, u32),
         at: [f64; 3],
         deep: usize,
+        part: &mut Part<'_>,
     ) {
         let before = self.rows.signal_boards.len();
         for board in signal.vms_board {
@@ -209,14 +223,14 @@ impl Lowering {
         {
             let sign: &BoardSign = sign;
             let shift = (sign.v.value().unwrap_or(0.0), sign.z.value().unwrap_or(0.0));
-            let row = self.signal(&common!(sign), (road, carrier), at, Some(shift));
+            let row = self.signal(&common!(sign), (road, carrier), at, Some(shift), part);
             // A sign is for the lanes that its board is for, unless it says otherwise.
             if let Some(written) = self.signals.signals.last_mut()
                 && written.validity.is_empty()
             {
                 written.validity = lanes(&board.validity).into();
             }
-            self.boards(&common!(sign), (road, row), at, deeper);
+            self.boards(&common!(sign), (road, row), at, deeper, part);
         }
     }
 

@@ -65,6 +65,8 @@ fn signal_places(
     findings: &mut Vec<Finding>,
 ) -> Vec<PlaceWritten> {
     let rows = lowering.rows.signals.iter().zip(&pending.signals).enumerate();
+    let referenced = referenced(lowering, pending, signals);
+    let has_references = |number: u32| referenced.get(number as usize).copied().unwrap_or(false);
     // A sign on a board is for the lanes that the board's carrier is for, unless it says otherwise. Carriers come first.
     let mut validities: Vec<&[(i32, i32)]> = Vec::with_capacity(pending.signals.len());
     let mut out: Vec<PlaceWritten> = rows
@@ -81,6 +83,7 @@ fn signal_places(
                 orientation: row.orientation,
                 kind: 0,
                 validity: validity.into(),
+                has_references: has_references(number as u32),
                 span: written.span,
                 line: row.line,
                 column: row.column,
@@ -109,6 +112,7 @@ fn signal_places(
             orientation: reference.orientation,
             kind: 1,
             validity: reference.validity.clone(),
+            has_references: true,
             span: reference.span,
             line,
             column,
@@ -116,6 +120,23 @@ fn signal_places(
     }
     out.sort_by(|a, b| a.road.cmp(&b.road).then(a.s.total_cmp(&b.s)).then(a.signal.cmp(&b.signal)));
     out
+}
+
+/// Of each signal's row, whether a road refers to it, or to the signal whose board it is on. Carriers come first.
+fn referenced(lowering: &Lowering, pending: &Pending, signals: &ById) -> Vec<bool> {
+    let mut referenced = vec![false; lowering.rows.signals.len()];
+    for number in pending.references.iter().filter_map(|reference| signals.get(&reference.id)) {
+        if let Some(own) = referenced.get_mut(*number as usize) {
+            *own = true;
+        }
+    }
+    for (number, row) in lowering.rows.signals.iter().enumerate() {
+        let of_carrier = referenced.get(row.carrier as usize).copied().unwrap_or(false);
+        if let Some(own) = referenced.get_mut(number) {
+            *own |= of_carrier;
+        }
+    }
+    referenced
 }
 
 /// Controllers with their signals, and signals with their controllers.

@@ -37,7 +37,7 @@ pub enum Kind {
     Objects,
     /// `x,y,radius[,classes]` → a row for each landmark for localisation there: as objects, and hdg,length,width,height,kind
     Landmarks,
-    /// `road_id,s,lane_id,distance` → a row for each signal ahead: id,class,distance,road_id,s,t,x,y,z,state_machine
+    /// `road_id,s,lane_id,distance` → a row for each signal ahead: id,class,distance,road_id,s,t,x,y,z,state_machine,method,value
     Signals,
     /// `owner[,id]` → a row for each thing that the file says of it besides: kind,path,name,value,text,file,line,column
     Annotations,
@@ -102,7 +102,9 @@ impl Kind {
             Self::Track => &["s", "t", "h", "clamped", "exact"],
             Self::Successors => &["successors"],
             Self::Route => &["length", "lane_changes", "lanes"],
-            Self::Objects => &["id", "class", "distance", "road_id", "s", "t", "x", "y", "z"],
+            Self::Objects => {
+                &["id", "class", "distance", "road_id", "s", "t", "x", "y", "z", "value"]
+            }
             Self::Landmarks => landmarks::COLUMNS,
             Self::Signals => signals::COLUMNS,
             Self::Annotations => besides::ANNOTATIONS,

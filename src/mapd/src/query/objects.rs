@@ -19,6 +19,7 @@ pub(crate) fn answer(map: Map<'_>, row: &Row<'_>, out: &mut Vec<String>) -> Resu
         out.push(object.road().map_or("", |road| road.id()).to_owned());
         numbers(out, &[place.s(), place.t()]);
         numbers(out, &place.position().to_array());
+        out.push(object.value().map(number).unwrap_or_default());
     }
     Ok(())
 }

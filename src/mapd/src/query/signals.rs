@@ -5,8 +5,20 @@ use mapd_client::{Lane, Map};
 use mapd_query::{LanePlace, LightStates, SignalsAhead, VehicleClass};
 
 /// Columns of the answer.
-pub(super) const COLUMNS: &[&str] =
-    &["id", "class", "distance", "road_id", "s", "t", "x", "y", "z", "state_machine"];
+pub(super) const COLUMNS: &[&str] = &[
+    "id",
+    "class",
+    "distance",
+    "road_id",
+    "s",
+    "t",
+    "x",
+    "y",
+    "z",
+    "state_machine",
+    "method",
+    "value",
+];
 
 /// Signals ahead of a place, a row of columns each, the nearest first. A signal that counts for several lanes ahead stands
 /// once, where it is met first.
@@ -35,6 +47,8 @@ pub(super) fn answer(
         let t = place.map_or(signal.track()[1], |on| on.place().t());
         numbers(out, &[one.s, t, p.x, p.y, p.z]);
         out.push(signal.light().map(states).unwrap_or_default());
+        out.push(place.map_or("", |on| on.method().name()).to_owned());
+        out.push(signal.value().map(number).unwrap_or_default());
     }
     Ok(())
 }

@@ -6,12 +6,15 @@ pub(super) const TEXT: &str = r##"# The generic catalogue: signals whose country
 #
 # Lights and markings have numbers from 1000001 on. Signs take Germany's numbers, as the standard's own examples and most
 # exports do: what is not found here is looked up in `base`.
+#
+# A value without a unit is in SI units, as the standard says (OpenDRIVE 1.6, 2.3.2): no country is named whose signs would say
+# otherwise.
 
 name = "opendrive"
 doc = "Generic catalogue of OpenDRIVE"
 countries = ["OpenDRIVE", "", "-1", "none", "ZZ"]
 base = "de"
-unit = "km/h"
+unit = "SI"
 
 signals = [
   { type = "1000001", class = "traffic_light", light = "three" },

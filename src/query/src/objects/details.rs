@@ -7,7 +7,8 @@ use crate::map::Map;
 use glam::DVec3;
 use mapd_archive::{
     ArchivedObjectBorderRow, ArchivedObjectMarkingRow, ArchivedObjectMaterialRow,
-    ArchivedObjectSkeletonRow, ArchivedParkingSpaceRow, ObjectSide, Range, string,
+    ArchivedObjectSkeletonRow, ArchivedObjectValueRow, ArchivedParkingSpaceRow, ObjectSide, Range,
+    string,
 };
 
 /// Rows of one object in a table that is sorted by object.
@@ -237,6 +238,21 @@ impl<'a> Object<'a> {
         let (map, number) = (self.map, self.object_id().row());
         let rows = of_object(map.tables().parking_spaces, number, |r| r.object());
         rows.first().map(|row| ParkingSpace { map, row })
+    }
+
+    /// What its class means by its value: `[m/s]`, `[m]` or `[kg]`.
+    pub fn value(&self) -> Option<f64> {
+        self.value_row().map(|row| row.value())
+    }
+
+    /// Unit in which the number of its value is read, such as `km/h`: objects state none. Empty without a value.
+    pub fn assumed_unit(&self) -> &'a str {
+        self.value_row().map_or("", |row| string(self.map.tables(), row.unit()))
+    }
+
+    fn value_row(&self) -> Option<&'a ArchivedObjectValueRow> {
+        let number = self.object_id().row();
+        of_object(self.map.tables().object_values, number, |row| row.object()).first()
     }
 
     /// What it is made of.

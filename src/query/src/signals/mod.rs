@@ -151,6 +151,11 @@ impl<'a> Signal<'a> {
         is_there.then(|| self.row.value())
     }
 
+    /// Whether the file does not write that value's unit: it is read in the unit of its country's table, or in SI units.
+    pub fn is_unit_assumed(&self) -> bool {
+        self.row.has_value() & signal_values::UNIT_ASSUMED != 0
+    }
+
     /// Whether its state changes.
     pub fn is_dynamic(&self) -> bool {
         self.row.dynamic() != 0
