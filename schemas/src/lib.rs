@@ -16,6 +16,7 @@ mod append_code;
 mod archive;
 mod archive_code;
 mod archive_doc;
+pub mod decode;
 mod ontology;
 pub mod opendrive;
 

@@ -10,6 +10,7 @@
 
 pub mod annotated;
 pub mod command;
+pub mod coverage;
 pub mod crossroads;
 pub mod damage;
 pub mod graph_maps;

@@ -3,6 +3,7 @@
 mod annotations;
 mod brute_force;
 mod conflicts;
+mod coverage;
 mod crossroads;
 mod driving_direction;
 mod geodesy;

@@ -17,6 +17,9 @@ impl Written for Junction {
         &self.extensions
     }
     fn kept(&self, to: Keep<'_>) {
+        keep("mainRoad", &self.main_road, to);
+        keep("sStart", &self.s_start, to);
+        keep("sEnd", &self.s_end, to);
         keep("orientation", &self.orientation, to);
     }
     fn children(&self, visit: Visit<'_>) {
@@ -96,6 +99,9 @@ impl Written for RoadSection {
     }
     fn kept(&self, to: Keep<'_>) {
         keep("id", &self.id, to);
+        keep("roadId", &self.road_id, to);
+        keep("sStart", &self.s_start, to);
+        keep("sEnd", &self.s_end, to);
     }
 }
 
