@@ -10,6 +10,7 @@ use mapd_client::{
     next_lane_change,
 };
 use mapd_compiler::{CompileOptions, compile};
+use mapd_query::{Corridor, PathBuffer, PathOptions};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
@@ -202,4 +203,45 @@ fn queries_do_not_allocate() {
     let after = COUNT.with(Cell::get);
     assert!(seen > 100, "the queries found nothing to count");
     assert_eq!(after - before, 0, "queries allocated");
+}
+
+/// A path's buffers grow once; then nothing along it allocates.
+#[test]
+fn paths_do_not_allocate_after_the_first_call() {
+    let snapshot = mapd_tests::maps::open(&mapd_tests::carried("town.xodr"));
+    let map = snapshot.map();
+    let (car, cost) = (VehicleClass::PassengerCar, ShortestTime::default());
+    let all: Vec<LanePlace> =
+        map.lanes().map(|lane| LanePlace { lane: lane.lane_id(), s: 1.0 }).collect();
+    let (mut scratch, mut steps, mut buffer) =
+        (RouteScratch::default(), Vec::new(), PathBuffer::default());
+    let (mut room, mut conflicts, mut places, mut feet) =
+        (Corridor::default(), Vec::new(), Vec::new(), Vec::new());
+    let stations = [0.0, 5.0, 10.0, 1e9];
+    let mut round = || {
+        let mut seen = 0;
+        for (from, to) in all.iter().zip(all.iter().rev()) {
+            let found = map.route(*from, *to, car, &cost, &mut scratch, &mut steps);
+            if found.expect("an answer").is_none() {
+                continue;
+            }
+            let Ok(path) = map.path(&steps, &PathOptions::default(), &mut buffer) else { continue };
+            let at = path.at(0.5 * path.length()).expect("a place");
+            let point = at.position.truncate();
+            path.project(point, Some(at.along)).expect("a foot");
+            path.project_batch(&[point, DVec2::ZERO], &mut feet).expect("feet");
+            path.at_batch(&stations, &mut places).expect("places");
+            path.corridor(0.0, 150.0, 1.0, car, &mut room).expect("a corridor");
+            path.conflicts(&mut conflicts);
+            let speed = path.speed_at(at.along).is_some();
+            seen += room.len() + conflicts.len() + usize::from(speed) + path.joints().len();
+        }
+        seen
+    };
+    let first = round();
+    let before = COUNT.with(Cell::get);
+    let again = round();
+    let after = COUNT.with(Cell::get);
+    assert!(first > 100 && first == again, "the paths have nothing to count");
+    assert_eq!(after - before, 0, "paths allocated");
 }

@@ -274,6 +274,9 @@ enum Command {
         heading_tolerance: Option<f64>,
         #[command(flatten)]
         route: query::RouteArgs,
+        /// How answers are written
+        #[arg(long, value_enum, default_value_t = query::Format::Csv)]
+        format: query::Format,
         #[command(flatten)]
         opening: Opening,
     },
@@ -539,6 +542,7 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
             z_tolerance,
             heading_tolerance,
             route,
+            format,
             opening,
         } => {
             let types = lane_types(&types)?;
@@ -556,7 +560,7 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
                     query::run(
                         (snapshot.map(), document),
                         kind,
-                        (&options, &route),
+                        (&options, &route, format),
                         io::stdin().lock(),
                         &mut *out,
                     )

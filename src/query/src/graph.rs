@@ -4,8 +4,8 @@ use crate::ids::NodeId;
 use crate::lane::{Lane, edges_of};
 use crate::map::Map;
 use mapd_archive::{
-    ArchivedConflictRow, ArchivedLaneNodeRow, ConflictKind, EdgeKind, NONE, VehicleClass,
-    beside_row, edge_flags, node_flags, section_step,
+    ArchivedConflictRow, ArchivedLaneNodeRow, ConflictKind, EdgeKind, NONE, Relation,
+    RelationReason, VehicleClass, beside_row, edge_flags, node_flags, section_step,
 };
 
 /// A node of the lane graph: a lane, or a piece of one, travelled in one direction.
@@ -203,6 +203,16 @@ impl<'a> Conflict<'a> {
     /// How the two meet.
     pub fn kind(&self) -> ConflictKind {
         ConflictKind::from_code(self.row.kind())
+    }
+
+    /// Who goes first, as far as the map's compiler could tell; [`Relation::Unknown`] where no rule of junctions applies.
+    pub fn relation(&self) -> Relation {
+        Relation::from_code(self.row.relation())
+    }
+
+    /// Why.
+    pub fn reason(&self) -> RelationReason {
+        RelationReason::from_code(self.row.reason())
     }
 
     /// The common area on the lane itself: both ends on its road `[m]`, the smaller s first.

@@ -45,6 +45,7 @@ mod near;
 mod nearest;
 mod objects;
 mod packed;
+mod path;
 mod polyline;
 mod profile;
 mod quarantine;
@@ -93,6 +94,10 @@ pub use nearest::{LaneTypes, Nearest, NearestOptions};
 pub use objects::{
     NearObject, Object, ObjectBorder, ObjectLane, ObjectMarking, ObjectMaterial, ObjectOutline,
     ObjectPlacement, ParkingSpace, PlacementId, Skeleton, SkeletonVertex,
+};
+pub use path::{
+    Corridor, EdgeMark, Path, PathBuffer, PathConflict, PathError, PathJoint, PathLane,
+    PathOptions, PathPoint, PathPosition, Yields, steps_of_lanes,
 };
 pub use polyline::Polyline;
 pub use quarantine::Quarantined;

@@ -7,6 +7,7 @@ mod dependencies;
 mod export;
 mod numbers;
 mod options_documented;
+mod path_queries;
 mod progress;
 mod readme;
 mod tiles;

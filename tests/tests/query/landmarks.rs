@@ -163,7 +163,7 @@ fn the_command_line_lists_a_row_for_each() {
     let snapshot = open(&few());
     let answer = |input: &str| {
         let mut out = Vec::new();
-        let options = (&NearestOptions::default(), &RouteArgs::default());
+        let options = (&NearestOptions::default(), &RouteArgs::default(), mapd::query::Format::Csv);
         mapd::query::run(
             (snapshot.map(), "the document"),
             Kind::Landmarks,

@@ -19,6 +19,7 @@ mod object_positions;
 mod object_queries;
 mod object_shapes;
 mod ontology;
+mod paths;
 mod polylines;
 mod reference;
 mod regions;

@@ -68,7 +68,7 @@ fn the_command_line_lists_a_row_for_each() {
     let snapshot = open(&document(&PLAIN, objects));
     let mut out = Vec::new();
     let input = "x,y,radius\n30,0,9\n0,0,1\n30,0,-1\n";
-    let options = (&NearestOptions::default(), &RouteArgs::default());
+    let options = (&NearestOptions::default(), &RouteArgs::default(), mapd::query::Format::Csv);
     mapd::query::run(
         (snapshot.map(), "the document"),
         Kind::Objects,

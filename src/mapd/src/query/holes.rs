@@ -63,7 +63,7 @@ impl<'a> Holes<'a> {
             }
             Kind::Signals => self.of_signals(row, &mut parts),
             Kind::Successors => self.of_successors(row, &mut parts),
-            Kind::Route => {
+            Kind::Route | Kind::Path | Kind::Corridor | Kind::Project | Kind::Conflicts => {
                 for column in ["from_road", "to_road"] {
                     parts.add(self.road(row, column));
                 }
@@ -72,6 +72,7 @@ impl<'a> Holes<'a> {
                 }
             }
             Kind::Inertial
+            | Kind::Speed
             | Kind::Surface
             | Kind::Lane
             | Kind::Track

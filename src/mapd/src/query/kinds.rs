@@ -2,6 +2,7 @@
 
 use super::earth::Earth;
 use super::holes::Holes;
+use super::path::{self, Paths};
 use super::route::Router;
 use super::row::Row;
 use super::{besides, landmarks, signals};
@@ -37,6 +38,16 @@ pub enum Kind {
     Objects,
     /// `x,y,radius[,classes]` → a row for each landmark for localisation there: as objects, and hdg,length,width,height,kind
     Landmarks,
+    /// as route → a row for each station: S,x,y,z,hdg,curvature,lane,left,right,speed
+    Path,
+    /// as route → a row for each station: S, both edges of the driven lane, their marks, whether one may change lanes over them
+    Corridor,
+    /// as route, and `x,y[,hdg]` → S,d,heading_difference,lane,clamped
+    Project,
+    /// as route → a row for each lane that meets the path: S_from,S_to, the other lane and its s, kind, who yields, why, where to wait
+    Conflicts,
+    /// `road_id,s,lane_id` → speed limit and its origin
+    Speed,
     /// `road_id,s,lane_id,distance` → a row for each signal ahead: id,class,distance,road_id,s,t,x,y,z,state_machine,method,value
     Signals,
     /// `owner[,id]` → a row for each thing that the file says of it besides: kind,path,name,value,text,file,line,column
@@ -64,6 +75,11 @@ impl Kind {
             Self::Objects => "objects",
             Self::Landmarks => "landmarks",
             Self::Signals => "signals",
+            Self::Path => "path",
+            Self::Corridor => "corridor",
+            Self::Project => "project",
+            Self::Conflicts => "conflicts",
+            Self::Speed => "speed",
             Self::Annotations => "annotations",
             Self::Visibility => "visibility",
             Self::LaneRule => "lane-rule",
@@ -75,7 +91,7 @@ impl Kind {
     pub(crate) fn needs(self) -> &'static [&'static [&'static str]] {
         match self {
             Self::Inertial | Self::Surface => &[&["road_id", "s", "t"]],
-            Self::Lane | Self::Successors | Self::Visibility | Self::LaneRule => {
+            Self::Lane | Self::Successors | Self::Speed | Self::Visibility | Self::LaneRule => {
                 &[&["road_id", "s", "lane_id"]]
             }
             Self::Annotations => &[&["owner"]],
@@ -84,7 +100,10 @@ impl Kind {
             Self::Geodetic => &[&["x", "y"]],
             Self::FromGeodetic => &[&["lat", "lon"]],
             Self::Track => &[&["road_id", "x", "y"]],
-            Self::Route => &[&["from_road", "from_s", "from_lane", "to_road", "to_s", "to_lane"]],
+            Self::Route | Self::Path | Self::Corridor | Self::Conflicts => &[&path::ROUTE],
+            Self::Project => {
+                &[&["from_road", "from_s", "from_lane", "to_road", "to_s", "to_lane", "x", "y"]]
+            }
             Self::Signals => &[&["road_id", "s", "lane_id", "distance"]],
             Self::Objects | Self::Landmarks => &[&["x", "y", "radius"]],
         }
@@ -105,6 +124,33 @@ impl Kind {
             Self::Objects => {
                 &["id", "class", "distance", "road_id", "s", "t", "x", "y", "z", "value"]
             }
+            Self::Path => {
+                &["S", "x", "y", "z", "hdg", "curvature", "lane", "left", "right", "speed"]
+            }
+            Self::Corridor => &[
+                "S",
+                "left_x",
+                "left_y",
+                "right_x",
+                "right_y",
+                "left_mark",
+                "right_mark",
+                "left_may_cross",
+                "right_may_cross",
+            ],
+            Self::Project => &["S", "d", "heading_difference", "lane", "clamped"],
+            Self::Conflicts => &[
+                "S_from",
+                "S_to",
+                "other_lane",
+                "other_s_from",
+                "other_s_to",
+                "kind",
+                "yields",
+                "reason",
+                "wait_S",
+            ],
+            Self::Speed => &["speed", "origin"],
             Self::Landmarks => landmarks::COLUMNS,
             Self::Signals => signals::COLUMNS,
             Self::Annotations => besides::ANNOTATIONS,
@@ -124,6 +170,9 @@ impl Kind {
         matches!(
             self,
             Self::Objects
+                | Self::Path
+                | Self::Corridor
+                | Self::Conflicts
                 | Self::Landmarks
                 | Self::Signals
                 | Self::Annotations
@@ -136,7 +185,7 @@ impl Kind {
         self,
         map: Map<'_>,
         options: &NearestOptions,
-        (router, earth, holes): (&mut Router<'_>, &Earth, &Holes<'_>),
+        (router, paths, earth, holes): (&mut Router<'_>, &mut Paths, &Earth, &Holes<'_>),
         row: &Row<'_>,
         out: &mut Vec<String>,
     ) -> Result<(), String> {
@@ -189,6 +238,16 @@ impl Kind {
                 let mut keys = Vec::new();
                 successors(map, &lane, &mut keys).map_err(text)?;
                 out.push(keys.join(";"));
+            }
+            Self::Path => paths.line((router, holes), map, row, out)?,
+            Self::Corridor => paths.corridor((router, holes), map, row, out)?,
+            Self::Project => paths.project((router, holes), map, row, out)?,
+            Self::Conflicts => paths.conflicts((router, holes), map, row, out)?,
+            Self::Speed => {
+                let (lane, s) = lane(holes, map, row)?;
+                let rule = lane.speed_rule_at(s);
+                out.push(rule.max.map(number).unwrap_or_default());
+                out.push(rule.origin.name().to_owned());
             }
             Self::Route => router.answer(holes, map, row, out)?,
             Self::Objects => super::objects::answer(map, row, out)?,

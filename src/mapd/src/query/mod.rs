@@ -10,6 +10,8 @@ mod holes;
 mod kinds;
 mod landmarks;
 mod objects;
+mod output;
+mod path;
 mod route;
 mod row;
 mod signals;
@@ -17,6 +19,7 @@ mod signals;
 pub use kinds::Kind;
 use mapd_client::Map;
 use mapd_query::NearestOptions;
+pub use output::Format;
 pub use route::{RouteArgs, RouteBy};
 use row::Row;
 use std::io::{Read, Write};
@@ -52,13 +55,13 @@ pub enum QueryRunError {
 pub fn run(
     (map, document): (Map<'_>, &str),
     kind: Kind,
-    (options, route): (&NearestOptions, &RouteArgs),
+    (options, route, format): (&NearestOptions, &RouteArgs, Format),
     input: impl Read,
     output: impl Write,
 ) -> Result<(), QueryRunError> {
     let mut reader =
         csv::ReaderBuilder::new().trim(csv::Trim::Headers).flexible(true).from_reader(input);
-    let mut writer = csv::Writer::from_writer(output);
+    let mut writer = output::Output::new(format, output);
     let headers = reader.headers()?.clone();
     let has = |names: &&[&str]| names.iter().all(|name| headers.iter().any(|h| h == *name));
     if !kind.needs().iter().any(has) {
@@ -84,15 +87,16 @@ pub fn run(
         .filter(|i| !answers.contains(&&headers[*i]) && &headers[*i] != "error")
         .collect();
     let head = echoed.iter().map(|i| &headers[*i]).chain(answers.iter().copied()).chain(["error"]);
-    writer.write_record(head)?;
+    writer.head(head)?;
     let mut record = csv::StringRecord::new();
     let mut answer = Vec::new();
     let mut router = route::Router::new(route);
+    let mut paths = path::Paths::default();
     let earth = earth::Earth::new(map);
     while reader.read_record(&mut record)? {
         answer.clear();
         let row = Row::new(&headers, &record);
-        let tools = (&mut router, &earth, &holes);
+        let tools = (&mut router, &mut paths, &earth, &holes);
         let mut error = kind.answer(map, options, tools, &row, &mut answer).err();
         if error.is_some() {
             answer.clear();
@@ -112,9 +116,9 @@ pub fn run(
         for one in answer.chunks(kind.answers().len()) {
             let echo = echoed.iter().map(|i| record.get(*i).unwrap_or(""));
             let last = tells_holes.then_some(lacks.as_str()).into_iter().chain([error.as_str()]);
-            writer.write_record(echo.chain(one.iter().map(String::as_str)).chain(last))?;
+            writer.row(echo.chain(one.iter().map(String::as_str)).chain(last))?;
         }
     }
-    writer.flush()?;
+    writer.finish()?;
     Ok(())
 }

@@ -8,7 +8,7 @@ use clap::{Args, ValueEnum};
 use mapd_client::Map;
 use mapd_query::glam::DVec2;
 use mapd_query::{
-    Enter, LanePlace, RouteScratch, RouteStep, ShortestLength, ShortestTime, VehicleClass,
+    Enter, LanePlace, Route, RouteScratch, RouteStep, ShortestLength, ShortestTime, VehicleClass,
 };
 
 /// What a route is to keep small.
@@ -32,11 +32,27 @@ pub struct RouteArgs {
     /// route, signals: who travels, in the words of access/restriction
     #[arg(long, value_name = "CLASS", default_value = VehicleClass::PassengerCar.name(), value_parser = vehicle)]
     vehicle: VehicleClass,
+    /// path, corridor: metres from station to station
+    #[arg(long, value_name = "M", default_value_t = STEP, value_parser = step)]
+    step: f64,
+}
+
+/// From station to station by default `[m]`.
+const STEP: f64 = 1.0;
+
+fn step(text: &str) -> Result<f64, String> {
+    let step = text.parse::<f64>().ok().filter(|step| step.is_finite() && *step > 0.0);
+    step.ok_or_else(|| "expected a positive finite number of metres".to_owned())
 }
 
 impl Default for RouteArgs {
     fn default() -> Self {
-        Self { by: RouteBy::Length, lane_change: None, vehicle: VehicleClass::PassengerCar }
+        Self {
+            by: RouteBy::Length,
+            lane_change: None,
+            vehicle: VehicleClass::PassengerCar,
+            step: STEP,
+        }
     }
 }
 
@@ -72,19 +88,28 @@ impl<'a> Router<'a> {
         self.steps.iter().filter_map(move |step| exit(&map.lane(step.lane).ok()?))
     }
 
-    /// Answers one row.
-    pub(crate) fn answer(
+    /// The steps of the last route.
+    pub(super) fn steps(&self) -> &[RouteStep] {
+        &self.steps
+    }
+
+    /// From station to station `[m]`.
+    pub(super) fn step(&self) -> f64 {
+        self.args.step
+    }
+
+    /// Finds the route of a row; its steps are then [`Self::steps`].
+    pub(super) fn find(
         &mut self,
         holes: &Holes<'_>,
         map: Map<'_>,
         row: &Row<'_>,
-        out: &mut Vec<String>,
-    ) -> Result<(), String> {
+    ) -> Result<Route, String> {
+        self.steps.clear();
         let place = |road, s, lane| {
             let (lane, s) = lane_in(holes, map, row, (road, s, lane))?;
             Ok::<_, String>(LanePlace { lane: lane.lane_id(), s })
         };
-        self.steps.clear();
         let from = place("from_road", "from_s", "from_lane")?;
         let to = place("to_road", "to_s", "to_lane")?;
         let Self { args, scratch, steps } = self;
@@ -101,17 +126,28 @@ impl<'a> Router<'a> {
             }
         };
         let route = found.map_err(text)?;
-        let route = route.ok_or_else(|| {
+        route.ok_or_else(|| {
             let lost = match map.quarantined().len() {
                 0 => String::new(),
                 1 => "; one part of the map is left out".to_owned(),
                 more => format!("; {more} parts of the map are left out"),
             };
             format!("no way for {}{lost}", args.vehicle.name())
-        })?;
+        })
+    }
+
+    /// Answers one row.
+    pub(crate) fn answer(
+        &mut self,
+        holes: &Holes<'_>,
+        map: Map<'_>,
+        row: &Row<'_>,
+        out: &mut Vec<String>,
+    ) -> Result<(), String> {
+        let route = self.find(holes, map, row)?;
         let mut keys: Vec<String> = Vec::new();
         let mut last = None;
-        for step in &*steps {
+        for step in &self.steps {
             let lane = map.lane(step.lane).map_err(text)?;
             let (key, section) = (lane.key().to_string(), lane.section().section_id());
             // Stretches of one lane beside a section of the other side are one lane; a ring's lane may follow itself.

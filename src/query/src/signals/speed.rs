@@ -6,6 +6,11 @@ use crate::ids::SignalId;
 use crate::lane::Lane;
 use mapd_archive::{Class, SpeedKind};
 
+/// Lanes of a junction that are followed back at most; a damaged archive might lead round in a circle.
+const MOST_PIECES: usize = 64;
+/// Lanes that lead to a place in a junction that are compared at most.
+const MOST_ENTRIES: usize = 64;
+
 /// Where a speed limit comes from, the strongest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SpeedOrigin {
@@ -15,10 +20,29 @@ pub enum SpeedOrigin {
     Lane,
     /// The road's type.
     RoadType,
+    /// What holds where the junction is entered: on each lane that leads to the place, or on that of a path.
+    Entry,
     /// The header's regulations for the road's type (1.8).
     Default,
+    /// What holds where the junction is entered, which is not the same on all lanes that lead to the place; a path knows
+    /// ([`crate::Path::speed_at`]).
+    Depends,
     /// Nothing in the map.
     None,
+}
+
+impl SpeedOrigin {
+    /// `written` (lane and road type), `sign`, `entry`, `default`, `depends` or `unknown`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Signal => "sign",
+            Self::Lane | Self::RoadType => "written",
+            Self::Entry => "entry",
+            Self::Default => "default",
+            Self::Depends => "depends",
+            Self::None => "unknown",
+        }
+    }
 }
 
 /// The speed limit at a place.
@@ -33,18 +57,89 @@ pub struct SpeedRule {
 }
 
 impl<'a> Lane<'a> {
-    /// The speed limit at s: sign before lane before road type before the header's regulations.
+    /// The speed limit at s: sign before lane before road type, in a junction then what came in with the vehicle, before the header's
+    /// regulations. s outside the lane's section counts as its nearer end; for one that is not finite nothing is known.
     ///
     /// A sign holds from its place on, in driving direction, until another sign ends or replaces it, over lanes that lead
-    /// on alone, and not beyond a junction.
+    /// on alone. In a junction, where the connecting road has no record of its own, what holds on the lane that leads into it goes on
+    /// holding; where several lead to the place and differ, the answer is [`SpeedOrigin::Depends`].
     pub fn speed_rule_at(&self, s: f64) -> SpeedRule {
+        const NOTHING: SpeedRule = SpeedRule { max: None, origin: SpeedOrigin::None, signal: None };
         if !s.is_finite() {
-            return SpeedRule { max: None, origin: SpeedOrigin::None, signal: None };
+            return NOTHING;
         }
+        let section = self.section();
+        let s = mapd_geometry::clamp(s, section.s_start(), section.s_end());
+        if let Some(written) = self.written_speed(s) {
+            return written;
+        }
+        let entry = self.speed_at_entry();
+        if let Some(entry) = entry {
+            return entry;
+        }
+        let kind = self.road().types().take_while(|record| record.s <= s).last();
+        let kind = kind.map(|record| record.kind.code());
+        let mut defaults = self.map.tables().default_speeds.iter();
+        match kind.and_then(|kind| defaults.find(|row| row.kind() == kind)) {
+            Some(row) => {
+                let (max, origin) = (Some(row.max()), SpeedOrigin::Default);
+                SpeedRule { max, origin, signal: None }
+            }
+            None => NOTHING,
+        }
+    }
+
+    /// What holds where the junction is entered, for a lane of one; none elsewhere and where nothing is known of the entries.
+    fn speed_at_entry(&self) -> Option<SpeedRule> {
+        self.road().junction_row()?;
+        let (map, mut common) = (self.map, None::<SpeedRule>);
+        // What is written on an earlier lane of the junction goes on holding, too.
+        let mut lane = *self;
+        for _ in 0..MOST_PIECES {
+            let mut before = lane.predecessors().filter_map(|id| Lane::new(map, id.row()));
+            let sole = before.next().filter(|_| before.next().is_none());
+            match sole.filter(|sole| sole.road().junction_row() == self.road().junction_row()) {
+                Some(sole) => match sole.written_speed(sole.exit_s()) {
+                    Some(written) => {
+                        return Some(SpeedRule { origin: SpeedOrigin::Entry, ..written });
+                    }
+                    None => lane = sole,
+                },
+                None => break,
+            }
+        }
+        for id in lane.predecessors().take(MOST_ENTRIES) {
+            let entry = Lane::new(map, id.row())?;
+            let own = entry.written_speed(entry.exit_s());
+            let (max, signal) = own.map_or((None, None), |own| (own.max, own.signal));
+            match &mut common {
+                None => common = Some(SpeedRule { max, origin: SpeedOrigin::Entry, signal }),
+                Some(known) if known.max != max => {
+                    return Some(SpeedRule {
+                        max: None,
+                        origin: SpeedOrigin::Depends,
+                        signal: None,
+                    });
+                }
+                Some(known) if known.signal != signal => known.signal = None,
+                Some(_) => {}
+            }
+        }
+        common.filter(|rule| rule.max.is_some())
+    }
+
+    /// s where the lane's traffic leaves it.
+    fn exit_s(&self) -> f64 {
+        let section = self.section();
+        if self.is_forward() { section.s_end() } else { section.s_start() }
+    }
+
+    /// What a sign, the lane's record or the road's type says at s.
+    fn written_speed(&self, s: f64) -> Option<SpeedRule> {
         if let Some(sign) = sign_before(self, s, begins, ends) {
             let signal = sign.signal();
             let (max, signal) = (signal.value(), Some(signal.signal_id()));
-            return SpeedRule { max, origin: SpeedOrigin::Signal, signal };
+            return Some(SpeedRule { max, origin: SpeedOrigin::Signal, signal });
         }
         let limit = |kind: SpeedKind, value: f64| match kind {
             SpeedKind::Value => Some(value),
@@ -54,18 +149,11 @@ impl<'a> Lane<'a> {
         let rule = |max, origin| SpeedRule { max: Some(max), origin, signal: None };
         let own = self.speeds().take_while(|record| record.s <= s).last();
         if let Some(max) = own.and_then(|record| limit(record.kind, record.max)) {
-            return rule(max, SpeedOrigin::Lane);
+            return Some(rule(max, SpeedOrigin::Lane));
         }
         let of_road = self.road().types().take_while(|record| record.s <= s).last();
-        if let Some(max) = of_road.and_then(|record| limit(record.speed_kind, record.speed)) {
-            return rule(max, SpeedOrigin::RoadType);
-        }
-        let kind = of_road.map(|record| record.kind.code());
-        let mut defaults = self.map.tables().default_speeds.iter();
-        match kind.and_then(|kind| defaults.find(|row| row.kind() == kind)) {
-            Some(row) => rule(row.max(), SpeedOrigin::Default),
-            None => SpeedRule { max: None, origin: SpeedOrigin::None, signal: None },
-        }
+        let max = of_road.and_then(|record| limit(record.speed_kind, record.speed))?;
+        Some(rule(max, SpeedOrigin::RoadType))
     }
 }
 

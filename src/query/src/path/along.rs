@@ -1,0 +1,146 @@
+//! Places along a path.
+
+use super::{Path, Span};
+use crate::error::QueryError;
+use crate::ids::LaneId;
+use crate::lane::{EdgeSlopes, Lane};
+use crate::profile::At;
+use crate::types::Clamped;
+use glam::DVec3;
+use mapd_geometry::normalize_angle;
+use std::f64::consts::PI;
+
+/// Half the stretch over which curvature, its rate and grade are taken `[m]`: short against all that roads do, long against rounding.
+const REACH: f64 = 0.05;
+
+/// A place on a path, as who drives there has it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PathPoint {
+    /// S `[m]`.
+    pub along: f64,
+    /// Inertial position on the plane h = 0 `[m]`.
+    pub position: DVec3,
+    /// Heading of the driven line `[rad]`, in (−π, π].
+    pub heading: f64,
+    /// Curvature of the driven line in plan view `[1/m]`, positive to the left.
+    pub curvature: f64,
+    /// Its change along the line `[1/m²]`.
+    pub curvature_rate: f64,
+    /// Metres upwards per metre of S.
+    pub grade: f64,
+    /// Superelevation `[rad]`; positive lifts the driver's left side.
+    pub superelevation: f64,
+    /// Distance to the driven lane's left edge `[m]`, across the road's plane.
+    pub left: f64,
+    /// Distance to the driven lane's right edge `[m]`.
+    pub right: f64,
+    /// The driven lane.
+    pub lane: LaneId,
+    /// s on its road `[m]`.
+    pub s: f64,
+    /// Whether it is driven towards +s.
+    pub forward: bool,
+    /// Whether S lay outside the path and was moved to its nearer end.
+    pub clamped: Clamped,
+}
+
+/// A place on a lane's centre line.
+#[derive(Clone, Copy)]
+pub(super) struct Center {
+    pub(super) position: DVec3,
+    /// The way it is driven `[rad]`, in (−π, π].
+    pub(super) heading: f64,
+    /// Metres of line per metre of s.
+    pub(super) growth: f64,
+    pub(super) edges: EdgeSlopes,
+    pub(super) superelevation: f64,
+}
+
+/// A lane's centre line at a place.
+pub(super) fn center(lane: &Lane<'_>, at: At, forward: bool) -> Result<Center, QueryError> {
+    let edges = lane.edge_slopes(at);
+    let t = 0.5 * (edges.inner.value + edges.outer.value);
+    let drift = 0.5 * (edges.inner.derivative + edges.outer.derivative);
+    let road = lane.road();
+    let pose = road.pose(at, t, 0.0)?;
+    // As for waypoints: the lateral place in plan view is t·cos σ.
+    let (roll_cos, roll_sin) = road.roll(at);
+    let roll_slope = if roll_sin == 0.0 { 0.0 } else { road.superelevation_slope(at) };
+    let change = drift * roll_cos - t * roll_sin * roll_slope;
+    let ahead = 1.0 - pose.curvature * t * roll_cos;
+    // Beyond the centre of curvature the line runs backwards; traffic does not.
+    let turn = mapd_geometry::atan2(if ahead < 0.0 { -change } else { change }, ahead.abs());
+    let back = if forward { 0.0 } else { PI };
+    Ok(Center {
+        position: pose.position,
+        heading: normalize_angle(pose.heading + turn + back),
+        growth: (ahead * ahead + change * change).sqrt(),
+        edges,
+        superelevation: if forward { pose.superelevation } else { -pose.superelevation },
+    })
+}
+
+impl Span {
+    /// The records that hold on the span are those of its middle.
+    pub(super) fn place(&self, s: f64) -> At {
+        At { s, hold: 0.5 * (self.s[0] + self.s[1]) }
+    }
+}
+
+impl Path<'_, '_> {
+    /// The place at S. S outside the path is moved to its nearer end and flagged; at a joint the later side answers. Curvature, its
+    /// rate and grade are those of the driven line on one side of whatever joint is near.
+    ///
+    /// Errors: an S that is not finite; a damaged archive.
+    pub fn at(&self, along: f64) -> Result<PathPoint, QueryError> {
+        if !along.is_finite() {
+            return Err(QueryError::NotFinite);
+        }
+        let end = self.length();
+        let clamped = Clamped::of(along, 0.0, end);
+        let along = mapd_geometry::clamp(along, 0.0, end);
+        let span = self.span_at(along).ok_or(QueryError::Corrupt)?;
+        let (piece, lane) = self.piece(span).ok_or(QueryError::Corrupt)?;
+        let at = |along: f64| {
+            let s = span.s_at(along - span.along);
+            Ok::<_, QueryError>((center(&lane, span.place(s), piece.forward)?, s))
+        };
+        let (own, s) = at(along)?;
+        // A short stretch around the place, all of it on the span.
+        let reach = REACH.min(0.5 * span.length);
+        let middle = mapd_geometry::clamp(along, span.along + reach, span.end() - reach);
+        let (before, after) = (at(middle - reach)?.0, at(middle + reach)?.0);
+        let mean = at(middle)?.0;
+        let first = normalize_angle(mean.heading - before.heading);
+        let second = normalize_angle(after.heading - mean.heading);
+        let curvature_rate = (second - first) / (reach * reach);
+        let curvature = (first + second) / (2.0 * reach) + curvature_rate * (along - middle);
+        let half = 0.5 * (own.edges.outer.value - own.edges.inner.value).abs();
+        Ok(PathPoint {
+            along,
+            position: own.position,
+            heading: own.heading,
+            curvature,
+            curvature_rate,
+            grade: (after.position.z - before.position.z) / (2.0 * reach),
+            superelevation: own.superelevation,
+            left: half,
+            right: half,
+            lane: lane.lane_id(),
+            s,
+            forward: piece.forward,
+            clamped,
+        })
+    }
+
+    /// As [`Path::at`], for many places; `out` is emptied first.
+    ///
+    /// Errors: as [`Path::at`].
+    pub fn at_batch(&self, along: &[f64], out: &mut Vec<PathPoint>) -> Result<(), QueryError> {
+        out.clear();
+        along.iter().try_for_each(|along| {
+            out.push(self.at(*along)?);
+            Ok(())
+        })
+    }
+}

@@ -1,0 +1,238 @@
+//! From a route's steps to a path.
+
+use super::along::center;
+use super::{Path, PathBuffer, PathError, PathJoint, PathOptions, Piece, Span};
+use crate::area;
+use crate::error::QueryError;
+use crate::ids::LaneId;
+use crate::lane::Lane;
+use crate::map::Map;
+use crate::profile::At;
+use crate::route::{Enter, RouteStep};
+use mapd_geometry::normalize_angle;
+
+/// A gap up to this is rounding and not listed `[m]`.
+const GAP: f64 = 1e-6;
+/// A kink up to this is rounding and not listed `[rad]`.
+const KINK: f64 = 1e-6;
+/// Places of the two-point Gauss–Legendre rule on −1 to 1.
+const GAUSS: f64 = 0.577_350_269_189_625_8;
+/// Half the stretch over which metres per s are measured `[m]`: short, so that its chord is as long as its arc.
+const MEASURE: f64 = 1e-3;
+/// Metres per s that differ by less from what bends and widths say are rounding.
+const SCALED: f64 = 1e-6;
+/// Bound on a span's `bend`: S grows with s all along.
+const MOST_BENT: f64 = 0.99;
+/// What is added to the bound on a span's distance from its chord, for the rounding of its length `[m]`.
+const ROUNDING: f64 = 1e-3;
+
+impl<'a> Map<'a> {
+    /// The path along a route's steps, written into a buffer. The steps may be those of [`Map::route`] or [`steps_of_lanes`], or made
+    /// by hand.
+    ///
+    /// Errors: [`PathError`], which names the step.
+    pub fn path<'b>(
+        &self,
+        steps: &[RouteStep],
+        options: &PathOptions,
+        buffer: &'b mut PathBuffer,
+    ) -> Result<Path<'a, 'b>, PathError> {
+        buffer.pieces.clear();
+        buffer.spans.clear();
+        buffer.joints.clear();
+        buffer.content = self.content();
+        let mut before: Option<&RouteStep> = None;
+        let mut builder = Builder { map: *self, options, buffer, entered: Enter::Start };
+        for (number, step) in steps.iter().enumerate() {
+            let wrong = |source| PathError::Step { step: number, source };
+            let lane = self.lane(step.lane).map_err(wrong)?;
+            if !(step.s_from.is_finite() && step.s_to.is_finite()) {
+                return Err(wrong(QueryError::NotFinite));
+            }
+            if (step.s_to - step.s_from) * sign(step.forward) < 0.0 {
+                return Err(PathError::Backwards { step: number });
+            }
+            if let Some(before) = before {
+                follows(*self, before, step, number)?;
+            }
+            builder.add(&lane, step, number);
+            before = Some(step);
+        }
+        if builder.buffer.spans.is_empty() {
+            return Err(PathError::Empty);
+        }
+        Ok(Path { map: *self, buffer })
+    }
+}
+
+/// The steps over lanes that follow each other, as [`crate::LaneSequences`] lists them, from s on the first to s on the last; each in its
+/// own driving direction. `out` is emptied first.
+///
+/// Errors: ids of another map, an s that is not finite.
+pub fn steps_of_lanes(
+    map: Map<'_>,
+    lanes: &[LaneId],
+    [from, to]: [f64; 2],
+    out: &mut Vec<RouteStep>,
+) -> Result<(), QueryError> {
+    out.clear();
+    if !(from.is_finite() && to.is_finite()) {
+        return Err(QueryError::NotFinite);
+    }
+    for (i, id) in lanes.iter().enumerate() {
+        let lane = map.lane(*id)?;
+        let (low, high) = (lane.section().s_start(), lane.section().s_end());
+        let forward = lane.is_forward();
+        let [begin, end] = if forward { [low, high] } else { [high, low] };
+        let inside = |s: f64| mapd_geometry::clamp(s, low, high);
+        let s_from = if i == 0 { inside(from) } else { begin };
+        let s_to = if i + 1 == lanes.len() { inside(to) } else { end };
+        let enter = if i == 0 { Enter::Start } else { Enter::Ahead };
+        out.push(RouteStep { lane: *id, forward, enter, s_from, s_to, s_latest: s_from });
+    }
+    Ok(())
+}
+
+fn sign(forward: bool) -> f64 {
+    if forward { 1.0 } else { -1.0 }
+}
+
+/// Whether a step follows another.
+fn follows(
+    map: Map<'_>,
+    before: &RouteStep,
+    step: &RouteStep,
+    number: usize,
+) -> Result<(), PathError> {
+    let wrong = |source| PathError::Step { step: number, source };
+    let (from, to) = (map.lane(before.lane).map_err(wrong)?, step.lane.row());
+    let is_it = |node: &crate::graph::LaneNode<'_>| {
+        node.row.lane() == to && node.is_forward() == step.forward
+    };
+    let goes_on = before.lane == step.lane && before.forward == step.forward;
+    match step.enter {
+        Enter::Start | Enter::Ahead => {
+            // A lane may be cut into pieces; the route leaves it at the end of any.
+            let mut nodes = from.nodes().filter(|node| node.is_forward() == before.forward);
+            let linked = nodes
+                .any(|node| node.edges().filter_map(|edge| edge.target()).any(|next| is_it(&next)));
+            let here = goes_on && before.s_to == step.s_from;
+            if linked || here { Ok(()) } else { Err(PathError::NotLinked { step: number }) }
+        }
+        Enter::Left | Enter::Right => {
+            let left = step.enter == Enter::Left;
+            let mut beside = false;
+            for node in from.nodes().filter(|node| node.is_forward() == before.forward) {
+                let (low, high) = node.s_range();
+                if step.s_from < low || step.s_from > high {
+                    continue;
+                }
+                let (next, change) = match left {
+                    true => (node.left(), node.change_left()),
+                    false => (node.right(), node.change_right()),
+                };
+                if change.is_some_and(|next| is_it(&next)) {
+                    return Ok(());
+                }
+                beside |= next.is_some_and(|next| is_it(&next));
+            }
+            Err(match beside {
+                true => PathError::ChangeForbidden { step: number },
+                false => PathError::NotBeside { step: number },
+            })
+        }
+    }
+}
+
+struct Builder<'a, 'b, 'o> {
+    map: Map<'a>,
+    options: &'o PathOptions,
+    buffer: &'b mut PathBuffer,
+    /// How the next piece is entered, with changes over lanes that are not driven on.
+    entered: Enter,
+}
+
+impl Builder<'_, '_, '_> {
+    fn add(&mut self, lane: &Lane<'_>, step: &RouteStep, number: usize) {
+        let changes = |enter| matches!(enter, Enter::Left | Enter::Right);
+        if changes(step.enter) || !changes(self.entered) {
+            self.entered = step.enter;
+        }
+        let (low, high) = (step.s_from.min(step.s_to), step.s_from.max(step.s_to));
+        if low >= high {
+            return;
+        }
+        let first = self.buffer.spans.len() as u32;
+        let piece = self.buffer.pieces.len() as u32;
+        let segments = usize::from(lane.row.center_count()).saturating_sub(1);
+        for i in 0..segments {
+            let segment = if step.forward { i } else { segments - 1 - i };
+            let Some(slab) = area::slab(lane, segment) else { continue };
+            let (from, to) = (slab.s_lo.max(low), slab.s_hi.min(high));
+            if from < to {
+                let s = if step.forward { [from, to] } else { [to, from] };
+                self.span(lane, s, 0.5 * (slab.s_lo + slab.s_hi), piece);
+            }
+        }
+        let end = self.buffer.spans.len() as u32;
+        if end > first {
+            let (lane, forward) = (lane.row_number(), step.forward);
+            let step = number as u32;
+            self.buffer.pieces.push(Piece { lane, forward, step, spans: [first, end] });
+        }
+    }
+
+    fn span(&mut self, lane: &Lane<'_>, s: [f64; 2], hold: f64, piece: u32) {
+        let forward = s[0] < s[1];
+        let at = |s: f64| center(lane, At { s, hold }, forward).ok();
+        let (middle, half) = (0.5 * (s[0] + s[1]), 0.5 * (s[1] - s[0]));
+        let reach = half.abs().min(MEASURE) * (1.0 - GAUSS);
+        // s of a curve that is scaled to its stated length is not metres: how many there are to one of s shows in the places.
+        let speed = |s: f64| {
+            let (own, x, y) = (at(s)?, at(s - reach)?, at(s + reach)?);
+            let driven = x.position.truncate().distance(y.position.truncate()) / (2.0 * reach);
+            Some(if (driven - own.growth).abs() > SCALED * own.growth {
+                driven
+            } else {
+                own.growth
+            })
+        };
+        let inner = (speed(middle - half * GAUSS), speed(middle + half * GAUSS));
+        let ((Some(p), Some(q)), Some(a), Some(b)) = (inner, at(s[0]), at(s[1])) else { return };
+        let length = half.abs() * (p + q);
+        if !(length > 0.0 && length.is_finite()) {
+            return;
+        }
+        let origin = self.map.origin();
+        let along = self.buffer.spans.last().map_or(0.0, Span::end);
+        let ends = [a.position.truncate() - origin, b.position.truncate() - origin];
+        let chord = ends[0].distance(ends[1]);
+        // What lies on a line of some length between two points lies in an ellipse around them.
+        let slack = 0.5 * (length * length - chord * chord).max(0.0).sqrt() + ROUNDING;
+        // The line through both speeds.
+        let bend = mapd_geometry::clamp((q - p) / ((p + q) * GAUSS), -MOST_BENT, MOST_BENT);
+        self.joint(along, ends[0], a.heading, piece);
+        let turn = normalize_angle(b.heading - a.heading);
+        let heading = a.heading;
+        let span = Span { along, length, s, bend, ends, heading, turn, slack, piece };
+        self.buffer.spans.push(span);
+    }
+
+    /// Lists what lies between the last span and one that begins here.
+    fn joint(&mut self, along: f64, begin: glam::DVec2, heading: f64, piece: u32) {
+        let Some(last) = self.buffer.spans.last() else {
+            self.entered = Enter::Ahead;
+            return;
+        };
+        let gap = last.ends[1].distance(begin);
+        let kink = normalize_angle(heading - (last.heading + last.turn));
+        let enter = if last.piece == piece { Enter::Ahead } else { self.entered };
+        let changes = matches!(enter, Enter::Left | Enter::Right);
+        if changes || gap > GAP || kink.abs() > KINK {
+            let apart = !changes && gap > self.options.broken_gap;
+            let broken = apart || kink.abs() > self.options.broken_kink;
+            self.buffer.joints.push(PathJoint { along, gap, kink, enter, broken });
+        }
+        self.entered = Enter::Ahead;
+    }
+}

@@ -1,0 +1,126 @@
+//! Where other traffic meets a path.
+
+use super::{Path, Piece};
+use crate::graph::Conflict;
+use crate::ids::LaneId;
+use mapd_archive::{ConflictKind, Relation, RelationReason};
+
+/// Who goes first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Yields {
+    /// Who drives along the path gives way.
+    Yields,
+    /// The other gives way.
+    Priority,
+    /// Lights decide.
+    Lights,
+    /// The file's priorities say nothing about the two.
+    Open,
+    /// The file does not say, and a rule of the road would have to: rules differ between countries and kinds of roads.
+    Unknown,
+}
+
+impl Yields {
+    /// `yields`, `priority`, `lights`, `open` or `unknown`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Yields => "yields",
+            Self::Priority => "priority",
+            Self::Lights => "lights",
+            Self::Open => "open",
+            Self::Unknown => "unknown",
+        }
+    }
+
+    fn of(relation: Relation, reason: RelationReason) -> Self {
+        let by_rule = matches!(reason, RelationReason::Turn | RelationReason::FromTheRight);
+        match relation {
+            _ if by_rule => Self::Unknown,
+            Relation::Yields => Self::Yields,
+            Relation::Priority => Self::Priority,
+            Relation::Lights => Self::Lights,
+            Relation::Open => Self::Open,
+            _ => Self::Unknown,
+        }
+    }
+}
+
+/// A place where the traffic of another lane meets a path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PathConflict {
+    /// S of the first and last common place `[m]`; too long by up to half a metre at either end.
+    pub along: [f64; 2],
+    /// The other lane.
+    pub other: LaneId,
+    /// Both ends of the common place on its road `[m]`, the smaller s first.
+    pub other_s: [f64; 2],
+    /// How the two meet.
+    pub kind: ConflictKind,
+    /// Who goes first, by what the file says.
+    pub yields: Yields,
+    /// Why; what a rule of the road would say where `yields` is [`Yields::Unknown`].
+    pub reason: RelationReason,
+    /// S at which to wait `[m]`: the line to stop at on the path, else the last place before the common one.
+    pub wait: f64,
+}
+
+impl Path<'_, '_> {
+    /// Where lanes of junctions and other lanes that the map knows to conflict meet the path, in ascending S. Lanes that the path itself drives on
+    /// are left out. `out` is emptied first; it grows only if its capacity is too small.
+    pub fn conflicts(&self, out: &mut Vec<PathConflict>) {
+        out.clear();
+        for piece in &self.buffer.pieces {
+            let Some(lane) = crate::lane::Lane::new(self.map, piece.lane) else { continue };
+            let stop = lane.movement_stop();
+            for conflict in lane.conflicts() {
+                let Some(other) = conflict.other() else { continue };
+                if self.buffer.pieces.iter().any(|own| own.lane == other.row_number()) {
+                    continue;
+                }
+                let Some(along) = self.common(piece, &conflict) else { continue };
+                let line = stop.and_then(|line| self.along_before(line.lane, line.s, along[0]));
+                let (relation, reason) = (conflict.relation(), conflict.reason());
+                let (from, to) = conflict.other_range();
+                out.push(PathConflict {
+                    along,
+                    other: other.lane_id(),
+                    other_s: [from, to],
+                    kind: conflict.kind(),
+                    yields: Yields::of(relation, reason),
+                    reason,
+                    wait: line.unwrap_or(along[0]),
+                });
+            }
+        }
+        // Sorting in place allocates nothing.
+        out.sort_unstable_by(|a, b| {
+            a.along[0].total_cmp(&b.along[0]).then(a.other.row().cmp(&b.other.row()))
+        });
+    }
+
+    /// S at both ends of what a piece shares with another lane; none where that is not driven over.
+    fn common(&self, piece: &Piece, conflict: &Conflict<'_>) -> Option<[f64; 2]> {
+        let (low, high) = conflict.s_range();
+        let spans = self.spans_of(piece);
+        let meets = |span: &&super::Span| {
+            let [a, b] = span.s;
+            a.min(b) <= high && a.max(b) >= low
+        };
+        let first = spans.iter().find(meets)?;
+        let last = spans.iter().rfind(meets)?;
+        let [from, to] = if piece.forward { [low, high] } else { [high, low] };
+        let inside = |span: &super::Span, s: f64| {
+            let [a, b] = span.s;
+            span.along_at(mapd_geometry::clamp(s, a.min(b), a.max(b)))
+        };
+        Some([inside(first, from)?, inside(last, to)?])
+    }
+
+    /// The largest S of a place on a lane that is not beyond a limit.
+    fn along_before(&self, lane: LaneId, s: f64, limit: f64) -> Option<f64> {
+        let own = self.buffer.pieces.iter().filter(|piece| piece.lane == lane.row());
+        let all = own.flat_map(|piece| self.spans_of(piece).iter().find_map(|p| p.along_at(s)));
+        all.filter(|along| *along <= limit).max_by(f64::total_cmp)
+    }
+}

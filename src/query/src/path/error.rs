@@ -1,0 +1,45 @@
+//! Why there is no path.
+
+use crate::error::QueryError;
+use thiserror::Error;
+
+/// Why there is no path. Steps are counted from 0.
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum PathError {
+    /// There is nothing to drive: no steps, or none of any length.
+    #[error("the steps have no length to drive")]
+    Empty,
+    /// A step's lane cannot be asked.
+    #[error("step {step}: {source}")]
+    Step {
+        /// The step.
+        step: usize,
+        /// What is wrong with it.
+        source: QueryError,
+    },
+    /// A step goes against its own direction.
+    #[error("step {step} ends behind its beginning")]
+    Backwards {
+        /// The step.
+        step: usize,
+    },
+    /// No edge of the lane graph leads into a step's lane from the one before.
+    #[error("step {step} does not follow the one before: no link leads from lane to lane")]
+    NotLinked {
+        /// The step.
+        step: usize,
+    },
+    /// A step's lane is entered by a change of lane, and does not lie beside the one before.
+    #[error("step {step} does not lie beside the one before on the side that is changed to")]
+    NotBeside {
+        /// The step.
+        step: usize,
+    },
+    /// A step's lane is entered by a change that is not allowed there.
+    #[error("step {step} is entered by a change of lane that is not allowed there")]
+    ChangeForbidden {
+        /// The step.
+        step: usize,
+    },
+}

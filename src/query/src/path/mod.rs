@@ -1,0 +1,220 @@
+//! A route as one line that can be asked: Frenet coordinates over many roads.
+//!
+//! **S** is the sum of the lengths that are driven along the lanes' centre lines `[m]`, from 0 at the path's start. Left and right
+//! are those of who drives along it. Lanes of real maps do not always meet: a gap or an overlap between two adds nothing to S and is
+//! listed ([`Path::joints`]), as is a change of lane, which is a jump to the side at its place.
+//!
+//! Between two stations of the stored centre line (a span) S grows with s as a parabola whose ends have the line's own growth, so that S
+//! and s follow from each other in closed form; positions and headings are the file's own polynomials at that s.
+
+mod along;
+mod build;
+mod conflicts;
+mod corridor;
+mod error;
+mod project;
+mod speed;
+
+pub use along::PathPoint;
+pub use build::steps_of_lanes;
+pub use conflicts::{PathConflict, Yields};
+pub use corridor::{Corridor, EdgeMark};
+pub use error::PathError;
+pub use project::PathPosition;
+
+use crate::error::QueryError;
+use crate::ids::LaneId;
+use crate::lane::Lane;
+use crate::map::Map;
+use crate::route::Enter;
+use glam::DVec2;
+
+/// A gap of this size breaks a path `[m]`.
+const BROKEN_GAP: f64 = 0.1;
+/// A kink of this size breaks a path `[rad]`.
+const BROKEN_KINK: f64 = 0.3;
+
+/// How a path is built.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PathOptions {
+    /// A joint with a larger gap is `broken` `[m]`. Default 0.1.
+    pub broken_gap: f64,
+    /// A joint with a larger kink is `broken` `[rad]`. Default 0.3.
+    pub broken_kink: f64,
+}
+
+impl Default for PathOptions {
+    fn default() -> Self {
+        Self { broken_gap: BROKEN_GAP, broken_kink: BROKEN_KINK }
+    }
+}
+
+/// Memory of a path, to be used again: it grows to the longest path that it has held.
+#[derive(Clone, Default)]
+pub struct PathBuffer {
+    pieces: Vec<Piece>,
+    spans: Vec<Span>,
+    joints: Vec<PathJoint>,
+    content: u32,
+}
+
+/// A place where the driven line is not continuous, or changes lanes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PathJoint {
+    /// S `[m]`.
+    pub along: f64,
+    /// How far apart the line's two sides lie in plan view `[m]`.
+    pub gap: f64,
+    /// By how much the line turns there `[rad]`, positive to the left, in (−π, π].
+    pub kink: f64,
+    /// How the lane behind it is entered; [`Enter::Ahead`] also for a jump within a lane.
+    pub enter: Enter,
+    /// Whether gap or kink are larger than the options allow. A change of lane breaks nothing by its gap.
+    pub broken: bool,
+}
+
+/// A lane that is driven on.
+#[derive(Clone, Copy)]
+struct Piece {
+    lane: u32,
+    forward: bool,
+    /// Number of the route's step.
+    step: u32,
+    /// First span, and the one after the last.
+    spans: [u32; 2],
+}
+
+/// A stretch of a piece on which the line is smooth.
+#[derive(Clone, Copy)]
+struct Span {
+    /// S at its start `[m]`.
+    along: f64,
+    length: f64,
+    /// s on the road at its start and end `[m]`, in driving direction.
+    s: [f64; 2],
+    /// Share of the growth of S that falls on the second half: S = length·((1 − bend)·v + bend·v²) at the share v of s.
+    bend: f64,
+    /// Both ends, relative to the local origin `[m]`.
+    ends: [DVec2; 2],
+    /// Heading at the start, and how much it has turned at the end `[rad]`.
+    heading: f64,
+    turn: f64,
+    /// How far the line may lie from the chord between its ends `[m]`.
+    slack: f64,
+    piece: u32,
+}
+
+/// A route as one line, in the caller's [`PathBuffer`]. Made by [`Map::path`].
+#[derive(Clone, Copy)]
+pub struct Path<'a, 'b> {
+    map: Map<'a>,
+    buffer: &'b PathBuffer,
+}
+
+/// A lane of a path and what of it is driven.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PathLane {
+    /// The lane.
+    pub lane: LaneId,
+    /// Whether it is travelled towards +s.
+    pub forward: bool,
+    /// Number of the route's step.
+    pub step: usize,
+    /// S where it is entered and left `[m]`.
+    pub along: [f64; 2],
+    /// s on its road there `[m]`.
+    pub s: [f64; 2],
+}
+
+impl<'a, 'b> Path<'a, 'b> {
+    /// The path that a buffer holds.
+    ///
+    /// Errors: it was built on a map of other content.
+    pub fn of(map: Map<'a>, buffer: &'b PathBuffer) -> Result<Self, QueryError> {
+        map.known(buffer.content)?;
+        Ok(Self { map, buffer })
+    }
+
+    /// Length: the largest S `[m]`.
+    pub fn length(&self) -> f64 {
+        self.buffer.spans.last().map_or(0.0, |span| span.along + span.length)
+    }
+
+    /// Gaps, overlaps and kinks of more than rounding, and changes of lane, in ascending S.
+    pub fn joints(&self) -> &'b [PathJoint] {
+        &self.buffer.joints
+    }
+
+    /// Whether some joint is broken.
+    pub fn is_broken(&self) -> bool {
+        self.buffer.joints.iter().any(|joint| joint.broken)
+    }
+
+    /// The lanes that are driven on, in ascending S; one that is only changed from is not among them.
+    pub fn lanes(&self) -> impl ExactSizeIterator<Item = PathLane> + use<'a, 'b> {
+        let path = *self;
+        path.buffer.pieces.iter().map(move |piece| {
+            let spans = path.spans_of(piece);
+            let (first, last) = (spans.first(), spans.last());
+            let end = |span: &Span| span.along + span.length;
+            PathLane {
+                lane: LaneId { row: piece.lane, content: path.map.content() },
+                forward: piece.forward,
+                step: piece.step as usize,
+                along: [first.map_or(0.0, |span| span.along), last.map_or(0.0, end)],
+                s: [first.map_or(0.0, |span| span.s[0]), last.map_or(0.0, |span| span.s[1])],
+            }
+        })
+    }
+
+    /// S of a place on one of the path's lanes `[m]`: the first where it is driven over several times. None for one that the path
+    /// does not pass.
+    pub fn along_of(&self, lane: LaneId, s: f64) -> Option<f64> {
+        let known = lane.content == self.buffer.content;
+        let own = self.buffer.pieces.iter().filter(|piece| known && piece.lane == lane.row);
+        own.filter_map(|piece| self.spans_of(piece).iter().find_map(|span| span.along_at(s))).next()
+    }
+
+    fn spans_of(&self, piece: &Piece) -> &'b [Span] {
+        let [first, end] = piece.spans;
+        self.buffer.spans.get(first as usize..end as usize).unwrap_or(&[])
+    }
+
+    fn piece(&self, span: &Span) -> Option<(&'b Piece, Lane<'a>)> {
+        let piece = self.buffer.pieces.get(span.piece as usize)?;
+        Some((piece, Lane::new(self.map, piece.lane)?))
+    }
+
+    /// The span that holds S: at a joint the later one.
+    fn span_at(&self, along: f64) -> Option<&'b Span> {
+        let spans = &self.buffer.spans;
+        let after = spans.partition_point(|span| span.along <= along);
+        spans.get(after.saturating_sub(1))
+    }
+}
+
+impl Span {
+    fn end(&self) -> f64 {
+        self.along + self.length
+    }
+
+    /// s at a distance from the span's start.
+    fn s_at(&self, distance: f64) -> f64 {
+        let share = mapd_geometry::clamp(distance / self.length, 0.0, 1.0);
+        if share >= 1.0 {
+            return self.s[1];
+        }
+        // The root of bend·v² + (1 − bend)·v = share that loses no digits.
+        let linear = 1.0 - self.bend;
+        let v = 2.0 * share / (linear + (linear * linear + 4.0 * self.bend * share).sqrt());
+        self.s[0] + (self.s[1] - self.s[0]) * v
+    }
+
+    /// S at an s of the span; none outside.
+    fn along_at(&self, s: f64) -> Option<f64> {
+        let [from, to] = self.s;
+        let inside = s >= from.min(to) && s <= from.max(to);
+        let v = if to == from { 0.0 } else { (s - from) / (to - from) };
+        inside.then_some(self.along + self.length * ((1.0 - self.bend) * v + self.bend * v * v))
+    }
+}

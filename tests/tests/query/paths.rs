@@ -1,0 +1,293 @@
+//! Routes as lines: S, joints, projection, edges, conflicts.
+
+use mapd_client::glam::DVec2;
+use mapd_client::{LanePlace, Map, RouteScratch, RouteStep, ShortestLength, VehicleClass};
+use mapd_query::{
+    Clamped, Corridor, Enter, Path, PathBuffer, PathError, PathOptions, QueryError, Yields,
+    steps_of_lanes,
+};
+use mapd_tests::maps::{Random, carried_and, open};
+
+/// Towns, left-hand traffic, gaps and kinks.
+const MAPS: [&str; 6] = [
+    "carla/Town05",
+    "sumo/lefthand_netconvert",
+    "esmini/multi_intersections",
+    "Scenic/Town10HD",
+    "SMARTS/od_newmarket_map",
+    "drone_dataset/rdb5",
+];
+/// Pairs of places on each map between which a way is looked for.
+const PAIRS: usize = 40;
+/// Places on each path.
+const PLACES: usize = 40;
+/// What S and positions may be off `[m]`.
+const TOLERANCE: f64 = 1e-6;
+/// Places this near to a joint are not projected `[m]`: a foot may lie on either side of it.
+const NEAR_JOINT: f64 = 0.5;
+
+/// Random routes of a map.
+fn each_path(check: impl Fn(Map<'_>, &Path<'_, '_>, &[RouteStep], &str, &mut Random)) {
+    for file in carried_and(&MAPS) {
+        let snapshot = open(&file);
+        let map = snapshot.map();
+        let name = file.display().to_string();
+        let lanes: Vec<_> = map.lanes().filter(|lane| lane.nodes().any(|n| n.is_open())).collect();
+        let mut random = Random(17);
+        let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
+        let mut buffer = PathBuffer::default();
+        let mut found = 0;
+        for _ in 0..PAIRS {
+            let mut place = || {
+                let lane = &lanes[(random.unit() * lanes.len() as f64) as usize];
+                let (low, high) = (lane.section().s_start(), lane.section().s_end());
+                LanePlace { lane: lane.lane_id(), s: random.between(low, high) }
+            };
+            let (from, to) = (place(), place());
+            let (car, cost) = (VehicleClass::PassengerCar, ShortestLength::default());
+            let route = map.route(from, to, car, &cost, &mut scratch, &mut steps);
+            let Some(route) = route.expect("an answer") else { continue };
+            match map.path(&steps, &PathOptions::default(), &mut buffer) {
+                Ok(path) => {
+                    let off = (path.length() - route.length).abs();
+                    assert!(off < 1e-3 * (1.0 + route.length), "{name}: {off} m of {route:?}");
+                    check(map, &path, &steps, &name, &mut random);
+                    found += 1;
+                }
+                Err(error) => assert_eq!(error, PathError::Empty, "{name}: {steps:?}"),
+            }
+        }
+        assert!(found > 3, "{name}: {found} paths");
+    }
+}
+
+/// Whether S is near a joint of a path.
+fn is_near_joint(path: &Path<'_, '_>, along: f64) -> bool {
+    path.joints().iter().any(|joint| (joint.along - along).abs() < NEAR_JOINT)
+}
+
+#[test]
+fn a_place_on_the_path_is_found_again_by_its_s_and_offset() {
+    each_path(|_, path, _, name, random| {
+        for _ in 0..PLACES {
+            let along = random.between(0.0, path.length());
+            let at = path.at(along).expect("a place");
+            if is_near_joint(path, along) {
+                continue;
+            }
+            // Beyond the centre of curvature the foot is another one; so it may be where the line bends within reach.
+            let d = random.between(-1.5, 1.5);
+            if (at.curvature * d).abs() >= 0.8 || at.curvature.abs() > 0.5 {
+                continue;
+            }
+            let left = DVec2::from_angle(at.heading).perp();
+            for d in [0.0, d] {
+                let point = at.position.truncate() + d * left;
+                let found = path.project(point, Some(along)).expect("a foot");
+                // Another branch, or another bend, may be nearer than the place that we come from.
+                assert!(found.distance <= d.abs() + TOLERANCE, "{name}: {found:?} of {at:?}, {d}");
+                if (found.along - along).abs() < NEAR_JOINT || d == 0.0 {
+                    let again = path.at(found.along).expect("a place").position.truncate();
+                    let same = (found.along - along).abs() < TOLERANCE;
+                    // A path that comes by twice within reach of the hint has two such places.
+                    let twice = again.distance(at.position.truncate()) < TOLERANCE;
+                    assert!(same || twice, "{name}: {found:?} of {at:?}, {d}");
+                    if same {
+                        assert!((found.d - d).abs() < TOLERANCE, "{name}: {found:?}, {d}");
+                        assert_eq!(found.clamped, Clamped::No);
+                        assert!(found.heading_difference(at.heading).abs() < 1e-6);
+                    }
+                }
+            }
+        }
+    });
+}
+
+#[test]
+fn s_grows_by_what_is_driven_and_joints_are_listed() {
+    each_path(|map, path, _, name, random| {
+        for _ in 0..PLACES {
+            // A chord is no longer than the line; joints in between are told.
+            let a = random.between(0.0, path.length());
+            let b = (a + random.between(0.0, 20.0)).min(path.length());
+            let (p, q) = (path.at(a).expect("a place"), path.at(b).expect("a place"));
+            let between = path.joints().iter().filter(|j| j.along >= a && j.along <= b);
+            let gaps: f64 = between.map(|joint| joint.gap).sum();
+            let chord = p.position.truncate().distance(q.position.truncate());
+            // Lengths are those of a quadrature between stations of the stored line.
+            let rounding = 1e-3;
+            assert!(
+                chord <= (b - a) + gaps + rounding,
+                "{name}: {chord} m from {a} to {b}, {gaps}"
+            );
+        }
+        let mut last = 0.0;
+        for own in path.lanes() {
+            assert_eq!(own.along[0], last, "{name}");
+            assert!(own.along[1] >= own.along[0]);
+            last = own.along[1];
+            // Every point of the path lies in the path's lanes.
+            let lane = map.lane(own.lane).expect("its lane");
+            let at = path.at(0.5 * (own.along[0] + own.along[1])).expect("a place");
+            let position = lane.position_of(at.position.truncate()).expect("a position");
+            assert!(position.distance < TOLERANCE, "{name}: {position:?} of {at:?}");
+            let found = path.along_of(own.lane, at.s).expect("on the path");
+            assert!((found - at.along).abs() < TOLERANCE || found < at.along, "{name}");
+        }
+        assert_eq!(last, path.length());
+        for joint in path.joints() {
+            let changes = matches!(joint.enter, Enter::Left | Enter::Right);
+            assert!(changes || joint.gap > 0.0 || joint.kink != 0.0, "{name}: {joint:?}");
+            assert_eq!(joint.broken, joint.kink.abs() > 0.3 || (!changes && joint.gap > 0.1));
+        }
+    });
+}
+
+#[test]
+fn the_corridors_edges_are_those_of_the_lanes() {
+    each_path(|map, path, _, name, _| {
+        let mut room = Corridor::default();
+        let car = VehicleClass::PassengerCar;
+        path.corridor(0.0, 150.0, 2.5, car, &mut room).expect("a corridor");
+        assert!(!room.is_empty());
+        for i in 0..room.len() {
+            let at = path.at(room.along[i]).expect("a place");
+            assert_eq!(at.lane, room.lane[i], "{name}");
+            let lane = map.lane(at.lane).expect("its lane");
+            let edges = lane.edge_points_at(at.s).expect("edges");
+            let own = [room.left[i], room.right[i]];
+            assert!(own == edges || own == [edges[1], edges[0]], "{name}: {own:?}, {edges:?}");
+            let left = DVec2::from_angle(at.heading).perp();
+            if lane.width_at(at.s) > 0.1 && at.curvature.abs() < 0.1 {
+                let side =
+                    |p: mapd_client::glam::DVec3| (p.truncate() - at.position.truncate()).dot(left);
+                assert!(side(own[0]) > 0.0 && side(own[1]) < 0.0, "{name}: lane {}", lane.key());
+                assert!(side(room.outer_left[i]) >= side(own[0]) - TOLERANCE, "{name}");
+                assert!(side(room.outer_right[i]) <= side(own[1]) + TOLERANCE, "{name}");
+                assert!((at.left - side(own[0])).abs() < 0.1, "{name}: {at:?}");
+            }
+            let node = lane.node_at(at.s, at.forward).expect("a node");
+            let open =
+                |next: Option<mapd_client::LaneNode<'_>>| next.is_some_and(|n| n.allows(car));
+            assert_eq!(room.left_mark[i].may_cross, open(node.change_left()), "{name}");
+            assert_eq!(room.right_mark[i].may_cross, open(node.change_right()), "{name}");
+        }
+        assert_eq!(room.along[room.len() - 1], path.length().min(150.0));
+    });
+}
+
+#[test]
+fn conflicts_lie_where_the_map_has_them_and_are_waited_for_before() {
+    each_path(|map, path, _, name, _| {
+        let mut conflicts = Vec::new();
+        path.conflicts(&mut conflicts);
+        let mut last = 0.0;
+        for one in &conflicts {
+            let [from, to] = one.along;
+            assert!(last <= from && from <= to && to <= path.length(), "{name}: {one:?}");
+            last = from;
+            assert!(one.wait <= from, "{name}: {one:?}");
+            let own = map.lane(path.at(0.5 * (from + to)).expect("a place").lane).expect("a lane");
+            let met = own.conflicts().any(|c| c.other().is_some_and(|o| o.lane_id() == one.other));
+            assert!(met, "{name}: lane {} and {one:?}", own.key());
+        }
+        let all = path.lanes().map(|own| map.lane(own.lane).expect("a lane"));
+        let known: usize = all.map(|lane| lane.conflicts().count()).sum();
+        assert!(conflicts.len() <= known);
+    });
+}
+
+/// The curvature of the driven line is that of its own lane, not of the reference line; before the end and after it places are
+/// clamped and told.
+#[test]
+fn places_on_a_bend_and_beyond_the_ends() {
+    let text = "<OpenDRIVE><header revMajor=\"1\" revMinor=\"7\"/><road id=\"1\" length=\"100\" junction=\"-1\"><planView>\
+        <geometry s=\"0\" x=\"0\" y=\"0\" hdg=\"0\" length=\"100\"><arc curvature=\"0.02\"/></geometry></planView>\
+        <elevationProfile><elevation s=\"0\" a=\"5\" b=\"0.03\" c=\"0\" d=\"0\"/></elevationProfile>\
+        <lanes><laneSection s=\"0\"><left><lane id=\"1\" type=\"driving\"><width sOffset=\"0\" a=\"4\" b=\"0\" c=\"0\" d=\"0\"/></lane></left>\
+        <center><lane id=\"0\"/></center><right><lane id=\"-1\" type=\"driving\">\
+        <width sOffset=\"0\" a=\"4\" b=\"0\" c=\"0\" d=\"0\"/></lane></right></laneSection></lanes></road></OpenDRIVE>";
+    let snapshot = mapd_tests::maps::open_text(text);
+    let map = snapshot.map();
+    for (key, radius, ends, turn) in
+        [("1:0:-1", 52.0, [0.0, 100.0], 1.0), ("1:0:1", 48.0, [100.0, 0.0], -1.0)]
+    {
+        let lane = map.lane_by_key(&key.parse().expect("a key")).expect("a lane");
+        let (mut steps, mut buffer) = (Vec::new(), PathBuffer::default());
+        steps_of_lanes(map, &[lane.lane_id()], ends, &mut steps).expect("steps");
+        let path = map.path(&steps, &PathOptions::default(), &mut buffer).expect("a path");
+        assert!((path.length() - 2.0 * radius).abs() < TOLERANCE, "{key}: {}", path.length());
+        assert!(path.joints().is_empty(), "{:?}", path.joints());
+        let at = path.at(30.0).expect("a place");
+        assert!((at.curvature - turn / radius).abs() < 1e-9, "{at:?}");
+        assert!(at.curvature_rate.abs() < 1e-6 && (at.left, at.right) == (2.0, 2.0), "{at:?}");
+        let grade = turn * 0.03 * 50.0 / radius;
+        assert!((at.grade - grade).abs() < 1e-9, "{at:?}");
+        for (along, clamped) in [(-1.0, Clamped::Before), (1e9, Clamped::After)] {
+            assert_eq!(path.at(along).expect("an end").clamped, clamped);
+        }
+        let end = path.at(path.length()).expect("the end");
+        let beyond = end.position.truncate() + 3.0 * DVec2::from_angle(end.heading);
+        let found = path.project(beyond, None).expect("a foot");
+        assert_eq!((found.clamped, found.along), (Clamped::After, path.length()));
+        assert!((found.distance - 3.0).abs() < TOLERANCE);
+        assert_eq!(path.at(f64::NAN).err(), Some(QueryError::NotFinite));
+        assert_eq!(path.project(DVec2::NAN, None).err(), Some(QueryError::NotFinite));
+        assert_eq!(path.project(beyond, Some(f64::NAN)).err(), Some(QueryError::NotFinite));
+        assert!(path.speed_at(f64::INFINITY).is_none());
+        let mut room = Corridor::default();
+        for step in [0.0, -1.0, f64::NAN, 1e-9] {
+            let car = VehicleClass::PassengerCar;
+            assert!(path.corridor(0.0, 50.0, step, car, &mut room).is_err(), "{step}");
+        }
+        // Against the traffic's own direction, one after the other without a link, and nothing at all.
+        let mut turned = steps.clone();
+        (turned[0].s_from, turned[0].s_to) = (steps[0].s_to, steps[0].s_from);
+        let mut path = |steps: &[RouteStep]| {
+            map.path(steps, &PathOptions::default(), &mut buffer).map(|_| ()).err()
+        };
+        assert_eq!(path(&turned), Some(PathError::Backwards { step: 0 }));
+        assert_eq!(path(&[]), Some(PathError::Empty));
+        let twice = [steps[0], RouteStep { enter: Enter::Ahead, ..steps[0] }];
+        assert_eq!(path(&twice), Some(PathError::NotLinked { step: 1 }));
+        let beside = [steps[0], RouteStep { enter: Enter::Left, ..steps[0] }];
+        assert_eq!(path(&beside), Some(PathError::NotBeside { step: 1 }));
+    }
+}
+
+/// A path that crosses itself: with a hint the answer stays on its branch.
+#[test]
+fn with_a_hint_the_answer_stays_on_its_branch() {
+    // Three quarters of a circle back over its own beginning.
+    let text = "<OpenDRIVE><header revMajor=\"1\" revMinor=\"7\"/><road id=\"1\" length=\"400\" junction=\"-1\"><planView>\
+        <geometry s=\"0\" x=\"0\" y=\"0\" hdg=\"0\" length=\"100\"><line/></geometry>\
+        <geometry s=\"100\" x=\"100\" y=\"0\" hdg=\"0\" length=\"235.61944901923448\"><arc curvature=\"0.02\"/></geometry>\
+        <geometry s=\"335.61944901923448\" x=\"50\" y=\"50\" hdg=\"4.71238898038469\" length=\"64.38055098076552\"><line/></geometry></planView>\
+        <lanes><laneSection s=\"0\"><center><lane id=\"0\"/></center><right><lane id=\"-1\" type=\"driving\">\
+        <width sOffset=\"0\" a=\"0.001\" b=\"0\" c=\"0\" d=\"0\"/></lane></right></laneSection></lanes></road></OpenDRIVE>";
+    let snapshot = mapd_tests::maps::open_text(text);
+    let map = snapshot.map();
+    let lane = map.lane_by_key(&"1:0:-1".parse().expect("a key")).expect("a lane");
+    let (mut steps, mut buffer) = (Vec::new(), PathBuffer::default());
+    steps_of_lanes(map, &[lane.lane_id()], [0.0, 400.0], &mut steps).expect("steps");
+    let path = map.path(&steps, &PathOptions::default(), &mut buffer).expect("a path");
+    // 0.2 m from the first branch, 0.4 m from the second one.
+    let point = DVec2::new(50.4, 0.2);
+    let near = |hint| path.project(point, hint).expect("a foot").along;
+    assert!((near(None) - 50.4).abs() < 0.01 && (near(Some(45.0)) - 50.4).abs() < 0.01);
+    assert!((near(Some(380.0)) - 385.4).abs() < 0.1, "{}", near(Some(380.0)));
+}
+
+/// What only a rule of the road decides is unknown without one: a motorway does not yield to a ramp "from the right".
+#[test]
+fn without_written_priority_nobody_is_said_to_yield() {
+    use mapd_client::RelationReason::{FromTheRight, Turn};
+    each_path(|_, path, _, name, _| {
+        let mut conflicts = Vec::new();
+        path.conflicts(&mut conflicts);
+        for one in conflicts {
+            let by_rule = matches!(one.reason, FromTheRight | Turn);
+            assert!(!by_rule || one.yields == Yields::Unknown, "{name}: {one:?}");
+        }
+    });
+}
