@@ -2,7 +2,7 @@
 
 use mapd_rules::{catalog, structural};
 use mapd_xodr::{Limits, Reader, Severity};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// Rules that may be left out.
@@ -86,4 +86,40 @@ fn the_documentation_is_what_the_catalog_yields() {
         mapd_rules::with_errors(&checks).as_ref() == Some(&checks),
         "docs/checks.md is not clean: cargo run -p mapd-rules --example rules_doc"
     );
+}
+
+/// Ids of the compiler's own findings in a text: `mapd:compile.…` and `mapd:graph.…` between two marks.
+fn building_ids(text: &str, mark: char, into: &mut BTreeSet<String>) {
+    for quoted in text.split(mark) {
+        let name = quoted.strip_prefix("mapd:compile.").or(quoted.strip_prefix("mapd:graph."));
+        let is_name = |name: &str| name.chars().all(|c| c.is_ascii_lowercase() || c == '_');
+        if name.is_some_and(is_name) {
+            into.insert(quoted.to_owned());
+        }
+    }
+}
+
+/// Every file of a folder, as text.
+fn sources(folder: &Path, show: &mut dyn FnMut(&str)) {
+    for entry in std::fs::read_dir(folder).expect("the folder is there") {
+        let path = entry.expect("it can be read").path();
+        if path.is_dir() {
+            sources(&path, show);
+        } else {
+            show(&std::fs::read_to_string(&path).expect("sources are text"));
+        }
+    }
+}
+
+#[test]
+fn every_finding_of_the_compiler_is_on_the_page_of_checks() {
+    let own = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let (mut written, mut listed) = (BTreeSet::new(), BTreeSet::new());
+    sources(&own.join("../compiler/src"), &mut |text| building_ids(text, '"', &mut written));
+    let page =
+        std::fs::read_to_string(own.join("../../docs/checks.md")).expect("the page is there");
+    let (_, list) = page.split_once("### What only building finds").expect("it has the list");
+    building_ids(list.split_once("\n## ").map_or(list, |(list, _)| list), '`', &mut listed);
+    assert!(written.contains("mapd:compile.unusable"), "{written:?}");
+    assert_eq!(written, listed);
 }
