@@ -3,7 +3,9 @@
 
 use mapd_archive::encode;
 use mapd_client::{
-    ClassSet, LaneKey, LaneTypes, NearestOptions, Region, Snapshot, Track, glam::DVec2,
+    ClassSet, LaneKey, LaneTypes, MatchOptions, NearestOptions, Region, Snapshot, Track,
+    VehiclePose,
+    glam::{DMat3, DVec2},
 };
 use mapd_client::{
     LanePlace, LaneSequences, RouteScratch, ShortestTime, SignalsAhead, VehicleClass,
@@ -122,6 +124,7 @@ fn queries_do_not_allocate() {
         Vec::with_capacity(ROOM),
         LaneSequences::with_capacity(ROOM),
     );
+    let mut matches = Vec::with_capacity(ROOM);
     let objects = mapd_tests::object_maps::open(&mapd_tests::object_maps::document(
         &mapd_tests::object_maps::PLAIN,
         r#"<object id="1" type="tree" s="30" t="8" zOffset="0" radius="1" orientation="none"><repeat s="10" length="80" distance="10" tStart="8" tEnd="8" heightStart="2" heightEnd="2" zOffsetStart="0" zOffsetEnd="0"/></object>
@@ -155,6 +158,12 @@ fn queries_do_not_allocate() {
             lane.road().to_track(point).expect("a foot");
             lane.road().surface_at(hit.position.s, hit.position.t).expect("a surface");
         }
+    }
+    for i in 0..40 {
+        let position = DVec2::new(f64::from(i * 5), f64::from(i * 3)).into();
+        let (pose, spread) = (VehiclePose { position, heading: 0.3 }, DMat3::IDENTITY);
+        let none = map.match_pose(&pose, &spread, &MatchOptions::default(), &mut matches);
+        seen += matches.len() + usize::from(none.expect("an answer") > 0.5);
     }
     let road = map.road_by_id("1").expect("a road");
     road.to_inertial(Track { s: 3.0, t: 1.0, h: 0.0 }).expect("a pose");

@@ -263,10 +263,10 @@ enum Command {
         /// nearest: largest distance from a lane's area [m]
         #[arg(long, value_name = "M", default_value_t = NearestOptions::default().radius, value_parser = not_negative)]
         radius: f64,
-        /// nearest: lane types that count, separated by commas, or `drivable` [default: all]
+        /// nearest, match: lane types that count, separated by commas, or `drivable` [default: all]
         #[arg(long, value_name = "TYPES", value_delimiter = ',')]
         types: Vec<String>,
-        /// nearest: largest difference in z [m], where the input has z
+        /// nearest, match: largest difference in z [m], where the input has z
         #[arg(long, value_name = "M", value_parser = not_negative)]
         z_tolerance: Option<f64>,
         /// nearest: largest difference from the lane's driving direction [rad], where the input has hdg
@@ -363,6 +363,10 @@ Columns:
   lane        road_id,s,lane_id    width,t_inner,t_outer,x,y,z,hdg of the lane's centre on that plane
   nearest     x,y[,z][,hdg] or lat,lon[,alt][,hdg]
                                    lane,road_id,lane_id,s,t,offset,distance
+  match       x,y,hdg,sx,sy,shdg[,z]
+                                   a row for each lane that the pose may be in, by standard deviations of x, y and hdg, and one
+                                   with an empty lane for none: lane,direction (+ along s, - against it),probability,s,offset,
+                                   heading_difference
   geodetic    x,y[,z]              lat,lon,alt
   from-geodetic  lat,lon[,alt]     x,y,z
   track       road_id,x,y[,z]      s,t,h (h only with z)

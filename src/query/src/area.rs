@@ -36,7 +36,7 @@ pub(crate) struct Slab<'a> {
     pub(crate) s_hi: f64,
     /// The geometry that holds there.
     geometry: &'a ArchivedGeometryRow,
-    piece: Piece<'a>,
+    pub(crate) piece: Piece<'a>,
 }
 
 impl Slab<'_> {
@@ -47,7 +47,7 @@ impl Slab<'_> {
 
     /// A place in the slab, with what holds within: records and geometries begin where slabs do, but stored s are rounded.
     #[inline]
-    fn at(&self, s: f64) -> At {
+    pub(crate) fn at(&self, s: f64) -> At {
         At { s, hold: self.middle() }
     }
 }

@@ -41,6 +41,7 @@ mod lane;
 mod lane_length;
 mod lane_words;
 mod map;
+mod matching;
 mod near;
 mod nearest;
 mod objects;
@@ -90,6 +91,7 @@ pub use mapd_archive::{
 };
 #[cfg(feature = "geodesy")]
 pub use mapd_geodesy::{DefinitionError, Geodetic, Offset, ProjectionError, Projector};
+pub use matching::{LaneMatch, MatchError, MatchOptions, VehiclePose};
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
 pub use objects::{
     NearObject, Object, ObjectBorder, ObjectLane, ObjectMarking, ObjectMaterial, ObjectOutline,

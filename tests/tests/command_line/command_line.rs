@@ -79,6 +79,26 @@ fn nearest_takes_types_radius_and_z() {
     );
 }
 
+#[test]
+fn a_pose_is_matched_with_a_row_for_each_lane_and_one_for_none() {
+    let input =
+        "id,x,y,hdg,sx,sy,shdg\na,30,-1,0.02,0.3,0.3,0.05\nb,500,500,0,1,1,1\nc,1,1,0,-1,1,1\n";
+    let output = run(&["query", &one_road(), "match"], input);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let mut lines = text.lines();
+    let head = "id,x,y,hdg,sx,sy,shdg,lane,direction,probability,s,offset,heading_difference,error";
+    assert_eq!(lines.next(), Some(head));
+    let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    let of = |id: &str| rows.iter().filter(|row| row[0] == id).collect::<Vec<_>>();
+    let a = of("a");
+    assert_eq!((a[0][7], a[0][8], a[0][10], a[0][11]), ("1:0:-1", "+", "30.0", "0.75"), "{text}");
+    assert_eq!(a.iter().filter(|row| row[7].is_empty() && row[10].is_empty()).count(), 1, "{text}");
+    let sum: f64 = a.iter().map(|row| row[9].parse::<f64>().expect("a probability")).sum();
+    assert!((sum - 1.0).abs() < 1e-6, "{text}");
+    assert_eq!(of("b"), [&["b", "500", "500", "0", "1", "1", "1", "", "", "1.0", "", "", "", ""]]);
+    assert_eq!(of("c")[0][13], "\"sx must not be negative", "{text}");
+}
+
 /// Runs a query on the one-road map and compares numbers to 1e-8 (a millimetre, where they are degrees), texts exactly:
 /// projections use the C library's functions, whose last digit is not the same on every machine.
 fn check_nearly(kind: &str, input: &str, expected: &[&[&str]]) {

@@ -12,6 +12,7 @@ mod index_oracle;
 mod landmarks;
 mod lane_graph;
 mod lane_layers;
+mod matching;
 mod object_counts;
 mod object_details;
 mod object_lanes;

@@ -56,6 +56,11 @@ impl<'a> Holes<'a> {
                     parts.add(self.map.quarantined_near(point.xy, options.radius));
                 }
             }
+            Kind::Match => {
+                if let Ok((point, radius)) = super::matching::circle(row) {
+                    parts.add(self.map.quarantined_near(point, radius));
+                }
+            }
             Kind::Objects | Kind::Landmarks => {
                 if let Ok((point, radius)) = row.circle() {
                     parts.add(self.map.quarantined_near(point, radius));

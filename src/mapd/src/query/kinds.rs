@@ -5,7 +5,7 @@ use super::holes::Holes;
 use super::path::{self, Paths};
 use super::route::Router;
 use super::row::Row;
-use super::{besides, landmarks, signals};
+use super::{besides, landmarks, matching, signals};
 use clap::ValueEnum;
 use mapd_client::{Lane, Map, NearestOptions, Point, QueryError, Road, Track};
 use mapd_query::glam::DVec2;
@@ -24,6 +24,8 @@ pub enum Kind {
     Lane,
     /// `x,y[,z][,hdg]` or `lat,lon[,alt][,hdg]` → lane,road_id,lane_id,s,t,offset,distance
     Nearest,
+    /// `x,y,hdg,sx,sy,shdg[,z]` → a row for each lane that a pose may be in: lane,direction,probability,s,offset,heading_difference
+    Match,
     /// `x,y[,z]` → lat,lon,alt
     Geodetic,
     /// `lat,lon[,alt]` → x,y,z
@@ -67,6 +69,7 @@ impl Kind {
             Self::Surface => "surface",
             Self::Lane => "lane",
             Self::Nearest => "nearest",
+            Self::Match => "match",
             Self::Geodetic => "geodetic",
             Self::FromGeodetic => "from-geodetic",
             Self::Track => "track",
@@ -97,6 +100,7 @@ impl Kind {
             Self::Annotations => &[&["owner"]],
             Self::JunctionGroups => &[&["junction_id"]],
             Self::Nearest => &[&["x", "y"], &["lat", "lon"]],
+            Self::Match => &[&["x", "y", "hdg", "sx", "sy", "shdg"]],
             Self::Geodetic => &[&["x", "y"]],
             Self::FromGeodetic => &[&["lat", "lon"]],
             Self::Track => &[&["road_id", "x", "y"]],
@@ -116,6 +120,7 @@ impl Kind {
             Self::Surface => &["x", "y", "z", "nx", "ny", "nz", "friction", "roughness"],
             Self::Lane => &["width", "t_inner", "t_outer", "x", "y", "z", "hdg"],
             Self::Nearest => &["lane", "road_id", "lane_id", "s", "t", "offset", "distance"],
+            Self::Match => matching::COLUMNS,
             Self::Geodetic => &["lat", "lon", "alt"],
             Self::FromGeodetic => &["x", "y", "z"],
             Self::Track => &["s", "t", "h", "clamped", "exact"],
@@ -169,7 +174,8 @@ impl Kind {
     pub(crate) fn lists(self) -> bool {
         matches!(
             self,
-            Self::Objects
+            Self::Match
+                | Self::Objects
                 | Self::Path
                 | Self::Corridor
                 | Self::Conflicts
@@ -219,6 +225,7 @@ impl Kind {
                 numbers(out, &[edges.width(), edges.inner, edges.outer, p.x, p.y, p.z, hdg]);
             }
             Self::Nearest => nearest(map, options, point_in(row, earth)?, row, out)?,
+            Self::Match => matching::answer(map, options, row, out)?,
             Self::Geodetic => {
                 let point = point(row)?;
                 numbers(out, &earth.place(point.xy.extend(point.z.unwrap_or(0.0)))?);

@@ -9,6 +9,7 @@ pub(crate) mod earth;
 mod holes;
 mod kinds;
 mod landmarks;
+mod matching;
 mod objects;
 mod output;
 mod path;

@@ -1,0 +1,72 @@
+//! `mapd query … match`.
+
+use super::kinds::{number, numbers};
+use super::row::Row;
+use mapd_client::{LaneMatch, Map, MatchOptions, NearestOptions, Point, VehiclePose};
+use mapd_query::glam::{DMat3, DVec2, DVec3};
+
+/// Columns of the answer.
+pub(super) const COLUMNS: &[&str] =
+    &["lane", "direction", "probability", "s", "offset", "heading_difference"];
+/// Deviations around a pose in which parts in quarantine are named: as far as lanes count.
+const REACH: f64 = 6.0;
+
+/// A row for each lane that the pose may be in, the most probable first, and one for `none`, where it is by its probability.
+pub(super) fn answer(
+    map: Map<'_>,
+    nearest: &NearestOptions,
+    row: &Row<'_>,
+    out: &mut Vec<String>,
+) -> Result<(), String> {
+    let deviations = deviations(row)?;
+    let pose = VehiclePose {
+        position: Point { xy: place(row)?, z: row.optional("z")? },
+        heading: row.number("hdg")?,
+    };
+    let options = MatchOptions {
+        types: nearest.types,
+        z_tolerance: nearest.z_tolerance,
+        ..MatchOptions::default()
+    };
+    let covariance = DMat3::from_diagonal(deviations * deviations);
+    let mut found = Vec::new();
+    let none = map
+        .match_pose(&pose, &covariance, &options, &mut found)
+        .map_err(|error| error.to_string())?;
+    let before = found.partition_point(|found| found.probability >= none);
+    let (more, less) = found.split_at(before);
+    write(map, more, out)?;
+    out.extend([String::new(), String::new(), number(none)]);
+    out.extend([const { String::new() }; 3]);
+    write(map, less, out)
+}
+
+fn write(map: Map<'_>, found: &[LaneMatch], out: &mut Vec<String>) -> Result<(), String> {
+    for found in found {
+        let lane = map.lane(found.lane).map_err(super::kinds::text)?;
+        out.push(lane.key().to_string());
+        out.push(if found.forward { "+" } else { "-" }.to_owned());
+        let offset = found.position.offset_of_reference_line;
+        numbers(out, &[found.probability, found.position.s, offset, found.heading_difference]);
+    }
+    Ok(())
+}
+
+fn place(row: &Row<'_>) -> Result<DVec2, String> {
+    Ok(DVec2::new(row.number("x")?, row.number("y")?))
+}
+
+/// Standard deviations of x, y and heading.
+fn deviations(row: &Row<'_>) -> Result<DVec3, String> {
+    let one = |name: &str| match row.number(name)? {
+        number if number >= 0.0 => Ok(number),
+        number => Err(format!("{name} must not be negative, found {number:?}")),
+    };
+    Ok(DVec3::new(one("sx")?, one("sy")?, one("shdg")?))
+}
+
+/// Where lanes count.
+pub(super) fn circle(row: &Row<'_>) -> Result<(DVec2, f64), String> {
+    let deviations = deviations(row)?;
+    Ok((place(row)?, REACH * deviations.x.max(deviations.y)))
+}

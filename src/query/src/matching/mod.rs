@@ -1,0 +1,232 @@
+//! Which lanes a vehicle may be in, and how sure that is: from a pose and its covariance.
+//!
+//! The hypotheses are every lane in each of its directions of travel, and `none`: the vehicle is on no lane, or across one. A
+//! lane's weight is its prior times the integral over its area of the density of (x, y, heading), spread by the map's own
+//! deviations and, in heading, by how far drivers deviate from their lane's direction. `none` is a vehicle that heads anywhere
+//! with the same probability, wherever it is: its weight is its prior over 2π. Weights are normalised over all hypotheses, for
+//! lanes overlap in junctions. `docs/localisation.md` derives it.
+
+mod density;
+mod error;
+mod stretch;
+
+pub use error::MatchError;
+
+use crate::area;
+use crate::error::QueryError;
+use crate::ids::LaneId;
+use crate::index;
+use crate::lane::Lane;
+use crate::map::Map;
+use crate::nearest::{LaneTypes, round_up};
+use crate::types::{LanePosition, Point, turned};
+use density::PoseDensity;
+use glam::{DMat3, DVec2};
+use mapd_archive::{NONE, VehicleClass};
+use mapd_geometry::normalize_angle;
+
+/// Candidates less probable than this are left out; what they have is no part of the others' probability.
+const LEAST_PROBABILITY: f64 = 1e-9;
+/// Default of [`MatchOptions::drive_deviation`] `[rad]`: six degrees.
+const DRIVE_DEVIATION: f64 = 0.1;
+/// Default of [`MatchOptions::none`].
+const NONE_PRIOR: f64 = 0.01;
+/// Default of [`MatchOptions::closed`] and [`MatchOptions::unexpected`].
+const UNLIKELY: f64 = 0.05;
+
+/// What somebody measured: where a vehicle is and which way it heads.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VehiclePose {
+    /// Place, inertial `[m]`; z only if known.
+    pub position: Point,
+    /// Heading `[rad]`, counter-clockwise from x; any turn of it.
+    pub heading: f64,
+}
+
+/// How hypotheses are weighed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MatchOptions<'a> {
+    /// Lane types that are hypotheses. Default all.
+    pub types: LaneTypes,
+    /// Largest difference between the pose's z and the lane's `[m]`, of poses that have z. Default none.
+    pub z_tolerance: Option<f64>,
+    /// Standard deviation of a driver's heading from the lane's direction `[rad]`, not negative. Default 0.1.
+    pub drive_deviation: f64,
+    /// Prior of `none`, where a lane has 1; positive. Default 0.01.
+    pub none: f64,
+    /// Who drives: lanes that this class may not use have the prior `closed`. Default nobody in particular.
+    pub vehicle: Option<VehicleClass>,
+    /// Share of the prior that lanes have which the vehicle may not use, in (0, 1]. Default 0.05.
+    pub closed: f64,
+    /// Lanes that are expected, such as those of a route, or those that can be reached from the last known lane
+    /// ([`Map::reachable`]); all others have the prior `unexpected`. Default none, which expects nothing.
+    pub expected: &'a [LaneId],
+    /// Share of the prior that lanes have which are not expected, in (0, 1]: routes are left, and last lanes were wrong.
+    /// Default 0.05.
+    pub unexpected: f64,
+}
+
+impl Default for MatchOptions<'_> {
+    fn default() -> Self {
+        Self {
+            types: LaneTypes::ALL,
+            z_tolerance: None,
+            drive_deviation: DRIVE_DEVIATION,
+            none: NONE_PRIOR,
+            vehicle: None,
+            closed: UNLIKELY,
+            expected: &[],
+            unexpected: UNLIKELY,
+        }
+    }
+}
+
+/// A lane that a vehicle may be in, in one of its directions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LaneMatch {
+    /// The lane.
+    pub lane: LaneId,
+    /// Whether the vehicle travels towards +s.
+    pub forward: bool,
+    /// Probability among all hypotheses.
+    pub probability: f64,
+    /// Mahalanobis distance of the pose from the lane's centre line at the pose's s, headed in the lane's direction, by the
+    /// covariance of the model.
+    pub mahalanobis: f64,
+    /// The given heading minus the driving direction `[rad]`, in (−π, π].
+    pub heading_difference: f64,
+    /// The pose's place with respect to the lane: s, t, both offsets, distance.
+    pub position: LanePosition,
+}
+
+impl Map<'_> {
+    /// The lanes that a vehicle may be in by a measured pose, the most probable first; returns the probability that it is in
+    /// none. With the rest of `out` that makes 1, but for what candidates below 1e-9 have. `covariance` is that of (x, y, heading) in `[m²]`,
+    /// `[m·rad]` and `[rad²]`; a heading that is not known has a large one (from 25 rad² on it counts for nothing). Lanes count
+    /// out to six of the largest deviations. `out` is emptied first; it grows only if its capacity is too small.
+    ///
+    /// Errors: numbers that are not finite; a covariance that is not symmetric and positive semi-definite, with the place of
+    /// what is wrong; options out of their domain.
+    pub fn match_pose(
+        &self,
+        pose: &VehiclePose,
+        covariance: &DMat3,
+        options: &MatchOptions<'_>,
+        out: &mut Vec<LaneMatch>,
+    ) -> Result<f64, MatchError> {
+        out.clear();
+        error::check_pose(pose)?;
+        error::check_options(options)?;
+        error::check_covariance(covariance)?;
+        let local = pose.position.xy - self.origin();
+        let density = PoseDensity::new(pose.heading, covariance, options.drive_deviation)?;
+        self.weigh(pose, local, &density, options, out);
+        Ok(self.normalise(pose, &density, options, out))
+    }
+
+    /// Puts the integral over each lane into its `probability`.
+    fn weigh(
+        &self,
+        pose: &VehiclePose,
+        local: DVec2,
+        density: &PoseDensity,
+        options: &MatchOptions<'_>,
+        out: &mut Vec<LaneMatch>,
+    ) {
+        let heights = pose.position.z.zip(options.z_tolerance).map(|(z, by)| [z - by, z + by]);
+        let reach = round_up(density.reach);
+        index::visit(self.tables(), local, heights, reach, |leaf, qx, qy, bound| {
+            let (lanes, segments) = (leaf.lane(), leaf.segment());
+            let lower = index::lower_bounds(leaf, qx, qy, heights);
+            for k in 0..lower.len() {
+                if lower[k] > bound || lanes[k] == NONE {
+                    continue;
+                }
+                let lane = Lane::new(*self, lanes[k]).filter(|l| options.types.contains(l.kind()));
+                let Some(lane) = lane else { continue };
+                let Some(slab) = area::slab(&lane, usize::from(segments[k])) else { continue };
+                let place = area::place(&lane, &slab, local);
+                let level = place.level(&lane);
+                if heights.is_some_and(|[low, high]| !(low <= level && level <= high)) {
+                    continue;
+                }
+                let ways = [lane.is_forward(), !lane.is_forward()];
+                let ways = if lane.is_bidirectional() { &ways[..] } else { &ways[..1] };
+                for forward in ways.iter().copied() {
+                    let weight =
+                        stretch::weight((&lane, &slab), place.s(), local, density, forward);
+                    let id = lane.lane_id();
+                    match out.iter_mut().find(|m| m.lane == id && m.forward == forward) {
+                        Some(known) => {
+                            known.probability += weight;
+                            if place.distance < known.position.distance {
+                                known.position = place.position(&lane);
+                            }
+                        }
+                        None => out.push(LaneMatch {
+                            lane: id,
+                            forward,
+                            probability: weight,
+                            mahalanobis: 0.0,
+                            heading_difference: 0.0,
+                            position: place.position(&lane),
+                        }),
+                    }
+                }
+            }
+            bound
+        });
+    }
+
+    /// Makes probabilities of the weights and fills in the rest; returns the probability of `none`.
+    fn normalise(
+        &self,
+        pose: &VehiclePose,
+        density: &PoseDensity,
+        options: &MatchOptions<'_>,
+        out: &mut Vec<LaneMatch>,
+    ) -> f64 {
+        for found in out.iter_mut() {
+            found.probability *= self.prior(found, options);
+        }
+        // Sorting in place allocates nothing; the sum is one of sorted numbers, whatever the index's order.
+        out.sort_unstable_by(|a, b| {
+            b.probability
+                .total_cmp(&a.probability)
+                .then((a.lane, a.forward).cmp(&(b.lane, b.forward)))
+        });
+        let none = options.none * density::ANY_HEADING;
+        let sum = none + out.iter().map(|found| found.probability).sum::<f64>();
+        out.retain_mut(|found| {
+            found.probability /= sum;
+            found.probability >= LEAST_PROBABILITY
+        });
+        for found in out.iter_mut() {
+            let LanePosition { s, heading_of_reference_line: along, .. } = found.position;
+            let direction = if found.forward { along } else { turned(along) };
+            found.heading_difference = normalize_angle(pose.heading - direction);
+            let center = self.lane(found.lane).and_then(|lane| lane.pose_of_reference_line(s, 0.0));
+            found.mahalanobis = center.map_or(f64::NAN, |center| {
+                density.distance(center.position.truncate() - pose.position.xy, direction)
+            });
+        }
+        none / sum
+    }
+
+    fn prior(&self, found: &LaneMatch, options: &MatchOptions<'_>) -> f64 {
+        let closed = options.vehicle.is_some_and(|vehicle| {
+            let lane = self.lane(found.lane).ok();
+            let node = lane.and_then(|lane| lane.node_at(found.position.s, found.forward));
+            !node.is_some_and(|node| node.allows(vehicle))
+        });
+        let expected = options.expected.is_empty() || options.expected.contains(&found.lane);
+        (if closed { options.closed } else { 1.0 })
+            * (if expected { 1.0 } else { options.unexpected })
+    }
+}
+
+impl From<QueryError> for MatchError {
+    fn from(error: QueryError) -> Self {
+        Self::Query(error)
+    }
+}
