@@ -293,6 +293,9 @@ enum Command {
         /// svg: also the boxes of the spatial index
         #[arg(long)]
         index_boxes: bool,
+        /// svg: also the driven line of the shortest way of a passenger car
+        #[arg(long, value_name = "ROAD,S,LANE:ROAD,S,LANE", allow_hyphen_values = true)]
+        route: Option<export::RouteEnds>,
         #[command(flatten)]
         opening: Opening,
     },
@@ -579,7 +582,7 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
                 None => Exit::Rejected,
             }
         }
-        Command::Export { source, format, output, index_boxes, opening } => {
+        Command::Export { source, format, output, index_boxes, route, opening } => {
             let is_source = |output: &&PathBuf| is_same_file(output, source.as_ref());
             if let Some(output) = output.as_ref().filter(is_source) {
                 let message = format!("{} would overwrite its source", output.display());
@@ -587,8 +590,8 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
             }
             match opening.open(&source)? {
                 Some(snapshot) => {
-                    let options = export::Options { index_boxes };
-                    export::run(snapshot.map(), format, options, output.as_deref(), out)?;
+                    let options = export::Options { index_boxes, route };
+                    export::run(snapshot.map(), format, &options, output.as_deref(), out)?;
                     Exit::Done
                 }
                 None => Exit::Rejected,

@@ -414,13 +414,28 @@ impl<'a> Lane<'a> {
     /// Lanes entered from this one in its own driving direction, in order of road id, section and lane.
     #[inline]
     pub fn successors(&self) -> impl Iterator<Item = LaneId> + use<'a> {
-        self.linked(self.map.tables().successor_offsets, self.map.tables().successors, 1)
+        self.successors_towards(self.is_forward())
+    }
+
+    /// As [`Lane::successors`], for travel towards +s or towards −s: of a lane that is used both ways each direction has its own.
+    /// None in a direction that the lane is not travelled.
+    #[inline]
+    pub fn successors_towards(&self, forward: bool) -> impl Iterator<Item = LaneId> + use<'a> {
+        let tables = self.map.tables();
+        self.linked(tables.successor_offsets, tables.successors, (1, forward))
     }
 
     /// Lanes from which this one is entered in its own driving direction, in order of road id, section and lane.
     #[inline]
     pub fn predecessors(&self) -> impl Iterator<Item = LaneId> + use<'a> {
-        self.linked(self.map.tables().predecessor_offsets, self.map.tables().predecessors, -1)
+        self.predecessors_towards(self.is_forward())
+    }
+
+    /// As [`Lane::predecessors`], for travel towards +s or towards −s.
+    #[inline]
+    pub fn predecessors_towards(&self, forward: bool) -> impl Iterator<Item = LaneId> + use<'a> {
+        let tables = self.map.tables();
+        self.linked(tables.predecessor_offsets, tables.predecessors, (-1, forward))
     }
 
     /// Lanes over the edges of this lane's nodes, those between its own pieces left out; `step` is from a piece to the
@@ -430,14 +445,21 @@ impl<'a> Lane<'a> {
         &self,
         offsets: &'a [u32],
         targets: &'a [u32],
-        step: i32,
+        (step, forward): (i32, bool),
     ) -> impl Iterator<Item = LaneId> + use<'a> {
         let (map, content) = (self.map, self.map.content());
         let list = map.tables().lane_nodes;
         let nodes = self.row.nodes();
-        // Nodes of the other way come last; they are no part of the lane's own direction.
-        let ways = if self.row.flags() & lane_flags::TWO_WAY != 0 { 2 } else { 1 };
-        let own_way = Range { count: nodes.count / ways, ..nodes }.rows(list.len());
+        // Nodes of the other way come last.
+        let two_way = self.row.flags() & lane_flags::TWO_WAY != 0;
+        let count = if two_way { nodes.count / 2 } else { nodes.count };
+        let first = match (forward == self.is_forward(), two_way) {
+            (true, _) => Some(nodes.first),
+            (false, true) => nodes.first.checked_add(count),
+            (false, false) => None,
+        };
+        let way = first.map_or(Range { first: 0, count: 0 }, |first| Range { first, count });
+        let own_way = way.rows(list.len());
         own_way.clone().flat_map(move |node| {
             let edges = edges_of(offsets, targets, node);
             let own_way = own_way.clone();

@@ -113,7 +113,7 @@ pub use route::{
 };
 pub use section::LaneSection;
 pub use signals::{
-    BoardGroupMember, Controller, DisplayArea, JunctionController, LaneLine, LaneSignal,
+    Basis, BoardGroupMember, Controller, DisplayArea, JunctionController, LaneLine, LaneSignal,
     LightStates, LineAhead, LineSource, NearSignal, OvertakingRule, RightOfWay, Signal,
     SignalAhead, SignalBoard, SignalLink, SignalPlace, SignalSemantics, SignalsAhead, SpeedOrigin,
     SpeedRule, Turn,

@@ -9,7 +9,7 @@ use crate::lane::Lane;
 use crate::map::Map;
 use crate::types::{LanePosition, Point};
 use glam::DVec2;
-use mapd_archive::{LaneType, NONE};
+use mapd_archive::{LaneType, NONE, VehicleClass};
 use mapd_geometry::{clamp, normalize_angle};
 use std::cmp::Ordering;
 
@@ -26,12 +26,21 @@ impl LaneTypes {
     /// No type.
     pub const NONE: Self = Self(0);
 
-    /// Types on which motor vehicles travel.
+    /// Types that motor vehicles other than those of emergency services may use where no access record says otherwise, as the lane
+    /// graph has it.
     pub fn drivable() -> Self {
-        LaneType::ALL
-            .iter()
-            .filter(|kind| kind.is_drivable())
-            .fold(Self::NONE, |set, kind| set.with(*kind))
+        Self::open_to_any(VehicleClass::MOTOR & !VehicleClass::Emergency.bit())
+    }
+
+    /// Types that a class of vehicles may use where no access record says otherwise, as the lane graph has it. What records say of a
+    /// place counts too with [`NearestOptions::vehicle`].
+    pub fn open_to(vehicle: VehicleClass) -> Self {
+        Self::open_to_any(vehicle.bit())
+    }
+
+    fn open_to_any(classes: u16) -> Self {
+        let open = |kind: &&LaneType| VehicleClass::of_lane_type(**kind) & classes != 0;
+        LaneType::ALL.iter().filter(open).fold(Self::NONE, |set, kind| set.with(*kind))
     }
 
     /// The set with one more type.
@@ -58,6 +67,9 @@ pub struct NearestOptions {
     pub radius: f64,
     /// Lane types that count. Default all.
     pub types: LaneTypes,
+    /// Only places that this class of vehicles may use count, by lane type and access records, in either direction that the lane is
+    /// travelled. Default all places.
+    pub vehicle: Option<VehicleClass>,
     /// Largest difference between the point's z and the lane's `[m]`, beside the lane that of its nearer edge; needs a point with
     /// z. Default none.
     pub z_tolerance: Option<f64>,
@@ -75,6 +87,7 @@ impl Default for NearestOptions {
         Self {
             radius: DEFAULT_RADIUS,
             types: LaneTypes::ALL,
+            vehicle: None,
             z_tolerance: None,
             heading: None,
             heading_tolerance: None,
@@ -172,7 +185,8 @@ impl<'a> Candidate<'a> {
             known && limit.is_some_and(|limit| difference > limit)
         };
         let excluded = too_far(options.z_tolerance, point.z.is_some(), z_difference)
-            || too_far(options.heading_tolerance, options.heading.is_some(), heading_difference);
+            || too_far(options.heading_tolerance, options.heading.is_some(), heading_difference)
+            || options.vehicle.is_some_and(|vehicle| is_closed(lane, place.s(), vehicle));
         let lane = lane.row_number();
         (!excluded).then_some(Self { lane, place, heading_difference, z_difference })
     }
@@ -385,6 +399,12 @@ impl<'a> Map<'a> {
         let slab = area::slab(&lane, usize::from(segment))?;
         Candidate::new(&lane, area::place_inside(&lane, &slab, local)?, point, options)
     }
+}
+
+/// Whether a class of vehicles may use a lane at s in no direction.
+fn is_closed(lane: &Lane<'_>, s: f64, vehicle: VehicleClass) -> bool {
+    let open = |forward| lane.node_at(s, forward).is_some_and(|node| node.allows(vehicle));
+    !open(true) && !open(false)
 }
 
 /// Angle between a heading of travel and the lane's driving direction, by the heading of the reference line `[rad]`, the smaller one for lanes used both ways.

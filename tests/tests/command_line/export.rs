@@ -45,3 +45,27 @@ fn a_drawing_goes_to_a_file() {
     assert!(text.is_empty());
     assert_eq!(std::fs::read_to_string(file).expect("written"), draw(&map, &[]));
 }
+
+/// The driven line is drawn from end to end; what is no route is an error that says so.
+#[test]
+fn a_route_is_drawn_as_its_driven_line() {
+    let map = mapd_tests::carried("one_road.xodr");
+    let drawing = draw(&map, &["--route", "1,2,-1:1,12,-1"]);
+    assert_eq!(count(&drawing, "route\""), 1);
+    assert_eq!(count(&draw(&map, &[]), "route\""), 0);
+    let line = drawing.lines().find(|line| line.contains("class=\"route\"")).expect("a line");
+    assert_eq!(line.matches(',').count(), 21, "a point every half metre: {line}");
+    for (route, code, said) in [
+        ("1,2,-1", 2, "expected ROAD,S,LANE:ROAD,S,LANE"),
+        ("1,2,-1:x,2,-1", 1, "the map has no road"),
+        ("1,2,-1:1,2,-9", 1, "has no lane -9"),
+        ("1,12,-1:1,2,-1", 1, "no way"),
+    ] {
+        let mut command = Command::new(MAPD);
+        let output = command.arg("export").arg(&map).args(["--format", "svg", "--route", route]);
+        let output = output.output().expect("runs");
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(code), "{route}: {text}");
+        assert!(text.contains(said), "{route}: {text}");
+    }
+}

@@ -40,7 +40,9 @@ fn movement<'a>(map: Map<'a>, road: &str) -> Lane<'a> {
 /// Whom a movement yields to, and why.
 fn yields(map: Map<'_>, road: &str) -> Vec<String> {
     let of = movement(map, road);
-    let told = of.yields_to().map(|(lane, why)| format!("{} {}", lane.road().id(), why.name()));
+    let rows = of.right_of_way().filter(|row| row.relation() == Relation::Yields);
+    let told = rows
+        .filter_map(|row| Some(format!("{} {}", row.other()?.road().id(), row.reason().name())));
     let mut told: Vec<String> = told.collect();
     told.sort();
     told
@@ -414,8 +416,8 @@ fn speed_signs_hold_from_their_place_on() {
     assert_eq!(lane(map, "0:0:-1").speed_rule_at(30.0).origin, SpeedOrigin::None, "the other way");
     assert_eq!(
         movement(map, "02").speed_rule_at(5.0).origin,
-        SpeedOrigin::None,
-        "a junction ends it"
+        SpeedOrigin::Entry,
+        "in a junction what came in with the vehicle goes on holding"
     );
     assert!(incoming.allows_at(5.0, CAR) && incoming.access_at(5.0).any(|class| class == CAR));
 }

@@ -35,3 +35,4 @@ mod signals_corpus;
 mod single_side;
 mod speed_rules;
 mod surfaces;
+mod who_may;

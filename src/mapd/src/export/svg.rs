@@ -34,7 +34,12 @@ impl Paper {
 /// Writes the drawing.
 ///
 /// Errors: what writing gives.
-pub(super) fn write(map: Map<'_>, options: Options, out: &mut dyn Write) -> Result<()> {
+pub(super) fn write(
+    map: Map<'_>,
+    options: &Options,
+    route: Option<&[DVec2]>,
+    out: &mut dyn Write,
+) -> Result<()> {
     let (low, high) = map.bounds();
     let size = (high - low).truncate() + 2.0 * MARGIN;
     let paper = Paper { left: low.x - MARGIN, top: high.y + MARGIN };
@@ -81,6 +86,9 @@ pub(super) fn write(map: Map<'_>, options: Options, out: &mut dyn Write) -> Resu
     objects::write(map, paper, out)?;
     for signal in map.signals() {
         mark(&signal, paper, out)?;
+    }
+    if let Some(line) = route {
+        super::route::write(line, paper, out)?;
     }
     if options.index_boxes {
         index_boxes::write(map, paper, out)?;

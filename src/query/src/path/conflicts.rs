@@ -3,6 +3,7 @@
 use super::{Path, Piece};
 use crate::graph::Conflict;
 use crate::ids::LaneId;
+use crate::signals::Basis;
 use mapd_archive::{ConflictKind, Relation, RelationReason};
 
 /// Who goes first.
@@ -34,9 +35,8 @@ impl Yields {
     }
 
     fn of(relation: Relation, reason: RelationReason) -> Self {
-        let by_rule = matches!(reason, RelationReason::Turn | RelationReason::FromTheRight);
         match relation {
-            _ if by_rule => Self::Unknown,
+            _ if Basis::of(reason) == Basis::Rule => Self::Unknown,
             Relation::Yields => Self::Yields,
             Relation::Priority => Self::Priority,
             Relation::Lights => Self::Lights,

@@ -18,7 +18,7 @@ pub use controller::{Controller, JunctionController};
 pub use lane::LaneSignal;
 pub use lines::{LaneLine, LineAhead, LineSource};
 pub use link::SignalLink;
-pub use movement::{RightOfWay, Turn};
+pub use movement::{Basis, RightOfWay, Turn};
 pub use near::NearSignal;
 pub use overtaking::OvertakingRule;
 pub use speed::{SpeedOrigin, SpeedRule};

@@ -50,6 +50,30 @@ pub struct RightOfWay<'a> {
     row: &'a ArchivedConflictRow,
 }
 
+/// What an answer about right of way rests on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Basis {
+    /// The file says so: signs, lights, `junction/priority`.
+    Written,
+    /// It is what a rule of the road would say (turning traffic gives way, right before left). Whether that rule holds there, the file
+    /// does not say: such rules differ between countries and between kinds of roads.
+    Rule,
+    /// Nothing decides.
+    Unknown,
+}
+
+impl Basis {
+    /// What a reason rests on.
+    pub fn of(reason: RelationReason) -> Self {
+        match reason {
+            RelationReason::Turn | RelationReason::FromTheRight => Self::Rule,
+            RelationReason::None | RelationReason::Unknown => Self::Unknown,
+            _ => Self::Written,
+        }
+    }
+}
+
 impl<'a> RightOfWay<'a> {
     /// The other lane.
     pub fn other(&self) -> Option<Lane<'a>> {
@@ -59,6 +83,11 @@ impl<'a> RightOfWay<'a> {
     /// Who goes first.
     pub fn relation(&self) -> Relation {
         Relation::from_code(self.row.relation())
+    }
+
+    /// What that rests on.
+    pub fn basis(&self) -> Basis {
+        Basis::of(self.reason())
     }
 
     /// Why.
@@ -244,9 +273,13 @@ impl<'a> Lane<'a> {
             .map(move |row| RightOfWay { map, row })
     }
 
-    /// Lanes to which this lane of a junction gives way, with the reason.
+    /// Lanes to which this lane of a junction gives way by what the file says, with the reason; such as are closed to every vehicle
+    /// are left out. What only a rule of the road would say is among [`Lane::right_of_way`], with [`Basis::Rule`].
     pub fn yields_to(&self) -> impl Iterator<Item = (Lane<'a>, RelationReason)> + use<'a> {
-        let yields = self.right_of_way().filter(|one| one.relation() == Relation::Yields);
-        yields.filter_map(|one| Some((one.other()?, one.reason())))
+        let yields = self
+            .right_of_way()
+            .filter(|one| one.relation() == Relation::Yields && one.basis() == Basis::Written);
+        let all = yields.filter_map(|one| Some((one.other()?, one.reason())));
+        all.filter(|(lane, _)| lane.nodes().any(|node| node.is_open()))
     }
 }

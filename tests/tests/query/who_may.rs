@@ -1,0 +1,157 @@
+//! Who may drive where, which way a lane leads, and what yields rest on.
+
+use mapd_client::glam::DVec2;
+use mapd_client::{LaneTypes, NearestOptions, Relation, VehicleClass};
+use mapd_query::{Basis, LaneType};
+use mapd_tests::maps::{Random, carried_and, open, open_text};
+
+/// Points on each map.
+const POINTS: usize = 300;
+/// How far lanes are looked for `[m]`.
+const RADIUS: f64 = 30.0;
+
+/// `LaneTypes::drivable` counted lanes that the lane graph closes to cars.
+#[test]
+fn lane_types_and_the_lane_graph_have_one_truth() {
+    for vehicle in VehicleClass::ALL {
+        for kind in LaneType::ALL {
+            let open = VehicleClass::of_lane_type(*kind) & vehicle.bit() != 0;
+            assert_eq!(LaneTypes::open_to(*vehicle).contains(*kind), open, "{vehicle:?} {kind:?}");
+        }
+    }
+    let drivable = LaneTypes::drivable();
+    for (kind, is) in [
+        (LaneType::Driving, true),
+        (LaneType::Bus, true),
+        (LaneType::Border, false),
+        (LaneType::Stop, false),
+        (LaneType::Restricted, false),
+        (LaneType::Sidewalk, false),
+        (LaneType::Unknown, false),
+    ] {
+        assert_eq!(drivable.contains(kind), is, "{kind:?}");
+    }
+}
+
+#[test]
+fn the_nearest_lane_for_a_vehicle_is_the_nearest_that_is_open_to_it() {
+    for path in carried_and(&["carla/Town05", "esmini/multi_intersections"]) {
+        let snapshot = open(&path);
+        let map = snapshot.map();
+        let mut random = Random(5);
+        let (mut near, mut found) = (Vec::new(), 0);
+        for _ in 0..POINTS {
+            let point = random.point(map);
+            for vehicle in [VehicleClass::PassengerCar, VehicleClass::Pedestrian] {
+                let all = NearestOptions { radius: RADIUS, ..NearestOptions::default() };
+                let options = NearestOptions { vehicle: Some(vehicle), ..all };
+                let hit = map.nearest_lane(point, &options).expect("an answer");
+                map.lanes_near(point, &all, &mut near).expect("an answer");
+                let open = near.iter().find(|one| {
+                    let lane = map.lane(one.lane).expect("known");
+                    let way = |forward| lane.node_at(one.position.s, forward);
+                    [way(true), way(false)].iter().flatten().any(|node| node.allows(vehicle))
+                });
+                // A lane that is open elsewhere may be near with another of its stretches.
+                match (hit, open) {
+                    (Some(hit), Some(open)) => {
+                        assert!(hit.position.distance <= open.position.distance + 1e-9);
+                        found += 1;
+                    }
+                    (None, Some(open)) => panic!("{}: missed {open:?}", path.display()),
+                    _ => {}
+                }
+                if let Some(hit) = hit {
+                    let lane = map.lane(hit.lane).expect("known");
+                    let way = |forward| lane.node_at(hit.position.s, forward);
+                    let open = [way(true), way(false)];
+                    assert!(open.iter().flatten().any(|node| node.allows(vehicle)));
+                }
+            }
+        }
+        assert!(found > 10, "{}: {found}", path.display());
+    }
+}
+
+/// `successors` of a lane that is used both ways gave one direction only.
+#[test]
+fn a_lane_that_is_used_both_ways_leads_both_ways() {
+    let road = |id: u32, x: f64, link: &str, lane: &str, kind: &str| {
+        format!(
+            "<road id=\"{id}\" length=\"50\" junction=\"-1\"><link>{link}</link><planView>\
+             <geometry s=\"0\" x=\"{x}\" y=\"0\" hdg=\"0\" length=\"50\"><line/></geometry></planView><lanes><laneSection s=\"0\">\
+             <center><lane id=\"0\"/></center><right><lane id=\"-1\" type=\"{kind}\"><link>{lane}</link>\
+             <width sOffset=\"0\" a=\"3\" b=\"0\" c=\"0\" d=\"0\"/></lane></right></laneSection></lanes></road>"
+        )
+    };
+    let next = |contact: &str, id: u32, name: &str| {
+        format!("<{name} elementType=\"road\" elementId=\"{id}\" contactPoint=\"{contact}\"/>")
+    };
+    for (kind, back) in [("bidirectional", true), ("driving", false)] {
+        let text = format!(
+            "<OpenDRIVE><header revMajor=\"1\" revMinor=\"7\"/>{}{}</OpenDRIVE>",
+            road(1, 0.0, &next("start", 2, "successor"), "<successor id=\"-1\"/>", kind),
+            road(2, 50.0, &next("end", 1, "predecessor"), "<predecessor id=\"-1\"/>", kind),
+        );
+        let snapshot = open_text(&text);
+        let map = snapshot.map();
+        let lane = |key: &str| map.lane_by_key(&key.parse().expect("a key")).expect("a lane");
+        let (first, second) = (lane("1:0:-1"), lane("2:0:-1"));
+        let ids = |lanes: &mut dyn Iterator<Item = mapd_client::LaneId>| lanes.collect::<Vec<_>>();
+        assert_eq!(ids(&mut first.successors()), [second.lane_id()], "{kind}");
+        assert_eq!(ids(&mut first.successors_towards(true)), [second.lane_id()], "{kind}");
+        assert_eq!(ids(&mut second.predecessors_towards(true)), [first.lane_id()], "{kind}");
+        let other_way = if back { vec![first.lane_id()] } else { Vec::new() };
+        assert_eq!(ids(&mut second.successors_towards(false)), other_way, "{kind}");
+        let other_way = if back { vec![second.lane_id()] } else { Vec::new() };
+        assert_eq!(ids(&mut first.predecessors_towards(false)), other_way, "{kind}");
+        assert_eq!(ids(&mut first.successors_towards(false)), [], "{kind}");
+    }
+}
+
+/// What the index leaves out of `position_of` changes nothing: compared with all stretches of the lane.
+#[test]
+fn a_position_on_a_long_lane_is_the_nearest_of_all_its_stretches() {
+    for path in carried_and(&["esmini/velodrome", "esmini/soderleden", "carla/Town05"]) {
+        let snapshot = open(&path);
+        let map = snapshot.map();
+        let mut random = Random(11);
+        let mut long: Vec<_> = map.lanes().collect();
+        long.sort_by_key(|lane| std::cmp::Reverse(lane.center_line().len()));
+        for lane in long.iter().take(6) {
+            for _ in 0..40 {
+                let point: DVec2 = random.point(map);
+                let found = lane.position_of(point).expect("a position");
+                let segments = 0..lane.center_line().len().saturating_sub(1);
+                let all = segments.filter_map(|i| lane.position_along(i, point, f64::INFINITY));
+                let nearest = all.map(|place| place.distance).fold(f64::INFINITY, f64::min);
+                assert_eq!(found.distance, nearest, "{}: lane {}", path.display(), lane.key());
+                let contains = lane.contains(point).expect("an answer");
+                assert_eq!(contains, nearest == 0.0, "{}: lane {}", path.display(), lane.key());
+            }
+        }
+    }
+}
+
+/// A motorway yielded "from the right" to a ramp; lanes that nobody may use were yielded to.
+#[test]
+fn yields_rest_on_what_is_written_and_name_open_lanes() {
+    let maps = carried_and(&["carla/Town05", "carla/Town03", "esmini/multi_intersections"]);
+    for path in maps {
+        let snapshot = open(&path);
+        let map = snapshot.map();
+        for lane in map.lanes() {
+            for (other, reason) in lane.yields_to() {
+                assert_eq!(Basis::of(reason), Basis::Written, "{}", path.display());
+                assert!(other.nodes().any(|node| node.is_open()), "{}", path.display());
+            }
+            let written = lane.right_of_way().filter(|one| {
+                let open = |lane: mapd_client::Lane<'_>| lane.nodes().any(|node| node.is_open());
+                one.relation() == Relation::Yields
+                    && one.basis() == Basis::Written
+                    && one.other().is_some_and(open)
+            });
+            assert_eq!(written.count(), lane.yields_to().count(), "{}", path.display());
+        }
+    }
+}
