@@ -3,8 +3,8 @@
 
 use mapd_archive::encode;
 use mapd_client::{
-    ClassSet, LaneKey, LaneTypes, MatchOptions, NearestOptions, Region, Snapshot, Track,
-    VehiclePose,
+    ClassSet, GroundScratch, LaneKey, LaneTypes, MarkFilter, MatchOptions, NearestOptions, Point,
+    Region, Snapshot, Track, VehiclePose,
     glam::{DMat3, DVec2},
 };
 use mapd_client::{
@@ -124,7 +124,7 @@ fn queries_do_not_allocate() {
         Vec::with_capacity(ROOM),
         LaneSequences::with_capacity(ROOM),
     );
-    let mut matches = Vec::with_capacity(ROOM);
+    let (mut matches, mut ground) = (Vec::with_capacity(ROOM), GroundScratch::with_capacity(ROOM));
     let objects = mapd_tests::object_maps::open(&mapd_tests::object_maps::document(
         &mapd_tests::object_maps::PLAIN,
         r#"<object id="1" type="tree" s="30" t="8" zOffset="0" radius="1" orientation="none"><repeat s="10" length="80" distance="10" tStart="8" tEnd="8" heightStart="2" heightEnd="2" zOffsetStart="0" zOffsetEnd="0"/></object>
@@ -160,10 +160,13 @@ fn queries_do_not_allocate() {
         }
     }
     for i in 0..40 {
-        let position = DVec2::new(f64::from(i * 5), f64::from(i * 3)).into();
+        let position = Point::from(DVec2::new(f64::from(i * 5), f64::from(i * 3)));
         let (pose, spread) = (VehiclePose { position, heading: 0.3 }, DMat3::IDENTITY);
         let none = map.match_pose(&pose, &spread, &MatchOptions::default(), &mut matches);
         seen += matches.len() + usize::from(none.expect("an answer") > 0.5);
+        seen += usize::from(map.ground_at(position, &mut ground).expect("an answer").is_some());
+        let mark = map.nearest_mark(position.xy, &MarkFilter::default()).expect("an answer");
+        seen += usize::from(mark.is_some());
     }
     let road = map.road_by_id("1").expect("a road");
     road.to_inertial(Track { s: 3.0, t: 1.0, h: 0.0 }).expect("a pose");

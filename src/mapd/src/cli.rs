@@ -260,10 +260,10 @@ enum Command {
         /// What is asked
         #[arg(value_enum)]
         kind: Kind,
-        /// nearest: largest distance from a lane's area [m]
+        /// nearest: largest distance from a lane's area; nearest-marks: from a mark [m]
         #[arg(long, value_name = "M", default_value_t = NearestOptions::default().radius, value_parser = not_negative)]
         radius: f64,
-        /// nearest, match: lane types that count, separated by commas, or `drivable` [default: all]
+        /// nearest, match, nearest-marks: lane types that count, separated by commas, or `drivable` [default: all]
         #[arg(long, value_name = "TYPES", value_delimiter = ',')]
         types: Vec<String>,
         /// nearest, match: largest difference in z [m], where the input has z
@@ -370,6 +370,9 @@ Columns:
                                    a row for each lane that the pose may be in, by standard deviations of x, y and hdg, and one
                                    with an empty lane for none: lane,direction (+ along s, - against it),probability,s,offset,
                                    heading_difference
+  ground      x,y[,z]              z,nx,ny,nz of the surface there,lane,material,level (0 the lowest; the one nearest to z)
+  nearest-marks  x,y               distance,side (where the mark lies, looking along the reference line),kind,color,lane,s,
+                                   painted (1, or 0 in a gap) of the nearest road mark
   geodetic    x,y[,z]              lat,lon,alt
   from-geodetic  lat,lon[,alt]     x,y,z
   track       road_id,x,y[,z]      s,t,h (h only with z)

@@ -12,7 +12,20 @@ pub enum QueryError {
     /// The archive contradicts itself here.
     #[error("the archive is damaged at this place; `mapd inspect --verify` names the row")]
     Corrupt,
+    /// A coordinate that is not a finite number, of one of several places: by its number from 0.
+    #[error("the coordinates of place {0} are not finite numbers")]
+    NotFiniteAt(usize),
     /// A coordinate that is not a finite number.
     #[error("the coordinates are not finite numbers")]
     NotFinite,
+}
+
+impl QueryError {
+    /// As it is of one of several places.
+    pub(crate) fn at(self, place: usize) -> Self {
+        match self {
+            Self::NotFinite => Self::NotFiniteAt(place),
+            other => other,
+        }
+    }
 }

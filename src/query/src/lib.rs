@@ -31,6 +31,7 @@ mod file_frame;
 mod geodetic;
 mod graph;
 mod grid;
+mod ground;
 mod ids;
 mod index;
 mod junction;
@@ -41,6 +42,7 @@ mod lane;
 mod lane_length;
 mod lane_words;
 mod map;
+mod marks;
 mod matching;
 mod near;
 mod nearest;
@@ -71,6 +73,7 @@ pub use file_frame::FileFrame;
 pub use geodetic::GeodeticError;
 pub use glam;
 pub use graph::{Conflict, LaneEdge, LaneNode};
+pub use ground::{Ground, GroundScratch};
 pub use ids::{
     ControllerId, JunctionId, LaneId, LaneSectionId, NodeId, ObjectId, RoadId, SignalId,
 };
@@ -91,6 +94,7 @@ pub use mapd_archive::{
 };
 #[cfg(feature = "geodesy")]
 pub use mapd_geodesy::{DefinitionError, Geodetic, Offset, ProjectionError, Projector};
+pub use marks::{MarkFilter, MarkKinds, NearMark, Side};
 pub use matching::{LaneMatch, MatchError, MatchOptions, VehiclePose};
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
 pub use objects::{

@@ -28,6 +28,8 @@ pub struct RoadMark<'a> {
     style: &'a ArchivedRoadMarkStyleRow,
     s: f64,
     s_end: f64,
+    /// Where it begins as written, which is before `s` where the lane goes on from another section.
+    written_s: f64,
 }
 
 /// A line of a road mark's pattern, or an explicit one.
@@ -70,6 +72,11 @@ impl<'a> RoadMark<'a> {
     /// Where the mark begins: s on the road `[m]`, not before the lane's section.
     pub fn s(&self) -> f64 {
         self.s
+    }
+
+    /// Where the mark begins as written `[m]`: its pattern counts from there.
+    pub(crate) fn written_s(&self) -> f64 {
+        self.written_s
     }
 
     /// Where the lane's next mark or the section's end takes over `[m]`.
@@ -143,7 +150,7 @@ impl<'a> RoadMark<'a> {
         self.place(s).map_or(f64::NAN, |at| self.sway(at))
     }
 
-    fn sway(&self, at: At) -> f64 {
+    pub(crate) fn sway(&self, at: At) -> f64 {
         profile::value(self.style.sway().of(self.map.tables().cubics), at)
     }
 
@@ -185,10 +192,11 @@ impl<'a> Lane<'a> {
         let from = written.map_or(start, |section| section.s_start());
         let s_of = move |row: &ArchivedRoadMarkRow| from + row.s_offset();
         rows.iter().enumerate().filter_map(move |(i, row)| {
-            let s = s_of(row).max(start);
+            let written_s = s_of(row);
+            let s = written_s.max(start);
             let s_end = rows.get(i + 1).map_or(end, |next| s_of(next).min(end));
             let style = map.tables().road_mark_styles.get(row.style() as usize)?;
-            (s < s_end).then_some(RoadMark { map, lane, style, s, s_end })
+            (s < s_end).then_some(RoadMark { map, lane, style, s, s_end, written_s })
         })
     }
 

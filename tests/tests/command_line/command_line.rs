@@ -80,6 +80,22 @@ fn nearest_takes_types_radius_and_z() {
 }
 
 #[test]
+fn ground_and_marks_have_their_columns() {
+    check(
+        &["ground"],
+        "x,y\n20,-1\n20,30\n",
+        "x,y,z,nx,ny,nz,lane,material,level,error\n20,-1,10.0,0.0,0.0,1.0,1:0:-1,,0,\n20,30,,,,,,,,no lane holds the point\n",
+    );
+    let marks = mapd_tests::carried("marks.xodr").display().to_string();
+    let input = "x,y\n10,6\n10,20\n";
+    let output = run(&["query", &marks, "nearest-marks", "--radius", "3"], input);
+    let expected = "x,y,distance,side,kind,color,lane,s,painted,error\n\
+        10,6,1.0,right,edge,white,1:0:2,10.0,1,\n\
+        10,20,,,,,,,,no road mark within 3 m\n";
+    assert_eq!(String::from_utf8_lossy(&output.stdout), expected);
+}
+
+#[test]
 fn a_pose_is_matched_with_a_row_for_each_lane_and_one_for_none() {
     let input =
         "id,x,y,hdg,sx,sy,shdg\na,30,-1,0.02,0.3,0.3,0.05\nb,500,500,0,1,1,1\nc,1,1,0,-1,1,1\n";

@@ -51,9 +51,14 @@ impl<'a> Holes<'a> {
     ) -> String {
         let mut parts = Parts::default();
         match kind {
-            Kind::Nearest => {
+            Kind::Nearest | Kind::NearestMarks => {
                 if let Ok(point) = point_in(row, earth) {
                     parts.add(self.map.quarantined_near(point.xy, options.radius));
+                }
+            }
+            Kind::Ground => {
+                if let Ok(point) = point_in(row, earth) {
+                    parts.add(self.map.quarantined_near(point.xy, REACH));
                 }
             }
             Kind::Match => {

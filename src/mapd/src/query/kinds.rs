@@ -5,7 +5,7 @@ use super::holes::Holes;
 use super::path::{self, Paths};
 use super::route::Router;
 use super::row::Row;
-use super::{besides, landmarks, matching, signals};
+use super::{besides, landmarks, localising, matching, signals};
 use clap::ValueEnum;
 use mapd_client::{Lane, Map, NearestOptions, Point, QueryError, Road, Track};
 use mapd_query::glam::DVec2;
@@ -26,6 +26,10 @@ pub enum Kind {
     Nearest,
     /// `x,y,hdg,sx,sy,shdg[,z]` → a row for each lane that a pose may be in: lane,direction,probability,s,offset,heading_difference
     Match,
+    /// `x,y[,z]` → z,nx,ny,nz,lane,material,level of the ground there
+    Ground,
+    /// `x,y` → distance,side,kind,color,lane,s,painted of the nearest road mark
+    NearestMarks,
     /// `x,y[,z]` → lat,lon,alt
     Geodetic,
     /// `lat,lon[,alt]` → x,y,z
@@ -70,6 +74,8 @@ impl Kind {
             Self::Lane => "lane",
             Self::Nearest => "nearest",
             Self::Match => "match",
+            Self::Ground => "ground",
+            Self::NearestMarks => "nearest-marks",
             Self::Geodetic => "geodetic",
             Self::FromGeodetic => "from-geodetic",
             Self::Track => "track",
@@ -101,7 +107,7 @@ impl Kind {
             Self::JunctionGroups => &[&["junction_id"]],
             Self::Nearest => &[&["x", "y"], &["lat", "lon"]],
             Self::Match => &[&["x", "y", "hdg", "sx", "sy", "shdg"]],
-            Self::Geodetic => &[&["x", "y"]],
+            Self::Geodetic | Self::Ground | Self::NearestMarks => &[&["x", "y"]],
             Self::FromGeodetic => &[&["lat", "lon"]],
             Self::Track => &[&["road_id", "x", "y"]],
             Self::Route | Self::Path | Self::Corridor | Self::Conflicts => &[&path::ROUTE],
@@ -121,6 +127,8 @@ impl Kind {
             Self::Lane => &["width", "t_inner", "t_outer", "x", "y", "z", "hdg"],
             Self::Nearest => &["lane", "road_id", "lane_id", "s", "t", "offset", "distance"],
             Self::Match => matching::COLUMNS,
+            Self::Ground => localising::GROUND,
+            Self::NearestMarks => localising::MARKS,
             Self::Geodetic => &["lat", "lon", "alt"],
             Self::FromGeodetic => &["x", "y", "z"],
             Self::Track => &["s", "t", "h", "clamped", "exact"],
@@ -226,6 +234,8 @@ impl Kind {
             }
             Self::Nearest => nearest(map, options, point_in(row, earth)?, row, out)?,
             Self::Match => matching::answer(map, options, row, out)?,
+            Self::Ground => localising::ground(map, point(row)?, out)?,
+            Self::NearestMarks => localising::mark(map, point(row)?, options, out)?,
             Self::Geodetic => {
                 let point = point(row)?;
                 numbers(out, &earth.place(point.xy.extend(point.z.unwrap_or(0.0)))?);

@@ -9,6 +9,7 @@ pub(crate) mod earth;
 mod holes;
 mod kinds;
 mod landmarks;
+mod localising;
 mod matching;
 mod objects;
 mod output;

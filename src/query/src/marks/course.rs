@@ -1,0 +1,177 @@
+//! The course of one line of a road mark within a stretch of a lane, and its place that is nearest to a point.
+
+use super::{MarkFilter, NearMark, Side};
+use crate::area::Slab;
+use crate::lane::Lane;
+use crate::profile::At;
+use crate::road_mark::{RoadMark, RoadMarkLine};
+use glam::DVec2;
+use mapd_archive::{RoadMarkColor, RoadMarkKind};
+use mapd_geometry::clamp;
+
+/// Parts of a course that are looked at before the nearest is narrowed down.
+const PARTS: usize = 8;
+/// Longest part `[m]` of a course that sways: shorter than half a wave of what is painted.
+const SWAY_PART: f64 = 1.0;
+/// Most parts.
+const MAX_PARTS: usize = 256;
+/// Narrowings of two parts to 0.618 of them each: from metres to below a micrometre, and to 1e-12 m in the distance.
+const NARROWINGS: usize = 36;
+/// Share of a stretch that is kept by one narrowing: the golden section.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// Step along s for the course's direction at a place `[m]`.
+const STEP: f64 = 1e-4;
+/// What rounding makes of a distance `[m]`.
+const SLACK: f64 = 1e-9;
+
+/// One line of a mark along a stretch.
+pub(super) struct Course<'a, 'm> {
+    owner: &'a Lane<'m>,
+    slab: &'a Slab<'m>,
+    mark: &'a RoadMark<'m>,
+    line: Option<RoadMarkLine>,
+    /// First and last s `[m]`.
+    s: [f64; 2],
+}
+
+/// Visits each line of each mark on the owner's border that the filter lets pass, as far as it lies along a stretch.
+pub(super) fn along<'m>(
+    owner: &Lane<'m>,
+    slab: &Slab<'m>,
+    filter: &MarkFilter,
+    mut visit: impl FnMut(Course<'_, 'm>),
+) {
+    for mark in owner.road_marks() {
+        let kind = mark.kind();
+        if kind == RoadMarkKind::None || !filter.kinds.contains(kind) {
+            continue;
+        }
+        let of_mark = [mark.s().max(slab.s_lo), mark.s_end().min(slab.s_hi)];
+        if of_mark[0] > of_mark[1] {
+            continue;
+        }
+        let mark = &mark;
+        if mark.lines().len() == 0 {
+            visit(Course { owner, slab, mark, line: None, s: of_mark });
+        }
+        for line in mark.lines() {
+            let start = mark.written_s() + line.s_offset;
+            // An explicit line is there once.
+            let end = if line.space.is_none() { start + line.length } else { f64::INFINITY };
+            let s = [of_mark[0].max(start), of_mark[1].min(end)];
+            if s[0] <= s[1] {
+                visit(Course { owner, slab, mark, line: Some(line), s });
+            }
+        }
+    }
+}
+
+/// A place on a course.
+pub(super) struct Found<'c, 'a, 'm> {
+    course: &'c Course<'a, 'm>,
+    s: f64,
+    /// From the local origin.
+    place: DVec2,
+    /// Left of the reference line there.
+    normal: DVec2,
+    away: DVec2,
+}
+
+impl<'a, 'm> Course<'a, 'm> {
+    /// The line's place at s, and the normal to the left of the reference line.
+    fn at(&self, s: f64) -> (DVec2, DVec2) {
+        let at = self.slab.at(s);
+        let point = self.slab.piece.curve.evaluate(s - self.slab.piece.s);
+        let normal = DVec2::new(-point.sin, point.cos);
+        let sway = self.mark.sway(At::within(s, self.mark.s(), self.mark.s_end()));
+        let t = self.owner.edge_slopes(at).outer.value
+            + sway
+            + self.line.map_or(0.0, |line| line.t_offset);
+        let lateral = t * self.owner.road().roll(at).0;
+        (DVec2::new(point.x, point.y) + normal * lateral, normal)
+    }
+
+    /// The nearest place: the best of several is narrowed down between its neighbours.
+    pub(super) fn nearest(&self, local: DVec2) -> Found<'_, 'a, 'm> {
+        let [from, to] = self.s;
+        let distance = |s: f64| self.at(s).0.distance_squared(local);
+        let parts = match self.mark.sways() {
+            true => (((to - from) / SWAY_PART).ceil() as usize).clamp(PARTS, MAX_PARTS),
+            false => PARTS,
+        };
+        let part = (to - from) / parts as f64;
+        let places = (0..=parts).map(|i| if i == parts { to } else { from + part * i as f64 });
+        let mut best = places.fold((f64::INFINITY, from), |best, s| less(best, (distance(s), s)));
+        let (mut low, mut high) = (clamp(best.1 - part, from, to), clamp(best.1 + part, from, to));
+        let (mut a, mut b) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+        let (mut at_a, mut at_b) = (distance(a), distance(b));
+        for _ in 0..NARROWINGS {
+            best = less(less(best, (at_a, a)), (at_b, b));
+            if at_a < at_b {
+                (high, b, at_b) = (b, a, at_a);
+                a = high - GOLDEN * (high - low);
+                at_a = distance(a);
+            } else {
+                (low, a, at_a) = (a, b, at_b);
+                b = low + GOLDEN * (high - low);
+                at_b = distance(b);
+            }
+        }
+        let s = self.polished(best.1, local);
+        let (place, normal) = self.at(s);
+        Found { course: self, s, place, normal, away: place - local }
+    }
+
+    /// Where the course, straight from place to place, is nearest: a minimum tells its place to half its digits only.
+    fn polished(&self, s: f64, local: DVec2) -> f64 {
+        let [from, to] = self.s;
+        let (low, high) = (clamp(s - STEP, from, to), clamp(s + STEP, from, to));
+        let (a, b) = (self.at(low).0, self.at(high).0);
+        let along = (b - a) / (high - low);
+        let next = clamp(s + (local - self.at(s).0).dot(along) / along.length_squared(), from, to);
+        let nearer = |s: f64| self.at(s).0.distance(local);
+        // What is no number is not nearer.
+        if nearer(next) <= nearer(s) + SLACK { next } else { s }
+    }
+}
+
+/// The nearer of two places.
+fn less(best: (f64, f64), found: (f64, f64)) -> (f64, f64) {
+    if found.0 < best.0 { found } else { best }
+}
+
+impl Found<'_, '_, '_> {
+    pub(super) fn near_mark(&self, origin: DVec2) -> NearMark {
+        let (mark, line) = (self.course.mark, self.course.line);
+        let own_color = line.map(|l| l.color).filter(|color| *color != RoadMarkColor::NotGiven);
+        let own_width = line.and_then(|line| line.width).filter(|width| *width > 0.0);
+        let left = self.away.dot(self.normal) > 0.0;
+        NearMark {
+            lane: self.course.owner.lane_id(),
+            s: self.s,
+            place: self.place + origin,
+            distance: self.away.length(),
+            side_of_reference_line: if left { Side::Left } else { Side::Right },
+            kind: mark.kind(),
+            color: own_color.unwrap_or(mark.color()),
+            width: own_width.unwrap_or(mark.width_or_default()),
+            painted: self.painted(),
+        }
+    }
+
+    fn painted(&self) -> Option<bool> {
+        let Some(line) = self.course.line else {
+            use RoadMarkKind::{Curb, Edge, Grass, Solid, SolidSolid};
+            let whole = [Solid, SolidSolid, Curb, Edge, Grass].contains(&self.course.mark.kind());
+            return whole.then_some(true);
+        };
+        let period = line.length + line.space.unwrap_or(0.0);
+        let gone = self.s - (self.course.mark.written_s() + line.s_offset);
+        // An explicit line ends where its course does.
+        if line.space.is_none_or(|space| space <= 0.0) || period <= 0.0 {
+            return Some(true);
+        }
+        Some(gone.rem_euclid(period) <= line.length)
+    }
+}

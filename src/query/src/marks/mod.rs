@@ -1,0 +1,178 @@
+//! The road mark that is nearest to a point: on its exact course, with what is painted there.
+
+mod course;
+
+use crate::area;
+use crate::error::QueryError;
+use crate::ids::LaneId;
+use crate::index;
+use crate::lane::Lane;
+use crate::map::Map;
+use crate::nearest::{LaneTypes, round_up};
+use course::Course;
+use glam::DVec2;
+use mapd_archive::{NONE, RoadMarkColor, RoadMarkKind};
+
+/// How far `[m]` a mark's line may lie from its lane's border (by sway and offsets of its lines) and still be found for sure.
+const MARK_SHIFT: f64 = 2.0;
+/// Default of [`MarkFilter::radius`] `[m]`.
+const DEFAULT_RADIUS: f64 = 5.0;
+
+/// A set of kinds of road marks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MarkKinds(u64);
+
+impl MarkKinds {
+    /// Every kind, unknown ones too.
+    pub const ALL: Self = Self(u64::MAX);
+    /// No kind.
+    pub const NONE: Self = Self(0);
+
+    /// The set with one more kind.
+    #[must_use]
+    pub fn with(self, kind: RoadMarkKind) -> Self {
+        Self(self.0 | Self::bit(kind))
+    }
+
+    /// Whether a kind is in the set.
+    pub fn contains(self, kind: RoadMarkKind) -> bool {
+        self.0 & Self::bit(kind) != 0
+    }
+
+    fn bit(kind: RoadMarkKind) -> u64 {
+        // Codes stay below 63; what is unknown has the last bit.
+        1 << kind.code().min(63)
+    }
+}
+
+/// Which road marks count.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MarkFilter {
+    /// Largest distance in plan view `[m]`; the search is always bounded. Default 5.
+    pub radius: f64,
+    /// Kinds that count; the kind `none` never does. Default all.
+    pub kinds: MarkKinds,
+    /// Types of lanes whose borders count, on either side. Default all.
+    pub types: LaneTypes,
+}
+
+impl Default for MarkFilter {
+    fn default() -> Self {
+        Self { radius: DEFAULT_RADIUS, kinds: MarkKinds::ALL, types: LaneTypes::ALL }
+    }
+}
+
+/// Where something lies, for one who looks along the reference line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// To the left.
+    Left,
+    /// To the right.
+    Right,
+}
+
+impl Side {
+    /// `left` or `right`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Left => "left",
+            Self::Right => "right",
+        }
+    }
+}
+
+/// The place of a road mark that is nearest to a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NearMark {
+    /// The lane on whose outer border the mark lies; lane 0 for marks of the centre.
+    pub lane: LaneId,
+    /// Where, on the road `[m]`.
+    pub s: f64,
+    /// The nearest place of the middle of the mark's line, inertial `[m]`.
+    pub place: DVec2,
+    /// How far away that is in plan view `[m]`.
+    pub distance: f64,
+    /// On which side of the point the mark lies, for one at the point who looks along the road's reference line.
+    pub side_of_reference_line: Side,
+    /// Kind.
+    pub kind: RoadMarkKind,
+    /// Colour: the line's own, or the mark's.
+    pub color: RoadMarkColor,
+    /// Width of the line `[m]`, as [`crate::RoadMark::width_or_default`] where it has none of its own.
+    pub width: f64,
+    /// Whether the line is painted at this s, or has a gap; `None` where the kind has gaps and the file does not say which.
+    pub painted: Option<bool>,
+}
+
+impl Map<'_> {
+    /// The road mark that is nearest to a point: on the exact course of each of its lines, with sway and the lines' own offsets.
+    /// Lines count along their whole length; whether the nearest place is a gap is said by `painted`. `None` if none is near enough.
+    /// Ties go by lane, then s.
+    ///
+    /// Errors: numbers that are not finite.
+    pub fn nearest_mark(
+        &self,
+        point: DVec2,
+        filter: &MarkFilter,
+    ) -> Result<Option<NearMark>, QueryError> {
+        if !(point.is_finite() && filter.radius.is_finite()) {
+            return Err(QueryError::NotFinite);
+        }
+        let local = point - self.origin();
+        let mut best: Option<NearMark> = None;
+        let bound_of = |best: &Option<NearMark>| {
+            round_up(best.map_or(filter.radius, |best| best.distance) + MARK_SHIFT)
+        };
+        let start = bound_of(&best);
+        index::visit(self.tables(), local, None, start, |leaf, qx, qy, mut bound| {
+            let (lanes, segments) = (leaf.lane(), leaf.segment());
+            let lower = index::lower_bounds(leaf, qx, qy, None);
+            let mut open = index::places_within(&lower, bound);
+            while let Some(k) = index::least(&lower, open) {
+                open &= !(1 << k);
+                if lanes[k] == NONE {
+                    continue;
+                }
+                let lane = Lane::new(*self, lanes[k]).filter(|l| filter.types.contains(l.kind()));
+                let Some(lane) = lane else { continue };
+                let Some(slab) = area::slab(&lane, usize::from(segments[k])) else { continue };
+                // Each border belongs to the lane on its inner side.
+                for owner in [Some(lane), lane.inner()].into_iter().flatten() {
+                    course::along(&owner, &slab, filter, |course: Course<'_, '_>| {
+                        let found = course.nearest(local).near_mark(self.origin());
+                        let near = found.distance <= filter.radius;
+                        if near && best.as_ref().is_none_or(|best| is_better(&found, best)) {
+                            best = Some(found);
+                        }
+                    });
+                }
+                bound = bound.min(bound_of(&best));
+                open &= index::places_within(&lower, bound);
+            }
+            bound
+        });
+        Ok(best)
+    }
+
+    /// [`Map::nearest_mark`] of many points, in their order. `out` is emptied first; it grows only if its capacity is too small.
+    ///
+    /// Errors: coordinates that are not finite, by the number of the point.
+    pub fn nearest_marks(
+        &self,
+        points: &[DVec2],
+        filter: &MarkFilter,
+        out: &mut Vec<Option<NearMark>>,
+    ) -> Result<(), QueryError> {
+        out.clear();
+        for (i, point) in points.iter().enumerate() {
+            out.push(self.nearest_mark(*point, filter).map_err(|error| error.at(i))?);
+        }
+        Ok(())
+    }
+}
+
+/// Nearer; of equal ones the one of the first lane and s, whichever is visited first.
+fn is_better(found: &NearMark, best: &NearMark) -> bool {
+    let order = found.distance.total_cmp(&best.distance);
+    order.then(found.lane.cmp(&best.lane)).then(found.s.total_cmp(&best.s)).is_lt()
+}

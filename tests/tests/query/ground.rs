@@ -1,0 +1,111 @@
+//! The ground below a place: that of the road's surface, on the level that z says.
+
+use mapd_client::glam::DVec2;
+use mapd_client::{GroundScratch, Map, Point, QueryError};
+use mapd_tests::carried;
+use mapd_tests::maps::{self, Random};
+
+/// A road at the height 0 from west to east, one at the height 6 above it from south to north, 3.5 m for each way.
+fn bridge() -> String {
+    let road = |id: u32, x: f64, y: f64, hdg: f64, z: f64| {
+        format!(
+            r#"<road name="" length="100" id="{id}" junction="-1"><planView><geometry s="0" x="{x}" y="{y}" hdg="{hdg}" length="100"><line/></geometry></planView>
+<elevationProfile><elevation s="0" a="{z}" b="0.01" c="0" d="0"/></elevationProfile>
+<lanes><laneSection s="0"><left><lane id="1" type="driving" level="false"><width sOffset="0" a="3.5" b="0" c="0" d="0"/></lane></left>
+<center><lane id="0" type="none" level="false"/></center>
+<right><lane id="-1" type="driving" level="false"><width sOffset="0" a="3.5" b="0" c="0" d="0"/><material sOffset="0" surface="asphalt" friction="0.8"/></lane></right></laneSection></lanes></road>"#
+        )
+    };
+    let roads =
+        road(1, -50.0, 0.0, 0.0, 0.0) + &road(2, 0.0, -50.0, std::f64::consts::FRAC_PI_2, 6.0);
+    format!(r#"<OpenDRIVE><header revMajor="1" revMinor="7"/>{roads}</OpenDRIVE>"#)
+}
+
+fn point(x: f64, y: f64, z: Option<f64>) -> Point {
+    Point { xy: DVec2::new(x, y), z }
+}
+
+#[test]
+fn z_decides_between_a_bridge_and_the_road_below() {
+    let snapshot = maps::open_text(&bridge());
+    let map = snapshot.map();
+    let mut scratch = GroundScratch::default();
+    let mut check = |at: Point, expected: Option<(f64, &str, u32, u32)>| {
+        let ground = map.ground_at(at, &mut scratch).expect("an answer");
+        let got = ground.map(|ground| {
+            let lane = map.lane(ground.lane).expect("a lane").key().to_string();
+            ((ground.z * 1e9).round() / 1e9, lane, ground.level, ground.levels)
+        });
+        assert_eq!(got, expected.map(|(z, lane, a, b)| (z, lane.to_owned(), a, b)), "{at:?}");
+    };
+    // Both roads rise by 1 %: 0.5 m in their middles.
+    check(point(1.0, -1.0, None), Some((0.51, "1:0:-1", 0, 2)));
+    check(point(1.0, -1.0, Some(0.0)), Some((0.51, "1:0:-1", 0, 2)));
+    check(point(1.0, -1.0, Some(3.4)), Some((0.51, "1:0:-1", 0, 2)));
+    check(point(1.0, -1.0, Some(3.6)), Some((6.49, "2:0:-1", 1, 2)));
+    check(point(1.0, -1.0, Some(1e6)), Some((6.49, "2:0:-1", 1, 2)));
+    check(point(-20.0, 1.0, Some(6.0)), Some((0.3, "1:0:1", 0, 1)));
+    check(point(-1.0, 30.0, None), Some((6.8, "2:0:1", 0, 1)));
+    check(point(30.0, 30.0, None), None);
+    let ground =
+        map.ground_at(point(20.0, -1.0, None), &mut scratch).expect("an answer").expect("ground");
+    assert_eq!(ground.material.map(|material| material.surface), Some("asphalt"));
+    let slope = 1.0 / (1.0f64 + 1e-4).sqrt();
+    assert!(
+        (ground.normal.z - slope).abs() < 1e-12 && (ground.normal.x + 0.01 * slope).abs() < 1e-12
+    );
+}
+
+/// Of many places the answers are those of each, and what is wrong has its number.
+#[test]
+fn many_places_answer_as_each_does() {
+    let snapshot = maps::open_text(&bridge());
+    let (map, mut random) = (snapshot.map(), Random(3));
+    let mut points: Vec<Point> =
+        (0..200).map(|i| Point { xy: random.point(map), z: (i % 2 == 0).then_some(5.0) }).collect();
+    let (mut scratch, mut out) = (GroundScratch::default(), Vec::new());
+    map.ground_below(&points, &mut scratch, &mut out).expect("answers");
+    let single = |at: &Point| map.ground_at(*at, &mut GroundScratch::default()).expect("an answer");
+    assert_eq!(out, points.iter().map(single).collect::<Vec<_>>());
+    assert!(out.iter().flatten().count() > 10);
+    points[7].z = Some(f64::NAN);
+    let got = map.ground_below(&points, &mut scratch, &mut out);
+    assert_eq!(got, Err(QueryError::NotFiniteAt(7)));
+    map.ground_below(&[], &mut scratch, &mut out).expect("an answer");
+    assert!(out.is_empty());
+}
+
+/// Places of the surface, by s and t, have themselves below them.
+fn check_surface(map: Map<'_>, tolerance: f64) -> usize {
+    let (mut random, mut scratch, mut seen) = (Random(9), GroundScratch::default(), 0);
+    for lane in map.lanes() {
+        let section = lane.section();
+        for _ in 0..8 {
+            let s = random.between(section.s_start(), section.s_end());
+            let edges = lane.edges_at(s);
+            if edges.width() < 0.5 {
+                continue;
+            }
+            let t = edges.inner + (edges.outer - edges.inner) * random.between(0.2, 0.8);
+            let surface = lane.road().surface_at(s, t).expect("a surface");
+            let ground = map.ground_at(surface.position, &mut scratch).expect("an answer");
+            let ground = ground.expect("ground");
+            if ground.lane == lane.lane_id() {
+                let away = (ground.z - surface.position.z).abs();
+                assert!(away <= tolerance, "{} at {s}, {t}: {away}", lane.key());
+                seen += 1;
+            }
+        }
+    }
+    seen
+}
+
+#[test]
+fn the_ground_is_the_roads_surface() {
+    // Beside the plane, heights above it are shifted sideways by at most a few centimetres; along the slope that is made good.
+    for (name, tolerance) in [("one_road.xodr", 1e-9), ("town.xodr", 1e-9), ("surfaces.xodr", 5e-3)]
+    {
+        let snapshot = maps::open(&carried(name));
+        assert!(check_surface(snapshot.map(), tolerance) > 20, "{name}");
+    }
+}

@@ -1,0 +1,150 @@
+//! The nearest road mark: worked out by hand on marks of every form, and against places all along all marks.
+
+use mapd_client::glam::DVec2;
+use mapd_client::{
+    Map, MarkFilter, MarkKinds, QueryError, RoadMarkColor, RoadMarkKind, Side, Track,
+};
+use mapd_tests::carried;
+use mapd_tests::maps::{self, Random};
+
+/// Between places along a mark `[m]`.
+const STEP: f64 = 0.02;
+
+/// Every line of every mark, place by place: lane's key, s, and where.
+fn places(map: Map<'_>) -> Vec<(String, f64, DVec2)> {
+    let mut all = Vec::new();
+    for row in 0..map.tables().lanes.len() as u32 {
+        let lane = map.lane_by_row(row).expect("a lane");
+        for mark in lane.road_marks().filter(|mark| mark.kind() != RoadMarkKind::None) {
+            let whole = [0.0, 0.0, mark.s_end() - mark.s()];
+            let lines: Vec<[f64; 3]> = mark
+                .lines()
+                .map(|l| {
+                    let end = if l.space.is_none() { l.s_offset + l.length } else { whole[2] };
+                    [l.t_offset, l.s_offset, end.min(whole[2])]
+                })
+                .collect();
+            let lines = if lines.is_empty() { vec![whole] } else { lines };
+            for [t_offset, from, to] in lines {
+                let count = ((to - from) / STEP).ceil().max(0.0) as usize;
+                for i in 0..=count {
+                    let s = mark.s() + (from + STEP * i as f64).min(to);
+                    let track = Track { s, t: mark.t_at(s) + t_offset, h: 0.0 };
+                    let at = lane.road().to_inertial(track).expect("a place").position;
+                    all.push((lane.key().to_string(), s, at.truncate()));
+                }
+            }
+        }
+    }
+    all
+}
+
+/// Random points against all places; how many had a mark.
+fn check_places(map: Map<'_>, questions: usize) -> usize {
+    let (all, mut random, mut seen) = (places(map), Random(21), 0);
+    let filter = MarkFilter { radius: 4.0, ..MarkFilter::default() };
+    for _ in 0..questions {
+        let Some((_, _, near)) = all.get((random.unit() * all.len() as f64) as usize) else {
+            break;
+        };
+        let point = *near + DVec2::new(random.between(-3.0, 3.0), random.between(-6.0, 6.0));
+        let distance = |place: &(String, f64, DVec2)| place.2.distance(point);
+        let nearest = all.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let expected = nearest.map_or(f64::INFINITY, distance);
+        match map.nearest_mark(point, &filter).expect("an answer") {
+            Some(found) => {
+                seen += 1;
+                assert!(found.distance <= expected + 1e-9, "{point}: {found:?}, not {nearest:?}");
+                assert!(found.distance >= expected - STEP, "{point}: {found:?}, not {nearest:?}");
+                assert!((found.place.distance(point) - found.distance).abs() < 1e-9);
+            }
+            None => assert!(expected > filter.radius - STEP, "{point}: none, not {nearest:?}"),
+        }
+    }
+    seen
+}
+
+/// The carried road with bends and banks, with marks that sway along its lanes of 3.5 m.
+fn bent() -> String {
+    let road = std::fs::read_to_string(carried("one_road.xodr")).expect("the map can be read");
+    let width = r#"a="3.5" b="0" c="0" d="0"/></lane>"#;
+    let sway = r#"<sway ds="0" a="0.1" b="0.01" c="-0.0002" d="0"/>"#;
+    let mark =
+        format!(r#"<roadMark sOffset="0" type="broken" color="white">{sway}</roadMark></lane>"#);
+    road.replace(width, &width.replace("</lane>", &mark))
+}
+
+#[test]
+fn no_place_of_a_mark_is_nearer() {
+    let straight = std::fs::read_to_string(carried("marks.xodr")).expect("the map can be read");
+    for text in [straight, bent()] {
+        assert!(check_places(maps::open_text(&text).map(), 300) > 150);
+    }
+}
+
+/// On `marks.xodr`: along x, lane 1 to the left from y = 0 to 3.5, lane −1 to the right.
+#[test]
+fn marks_of_every_form_answer_as_written() {
+    let snapshot = maps::open(&carried("marks.xodr"));
+    let map = snapshot.map();
+    let check =
+        |x: f64, y: f64, expected: (f64, Side, RoadMarkKind, RoadMarkColor, &str, Option<bool>)| {
+            let found =
+                map.nearest_mark(DVec2::new(x, y), &MarkFilter::default()).expect("an answer");
+            let found = found.expect("a mark");
+            let lane = map.lane(found.lane).expect("a lane").key().to_string();
+            let got = (
+                found.side_of_reference_line,
+                found.kind,
+                found.color,
+                lane.as_str(),
+                found.painted,
+            );
+            let (distance, side, kind, color, lane, painted) = expected;
+            assert_eq!(got, (side, kind, color, lane, painted), "{x}, {y}");
+            assert!((found.distance - distance).abs() < 1e-9, "{x}, {y}: {}", found.distance);
+            found.s
+        };
+    use RoadMarkColor::{White, Yellow};
+    use RoadMarkKind::{Broken, Custom, Edge, Solid, SolidBroken};
+    let (left, right) = (Side::Left, Side::Right);
+    // Dashes of a metre, gaps of two.
+    for (x, painted) in [(30.5, true), (31.5, false), (32.9, false), (33.5, true)] {
+        let s = check(x, -3.0, (0.5, right, Broken, White, "1:0:-1", Some(painted)));
+        assert!((s - x).abs() < 1e-9, "{x}: {s}");
+    }
+    check(30.5, -3.7, (0.2, left, Broken, White, "1:0:-1", Some(true)));
+    check(10.0, 0.5, (0.5, right, SolidBroken, Yellow, "1:0:0", None));
+    check(10.0, 3.0, (0.5, left, Solid, White, "1:0:1", Some(true)));
+    check(10.0, 6.0, (1.0, right, Edge, White, "1:0:2", Some(true)));
+    // A line from 62 to 67, 0.2 m to the left of the border.
+    check(65.0, -3.5, (0.2, left, Custom, White, "1:0:-1", Some(true)));
+    // Sway puts the centre's mark at 0.8 where s is 70; there it rises by 8 %.
+    let slope = (1.0f64 + 0.08 * 0.08).sqrt();
+    let s = check(
+        70.0 - 0.08 * 0.1 / slope,
+        0.8 + 0.1 / slope,
+        (0.1, right, Broken, Yellow, "1:0:0", None),
+    );
+    assert!((s - 70.0).abs() < 1e-6, "{s}");
+    // The right one of two kinds, where another is nearer.
+    let filter = MarkFilter { kinds: MarkKinds::NONE.with(Edge), ..MarkFilter::default() };
+    let found =
+        map.nearest_mark(DVec2::new(10.0, 3.4), &filter).expect("an answer").expect("a mark");
+    assert_eq!((found.kind, (found.distance - 1.6).abs() < 1e-9), (Edge, true));
+}
+
+#[test]
+fn many_points_answer_as_each_does() {
+    let snapshot = maps::open(&carried("marks.xodr"));
+    let (map, filter, mut random) = (snapshot.map(), MarkFilter::default(), Random(5));
+    let mut points: Vec<DVec2> = (0..100).map(|_| random.point(map)).collect();
+    let mut out = Vec::new();
+    map.nearest_marks(&points, &filter, &mut out).expect("answers");
+    let single = |point: &DVec2| map.nearest_mark(*point, &filter).expect("an answer");
+    assert_eq!(out, points.iter().map(single).collect::<Vec<_>>());
+    points[42].y = f64::NAN;
+    assert_eq!(map.nearest_marks(&points, &filter, &mut out), Err(QueryError::NotFiniteAt(42)));
+    let endless = MarkFilter { radius: f64::INFINITY, ..filter };
+    assert_eq!(map.nearest_mark(DVec2::ZERO, &endless), Err(QueryError::NotFinite));
+}
