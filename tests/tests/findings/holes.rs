@@ -211,25 +211,30 @@ fn a_complex_number_in_an_object_costs_that_object_and_not_its_road() {
 /// Such lanes had no points, or points that were off by more than the tolerance, and nobody was told.
 #[test]
 fn lanes_whose_points_cannot_be_written_are_named() {
-    let road = |id: u32, x: &str, z: &str| {
+    let road = |id: u32, z: &str, slope: &str| {
         format!(
-            r#"<road id="{id}" length="100" junction="-1"><planView><geometry s="0" x="{x}" y="0" hdg="0" length="100"><line/></geometry></planView><elevationProfile><elevation s="0" a="{z}" b="0" c="0" d="0"/></elevationProfile><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>"#
+            r#"<road id="{id}" length="100" junction="-1"><planView><geometry s="0" x="{id}" y="0" hdg="0" length="100"><line/></geometry></planView><elevationProfile><elevation s="0" a="{z}" b="{slope}" c="0" d="0"/></elevationProfile><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>"#
         )
     };
-    for (x, z, named) in [("5", "1e39", "2"), ("5", "1e308", "2"), ("5", "0", "")] {
+    const UNUSABLE: (&str, &str) =
+        ("mapd:compile.unusable", "OpenDRIVE/road[@id=2]/elevationProfile/elevation");
+    let cases = [
+        ("1e308", "0", Some(UNUSABLE)),
+        ("1e39", "0", Some(UNUSABLE)),
+        ("1e12", "1e12", None),
+        ("0", "0", None),
+    ];
+    for (z, slope, wanted) in cases {
         let text = format!(
             "<OpenDRIVE><header revMajor=\"1\" revMinor=\"7\"/>{}{}</OpenDRIVE>",
             road(1, "0", "0"),
-            road(2, x, z)
+            road(2, z, slope)
         );
         let compiled = mapd_compiler::compile(text.as_bytes(), &Default::default(), &mut |_| {});
         let compiled = compiled.expect("reading works");
-        let mut lost = compiled.diagnostics.iter().map(|told| &told.finding);
-        let found = lost.find(|finding| finding.rule == "mapd:compile.too_large");
-        let path = found.map_or("", |finding| finding.path.as_str());
-        let wanted =
-            if named.is_empty() { String::new() } else { format!("OpenDRIVE/road[@id={named}]") };
-        assert_eq!(path, wanted, "x = {x}, z = {z}: {:?}", compiled.diagnostics);
-        assert_eq!(compiled.rows.is_some(), named.is_empty(), "x = {x}, z = {z}");
+        let mut lost = compiled.diagnostics.iter().filter(|told| told.rejects);
+        let found = lost.next().map(|told| (told.finding.rule, told.finding.path.as_str()));
+        assert_eq!(found, wanted, "z = {z}, slope {slope}: {:?}", compiled.diagnostics);
+        assert_eq!(compiled.rows.is_some(), wanted.is_none(), "z = {z}, slope {slope}");
     }
 }

@@ -181,6 +181,17 @@ fn is_curve(before: &str, after: &str) -> bool {
     ["<geometry ", "<arc ", "<spiral ", "<paramPoly3 "].iter().any(|name| tag.starts_with(name))
 }
 
+/// Whether what was changed stands in a vendor's own data, which the archive keeps as it is written.
+fn is_user_data(before: &str, after: &str) -> bool {
+    let place = before.bytes().zip(after.bytes()).position(|(a, b)| a != b).unwrap_or(0);
+    let Some(start) = before[..place].rfind("<userData") else {
+        return false;
+    };
+    let (inside, tag) = (&before[start..place], before[start..].find('>').unwrap_or(0));
+    let closed = before[..start + tag].ends_with('/') && start + tag < place;
+    !closed && !inside.contains("</userData>")
+}
+
 #[test]
 fn no_mutation_is_accepted_silently() {
     let maps = maps();
@@ -209,6 +220,8 @@ fn no_mutation_is_accepted_silently() {
             harmless += 1;
         } else if LAWFUL.iter().any(|(_, names)| names.contains(&&*name)) {
             *lawful.entry(name).or_default() += 1;
+        } else if is_user_data(&texts[round % texts.len()], &text) {
+            *lawful.entry("userData".to_owned()).or_default() += 1;
         } else if is_curve(&texts[round % texts.len()], &text)
             && farthest(&after, whole) <= ROUNDING
         {
