@@ -193,7 +193,9 @@ impl<'a> SectionCutter<'a> {
     /// Edges at s of all lanes, from left to right, as [`crate::Lane::edges_at`] has them one by one. `edges` has a place
     /// for each lane. None for a damaged archive, and for a section without a centre lane.
     pub fn edges(&mut self, s: f64, edges: &mut [LaneEdges]) -> Option<()> {
+        let on_line = self.on_line(s);
         let widths = self.widths(s)?;
+        let s = on_line;
         let offset = widths.offset.value(s);
         let (left, right) = edges.split_at_mut_checked(widths.left.len())?;
         let (center, right) = right.split_first_mut()?;
@@ -213,12 +215,20 @@ impl<'a> SectionCutter<'a> {
     /// section without a centre lane, and for a lane that it does not have.
     #[inline]
     pub fn lane_edges(&mut self, lane: usize, s: f64) -> Option<LaneEdges> {
+        let on_line = self.on_line(s);
         let widths = self.widths(s)?;
+        let s = on_line;
         let offset = widths.offset.value(s);
         let none = LaneEdges { inner: offset, outer: offset };
         let (inward, sign) = widths.outwards_to(lane)?;
         let mut edge = offset;
         Some(inward.iter().fold(none, |_, width| width.step(&mut edge, s, sign)))
+    }
+
+    /// A section may end a rounding beyond the reference line: edges are those of the line's end, as with a single lane.
+    #[inline]
+    fn on_line(&self, s: f64) -> f64 {
+        if s > self.end { self.end } else { s }
     }
 
     /// What the lanes are made of at s.

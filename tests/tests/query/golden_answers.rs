@@ -71,8 +71,11 @@ const GOLDEN: &[(&str, [&str; KINDS.len()])] = &[
     ),
 ];
 
+/// A kind of question, and what asks it of a map.
+type Kind = (&'static str, fn(Map<'_>) -> String);
+
 /// What is asked.
-const KINDS: [(&str, fn(Map<'_>) -> String); 6] = [
+const KINDS: [Kind; 6] = [
     ("nearest", nearest),
     ("roads", roads),
     ("lanes", lanes),
