@@ -1,7 +1,8 @@
 //! How many points a document may make of itself.
 
-use crate::{finding, too_large};
+use crate::finding;
 use mapd_archive::Rows;
+use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity, Span};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -42,6 +43,6 @@ impl Allowance {
         );
         let hint = "split the map, or compile with larger tolerances";
         let path = "OpenDRIVE".to_owned();
-        finding(too_large::TOO_LARGE, Severity::Error, Span::default(), path, message, hint)
+        finding(&building::TOO_LARGE, Severity::Error, Span::default(), path, message, hint)
     }
 }

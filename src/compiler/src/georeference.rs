@@ -8,16 +8,9 @@ use crate::options::{CompileOptions, OffsetSign};
 use glam::DVec3;
 use mapd_archive::{GeoReferenceForm, Rows};
 use mapd_geodesy::{Doubt, Form, Offset, Projector, Reference};
+use mapd_rules::Rule;
+use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Header, Severity, Span, Text as _, Value as _};
-
-/// A georeference that cannot be used, or only with doubts.
-const GEO_REFERENCE: &str = "mapd:compile.geo_reference";
-/// A header offset whose sign is turned.
-const OFFSET_SIGN: &str = "mapd:compile.offset_sign";
-/// A header offset on whose order the standard's texts disagree.
-const OFFSET_ORDER: &str = "mapd:compile.offset_order";
-/// The map reaches beyond the bounds that the header states.
-const STATED_BOUNDS: &str = "mapd:compile.stated_bounds";
 
 /// How far the map may reach beyond the stated bounds `[m]`: many tools state those of the reference lines, to which a
 /// carriageway is added.
@@ -92,7 +85,7 @@ impl Placed {
                 let message = "the standard's texts disagree on whether the offset turns or shifts first; it is applied as their formula has it: turned by hdg, then shifted by x, y, z";
                 let hint = "write an offset with hdg=\"0\"";
                 findings.push(placed.about_offset(
-                    OFFSET_ORDER,
+                    &building::OFFSET_ORDER,
                     Severity::Warning,
                     message.into(),
                     hint,
@@ -106,7 +99,14 @@ impl Placed {
         for doubt in &reference.doubts {
             let severity = if doubt.is_grave() { Severity::Warning } else { Severity::Info };
             let message = doubt.to_string();
-            findings.push(finding(GEO_REFERENCE, severity, written.span, path.into(), message, ""));
+            findings.push(finding(
+                &building::GEO_REFERENCE,
+                severity,
+                written.span,
+                path.into(),
+                message,
+                "",
+            ));
         }
         placed.doubts = reference.doubts;
         match reference.definition {
@@ -116,7 +116,7 @@ impl Placed {
                 let hint = "state PROJ parameters, such as +proj=utm +zone=32 +datum=WGS84";
                 let severity = Severity::Warning;
                 findings.push(finding(
-                    GEO_REFERENCE,
+                    &building::GEO_REFERENCE,
                     severity,
                     written.span,
                     path.into(),
@@ -130,7 +130,7 @@ impl Placed {
 
     fn about_offset(
         &self,
-        rule: &'static str,
+        rule: &'static Rule,
         severity: Severity,
         message: String,
         hint: &str,
@@ -157,7 +157,12 @@ impl Placed {
                     let message = format!("the offset's sign is turned: {reason}");
                     let hint = "--offset-sign standard or negated settles it";
                     let severity = Severity::Warning;
-                    findings.push(self.about_offset(OFFSET_SIGN, severity, message, hint));
+                    findings.push(self.about_offset(
+                        &building::OFFSET_SIGN,
+                        severity,
+                        message,
+                        hint,
+                    ));
                 }
                 reason.is_some()
             }
@@ -194,7 +199,14 @@ impl Placed {
             low.x, low.y, high.x, high.y
         );
         let path = "OpenDRIVE/header".to_owned();
-        findings.push(finding(STATED_BOUNDS, Severity::Warning, self.header, path, message, ""));
+        findings.push(finding(
+            &building::STATED_BOUNDS,
+            Severity::Warning,
+            self.header,
+            path,
+            message,
+            "",
+        ));
     }
 }
 
@@ -241,7 +253,14 @@ pub(crate) fn complete(
             middle.x, middle.y
         );
         let path = "OpenDRIVE/header/geoReference".to_owned();
-        findings.push(finding(GEO_REFERENCE, Severity::Warning, placed.header, path, message, ""));
+        findings.push(finding(
+            &building::GEO_REFERENCE,
+            Severity::Warning,
+            placed.header,
+            path,
+            message,
+            "",
+        ));
     }
 }
 

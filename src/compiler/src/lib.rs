@@ -52,7 +52,7 @@ pub use report::{Compilation, Diagnostic, Progress, Verdict, Version};
 use hashing::HashingReader;
 use lower::Lowering;
 use mapd_archive::{Provenance, Rows};
-use mapd_rules::Checker;
+use mapd_rules::{Checker, Rule};
 use mapd_xodr::source::{Inputs, Places};
 use mapd_xodr::{Finding, Item, Limits, Reader, Severity};
 use part::{Element, Plan};
@@ -296,7 +296,8 @@ impl Document {
             return Ok(None);
         }
         progress(Progress::Graph { nodes: rows.lane_nodes.len() });
-        let mut findings = graph::complete(&mut rows, &self.graph, options);
+        let mut findings =
+            graph::complete(&mut rows, &self.graph, options, &self.collector.settings);
         annotations::rings(&mut rows);
         georeference::complete(&mut rows, &placed, frame.as_ref(), options, &mut findings);
         self.collector.add_late(findings, &self.places);
@@ -320,7 +321,7 @@ fn read(
     let mut hashing = HashingReader::new(input);
     let ontology = Arc::new(reading.ontology.clone());
     let mut lowering = Lowering::new(Arc::clone(&ontology), extras);
-    let mut collector = Collector::new(without);
+    let mut collector = Collector::new(without, &reading.rules);
     let mut quarantined = Vec::new();
     let (places, version, mut checker, read) = {
         let mut inputs = Inputs::new(reading.limits.source);
@@ -409,7 +410,8 @@ fn read(
     let mut graph = graph::Written::default();
     if !collector.is_rejected() {
         let mut late = Vec::new();
-        graph = graph::build(&mut lowering, &places, &mut late).map_err(io::Error::other)?;
+        graph = graph::build(&mut lowering, &places, &collector.settings, &mut late)
+            .map_err(io::Error::other)?;
         collector.add_late(late, &places);
     }
     let most = reading.limits.source.decoded_bytes;
@@ -440,14 +442,16 @@ fn version() -> [u16; 3] {
     std::array::from_fn(|_| parts.next().unwrap_or(0))
 }
 
-/// A finding of the compiler's own.
+/// A finding of the compiler's own: as bad as its rule's usual ones, or milder.
 fn finding(
-    rule: &'static str,
+    rule: &'static Rule,
     severity: Severity,
     span: mapd_xodr::Span,
     path: String,
     message: String,
     hint: &str,
 ) -> Finding {
-    Finding { rule, severity, span, path, subject: "".into(), message, hint: hint.to_owned() }
+    let severity = severity.min(rule.severity);
+    let (rule, subject, hint) = (rule.id, "".into(), hint.to_owned());
+    Finding { rule, severity, span, path, subject, message, hint }
 }

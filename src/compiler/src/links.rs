@@ -4,6 +4,7 @@ use crate::finding;
 use crate::lower::{Lowering, between};
 use crate::quarantine::Exclusions;
 use mapd_archive::{ConnectionLaneLinkRow, ConnectionRow, ContactPoint, LinkKind, NONE, RoadRow};
+use mapd_rules::catalog::building;
 use mapd_xodr::{self as xodr, Finding, Severity};
 use std::collections::HashMap;
 
@@ -102,7 +103,7 @@ fn resolve_road(
             );
             let path = format!("{}/link/{end}", road_path(lowering, number));
             findings.push(finding(
-                "mapd:compile.contact_point",
+                &building::CONTACT_POINT,
                 Severity::Warning,
                 link.span(),
                 path,

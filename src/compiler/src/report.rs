@@ -1,8 +1,9 @@
 //! What a compilation yields besides rows.
 
-use crate::lower::UNUSABLE;
 use crate::quarantine::{Exclusions, PartKind, QuarantinedPart, Unit, Units};
 use mapd_archive::{Provenance, Rows};
+use mapd_rules::Settings;
+use mapd_rules::catalog::{COMPUTABLE, building};
 use mapd_xodr::source::Places;
 use mapd_xodr::{Finding, Item, Severity, rule_ids};
 use std::collections::BTreeSet;
@@ -136,6 +137,8 @@ pub(crate) struct Collector {
     rejecting: usize,
     causes: Vec<Cause>,
     units: Units,
+    /// How findings of reading and building are graded.
+    pub(crate) settings: Settings,
     /// Errors of the whole document, where parts of it are left out: others come of that.
     errors: Option<Arc<BTreeSet<(u64, &'static str)>>>,
 }
@@ -149,8 +152,16 @@ fn rank(severity: Severity) -> usize {
 }
 
 impl Collector {
-    pub(crate) fn new(without: &Exclusions) -> Self {
-        Self { errors: without.errors(), ..Self::default() }
+    pub(crate) fn new(without: &Exclusions, settings: &Settings) -> Self {
+        Self { errors: without.errors(), settings: settings.clone(), ..Self::default() }
+    }
+
+    /// Findings as the configuration grades them, without those that it switches off.
+    fn graded(&self, findings: Vec<Finding>) -> Vec<Finding> {
+        if self.settings.grades.is_empty() {
+            return findings;
+        }
+        findings.into_iter().filter_map(|finding| self.settings.graded(finding)).collect()
     }
 
     /// Whether an error is there only because something else is left out, as where a link leads to a road that is gone: the
@@ -163,7 +174,8 @@ impl Collector {
     /// Adds the reader's findings about an element, and those of checking and building it.
     ///
     /// An error of the reader's says that the file violates the standard. It rejects the map only if the document cannot be
-    /// read on, or if the compiler finds the very thing unusable; then it stands for the compiler's finding.
+    /// read on, or if the compiler finds the very thing unusable; then it stands for the compiler's finding. So does an error of the
+    /// rule on curves. Where either is graded milder or switched off, the compiler's finding says why a part is left out.
     ///
     /// What concerns parts that are left out already is no longer looked at.
     pub(crate) fn add_read(
@@ -174,7 +186,7 @@ impl Collector {
         without: &Exclusions,
     ) {
         let (mut unusable, built): (Vec<Finding>, Vec<Finding>) =
-            built.into_iter().partition(|finding| finding.rule == UNUSABLE);
+            built.into_iter().partition(|finding| finding.rule == building::UNUSABLE.id);
         unusable.sort_by_key(|finding| finding.span.start);
         let mut explained = vec![false; unusable.len()];
         for mut finding in read {
@@ -188,6 +200,7 @@ impl Collector {
             if is_small && finding.rule == rule_ids::EMPTY && is_place(&finding) {
                 finding.severity = Severity::Error;
             }
+            let Some(finding) = self.settings.graded(finding) else { continue };
             let is_error = finding.severity == Severity::Error;
             let mut rejects = is_error && !rule_ids::is_structural(finding.rule);
             rejects |= is_error && is_small && is_unreadable(&finding);
@@ -204,7 +217,7 @@ impl Collector {
             self.push(finding, rejects, places);
         }
         for (finding, explained) in unusable.into_iter().zip(explained) {
-            if !explained {
+            if !explained && !built.iter().any(|one| is_about_curve(one, &finding)) {
                 self.push(finding, true, places);
             }
         }
@@ -225,7 +238,7 @@ impl Collector {
 
     /// Adds findings of which each error rejects the map.
     pub(crate) fn add(&mut self, findings: Vec<Finding>, places: &Places) {
-        for finding in findings {
+        for finding in self.graded(findings) {
             let rejects = finding.severity == Severity::Error;
             self.push(finding, rejects, places);
         }
@@ -234,7 +247,7 @@ impl Collector {
     /// As [`Collector::add`], for stages that only a document without errors so far reaches: the lane graph and what comes
     /// after it.
     pub(crate) fn add_late(&mut self, findings: Vec<Finding>, places: &Places) {
-        for finding in findings {
+        for finding in self.graded(findings) {
             let rejects = finding.severity == Severity::Error;
             self.keep(finding, rejects, places);
         }
@@ -335,4 +348,10 @@ fn is_place(read: &Finding) -> bool {
 fn is_about(read: &Finding, unusable: &Finding) -> bool {
     let tag = unusable.span.start..unusable.span.start + u64::from(unusable.span.len);
     tag.contains(&read.span.start) && read.subject == unusable.subject
+}
+
+/// Whether a rule says of a geometry, as an error, what the compiler finds: that it is no curve.
+fn is_about_curve(found: &Finding, unusable: &Finding) -> bool {
+    let is_error = found.rule == COMPUTABLE && found.severity == Severity::Error;
+    is_error && unusable.subject.is_empty() && found.span.start == unusable.span.start
 }

@@ -3,9 +3,9 @@
 use crate::options::CompileOptions;
 use crate::quarantine::{Exclusions, OnError, Treatment};
 use crate::report::{Compilation, Diagnostic, Progress, Verdict};
-use crate::signals::SIGNAL_LANES;
 use crate::{ReadOptions, finding};
 use mapd_archive::Rows;
+use mapd_rules::catalog::building;
 use mapd_xodr::{Severity, Span};
 use std::collections::BTreeSet;
 use std::io::{self, Read};
@@ -94,7 +94,7 @@ impl Told {
     /// Adds what only shows without the parts left out, and takes something out itself, and signals without lanes: lanes are
     /// only looked at where nothing more is wrong. That links lead to what is left out is no matter of the document's.
     fn add(&mut self, later: &Compilation) {
-        let counts = |d: &&Diagnostic| d.rejects || d.finding.rule == SIGNAL_LANES;
+        let counts = |d: &&Diagnostic| d.rejects || d.finding.rule == building::SIGNAL_LANES.id;
         for d in later.diagnostics.iter().filter(counts) {
             if self.seen.insert((d.finding.span.start, d.finding.rule)) {
                 self.diagnostics.push(d.clone());
@@ -134,7 +134,7 @@ fn judge(compilation: &mut Compilation, (roads, length): (usize, f64), reading: 
     }
     if let Some(message) = reading.policy.exceeded(compilation.quarantined.len(), share) {
         let finding = finding(
-            "mapd:compile.quarantine",
+            &building::QUARANTINE,
             Severity::Error,
             Span::default(),
             "OpenDRIVE".to_owned(),

@@ -2,13 +2,8 @@
 
 use crate::finding;
 use mapd_archive::{MOST_OF_LANE, NONE, Rows};
+use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
-
-/// Rule of maps and lanes that do not fit the tables.
-pub(crate) const TOO_LARGE: &str = "mapd:compile.too_large";
-
-/// Rule of maps in which the search for overlaps of roads was cut short.
-const OVERLAPS: &str = "mapd:compile.overlaps";
 
 /// A table outgrew 32-bit row numbers.
 #[derive(Debug)]
@@ -75,13 +70,13 @@ pub(crate) fn too_many_overlaps() -> Finding {
     let message = "expected roads that lie beside one another, found so many over one another that their overlaps are not all looked for";
     let (span, path) = (mapd_xodr::Span::default(), "OpenDRIVE".to_owned());
     let hint = "remove copies of roads";
-    finding(OVERLAPS, Severity::Warning, span, path, message.to_owned(), hint)
+    finding(&building::OVERLAPS, Severity::Warning, span, path, message.to_owned(), hint)
 }
 
 fn of_document(message: String) -> Finding {
     let (span, path) = (mapd_xodr::Span::default(), "OpenDRIVE".to_owned());
     let hint = "compile the map in smaller tiles";
-    finding(TOO_LARGE, Severity::Error, span, path, message, hint)
+    finding(&building::TOO_LARGE, Severity::Error, span, path, message, hint)
 }
 
 /// A lane bends so often that its polyline outgrows what a lane can have, or one of its length; or its section is so large that
@@ -95,5 +90,5 @@ pub(crate) fn unfit(rows: &Rows, lane: u32, road_spans: &[mapd_xodr::Span]) -> F
         "expected lanes of at most {MOST_OF_LANE} points, no more than their lengths explain, that can be written within the tolerances, found others for lane {number} of road {id}"
     );
     let hint = "split the road, compile with larger tolerances, or mend its coordinates";
-    finding(TOO_LARGE, Severity::Error, span, path, message, hint)
+    finding(&building::TOO_LARGE, Severity::Error, span, path, message, hint)
 }

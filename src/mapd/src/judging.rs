@@ -85,7 +85,7 @@ enum GradeName {
 impl JudgingArgs {
     /// Reading options with these rules and this policy.
     ///
-    /// Errors: the configuration file cannot be read, or names a rule that there is not.
+    /// Errors: the configuration file cannot be read, or names a rule that there is not, or one that is not graded.
     pub(crate) fn apply(&self, reading: ReadOptions) -> Result<ReadOptions> {
         let file = self.configuration()?;
         let profile = match self.profile.or(file.profile) {
@@ -111,6 +111,9 @@ impl JudgingArgs {
         };
         if let Some(id) = rules.unknown().first() {
             bail!("there is no rule {id}; docs/rules.md lists them");
+        }
+        if let Some(rule) = rules.fixed().first() {
+            bail!("rule {} has one severity: {}", rule.id, rule.because);
         }
         let on_error = match self.on_error.or(file.on_error) {
             None | Some(OnErrorName::Quarantine) => OnError::Quarantine,

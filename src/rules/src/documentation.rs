@@ -1,6 +1,7 @@
 //! The catalog as text for people: `docs/rules.md` and a page of examples for each group.
 
 use crate::catalog;
+use crate::example::Example;
 use crate::rule::{NEWEST, Rule};
 use crate::settings::{Profile, Settings};
 use crate::structural::{KEPT, LEFT_OUT, STRUCTURAL};
@@ -20,7 +21,8 @@ the standard forbids what is written, and **information** where it is lawful and
 | `strict` | all | as below, in the second column: whatever the standard forbids is an error |
 | `asam` | those with an id of ASAM's, from the version in it on | as below, in the third column: error, recommendations are warnings; what ASAM's checker looks at as it grades it |
 
-A configuration file switches single rules off or grades them otherwise; see [checks.md](checks.md).
+A configuration file switches single rules off or grades them otherwise; see [checks.md](checks.md). Findings of reading and building, the last two groups, say what was
+read and built: they are the same in every profile, and an id stands here with the severity of its worst finding.
 ";
 
 fn word(severity: Severity) -> &'static str {
@@ -57,7 +59,7 @@ const ERRORS: [&str; 2] = ["<!-- errors of the catalog -->", "<!-- end -->"];
 /// Rules whose findings take a part out, with the reason why it cannot be used: a table of `docs/checks.md`.
 fn errors() -> String {
     let mut table = "\n| rule | the part cannot be used, because |\n|---|---|\n".to_owned();
-    for rule in catalog::all().filter(|rule| rule.severity == Severity::Error) {
+    for rule in catalog::all().filter(|rule| !rule.because.is_empty()) {
         // Writing to a string cannot fail.
         let _ = writeln!(table, "| `{}` | {} |", rule.id, rule.because);
     }
@@ -100,11 +102,18 @@ pub fn documentation() -> Vec<(String, String)> {
                 tolerances(rule),
             );
             let _ = write!(text, "\n## `{}`\n\n{}\n", rule.id, rule.meaning);
+            if rule.fixed {
+                let _ = write!(text, "\nNo configuration grades it: {}.\n", rule.because);
+            }
             if !rule.aliases.is_empty() {
                 let _ = write!(text, "\nAlso `{}`.\n", rule.aliases.join("`, `"));
             }
             for (name, example) in [("Valid", rule.valid), ("Invalid", rule.invalid)] {
                 let snippet = example.snippet();
+                if let Example::Words(words) = example {
+                    let _ = write!(text, "\n{name}: {words}.\n");
+                    continue;
+                }
                 let snippet = if snippet.is_empty() { "<!-- nothing -->" } else { snippet };
                 let _ =
                     write!(text, "\n{name}, in `{}`:\n\n```xml\n{snippet}\n```\n", example.place());

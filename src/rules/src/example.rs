@@ -27,6 +27,8 @@ pub enum Example {
     Signals(&'static str),
     /// Elements beside three roads in a row: 1 leads into junction 9, where road 2 leads on to road 3.
     Junction(&'static str),
+    /// No snippet: a document that is too large to print, or options, in words.
+    Words(&'static str),
 }
 
 const LINE: &str =
@@ -68,7 +70,8 @@ impl Example {
             | Self::Lane(text)
             | Self::Objects(text)
             | Self::Signals(text)
-            | Self::Junction(text) => text,
+            | Self::Junction(text)
+            | Self::Words(text) => text,
         }
     }
 
@@ -86,15 +89,17 @@ impl Example {
             Self::Objects(_) => "objects",
             Self::Signals(_) => "signals",
             Self::Junction(_) => "document with a junction",
+            Self::Words(_) => "words",
         }
     }
 
-    /// The whole document, of a version.
-    pub fn document(&self, minor: Minor) -> String {
+    /// The whole document, of a version; none where the example is words.
+    pub fn document(&self, minor: Minor) -> Option<String> {
         let text = self.snippet();
         let mut header = "";
         let body = match self {
-            Self::File(_) => return text.to_owned(),
+            Self::Words(_) => return None,
+            Self::File(_) => return Some(text.to_owned()),
             Self::Document(_) => text.to_owned(),
             Self::Header(_) => {
                 header = text;
@@ -118,9 +123,9 @@ impl Example {
             Self::Signals(_) => road(&format!("<signals>{text}</signals>")),
             Self::Junction(_) => format!("{ROW}{text}"),
         };
-        format!(
+        Some(format!(
             "<OpenDRIVE><header revMajor=\"1\" revMinor=\"{minor}\">{header}</header>\n{body}</OpenDRIVE>"
-        )
+        ))
     }
 }
 

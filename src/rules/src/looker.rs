@@ -57,6 +57,7 @@ impl Lists {
                 Check::Station(_) => &mut lists.station,
                 Check::VmsGroup(_) => &mut lists.vms_group,
                 Check::Network(_) | Check::Overlaps(_) => &mut lists.network,
+                Check::Reading | Check::Building => continue,
             };
             list.push(rank);
         }
@@ -76,7 +77,7 @@ pub(crate) struct Rules {
 impl Rules {
     pub(crate) fn new(settings: &Settings, version: Minor) -> Self {
         let applied = catalog::all()
-            .filter(|rule| settings.applies(rule, version))
+            .filter(|rule| rule.check.looks() && settings.applies(rule, version))
             .filter_map(|rule| Some(Applied { rule, severity: settings.severity(rule)? }))
             .collect::<Vec<_>>();
         let lists = Lists::new(&applied);

@@ -58,6 +58,17 @@ pub enum Check {
     Network(fn(&Network, &mut Sink<'_>)),
     /// As `Network`, by a look at all overlaps of roads.
     Overlaps(fn(&Network, &mut Sink<'_>)),
+    /// None: reading finds it.
+    Reading,
+    /// None: building finds it.
+    Building,
+}
+
+impl Check {
+    /// Whether a function looks; not where reading or building finds it.
+    pub fn looks(&self) -> bool {
+        !matches!(self, Self::Reading | Self::Building)
+    }
 }
 
 /// A rule of the catalog.
@@ -85,6 +96,8 @@ pub struct Rule {
     pub until: Minor,
     /// The standard recommends rather than demands it.
     pub advisory: bool,
+    /// No configuration grades it, as there is nothing to go on with where it is broken; `because` says why.
+    pub fixed: bool,
     /// Bounds that decide.
     pub tolerances: &'static [Tolerance],
     /// What keeps it.
@@ -115,6 +128,7 @@ impl Rule {
             since: 4,
             until: NEWEST,
             advisory: false,
+            fixed: false,
             tolerances: &[],
             valid,
             invalid,
@@ -175,6 +189,12 @@ impl Rule {
     pub(crate) const fn advisory(mut self) -> Self {
         self.advisory = true;
         self.strict = self.severity;
+        self
+    }
+
+    /// The rule, with a severity that no configuration changes.
+    pub(crate) const fn fixed(mut self) -> Self {
+        self.fixed = true;
         self
     }
 

@@ -2,7 +2,7 @@
 
 use crate::catalog;
 use crate::rule::Rule;
-use mapd_xodr::Severity;
+use mapd_xodr::{Finding, Severity};
 use std::collections::BTreeMap;
 
 /// Findings of one rule that are kept where they are no errors; more are counted.
@@ -66,11 +66,14 @@ impl Settings {
     /// The severity of a rule's findings; none where it is not applied.
     pub fn severity(&self, rule: &Rule) -> Option<Severity> {
         match self.grades.get(rule.id) {
+            _ if rule.fixed => return Some(rule.severity),
             Some(Grade::Off) => return None,
             Some(Grade::Severity(severity)) => return Some(*severity),
             None => {}
         }
         match self.profile {
+            // What was read and built is the same in every profile.
+            _ if !rule.check.looks() => Some(rule.severity),
             Profile::Default => Some(rule.severity),
             Profile::Strict => Some(rule.strict),
             Profile::Asam if !rule.is_asam() => None,
@@ -90,9 +93,38 @@ impl Settings {
         (since..=rule.until).contains(&minor)
     }
 
+    /// A finding of reading or building as it is graded; none where it is switched off. Findings of other rules are graded where they are made.
+    pub fn graded(&self, finding: Finding) -> Option<Finding> {
+        if !self.grades.contains_key(finding.rule) {
+            return Some(finding);
+        }
+        match catalog::of(finding.rule).filter(|rule| !rule.check.looks()) {
+            None => Some(finding),
+            Some(rule) => {
+                let severity = self.severity_of(rule, finding.severity)?;
+                Some(Finding { severity, ..finding })
+            }
+        }
+    }
+
+    /// How bad a finding of reading or building is, by how bad it is where nothing grades it; none where it is switched off. One that is milder than
+    /// usual for its rule stays so. Grading twice yields what grading once does.
+    pub fn severity_of(&self, rule: &Rule, own: Severity) -> Option<Severity> {
+        match self.grades.get(rule.id).filter(|_| !rule.fixed) {
+            None => Some(own),
+            Some(Grade::Off) => None,
+            Some(Grade::Severity(to)) if own < rule.severity => Some(own.min(*to)),
+            Some(Grade::Severity(to)) => Some(*to),
+        }
+    }
+
+    /// Rules among the grades that no configuration grades, in the order of their ids.
+    pub fn fixed(&self) -> Vec<&'static Rule> {
+        self.grades.keys().filter_map(|id| catalog::of(id)).filter(|rule| rule.fixed).collect()
+    }
+
     /// Ids among the grades that no rule has, in order.
     pub fn unknown(&self) -> Vec<&str> {
-        let is_known = |id: &str| catalog::all().any(|rule| rule.id == id);
-        self.grades.keys().map(|id| &**id).filter(|id| !is_known(id)).collect()
+        self.grades.keys().map(|id| &**id).filter(|id| catalog::of(id).is_none()).collect()
     }
 }

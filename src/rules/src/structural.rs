@@ -35,24 +35,6 @@ pub static STRUCTURAL: &[Structural] = &[
         Example::File(r#"<OpenDRIVE><header revMajor="1" revMinor="8"></OpenDRIVE>"#),
     ),
     entry(
-        &["asam.net:xodr:1.0.0:xml.root_tag_is_opendrive"],
-        ids::ROOT,
-        "",
-        Example::File(r#"<Map><header revMajor="1" revMinor="8"/></Map>"#),
-    ),
-    entry(
-        &["asam.net:xodr:1.0.0:xml.fileheader_is_present"],
-        ids::HEADER,
-        "header",
-        Example::File("<OpenDRIVE></OpenDRIVE>"),
-    ),
-    entry(
-        &["asam.net:xodr:1.0.0:xml.version_is_defined"],
-        ids::VERSION,
-        "",
-        Example::File(r#"<OpenDRIVE><header revMajor="1" revMinor="x"/></OpenDRIVE>"#),
-    ),
-    entry(
         &["asam.net:xodr:1.0.0:xml.valid_schema"],
         ids::UNKNOWN_ELEMENT,
         "",

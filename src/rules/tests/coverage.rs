@@ -1,8 +1,8 @@
 //! Every rule of the list beside the project is in the catalog, said by the schema, kept by what mapd does, or left out.
 
-use mapd_rules::{catalog, structural};
+use mapd_rules::{Check, Grade, Settings, catalog, structural};
 use mapd_xodr::{Limits, Reader, Severity};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Rules that may be left out.
@@ -48,7 +48,7 @@ fn every_listed_rule_is_accounted_for() {
 #[test]
 fn the_schema_says_what_it_is_said_to() {
     for entry in structural::STRUCTURAL {
-        let document = entry.invalid.document(8);
+        let document = entry.invalid.document(8).expect("a document");
         let mut reader = Reader::new(document.as_bytes(), Limits::default());
         while reader.next().expect("reading from memory works").is_some() {}
         let findings = reader.take_findings();
@@ -67,7 +67,10 @@ fn the_schema_says_what_it_is_said_to() {
 #[test]
 fn every_rule_that_takes_a_part_out_says_why() {
     for rule in catalog::all() {
-        assert_eq!(rule.severity == Severity::Error, !rule.because.is_empty(), "{}", rule.id);
+        // Of what reading finds, the compiler says whether a part can be built without it.
+        let takes_out = rule.severity == Severity::Error
+            && (rule.fixed || !matches!(rule.check, Check::Reading));
+        assert_eq!(takes_out, !rule.because.is_empty(), "{}", rule.id);
     }
 }
 
@@ -88,38 +91,89 @@ fn the_documentation_is_what_the_catalog_yields() {
     );
 }
 
-/// Ids of the compiler's own findings in a text: `mapd:compile.…` and `mapd:graph.…` between two marks.
-fn building_ids(text: &str, mark: char, into: &mut BTreeSet<String>) {
-    for quoted in text.split(mark) {
-        let name = quoted.strip_prefix("mapd:compile.").or(quoted.strip_prefix("mapd:graph."));
-        let is_name = |name: &str| name.chars().all(|c| c.is_ascii_lowercase() || c == '_');
-        if name.is_some_and(is_name) {
-            into.insert(quoted.to_owned());
-        }
-    }
+/// Ids in the code of a source: what stands between two marks and has an id's form.
+fn ids_in(text: &str) -> impl Iterator<Item = &str> {
+    let is_id = |quoted: &&str| {
+        let is_own = quoted.starts_with("mapd:") || quoted.starts_with("asam.net:xodr:");
+        let plain = |c: char| c.is_ascii_alphanumeric() || ":._".contains(c);
+        is_own && quoted.contains('.') && !quoted.ends_with('.') && quoted.chars().all(plain)
+    };
+    let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+    code.flat_map(|line| line.split('"')).filter(is_id)
 }
 
-/// Every file of a folder, as text.
-fn sources(folder: &Path, show: &mut dyn FnMut(&str)) {
+/// Every source below a folder, with its path.
+fn sources(folder: &Path, show: &mut dyn FnMut(&Path, &str)) {
     for entry in std::fs::read_dir(folder).expect("the folder is there") {
         let path = entry.expect("it can be read").path();
         if path.is_dir() {
             sources(&path, show);
-        } else {
-            show(&std::fs::read_to_string(&path).expect("sources are text"));
+        } else if path.extension().is_some_and(|end| end == "rs") {
+            show(&path, &std::fs::read_to_string(&path).expect("sources are text"));
         }
     }
 }
 
 #[test]
-fn every_finding_of_the_compiler_is_on_the_page_of_checks() {
+fn no_finding_is_written_outside_the_catalog() {
     let own = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let (mut written, mut listed) = (BTreeSet::new(), BTreeSet::new());
-    sources(&own.join("../compiler/src"), &mut |text| building_ids(text, '"', &mut written));
-    let page =
-        std::fs::read_to_string(own.join("../../docs/checks.md")).expect("the page is there");
-    let (_, list) = page.split_once("### What only building finds").expect("it has the list");
-    building_ids(list.split_once("\n## ").map_or(list, |(list, _)| list), '`', &mut listed);
-    assert!(written.contains("mapd:compile.unusable"), "{written:?}");
-    assert_eq!(written, listed);
+    let reader = own.join("../xodr/src/rule_ids.rs");
+    let (mut strays, mut of_reader, mut files) = (Vec::new(), Vec::new(), 0);
+    for krate in ["xodr", "rules", "compiler", "mapd"] {
+        sources(&own.join("..").join(krate).join("src"), &mut |path, text| {
+            files += 1;
+            let is_catalog = path.starts_with(own.join("../rules/src/catalog"))
+                || path.ends_with("rules/src/structural.rs");
+            for id in ids_in(text).filter(|_| !is_catalog) {
+                if path == reader {
+                    of_reader.push(id.to_owned());
+                } else {
+                    strays.push(format!("{}: {id}", path.display()));
+                }
+            }
+        });
+    }
+    assert!(strays.is_empty(), "ids outside of the catalog:\n{}", strays.join("\n"));
+    assert!(files > 100 && of_reader.len() > 25, "{files} files, {} ids", of_reader.len());
+    // The reader is below the catalog and has its own list, of which each id that it writes is an entry.
+    let schema = "asam.net:xodr:1.0.0:xml.valid_schema";
+    let document = "asam.net:xodr:1.0.0:xml.valid_xml_document";
+    for id in of_reader.iter().filter(|id| *id != schema && *id != document) {
+        assert!(catalog::of(id).is_some(), "{id} has no entry");
+    }
+}
+
+#[test]
+fn findings_of_reading_and_building_are_graded() {
+    let finding = |rule: &'static str, severity| mapd_xodr::Finding {
+        rule,
+        severity,
+        span: mapd_xodr::Span::default(),
+        path: String::new(),
+        subject: "".into(),
+        message: String::new(),
+        hint: String::new(),
+    };
+    use Severity::{Error, Info, Warning};
+    let (gap, missing) = ("mapd:graph.gap", "mapd:graph.missing_lane");
+    let (fixed, other) = ("mapd:compile.unusable", "mapd:xodr:1.4.0:geometry.computable");
+    for (rule, found, grade, expected) in [
+        (gap, Warning, Grade::Off, None),
+        (gap, Warning, Grade::Severity(Error), Some(Error)),
+        (gap, Warning, Grade::Severity(Info), Some(Info)),
+        (missing, Error, Grade::Severity(Warning), Some(Warning)),
+        // Milder than usual.
+        (missing, Warning, Grade::Severity(Error), Some(Warning)),
+        (missing, Warning, Grade::Severity(Info), Some(Info)),
+        (fixed, Error, Grade::Off, Some(Error)),
+        // Graded where it is made.
+        (other, Warning, Grade::Severity(Error), Some(Warning)),
+    ] {
+        let grades = [(Box::from(rule), grade)].into();
+        let settings = Settings { grades, ..Settings::default() };
+        let graded = settings.graded(finding(rule, found)).map(|finding| finding.severity);
+        assert_eq!(graded, expected, "{rule} {found:?} {grade:?}");
+        assert!(settings.unknown().is_empty(), "{rule}");
+        assert_eq!(settings.fixed().len(), usize::from(rule == fixed), "{rule}");
+    }
 }

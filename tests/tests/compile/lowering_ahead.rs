@@ -3,7 +3,7 @@
 
 use mapd_archive::encode;
 use mapd_compiler::{CompileOptions, Diagnostic, ReadOptions, Verdict, compile_from};
-use mapd_rules::{Profile, Settings, catalog};
+use mapd_rules::{Check, Profile, Settings, catalog};
 use mapd_tests::crossroads::furnished;
 use mapd_tests::{carried, corpus, say};
 
@@ -95,10 +95,12 @@ fn every_part_of_the_standard_is_the_same() {
     let beside = beside.replace("Id=\"", "Id=\"x").replace("junction=\"100", "junction=\"x100");
     let beside = beside.replace("lane id=\"x", "lane id=\"").replace("ssor id=\"x", "ssor id=\"");
     let mut accepted = 0;
-    let all: Vec<_> = catalog::all().collect();
+    // Examples of what reading finds may have no header.
+    let is_read = |check: &Check| matches!(check, Check::Reading);
+    let all: Vec<_> = catalog::all().filter(|rule| !is_read(&rule.check)).collect();
     for rule in &all {
         for example in [rule.valid, rule.invalid] {
-            let document = example.document(rule.example_version());
+            let Some(document) = example.document(rule.example_version()) else { continue };
             let (before, behind) = split(&document);
             let text = format!("{before}{beside}{behind}");
             let is_whole = check(rule.id, text.as_bytes(), &Settings::default());

@@ -184,6 +184,8 @@ fn rules_are_graded_by_profile_and_file() {
             None => assert!(!out.contains(rule), "{out}"),
         }
     }
-    std::fs::write(&file, "[rules]\n\"mapd:no.such_rule\" = \"off\"\n").expect("written");
-    assert_eq!(check("a.xodr", text.as_bytes(), &["--rules", &path]).1, Some(1));
+    for refused in ["mapd:no.such_rule", "mapd:compile.unusable", "mapd:xml.well_formed"] {
+        std::fs::write(&file, format!("[rules]\n\"{refused}\" = \"off\"\n")).expect("written");
+        assert_eq!(check("a.xodr", text.as_bytes(), &["--rules", &path]).1, Some(1), "{refused}");
+    }
 }

@@ -2,6 +2,7 @@
 
 mod asam_checker;
 mod broken_parts;
+mod building;
 mod check;
 mod clean_maps;
 mod cycles;

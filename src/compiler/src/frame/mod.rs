@@ -17,11 +17,10 @@ use glam::{DVec2, DVec3};
 use mapd_archive::{FileFrameRow, GeometryRow, Rows};
 use mapd_geodesy::{Doubt, Offset, Projector, Target};
 use mapd_geometry::normalize_angle;
+use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
 pub(crate) use move_rows::edge;
 
-/// Whatever concerns the target frame.
-const TARGET_FRAME: &str = "mapd:compile.target_frame";
 /// Path of what it concerns.
 const PATH: &str = "OpenDRIVE/header/geoReference";
 /// A scale farther from 1 deserves a warning: UTM's stay within 0.0004 in their zone and 0.001 in the next.
@@ -125,7 +124,7 @@ impl Extent {
 
 /// A finding about the header.
 fn about(placed: &Placed, severity: Severity, message: String, hint: &str) -> Finding {
-    finding(TARGET_FRAME, severity, placed.header, PATH.to_owned(), message, hint)
+    finding(&building::TARGET_FRAME, severity, placed.header, PATH.to_owned(), message, hint)
 }
 
 impl Frame {

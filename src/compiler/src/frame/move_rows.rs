@@ -1,12 +1,13 @@
 //! Moves what the file has in x, y and z.
 
-use super::{Frame, TARGET_FRAME, scales};
+use super::{Frame, scales};
 use crate::finding;
 use crate::lower::Lowering;
 use crate::signals::Resolved;
 use glam::{DVec2, DVec3};
 use mapd_archive::{CubicRow, GeometryRow, Range, Rows};
 use mapd_geometry::{Curve, CurveKind, CurveTransform, Start};
+use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity, Span};
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -85,7 +86,7 @@ fn about_geometry(lowering: &Lowering, number: u32, message: String) -> Finding 
         None => "OpenDRIVE/junction/planView/geometry",
     };
     let span = span.unwrap_or_default();
-    finding(TARGET_FRAME, Severity::Error, span, path.to_owned(), message, "")
+    finding(&building::TARGET_FRAME, Severity::Error, span, path.to_owned(), message, "")
 }
 
 /// A geometry that has been read.
@@ -171,7 +172,14 @@ fn grids(frame: &Frame, lowering: &mut Lowering, findings: &mut Vec<Finding>) {
             );
             let path = "OpenDRIVE/junction/elevationGrid".to_owned();
             let severity = Severity::Error;
-            findings.push(finding(TARGET_FRAME, severity, Span::default(), path, message, ""));
+            findings.push(finding(
+                &building::TARGET_FRAME,
+                severity,
+                Span::default(),
+                path,
+                message,
+                "",
+            ));
             continue;
         };
         let [by_x, by_y] = chart.slopes_at(at);

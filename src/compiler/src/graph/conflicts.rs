@@ -12,6 +12,7 @@ use crate::finding;
 use crate::lanes::view;
 use mapd_archive::{ConflictKind, ConflictRow, NO_RELATION, RelationReason, Rows, section_step};
 use mapd_query::{Lane, LaneId, LaneSection, Map, SectionCutter};
+use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
 use rayon::prelude::*;
 
@@ -26,9 +27,6 @@ const BLOCK: usize = 8;
 const MOST_LANES: usize = 512;
 /// Lanes whose heights differ by more than this `[m]` pass over each other: the least clearance of bridges is above it.
 const CLEARANCE: f64 = 2.0;
-
-/// Rule that names junctions that are passed over.
-const TOO_MANY: &str = "mapd:graph.conflicts";
 
 /// Both ends of a common area on one lane, from its section's start.
 type Interval = (f32, f32);
@@ -60,7 +58,14 @@ pub(crate) fn find(rows: &Rows, zones: &[Zone]) -> (Vec<ConflictRow>, Vec<Findin
                 "expected a junction of at most {MOST_LANES} lanes, found more; their conflicts are not looked for"
             );
             let path = "OpenDRIVE/junction".to_owned();
-            passed_over.push(finding(TOO_MANY, Severity::Warning, zone.span, path, message, ""));
+            passed_over.push(finding(
+                &building::CONFLICTS,
+                Severity::Warning,
+                zone.span,
+                path,
+                message,
+                "",
+            ));
         }
         of_zones.into_iter().flatten().flatten().collect()
     };

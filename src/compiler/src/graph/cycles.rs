@@ -7,6 +7,8 @@ use super::components::strong_components;
 use super::report::Report;
 use crate::options::CyclePolicy;
 use mapd_archive::{EdgeKind, LaneNodeRow, NONE, Rows, VehicleClass};
+use mapd_rules::Rule;
+use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
 use std::collections::VecDeque;
 
@@ -37,7 +39,7 @@ fn report_all(rows: &Rows, policy: CyclePolicy, report: &mut Report<'_>) {
     };
     cycles(rows, false, within_junction, |path| {
         let what = "a way through the junction that leaves it";
-        report_path(rows, report, ("mapd:graph.junction_cycle", severity), what, path);
+        report_path(rows, report, (&building::JUNCTION_CYCLE, severity), what, path);
     });
     let short = |node: usize| {
         rows.lane_nodes.get(node).is_some_and(|row| f64::from(row.length) <= LEAST_CYCLE)
@@ -50,7 +52,7 @@ fn report_all(rows: &Rows, policy: CyclePolicy, report: &mut Report<'_>) {
             let length: f64 = path.iter().map(|edge| edge_length(rows, *edge)).sum();
             if length <= LEAST_CYCLE {
                 let what = "a loop longer than 1 m";
-                report_path(rows, report, ("mapd:graph.no_progress", severity), what, path);
+                report_path(rows, report, (&building::NO_PROGRESS, severity), what, path);
             }
         },
     );
@@ -66,7 +68,7 @@ fn report_all(rows: &Rows, policy: CyclePolicy, report: &mut Report<'_>) {
         once,
         |_, _| true,
         |path| {
-            report_path(rows, report, ("mapd:graph.cycle", others), "no loop", path);
+            report_path(rows, report, (&building::CYCLE, others), "no loop", path);
         },
     );
 }
@@ -184,7 +186,7 @@ fn start(rows: &Rows, path: &mut [u32]) -> Option<u32> {
 fn report_path(
     rows: &Rows,
     report: &mut Report<'_>,
-    (rule, severity): (&'static str, Severity),
+    (rule, severity): (&'static Rule, Severity),
     expected: &str,
     path: &[u32],
 ) {

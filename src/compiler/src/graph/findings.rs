@@ -3,6 +3,8 @@
 use crate::finding;
 use crate::lower::Lowering;
 use mapd_archive::Rows;
+use mapd_rules::catalog::building;
+use mapd_rules::{Rule, Settings};
 use mapd_xodr::{Finding, Severity, Span};
 
 /// Problems of one kind that are named one by one where they are no errors; more are counted. Errors are all named: each says
@@ -30,21 +32,28 @@ impl Problems {
     }
 
     /// Findings in file order; of each kind the first ones by name, the rest as a number.
-    pub(crate) fn report(mut self, lowering: &Lowering, findings: &mut Vec<Finding>) {
+    pub(crate) fn report(
+        mut self,
+        lowering: &Lowering,
+        settings: &Settings,
+        findings: &mut Vec<Finding>,
+    ) {
         self.0.sort_by_key(|problem| problem.span().start);
         // A link against the traffic is the rule for lanes that end.
         for (rule, severity, what) in [
-            ("mapd:graph.missing_lane", Severity::Error, "links name lanes that are not there"),
-            ("mapd:graph.missing_lane", Severity::Warning, "links name lanes that are not there"),
+            (&building::MISSING_LANE, Severity::Error, "links name lanes that are not there"),
+            (&building::MISSING_LANE, Severity::Warning, "links name lanes that are not there"),
             (
-                "mapd:graph.direction",
+                &building::DIRECTION,
                 Severity::Warning,
                 "links lead into lanes that travel the other way",
             ),
-            ("mapd:graph.no_place", Severity::Warning, "links name places that no road has"),
+            (&building::NO_PLACE, Severity::Warning, "links name places that no road has"),
         ] {
-            let of_kind = || self.0.iter().filter(|p| (p.rule(), p.severity()) == (rule, severity));
-            let named = if severity == Severity::Error { usize::MAX } else { NAMED };
+            let of_kind =
+                || self.0.iter().filter(|p| (p.rule().id, p.severity()) == (rule.id, severity));
+            let is_error = settings.severity_of(rule, severity) == Some(Severity::Error);
+            let named = if is_error { usize::MAX } else { NAMED };
             for problem in of_kind().take(named) {
                 let (path, message) = problem.text(lowering);
                 let span = problem.span();
@@ -75,11 +84,11 @@ impl Problem {
         }
     }
 
-    fn rule(&self) -> &'static str {
+    fn rule(&self) -> &'static Rule {
         match self {
-            Self::MissingLane { .. } => "mapd:graph.missing_lane",
-            Self::Direction { .. } => "mapd:graph.direction",
-            Self::NoPlace { .. } => "mapd:graph.no_place",
+            Self::MissingLane { .. } => &building::MISSING_LANE,
+            Self::Direction { .. } => &building::DIRECTION,
+            Self::NoPlace { .. } => &building::NO_PLACE,
         }
     }
 

@@ -5,12 +5,10 @@ use crate::lanes::view;
 use glam::DVec3;
 use mapd_archive::{EdgeKind, Rows};
 use mapd_query::{LaneNode, Map};
+use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
 use rayon::prelude::*;
 
-/// Largest distance between two linked lanes' ends that is no finding `[m]`: files round to centimetres, and tools
-/// snap to decimetres.
-const JOINT_TOLERANCE: f64 = 0.1;
 /// Nodes that one task looks at.
 const NODES_PER_TASK: usize = 256;
 
@@ -26,7 +24,7 @@ pub(crate) fn check(rows: &Rows, mut report: Report<'_>) -> Vec<Finding> {
             "expected lanes that meet, found {gap:.3} m between {}; linked as written",
             report.edge_text(edge)
         );
-        report.at_edge("mapd:graph.gap", Severity::Warning, edge, message);
+        report.at_edge(&building::GAP, Severity::Warning, edge, message);
     }
     report.finish()
 }
@@ -46,7 +44,7 @@ fn of_nodes(rows: &Rows, nodes: &[LaneNode<'_>]) -> Vec<(u32, f64)> {
             let exit = *exit.get_or_insert_with(|| end(node, true));
             let (Some(exit), Some(entry)) = (exit, end(&target, false)) else { continue };
             let gap = between(exit, entry);
-            if gap > JOINT_TOLERANCE {
+            if gap > building::JOINT.value {
                 gaps.push((first + i as u32, gap));
             }
         }

@@ -28,6 +28,7 @@ use crate::TooLarge;
 use crate::lower::Lowering;
 use crate::options::{CompileOptions, MOST_LANDMARKS};
 use mapd_archive::Rows;
+use mapd_rules::Settings;
 use mapd_xodr::source::Places;
 use mapd_xodr::{Finding, Span};
 
@@ -43,6 +44,7 @@ pub(crate) struct Written {
 pub(crate) fn build(
     lowering: &mut Lowering,
     places: &Places,
+    settings: &Settings,
     findings: &mut Vec<Finding>,
 ) -> Result<Written, TooLarge> {
     let cuts = cuts::Cuts::new(lowering);
@@ -50,7 +52,7 @@ pub(crate) fn build(
     let mut problems = findings::Problems::default();
     let attachments = attach::Attachments::new(lowering, &cuts, &mut problems);
     let edges = walk::edges(lowering, &attachments, &mut problems);
-    problems.report(lowering, findings);
+    problems.report(lowering, settings, findings);
     Ok(Written { links: csr::store(lowering, edges, places)?, zones: zones::zones(lowering) })
 }
 
@@ -59,11 +61,12 @@ pub(crate) fn complete(
     rows: &mut Rows,
     written: &Written,
     options: &CompileOptions,
+    settings: &Settings,
 ) -> Vec<Finding> {
     measure::measure(rows);
     // None of these needs what another finds.
     let seen = &*rows;
-    let in_file = || report::Report::new(seen, &written.links);
+    let in_file = || report::Report::new(seen, &written.links, settings);
     let ((components, cycles), (landmarks, ((conflicts, mut findings), gaps))) = rayon::join(
         || {
             let components = components::find(seen);

@@ -2,6 +2,7 @@
 
 use crate::finding;
 use mapd_archive::{EdgeKind, LaneRow, NONE, RoadRow, Rows, SectionRow, string};
+use mapd_rules::{Rule, Settings};
 use mapd_xodr::{Finding, Severity, Span};
 use std::collections::BTreeMap;
 
@@ -14,26 +15,33 @@ pub(crate) struct Report<'a> {
     rows: &'a Rows,
     /// Place of each edge's link.
     spans: &'a [Span],
+    settings: &'a Settings,
     findings: Vec<Finding>,
-    counts: BTreeMap<(&'static str, Severity), usize>,
+    counts: BTreeMap<(&'static str, Severity), (&'static Rule, usize)>,
 }
 
 impl<'a> Report<'a> {
-    pub(crate) fn new(rows: &'a Rows, spans: &'a [Span]) -> Self {
-        Self { rows, spans, findings: Vec::new(), counts: BTreeMap::new() }
+    pub(crate) fn new(rows: &'a Rows, spans: &'a [Span], settings: &'a Settings) -> Self {
+        Self { rows, spans, settings, findings: Vec::new(), counts: BTreeMap::new() }
+    }
+
+    /// Whether a finding is an error as it is graded.
+    fn is_error(&self, rule: &Rule, severity: Severity) -> bool {
+        self.settings.severity_of(rule, severity) == Some(Severity::Error)
     }
 
     /// Adds a finding at an edge's link.
     pub(crate) fn at_edge(
         &mut self,
-        rule: &'static str,
+        rule: &'static Rule,
         severity: Severity,
         edge: u32,
         message: String,
     ) {
-        let count = self.counts.entry((rule, severity)).or_default();
+        let (_, count) = self.counts.entry((rule.id, severity)).or_insert((rule, 0));
         *count += 1;
-        if *count <= NAMED || severity == Severity::Error {
+        let count = *count;
+        if count <= NAMED || self.is_error(rule, severity) {
             let span = self.spans.get(edge as usize).copied().unwrap_or_default();
             let path = self.edge_path(edge);
             self.findings.push(finding(rule, severity, span, path, message, ""));
@@ -75,11 +83,10 @@ impl<'a> Report<'a> {
     }
 
     pub(crate) fn finish(mut self) -> Vec<Finding> {
-        let is_more = |((_, severity), count): &((_, Severity), usize)| {
-            *count > NAMED && *severity < Severity::Error
-        };
-        let more: Vec<_> = self.counts.into_iter().filter(is_more).collect();
-        for ((rule, severity), count) in more {
+        for ((_, severity), (rule, count)) in std::mem::take(&mut self.counts) {
+            if count <= NAMED || self.is_error(rule, severity) {
+                continue;
+            }
             let message = format!("{} more findings of this rule", count - NAMED);
             let path = "OpenDRIVE".to_owned();
             self.findings.push(finding(rule, severity, Span::default(), path, message, ""));

@@ -5,11 +5,9 @@ use super::{Lowering, between};
 use glam::DVec2;
 use mapd_archive::{ContactPoint, ElevationGridRow, GridRowRow, GridTransitionRow, Range, Rows};
 use mapd_query::{Map, Road, Track};
+use mapd_rules::catalog::building;
 use mapd_rules::line::ReferenceLine;
 use mapd_xodr::{Finding, Junction, PositionOrEnd, SegmentType, Severity, Text as _, Value as _};
-
-/// Rule of everything that is wrong with a grid: the junction then keeps its roads' own heights.
-const RULE: &str = "mapd:compile.elevation_grid";
 
 /// A joint of a junction with a grid, until its road is known.
 pub(crate) struct Joint {
@@ -43,7 +41,7 @@ impl Lowering {
         let mut part = Part { span: grid.span, path: (path, "elevationGrid"), findings };
         let mut refuse = |message: &str| {
             let message = format!("{message}; the junction's roads keep their own heights");
-            part.add(RULE, Severity::Warning, message);
+            part.add(&building::ELEVATION_GRID, Severity::Warning, message);
         };
         let geometries = junction.plan_view.as_deref().map_or(&[][..], |plan| &plan.geometry);
         let is_straight = geometries.len() == 1 && geometries.iter().all(|g| g.line.is_some());

@@ -7,6 +7,7 @@ use mapd_archive::{
     CubicRow, MarkLaneChange, Moved, Moves, NONE, Range, RoadMarkColor, RoadMarkKind,
     RoadMarkLineRow, RoadMarkRow, RoadMarkRule, RoadMarkStyleRow, RoadMarkWeight, Rows,
 };
+use mapd_rules::catalog::building;
 use mapd_xodr::{self as xodr, Finding, Severity, Text as _, Value as _};
 use std::collections::HashMap;
 
@@ -198,7 +199,7 @@ impl Lowering {
                 let path = (road, "lanes/laneSection/lane/roadMark/sway");
                 let mut part = Part { span: record.span, path, findings };
                 let message = "expected @ds, @a, @b, @c and @d, found one that can't be used; the record is left out";
-                part.add("mapd:compile.record", Severity::Warning, message.to_owned());
+                part.add(&building::RECORD, Severity::Warning, message.to_owned());
                 continue;
             };
             self.rows.cubics.push(CubicRow { s: s + ds, a, b, c, d });

@@ -33,12 +33,13 @@ use mapd_archive::{
     QuarantinedFileRow, QuarantinedRow, Range, RoadRow, RoadType, RoadTypeRow, Rows, SpeedKind,
     StringTable,
 };
+use mapd_rules::catalog::building;
 use mapd_rules::line::ReferenceLine;
 use mapd_xodr::{
     self as xodr, Finding, Header, Junction, JunctionType, Position, Road, Severity, Span,
     SpeedLimit, Text as _, TrafficRule, UnitSpeed, Value as _,
 };
-pub(crate) use need::{Part, UNUSABLE};
+pub(crate) use need::Part;
 pub(crate) use objects::{Owner, assumed_unit, lanes, orientation};
 use sections::Layer;
 use std::sync::Arc;
@@ -192,7 +193,7 @@ impl Lowering {
             let message =
                 "a second layer of lanes of one kind is not built; the first one is".into();
             part.span = lanes.span;
-            part.add("mapd:compile.lane_layer", Severity::Info, message);
+            part.add(&building::LANE_LAYER, Severity::Info, message);
         }
         match chosen {
             None => {
@@ -293,7 +294,7 @@ impl Lowering {
             let message = "the map has no roads".to_owned();
             let path = "OpenDRIVE".to_owned();
             findings.push(finding(
-                "mapd:compile.no_roads",
+                &building::NO_ROADS,
                 Severity::Warning,
                 Span::default(),
                 path,
@@ -305,7 +306,7 @@ impl Lowering {
             let message = "names and ids need more than 4 GiB".to_owned();
             let path = "OpenDRIVE".to_owned();
             findings.push(finding(
-                "mapd:compile.strings",
+                &building::TOO_LARGE,
                 Severity::Error,
                 Span::default(),
                 path,

@@ -1,10 +1,8 @@
 //! What rows are built from: it is there, or a finding says that the map cannot be built without it.
 
+use mapd_rules::Rule;
+use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity, Span};
-
-/// Something that the map is built from is absent or cannot be used. Where the reader has a finding about the same, that
-/// one stands for this one; see `Collector`.
-pub(crate) const UNUSABLE: &str = "mapd:compile.unusable";
 
 /// Largest number that a lane may have, to either side: more lanes than a section can have points, and small enough that numbers
 /// can be subtracted from each other.
@@ -58,19 +56,20 @@ impl Part<'_> {
         None
     }
 
-    /// Adds the finding that something cannot be used: an attribute or child by its name, or with no name the element.
+    /// Adds the finding that something cannot be used: an attribute or child by its name, or with no name the element. Where the
+    /// reader or a rule has a finding about the same, that one stands for this one; see `Collector`.
     pub(crate) fn unusable(&mut self, subject: &str, message: String) {
-        let finding = self.finding(UNUSABLE, Severity::Error, message);
+        let finding = self.finding(&building::UNUSABLE, Severity::Error, message);
         self.findings.push(Finding { subject: subject.into(), ..finding });
     }
 
     /// Adds a finding about the element.
-    pub(crate) fn add(&mut self, rule: &'static str, severity: Severity, message: String) {
+    pub(crate) fn add(&mut self, rule: &'static Rule, severity: Severity, message: String) {
         let finding = self.finding(rule, severity, message);
         self.findings.push(finding);
     }
 
-    fn finding(&self, rule: &'static str, severity: Severity, message: String) -> Finding {
+    fn finding(&self, rule: &'static Rule, severity: Severity, message: String) -> Finding {
         let (base, tail) = self.path;
         let path = if tail.is_empty() { base.to_owned() } else { format!("{base}/{tail}") };
         crate::finding(rule, severity, self.span, path, message, "")

@@ -8,6 +8,7 @@ use crate::objects::written::{Along, Border, Corner, Details, Marking, Outline, 
 use mapd_archive::{
     NONE, ObjectBorderRow, ObjectMarkingRow, ObjectMaterialRow, ParkingSpaceRow, Range,
 };
+use mapd_rules::catalog::building;
 use mapd_xodr::{
     self as xodr, Attribute, ParkingSpaceMarkingSide, Severity, SideType, Text as _, Value as _,
 };
@@ -26,7 +27,7 @@ impl Lowering {
         if let Some(crg) = object.surface.as_deref().and_then(|surface| surface.crg.as_deref()) {
             let message =
                 format!("the OpenCRG file {:?} is not built into the object", crg.file.text());
-            part.add("mapd:compile.unsupported", Severity::Info, message);
+            part.add(&building::UNSUPPORTED, Severity::Info, message);
         }
         let has_any = object.markings.is_some()
             || object.borders.is_some()

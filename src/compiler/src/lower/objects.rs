@@ -8,6 +8,7 @@ use mapd_archive::{
     AnnotationOwner, NONE, ObjectRow, ObjectShape, ObjectValueRow, Orientation, Range, object_flags,
 };
 use mapd_ontology::{Class, Meaning, ObjectCode, Ontology};
+use mapd_rules::catalog::building;
 use mapd_rules::line::ReferenceLine;
 use mapd_xodr::{self as xodr, Finding, Position, Severity, Span, Text as _, Value as _};
 
@@ -202,7 +203,7 @@ fn meaning(ontology: &Ontology, object: &xodr::Object) -> Meaning {
 pub(crate) fn assumed_unit(unit: &str, part: &mut Part<'_>) {
     let message =
         format!("expected the unit of its value, found none; the number is read in {unit}");
-    part.add("mapd:compile.assumed_unit", Severity::Info, message);
+    part.add(&building::ASSUMED_UNIT, Severity::Info, message);
 }
 
 /// The row with the shape that its sizes or outlines make.
@@ -238,5 +239,5 @@ pub(crate) fn lanes(written: &[xodr::LaneValidity]) -> Vec<(i32, i32)> {
 
 /// Says that a part of an object is left out.
 pub(super) fn left_out(part: &mut Part<'_>, message: String) {
-    part.add("mapd:compile.object_part", Severity::Warning, message);
+    part.add(&building::OBJECT_PART, Severity::Warning, message);
 }

@@ -4,6 +4,7 @@ use super::need::{MOST_COEFFICIENT, Part};
 use super::{Lowering, between};
 use mapd_archive::{CubicRow, GeometryRow, Range};
 use mapd_geometry::ParameterRange;
+use mapd_rules::catalog::building;
 use mapd_rules::line::{Fault, Piece, ReferenceLine};
 use mapd_xodr::{self as xodr, CubicRecord, Finding, Severity, Span, Value as _};
 
@@ -49,7 +50,7 @@ impl Lowering {
         };
         if is_parametric && piece.range.is_none() {
             let message = "expected paramPoly3/@pRange, found none; read as normalized".to_owned();
-            part.add("mapd:compile.p_range", Severity::Warning, message);
+            part.add(&building::P_RANGE, Severity::Warning, message);
             if let Some(finding) = part.findings.last_mut() {
                 finding.hint = "write pRange=\"normalized\" or pRange=\"arcLength\"".to_owned();
             }
@@ -133,7 +134,7 @@ fn say(fault: &Fault, geometry: Span, part: &mut Part<'_>) {
         }
         Fault::Curve(error) => {
             let message = format!("the curve cannot be evaluated: {error}");
-            part.add("mapd:compile.curve", Severity::Error, message);
+            part.unusable("", message);
         }
     }
 }

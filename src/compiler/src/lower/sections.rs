@@ -3,12 +3,12 @@
 use super::need::Part;
 use super::surface::place;
 use super::{Lowering, WrittenLink, between, speed};
-use crate::too_large::TOO_LARGE;
 use bytemuck::Zeroable as _;
 use mapd_archive::{
     AnnotationOwner, LaneRow, LaneSpeedRow, LaneType, MOST_OF_LANE, NONE, Range, SectionRow,
     VehicleClass, lane_flags,
 };
+use mapd_rules::catalog::building;
 use mapd_xodr::{
     self as xodr, Finding, LaneDirection, Road, Severity, Span, Text as _, TrafficRule, Value as _,
 };
@@ -143,10 +143,10 @@ fn sides<'a>(
             let mut part = Part { span: section.span, path: (road, "lanes/laneSection"), findings };
             if has[0] == has[1] {
                 let message = "expected lanes on one side of a section with singleSide, found them on both or none; read as a section for both".to_owned();
-                part.add("mapd:compile.single_side", Severity::Warning, message);
+                part.add(&building::SINGLE_SIDE, Severity::Warning, message);
             } else if i == 0 {
                 let message = "the road's first section is for one side only: the other one begins without lanes".to_owned();
-                part.add("mapd:compile.single_side", Severity::Warning, message);
+                part.add(&building::SINGLE_SIDE, Severity::Warning, message);
             } else {
                 replaces = has;
             }
@@ -239,7 +239,7 @@ impl Lowering {
                 "expected a center lane with id 0, found none; the reference line stands in"
                     .to_owned();
             let mut part = Part { span: section.span, path: (road, &tail()), findings };
-            part.add("mapd:compile.center_lane", Severity::Warning, message);
+            part.add(&building::CENTER_LANE, Severity::Warning, message);
         }
         let section_row = self.rows.sections.len() as u32;
         let before = self.rows.lanes.len();
@@ -290,7 +290,7 @@ impl Lowering {
             let found = widths.count;
             let message =
                 format!("expected at most {MOST_OF_LANE} records of width, found {found}");
-            part.add(TOO_LARGE, Severity::Error, message);
+            part.add(&building::TOO_LARGE, Severity::Error, message);
         }
         let own = self.rows.lanes.len() as u32;
         for record in lane.speed {

@@ -5,6 +5,7 @@ use super::{Lowering, between};
 use mapd_archive::{
     CubicRow, LaneHeightRow, LaneMaterialRow, Range, ShapeStationRow, SurfaceRow, SurfaceStripRow,
 };
+use mapd_rules::catalog::building;
 use mapd_xodr::{
     self as xodr, Coefficients, Crossfall, CrossfallSide, Finding, Road, Severity, Shape,
     StripMode, Text as _, Value as _,
@@ -28,7 +29,7 @@ impl Lowering {
                 "the OpenCRG file {:?} is not built into the map: surface heights of this road lack it",
                 crg.file.text()
             );
-            part.add("mapd:compile.unsupported", Severity::Info, message);
+            part.add(&building::UNSUPPORTED, Severity::Info, message);
         }
         let Some(profile) = road.lateral_profile.as_deref() else { return };
         let surface = profile.cross_section_surface.as_deref();
@@ -172,7 +173,7 @@ impl Lowering {
 pub(super) fn place<T>(value: Option<T>, name: &str, part: &mut Part<'_>) -> Option<T> {
     if value.is_none() {
         let message = format!("expected @{name}, found none that can be used; it is left out");
-        part.add("mapd:compile.record", Severity::Warning, message);
+        part.add(&building::RECORD, Severity::Warning, message);
     }
     value
 }

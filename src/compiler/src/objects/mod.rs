@@ -24,6 +24,8 @@ use mapd_archive::{
     SkeletonVertexRow, string,
 };
 use mapd_query::Map;
+use mapd_rules::Rule;
+use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
 use rayon::prelude::*;
 use repeat::Left;
@@ -126,8 +128,8 @@ pub(crate) fn build(
             "no lane that it may belong to lies within {} m; it stays with its road alone",
             options.lane_reach
         );
-        let finding = finding(map, object, object.span, Severity::Info, message);
-        Some(Finding { rule: "mapd:compile.object_lane", ..finding })
+        let rule = (&building::OBJECT_LANE, Severity::Info);
+        Some(finding(map, object, rule, object.span, message))
     }));
     Ok(findings)
 }
@@ -175,7 +177,8 @@ fn place(
     let standing = line.as_ref().and_then(|line| place::stand(line, object, &mut row));
     let Some((line, standing)) = line.as_ref().zip(standing) else {
         let message = "expected a place along a reference line, found one that no number can hold";
-        findings.push(finding(map, object, object.span, Severity::Error, message.to_owned()));
+        let rule = (&building::OBJECT_PLACE, Severity::Error);
+        findings.push(finding(map, object, rule, object.span, message.to_owned()));
         let (shapes, copies, skeletons) = (Vec::new(), Vec::new(), Vec::new());
         return Placed { row, shapes, copies, skeletons, findings };
     };
@@ -207,7 +210,7 @@ fn place(
         }
         made += new;
         if let Err(Left::Out(message)) = outcome {
-            findings.push(finding(map, object, repeat.span, Severity::Warning, message));
+            findings.push(finding(map, object, REPEAT, repeat.span, message));
         }
     }
     let lost = asked(Some(line), object) - room;
@@ -217,7 +220,7 @@ fn place(
             repeat::MOST_COPIES_OF_A_MAP
         );
         let span = object.repeats.first().map_or(object.span, |repeat| repeat.span);
-        findings.push(finding(map, object, span, Severity::Warning, message));
+        findings.push(finding(map, object, REPEAT, span, message));
     }
     let details = object.details.as_deref();
     let skeletons =
@@ -291,16 +294,18 @@ fn too_detailed(map: Map<'_>, object: &Object, what: &str) -> Finding {
     let message = format!(
         "{what} has more points within the tolerance of borders than its length explains, than the {MOST_MADE_OF_AN_OBJECT} that objects may have, or the {LEAST_MADE_OF_A_MAP} and {MADE_FOR_AN_OBJECT} for each object that maps may have; it is left out"
     );
-    let finding = finding(map, object, object.span, Severity::Warning, message);
-    Finding { rule: "mapd:compile.object_part", ..finding }
+    finding(map, object, (&building::OBJECT_PART, Severity::Warning), object.span, message)
 }
+
+/// Whatever keeps a repetition from all of its copies.
+const REPEAT: (&Rule, Severity) = (&building::OBJECT_REPEAT, Severity::Warning);
 
 /// A finding about an object or one of its repetitions.
 fn finding(
     map: Map<'_>,
     object: &Object,
+    (rule, severity): (&'static Rule, Severity),
     span: mapd_xodr::Span,
-    severity: Severity,
     message: String,
 ) -> Finding {
     let text = |number: u32| string(map.tables(), number);
@@ -313,10 +318,5 @@ fn finding(
     };
     let path =
         format!("OpenDRIVE/{owner}[@id={}]/objects/object[@id={}]", text(id), text(object.row.id));
-    let rule = if span == object.span {
-        "mapd:compile.object_place"
-    } else {
-        "mapd:compile.object_repeat"
-    };
     crate::finding(rule, severity, span, path, message, "")
 }

@@ -1,11 +1,12 @@
 //! Which lanes signals are for.
 
-use super::{PlaceWritten, Resolved, SIGNAL_LANES};
+use super::{PlaceWritten, Resolved};
 use crate::finding;
 use crate::lanes::view;
 use mapd_archive::{LaneMethod, Orientation, Rows, SignalLaneRow, SignalPlaceRow};
 use mapd_geometry::clamp;
 use mapd_query::{Lane, Map, Road};
+use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
 
 /// Lanes of a place: row of the lane and its distance `[m]`.
@@ -51,7 +52,7 @@ pub(super) fn attach(rows: &mut Rows, resolved: &Resolved, reach: f64) -> Vec<Fi
             None if place.names_no_lane()
                 && has_lanes.get(place.signal as usize).is_some_and(|has| *has) => {}
             None => findings.push(finding(
-                SIGNAL_LANES,
+                &building::SIGNAL_LANES,
                 Severity::Warning,
                 place.span,
                 "OpenDRIVE/road/signals".to_owned(),

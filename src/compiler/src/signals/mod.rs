@@ -22,9 +22,6 @@ use std::sync::Arc;
 pub(crate) use index::build as index;
 pub(crate) use resolve::resolve;
 
-/// Rule of signals that are for no lane.
-pub(crate) const SIGNAL_LANES: &str = "mapd:compile.signal_lanes";
-
 /// What is known of signals until every id and lane is.
 #[derive(Default)]
 pub(crate) struct Pending {

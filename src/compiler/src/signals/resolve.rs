@@ -8,6 +8,7 @@ use mapd_archive::{
     DefaultSpeedRow, JunctionControllerRow, JunctionPriorityRow, NONE, Range, RoadType, Rows,
 };
 use mapd_ontology::Class;
+use mapd_rules::catalog::building;
 use mapd_xodr::source::Places;
 use mapd_xodr::{self as xodr, Finding, Header, Severity, Value as _};
 use std::collections::HashMap;
@@ -94,7 +95,7 @@ fn signal_places(
         let Some(signal) = signals.get(&reference.id).copied() else {
             let id = String::from_utf8_lossy(lowering.strings.bytes_of(reference.id)).into_owned();
             findings.push(finding(
-                "mapd:compile.signal_reference",
+                &building::SIGNAL_REFERENCE,
                 Severity::Warning,
                 reference.span,
                 "OpenDRIVE/road/signals/signalReference/@id".to_owned(),

@@ -4,7 +4,7 @@ mod crg;
 mod lateral;
 mod links;
 mod plan_view;
-mod poly;
+pub(crate) mod poly;
 mod railroad;
 mod records;
 mod redundant;

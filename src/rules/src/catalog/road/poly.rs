@@ -13,6 +13,9 @@ const LENGTH: Tolerance = Tolerance { name: "difference of lengths", value: 1e-3
 /// Coefficients that count as 0.
 const ZERO: Tolerance = Tolerance { name: "coefficient that counts as 0", value: 1e-6, unit: "m" };
 
+/// Geometries are curves. Where this is an error, it stands for what building finds about the same.
+pub const COMPUTABLE: &str = "mapd:xodr:1.4.0:geometry.computable";
+
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.7.0:road.geometry.paramPoly3.valid_parameters",
@@ -58,7 +61,7 @@ pub(super) static RULES: &[Rule] = &[
     )
     .within(&[LENGTH]),
     Rule::error(
-        "mapd:xodr:1.4.0:geometry.computable",
+        COMPUTABLE,
         [
             "A geometry is a curve that can be evaluated.",
             "there is no curve to lay lanes along",
