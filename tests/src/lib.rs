@@ -13,6 +13,7 @@ pub mod command;
 pub mod coverage;
 pub mod crossroads;
 pub mod damage;
+pub mod drives;
 pub mod graph_maps;
 pub mod literal;
 pub mod manager;

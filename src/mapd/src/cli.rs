@@ -280,6 +280,16 @@ enum Command {
         #[command(flatten)]
         opening: Opening,
     },
+    /// Say which lanes a recorded trace was driven in: CSV with a header row from stdin to stdout
+    #[command(after_help = MATCH_HELP)]
+    Match {
+        /// .xodr, .mapd or shm:NAME
+        source: String,
+        #[command(flatten)]
+        trace: query::trace::TraceArgs,
+        #[command(flatten)]
+        opening: Opening,
+    },
     /// Draw or convert a map
     Export {
         /// .xodr, .mapd or shm:NAME
@@ -358,6 +368,12 @@ const CHECK_HELP: &str = "\
 An error says that the file violates the standard; parts are left out only for errors that say so, because what they are
 built from is missing or unusable. Ends with 0 where the map would be accepted, with 3 where parts of it would be left
 out, with 4 where it would be rejected.";
+
+const MATCH_HELP: &str = "\
+In: time [s] and x,y[,z] or lat,lon[,alt], in the order of time; hdg where it is known. Out: lane,s,offset (from the lane's centre, positive to
+the left of the reference line) and the probability of the lane given the whole trace; lane is empty where the trace is on none.
+
+  mapd match map.xodr --deviation 2 < trace.csv";
 
 const QUERY_HELP: &str = "\
 Columns:
@@ -574,16 +590,18 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
                         io::stdin().lock(),
                         &mut *out,
                     )
-                    .map_err(|error| match error {
-                        query::QueryRunError::Columns { .. } => {
-                            UsageError(error.to_string()).into()
-                        }
-                        other => anyhow::Error::new(other),
-                    })?;
+                    .map_err(usage_of)?;
                     Exit::Done
                 }
                 None => Exit::Rejected,
             }
+        }
+        Command::Match { source, trace, opening } => {
+            let options = trace.options(lane_types(&trace.types)?);
+            let Some(snapshot) = opening.open(&source)? else { return Ok(Exit::Rejected) };
+            query::trace::run(snapshot.map(), &options, io::stdin().lock(), &mut *out)
+                .map_err(usage_of)?;
+            Exit::Done
         }
         Command::Export { source, format, output, index_boxes, route, opening } => {
             let is_source = |output: &&PathBuf| is_same_file(output, source.as_ref());
@@ -631,6 +649,16 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
     };
     out.flush()?;
     Ok(exit)
+}
+
+/// What is wrong with how a query is asked is wrong usage.
+fn usage_of(error: query::QueryRunError) -> anyhow::Error {
+    match error {
+        query::QueryRunError::Columns { .. } | query::QueryRunError::Options(_) => {
+            UsageError(error.to_string()).into()
+        }
+        other => anyhow::Error::new(other),
+    }
 }
 
 /// The set of lane types that names stand for.

@@ -95,7 +95,10 @@ pub use mapd_archive::{
 #[cfg(feature = "geodesy")]
 pub use mapd_geodesy::{DefinitionError, Geodetic, Offset, ProjectionError, Projector};
 pub use marks::{MarkFilter, MarkKinds, NearMark, Side};
-pub use matching::{LaneMatch, MatchError, MatchOptions, VehiclePose};
+pub use matching::{
+    LaneMatch, MatchError, MatchOptions, TraceFix, TraceMatch, TraceOptions, TraceScratch,
+    VehiclePose,
+};
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
 pub use objects::{
     NearObject, Object, ObjectBorder, ObjectLane, ObjectMarking, ObjectMaterial, ObjectOutline,

@@ -80,6 +80,29 @@ fn nearest_takes_types_radius_and_z() {
 }
 
 #[test]
+fn a_trace_is_matched_row_by_row() {
+    let input = "time,x,y,id\n0,10,-1.7,a\n1,18,-1.8,b\nx,20,-1,c\n0.5,20,-1,d\n2,26,40,e\n";
+    let output = run(&["match", &one_road()], input);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows[0].join(","), "time,x,y,id,lane,s,offset,probability,error");
+    assert_eq!(
+        (rows[1][4], rows[1][5], rows[2][4], rows[2][5]),
+        ("1:0:-1", "10.0", "1:0:-1", "18.0")
+    );
+    assert!(
+        rows[3][4].is_empty() && text.contains("expected a finite number in column time"),
+        "{text}"
+    );
+    assert!(rows[4][4].is_empty() && text.contains("time must not fall"), "{text}");
+    assert!(rows[5][4].is_empty() && !rows[5][7].is_empty() && rows[5][8].is_empty(), "{text}");
+    let output = run(&["match", &one_road()], "time,x\n0,1\n");
+    assert_eq!(output.status.code(), Some(2));
+    let output = run(&["match", &one_road(), "--deviation", "0"], "time,x,y\n0,1,1\n");
+    assert_eq!(output.status.code(), Some(2));
+}
+
+#[test]
 fn ground_and_marks_have_their_columns() {
     check(
         &["ground"],

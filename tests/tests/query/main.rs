@@ -38,4 +38,5 @@ mod signals_corpus;
 mod single_side;
 mod speed_rules;
 mod surfaces;
+mod traces;
 mod who_may;

@@ -17,6 +17,7 @@ mod path;
 mod route;
 mod row;
 mod signals;
+pub(crate) mod trace;
 
 pub use kinds::Kind;
 use mapd_client::Map;
@@ -43,6 +44,9 @@ pub enum QueryRunError {
         /// Columns of the input.
         found: String,
     },
+    /// Options that mean nothing.
+    #[error("{0}")]
+    Options(String),
     /// Reading or writing failed.
     #[error(transparent)]
     Csv(#[from] csv::Error),

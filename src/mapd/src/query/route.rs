@@ -56,7 +56,7 @@ impl Default for RouteArgs {
     }
 }
 
-fn vehicle(name: &str) -> Result<VehicleClass, String> {
+pub(super) fn vehicle(name: &str) -> Result<VehicleClass, String> {
     match VehicleClass::from_name(name) {
         VehicleClass::Unknown => {
             let all: Vec<_> = VehicleClass::ALL.iter().map(|class| class.name()).collect();

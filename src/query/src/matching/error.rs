@@ -33,6 +33,12 @@ pub enum MatchError {
     /// An option out of its domain.
     #[error("the option {0} is out of its domain")]
     Option(&'static str),
+    /// A fix of a trace, by its number from 0, has a part that is not a finite number.
+    #[error("fix {0} has a part that is not a finite number")]
+    Fix(usize),
+    /// A fix of a trace, by its number from 0, is earlier than the one before.
+    #[error("fix {0} is earlier than the one before")]
+    Time(usize),
     /// The query itself failed.
     #[error(transparent)]
     Query(QueryError),

@@ -9,8 +9,10 @@
 mod density;
 mod error;
 mod stretch;
+mod trace;
 
 pub use error::MatchError;
+pub use trace::{TraceFix, TraceMatch, TraceOptions, TraceScratch};
 
 use crate::area;
 use crate::error::QueryError;

@@ -113,7 +113,7 @@ pub(super) fn price(cost: f64) -> f64 {
 }
 
 /// Share of a node's length from its beginning to s.
-pub(super) fn share_before(node: &LaneNode<'_>, s: f64) -> f64 {
+pub(crate) fn share_before(node: &LaneNode<'_>, s: f64) -> f64 {
     let Some(lane) = node.lane() else { return 0.0 };
     let (from, to) = node.s_range();
     let (done, whole) = (lane.length_between(from, s), lane.length_between(from, to));

@@ -18,6 +18,7 @@ mod sequences;
 mod steps;
 
 pub use cost::{CostBound, RouteCost, ShortestLength, ShortestTime};
+pub(crate) use ends::share_before;
 pub use reach::Reached;
 pub use scratch::RouteScratch;
 pub use sequences::{LaneSequences, NextJunction};
