@@ -1,7 +1,7 @@
 //! A domain of its own with one map, where daemons and clients are processes that may be killed.
 
 use crate::place::Place;
-use mapd_client::{Client, ClientError, Domain};
+use mapd_client::{Attach, Client, ClientError, Domain};
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
 use std::collections::BTreeSet;
@@ -100,10 +100,11 @@ impl Stage {
         self.command(&["--load", &self.map.display().to_string()])
     }
 
-    /// A client that attaches, asks, and detaches.
-    pub fn client_command(&self) -> Command {
+    /// A client that attaches in this way, asks, and detaches.
+    pub fn client_command(&self, attach: Attach) -> Command {
         let wait = ATTACH_DEADLINE.as_secs_f64().to_string();
-        self.command(&["query", &format!("shm:{}", self.name()), "nearest", "--wait", &wait])
+        let map = format!("shm:{}", self.name());
+        self.command(&["query", &map, "nearest", "--wait", &wait, "--attach", option(attach)])
     }
 
     /// Starts a daemon and waits until it serves.
@@ -115,27 +116,33 @@ impl Stage {
         Ok(daemon)
     }
 
-    /// Asks the served map by a fresh process. The time it took, if the answer is that of the file.
+    /// Asks the served map by fresh processes, an observer and a subscriber. The time that the slower one took, if both answers are
+    /// that of the file.
     ///
     /// Errors: no answer in time; another answer.
     pub fn fresh_client(&self) -> Checked<Duration> {
-        let start = Instant::now();
-        let output = self.ask(&format!("shm:{}", self.name()), ATTACH_DEADLINE)?;
-        if !output.status.success() {
-            return Err(format!("a fresh client: {}: {}", output.status, stderr_of(&output)));
+        let mut longest = Duration::ZERO;
+        for attach in [Attach::Observer, Attach::Subscriber] {
+            let start = Instant::now();
+            let output = self.ask_as(attach, &format!("shm:{}", self.name()), ATTACH_DEADLINE)?;
+            if !output.status.success() {
+                let said = stderr_of(&output);
+                return Err(format!("a fresh client, {attach:?}: {}: {said}", output.status));
+            }
+            let (answer, right) = (stdout_of(&output), &self.answer);
+            if answer != *right {
+                return Err(format!("a fresh client answers {answer:?} instead of {right:?}"));
+            }
+            longest = longest.max(start.elapsed());
         }
-        let answer = stdout_of(&output);
-        if answer != self.answer {
-            return Err(format!("a fresh client answers {answer:?} instead of {:?}", self.answer));
-        }
-        Ok(start.elapsed())
+        Ok(longest)
     }
 
-    /// A client within this process.
+    /// A client within this process, attached in this way.
     ///
-    /// Errors: as [`Client::connect_in`].
-    pub fn client(&self) -> Result<Client, ClientError> {
-        Client::connect_in(&self.domain(), &self.name(), ATTACH_DEADLINE)
+    /// Errors: as [`Client::connect_as`].
+    pub fn client(&self, attach: Attach, wait: Duration) -> Result<Client, ClientError> {
+        Client::connect_as(attach, &self.domain(), &self.name(), wait)
     }
 
     /// All files of the domain: in shared memory and, recursively, in its root folder.
@@ -150,8 +157,13 @@ impl Stage {
     }
 
     fn ask(&self, source: &str, wait: Duration) -> Checked<Output> {
+        self.ask_as(Attach::default(), source, wait)
+    }
+
+    fn ask_as(&self, attach: Attach, source: &str, wait: Duration) -> Checked<Output> {
         let wait_text = wait.as_secs_f64().to_string();
-        let mut command = self.command(&["query", source, "nearest", "--wait", &wait_text]);
+        let args = ["query", source, "nearest", "--wait", &wait_text, "--attach", option(attach)];
+        let mut command = self.command(&args);
         let mut child =
             command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().map_err(text)?;
         if let Some(mut stdin) = child.stdin.take() {
@@ -166,6 +178,14 @@ impl Stage {
                 Err(format!("a client hangs: no end {:?} after its deadline", PROCESS_SLACK))
             }
         }
+    }
+}
+
+/// The value of `--attach`.
+fn option(attach: Attach) -> &'static str {
+    match attach {
+        Attach::Subscriber => "subscriber",
+        _ => "observer",
     }
 }
 

@@ -1,9 +1,10 @@
 //! Shared memory that somebody fills up at a system call of a daemon, whichever it is: a clear error or success, never a
 //! signal, and nothing is left behind.
 
+use mapd_client::{Attach, Client};
 use mapd_tests::say;
 use mapd_tests::small::{Filler, in_small_shared_memory};
-use mapd_tests::stage::Stage;
+use mapd_tests::stage::{ATTACH_DEADLINE, Stage};
 use mapd_tests::tracer::{Moment, Side, Then, Traced};
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
@@ -109,17 +110,23 @@ fn reloading(
                 let outcome = &outcome;
                 scope.spawn(move || {
                     let reload = || {
-                        let client = stage.client().map_err(|error| error.to_string())?;
-                        let held = client.snapshot();
+                        let connect = |attach| {
+                            let client = stage.client(attach, ATTACH_DEADLINE);
+                            client.map_err(|error| error.to_string())
+                        };
+                        let clients = [connect(Attach::Observer)?, connect(Attach::Subscriber)?];
+                        let held = clients.each_ref().map(Client::snapshot);
                         stage.touch_map()?;
                         let mut ask = stage.ask_command(&["reload"]);
                         let asked = ask.stdout(Stdio::piped()).output();
                         let asked = asked.map_err(|error| error.to_string())?;
                         let said = String::from_utf8_lossy(&asked.stdout).into_owned();
-                        held.verify().map_err(|error| format!("held: {error}"))?;
-                        let newest =
-                            client.refresh().map_err(|error| format!("newest: {error}"))?;
-                        newest.verify().map_err(|error| format!("newest: {error}"))?;
+                        for (client, held) in clients.iter().zip(held) {
+                            held.verify().map_err(|error| format!("held: {error}"))?;
+                            let newest =
+                                client.refresh().map_err(|error| format!("newest: {error}"))?;
+                            newest.verify().map_err(|error| format!("newest: {error}"))?;
+                        }
                         Ok::<_, String>(said)
                     };
                     let (said, held) = match reload() {

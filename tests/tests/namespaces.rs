@@ -53,6 +53,8 @@ fn serve(place: &Place) -> Contained {
 fn holder(place: &Place) -> (Contained, BufReader<std::process::ChildStdout>, u64) {
     let wait = PATIENCE.as_millis().to_string();
     let mut command = alone(place, PROBE, &["wait", "town", &wait]);
+    // Observers have nothing that could be cleared away.
+    command.env("PROBE_ATTACH", "subscriber");
     let mut child = Contained(command.stdin(Stdio::piped()).spawn().expect("starts"));
     let mut lines = BufReader::new(child.0.stdout.take().expect("stdout"));
     let mut line = String::new();
@@ -68,8 +70,9 @@ fn clients_attach_across_namespaces() {
         return;
     }
     let _daemon = serve(&place);
-    for _ in 0..5 {
-        let output = alone(&place, PROBE, &["ask", "town", "10000"]).output().expect("ends");
+    for how in ["observer", "subscriber"].repeat(3) {
+        let mut command = alone(&place, PROBE, &["ask", "town", "10000"]);
+        let output = command.env("PROBE_ATTACH", how).output().expect("ends");
         assert_eq!(String::from_utf8_lossy(&output.stdout), "lane 1:0:-1\n");
     }
     Client::connect_in(&place.domain(), "town", PATIENCE).expect("from outside as well");

@@ -9,9 +9,11 @@ use mapd_client::transport::{
     AttachError, Chunk64, GenerationInfo, MAX_SUBSCRIBERS, Subscription, TransportService,
     iceoryx2_config, service_name, wake_name,
 };
-use mapd_client::{Client, ClientError};
+use mapd_client::{Attach, Client, ClientError};
 use mapd_tests::place::{PATIENCE, Place};
 use mapd_tests::say;
+use std::fs::File;
+use std::os::unix::fs::FileExt;
 use std::path::{Path, PathBuf};
 use std::process::{Output, Stdio};
 use std::time::{Duration, Instant};
@@ -63,22 +65,33 @@ fn too_small_at_the_start() {
     assert_eq!(left, 1, "something is left behind: {text}");
 }
 
-/// A client that comes when shared memory is full is told so, and attaches once there is room; the daemon serves on.
+/// A subscriber that comes when shared memory is full is told so, and attaches once there is room; an observer needs none. The daemon
+/// serves on.
 #[test]
 fn full_when_a_client_attaches() {
     let place = place();
     let script = format!(
         "{MAPD} --load {} & while ! {PROBE} ask town 1000 >/dev/null 2>&1; do sleep 0.02; done; \
          head -c 100M /dev/zero > /dev/shm/filler 2>/dev/null; \
-         {PROBE} connect town 300; echo refused $?; rm /dev/shm/filler; \
+         PROBE_ATTACH=subscriber {PROBE} connect town 300; echo refused $?; \
+         {PROBE} ask town 300; echo observed $?; \
+         {{ sleep 0.2; echo; }} | {PROBE} wait town 300; echo waited $?; rm /dev/shm/filler; \
          {PROBE} ask town 10000; echo attached $?; \
          kill $!; wait $!; echo ended $?; ls -A /dev/shm",
         town()
     );
     let Some(output) = with_small_shared_memory(&place, 8192, &script) else { return };
     let text = told(&output);
-    let all =
-        ["error attaching needs ", "left by /dev/shm", "refused 1\n", "attached 0\n", "ended 0\n"];
+    let all = [
+        "error attaching needs ",
+        "left by /dev/shm",
+        "refused 1\n",
+        "observed 0\n",
+        "held ",
+        "waited 1\n",
+        "attached 0\n",
+        "ended 0\n",
+    ];
     all.iter().for_each(|part| assert!(text.contains(part), "{part:?} is missing in {text}"));
     assert!(output.stdout.ends_with(b"ended 0\n"), "left behind: {text}");
 }
@@ -286,8 +299,11 @@ fn another_version_of_iceoryx2_is_told_so() {
         }
     }
     assert!(changed > 0, "the daemon shares nothing");
-    let error = Client::connect_in(&place.domain(), "town", PATIENCE).err().expect("refused");
+    let subscriber = Client::connect_as(Attach::Subscriber, &place.domain(), "town", PATIENCE);
+    let error = subscriber.err().expect("refused");
     assert!(matches!(error, ClientError::Attach(AttachError::WrongTransport { .. })), "{error}");
+    // Observers have no part in iceoryx2.
+    Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
 }
 
 /// A daemon of another transport revision has published, and its services have other names.
@@ -296,20 +312,23 @@ fn another_transport_revision_is_told_so() {
     let place = place();
     let _daemon = place.serve(&[&town()]);
     let root = place.domain().root().to_owned();
-    let record = root.join("town.published");
-    let text = std::fs::read_to_string(&record).expect("the record");
-    std::fs::write(&record, {
-        let ours = format!("revision {}\n", mapd_client::transport::TRANSPORT_REVISION);
-        assert!(text.starts_with(&ours), "{text}");
-        text.replacen(&ours, "revision 99\n", 1)
-    })
-    .expect("written");
+    let record = File::options().read(true).write(true).open(root.join("town.published"));
+    let (record, mut revision) = (record.expect("the record"), [0; 4]);
+    record.read_exact_at(&mut revision, 8).expect("a revision");
+    assert_eq!(u32::from_le_bytes(revision), mapd_client::transport::TRANSPORT_REVISION);
+    record.write_all_at(&99_u32.to_le_bytes(), 8).expect("written");
     for entry in std::fs::read_dir(root.join("services")).expect("services").flatten() {
         std::fs::remove_file(entry.path()).expect("removed");
     }
-    let error = Client::connect_in(&place.domain(), "town", PATIENCE).err().expect("refused");
-    assert!(matches!(error, ClientError::Attach(AttachError::WrongTransport { .. })), "{error}");
-    assert!(error.to_string().contains("99"), "{error}");
+    for attach in [Attach::Observer, Attach::Subscriber] {
+        let connected = Client::connect_as(attach, &place.domain(), "town", PATIENCE);
+        let error = connected.err().expect("refused");
+        assert!(
+            matches!(error, ClientError::Attach(AttachError::WrongTransport { .. })),
+            "{error}"
+        );
+        assert!(error.to_string().contains("99"), "{error}");
+    }
 }
 
 /// A client of another release lives on, with the service it has open. Here one makes it with fewer places.

@@ -1,10 +1,10 @@
-//! One process that attaches, answers once, says so with a byte on stdout, and ends: `attach_probe shm NAME` or
-//! `attach_probe file PATH`.
+//! One process that attaches, answers once, says so with a byte on stdout, and ends: `attach_probe shm NAME`,
+//! `attach_probe subscriber NAME` or `attach_probe file PATH`.
 //!
-//! With `file` it is the floor: the same archive by plain open and mmap. Behind the byte, `shm` says how long each phase of
+//! With `file` it is the floor: the same archive by plain open and mmap. Behind the byte, `subscriber` says how long each phase of
 //! the attach took: microseconds, separated by blanks.
 
-use mapd_client::{Client, NearestOptions, Snapshot, glam::DVec2};
+use mapd_client::{Attach, Client, ClientError, Domain, NearestOptions, Snapshot, glam::DVec2};
 use std::io::Write;
 use std::process::ExitCode;
 use std::time::Duration;
@@ -12,11 +12,17 @@ use std::time::Duration;
 /// Longest wait.
 const WAIT: Duration = Duration::from_secs(5);
 
+fn connect(attach: Attach, map: &str) -> Result<Client, ClientError> {
+    let domain = Domain::from_env().map_err(mapd_client::AttachError::from)?;
+    Client::connect_as(attach, &domain, map, WAIT)
+}
+
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let [how, what] = args.as_slice() else { return ExitCode::from(2) };
     let client = match how.as_str() {
-        "shm" => Some(Client::connect(what, WAIT)),
+        "shm" => Some(connect(Attach::Observer, what)),
+        "subscriber" => Some(connect(Attach::Subscriber, what)),
         _ => None,
     };
     let snapshot = match &client {
@@ -34,12 +40,11 @@ fn main() -> ExitCode {
     let mut out = std::io::stdout().lock();
     let told = out.write_all(b"!").and_then(|()| out.flush());
     let phases = match client {
-        Some(Ok(client)) => {
-            let t = client.attach_timing();
+        Some(Ok(client)) => client.attach_timing().map_or_else(String::new, |t| {
             [t.lock, t.node, t.service, t.subscriber, t.receive]
                 .map(|phase| phase.as_micros().to_string())
                 .join(" ")
-        }
+        }),
         _ => String::new(),
     };
     match told.and_then(|()| out.write_all(phases.as_bytes())) {

@@ -2,22 +2,61 @@
 
 use crate::error::ClientError;
 use crate::snapshot::Snapshot;
-use crate::transport::{AttachTiming, Domain, Pinned, Subscription, after};
+use crate::transport::{
+    AttachError, AttachTiming, Domain, Observer, Pinned, Subscription, after, heartbeat_age,
+};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
+/// How a client is attached to a map. What it reads is the same memory either way, and so is what it can do.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Attach {
+    /// Maps what the map's record names, and writes nothing anywhere: no lock, no place, any number of readers, also where shared
+    /// memory is full. Attaches also to what a daemon served that was killed, until another one takes its place; see
+    /// [`Client::heartbeat_age`].
+    #[default]
+    Observer,
+    /// Takes part in iceoryx2, as one of at most [`crate::transport::MAX_SUBSCRIBERS`] subscriptions of a map, which the daemon counts and
+    /// cleans up after. Attaches only while a daemon serves the map.
+    Subscriber,
+}
+
+/// Where generations come from.
+enum Source {
+    Observer(Observer),
+    Subscriber(Box<Subscription>),
+}
+
+impl Source {
+    fn newer_than(&self, than: u64) -> Result<Option<Pinned>, AttachError> {
+        match self {
+            Self::Observer(observer) => observer.newer_than(than),
+            Self::Subscriber(subscription) => subscription.newer_than(than),
+        }
+    }
+
+    fn wait_newer(&self, than: u64, until: Instant) -> Result<Pinned, AttachError> {
+        match self {
+            Self::Observer(observer) => observer.wait_newer(than, until),
+            Self::Subscriber(subscription) => subscription.wait_newer(than, until),
+        }
+    }
+}
+
 /// A connection to one served map. `Send` and `Sync`; queries run on [`Snapshot`]s and never pass through here.
 pub struct Client {
     name: String,
-    subscription: Subscription,
+    domain: Domain,
+    source: Source,
     current: Mutex<Snapshot>,
     populate: AtomicBool,
 }
 
 impl Client {
     /// Connects to a map in the domain that the environment names (see [`Domain::from_env`]) and pins its newest
-    /// generation. Daemon and client may start in any order; waits at most `deadline`.
+    /// generation, as an observer. Daemon and client may start in any order; waits at most `deadline`.
     ///
     /// Errors: what was missing when the deadline passed, or why the archive cannot be read.
     pub fn connect(map: &str, deadline: Duration) -> Result<Self, ClientError> {
@@ -27,12 +66,30 @@ impl Client {
 
     /// As [`Client::connect`], in a given domain.
     pub fn connect_in(domain: &Domain, map: &str, deadline: Duration) -> Result<Self, ClientError> {
-        let until = after(deadline);
-        Self::with(Subscription::connect(domain, map, until)?, map, until)
+        Self::connect_as(Attach::default(), domain, map, deadline)
     }
 
-    /// As [`Client::connect_in`], with a place that is kept for daemons where clients have taken all of theirs: so that a
-    /// daemon can look at what it serves.
+    /// As [`Client::connect_in`], attached in this way.
+    ///
+    /// Errors: as [`Client::connect`].
+    pub fn connect_as(
+        attach: Attach,
+        domain: &Domain,
+        map: &str,
+        deadline: Duration,
+    ) -> Result<Self, ClientError> {
+        let until = after(deadline);
+        let source = match attach {
+            Attach::Observer => Source::Observer(Observer::connect(domain, map, until)?),
+            Attach::Subscriber => {
+                Source::Subscriber(Box::new(Subscription::connect(domain, map, until)?))
+            }
+        };
+        Self::with(source, domain, map, until)
+    }
+
+    /// Subscribes with a place that is kept for daemons where clients have taken all of theirs: so that a daemon can look at what
+    /// it serves.
     ///
     /// Errors: as [`Client::connect_in`].
     #[doc(hidden)]
@@ -42,14 +99,36 @@ impl Client {
         deadline: Duration,
     ) -> Result<Self, ClientError> {
         let until = after(deadline);
-        Self::with(Subscription::connect_in_reserve(domain, map, until)?, map, until)
+        let subscription = Subscription::connect_in_reserve(domain, map, until)?;
+        Self::with(Source::Subscriber(Box::new(subscription)), domain, map, until)
     }
 
-    fn with(subscription: Subscription, map: &str, until: Instant) -> Result<Self, ClientError> {
-        let pinned = subscription.wait_newer(0, until)?;
+    fn with(
+        source: Source,
+        domain: &Domain,
+        map: &str,
+        until: Instant,
+    ) -> Result<Self, ClientError> {
+        let pinned = source.wait_newer(0, until)?;
         let current = Mutex::new(Snapshot::from_pinned(pinned, map)?);
         let populate = AtomicBool::new(false);
-        Ok(Self { name: map.to_owned(), subscription, current, populate })
+        Ok(Self { name: map.to_owned(), domain: domain.clone(), source, current, populate })
+    }
+
+    /// How this client is attached.
+    pub fn attachment(&self) -> Attach {
+        match self.source {
+            Source::Observer(_) => Attach::Observer,
+            Source::Subscriber(_) => Attach::Subscriber,
+        }
+    }
+
+    /// How long ago the daemon last said that it lives, which it does about once a second while it serves; more than some seconds mean that it
+    /// was killed, is stopped, or starved, and that what is held may be out of date. `None`: the map is not served any more. Reads a
+    /// small file in shared memory; the clock is the monotonic one, which stands still while the machine sleeps, so that a daemon and a client in
+    /// different time namespaces cannot tell.
+    pub fn heartbeat_age(&self) -> Option<Duration> {
+        heartbeat_age(&self.domain, &self.name)
     }
 
     /// Name of the map.
@@ -57,9 +136,12 @@ impl Client {
         &self.name
     }
 
-    /// Where the time of attaching went.
-    pub fn attach_timing(&self) -> AttachTiming {
-        self.subscription.timing()
+    /// Where the time of attaching went, of a subscriber; an observer has no phases.
+    pub fn attach_timing(&self) -> Option<AttachTiming> {
+        match &self.source {
+            Source::Observer(_) => None,
+            Source::Subscriber(subscription) => Some(subscription.timing()),
+        }
     }
 
     /// The newest generation seen so far, without looking for another.
@@ -72,7 +154,7 @@ impl Client {
     /// Errors: the transport failed, or the new archive cannot be read; the old snapshot stays what it was.
     pub fn refresh(&self) -> Result<Snapshot, ClientError> {
         // One that could not be opened is no better the next time, and told each time.
-        match self.subscription.newer_than(self.snapshot().generation())? {
+        match self.source.newer_than(self.snapshot().generation())? {
             Some(pinned) => self.keep(self.open(pinned)?),
             None => Ok(self.snapshot()),
         }
@@ -91,7 +173,7 @@ impl Client {
         than: u64,
         deadline: Duration,
     ) -> Result<Snapshot, ClientError> {
-        let pinned = self.subscription.wait_newer(than, after(deadline))?;
+        let pinned = self.source.wait_newer(than, after(deadline))?;
         self.keep(self.open(pinned)?)
     }
 
@@ -115,7 +197,7 @@ impl Client {
 
     /// The process that serves the map now: see [`crate::transport::served_by`].
     pub fn served_by(&self) -> Option<u32> {
-        self.subscription.served_by()
+        crate::transport::served_by(&self.domain, &self.name)
     }
 
     /// Waits at most `deadline` for the generation of this number and returns it: processes that must change over together
@@ -128,7 +210,12 @@ impl Client {
         if held.generation() == generation {
             return Ok(held);
         }
-        let pinned = self.subscription.wait_for(generation, after(deadline))?;
+        let pinned = self.source.wait_newer(generation.saturating_sub(1), after(deadline))?;
+        let newest = pinned.info().generation;
+        if newest > generation {
+            let map = self.name.clone();
+            return Err(AttachError::Superseded { map, wanted: generation, newest }.into());
+        }
         let wanted = self.open(pinned)?;
         self.keep(wanted.clone())?;
         Ok(wanted)
@@ -137,7 +224,7 @@ impl Client {
     /// The generation that is staged: verified, in shared memory, and served once `mapd activate` is called; `None` if there
     /// is none.
     pub fn pending(&self) -> Option<crate::transport::GenerationInfo> {
-        self.subscription.pending()
+        crate::transport::pending(&self.domain, &self.name)
     }
 
     /// Keeps the newer of two generations: threads may race here.

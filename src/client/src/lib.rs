@@ -31,7 +31,7 @@ pub mod transport;
 #[cfg(feature = "trust")]
 mod trust;
 
-pub use client::Client;
+pub use client::{Attach, Client};
 pub use error::ClientError;
 pub use events::{Events, MapEvent};
 pub use mapd_archive as archive;

@@ -3,7 +3,7 @@
 
 use crate::error::ClientError;
 use crate::file;
-use crate::transport::Pinned;
+use crate::transport::{AttachError, Pinned};
 use mapd_archive::{AlignedBytes, Archive, open, verify};
 use mapd_query::Map;
 use memmap2::Mmap;
@@ -58,9 +58,14 @@ impl Snapshot {
         Self::new(Memory::Owned(bytes), 0, "archive in memory")
     }
 
+    /// Errors: the bytes are no archive that this program reads, or another one than was announced.
     pub(crate) fn from_pinned(pinned: Pinned, name: &str) -> Result<Self, ClientError> {
-        let generation = pinned.info().generation;
-        Self::new(Memory::Shared(pinned), generation, name)
+        let info = *pinned.info();
+        let snapshot = Self::new(Memory::Shared(pinned), info.generation, name)?;
+        if snapshot.header().content_hash != info.content_hash {
+            return Err(AttachError::OtherContent { map: name.to_owned() }.into());
+        }
+        Ok(snapshot)
     }
 
     fn new(memory: Memory, generation: u64, name: &str) -> Result<Self, ClientError> {

@@ -187,6 +187,17 @@ struct Opening {
 
     #[command(flatten)]
     live: Live,
+
+    #[command(flatten)]
+    attach: AttachArgs,
+}
+
+/// How live maps are attached to.
+#[derive(Args)]
+struct AttachArgs {
+    /// shm:NAME: how to attach; a subscriber takes part in iceoryx2, an observer writes nothing
+    #[arg(long, value_enum, value_name = "HOW", default_value_t = source::How::Observer)]
+    attach: source::How,
 }
 
 /// Where live maps are.
@@ -213,7 +224,12 @@ impl Opening {
         let reading = self.ontology.for_source(source::is_compiled(source))?;
         let options = self.frame.source(source)?;
         let compiling = (&reading, &options);
-        source::open_or_report(source, compiling, self.trust.key()?, (&domain, wait))
+        source::open_or_report(
+            source,
+            compiling,
+            self.trust.key()?,
+            (&domain, self.attach.attach.into(), wait),
+        )
     }
 }
 
@@ -323,6 +339,8 @@ enum Command {
         bench: bench::BenchArgs,
         #[command(flatten)]
         live: Live,
+        #[command(flatten)]
+        attach: AttachArgs,
     },
     /// Examine this machine and what is served: memory, limits, stale files, versions, rights, attaching
     #[command(after_help = "Ends with 0 where nothing is a problem, else with 1.")]
@@ -622,9 +640,9 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
             status::run(&domain.domain()?, json, out)?;
             Exit::Done
         }
-        Command::Bench { bench, live } => {
+        Command::Bench { bench, live, attach } => {
             let (domain, wait) = live.get()?;
-            bench::run(&bench, (&domain, wait), out)?;
+            bench::run(&bench, (&domain, attach.attach.into(), wait), out)?;
             Exit::Done
         }
         Command::Doctor { doctor, live } => {

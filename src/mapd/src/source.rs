@@ -5,7 +5,7 @@ use crate::threads::ThreadsArg;
 use crate::trust::{NotSignable, signable};
 use anyhow::{Context, Result};
 use mapd_archive::{MAGIC, encode};
-use mapd_client::{Client, Domain, Snapshot, TrustedKey};
+use mapd_client::{Attach, Client, Domain, Snapshot, TrustedKey};
 use mapd_compiler::{Compilation, CompileOptions, Progress, ReadOptions, compile_from};
 use std::fs::File;
 use std::io::{Read, Seek};
@@ -16,6 +16,24 @@ use std::time::Duration;
 pub(crate) const SHARED: &str = "shm:";
 /// How long to wait for a live map by default.
 pub const WAIT: Duration = Duration::from_secs(2);
+
+/// How a live map is attached to, as an option.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum How {
+    /// Maps it and writes nothing
+    Observer,
+    /// Takes part in iceoryx2, as one of at most 64
+    Subscriber,
+}
+
+impl From<How> for Attach {
+    fn from(how: How) -> Self {
+        match how {
+            How::Observer => Self::Observer,
+            How::Subscriber => Self::Subscriber,
+        }
+    }
+}
 
 /// A source that answers queries, or the report of why it does not.
 pub enum Opened {
@@ -92,17 +110,17 @@ pub(crate) fn open_input(path: &Path) -> Result<File> {
     Ok(file)
 }
 
-/// Opens a SOURCE: `shm:NAME` (in a domain, waiting so long at most), a `.mapd` file in place, or an OpenDRIVE file compiled in memory.
+/// Opens a SOURCE: `shm:NAME` (in a domain, attached in this way, waiting so long at most), a `.mapd` file in place, or an OpenDRIVE file compiled in memory.
 ///
 /// Errors: files that cannot be read, archives that this release cannot read, no such live map.
 pub fn open(
     source: &str,
     (reading, options): (&ReadOptions, &CompileOptions),
-    (domain, wait): (&Domain, Duration),
+    (domain, attach, wait): (&Domain, Attach, Duration),
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Opened> {
     if let Some(name) = source.strip_prefix(SHARED) {
-        let client = Client::connect_in(domain, name, wait)?;
+        let client = Client::connect_as(attach, domain, name, wait)?;
         return Ok(Opened::Map(client.snapshot()));
     }
     let path = Path::new(source);
@@ -121,7 +139,7 @@ pub(crate) fn open_or_report(
     source: &str,
     compiling: (&ReadOptions, &CompileOptions),
     key: Option<TrustedKey>,
-    live: (&Domain, Duration),
+    live: (&Domain, Attach, Duration),
 ) -> Result<Option<Snapshot>> {
     if let Some(key) = key {
         if source.starts_with(SHARED) {

@@ -12,15 +12,19 @@
 //! - `empty`: makes a node of iceoryx2 and nothing else, says so, and ends when stdin does.
 //! - `follow NAME TRUTH`: follows every generation and asks it, until stdin ends; each answer must be the one that the file
 //!   TRUTH has for the generation's content: lines of content hash, x, y, lane.
+//! - `steps NAME`: attaches between two calls of `getppid`, for who counts system calls; then attaches again and tells the page faults of that.
+//! - `observe NAME`: follows, attaches anew all the while and proves every generation, until stdin ends; then waits for the last one.
 //! - `require NAME GENERATION WAIT_MS`: waits for this generation and no other.
 //! - `wait NAME WAIT_MS`: attaches, says so, reads a line from stdin, and waits for the next generation.
 //!
-//! One `key value` per line on stdout.
+//! All but `faults` attach as observers, with `PROBE_ATTACH=subscriber` as subscribers. One `key value` per line on stdout.
 #![allow(unsafe_code, clippy::print_stdout)]
 
 use iceoryx2::prelude::{NodeBuilder, SignalHandlingMode};
 use mapd_client::transport::{Subscription, TransportService, iceoryx2_config, silence_iceoryx2};
-use mapd_client::{Client, Domain, NearestOptions, Snapshot, archive, glam::DVec2};
+use mapd_client::{
+    Attach, Client, ClientError, Domain, NearestOptions, Snapshot, archive, glam::DVec2,
+};
 use std::collections::BTreeMap;
 use std::io::{Read, Seek};
 use std::process::ExitCode;
@@ -47,6 +51,8 @@ fn main() -> ExitCode {
         ["hold", map] => hold(map),
         ["empty"] => empty(),
         ["follow", map, truth] => follow(map, truth),
+        ["steps", map] => steps(map),
+        ["observe", map] => observe(map),
         ["require", map, generation, wait] => {
             milliseconds(wait).and_then(|wait| require(map, generation, wait))
         }
@@ -60,6 +66,16 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// Attaches as an observer, or as a subscriber where the environment's `PROBE_ATTACH` says so.
+fn connect_to(map: &str, wait: Duration) -> Result<Client, ClientError> {
+    let attach = match std::env::var_os("PROBE_ATTACH") {
+        Some(how) if how == "subscriber" => Attach::Subscriber,
+        _ => Attach::Observer,
+    };
+    let domain = Domain::from_env().map_err(mapd_client::AttachError::from)?;
+    Client::connect_as(attach, &domain, map, wait)
 }
 
 fn milliseconds(text: &str) -> Result<Duration, Box<dyn std::error::Error>> {
@@ -78,7 +94,7 @@ fn report(when: &str) -> Outcome {
 
 fn manners(map: &str, wait: Duration) -> Outcome {
     report("start")?;
-    let client = Client::connect(map, WAIT)?;
+    let client = connect_to(map, WAIT)?;
     report("attached")?;
     // Nothing new comes: this is the deadline.
     let error = client.wait_next(wait).err().ok_or("a generation came")?;
@@ -91,21 +107,21 @@ fn manners(map: &str, wait: Duration) -> Outcome {
 
 fn connect(map: &str, wait: Duration) -> Outcome {
     let start = Instant::now();
-    let outcome = Client::connect(map, wait);
+    let outcome = connect_to(map, wait);
     println!("milliseconds {}", start.elapsed().as_millis());
     println!("generation {}", outcome?.snapshot().generation());
     Ok(())
 }
 
 fn ask(map: &str, wait: Duration) -> Outcome {
-    let snapshot = Client::connect(map, wait)?.snapshot();
+    let snapshot = connect_to(map, wait)?.snapshot();
     let hit = snapshot.map().nearest_lane(DVec2::new(50.0, -1.75), &NearestOptions::default())?;
     println!("lane {}", snapshot.map().lane(hit.ok_or("no lane")?.lane)?.key());
     Ok(())
 }
 
 fn answers(map: &str, wait: Duration) -> Outcome {
-    let snapshot = Client::connect(map, wait)?.snapshot();
+    let snapshot = connect_to(map, wait)?.snapshot();
     print!("{}", mapd_tests::releases::answers(snapshot.map())?);
     Ok(())
 }
@@ -128,7 +144,7 @@ fn read_truth(path: &str) -> Result<Truth, Box<dyn std::error::Error>> {
 
 fn follow(map: &str, truth: &str) -> Outcome {
     let truth = read_truth(truth)?;
-    let client = Client::connect(map, WAIT)?;
+    let client = connect_to(map, WAIT)?;
     println!("attached {}", client.snapshot().generation());
     let ended = Arc::new(AtomicBool::new(false));
     let end = ended.clone();
@@ -168,8 +184,58 @@ fn follow(map: &str, truth: &str) -> Outcome {
     Ok(())
 }
 
+fn steps(map: &str) -> Outcome {
+    let domain = Domain::from_env()?;
+    let mut faults = Faults::new()?;
+    // Code and memory of the program's own are there afterwards.
+    let warm = Client::connect_in(&domain, map, WAIT)?;
+    faults.count()?;
+    nix::unistd::getppid();
+    let client = Client::connect_in(&domain, map, WAIT)?;
+    nix::unistd::getppid();
+    let before = faults.count()?;
+    let again = Client::connect_in(&domain, map, WAIT)?;
+    let after = faults.count()?;
+    println!("faults {}", after - before);
+    println!("bytes {}", client.snapshot().bytes().len());
+    drop((warm, client, again));
+    Ok(())
+}
+
+fn observe(map: &str) -> Outcome {
+    let domain = Domain::from_env()?;
+    let follower = connect_to(map, WAIT)?;
+    println!("attached {}", follower.snapshot().generation());
+    let ended = Arc::new(AtomicBool::new(false));
+    let end = ended.clone();
+    let input = std::thread::spawn(move || {
+        let mut last = String::new();
+        // What is not a number is no generation, and waited for in vain.
+        let _ = std::io::stdin().read_line(&mut last);
+        end.store(true, Ordering::Relaxed);
+        last.trim().parse::<u64>().unwrap_or(u64::MAX)
+    });
+    let (mut newest, mut attached, mut seen) = (0, 0_u64, 0_u64);
+    while !ended.load(Ordering::Relaxed) {
+        for snapshot in [Client::connect_in(&domain, map, WAIT)?.snapshot(), follower.refresh()?] {
+            if snapshot.generation() < newest {
+                return Err(format!("{} after {newest}", snapshot.generation()).into());
+            }
+            seen += u64::from(snapshot.generation() > newest);
+            newest = snapshot.generation();
+            snapshot.verify()?;
+            attached += 1;
+        }
+    }
+    let last = input.join().map_err(|_| "no last generation")?;
+    let held = follower.require(last, WAIT)?;
+    held.verify()?;
+    println!("last {}\nattached {attached}\nseen {seen}", held.generation());
+    Ok(())
+}
+
 fn require(map: &str, generation: &str, wait: Duration) -> Outcome {
-    let client = Client::connect(map, WAIT)?;
+    let client = connect_to(map, WAIT)?;
     println!("attached {}", client.snapshot().generation());
     println!("pending {}", client.pending().map_or(0, |info| info.generation));
     println!("required {}", client.require(generation.parse()?, wait)?.generation());
@@ -177,7 +243,7 @@ fn require(map: &str, generation: &str, wait: Duration) -> Outcome {
 }
 
 fn wait_next(map: &str, wait: Duration) -> Outcome {
-    let client = Client::connect(map, WAIT)?;
+    let client = connect_to(map, WAIT)?;
     println!("attached {}", client.snapshot().generation());
     std::io::stdin().read_line(&mut String::new())?;
     let start = Instant::now();
@@ -264,7 +330,7 @@ fn populated(map: &str, file: &str) -> Outcome {
     }
     for (name, populate) in [("without", false), ("with", true)] {
         // Another attach maps the segment anew.
-        let client = Client::connect(map, WAIT)?;
+        let client = connect_to(map, WAIT)?;
         client.set_populate(populate);
         println!("{name} {}", ask_everywhere(&client.snapshot(), &mut faults)?);
     }
@@ -272,7 +338,7 @@ fn populated(map: &str, file: &str) -> Outcome {
 }
 
 fn hold(map: &str) -> Outcome {
-    let client = Client::connect(map, WAIT)?;
+    let client = connect_to(map, WAIT)?;
     client.set_populate(true);
     let mut faults = Faults::new()?;
     ask_everywhere(&client.snapshot(), &mut faults)?;
@@ -295,7 +361,7 @@ fn empty() -> Outcome {
 }
 
 fn write(map: &str) -> Outcome {
-    let client = Client::connect(map, WAIT)?;
+    let client = connect_to(map, WAIT)?;
     let snapshot = client.snapshot();
     let address = snapshot.bytes().as_ptr().cast_mut();
     println!("writing");

@@ -45,8 +45,8 @@ fn while_serving(place: &Place, bytes: usize, work: impl FnOnce()) {
             let mut server = Server::start(&domain).expect("starts");
             let fill = |loan: &mut [u8]| {
                 encode_into(&rows, &Provenance::default(), loan)?;
-                let none = [0; 32];
-                Ok(PublishMeta { layout_id: none, content_hash: none, input_hash: none })
+                let content_hash = mapd_archive::open(loan)?.header.content_hash;
+                Ok(PublishMeta { layout_id: [0; 32], content_hash, input_hash: [0; 32] })
             };
             server.publish("big", length, fill).expect("publishes");
             drop(rows);
@@ -97,6 +97,31 @@ fn the_checked_access_touches_two_pages_whatever_the_size() {
             }
         });
     }
+    assert!(counts.windows(2).all(|pair| pair[0] == pair[1]), "not the same: {counts:?}");
+}
+
+/// Page faults of an observer's whole attach: the record's page, the two of the checked access, and what the heap may need.
+const ATTACH_FAULTS: u64 = 6;
+
+#[test]
+fn an_observer_touches_as_many_pages_whatever_the_size() {
+    let place = Place::new(env!("CARGO_BIN_EXE_mapd_under_test"));
+    let mut counts = Vec::new();
+    for bytes in [1 << 20, 512 << 20] {
+        if room() < 2 * bytes {
+            say(&format!("SKIPPED for {bytes} bytes: /dev/shm has only {} free", room()));
+            continue;
+        }
+        while_serving(&place, bytes as usize, || {
+            let (report, status) = probe(&place, "steps");
+            assert!(status.success(), "{report:?}");
+            let found: u64 = report["bytes"].parse().expect("a number");
+            assert!(found >= bytes, "{found} bytes are served");
+            counts.push(report["faults"].parse::<u64>().expect("a number"));
+        });
+    }
+    say(&format!("page faults of an observer's attach: {counts:?}"));
+    assert!(counts.iter().all(|count| *count <= ATTACH_FAULTS), "{counts:?}");
     assert!(counts.windows(2).all(|pair| pair[0] == pair[1]), "not the same: {counts:?}");
 }
 

@@ -131,7 +131,7 @@ fn a_daemon_that_is_stopped() {
     let mut command = place.command();
     let output = command.args(["doctor", "--json", "--wait", "0.1"]).output().expect("runs");
     expect(&output, "attach lock", "problem", "kill -CONT");
-    expect(&output, "attach", "problem", "stayed locked");
+    expect(&output, "subscribe", "problem", "stayed locked");
     drop(guard);
     assert_eq!(daemon.stop(), 0);
 }

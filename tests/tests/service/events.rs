@@ -3,7 +3,7 @@
 use mapd::serve::{Doorbell, PublishMeta, Server, StopSignal};
 use mapd_archive::OpenError;
 use mapd_client::transport::{AttachError, AttachLock, MAX_PINNED, Pinned, Subscription};
-use mapd_client::{Client, ClientError, Events, MapEvent};
+use mapd_client::{Attach, Client, ClientError, Events, MapEvent};
 use mapd_tests::place::{PATIENCE, Place};
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -33,9 +33,16 @@ fn next(events: &mut Events<'_>) -> String {
 
 #[test]
 fn a_daemon_goes_and_comes_back_with_a_new_generation() {
+    for attach in [Attach::Observer, Attach::Subscriber] {
+        goes_and_comes_back(attach);
+    }
+}
+
+fn goes_and_comes_back(attach: Attach) {
     let place = place();
     let daemon = place.serve(&[&town()]);
-    let client = Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
+    let client = Client::connect_as(attach, &place.domain(), "town", PATIENCE).expect("attaches");
+    assert_eq!(client.attachment(), attach);
     let mut events = client.events();
     assert!(events.next(Duration::ZERO).expect("no error").is_none(), "nothing has happened");
     let before = client.snapshot();
@@ -54,13 +61,19 @@ fn a_daemon_goes_and_comes_back_with_a_new_generation() {
 
 #[test]
 fn a_staged_generation_is_pending_until_it_is_activated() {
+    for attach in [Attach::Observer, Attach::Subscriber] {
+        staged(attach);
+    }
+}
+
+fn staged(attach: Attach) {
     let place = place();
     let folder = tempfile::tempdir().expect("a folder");
     let map = folder.path().join("town.xodr");
     let put = |from: &Path| std::fs::copy(from, &map).map(|_| ()).expect("copied");
     put(&mapd_tests::carried("town.xodr"));
     let _daemon = place.serve(&[&map.display().to_string()]);
-    let client = Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
+    let client = Client::connect_as(attach, &place.domain(), "town", PATIENCE).expect("attaches");
     let mut events = client.events();
     put(&mapd_tests::carried("one_road.xodr"));
     let run = |args: &[&str]| {
@@ -78,9 +91,9 @@ fn a_staged_generation_is_pending_until_it_is_activated() {
 }
 
 /// Why a wait was in vain, and how long it took.
-fn refused(place: &Place, map: &str) -> (ClientError, Duration) {
+fn refused(attach: Attach, place: &Place, map: &str) -> (ClientError, Duration) {
     let start = Instant::now();
-    let error = Client::connect_in(&place.domain(), map, SHORT).err().expect("no map");
+    let error = Client::connect_as(attach, &place.domain(), map, SHORT).err().expect("no map");
     (error, start.elapsed())
 }
 
@@ -88,7 +101,14 @@ fn refused(place: &Place, map: &str) -> (ClientError, Duration) {
 /// `shortage.rs` (no room, no place, other user, other transport, other version of iceoryx2).
 #[test]
 fn every_wait_in_vain_says_why() {
+    for attach in [Attach::Observer, Attach::Subscriber] {
+        wait_in_vain(attach);
+    }
+}
+
+fn wait_in_vain(attach: Attach) {
     let place = place();
+    let refused = |place, map| refused(attach, place, map);
     let (error, taken) = refused(&place, "town");
     assert!(matches!(error, ClientError::Attach(AttachError::NoDaemon { .. })), "{error}");
     assert!(taken >= SHORT, "given up after {taken:?}");
@@ -107,6 +127,15 @@ fn every_wait_in_vain_says_why() {
 
     let lock = AttachLock::open(&place.domain()).expect("a lock");
     let guard = lock.exclusive(Instant::now() + PATIENCE).expect("locks").expect("in time");
+    if attach == Attach::Observer {
+        Client::connect_in(&place.domain(), "town", SHORT).expect("observers take no lock");
+        drop(guard);
+        daemon.kill();
+        Client::connect_in(&place.domain(), "town", SHORT).expect("what was served last");
+        let (error, _) = refused(&place, "village");
+        assert!(matches!(error, ClientError::Attach(AttachError::NoDaemon { .. })), "{error}");
+        return;
+    }
     let (error, taken) = refused(&place, "town");
     assert!(matches!(error, ClientError::Attach(AttachError::Busy { .. })), "{error}");
     assert!(taken >= SHORT, "given up after {taken:?}");
@@ -123,11 +152,13 @@ fn a_map_that_is_coming_and_one_that_cannot_be_read() {
     let place = place();
     let mut server = Server::start(&place.domain()).expect("starts");
     server.claim("town").expect("claimed");
-    let (error, taken) = refused(&place, "town");
-    let coming =
-        AttachError::NoGeneration { map: "town".into(), newer_than: 0, daemon_alive: true };
-    assert_eq!(error.to_string(), coming.to_string());
-    assert!(taken >= SHORT, "given up after {taken:?}");
+    for attach in [Attach::Observer, Attach::Subscriber] {
+        let (error, taken) = refused(attach, &place, "town");
+        let coming =
+            AttachError::NoGeneration { map: "town".into(), newer_than: 0, daemon_alive: true };
+        assert_eq!(error.to_string(), coming.to_string());
+        assert!(taken >= SHORT, "given up after {taken:?}");
+    }
 
     let rows = mapd_archive::Rows::default();
     let mut archive = mapd_archive::encode(&rows, &mapd_archive::Provenance::default())

@@ -51,20 +51,25 @@ fn too_few_descriptors_are_named() {
     }
     assert!(served > 0 && refused > 0, "{served} served, {refused} refused");
     let daemon = place.serve(&[&town]);
-    let (mut answered, mut refused) = (0, 0);
-    for most in 5..48 {
-        let limit = format!("-n {most}");
-        let (code, said) = run(&place, &limit, &["inspect", "shm:town", "--wait", "0.05"]);
-        match code {
-            Some(0) => answered += 1,
-            _ => {
-                refused += 1;
-                assert!(code == Some(1) && is_named(&said), "{most}: {code:?} {said}");
-                assert!(!said.contains("stop every"), "{most}: {said}");
+    for attach in ["subscriber", "observer"] {
+        let (mut answered, mut refused) = (0, 0);
+        for most in 5..48 {
+            let limit = format!("-n {most}");
+            let args = ["inspect", "shm:town", "--wait", "0.05", "--attach", attach];
+            let (code, said) = run(&place, &limit, &args);
+            match code {
+                Some(0) => answered += 1,
+                _ => {
+                    refused += 1;
+                    assert!(code == Some(1) && is_named(&said), "{most}: {code:?} {said}");
+                    assert!(!said.contains("stop every"), "{most}: {said}");
+                }
             }
         }
+        // An observer needs one at a time.
+        let as_it_should = (refused > 0) == (attach == "subscriber");
+        assert!(answered > 0 && as_it_should, "{attach}: {answered} answered, {refused} refused");
     }
-    assert!(answered > 0 && refused > 0, "{answered} answered, {refused} refused");
     drop(daemon);
 }
 

@@ -9,6 +9,8 @@ mod limits;
 mod locked;
 mod manners;
 mod many_maps;
+mod observers;
+mod observers_hostile;
 mod oversight;
 mod processes;
 mod releases;

@@ -95,8 +95,16 @@ fn connecting_keeps_its_deadline() {
             Daemon::Stopped => daemon.as_ref().expect("there").signal("STOP"),
         }
         let wait = DEADLINE.as_millis().to_string();
-        let output =
-            place.command_of(PROBE).args(["connect", "town", &wait]).output().expect("runs");
+        let connect = |how| {
+            let mut command = place.command_of(PROBE);
+            command.args(["connect", "town", &wait]).env("PROBE_ATTACH", how);
+            command.output().expect("runs")
+        };
+        // What a daemon serves that is stopped, or served before it was killed, is there for observers.
+        let observer = connect("observer");
+        let is_absent = matches!(state, Daemon::Absent);
+        assert_eq!(observer.status.success(), !is_absent, "{state:?}");
+        let output = connect("subscriber");
         let report = report(&output.stdout);
         assert!(!output.status.success(), "{state:?}: {report:?}");
         let taken: u128 = report["milliseconds"].parse().expect("a number");
@@ -111,13 +119,15 @@ fn connecting_keeps_its_deadline() {
 
 #[test]
 fn waiting_keeps_its_deadline_and_what_is_held() {
-    for state in [Daemon::Killed, Daemon::Stopped] {
+    let both = |how| [(how, Daemon::Killed), (how, Daemon::Stopped)];
+    for (how, state) in ["observer", "subscriber"].into_iter().flat_map(both) {
         let place = place();
         let daemon = place.serve(&[&town()]);
         let wait = DEADLINE.as_millis().to_string();
         let mut child = place
             .command_of(PROBE)
             .args(["wait", "town", &wait])
+            .env("PROBE_ATTACH", how)
             .stdin(Stdio::piped())
             .spawn()
             .expect("runs");

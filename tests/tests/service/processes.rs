@@ -1,6 +1,6 @@
 //! Daemon and clients as processes: any order of starting, crashes, restarts, one name twice.
 
-use mapd_client::{Client, NearestOptions, glam::DVec2};
+use mapd_client::{Attach, Client, NearestOptions, glam::DVec2};
 use mapd_tests::place::{PATIENCE, Place};
 use std::io::Write;
 use std::path::Path;
@@ -158,7 +158,8 @@ fn several_maps_in_one_daemon_and_status() {
     let one_road = mapd_tests::carried("one_road.xodr").display().to_string();
     let mut daemon = place.start(&[&town(), &one_road]);
     daemon.wait_until_serving();
-    let _town = Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
+    let subscriber = |map| Client::connect_as(Attach::Subscriber, &place.domain(), map, PATIENCE);
+    let _town = subscriber("town").expect("attaches");
     let _road = Client::connect_in(&place.domain(), "one_road", PATIENCE).expect("attaches");
     let output = place.command().args(["status", "--json"]).output().expect("ends");
     let status: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");

@@ -2,7 +2,7 @@
 //! served stays served, and whoever asks hears the truth.
 
 use mapd::control::{ReloadResult, Request, Response, ask};
-use mapd_client::{AttachError, Client, ClientError};
+use mapd_client::{Attach, AttachError, Client, ClientError};
 use mapd_tests::manager::{Manager, WATCHDOG};
 use mapd_tests::place::{PATIENCE, Place};
 use mapd_tests::small::{Filler, in_small_shared_memory};
@@ -67,7 +67,7 @@ fn places_are_kept_for_the_daemon() {
     manager.listen_to(&mut command).args(["--load", &town()]);
     let _daemon = place.spawn(command);
     manager.expect("READY=1");
-    let connect = |wait| Client::connect_in(&place.domain(), "town", wait);
+    let connect = |wait| Client::connect_as(Attach::Subscriber, &place.domain(), "town", wait);
     let clients: Vec<_> =
         (0..MAX_SUBSCRIBERS).map(|_| connect(PATIENCE).expect("attaches")).collect();
     let refused = connect(Duration::from_millis(50)).err();

@@ -6,9 +6,9 @@ use super::config::{TransportService, iceoryx2_config};
 use super::domain::Domain;
 use super::error::AttachError;
 use super::limits::{TRANSPORT_REVISION, changed_name, service_name, wake_name};
+use super::observer::revision_of;
 use super::payload::{Chunk64, GenerationInfo};
 use super::presence::Presence;
-use super::record::read_published;
 use super::room::check_room;
 use super::status::alive_maps;
 use super::unfinished::unfinished_among;
@@ -180,8 +180,8 @@ fn service_name_of(name: &str) -> Result<ServiceName, AttachError> {
 fn service_error(domain: &Domain, map: &str, error: PublishSubscribeOpenError) -> AttachError {
     let map = map.to_owned();
     match error {
-        PublishSubscribeOpenError::DoesNotExist => match read_published(domain, &map) {
-            Some((revision, _)) if revision != TRANSPORT_REVISION => {
+        PublishSubscribeOpenError::DoesNotExist => match revision_of(domain, &map) {
+            Some(revision) if revision != TRANSPORT_REVISION => {
                 AttachError::WrongTransport { map, found: revision.to_string() }
             }
             // Claimed, but not published yet.

@@ -130,6 +130,22 @@ pub enum AttachError {
         /// As many as the process may have.
         limit: u64,
     },
+    /// The record of a map, or the segment that it names, is not what a daemon makes.
+    #[error("{}: {why}; start the daemon again, and find out who writes there", path.display())]
+    Record {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        why: String,
+    },
+    /// The bytes are an archive, but not the one that was announced.
+    #[error(
+        "map {map:?}: the archive in shared memory has another content than its daemon announced; start the daemon again"
+    )]
+    OtherContent {
+        /// The map.
+        map: String,
+    },
     /// A file of the domain cannot be used.
     #[error("{}: {error}", path.display())]
     Io {
@@ -175,6 +191,7 @@ impl AttachError {
                 | Self::PermissionDenied { .. }
                 | Self::TooManyPinned { .. }
                 | Self::Superseded { .. }
+                | Self::OtherContent { .. }
         )
     }
 }

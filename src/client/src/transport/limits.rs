@@ -5,8 +5,9 @@
 
 use super::error::AttachError;
 
-/// Revision of everything that both sides must agree on: limits, user header, lock protocol. Part of service names.
-pub const TRANSPORT_REVISION: u32 = 2;
+/// Revision of everything that both sides must agree on: limits, user header, records, lock protocol. Part of
+/// service names.
+pub const TRANSPORT_REVISION: u32 = 3;
 
 /// Subscriptions that clients of one map can have at a time.
 pub const MAX_SUBSCRIBERS: usize = 64;

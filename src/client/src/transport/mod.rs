@@ -1,7 +1,7 @@
 //! How a generation of a map travels from the daemon to its readers: opaque bytes in iceoryx2 shared memory.
 //!
-//! The daemon publishes one exactly sized sample per generation; a [`Subscription`] receives it and a [`Pinned`] keeps it
-//! alive and readable for as long as it is held, whatever becomes of the daemon. Nothing here knows what the bytes mean.
+//! The daemon publishes one exactly sized sample per generation. An [`Observer`] maps it and writes nothing; a [`Subscription`]
+//! takes part in iceoryx2 and receives it. Either way a [`Pinned`] keeps it alive and readable for as long as it is held, whatever becomes of the daemon. Nothing here knows what the bytes mean.
 //!
 //! Where both sides meet is a [`Domain`]: a prefix for every file in `/dev/shm` and a root folder there, mode 0700.
 //!
@@ -12,7 +12,7 @@
 //! /dev/shm/mapd_root/.present         flock: shared by everyone who uses the domain; free, when it is deserted
 //! /dev/shm/mapd_root/{map}.lock       flock, exclusive while a daemon serves the map; holds its process id
 //! /dev/shm/mapd_root/{map}.generation the last generation number handed out
-//! /dev/shm/mapd_root/{map}.published  what is served now, for `mapd status`
+//! /dev/shm/mapd_root/{map}.published  record of what is served now: one page, on which readers wait
 //! /dev/shm/mapd_root/{map}.staged     what waits to be served
 //! /dev/shm/mapd_root/control-…        the daemon's socket for `mapd status`, `reload`, `rollback`, `activate`
 //! /dev/shm/mapd_root/{nodes,services} iceoryx2's own files
@@ -46,6 +46,7 @@ mod deadline;
 mod domain;
 mod error;
 mod limits;
+mod observer;
 mod payload;
 mod pinned;
 mod presence;
@@ -67,13 +68,15 @@ pub use domain::{
 };
 pub use error::AttachError;
 pub use limits::*;
+pub(crate) use observer::heartbeat_age;
+pub use observer::{Observer, Place, RecordWriter, revision_of};
 pub use payload::{Chunk64, GenerationInfo, chunks_for};
 pub use pinned::Pinned;
 pub use presence::Presence;
 pub use record::{
-    GENERATION_SUFFIX, LARGEST_GENERATION, hex, parse_generation, read_generation,
-    read_generation_file, read_published, read_staged, replace_text, replace_text_durably,
-    write_generation, write_published, write_staged,
+    GENERATION_SUFFIX, LARGEST_GENERATION, RECORD_SUFFIX, hex, parse_generation, pending,
+    read_generation, read_generation_file, replace_text, replace_text_durably, write_generation,
+    write_staged,
 };
 pub use regular::{open_regular, read_regular};
 pub use room::{ATTACH_DESCRIPTORS, ATTACH_ROOM, descriptors_left, free_bytes};

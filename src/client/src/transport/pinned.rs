@@ -7,7 +7,9 @@ use super::limits::TRANSPORT_REVISION;
 use super::payload::{Chunk64, GenerationInfo};
 use super::presence::Presence;
 use iceoryx2::sample::Sample;
+use memmap2::Mmap;
 use std::fmt;
+use std::ops::Range;
 use std::sync::{Arc, Mutex};
 
 /// What iceoryx2 hands out: may move between threads, but every look at its payload takes a lock.
@@ -19,13 +21,21 @@ pub(crate) type MapSample = Sample<TransportService, [Chunk64], GenerationInfo>;
 pub struct Pinned(Arc<Held>);
 
 struct Held {
-    /// Points into the payload of `sample`; never leaves this module with a longer life than a borrow of `Pinned`.
-    bytes: &'static [u8],
     info: GenerationInfo,
-    /// Keeps the mapping. Never looked at again: the lock is only there because a sample may not be shared.
-    _sample: Mutex<MapSample>,
-    /// Left last, when nothing of the domain is used any more.
-    _presence: Arc<Presence>,
+    memory: Memory,
+}
+
+enum Memory {
+    Sample {
+        /// Points into the payload of `sample`; never leaves this module with a longer life than a borrow of `Pinned`.
+        bytes: &'static [u8],
+        /// Keeps the mapping. Never looked at again: the lock is only there because a sample may not be shared.
+        _sample: Mutex<MapSample>,
+        /// Left last, when nothing of the domain is used any more.
+        _presence: Arc<Presence>,
+    },
+    /// A mapping of one's own, which nobody knows of, and the bytes' place in it.
+    Segment(Mmap, Range<usize>),
 }
 
 impl Pinned {
@@ -57,17 +67,24 @@ impl Pinned {
         //   and sends no other, and the daemon makes the file read-only afterwards.
         let bytes: &'static [u8] =
             unsafe { std::slice::from_raw_parts(chunks.as_ptr().cast::<u8>(), length) };
-        Ok(Self(Arc::new(Held {
-            bytes,
-            info,
-            _sample: Mutex::new(sample),
-            _presence: presence.clone(),
-        })))
+        let memory =
+            Memory::Sample { bytes, _sample: Mutex::new(sample), _presence: presence.clone() };
+        Ok(Self(Arc::new(Held { info, memory })))
+    }
+
+    /// The bytes from `offset` on in a mapping that ends with them.
+    pub(crate) fn of_segment(mapping: Mmap, offset: u64, info: GenerationInfo) -> Self {
+        let end = mapping.len();
+        let start = usize::try_from(offset).unwrap_or(end).min(end);
+        Self(Arc::new(Held { info, memory: Memory::Segment(mapping, start..end) }))
     }
 
     /// The bytes as published, exactly as long, starting on a 64-byte boundary. Takes no lock.
     pub fn bytes(&self) -> &[u8] {
-        self.0.bytes
+        match &self.0.memory {
+            Memory::Sample { bytes, .. } => bytes,
+            Memory::Segment(mapping, place) => &mapping[place.clone()],
+        }
     }
 
     /// What is said about them.

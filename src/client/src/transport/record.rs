@@ -1,5 +1,7 @@
-//! Small text files per map: the last generation number, which outlives the daemon, what is served now, and what is staged.
+//! Small text files per map: the last generation number, which outlives the daemon, and what is staged. (What is served now
+//! has a record that readers wait on: `observer`.)
 
+use super::claim::served_by;
 use super::domain::Domain;
 use super::limits::TRANSPORT_REVISION;
 use super::payload::GenerationInfo;
@@ -10,7 +12,8 @@ use std::path::{Path, PathBuf};
 
 /// Suffix of the file of the last generation number of a map.
 pub const GENERATION_SUFFIX: &str = ".generation";
-const PUBLISHED: &str = ".published";
+/// Suffix of the file of a map's record: what is served; see [`super::Observer`].
+pub const RECORD_SUFFIX: &str = ".published";
 const STAGED: &str = ".staged";
 
 /// Longest record that is read \[bytes\]: they have a few hundred.
@@ -59,35 +62,22 @@ pub fn write_generation(domain: &Domain, map: &str, generation: u64) -> io::Resu
     replace_text(&domain.map_file(map, GENERATION_SUFFIX), &generation.to_string())
 }
 
-/// What was published last, and by which transport revision; `None` if nothing was.
-pub fn read_published(domain: &Domain, map: &str) -> Option<(u32, GenerationInfo)> {
-    parse(&read_regular(&domain.map_file(map, PUBLISHED), LONGEST).ok()?)
-}
-
-/// Writes down what is served now; `None` removes it.
-///
-/// Errors: what the system says.
-pub fn write_published(
-    domain: &Domain,
-    map: &str,
-    info: Option<&GenerationInfo>,
-) -> io::Result<()> {
-    write_record(domain.map_file(map, PUBLISHED), info)
-}
-
-/// The generation that waits to be served; `None` if none does.
-pub fn read_staged(domain: &Domain, map: &str) -> Option<(u32, GenerationInfo)> {
+/// The generation that was staged; `None` if none was.
+fn read_staged(domain: &Domain, map: &str) -> Option<(u32, GenerationInfo)> {
     parse(&read_regular(&domain.map_file(map, STAGED), LONGEST).ok()?)
+}
+
+/// The generation that waits to be served, if a daemon that lives has staged one. Reads small files; attaches to nothing.
+pub fn pending(domain: &Domain, map: &str) -> Option<GenerationInfo> {
+    let (_, info) = read_staged(domain, map)?;
+    served_by(domain, map).map(|_| info)
 }
 
 /// Writes down what is staged now; `None` removes it.
 ///
 /// Errors: what the system says.
 pub fn write_staged(domain: &Domain, map: &str, info: Option<&GenerationInfo>) -> io::Result<()> {
-    write_record(domain.map_file(map, STAGED), info)
-}
-
-fn write_record(path: PathBuf, info: Option<&GenerationInfo>) -> io::Result<()> {
+    let path = domain.map_file(map, STAGED);
     match info {
         Some(info) => replace_text(&path, &print(info)),
         None => remove_text(&path),
@@ -95,7 +85,7 @@ fn write_record(path: PathBuf, info: Option<&GenerationInfo>) -> io::Result<()> 
 }
 
 /// Removes a file, and what whoever was killed while replacing it has left.
-fn remove_text(path: &Path) -> io::Result<()> {
+pub(super) fn remove_text(path: &Path) -> io::Result<()> {
     [unfinished(path), path.to_owned()].iter().try_for_each(|file| match fs::remove_file(file) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
         _ => Ok(()),
@@ -103,7 +93,7 @@ fn remove_text(path: &Path) -> io::Result<()> {
 }
 
 /// Where a text stands until it is whole.
-fn unfinished(path: &Path) -> PathBuf {
+pub(super) fn unfinished(path: &Path) -> PathBuf {
     let mut new = path.as_os_str().to_owned();
     new.push(".new");
     new.into()

@@ -6,8 +6,8 @@ use super::config::{TransportService, iceoryx2_config, silence_iceoryx2};
 use super::domain::Domain;
 use super::error::AttachError;
 use super::limits::{DAEMON_NODE, service_name};
+use super::observer::published;
 use super::payload::GenerationInfo;
-use super::record::read_published;
 use super::user::check_owner;
 use iceoryx2::node::NodeView;
 use iceoryx2::prelude::{MessagingPattern, NodeState, Service, ServiceName};
@@ -44,7 +44,7 @@ pub fn list_maps(domain: &Domain) -> Result<Vec<MapStatus>, AttachError> {
     let names = claimed_names(domain).map_err(|error| AttachError::io(domain.root(), error))?;
     let status = |name: String| {
         let alive = served_by(domain, &name).is_some();
-        let info = read_published(domain, &name).map(|(_, info)| info);
+        let info = published(domain, &name);
         let subscribers = info.and_then(|_| count_subscriptions(domain, &name)).unwrap_or(0);
         MapStatus { name, alive, info, subscribers }
     };

@@ -6,9 +6,7 @@ use super::config::{TransportService, silence_iceoryx2};
 use super::domain::Domain;
 use super::error::AttachError;
 use super::limits::{MAX_PINNED, MAX_SUBSCRIBERS, MAX_SUBSCRIPTIONS, check_map_name};
-use super::payload::GenerationInfo;
 use super::pinned::{Pinned, Watch};
-use super::record::read_staged;
 use super::room::{RECEIVE_DESCRIPTORS, check_descriptors, check_room};
 use iceoryx2::port::listener::Listener;
 use iceoryx2::service::port_factory::PortFactory as _;
@@ -165,31 +163,6 @@ impl Subscription {
             }
             self.sleep(left.min(COARSE_POLL))?;
         }
-    }
-
-    /// Waits for the generation of this number, so that several processes change over together; one that has been received
-    /// already counts as long as no newer one has.
-    ///
-    /// Errors: [`AttachError::Superseded`], if a newer one is served; else as [`Subscription::wait_newer`].
-    pub fn wait_for(&self, generation: u64, deadline: Instant) -> Result<Pinned, AttachError> {
-        let pinned = self.wait_newer(generation.saturating_sub(1), deadline)?;
-        match pinned.info().generation {
-            newest if newest > generation => {
-                Err(AttachError::Superseded { map: self.map.clone(), wanted: generation, newest })
-            }
-            _ => Ok(pinned),
-        }
-    }
-
-    /// The process that serves the map now, 0 if it has not said; `None` if nobody does. Reads a small file.
-    pub fn served_by(&self) -> Option<u32> {
-        served_by(&self.domain, &self.map)
-    }
-
-    /// The generation that waits to be served, if a daemon has staged one. Reads a small file; attaches to nothing.
-    pub fn pending(&self) -> Option<GenerationInfo> {
-        let (_, info) = read_staged(&self.domain, &self.map)?;
-        served_by(&self.domain, &self.map).map(|_| info)
     }
 
     /// Subscriptions to this map now, of all processes, this one among them. One that was killed counts until the daemon

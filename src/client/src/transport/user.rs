@@ -11,12 +11,16 @@ use std::os::unix::fs::MetadataExt;
 ///
 /// Errors: [`AttachError::PermissionDenied`]; [`AttachError::Io`], of kind not-found if there is no root folder.
 pub fn check_owner(domain: &Domain) -> Result<(), AttachError> {
+    check_owned_by(domain, rustix::process::geteuid().as_raw())
+}
+
+/// The same of the user whose id is known already.
+pub(super) fn check_owned_by(domain: &Domain, us: u32) -> Result<(), AttachError> {
     let root = domain.root();
     let metadata = fs::symlink_metadata(root).map_err(|error| AttachError::io(root, error))?;
     if !metadata.is_dir() {
         return Err(AttachError::io(root, io::ErrorKind::NotADirectory.into()));
     }
-    let us = rustix::process::geteuid().as_raw();
     if us != metadata.uid() {
         let owner = metadata.uid();
         return Err(AttachError::PermissionDenied { path: root.to_owned(), owner, us });

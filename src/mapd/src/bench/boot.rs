@@ -3,7 +3,7 @@
 use super::client::{From, Taken, start};
 use super::figures::{Comparison, Figures};
 use anyhow::Result;
-use mapd_client::Domain;
+use mapd_client::{Attach, Domain};
 use serde::Serialize;
 use std::sync::Barrier;
 use std::time::{Duration, Instant};
@@ -21,8 +21,14 @@ pub(crate) struct Boot {
 /// Starts clients of the served map and of the file.
 ///
 /// Errors: a client fails.
-pub(crate) fn run(domain: &Domain, map: &str, file: &str, clients: usize) -> Result<Boot> {
-    let sources = [(From::Shm, map), (From::File, file)];
+pub(crate) fn run(
+    (domain, attach): (&Domain, Attach),
+    map: &str,
+    file: &str,
+    clients: usize,
+) -> Result<Boot> {
+    let shared = if attach == Attach::Subscriber { From::Subscriber } else { From::Shm };
+    let sources = [(shared, map), (From::File, file)];
     let mut alone: [Vec<Taken>; 2] = Default::default();
     for _ in 0..clients {
         for ((from, what), taken) in sources.iter().zip(&mut alone) {

@@ -4,7 +4,7 @@ use super::figures::keep;
 use crate::faults::minor_faults;
 use anyhow::{Context, Result, ensure};
 use clap::{Args, ValueEnum};
-use mapd_client::{Client, Domain, NearestOptions, Snapshot};
+use mapd_client::{Attach, Client, Domain, NearestOptions, Snapshot};
 use std::io::{Read, Write};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
@@ -18,8 +18,10 @@ pub(crate) const SUBCOMMAND: &str = "bench-client";
 /// Where a process finds the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum From {
-    /// In shared memory, by name
+    /// In shared memory, by name, as an observer
     Shm,
+    /// In shared memory, by name, as a subscriber
+    Subscriber,
     /// In a file
     File,
 }
@@ -52,8 +54,12 @@ pub(crate) struct Taken {
 pub(crate) fn run(args: &ClientArgs, domain: &Domain, out: &mut dyn Write) -> Result<()> {
     let start = Instant::now();
     let (_client, snapshot) = match args.from {
-        From::Shm => {
-            let client = Client::connect_in(domain, &args.what, WAIT)?;
+        From::Shm | From::Subscriber => {
+            let attach = match args.from {
+                From::Subscriber => Attach::Subscriber,
+                _ => Attach::Observer,
+            };
+            let client = Client::connect_as(attach, domain, &args.what, WAIT)?;
             let snapshot = client.snapshot();
             (Some(client), snapshot)
         }
@@ -84,6 +90,7 @@ pub(crate) fn start(domain: &Domain, from: From, what: &str) -> Result<Taken> {
     let program = std::env::current_exe().context("finding this program")?;
     let from = match from {
         From::Shm => "shm",
+        From::Subscriber => "subscriber",
         From::File => "file",
     };
     let start = Instant::now();

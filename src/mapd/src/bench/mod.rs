@@ -18,7 +18,7 @@ use figures::Comparison;
 use crate::report::hex;
 use anyhow::Result;
 use clap::Args;
-use mapd_client::{Domain, Snapshot};
+use mapd_client::{Attach, Domain, Snapshot};
 use serde::Serialize;
 use std::io::Write;
 use std::time::Duration;
@@ -62,11 +62,15 @@ struct Report<'a> {
 /// Measures and prints.
 ///
 /// Errors: no source, or none that can be served; a client fails; writing fails.
-pub(crate) fn run(args: &BenchArgs, live: (&Domain, Duration), out: &mut dyn Write) -> Result<()> {
+pub(crate) fn run(
+    args: &BenchArgs,
+    live: (&Domain, Attach, Duration),
+    out: &mut dyn Write,
+) -> Result<()> {
     served::with(args.source.as_deref(), live, |served| {
         let file = Snapshot::open(&served.file)?;
         let boot = boot::run(
-            &served.domain,
+            (&served.domain, live.1),
             &served.name,
             &served.file.display().to_string(),
             usize::from(args.clients),

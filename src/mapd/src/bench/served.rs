@@ -5,7 +5,7 @@ use crate::source::{self, Opened};
 use anyhow::{Context, Result, bail};
 use mapd_archive::LAYOUT_ID;
 use mapd_client::transport::list_maps;
-use mapd_client::{Client, Domain, Snapshot};
+use mapd_client::{Attach, Client, Domain, Snapshot};
 use mapd_compiler::{CompileOptions, ReadOptions};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc;
@@ -42,7 +42,7 @@ impl Drop for Temporary {
 /// Errors: no source; it cannot be read, is rejected or does not fit into shared memory; what `work` says.
 pub(crate) fn with<T>(
     source: Option<&str>,
-    (domain, wait): (&Domain, Duration),
+    (domain, attach, wait): (&Domain, Attach, Duration),
     work: impl FnOnce(&Served) -> Result<T>,
 ) -> Result<T> {
     let live = match source {
@@ -50,7 +50,7 @@ pub(crate) fn with<T>(
         Some(source) => source.strip_prefix(source::SHARED).map(str::to_owned),
     };
     if let Some(name) = live {
-        let client = Client::connect_in(domain, &name, wait)?;
+        let client = Client::connect_as(attach, domain, &name, wait)?;
         let snapshot = client.snapshot();
         let copy = copy_of(&snapshot)?;
         let served = Served {
@@ -64,7 +64,7 @@ pub(crate) fn with<T>(
     }
     let source = source.unwrap_or_default();
     let compiling = (&ReadOptions::default(), &CompileOptions::default());
-    let opened = source::open(source, compiling, (domain, wait), &mut |_| {})?;
+    let opened = source::open(source, compiling, (domain, attach, wait), &mut |_| {})?;
     let archive = match opened {
         Opened::Map(snapshot) => snapshot,
         Opened::Rejected(_) => bail!("{source} is rejected; `mapd check {source}` says why"),
@@ -73,7 +73,7 @@ pub(crate) fn with<T>(
     let copy = (!source::is_archive(path)).then(|| copy_of(&archive)).transpose()?;
     let file = copy.as_ref().map_or_else(|| path.to_owned(), |copy| copy.0.clone());
     serve_meanwhile(&archive, |domain| {
-        let client = Client::connect_in(domain, NAME, WAIT)?;
+        let client = Client::connect_as(attach, domain, NAME, WAIT)?;
         let snapshot = client.snapshot();
         let (domain, name) = (domain.clone(), NAME.to_owned());
         work(&Served { domain, name, snapshot, file, _client: client })

@@ -5,8 +5,8 @@ use super::finding::{Finding, size};
 use crate::faults::minor_faults;
 use crate::serve::NODE_COUNTER;
 use mapd_archive::FORMAT;
-use mapd_client::transport::{MapStatus, TRANSPORT_REVISION, list_maps, read_published};
-use mapd_client::{Client, Domain};
+use mapd_client::transport::{MapStatus, TRANSPORT_REVISION, list_maps, revision_of};
+use mapd_client::{Attach, Client, Domain};
 use std::time::{Duration, Instant};
 
 /// The version of iceoryx2 that is built in: all processes of a domain need the same.
@@ -61,7 +61,7 @@ fn one(domain: &Domain, map: &MapStatus, wait: Duration, out: &mut Vec<Finding>)
         out.push(Finding::problem(
             "daemon",
             format!(
-                "{name}: its daemon was killed; nobody new can attach, readers keep what they hold"
+                "{name}: its daemon was killed; readers keep what they hold, newcomers find what was served last"
             ),
             format!("start it again: mapd --load FILE --name {name}"),
         ));
@@ -69,7 +69,7 @@ fn one(domain: &Domain, map: &MapStatus, wait: Duration, out: &mut Vec<Finding>)
     }
     let pid = info.map_or_else(|| "unknown".to_owned(), |info| info.daemon_pid.to_string());
     out.push(Finding::ok("daemon", format!("{name}: process {pid}")));
-    if let Some((revision, _)) = read_published(domain, name)
+    if let Some(revision) = revision_of(domain, name)
         && revision != TRANSPORT_REVISION
     {
         out.push(Finding::problem(
@@ -78,15 +78,16 @@ fn one(domain: &Domain, map: &MapStatus, wait: Duration, out: &mut Vec<Finding>)
             "use daemon and clients of one release; end the old daemon and start this release's",
         ));
     }
-    out.push(attach(domain, name, wait));
+    out.push(attach(Attach::Observer, domain, name, wait));
+    out.push(attach(Attach::Subscriber, domain, name, wait));
 }
 
 /// Attaches as a client does, and touches every page.
-fn attach(domain: &Domain, name: &str, wait: Duration) -> Finding {
-    let check = "attach";
+fn attach(how: Attach, domain: &Domain, name: &str, wait: Duration) -> Finding {
+    let check = if how == Attach::Subscriber { "subscribe" } else { "attach" };
     let start = Instant::now();
     let before = minor_faults();
-    let client = match Client::connect_in(domain, name, wait) {
+    let client = match Client::connect_as(how, domain, name, wait) {
         Ok(client) => client,
         Err(error) => {
             let advice = "that message says what to do; if it is about iceoryx2, all processes need the same version";

@@ -4,7 +4,7 @@ use super::nodes;
 use super::notice::Notice;
 use iceoryx2::prelude::Node;
 use mapd_client::transport::{
-    AttachGuard, Domain, GENERATION_SUFFIX, SHARED_MEMORY_FOLDER, TransportService,
+    AttachGuard, Domain, GENERATION_SUFFIX, RECORD_SUFFIX, SHARED_MEMORY_FOLDER, TransportService,
     unfinished_segments,
 };
 use std::fs;
@@ -46,7 +46,8 @@ pub(crate) fn clean(
 }
 
 /// Removes every file of a deserted domain, so that nothing that killed processes left can be in anybody's way; unless
-/// `all`, keeps the lock files of the domain and the generation numbers. Under the exclusive attach lock nobody enters it.
+/// `all`, keeps the lock files of the domain, the generation numbers, and the records, on which observers may wait. Under the
+/// exclusive attach lock nobody enters it.
 pub(crate) fn wipe(domain: &Domain, all: bool, _exclusive: &AttachGuard) {
     // What cannot be removed is swept, reused or tried again by the next daemon.
     for entry in entries(Path::new(SHARED_MEMORY_FOLDER)) {
@@ -60,10 +61,11 @@ pub(crate) fn wipe(domain: &Domain, all: bool, _exclusive: &AttachGuard) {
         return;
     }
     for entry in entries(domain.root()) {
-        let kept = entry
-            .file_name()
-            .to_str()
-            .is_some_and(|name| name.starts_with('.') || name.ends_with(GENERATION_SUFFIX));
+        let is_kept = |name: &str| {
+            name.starts_with('.')
+                || [GENERATION_SUFFIX, RECORD_SUFFIX].iter().any(|s| name.ends_with(s))
+        };
+        let kept = entry.file_name().to_str().is_some_and(is_kept);
         if !kept {
             let path = entry.path();
             let _ = if path.is_dir() { fs::remove_dir_all(&path) } else { fs::remove_file(&path) };

@@ -16,8 +16,8 @@ const PATIENCE: Duration = Duration::from_millis(50);
 /// Time between two rounds.
 const ROUND: Duration = Duration::from_secs(1);
 
-/// Greets whoever rings, at once, until `stop` is set or the door bell rings; calls `round` about once a second, next at
-/// `next_round`.
+/// Greets whoever rings, at once, until `stop` is set or the door bell rings; about once a second, next at `next_round`, says
+/// that the daemon lives, and calls `round`.
 ///
 /// Errors: waiting fails; `round` fails.
 pub(crate) fn greet_until(
@@ -52,6 +52,7 @@ pub(crate) fn greet_until(
     let mut called = false;
     while !stop.is_requested() && !called {
         if Instant::now() >= *next_round {
+            maps.values().for_each(|ports| ports.record.beat());
             round()?;
             *next_round = Instant::now() + ROUND;
         }

@@ -6,6 +6,7 @@ use iceoryx2::sample_mut::SampleMut;
 use iceoryx2::sample_mut_uninit::SampleMutUninit;
 use mapd_client::transport::{Chunk64, GenerationInfo, TransportService};
 use std::error::Error;
+use std::hash::{BuildHasher, Hasher, RandomState};
 use std::mem::MaybeUninit;
 
 /// What the writer of a generation says about it. Opaque here.
@@ -24,6 +25,28 @@ pub(crate) type Loan = SampleMutUninit<TransportService, [MaybeUninit<Chunk64>],
 
 /// A sample that may be sent.
 pub(crate) type Filled = SampleMut<TransportService, [Chunk64], GenerationInfo>;
+
+/// Bytes that are written to find out where a loan lies in its segment.
+pub(crate) type Mark = [u8; size_of::<Chunk64>()];
+
+/// Writes a mark, unlike anything that the segment holds, at the loan's beginning, and has `find` look for it through the file: iceoryx2 does not
+/// tell where in a segment a sample lies. [`fill_loan`] overwrites it.
+///
+/// Errors: those of `find`.
+pub(crate) fn locate_loan<T>(loan: &mut Loan, find: impl FnOnce(&Mark) -> T) -> Option<T> {
+    // Hashers of the standard library are seeded at random; each has another seed.
+    let word = |_| RandomState::new().build_hasher().finish();
+    let words: [u64; size_of::<Mark>() / size_of::<u64>()] = std::array::from_fn(word);
+    let mut mark = [0; size_of::<Mark>()];
+    for (bytes, word) in mark.chunks_exact_mut(size_of::<u64>()).zip(words) {
+        bytes.copy_from_slice(&word.to_ne_bytes());
+    }
+    let first = loan.payload_mut().first_mut()?.as_mut_ptr().cast::<Mark>();
+    // SAFETY: the first chunk is as long as a mark, mapped, writable and borrowed mutably. Volatile, so that the kernel finds it when it is asked
+    // for the file's bytes: to the compiler nobody reads it.
+    unsafe { first.write_volatile(mark) };
+    Some(find(&mark))
+}
 
 /// Has `fill` write the loan's first `length` bytes, and writes the header that `header` makes. Bytes that `fill` leaves
 /// alone, and those after `length`, are zero. The segment's pages have been reserved before.

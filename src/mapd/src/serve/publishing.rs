@@ -2,7 +2,7 @@
 
 use super::error::ServeError;
 use super::greeter::greeting_meanwhile;
-use super::loan::{Filled, PublishMeta, fill_loan};
+use super::loan::{Filled, PublishMeta, fill_loan, locate_loan};
 use super::locked::LockedPages;
 use super::memory;
 use super::notice::Notice;
@@ -12,15 +12,16 @@ use super::served_map::MapPublisher;
 use super::server::Server;
 use crate::clock::unix_ns;
 use mapd_client::transport::{
-    AttachGuard, GenerationInfo, SHARED_MEMORY_FOLDER, chunks_for, write_published, write_staged,
+    AttachGuard, GenerationInfo, Place, SHARED_MEMORY_FOLDER, chunks_for, write_staged,
 };
 use std::error::Error;
+use std::io;
 
 /// A generation that is filled and has not been sent. Fields are dropped in the order they are written; dropped under the
 /// attach lock.
 pub(crate) struct Staged {
     sample: Filled,
-    segment: Segment,
+    place: Place,
     locked: Option<LockedPages>,
     publisher: MapPublisher,
 }
@@ -145,7 +146,7 @@ impl Server {
         let filled =
             greeting_meanwhile(&self.maps, &self.lock, || self.fill(map, length, &publisher, fill));
         match filled {
-            Ok((sample, segment, locked)) => Ok(Staged { sample, segment, locked, publisher }),
+            Ok((sample, place, locked)) => Ok(Staged { sample, place, locked, publisher }),
             Err(error) => {
                 let exclusive = self.exclusive();
                 // Unlinks the segment, under the lock.
@@ -163,15 +164,18 @@ impl Server {
         length: usize,
         publisher: &MapPublisher,
         fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
-    ) -> Result<(Filled, Segment, Option<LockedPages>), ServeError> {
+    ) -> Result<(Filled, Place, Option<LockedPages>), ServeError> {
         let segment = Segment::of(&self.domain, publisher, &self.segment_type)
             .map_err(ServeError::io(SHARED_MEMORY_FOLDER))?;
         segment.reserve().map_err(|error| memory::refused(map, length as u64, &error))?;
         let locked = self.lock_memory.then(|| segment.lock()).transpose();
         let locked = locked.map_err(|error| memory::not_locked(map, length as u64, &error))?;
-        let loan = publisher
+        let mut loan = publisher
             .loan_slice_uninit(chunks_for(length))
             .map_err(ServeError::iceoryx("loaning"))?;
+        let place = locate_loan(&mut loan, |mark| segment.place_of(mark))
+            .unwrap_or_else(|| Err(io::ErrorKind::UnexpectedEof.into()))
+            .map_err(ServeError::io(SHARED_MEMORY_FOLDER))?;
         let filled = fill_loan(map, loan, length, fill, |meta| {
             let notify = |notice: &Notice| (self.notify)(notice);
             let generation = self.generations.next(&self.domain, map, &notify)?;
@@ -179,24 +183,27 @@ impl Server {
         })?;
         // Nobody has written through it meanwhile, and nobody will.
         self.tell_if_failed("making the data segment read-only", segment.protect());
-        Ok((filled, segment, locked))
+        Ok((filled, place, locked))
     }
 
     /// Serves a generation instead of the one before.
     fn send(&mut self, map: &str, staged: Staged) -> Result<u64, ServeError> {
         let exclusive = self.exclusive();
-        let Staged { mut sample, segment, locked, publisher } = staged;
+        let Staged { mut sample, place, locked, publisher } = staged;
         sample.user_header_mut().published_unix_ns = unix_ns();
         let info = *sample.user_header();
         // Newcomers since it was made cost a queue each.
         memory::check_queue()?;
+        let Some(ports) = self.maps.get_mut(map) else {
+            return Err(ServeError::iceoryx("sending")("map not claimed"));
+        };
+        // What can fail comes first; then subscribers have it, then observers; only then the segment before may go.
+        let prepared =
+            ports.record.prepare(&info, &place).map_err(ServeError::io(self.domain.root()))?;
         reserving(|| sample.send()).map_err(ServeError::iceoryx("sending"))?;
-        drop(segment);
-        if let Some(ports) = self.maps.get_mut(map) {
-            ports.replace((publisher, info), locked, exclusive.as_ref());
-        }
+        ports.record.hold(prepared);
+        ports.replace((publisher, info), locked, exclusive.as_ref());
         drop(exclusive);
-        self.tell_if_failed("writing the record", write_published(&self.domain, map, Some(&info)));
         if let Some(ports) = self.maps.get(map) {
             self.tell_if_failed("announcing a generation", ports.announce());
         }

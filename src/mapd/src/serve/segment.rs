@@ -1,13 +1,14 @@
 //! The file that holds a generation.
 
+use super::loan::Mark;
 use super::locked::LockedPages;
 use super::served_map::MapPublisher;
-use mapd_client::transport::{Domain, SHARED_MEMORY_FOLDER};
+use mapd_client::transport::{Domain, Place, SHARED_MEMORY_FOLDER};
 use rustix::fs::FallocateFlags;
 use std::cell::OnceCell;
 use std::fs::{File, OpenOptions, Permissions};
 use std::io;
-use std::os::unix::fs::PermissionsExt;
+use std::os::unix::fs::{FileExt, MetadataExt, PermissionsExt};
 use std::path::Path;
 
 /// Mode of a published data segment: nobody changes it any more, and other users do not even read it.
@@ -17,8 +18,14 @@ const READ_ONLY: u32 = 0o400;
 /// all publishers of maps.
 pub(crate) type SegmentType = OnceCell<String>;
 
+/// How far into a segment its one sample may begin; iceoryx2 0.10 has it begin at 384 \[bytes\].
+const SEARCHED: usize = 64 << 10;
+
 /// The data segment of a publisher.
-pub(crate) struct Segment(File);
+pub(crate) struct Segment {
+    file: File,
+    name: String,
+}
 
 impl Segment {
     /// Finds it. iceoryx2 names it prefix, hash of a type name, `_`, publisher, `.data`. Only where the hash is not `known`
@@ -31,10 +38,11 @@ impl Segment {
         known: &SegmentType,
     ) -> io::Result<Self> {
         let suffix = format!("_{}.data", publisher.id().value());
-        let open = |kind: &str| {
+        let open = |kind: &str| -> io::Result<Self> {
             let name = format!("{}{kind}{suffix}", domain.prefix());
-            let path = Path::new(SHARED_MEMORY_FOLDER).join(name);
-            OpenOptions::new().read(true).write(true).open(path).map(Self)
+            let path = Path::new(SHARED_MEMORY_FOLDER).join(&name);
+            let file = OpenOptions::new().read(true).write(true).open(path)?;
+            Ok(Self { file, name })
         };
         match known.get().map(|kind| open(kind)) {
             Some(Err(error)) if error.kind() == io::ErrorKind::NotFound => {}
@@ -59,14 +67,41 @@ impl Segment {
         ))
     }
 
+    /// Where a sample lies that begins with this mark.
+    ///
+    /// Errors: nowhere, or at several places; what the system says.
+    pub(crate) fn place_of(&self, mark: &Mark) -> io::Result<Place> {
+        let mut start = vec![0; SEARCHED];
+        let mut read = 0;
+        while read < SEARCHED {
+            match self.file.read_at(&mut start[read..], read as u64)? {
+                0 => break,
+                count => read += count,
+            }
+        }
+        let mut places =
+            start[..read].chunks_exact(mark.len()).enumerate().filter(|(_, chunk)| chunk == mark);
+        match (places.next(), places.next()) {
+            (Some((chunk, _)), None) => Ok(Place {
+                segment: self.name.clone(),
+                inode: self.file.metadata()?.ino(),
+                offset: (chunk * mark.len()) as u64,
+            }),
+            _ => Err(io::Error::new(
+                io::ErrorKind::NotFound,
+                format!("the sample's place in {} is not found", self.name),
+            )),
+        }
+    }
+
     /// Has the kernel provide all its pages now: too little memory is an error here, and would be SIGBUS for whoever
     /// writes. (Populating the mapping with `madvise` would do as well, but needs Linux 5.14.)
     ///
     /// Errors: no space, no memory.
     pub(crate) fn reserve(&self) -> io::Result<()> {
-        let length = self.0.metadata()?.len();
+        let length = self.file.metadata()?.len();
         Ok(rustix::io::retry_on_intr(|| {
-            rustix::fs::fallocate(&self.0, FallocateFlags::empty(), 0, length)
+            rustix::fs::fallocate(&self.file, FallocateFlags::empty(), 0, length)
         })?)
     }
 
@@ -74,7 +109,7 @@ impl Segment {
     ///
     /// Errors: see [`LockedPages::of`].
     pub(crate) fn lock(&self) -> io::Result<LockedPages> {
-        LockedPages::of(&self.0)
+        LockedPages::of(&self.file)
     }
 
     /// Makes it read-only for good. Existing mappings stay what they are; iceoryx2 maps readers read-only anyway, but
@@ -82,6 +117,6 @@ impl Segment {
     ///
     /// Errors: what the system says.
     pub(crate) fn protect(&self) -> io::Result<()> {
-        self.0.set_permissions(Permissions::from_mode(READ_ONLY))
+        self.file.set_permissions(Permissions::from_mode(READ_ONLY))
     }
 }

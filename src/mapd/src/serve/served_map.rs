@@ -13,7 +13,7 @@ use iceoryx2::port::update_connections::UpdateConnections;
 use iceoryx2::prelude::{AllocationStrategy, Node};
 use iceoryx2::service::port_factory::PortFactory as _;
 use mapd_client::transport::{
-    AttachGuard, Chunk64, Claim, Domain, GenerationInfo, TransportService,
+    AttachGuard, Chunk64, Claim, Domain, GenerationInfo, RecordWriter, TransportService,
 };
 
 pub(crate) type MapPublisher = Publisher<TransportService, [Chunk64], GenerationInfo>;
@@ -26,6 +26,8 @@ pub(crate) struct MapPorts {
     pub(crate) woken: Listener<TransportService>,
     changed: Notifier<TransportService>,
     services: MapServices,
+    /// Where observers look.
+    pub(crate) record: RecordWriter,
     claim: Claim,
 }
 
@@ -40,6 +42,13 @@ impl MapPorts {
         claim: Claim,
         exclusive: Option<&AttachGuard>,
     ) -> Result<Self, ServeError> {
+        let record = match RecordWriter::open(domain, map) {
+            Ok(record) => record,
+            Err(error) => {
+                claim.release();
+                return Err(ServeError::io(domain.root())(error));
+            }
+        };
         let ports =
             MapServices::open_or_create(domain, node, map, exclusive).and_then(|services| {
                 let woken = services
@@ -56,9 +65,11 @@ impl MapPorts {
             });
         match ports {
             Ok((services, woken, changed)) => {
-                Ok(Self { current: None, locked: None, woken, changed, services, claim })
+                Ok(Self { current: None, locked: None, woken, changed, services, record, claim })
             }
             Err(error) => {
+                // It has served nothing; what cannot be removed is the next daemon's.
+                let _ = record.close();
                 claim.release();
                 Err(error)
             }
@@ -132,10 +143,14 @@ impl MapPorts {
         }
     }
 
-    /// Closes the ports, then gives up the claim.
-    pub(crate) fn close(self) {
-        let Self { current, locked, woken, changed, services, claim } = self;
+    /// Tells observers that the map is not served any more, closes the ports, then gives up the claim.
+    ///
+    /// Errors: the record cannot be removed; it says that nothing is served.
+    pub(crate) fn close(self) -> std::io::Result<()> {
+        let Self { current, locked, woken, changed, services, record, claim } = self;
+        let closed = record.close();
         drop((current, locked, woken, changed, services));
         claim.release();
+        closed
     }
 }

@@ -18,7 +18,7 @@ use iceoryx2::prelude::{Node, NodeBuilder, NodeName, SignalHandlingMode};
 use mapd_client::transport::{
     AttachGuard, AttachLock, Claim, DAEMON_NODE, Domain, GenerationInfo, Presence,
     TransportService, check_map_name, check_owner, iceoryx2_config, silence_iceoryx2,
-    unfinished_segments, write_published, write_staged,
+    unfinished_segments, write_staged,
 };
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -191,8 +191,7 @@ impl Server {
 
     fn claim_new(&mut self, map: &str) -> Result<(), ServeError> {
         let claim = Claim::acquire(&self.domain, map)?;
-        // A killed daemon's word is out of date.
-        self.tell_if_failed("removing an old record", write_published(&self.domain, map, None));
+        // A killed daemon's word is out of date. What it served last is still told to observers, until there is something newer.
         self.tell_if_failed("removing an old record", write_staged(&self.domain, map, None));
         let exclusive = self.exclusive();
         let Some(node) = &self.node else {
@@ -280,8 +279,7 @@ impl Server {
         let exclusive = self.exclusive();
         self.unstage(map, exclusive.as_ref());
         if let Some(ports) = self.maps.remove(map) {
-            self.tell_if_failed("removing the record", write_published(&self.domain, map, None));
-            ports.close();
+            self.tell_if_failed("removing the record", ports.close());
         }
         drop(exclusive);
     }
@@ -325,9 +323,8 @@ impl Drop for Server {
         for name in self.staged.keys().cloned().collect::<Vec<_>>() {
             self.unstage(&name, exclusive.as_ref());
         }
-        for (name, ports) in std::mem::take(&mut self.maps) {
-            self.tell_if_failed("removing the record", write_published(&self.domain, &name, None));
-            ports.close();
+        for ports in std::mem::take(&mut self.maps).into_values() {
+            self.tell_if_failed("removing the record", ports.close());
         }
         drop(self.node.take());
         drop(self.presence.take());

@@ -2,7 +2,7 @@
 //! and who asks for it, at every system call of asking.
 
 use crate::QUESTION;
-use crate::check::{Witness, nothing_left, settles};
+use crate::check::{Witness, is_found_whole_or_not, nothing_left, settles};
 use crate::report::{Choice, Killing, Report};
 use crate::watchdog;
 use mapd_tests::stage::{Checked, Stage};
@@ -52,6 +52,7 @@ pub(crate) fn daemon(mapd: &Path, choice: Choice<'_>) -> Checked<Report> {
     for moment in &chosen {
         watchdog::step(&format!("{name}, killed {moment}"));
         report.ran(moment.kill(|at| serving(&stage, at))?);
+        report.note(moment, is_found_whole_or_not(&stage));
         report.note(moment, witness.still_reads());
         // What the killed one served last is as right.
         report.note(moment, witness.keeps_up());

@@ -1,6 +1,6 @@
 //! A daemon killed at every system call of starting, publishing and stopping.
 
-use crate::check::{Witness, nothing_left, settles};
+use crate::check::{Witness, is_found_whole_or_not, nothing_left, settles};
 use crate::report::{Choice, Killing, Report};
 use crate::watchdog;
 use mapd_tests::stage::{Checked, Stage};
@@ -36,6 +36,7 @@ pub(crate) fn run(stage: &Stage, with_client: bool, choice: Choice<'_>) -> Check
     for moment in &chosen {
         watchdog::step(&format!("{name}, killed {moment}"));
         report.ran(moment.kill(|at| victim(stage, with_client, at))?);
+        report.note(moment, is_found_whole_or_not(stage));
         if let Some(witness) = &witness {
             report.note(moment, witness.still_reads());
         }

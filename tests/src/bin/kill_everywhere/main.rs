@@ -10,6 +10,7 @@ mod report;
 mod watchdog;
 
 use clap::{Parser, ValueEnum};
+use mapd_client::Attach;
 use mapd_tests::say;
 use mapd_tests::stage::{Checked, Stage};
 use report::{Choice, Report};
@@ -56,8 +57,10 @@ struct Options {
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Victim {
-    /// A client that attaches, asks and detaches, while a daemon serves and another client holds a snapshot
+    /// A subscriber that attaches, asks and detaches, while a daemon serves and other clients hold snapshots
     Client,
+    /// The same of an observer
+    Observer,
     /// A daemon that starts, publishes and stops, alone
     Daemon,
     /// The same, while a client holds a snapshot of the daemon before
@@ -99,7 +102,8 @@ fn run(options: &Options) -> Checked<bool> {
     for victim in victims {
         let stage = Stage::new(&mapd, &mapd_tests::carried("one_road.xodr"), QUESTION)?;
         let report: Report = match victim {
-            Victim::Client => client::run(&stage, choice)?,
+            Victim::Client => client::run(&stage, Attach::Subscriber, choice)?,
+            Victim::Observer => client::run(&stage, Attach::Observer, choice)?,
             Victim::Daemon => daemon::run(&stage, false, choice)?,
             Victim::DaemonWithClient => daemon::run(&stage, true, choice)?,
             Victim::Changes => changes::daemon(&mapd, choice)?,

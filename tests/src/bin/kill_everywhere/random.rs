@@ -3,6 +3,7 @@
 use crate::check::{Witness, nothing_left};
 use crate::report::Report;
 use crate::watchdog;
+use mapd_client::Attach;
 use mapd_tests::maps::Random;
 use mapd_tests::say;
 use mapd_tests::stage::{Checked, Stage};
@@ -40,7 +41,10 @@ pub(crate) fn run(stage: &Stage, kills: u32, seed: u64) -> Checked<Report> {
         let clients = random.between(0.0, CLIENTS + 1.0) as u32;
         let mut children = Vec::new();
         for _ in 0..clients {
-            children.push((Instant::now() + LONGEST_CLIENT.mul_f64(random.unit()), client(stage)?));
+            let is_observer = random.unit() < 0.5;
+            let attach = if is_observer { Attach::Observer } else { Attach::Subscriber };
+            let end = Instant::now() + LONGEST_CLIENT.mul_f64(random.unit());
+            children.push((end, client(stage, attach)?));
         }
         children.sort_by_key(|(when, _)| *when);
         let kill_daemon = random.unit() < 0.5;
@@ -93,8 +97,8 @@ pub(crate) fn run(stage: &Stage, kills: u32, seed: u64) -> Checked<Report> {
     Ok(report)
 }
 
-fn client(stage: &Stage) -> Checked<Child> {
-    let mut command = stage.client_command();
+fn client(stage: &Stage, attach: Attach) -> Checked<Child> {
+    let mut command = stage.client_command(attach);
     command.stdin(Stdio::piped()).stderr(Stdio::null());
     let mut child = command.spawn().map_err(|error| error.to_string())?;
     if let Some(mut stdin) = child.stdin.take() {

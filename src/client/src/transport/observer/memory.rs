@@ -1,0 +1,128 @@
+//! Mapping records and segments. The only unsafe code of observers.
+#![allow(unsafe_code)]
+
+use super::page::{PAGE_BYTES, Page};
+use memmap2::{Advice, Mmap, MmapOptions, MmapRaw};
+use rustix::fd::OwnedFd;
+use rustix::fs::{FileType, Mode, OFlags, Stat};
+use rustix::io::Errno;
+use std::io;
+use std::path::Path;
+
+const _: () = assert!(size_of::<Page>() <= PAGE_BYTES && align_of::<Page>() <= 8);
+
+/// Unit of [`Stat::st_blocks`] \[bytes\].
+const BLOCK: u64 = 512;
+
+/// Why a file is not mapped.
+#[derive(Debug)]
+pub(super) enum Refusal {
+    /// It belongs to this user.
+    OtherOwner(u32),
+    /// The system refuses; or, of kind invalid-data, it is not what it should be.
+    Io(io::Error),
+}
+
+impl From<io::Error> for Refusal {
+    fn from(error: io::Error) -> Self {
+        Self::Io(error)
+    }
+}
+
+impl From<Errno> for Refusal {
+    fn from(error: Errno) -> Self {
+        Self::Io(error.into())
+    }
+}
+
+fn bad(why: String) -> Refusal {
+    Refusal::Io(io::Error::new(io::ErrorKind::InvalidData, why))
+}
+
+/// Opens a file that somebody else may have put there: no symbolic link is followed, and no device or pipe waited for.
+///
+/// Errors: it is not `owner`'s; what the system says; invalid-data, if it is no file, or its pages are not all there.
+fn open(path: &Path, access: OFlags, owner: u32) -> Result<(OwnedFd, Stat), Refusal> {
+    let flags = access | OFlags::NOFOLLOW | OFlags::NONBLOCK | OFlags::CLOEXEC | OFlags::NOCTTY;
+    let file = rustix::fs::open(path, flags, Mode::empty())?;
+    let stat = rustix::fs::fstat(&file)?;
+    if stat.st_uid != owner {
+        return Err(Refusal::OtherOwner(stat.st_uid));
+    }
+    if FileType::from_raw_mode(stat.st_mode) != FileType::RegularFile {
+        return Err(bad("is no file".to_owned()));
+    }
+    if (stat.st_blocks as u64).saturating_mul(BLOCK) < stat.st_size as u64 {
+        // The kernel would have to provide the missing pages when they are read, and ends the reader if it cannot.
+        return Err(bad("has holes".to_owned()));
+    }
+    Ok((file, stat))
+}
+
+/// Which file: device and inode.
+pub(super) type Identity = (u64, u64);
+
+/// Which file it is.
+pub(super) fn identity(stat: &Stat) -> Identity {
+    (stat.st_dev, stat.st_ino)
+}
+
+/// A record that is mapped.
+pub(super) struct Record {
+    map: MmapRaw,
+    pub(super) identity: Identity,
+}
+
+impl Record {
+    /// Maps a record of `owner`: for the daemon writable, for everybody else not.
+    ///
+    /// Errors: those of opening a file; invalid-data, if it is not as long as a record.
+    pub(super) fn open(path: &Path, owner: u32, write: bool) -> Result<Self, Refusal> {
+        let access = if write { OFlags::RDWR } else { OFlags::RDONLY };
+        let (file, stat) = open(path, access, owner)?;
+        if stat.st_size as u64 != PAGE_BYTES as u64 {
+            return Err(bad(format!("expected {PAGE_BYTES} bytes, found {}", stat.st_size)));
+        }
+        let mut options = MmapOptions::new();
+        options.len(PAGE_BYTES);
+        let map = if write { options.map_raw(&file) } else { options.map_raw_read_only(&file) }?;
+        Ok(Self { map, identity: identity(&stat) })
+    }
+
+    pub(super) fn page(&self) -> &Page {
+        // SAFETY:
+        // - Address and length: the mapping has `PAGE_BYTES`, begins on a page and lives as long as `self`; a `Page` is no longer, and needs an
+        //   alignment of 8. The file was that long when it was opened and all its pages were there; nobody but its owner, who never does, can shorten it.
+        // - Value: a `Page` is atomic integers, for which every bit pattern is one.
+        // - Races: all processes touch the page by atomic operations alone.
+        // - Read-only mappings: readers only load, at most eight bytes at once, which the processor does without writing.
+        unsafe { &*self.map.as_ptr().cast::<Page>() }
+    }
+}
+
+/// Maps the first `length` bytes of a segment of `owner` read-only; core dumps leave them out.
+///
+/// Errors: those of opening a file; not-found, if it is not the file `inode`, for that one is gone; invalid-data, if it is too short.
+pub(super) fn map_segment(
+    path: &Path,
+    inode: u64,
+    length: u64,
+    owner: u32,
+) -> Result<Mmap, Refusal> {
+    let (file, stat) = open(path, OFlags::RDONLY, owner)?;
+    if stat.st_ino != inode {
+        return Err(Errno::NOENT.into());
+    }
+    if (stat.st_size as u64) < length {
+        return Err(bad(format!("expected {length} bytes, found {}", stat.st_size)));
+    }
+    let length = usize::try_from(length).map_err(|_| Errno::NOMEM)?;
+    // SAFETY: the mapping is read-only and private to the value returned. Undefined behaviour would need the file to change under us: the record that names
+    // it is written after the last byte of it was, its writer has made it read-only, and a file of another inode was refused above. Its owner could still change it, and
+    // is trusted not to; lengths are read once when an archive is opened, so that a changed byte gives a wrong answer, not an access outside. It is not
+    // shortened: iceoryx2 sizes a segment once, before it is sent, and unlinks it afterwards. It has no holes, so that reading never needs a new page.
+    let map = unsafe { MmapOptions::new().len(length).map(&file)? };
+    // A system that cannot leave it out of core dumps is no reason to have no map.
+    let _ = map.advise(Advice::DontDump);
+    Ok(map)
+}

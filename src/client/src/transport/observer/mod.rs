@@ -1,0 +1,42 @@
+//! Readers that write nothing: a map's record says which file holds the generation that is served and where in it the bytes lie;
+//! an [`Observer`] maps that file read-only and is done. No lock, no node, no port, nothing created or written anywhere; any number of them.
+//!
+//! ```text
+//! /dev/shm/mapd_root/{map}.published   one page, made before the map is served, never resized, removed after it was closed
+//!
+//!   header     magic, revision, sequence (of the slot that holds, and futex word), heartbeat
+//!   slot 0     checksum, sequence, what is said of the generation, name and inode of its segment, offset
+//!   slot 1     the same; a slot's sequence is even or odd as its number is
+//! ```
+//!
+//! | who | does, in this order |
+//! |---|---|
+//! | daemon, publishing | writes the slot that does not hold, with sequence + 1; sends; stores sequence + 1; wakes; drops the publisher before, whose segment goes |
+//! | daemon, withdrawing | the same with a slot that says that nothing is served; wakes; removes the page |
+//! | reader | sequence; its slot; sequence again, and again if it changed; checksum; opens, fstat, maps; tells by inode and hash that it is that generation |
+//!
+//! What a kill leaves: before the sequence is stored, the slot that held still holds, and its segment is there, for the one publisher that owns it
+//! goes last. Afterwards the new slot holds, and its segment was sent. Who sleeps on the word looks again at least every 100 ms
+//! ([`LOOK`](self::reader)), so that a wake-up that is lost costs that much. The next daemon goes on with the page it finds.
+//!
+//! Whose word is taken: root folder, record and segment belong to the reader's own user, by `fstat` on what was opened; names in a
+//! record are plain and lie in the domain. Whoever can write these files is trusted with memory that never shrinks: a mapping of a file that
+//! becomes shorter ends its reader by SIGBUS. Holes would do so where shared memory is full; files with holes are refused.
+
+mod memory;
+mod page;
+mod reader;
+mod slot;
+mod writer;
+
+pub use reader::Observer;
+pub use slot::Place;
+pub use writer::RecordWriter;
+
+pub use reader::revision_of;
+pub(crate) use reader::{heartbeat_age, published};
+
+use std::sync::atomic;
+
+/// Words of a slot, checksum and sequence among them.
+const WORDS: usize = 48;

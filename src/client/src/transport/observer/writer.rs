@@ -1,0 +1,134 @@
+//! The daemon's side of a record.
+
+use super::memory::{Record, Refusal};
+use super::page::{MAGIC, PAGE_BYTES, Page};
+use super::reader::monotonic_ns;
+use super::slot::{Place, Said, encode};
+use crate::transport::domain::Domain;
+use crate::transport::limits::TRANSPORT_REVISION;
+use crate::transport::payload::GenerationInfo;
+use crate::transport::record::{RECORD_SUFFIX, remove_text, unfinished};
+use rustix::fs::{FallocateFlags, Mode, OFlags};
+use rustix::thread::futex;
+use std::fmt;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
+
+/// Mode of a record: its user alone, as everything in the root folder.
+const MODE: Mode = Mode::RUSR.union(Mode::WUSR);
+
+/// The record of a map, written by the daemon that has claimed it. Dropping it leaves it as it is; [`RecordWriter::close`] removes it.
+pub struct RecordWriter {
+    record: Record,
+    path: PathBuf,
+}
+
+/// What will be said once the generation is sent.
+#[must_use = "says nothing before it holds"]
+#[derive(Debug)]
+pub struct Prepared(u32);
+
+impl RecordWriter {
+    /// Goes on with the record that a killed daemon left, else makes a new one, whose page is there for good: writing it never fails.
+    ///
+    /// Errors: what the system says; no room.
+    pub fn open(domain: &Domain, map: &str) -> io::Result<Self> {
+        let path = domain.map_file(map, RECORD_SUFFIX);
+        let us = rustix::process::geteuid().as_raw();
+        let record = match Record::open(&path, us, true) {
+            Ok(record) if is_ours(record.page()) => record,
+            // None, one of another release, or one that is damaged: who waits on it finds by the name that another has taken its place.
+            _ => {
+                create(&path)?;
+                Record::open(&path, us, true).map_err(as_io)?
+            }
+        };
+        let writer = Self { record, path };
+        writer.beat();
+        Ok(writer)
+    }
+
+    /// Writes down what is to be served, so that nobody sees it yet.
+    ///
+    /// Errors: what cannot be said: a segment's name that is too long, or not plain.
+    pub fn prepare(&self, info: &GenerationInfo, place: &Place) -> io::Result<Prepared> {
+        self.write(&Said::Served(*info, place.clone()))
+    }
+
+    /// Has what was prepared hold, and wakes those who wait. Call it between sending the generation and dropping the publisher before.
+    pub fn hold(&self, prepared: Prepared) {
+        let page = self.page();
+        page.hold(prepared.0);
+        self.beat();
+        // Fails for no word that is mapped; who is not woken looks by itself.
+        let _ = futex::wake(&page.sequence, futex::Flags::empty(), i32::MAX as u32);
+    }
+
+    /// Says that the daemon lives.
+    pub fn beat(&self) {
+        self.page().heartbeat.store(monotonic_ns(), Ordering::Relaxed);
+    }
+
+    /// Says that nothing is served any more, wakes those who wait, and removes the record.
+    ///
+    /// Errors: what the system says; by then readers know.
+    pub fn close(self) -> io::Result<()> {
+        let prepared = self.write(&Said::Nothing)?;
+        self.hold(prepared);
+        remove_text(&self.path)
+    }
+
+    fn write(&self, said: &Said) -> io::Result<Prepared> {
+        let page = self.page();
+        let next = Page::next(page.sequence.load(Ordering::Relaxed));
+        let words =
+            encode(next, said).map_err(|why| io::Error::new(io::ErrorKind::InvalidInput, why))?;
+        page.write(next, &words);
+        Ok(Prepared(next))
+    }
+
+    fn page(&self) -> &Page {
+        self.record.page()
+    }
+}
+
+/// Of a file that this user has just made.
+fn as_io(refusal: Refusal) -> io::Error {
+    match refusal {
+        Refusal::Io(error) => error,
+        Refusal::OtherOwner(_) => io::ErrorKind::PermissionDenied.into(),
+    }
+}
+
+fn is_ours(page: &Page) -> bool {
+    page.magic.load(Ordering::Relaxed) == MAGIC
+        && page.revision.load(Ordering::Relaxed) == TRANSPORT_REVISION
+}
+
+/// Makes a record that says nothing, whole from the moment it has its name.
+fn create(path: &Path) -> io::Result<()> {
+    let new = unfinished(path);
+    let flags = OFlags::RDWR | OFlags::CREATE | OFlags::TRUNC | OFlags::NOFOLLOW | OFlags::CLOEXEC;
+    let file = rustix::fs::open(&new, flags, MODE)?;
+    let us = rustix::process::geteuid().as_raw();
+    let made = rustix::fs::fallocate(&file, FallocateFlags::empty(), 0, PAGE_BYTES as u64)
+        .map_err(io::Error::from)
+        .and_then(|()| {
+            let record = Record::open(&new, us, true).map_err(as_io)?;
+            let page = record.page();
+            page.revision.store(TRANSPORT_REVISION, Ordering::Relaxed);
+            page.magic.store(MAGIC, Ordering::Release);
+            std::fs::rename(&new, path)
+        });
+    made.inspect_err(|_| {
+        // What cannot be removed is written over by the next daemon.
+        let _ = std::fs::remove_file(&new);
+    })
+}
+
+impl fmt::Debug for RecordWriter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("RecordWriter").field("path", &self.path).finish_non_exhaustive()
+    }
+}

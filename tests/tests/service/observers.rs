@@ -1,0 +1,269 @@
+//! Readers that write nothing: what attaching takes, swaps under many of them, and daemons that end.
+
+use mapd::serve::{Doorbell, PublishMeta, Server, StopSignal};
+use mapd_client::{Attach, Client};
+use mapd_tests::place::{PATIENCE, Place};
+use mapd_tests::say;
+use mapd_tests::tracer::{Side, Then, Traced};
+use nix::errno::Errno;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+use syscalls::Sysno;
+
+const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
+const PROBE: &str = env!("CARGO_BIN_EXE_planner_probe");
+
+/// System calls that attaching as an observer may take.
+const CALLS: usize = 12;
+
+/// Swaps, where `MAPD_SWAPS` says nothing else.
+const SWAPS: u64 = 300;
+
+/// Processes that observe them, where `MAPD_OBSERVERS` says nothing else.
+const OBSERVERS: usize = 20;
+
+/// A heartbeat of this age is late: daemons beat once a second.
+const LATE: Duration = Duration::from_millis(1500);
+
+fn town() -> String {
+    mapd_tests::carried("town.xodr").display().to_string()
+}
+
+fn number<T: std::str::FromStr>(variable: &str, otherwise: T) -> T {
+    std::env::var(variable).ok().and_then(|text| text.parse().ok()).unwrap_or(otherwise)
+}
+
+#[test]
+fn attaching_takes_few_system_calls_and_leaves_nothing() {
+    let place = Place::new(MAPD);
+    let _daemon = place.serve(&[&town()]);
+    let files = place.segments();
+    let mut command = place.command_of(PROBE);
+    command.args(["steps", "town"]);
+    let (traced, _) = match Traced::start(&command, "", Stdio::null()) {
+        Err(error) if error.raw_os_error() == Some(Errno::EPERM as i32) => {
+            return say("SKIPPED: tracing is not permitted");
+        }
+        started => started.expect("starts"),
+    };
+    let (mut calls, mut marks) = (Vec::new(), 0);
+    let status = traced.run(|moment| {
+        if moment.side == Side::Before {
+            match moment.name {
+                Sysno::getppid => marks += 1,
+                // Rust's library asks before it closes a file whether it is open, where assertions are on.
+                Sysno::fcntl => {}
+                name if marks == 1 => calls.push(name),
+                _ => {}
+            }
+        }
+        Then::Continue
+    });
+    assert!(status.expect("runs").success());
+    assert_eq!(marks, 2);
+    say(&format!("system calls of an observer's attach: {calls:?}"));
+    assert!(calls.len() <= CALLS, "{calls:?}");
+    assert!(calls.contains(&Sysno::mmap), "nothing was counted: {calls:?}");
+    let writing = [Sysno::write, Sysno::flock, Sysno::ftruncate, Sysno::unlink, Sysno::socket];
+    assert!(!calls.iter().any(|call| writing.contains(call)), "{calls:?}");
+    assert_eq!(place.segments(), files);
+}
+
+/// Hundreds of generations, each proved by every process that meets it; in the end all have the last one.
+#[test]
+fn swaps_under_many_observers() {
+    let (swaps, observers) = (number("MAPD_SWAPS", SWAPS), number("MAPD_OBSERVERS", OBSERVERS));
+    let place = Place::new(MAPD);
+    let archives = ["one_road.xodr", "town.xodr"].map(|name| {
+        let map = mapd_tests::carried(name);
+        let file = std::fs::File::open(map).expect("opens");
+        let options = mapd_compiler::CompileOptions::default();
+        let compiled = mapd_compiler::compile(file, &options, &mut |_| {}).expect("reads");
+        let rows = compiled.rows.expect("accepted");
+        mapd_archive::encode(&rows, &compiled.provenance).expect("encodes")
+    });
+    let mut server = Server::start(&place.domain()).expect("starts");
+    let mut publish = |number: u64| {
+        let bytes = &archives[(number % 2) as usize];
+        let published = server.publish("m", bytes.len(), |loan| {
+            loan.copy_from_slice(bytes);
+            let content_hash = mapd_archive::open(loan)?.header.content_hash;
+            Ok(PublishMeta { layout_id: [0; 32], content_hash, input_hash: [0; 32] })
+        });
+        published.expect("publishes")
+    };
+    publish(0);
+    let mut children: Vec<_> = (0..observers)
+        .map(|_| {
+            let mut command = place.command_of(PROBE);
+            let mut child =
+                command.args(["observe", "m"]).stdin(Stdio::piped()).spawn().expect("starts");
+            let mut out = BufReader::new(child.stdout.take().expect("stdout"));
+            let mut line = String::new();
+            out.read_line(&mut line).expect("a line");
+            assert!(line.starts_with("attached "), "{line}");
+            (child, out)
+        })
+        .collect();
+    let last = (1..=swaps).map(&mut publish).max().expect("some");
+    let (mut attached, mut seen) = (0, 0);
+    for (child, _) in &mut children {
+        let mut stdin = child.stdin.take().expect("stdin");
+        writeln!(stdin, "{last}").expect("told");
+    }
+    for (mut child, mut out) in children {
+        let mut text = String::new();
+        out.read_to_string(&mut text).expect("the report");
+        assert!(child.wait().expect("ends").success(), "{text}");
+        assert!(text.contains(&format!("last {last}\n")), "{text}");
+        let of = |key: &str| -> u64 {
+            let line = text.lines().find_map(|line| line.strip_prefix(key)?.strip_prefix(' '));
+            line.and_then(|number| number.parse().ok()).expect("a number")
+        };
+        attached += of("attached");
+        seen += of("seen");
+    }
+    say(&format!(
+        "{swaps} swaps, {observers} observers: {attached} proved, {seen} newer ones seen"
+    ));
+    assert!(seen > observers as u64, "nobody saw a swap");
+}
+
+/// What a killed daemon served last is found, and its age seen; whoever waits gets the successor's.
+#[test]
+fn after_the_daemons_death() {
+    let place = Place::new(MAPD);
+    let daemon = place.serve(&[&town()]);
+    let before = Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
+    assert_eq!(before.attachment(), Attach::Observer);
+    std::thread::sleep(LATE);
+    let age = before.heartbeat_age().expect("a daemon");
+    assert!(age < LATE, "a living daemon's heart beats, not {age:?} ago");
+    daemon.kill();
+    let after = Client::connect_in(&place.domain(), "town", Duration::ZERO).expect("attaches");
+    assert_eq!(after.snapshot().generation(), before.snapshot().generation());
+    after.snapshot().verify().expect("whole");
+    assert_eq!(after.served_by(), None);
+    std::thread::sleep(LATE);
+    let (first, second) = (after.heartbeat_age(), before.heartbeat_age());
+    assert!(first.is_some_and(|age| age >= LATE) && second >= first, "{first:?}, {second:?}");
+    let waiting = std::thread::spawn(move || after.wait_next(PATIENCE));
+    let _successor = place.serve(&[&town()]);
+    let next = waiting.join().expect("no panic").expect("the successor's generation");
+    assert!(next.generation() > before.snapshot().generation());
+    next.verify().expect("whole");
+    assert!(before.heartbeat_age().is_some_and(|age| age < LATE));
+}
+
+/// A clean end removes the record; who waits on it is told, and finds the next daemon's.
+#[test]
+fn after_a_clean_end() {
+    let place = Place::new(MAPD);
+    let daemon = place.serve(&[&town()]);
+    let client = Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
+    let held = client.snapshot();
+    let connect_now = || Client::connect_in(&place.domain(), "town", Duration::ZERO);
+    std::thread::scope(|scope| {
+        let waiting = scope.spawn(|| client.wait_next(PATIENCE));
+        std::thread::sleep(LATE / 10);
+        assert_eq!(daemon.stop(), 0);
+        assert!(!place.domain().root().exists(), "observers keep nothing");
+        assert_eq!(client.heartbeat_age(), None);
+        assert!(connect_now().is_err(), "nothing is served");
+        held.verify().expect("what is held stays");
+        assert_eq!(client.refresh().expect("no error").generation(), held.generation());
+        let _next = place.serve(&[&town()]);
+        let next = waiting.join().expect("no panic").expect("the next daemon's generation");
+        assert!(next.generation() > held.generation());
+        let fresh = connect_now().expect("attaches").snapshot();
+        assert_eq!(fresh.generation(), next.generation());
+    });
+}
+
+/// Everything of the domain is removed by hand under a daemon and a reader, and another daemon comes.
+#[test]
+fn after_the_root_folder_was_removed() {
+    let place = Place::new(MAPD);
+    let daemon = place.serve(&[&town()]);
+    let client = Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
+    let held = client.snapshot().generation();
+    std::fs::remove_dir_all(place.domain().root()).expect("removed");
+    daemon.kill();
+    let _next = place.serve(&[&town()]);
+    let next = client.wait_next(PATIENCE).expect("the next daemon's generation");
+    assert!(next.generation() > held);
+}
+
+/// A map that is withdrawn and comes again, in one daemon.
+#[test]
+fn a_map_is_withdrawn_and_comes_again() {
+    let place = Place::new(MAPD);
+    let rows = mapd_archive::Rows::default();
+    let bytes = mapd_archive::encode(&rows, &mapd_archive::Provenance::default()).expect("encodes");
+    let mut server = Server::start(&place.domain()).expect("starts");
+    let publish = |server: &mut Server| {
+        let published = server.publish("m", bytes.len(), |loan| {
+            loan.copy_from_slice(&bytes);
+            let content_hash = mapd_archive::open(loan)?.header.content_hash;
+            Ok(PublishMeta { layout_id: [0; 32], content_hash, input_hash: [0; 32] })
+        });
+        published.expect("publishes")
+    };
+    let first = publish(&mut server);
+    let client = Client::connect_in(&place.domain(), "m", PATIENCE).expect("attaches");
+    assert_eq!(client.snapshot().generation(), first);
+    server.withdraw("m");
+    assert!(Client::connect_in(&place.domain(), "m", Duration::ZERO).is_err());
+    assert_eq!(client.refresh().expect("no error").generation(), first);
+    let second = publish(&mut server);
+    assert_eq!(client.wait_next(PATIENCE).expect("the next").generation(), second);
+    server
+        .stage("m", bytes.len(), |loan| {
+            loan.copy_from_slice(&bytes);
+            let content_hash = mapd_archive::open(loan)?.header.content_hash;
+            Ok(PublishMeta { layout_id: [0; 32], content_hash, input_hash: [0; 32] })
+        })
+        .expect("staged");
+    assert_eq!(client.refresh().expect("no error").generation(), second, "staged is not served");
+    let third = server.activate("m").expect("activated");
+    assert_eq!(client.refresh().expect("no error").generation(), third);
+}
+
+/// One generation after the other, each waited for.
+#[test]
+fn every_generation_is_waited_for() {
+    const ROUNDS: usize = 40;
+    let place = Place::new(MAPD);
+    let rows = mapd_archive::Rows::default();
+    let bytes = mapd_archive::encode(&rows, &mapd_archive::Provenance::default()).expect("encodes");
+    let (stop, door) = (StopSignal::new().expect("a signal"), Doorbell::new().expect("a bell"));
+    let ringer = door.ringer().expect("a ringer");
+    std::thread::scope(|scope| {
+        let (domain, stopped, bytes) = (place.domain(), &stop, &bytes);
+        scope.spawn(move || {
+            let mut server = Server::start(&domain).expect("starts");
+            while !stopped.is_requested() {
+                let published = server.publish("m", bytes.len(), |loan| {
+                    loan.copy_from_slice(bytes);
+                    let content_hash = mapd_archive::open(loan)?.header.content_hash;
+                    Ok(PublishMeta { layout_id: [0; 32], content_hash, input_hash: [0; 32] })
+                });
+                published.expect("publishes");
+                server.run_until(stopped, &door).expect("serves");
+                door.answer();
+            }
+        });
+        let client = Client::connect_in(&place.domain(), "m", PATIENCE).expect("attaches");
+        let begun = Instant::now();
+        for _ in 0..ROUNDS {
+            let before = client.snapshot().generation();
+            ringer.ring();
+            let next = client.wait_next(PATIENCE).expect("the next");
+            assert_eq!(next.generation(), before + 1);
+        }
+        let taken = begun.elapsed();
+        stop.request();
+        say(&format!("{ROUNDS} generations waited for in {taken:?}"));
+    });
+}
