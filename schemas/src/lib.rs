@@ -19,6 +19,7 @@ mod archive_doc;
 pub mod decode;
 mod ontology;
 pub mod opendrive;
+mod python_code;
 
 use anyhow::{Context, Result};
 use std::path::Path;
@@ -40,6 +41,7 @@ pub fn outputs(root: &Path) -> Result<Vec<Output>> {
         (format!("{folder}/move_rows.rs"), append_code::move_rows(&layout)),
         (format!("{folder}/tables.rs"), archive_code::tables(&layout)),
         (format!("{folder}/verify_rows.rs"), archive_code::verification(&layout)),
+        ("src/python/python/mapd/_layout.py".to_owned(), python_code::layout(&layout)),
         ("docs/format.md".to_owned(), archive_doc::splice(&page, &layout)?),
     ];
     let rows = archive_code::row_files(&layout).into_iter();

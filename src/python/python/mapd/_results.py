@@ -1,0 +1,338 @@
+"""Single answers. Lengths are metres, angles radians, times seconds, speeds metres per second, coordinates inertial."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from ._mapd import Lane, Map, Signal
+
+
+class Nearest(NamedTuple):
+    """The nearest lane and the point in its coordinates."""
+
+    lane: Lane
+    """The lane."""
+    s: float
+    """Along the road's reference line [m]."""
+    t: float
+    """Lateral on the road [m], positive to the left of the reference line."""
+    offset: float
+    """From the lane's centre [m], positive to the left as its traffic goes."""
+    distance: float
+    """In plan view from the lane's area [m]; 0 inside."""
+    z: float
+    """Height of the plane h = 0 at (s, t) [m]."""
+    heading: float
+    """The way the lane's traffic goes at s [rad], in (-pi, pi]."""
+
+
+class LanePosition(NamedTuple):
+    """A point in a lane's coordinates; as :class:`Nearest`."""
+
+    s: float
+    t: float
+    offset: float
+    distance: float
+    z: float
+    heading: float
+    clamped: int
+    """-1 or 1 where the point lies before or after the lane's section in the direction of s, which has no foot for it; else 0."""
+
+
+class Pose(NamedTuple):
+    """A place with the frame there."""
+
+    x: float
+    y: float
+    z: float
+    heading: float
+    """[rad], counter-clockwise from x, in (-pi, pi]."""
+    curvature: float
+    """Of the reference line [1/m], positive to the left."""
+    slope: float
+    """Metres upwards per metre of s ahead."""
+    superelevation: float
+    """[rad], positive lifts the left side."""
+    clamped: int
+    """-1 or 1 where s lay before or after the line and was moved to its nearer end; else 0."""
+
+
+class TrackPosition(NamedTuple):
+    """Foot of a point on a road's reference line."""
+
+    s: float
+    """[m]"""
+    t: float
+    """[m], positive to the left."""
+    h: float | None
+    """Upwards [m]; only where the point had a z."""
+    distance: float
+    """In plan view from the reference line [m]."""
+    clamped: int
+    """-1 or 1 where the point lies before or after the road; else 0."""
+    exact: bool
+    """Whether (s, t, h) is the point: not beyond an end, nor in the wedge beside a kink."""
+
+
+class Height(NamedTuple):
+    """The road's surface at a point on a lane."""
+
+    z: float
+    """[m]"""
+    nx: float
+    ny: float
+    nz: float
+    """The surface's unit normal is (nx, ny, nz)."""
+    lane: Lane
+
+
+class RouteStep(NamedTuple):
+    """A lane of a route."""
+
+    lane: Lane
+    forward: bool
+    """Whether it is travelled towards +s."""
+    enter: Literal["start", "ahead", "left", "right"]
+    """How it is entered: the route starts on it, from behind, or by a change of lane."""
+    s_from: float
+    """s at which it is entered [m]; of a change, the first place where it may happen."""
+    s_to: float
+    """s at which it is left [m]."""
+    s_latest: float
+    """Of a change, the last place where it may happen [m]."""
+
+
+@dataclass(frozen=True)
+class Route:
+    """A way from one place to another."""
+
+    cost: float
+    """What was kept small: [m] by length, [s] by time, lane changes included."""
+    length: float
+    """Along centre lines [m]."""
+    travel_time: float
+    """At the speed limits [s]."""
+    lane_changes: int
+    steps: tuple[RouteStep, ...]
+
+    def __repr__(self) -> str:
+        return f"<mapd.Route {self.length:.1f} m, {self.travel_time:.1f} s, {self.lane_changes} lane changes, {len(self.steps)} lanes>"
+
+
+class PathPoint(NamedTuple):
+    """A place on a path, as who drives there has it."""
+
+    along: float
+    """S: the sum of the lengths driven along centre lines [m]."""
+    x: float
+    y: float
+    z: float
+    heading: float
+    """Of the driven line [rad], in (-pi, pi]."""
+    curvature: float
+    """Of the driven line [1/m], positive to the left."""
+    curvature_rate: float
+    """[1/m^2]"""
+    grade: float
+    """Metres upwards per metre of S."""
+    superelevation: float
+    """[rad], positive lifts the driver's left side."""
+    left: float
+    """Distance to the driven lane's left edge [m]."""
+    right: float
+    """Distance to its right edge [m]."""
+    s: float
+    """On the lane's road [m]."""
+    lane: Lane
+    clamped: int
+    """-1 or 1 where S lay before or after the path; else 0."""
+
+
+class PathPosition(NamedTuple):
+    """A point in a path's coordinates."""
+
+    along: float
+    """S of the foot [m]."""
+    d: float
+    """Offset to the left of the driven line [m]."""
+    distance: float
+    """In plan view from the driven line [m]."""
+    heading: float
+    """Of the driven line at the foot [rad], in (-pi, pi]."""
+    s: float
+    lane: Lane
+    clamped: int
+    """-1 or 1 where the point lies before or after the path; else 0."""
+
+
+class PathConflict(NamedTuple):
+    """A place where the traffic of another lane meets a path."""
+
+    start: float
+    """S of the first common place [m]."""
+    end: float
+    """S of the last common place [m]."""
+    other: Lane
+    other_start: float
+    other_end: float
+    """The common place on the other lane's road [m], the smaller s first."""
+    kind: str
+    yields: Literal["yields", "priority", "lights", "open", "unknown"]
+    """Who goes first, by what the file says."""
+    reason: str
+    wait: float
+    """S at which to wait [m]."""
+
+
+class SignalAhead(NamedTuple):
+    """A signal that one comes to."""
+
+    signal: Signal
+    distance: float
+    """Along centre lines [m]."""
+    lane: Lane
+    """The lane on which it counts."""
+    s: float
+    """Its place on that lane's road [m]."""
+
+
+@dataclass(frozen=True, eq=False)
+class Lines:
+    """One line of each of many lanes: line k is ``points[offsets[k]:offsets[k + 1]]``, in ascending s."""
+
+    points: NDArray[np.float64]
+    """(M, 3), inertial [m]."""
+    s: NDArray[np.float64]
+    """(M,), on the road [m]."""
+    offsets: NDArray[np.int64]
+    """(L + 1,)"""
+    lane: NDArray[np.uint64]
+    """(L,), ids of the lanes."""
+
+    def __len__(self) -> int:
+        return len(self.lane)
+
+    def __getitem__(self, line: int) -> NDArray[np.float64]:
+        k = range(len(self))[line]
+        return self.points[self.offsets[k] : self.offsets[k + 1]]
+
+    def __repr__(self) -> str:
+        return f"<mapd.Lines {len(self)} lines, {len(self.points)} points>"
+
+
+@dataclass(frozen=True)
+class Generation:
+    """A newer generation is served."""
+
+    map: Map
+
+
+@dataclass(frozen=True)
+class Pending:
+    """A generation waits to be activated."""
+
+    generation: int
+
+
+@dataclass(frozen=True)
+class DaemonGone:
+    """The daemon has ended or was killed. What is held stays readable; nobody new can attach."""
+
+
+@dataclass(frozen=True)
+class DaemonBack:
+    """A daemon serves the map again."""
+
+    pid: int
+
+
+@dataclass(frozen=True)
+class OtherEvent:
+    """Something that this release of the bindings has no class for."""
+
+
+Event = Generation | Pending | DaemonGone | DaemonBack | OtherEvent
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Something that a file has wrong."""
+
+    rule: str
+    """Id of the rule; docs/rules.md tells of it."""
+    severity: Literal["info", "warning", "error"]
+    message: str
+    """What was expected and what was found."""
+    hint: str
+    """The way out; may be empty."""
+    path: str
+    """Path of elements."""
+    subject: str
+    """The attribute or child that it is about; empty for the element itself."""
+    file: str
+    """The included file that it stands in; empty for the document itself."""
+    line: int
+    """From 1."""
+    column: int
+    """In bytes, from 1."""
+    rejects: bool
+    """Whether the map is rejected, or some part of it left out, because of it."""
+
+    def __str__(self) -> str:
+        place = f"{self.file}:" if self.file else ""
+        return f"{place}{self.line}:{self.column}: {self.severity}[{self.rule}]: {self.message}"
+
+
+@dataclass(frozen=True)
+class QuarantinedPart:
+    """A part that is not in the map as the file has it."""
+
+    kind: str
+    id: str
+    owner: str
+    """Id of the road or junction that it belongs to."""
+    owner_kind: str
+    dropped: bool
+    """False for a road that stays as its bare reference line."""
+    length: float
+    """Of a road [m]; else 0."""
+    rule: str
+    message: str
+    file: str
+    line: int
+    column: int
+
+
+@dataclass(frozen=True)
+class Report:
+    """What was found in a file, and what becomes of it."""
+
+    verdict: Literal["accepted", "quarantined", "rejected"]
+    findings: tuple[Finding, ...]
+    """In the order of the file."""
+    dropped: tuple[int, int, int]
+    """Findings beyond those kept: information, warnings, errors."""
+    quarantined: tuple[QuarantinedPart, ...]
+    version: str
+    """The revision that the file states; empty where it states none."""
+    checked_against: str
+    """The revision that it was checked against."""
+
+    @property
+    def errors(self) -> tuple[Finding, ...]:
+        """Findings that are errors."""
+        return tuple(f for f in self.findings if f.severity == "error")
+
+    def __repr__(self) -> str:
+        return f"<mapd.Report {self.verdict}: {len(self.findings)} findings, {len(self.quarantined)} parts in quarantine>"
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain dictionaries and lists, as ``json.dump`` takes them."""
+        from dataclasses import asdict
+
+        return asdict(self)

@@ -1,0 +1,200 @@
+//! Batches: columns that are filled without the interpreter's lock.
+
+use crate::errors::query_in_row;
+use crate::held::id;
+use crate::input::NONE_ID;
+use mapd_client::{Clamped, LanePosition, Pose, QueryError, TrackPosition};
+use numpy::{IntoPyArray, ndarray::Array2};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+
+/// A column of any type.
+pub(crate) enum Column {
+    Ids(Vec<u64>),
+    Numbers(Vec<f64>),
+    Codes(Vec<i8>),
+    Flags(Vec<bool>),
+    Counts(Vec<i64>),
+}
+
+impl Column {
+    fn array<'py>(self, py: Python<'py>) -> Bound<'py, PyAny> {
+        match self {
+            Self::Ids(column) => column.into_pyarray(py).into_any(),
+            Self::Numbers(column) => column.into_pyarray(py).into_any(),
+            Self::Codes(column) => column.into_pyarray(py).into_any(),
+            Self::Flags(column) => column.into_pyarray(py).into_any(),
+            Self::Counts(column) => column.into_pyarray(py).into_any(),
+        }
+    }
+}
+
+/// Columns of a class of `mapd._columns`, in the order in which it names them; into `out`, where there is one.
+pub(crate) fn columns<'py>(
+    py: Python<'py>,
+    class: &str,
+    columns: Vec<Column>,
+    out: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let arrays = PyList::new(py, columns.into_iter().map(|column| column.array(py)))?;
+    py.import("mapd._columns")?.getattr(class)?.call_method1("_of", (arrays, out))
+}
+
+/// A result of a class of `mapd._results`.
+pub(crate) fn result<'py>(
+    py: Python<'py>,
+    class: &str,
+    fields: &Bound<'py, PyDict>,
+) -> PyResult<Bound<'py, PyAny>> {
+    py.import("mapd._results")?.getattr(class)?.call((), Some(fields))
+}
+
+/// Makes a dictionary of fields.
+macro_rules! fields {
+    ($py:expr, $($name:ident = $value:expr),* $(,)?) => {{
+        let fields = pyo3::types::PyDict::new($py);
+        $(fields.set_item(stringify!($name), $value)?;)*
+        fields
+    }};
+}
+pub(crate) use fields;
+
+/// An array of shape (N, 3).
+pub(crate) fn triples<'py>(py: Python<'py>, numbers: Vec<f64>) -> PyResult<Bound<'py, PyAny>> {
+    let rows = numbers.len() / 3;
+    let array = Array2::from_shape_vec((rows, 3), numbers)
+        .map_err(|error| pyo3::exceptions::PyRuntimeError::new_err(error.to_string()))?;
+    Ok(array.into_pyarray(py).into_any())
+}
+
+/// Answers row by row without the interpreter's lock.
+///
+/// Errors: that of the first row that has none, with its number.
+pub(crate) fn answer<T: Send>(
+    py: Python<'_>,
+    ask: impl FnOnce() -> Result<T, (usize, QueryError)> + Send,
+) -> PyResult<T> {
+    py.detach(ask).map_err(query_in_row)
+}
+
+/// −1 before, 0 within, 1 after.
+pub(crate) fn clamped_code(clamped: Clamped) -> i8 {
+    match clamped {
+        Clamped::No => 0,
+        Clamped::Before => -1,
+        Clamped::After => 1,
+    }
+}
+
+/// Columns of places on lanes.
+#[derive(Default)]
+pub(crate) struct Positions {
+    pub(crate) lane: Vec<u64>,
+    numbers: [Vec<f64>; 6],
+    clamped: Vec<i8>,
+}
+
+impl Positions {
+    pub(crate) fn with_capacity(rows: usize) -> Self {
+        Self {
+            lane: Vec::with_capacity(rows),
+            numbers: std::array::from_fn(|_| Vec::with_capacity(rows)),
+            clamped: Vec::with_capacity(rows),
+        }
+    }
+
+    #[inline]
+    pub(crate) fn push(&mut self, content: u32, row: u32, at: &LanePosition) {
+        self.lane.push(id(content, row));
+        let values = [at.s, at.t, at.offset, at.distance, at.z, at.heading];
+        self.numbers.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
+        self.clamped.push(clamped_code(at.clamped));
+    }
+
+    /// A row for a point that is near no lane.
+    #[inline]
+    pub(crate) fn push_none(&mut self) {
+        self.lane.push(NONE_ID);
+        let values = [f64::NAN, f64::NAN, f64::NAN, f64::INFINITY, f64::NAN, f64::NAN];
+        self.numbers.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
+        self.clamped.push(0);
+    }
+
+    pub(crate) fn columns(self) -> Vec<Column> {
+        let mut columns = vec![Column::Ids(self.lane)];
+        columns.extend(self.numbers.into_iter().map(Column::Numbers));
+        columns.push(Column::Codes(self.clamped));
+        columns
+    }
+}
+
+/// Columns of poses.
+pub(crate) struct Poses {
+    numbers: [Vec<f64>; 7],
+    clamped: Vec<i8>,
+}
+
+impl Poses {
+    pub(crate) fn with_capacity(rows: usize) -> Self {
+        let numbers = std::array::from_fn(|_| Vec::with_capacity(rows));
+        Self { numbers, clamped: Vec::with_capacity(rows) }
+    }
+
+    pub(crate) fn push(&mut self, pose: &Pose) {
+        let p = pose.position;
+        let values = [p.x, p.y, p.z, pose.heading, pose.curvature, pose.slope, pose.superelevation];
+        self.numbers.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
+        self.clamped.push(clamped_code(pose.clamped));
+    }
+
+    pub(crate) fn columns(self) -> Vec<Column> {
+        let mut columns: Vec<_> = self.numbers.into_iter().map(Column::Numbers).collect();
+        columns.push(Column::Codes(self.clamped));
+        columns
+    }
+}
+
+/// Columns of feet on a road's reference line.
+pub(crate) struct Tracks {
+    numbers: [Vec<f64>; 4],
+    clamped: Vec<i8>,
+    exact: Vec<bool>,
+}
+
+impl Tracks {
+    pub(crate) fn with_capacity(rows: usize) -> Self {
+        let numbers = std::array::from_fn(|_| Vec::with_capacity(rows));
+        Self { numbers, clamped: Vec::with_capacity(rows), exact: Vec::with_capacity(rows) }
+    }
+
+    pub(crate) fn push(&mut self, at: &TrackPosition) {
+        let values = [at.s, at.t, at.h.unwrap_or(f64::NAN), at.distance];
+        self.numbers.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
+        self.clamped.push(clamped_code(at.clamped));
+        self.exact.push(at.exact);
+    }
+
+    pub(crate) fn columns(self) -> Vec<Column> {
+        let mut columns: Vec<_> = self.numbers.into_iter().map(Column::Numbers).collect();
+        columns.push(Column::Codes(self.clamped));
+        columns.push(Column::Flags(self.exact));
+        columns
+    }
+}
+
+/// A pose as a result.
+pub(crate) fn pose<'py>(py: Python<'py>, pose: &Pose) -> PyResult<Bound<'py, PyAny>> {
+    let p = pose.position;
+    let fields = fields!(
+        py,
+        x = p.x,
+        y = p.y,
+        z = p.z,
+        heading = pose.heading,
+        curvature = pose.curvature,
+        slope = pose.slope,
+        superelevation = pose.superelevation,
+        clamped = clamped_code(pose.clamped),
+    );
+    result(py, "Pose", &fields)
+}

@@ -1,0 +1,83 @@
+//! Errors: a class per kind, in `mapd._errors`.
+
+use mapd_client::{AttachError, ClientError, QueryError};
+use pyo3::IntoPyObject;
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+
+/// An error of a class of `mapd._errors`.
+pub(crate) fn raise(class: &str, message: impl Into<String>) -> PyErr {
+    Python::attach(|py| with(py, class, (message.into(),).into_pyobject(py)))
+}
+
+fn with<'py>(py: Python<'py>, class: &str, args: PyResult<Bound<'py, PyTuple>>) -> PyErr {
+    let made = || -> PyResult<PyErr> {
+        let class = py.import("mapd._errors")?.getattr(class)?;
+        Ok(PyErr::from_value(class.call1(args?)?))
+    };
+    made().unwrap_or_else(|error| error)
+}
+
+/// Why a query has no answer, as Python has it.
+pub(crate) fn query(error: QueryError) -> PyErr {
+    let class = match error {
+        QueryError::ForeignId => "ForeignIdError",
+        QueryError::Corrupt => "CorruptError",
+        QueryError::NotFinite => "NotFiniteError",
+        _ => "QueryError",
+    };
+    raise(class, error.to_string())
+}
+
+/// As [`query`], of a row of a batch.
+pub(crate) fn query_in_row((row, error): (usize, QueryError)) -> PyErr {
+    let class = match error {
+        QueryError::ForeignId => "ForeignIdError",
+        QueryError::Corrupt => "CorruptError",
+        QueryError::NotFinite => "NotFiniteError",
+        _ => "QueryError",
+    };
+    raise(class, format!("row {row}: {error}"))
+}
+
+/// Why a map cannot be had, as Python has it.
+pub(crate) fn client(error: ClientError) -> PyErr {
+    let class = match &error {
+        ClientError::Attach(attach) => attach_class(attach),
+        ClientError::File { path, error } => return file(path, error),
+        ClientError::Open { .. } | ClientError::Verify { .. } => "ArchiveError",
+        _ => "MapdError",
+    };
+    raise(class, error.to_string())
+}
+
+/// A file that cannot be read, with the system's number.
+pub(crate) fn file(path: &std::path::Path, error: &std::io::Error) -> PyErr {
+    let name = path.display().to_string();
+    Python::attach(|py| match error.raw_os_error() {
+        Some(number) => {
+            let said = error.to_string();
+            let said = said.split(" (os error").next().unwrap_or_default().to_owned();
+            with(py, "FileError", (number, said, name).into_pyobject(py))
+        }
+        None => with(py, "FileError", (format!("{name}: {error}"),).into_pyobject(py)),
+    })
+}
+
+fn attach_class(error: &AttachError) -> &'static str {
+    match error {
+        AttachError::Domain(_) | AttachError::MapName { .. } => "BadNameError",
+        AttachError::NoDaemon { .. } => "NoDaemonError",
+        AttachError::NoSuchMap { .. } => "NoSuchMapError",
+        AttachError::NoGeneration { .. } => "NoGenerationError",
+        AttachError::Superseded { .. } => "SupersededError",
+        AttachError::WrongTransport { .. } => "WrongTransportError",
+        AttachError::TooManySubscribers { .. }
+        | AttachError::TooManyPinned { .. }
+        | AttachError::NoRoom { .. }
+        | AttachError::NoDescriptors { .. } => "ExhaustedError",
+        AttachError::PermissionDenied { .. } => "NotPermittedError",
+        AttachError::Stuck { .. } | AttachError::Busy { .. } => "BusyError",
+        _ => "AttachError",
+    }
+}

@@ -1,0 +1,42 @@
+//! mapd for Python: the module `mapd._mapd`, on which the package `mapd` stands.
+//!
+//! Batches first: arrays are taken in under the interpreter's lock, answered without it, and handed back as named columns. What points
+//! into a map keeps its mapping alive. A process that was forked off may read what it inherited and never gives back what is its
+//! parent's.
+//!
+//! Invariants: no query panics or changes a map; no thread, signal handler or output; every wait has a deadline and heeds signals of
+//! Python's. Deliberately absent: what needs no Rust (`python/mapd`: columns, results, errors, views).
+
+mod batch;
+mod client;
+mod compile;
+mod errors;
+mod held;
+mod input;
+mod lane;
+mod map;
+mod object;
+mod path;
+mod raw;
+mod road;
+mod route;
+mod signal;
+
+use pyo3::prelude::*;
+
+/// The compiled part of `mapd`.
+#[pymodule]
+fn _mapd(m: &Bound<'_, PyModule>) -> PyResult<()> {
+    m.add_class::<client::Client>()?;
+    m.add_class::<client::Events>()?;
+    m.add_class::<map::Map>()?;
+    m.add_class::<lane::Lane>()?;
+    m.add_class::<road::Road>()?;
+    m.add_class::<signal::Signal>()?;
+    m.add_class::<object::Object>()?;
+    m.add_class::<path::Path>()?;
+    m.add_function(wrap_pyfunction!(map::open_archive, m)?)?;
+    m.add_function(wrap_pyfunction!(compile::read_file, m)?)?;
+    m.add("NONE", input::NONE_ID)?;
+    m.add("__version__", env!("CARGO_PKG_VERSION"))
+}

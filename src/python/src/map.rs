@@ -1,0 +1,543 @@
+//! A map: one pinned generation and what is asked of all of it.
+
+use crate::batch::{Column, Positions, answer, columns, fields, result};
+use crate::errors::{client, query, raise};
+use crate::held::{Held, content, id};
+use crate::input::{Rows, column, lane_of, lane_of_id, one_point, region_of, triple, types_of};
+use crate::lane::{self, Lane};
+use crate::object::Object;
+use crate::road::Road;
+use crate::signal::Signal;
+use mapd_client::glam::{DVec2, DVec3};
+use mapd_client::{Geodetic, LaneTypes, Nearest, NearestOptions, Snapshot};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// One generation of a map, pinned. Immutable; threads share it.
+#[pyclass(frozen, module = "mapd")]
+pub(crate) struct Map(Arc<Held>);
+
+impl Map {
+    pub(crate) fn of(held: Arc<Held>) -> Self {
+        Self(held)
+    }
+
+    pub(crate) fn held(&self) -> &Arc<Held> {
+        &self.0
+    }
+
+    pub(crate) fn map(&self) -> mapd_client::Map<'_> {
+        self.0.map()
+    }
+
+    fn nearest_result<'py>(&self, py: Python<'py>, hit: &Nearest) -> PyResult<Bound<'py, PyAny>> {
+        let at = &hit.position;
+        let lane = Lane::new(&self.0, hit.lane.row());
+        let fields = fields!(
+            py,
+            lane = lane,
+            s = at.s,
+            t = at.t,
+            offset = at.offset,
+            distance = at.distance,
+            z = at.z,
+            heading = at.heading,
+        );
+        result(py, "Nearest", &fields)
+    }
+}
+
+/// Opens an archive in place.
+#[pyfunction]
+pub(crate) fn open_archive(py: Python<'_>, path: PathBuf) -> PyResult<Map> {
+    let snapshot = py.detach(|| Snapshot::open(&path)).map_err(client)?;
+    Ok(Map::of(Arc::new(Held::new(snapshot))))
+}
+
+/// What one call asks of all its points, but for the headings.
+fn options(
+    radius: f64,
+    types: Option<&Bound<'_, PyAny>>,
+    z_tolerance: Option<f64>,
+    heading_tolerance: Option<f64>,
+) -> PyResult<NearestOptions> {
+    let types = types.map_or(Ok(LaneTypes::ALL), types_of)?;
+    Ok(NearestOptions {
+        radius,
+        types,
+        z_tolerance,
+        heading_tolerance,
+        ..NearestOptions::default()
+    })
+}
+
+/// A heading for each row, if any.
+fn headings(heading: Option<&Bound<'_, PyAny>>, rows: usize) -> PyResult<Option<Vec<f64>>> {
+    heading.map(|heading| column(heading, "heading", rows)).transpose()
+}
+
+#[pymethods]
+impl Map {
+    #[getter]
+    fn generation(&self) -> u64 {
+        self.map().generation()
+    }
+
+    #[getter]
+    fn name(&self) -> &str {
+        self.map().name()
+    }
+
+    #[getter]
+    fn content_hash<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        PyBytes::new(py, &self.map().content_hash())
+    }
+
+    #[getter]
+    fn source_hash<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        PyBytes::new(py, &self.map().source_hash())
+    }
+
+    #[getter]
+    fn revision(&self) -> (u16, u16) {
+        self.map().revision()
+    }
+
+    #[getter]
+    fn bounds(&self) -> ((f64, f64, f64), (f64, f64, f64)) {
+        let (low, high) = self.map().bounds();
+        (triple(low), triple(high))
+    }
+
+    #[getter]
+    fn road_length(&self) -> f64 {
+        self.map().road_length()
+    }
+
+    #[getter]
+    fn geo_reference(&self) -> &str {
+        self.map().geo_reference()
+    }
+
+    #[getter]
+    fn projection(&self) -> &str {
+        self.map().projection()
+    }
+
+    fn verify(&self, py: Python<'_>) -> PyResult<()> {
+        py.detach(|| self.0.snapshot().verify()).map_err(client)
+    }
+
+    fn populate(&self, py: Python<'_>) {
+        py.detach(|| self.0.snapshot().populate());
+    }
+
+    fn lanes(&self) -> Vec<Lane> {
+        self.map().lanes().map(|lane| Lane::new(&self.0, lane.lane_id().row())).collect()
+    }
+
+    fn roads(&self) -> Vec<Road> {
+        self.map().roads().map(|road| Road::new(&self.0, road.road_id().row())).collect()
+    }
+
+    fn signals(&self) -> Vec<Signal> {
+        self.map().signals().map(|signal| Signal::new(&self.0, signal.signal_id())).collect()
+    }
+
+    fn objects(&self) -> Vec<Object> {
+        self.map().objects().map(|object| Object::new(&self.0, object.object_id())).collect()
+    }
+
+    fn lane(&self, lane: &Bound<'_, PyAny>) -> PyResult<Lane> {
+        Ok(Lane::new(&self.0, lane_of(self.map(), lane)?.lane_id().row()))
+    }
+
+    fn road(&self, id: &str) -> PyResult<Road> {
+        let road = self.map().road_by_id(id);
+        road.map(|road| Road::new(&self.0, road.road_id().row()))
+            .ok_or_else(|| raise("NoSuchPartError", format!("the map has no road {id:?}")))
+    }
+
+    fn signal(&self, id: &str) -> PyResult<Signal> {
+        let signal = self.map().signal_by_id(id);
+        signal
+            .map(|signal| Signal::new(&self.0, signal.signal_id()))
+            .ok_or_else(|| raise("NoSuchPartError", format!("the map has no signal {id:?}")))
+    }
+
+    fn object(&self, id: &str) -> PyResult<Object> {
+        let object = self.map().object_by_id(id);
+        object
+            .map(|object| Object::new(&self.0, object.object_id()))
+            .ok_or_else(|| raise("NoSuchPartError", format!("the map has no object {id:?}")))
+    }
+
+    #[pyo3(signature = (points, *, radius = 10.0, types = None, z_tolerance = None, heading = None,
+        heading_tolerance = None, out = None))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
+    fn nearest_lane<'py>(
+        &self,
+        py: Python<'py>,
+        points: &Bound<'py, PyAny>,
+        radius: f64,
+        types: Option<&Bound<'py, PyAny>>,
+        z_tolerance: Option<f64>,
+        heading: Option<&Bound<'py, PyAny>>,
+        heading_tolerance: Option<f64>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let mut options = options(radius, types, z_tolerance, heading_tolerance)?;
+        if let Some(point) = one_point(points, "points")? {
+            options.heading = heading.map(|heading| heading.extract()).transpose()?;
+            let hit = self.map().nearest_lane(point, &options).map_err(query)?;
+            return hit.map(|hit| self.nearest_result(py, &hit)).transpose();
+        }
+        let points = Rows::of(points, "points", &[2, 3])?;
+        let headings = headings(heading, points.len())?;
+        let found = answer(py, || {
+            let map = self.map();
+            let content = content(map);
+            let mut found = Positions::with_capacity(points.len());
+            for (row, point) in points.points().enumerate() {
+                options.heading = headings.as_ref().map(|headings| headings[row]);
+                match map.nearest_lane(point, &options).map_err(|error| (row, error))? {
+                    Some(hit) => {
+                        found.push(content, hit.lane.row(), &hit.position);
+                        // Points of a trajectory lie near each other: it changes the cost alone.
+                        options.hint = Some(hit);
+                    }
+                    None => found.push_none(),
+                }
+            }
+            Ok(found)
+        })?;
+        columns(py, "NearestLanes", found.columns(), out).map(Some)
+    }
+
+    #[pyo3(signature = (points, *, radius = 10.0, types = None, z_tolerance = None, heading = None,
+        heading_tolerance = None))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
+    fn lanes_near<'py>(
+        &self,
+        py: Python<'py>,
+        points: &Bound<'py, PyAny>,
+        radius: f64,
+        types: Option<&Bound<'py, PyAny>>,
+        z_tolerance: Option<f64>,
+        heading: Option<&Bound<'py, PyAny>>,
+        heading_tolerance: Option<f64>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let mut options = options(radius, types, z_tolerance, heading_tolerance)?;
+        if let Some(point) = one_point(points, "points")? {
+            options.heading = heading.map(|heading| heading.extract()).transpose()?;
+            let mut near = Vec::new();
+            self.map().lanes_near(point, &options, &mut near).map_err(query)?;
+            let hits = near.iter().map(|hit| self.nearest_result(py, hit));
+            let hits = hits.collect::<PyResult<Vec<_>>>()?;
+            return Ok(pyo3::types::PyList::new(py, hits)?.into_any());
+        }
+        let points = Rows::of(points, "points", &[2, 3])?;
+        let headings = headings(heading, points.len())?;
+        let (of, found) = answer(py, || {
+            let map = self.map();
+            let content = content(map);
+            let mut of = Vec::new();
+            let mut found = Positions::default();
+            let mut near = Vec::new();
+            for (row, point) in points.points().enumerate() {
+                options.heading = headings.as_ref().map(|headings| headings[row]);
+                map.lanes_near(point, &options, &mut near).map_err(|error| (row, error))?;
+                for hit in &near {
+                    of.push(row as i64);
+                    found.push(content, hit.lane.row(), &hit.position);
+                }
+            }
+            Ok((of, found))
+        })?;
+        let mut all = vec![Column::Counts(of)];
+        all.extend(found.columns());
+        columns(py, "LanesNear", all, None)
+    }
+
+    #[pyo3(signature = (lanes, points, *, out = None))]
+    fn position_of<'py>(
+        &self,
+        py: Python<'py>,
+        lanes: &Bound<'py, PyAny>,
+        points: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let points = Rows::of(points, "points", &[2, 3])?;
+        let lanes = crate::input::ids(lanes, "lanes", Some(points.len()))?;
+        let found = answer(py, || {
+            let map = self.map();
+            let content = content(map);
+            let mut found = Positions::with_capacity(points.len());
+            for (row, (point, id)) in points.points().zip(&lanes).enumerate() {
+                let lane = lane_of_id(map, *id).map_err(|error| (row, error))?;
+                let at = lane.position_of(point).map_err(|error| (row, error))?;
+                found.push(content, lane.lane_id().row(), &at);
+            }
+            Ok(found)
+        })?;
+        columns(py, "NearestLanes", found.columns(), out)
+    }
+
+    #[pyo3(signature = (lanes, s, offset = None, *, out = None))]
+    fn pose_at<'py>(
+        &self,
+        py: Python<'py>,
+        lanes: &Bound<'py, PyAny>,
+        s: &Bound<'py, PyAny>,
+        offset: Option<&Bound<'py, PyAny>>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let lanes = crate::input::ids(lanes, "lanes", None)?;
+        let s = column(s, "s", lanes.len())?;
+        let offset = match offset {
+            Some(offset) => column(offset, "offset", lanes.len())?,
+            None => vec![0.0; lanes.len()],
+        };
+        let found = answer(py, || {
+            let map = self.map();
+            let mut found = crate::batch::Poses::with_capacity(lanes.len());
+            for (row, id) in lanes.iter().enumerate() {
+                let lane = lane_of_id(map, *id).map_err(|error| (row, error))?;
+                found.push(&lane.pose_at(s[row], offset[row]).map_err(|error| (row, error))?);
+            }
+            Ok(found)
+        })?;
+        columns(py, "Poses", found.columns(), out)
+    }
+
+    #[pyo3(signature = (points, *, z_tolerance = None, types = None, out = None))]
+    fn height<'py>(
+        &self,
+        py: Python<'py>,
+        points: &Bound<'py, PyAny>,
+        z_tolerance: Option<f64>,
+        types: Option<&Bound<'py, PyAny>>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let options = options(0.0, types, z_tolerance, None)?;
+        if let Some(point) = one_point(points, "points")? {
+            let map = self.map();
+            let Some(hit) = map.nearest_lane(point, &options).map_err(query)? else {
+                return Ok(None);
+            };
+            let (z, normal) = surface(map, &hit).map_err(query)?;
+            let lane = Lane::new(&self.0, hit.lane.row());
+            let fields =
+                fields!(py, z = z, nx = normal.x, ny = normal.y, nz = normal.z, lane = lane);
+            return result(py, "Height", &fields).map(Some);
+        }
+        let points = Rows::of(points, "points", &[2, 3])?;
+        let (numbers, lanes) = answer(py, || {
+            let map = self.map();
+            let content = content(map);
+            let mut numbers: [Vec<f64>; 4] =
+                std::array::from_fn(|_| Vec::with_capacity(points.len()));
+            let mut lanes = Vec::with_capacity(points.len());
+            for (row, point) in points.points().enumerate() {
+                let hit = map.nearest_lane(point, &options).map_err(|error| (row, error))?;
+                let (values, lane) = match hit {
+                    Some(hit) => {
+                        let (z, n) = surface(map, &hit).map_err(|error| (row, error))?;
+                        ([z, n.x, n.y, n.z], id(content, hit.lane.row()))
+                    }
+                    None => ([f64::NAN; 4], crate::input::NONE_ID),
+                };
+                numbers.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
+                lanes.push(lane);
+            }
+            Ok((numbers, lanes))
+        })?;
+        let mut all: Vec<_> = numbers.into_iter().map(Column::Numbers).collect();
+        all.push(Column::Ids(lanes));
+        columns(py, "Heights", all, out).map(Some)
+    }
+
+    #[pyo3(signature = (region, *, types = None))]
+    fn lanes_in(&self, region: [f64; 4], types: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Lane>> {
+        let types = types.map_or(Ok(LaneTypes::ALL), types_of)?;
+        let mut found = Vec::new();
+        self.map().lanes_in(region_of(region), types, &mut found).map_err(query)?;
+        Ok(found.iter().map(|id| Lane::new(&self.0, id.row())).collect())
+    }
+
+    fn signals_near(&self, point: (f64, f64), radius: f64) -> PyResult<Vec<(Signal, f64)>> {
+        let mut found = Vec::new();
+        let point = DVec2::new(point.0, point.1);
+        self.map().signals_near(point, radius, &mut found).map_err(query)?;
+        Ok(found.iter().map(|near| (Signal::new(&self.0, near.signal), near.distance)).collect())
+    }
+
+    fn objects_near(&self, point: (f64, f64), radius: f64) -> PyResult<Vec<(Object, f64)>> {
+        let mut found = Vec::new();
+        let point = DVec2::new(point.0, point.1);
+        self.map().objects_near(point, radius, &mut found).map_err(query)?;
+        let object = |near: &mapd_client::NearObject| Object::new(&self.0, near.place.object);
+        Ok(found.iter().map(|near| (object(near), near.distance)).collect())
+    }
+
+    #[pyo3(signature = (region = None, *, types = None, which = "center"))]
+    fn lines<'py>(
+        &self,
+        py: Python<'py>,
+        region: Option<[f64; 4]>,
+        types: Option<&Bound<'py, PyAny>>,
+        which: &str,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let types = types.map_or(Ok(LaneTypes::ALL), types_of)?;
+        lane::lines(py, &self.0, region.map(region_of), types, lane::Line::named(which)?)
+    }
+
+    fn to_geodetic<'py>(
+        &self,
+        py: Python<'py>,
+        points: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let projector = self.map().projector();
+        let projector = projector.map_err(|error| raise("ProjectionError", error.to_string()))?;
+        let ask = |p: &[f64]| {
+            let z = p.get(2).copied().unwrap_or(0.0);
+            let place = projector.to_geodetic(DVec3::new(p[0], p[1], z));
+            place.map(|place| [place.latitude, place.longitude, place.altitude])
+        };
+        converted(py, points, "points", "Geodetics", ask)
+    }
+
+    #[expect(clippy::wrong_self_convention, reason = "as the projector's, which it stands for")]
+    fn from_geodetic<'py>(
+        &self,
+        py: Python<'py>,
+        places: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let projector = self.map().projector();
+        let projector = projector.map_err(|error| raise("ProjectionError", error.to_string()))?;
+        let ask = |p: &[f64]| {
+            let altitude = p.get(2).copied().unwrap_or(0.0);
+            let point =
+                projector.from_geodetic(Geodetic { latitude: p[0], longitude: p[1], altitude });
+            point.map(|point| [point.x, point.y, point.z])
+        };
+        converted(py, places, "places", "Inertials", ask)
+    }
+
+    #[pyo3(signature = (start, goal, *, via = None, vehicle = "passengerCar", by = "length", lane_change = None))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
+    fn route<'py>(
+        &self,
+        py: Python<'py>,
+        start: &Bound<'py, PyAny>,
+        goal: &Bound<'py, PyAny>,
+        via: Option<Vec<Bound<'py, PyAny>>>,
+        vehicle: &str,
+        by: &str,
+        lane_change: Option<f64>,
+    ) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let cost = crate::route::Cost::named(by, lane_change)?;
+        let places: Vec<_> =
+            std::iter::once(start).chain(via.iter().flatten()).chain([goal]).collect();
+        crate::route::route(py, &self.0, &places, vehicle, cost)
+    }
+
+    fn path(&self, steps: &Bound<'_, PyAny>) -> PyResult<crate::path::Path> {
+        let of_route = steps.getattr_opt("steps")?;
+        crate::path::path(&self.0, of_route.as_ref().unwrap_or(steps))
+    }
+
+    #[pyo3(signature = (start, limit, *, vehicle = "passengerCar", by = "length", lane_change = None))]
+    fn reachable<'py>(
+        &self,
+        py: Python<'py>,
+        start: &Bound<'py, PyAny>,
+        limit: f64,
+        vehicle: &str,
+        by: &str,
+        lane_change: Option<f64>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let cost = crate::route::Cost::named(by, lane_change)?;
+        crate::route::reachable(py, &self.0, start, limit, vehicle, cost)
+    }
+
+    #[pyo3(signature = (start, distance, *, vehicle = "passengerCar"))]
+    fn lane_sequences_ahead(
+        &self,
+        start: &Bound<'_, PyAny>,
+        distance: f64,
+        vehicle: &str,
+    ) -> PyResult<Vec<Vec<Lane>>> {
+        crate::route::sequences(&self.0, start, distance, vehicle)
+    }
+
+    #[pyo3(signature = (start, distance, *, vehicle = "passengerCar"))]
+    fn signals_ahead<'py>(
+        &self,
+        py: Python<'py>,
+        start: &Bound<'py, PyAny>,
+        distance: f64,
+        vehicle: &str,
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        crate::route::signals_ahead(py, &self.0, start, distance, vehicle)
+    }
+
+    fn _bytes(this: Bound<'_, Self>) -> Bound<'_, numpy::PyArray1<u8>> {
+        crate::raw::bytes(&this)
+    }
+
+    fn _tables(&self) -> PyResult<Vec<crate::raw::Entry>> {
+        crate::raw::tables(self)
+    }
+
+    fn __repr__(&self) -> String {
+        let map = self.map();
+        let (roads, lanes) = (map.tables().roads.len(), map.lanes().count());
+        format!(
+            "<mapd.Map {:?} generation {}: {roads} roads, {lanes} lanes, {:.1} km>",
+            map.name(),
+            map.generation(),
+            map.road_length() / 1000.0
+        )
+    }
+}
+
+/// Height and unit normal of the surface at a place on a lane.
+fn surface(
+    map: mapd_client::Map<'_>,
+    hit: &Nearest,
+) -> Result<(f64, DVec3), mapd_client::QueryError> {
+    let road = map.lane(hit.lane)?.road();
+    let surface = road.surface_at(hit.position.s, hit.position.t)?;
+    Ok((surface.position.z, surface.normal))
+}
+
+/// Three numbers for each row of two or three.
+fn converted<'py>(
+    py: Python<'py>,
+    what: &Bound<'py, PyAny>,
+    name: &str,
+    class: &str,
+    ask: impl Fn(&[f64]) -> Result<[f64; 3], mapd_client::ProjectionError> + Sync,
+) -> PyResult<Bound<'py, PyAny>> {
+    let said = |row: usize, error: mapd_client::ProjectionError| {
+        raise("ProjectionError", format!("row {row}: {error}"))
+    };
+    if let Some(one) = crate::input::one(what, name, &[2, 3])? {
+        let [a, b, c] = ask(&one).map_err(|error| said(0, error))?;
+        return Ok(pyo3::types::PyTuple::new(py, [a, b, c])?.into_any());
+    }
+    let rows = Rows::of(what, name, &[2, 3])?;
+    let found = py.detach(|| {
+        let mut found: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::with_capacity(rows.len()));
+        for (row, one) in rows.rows().enumerate() {
+            let values = ask(one).map_err(|error| (row, error))?;
+            found.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
+        }
+        Ok(found)
+    });
+    let found = found.map_err(|(row, error)| said(row, error))?;
+    columns(py, class, found.into_iter().map(Column::Numbers).collect(), None)
+}

@@ -1,0 +1,118 @@
+//! Objects.
+
+use crate::batch::triples;
+use crate::errors::query;
+use crate::held::{Held, content, id};
+use crate::input::triple;
+use crate::road::Road;
+use mapd_client::ObjectId;
+use pyo3::prelude::*;
+use std::sync::Arc;
+
+/// An object: a pole, a barrier, a building, a parking space.
+#[pyclass(frozen, module = "mapd")]
+pub(crate) struct Object {
+    held: Arc<Held>,
+    object: ObjectId,
+}
+
+impl Object {
+    pub(crate) fn new(held: &Arc<Held>, object: ObjectId) -> Self {
+        Self { held: Arc::clone(held), object }
+    }
+
+    fn object(&self) -> PyResult<mapd_client::Object<'_>> {
+        self.held.map().object(self.object).map_err(query)
+    }
+
+    fn number(&self) -> u64 {
+        id(content(self.held.map()), self.object.row())
+    }
+}
+
+#[pymethods]
+impl Object {
+    #[getter]
+    fn id(&self) -> PyResult<&str> {
+        Ok(self.object()?.id())
+    }
+
+    #[getter]
+    fn name(&self) -> PyResult<&str> {
+        Ok(self.object()?.name())
+    }
+
+    #[getter]
+    fn meaning(&self) -> PyResult<&'static str> {
+        Ok(self.object()?.class().name())
+    }
+
+    #[getter]
+    fn kind(&self) -> PyResult<&str> {
+        Ok(self.object()?.type_name())
+    }
+
+    #[getter]
+    fn position(&self) -> PyResult<(f64, f64, f64)> {
+        Ok(triple(self.object()?.position()))
+    }
+
+    #[getter]
+    fn heading(&self) -> PyResult<f64> {
+        Ok(self.object()?.heading())
+    }
+
+    #[getter]
+    fn size(&self) -> PyResult<(f64, f64, f64)> {
+        let object = self.object()?;
+        Ok((object.length(), object.width(), object.height()))
+    }
+
+    #[getter]
+    fn radius(&self) -> PyResult<f64> {
+        Ok(self.object()?.radius())
+    }
+
+    #[getter]
+    fn is_dynamic(&self) -> PyResult<bool> {
+        Ok(self.object()?.is_dynamic())
+    }
+
+    #[getter]
+    fn road(&self) -> PyResult<Option<Road>> {
+        Ok(self.object()?.road().map(|road| Road::new(&self.held, road.road_id().row())))
+    }
+
+    #[getter]
+    fn track(&self) -> PyResult<(f64, f64)> {
+        let object = self.object()?;
+        Ok((object.s(), object.t()))
+    }
+
+    fn footprint<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let mut corners = Vec::new();
+        self.object()?.footprint(&mut corners);
+        triples(py, corners.iter().flat_map(|p| [p.x, p.y, p.z]).collect())
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| other.get().number() == self.number())
+    }
+
+    fn __hash__(&self) -> u64 {
+        self.number()
+    }
+
+    fn __repr__(&self) -> PyResult<String> {
+        let object = self.object()?;
+        let p = object.position();
+        Ok(format!(
+            "<mapd.Object {} {} at ({:.2}, {:.2}, {:.2})>",
+            object.id(),
+            object.class().name(),
+            p.x,
+            p.y,
+            p.z
+        ))
+    }
+}

@@ -1,0 +1,280 @@
+//! A route as one line.
+
+use crate::batch::{Column, answer, clamped_code, columns, fields, result};
+use crate::errors::{query, raise};
+use crate::held::{Held, content, id};
+use crate::input::{Rows, lane_of, one_point, vehicle_of};
+use crate::lane::Lane;
+use mapd_client::glam::DVec3;
+use mapd_client::{
+    Corridor, EdgeMark, Enter, LanePlace, PathBuffer, PathConflict, PathOptions, PathPoint,
+    PathPosition, RouteStep,
+};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use std::sync::Arc;
+
+/// A route as one line that can be asked. Immutable; threads share it.
+#[pyclass(frozen, module = "mapd")]
+pub(crate) struct Path {
+    held: Arc<Held>,
+    buffer: PathBuffer,
+}
+
+/// A step of a route from what Python has of it.
+fn step(map: mapd_client::Map<'_>, step: &Bound<'_, PyAny>) -> PyResult<RouteStep> {
+    let enter: String = step.getattr("enter")?.extract()?;
+    let enter = match enter.as_str() {
+        "start" => Enter::Start,
+        "ahead" => Enter::Ahead,
+        "left" => Enter::Left,
+        "right" => Enter::Right,
+        _ => return Err(PyValueError::new_err(format!("enter: found {enter:?}"))),
+    };
+    Ok(RouteStep {
+        lane: lane_of(map, &step.getattr("lane")?)?.lane_id(),
+        forward: step.getattr("forward")?.extract()?,
+        enter,
+        s_from: step.getattr("s_from")?.extract()?,
+        s_to: step.getattr("s_to")?.extract()?,
+        s_latest: step.getattr("s_latest")?.extract()?,
+    })
+}
+
+/// The path along a route's steps.
+pub(crate) fn path(held: &Arc<Held>, steps: &Bound<'_, PyAny>) -> PyResult<Path> {
+    let map = held.map();
+    let steps = steps.try_iter()?.map(|one| step(map, &one?)).collect::<PyResult<Vec<_>>>()?;
+    let mut buffer = PathBuffer::default();
+    map.path(&steps, &PathOptions::default(), &mut buffer)
+        .map_err(|error| raise("PathError", error.to_string()))?;
+    Ok(Path { held: Arc::clone(held), buffer })
+}
+
+impl Path {
+    fn path(&self) -> Result<mapd_client::Path<'_, '_>, mapd_client::QueryError> {
+        mapd_client::Path::of(self.held.map(), &self.buffer)
+    }
+
+    fn lane(&self, lane: mapd_client::LaneId) -> Lane {
+        Lane::new(&self.held, lane.row())
+    }
+}
+
+fn point_values(at: &PathPoint) -> [f64; 12] {
+    let p = at.position;
+    [
+        at.along,
+        p.x,
+        p.y,
+        p.z,
+        at.heading,
+        at.curvature,
+        at.curvature_rate,
+        at.grade,
+        at.superelevation,
+        at.left,
+        at.right,
+        at.s,
+    ]
+}
+
+fn position_values(at: &PathPosition) -> [f64; 5] {
+    [at.along, at.d, at.distance, at.heading, at.s]
+}
+
+/// Columns of numbers, of lanes and of what was clamped.
+struct Found<const N: usize> {
+    numbers: [Vec<f64>; N],
+    lanes: Vec<u64>,
+    clamped: Vec<i8>,
+}
+
+impl<const N: usize> Found<N> {
+    fn with_capacity(rows: usize) -> Self {
+        Self {
+            numbers: std::array::from_fn(|_| Vec::with_capacity(rows)),
+            lanes: Vec::with_capacity(rows),
+            clamped: Vec::with_capacity(rows),
+        }
+    }
+
+    fn push(&mut self, values: [f64; N], lane: u64, clamped: i8) {
+        self.numbers.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
+        self.lanes.push(lane);
+        self.clamped.push(clamped);
+    }
+
+    fn columns(self) -> Vec<Column> {
+        let mut columns: Vec<_> = self.numbers.into_iter().map(Column::Numbers).collect();
+        columns.push(Column::Ids(self.lanes));
+        columns.push(Column::Codes(self.clamped));
+        columns
+    }
+}
+
+#[pymethods]
+impl Path {
+    #[getter]
+    fn length(&self) -> PyResult<f64> {
+        Ok(self.path().map_err(query)?.length())
+    }
+
+    #[getter]
+    fn is_broken(&self) -> PyResult<bool> {
+        Ok(self.path().map_err(query)?.is_broken())
+    }
+
+    fn lanes(&self) -> PyResult<Vec<Lane>> {
+        Ok(self.path().map_err(query)?.lanes().map(|own| self.lane(own.lane)).collect())
+    }
+
+    fn along_of(&self, place: &Bound<'_, PyAny>) -> PyResult<Option<f64>> {
+        let LanePlace { lane, s } = crate::input::place_of(self.held.map(), place)?;
+        Ok(self.path().map_err(query)?.along_of(lane, s))
+    }
+
+    #[pyo3(signature = (along, *, out = None))]
+    fn at<'py>(
+        &self,
+        py: Python<'py>,
+        along: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let path = self.path().map_err(query)?;
+        if let Ok(along) = along.extract::<f64>() {
+            let at = path.at(along).map_err(query)?;
+            let p = at.position;
+            let fields = fields!(
+                py,
+                along = at.along,
+                x = p.x,
+                y = p.y,
+                z = p.z,
+                heading = at.heading,
+                curvature = at.curvature,
+                curvature_rate = at.curvature_rate,
+                grade = at.grade,
+                superelevation = at.superelevation,
+                left = at.left,
+                right = at.right,
+                s = at.s,
+                lane = self.lane(at.lane),
+                clamped = clamped_code(at.clamped),
+            );
+            return result(py, "PathPoint", &fields);
+        }
+        let along = crate::input::column_of_any(along, "along")?;
+        let found = answer(py, || {
+            let content = content(self.held.map());
+            let mut found = Found::with_capacity(along.len());
+            for (row, along) in along.iter().enumerate() {
+                let at = path.at(*along).map_err(|error| (row, error))?;
+                let lane = id(content, at.lane.row());
+                found.push(point_values(&at), lane, clamped_code(at.clamped));
+            }
+            Ok(found)
+        })?;
+        columns(py, "PathPoints", found.columns(), out)
+    }
+
+    #[pyo3(signature = (points, *, hint = None, out = None))]
+    fn project<'py>(
+        &self,
+        py: Python<'py>,
+        points: &Bound<'py, PyAny>,
+        hint: Option<f64>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let path = self.path().map_err(query)?;
+        if let Some(point) = one_point(points, "points")? {
+            let at = path.project(point.xy, hint).map_err(query)?;
+            let fields = fields!(
+                py,
+                along = at.along,
+                d = at.d,
+                distance = at.distance,
+                heading = at.heading,
+                s = at.s,
+                lane = self.lane(at.lane),
+                clamped = clamped_code(at.clamped),
+            );
+            return result(py, "PathPosition", &fields);
+        }
+        let points = Rows::of(points, "points", &[2, 3])?;
+        let found = answer(py, || {
+            let content = content(self.held.map());
+            let mut found = Found::with_capacity(points.len());
+            for (row, point) in points.points().enumerate() {
+                let at = path.project(point.xy, hint).map_err(|error| (row, error))?;
+                let lane = id(content, at.lane.row());
+                found.push(position_values(&at), lane, clamped_code(at.clamped));
+            }
+            Ok(found)
+        })?;
+        columns(py, "PathPositions", found.columns(), out)
+    }
+
+    fn speed_limit_at(&self, along: f64) -> PyResult<Option<f64>> {
+        Ok(self.path().map_err(query)?.speed_at(along).and_then(|rule| rule.max))
+    }
+
+    #[pyo3(signature = (step = 1.0, *, start = 0.0, length = None, vehicle = "passengerCar"))]
+    fn corridor<'py>(
+        &self,
+        py: Python<'py>,
+        step: f64,
+        start: f64,
+        length: Option<f64>,
+        vehicle: &str,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let path = self.path().map_err(query)?;
+        let vehicle = vehicle_of(vehicle)?;
+        let length = length.unwrap_or_else(|| path.length());
+        let found = py
+            .detach(|| {
+                let mut found = Corridor::default();
+                path.corridor(start, length, step, vehicle, &mut found).map(|()| found)
+            })
+            .map_err(query)?;
+        let content = content(self.held.map());
+        let parts = |points: &[DVec3], part: fn(&DVec3) -> f64| {
+            Column::Numbers(points.iter().map(part).collect())
+        };
+        let crossed =
+            |marks: &[EdgeMark]| Column::Flags(marks.iter().map(|mark| mark.may_cross).collect());
+        let lanes = found.lane.iter().map(|lane| id(content, lane.row())).collect();
+        let mut all = vec![Column::Numbers(found.along.clone()), Column::Ids(lanes)];
+        for points in [&found.left, &found.right, &found.outer_left, &found.outer_right] {
+            all.extend([parts(points, |p| p.x), parts(points, |p| p.y), parts(points, |p| p.z)]);
+        }
+        all.extend([crossed(&found.left_mark), crossed(&found.right_mark)]);
+        columns(py, "Corridor", all, None)
+    }
+
+    fn conflicts<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let mut found = Vec::new();
+        self.path().map_err(query)?.conflicts(&mut found);
+        let one = |conflict: &PathConflict| {
+            let fields = fields!(
+                py,
+                start = conflict.along[0],
+                end = conflict.along[1],
+                other = self.lane(conflict.other),
+                other_start = conflict.other_s[0],
+                other_end = conflict.other_s[1],
+                kind = conflict.kind.name(),
+                yields = conflict.yields.name(),
+                reason = conflict.reason.name(),
+                wait = conflict.wait,
+            );
+            result(py, "PathConflict", &fields)
+        };
+        found.iter().map(one).collect()
+    }
+
+    fn __repr__(&self) -> PyResult<String> {
+        let path = self.path().map_err(query)?;
+        Ok(format!("<mapd.Path {:.1} m over {} lanes>", path.length(), path.lanes().len()))
+    }
+}

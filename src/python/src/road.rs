@@ -1,0 +1,146 @@
+//! Roads and their track coordinates.
+
+use crate::batch::{Poses, Tracks, answer, clamped_code, columns, fields, pose, result};
+use crate::errors::query;
+use crate::held::{Held, content, id};
+use crate::input::{Rows, one, one_point};
+use crate::lane::Lane;
+use mapd_client::{QueryError, Track};
+use pyo3::prelude::*;
+use std::sync::Arc;
+
+/// A road.
+#[pyclass(frozen, module = "mapd")]
+pub(crate) struct Road {
+    held: Arc<Held>,
+    row: u32,
+}
+
+impl Road {
+    pub(crate) fn new(held: &Arc<Held>, row: u32) -> Self {
+        Self { held: Arc::clone(held), row }
+    }
+
+    fn road(&self) -> PyResult<mapd_client::Road<'_>> {
+        self.held.map().road_by_row(self.row).ok_or_else(|| query(QueryError::Corrupt))
+    }
+}
+
+fn track(row: &[f64]) -> Track {
+    Track { s: row[0], t: row[1], h: row.get(2).copied().unwrap_or(0.0) }
+}
+
+#[pymethods]
+impl Road {
+    #[getter]
+    fn id(&self) -> PyResult<&str> {
+        Ok(self.road()?.id())
+    }
+
+    #[getter]
+    fn name(&self) -> PyResult<&str> {
+        Ok(self.road()?.name())
+    }
+
+    #[getter]
+    fn length(&self) -> PyResult<f64> {
+        Ok(self.road()?.length())
+    }
+
+    #[getter]
+    fn is_left_hand_traffic(&self) -> PyResult<bool> {
+        Ok(self.road()?.is_left_hand_traffic())
+    }
+
+    #[getter]
+    fn junction(&self) -> PyResult<Option<&str>> {
+        Ok(self.road()?.junction().map(|junction| junction.id()))
+    }
+
+    fn lanes(&self) -> PyResult<Vec<Lane>> {
+        let road = self.road()?;
+        let lanes = road.sections().flat_map(|section| section.lanes());
+        let lanes = lanes.filter(|lane| lane.number() != 0);
+        Ok(lanes.map(|lane| Lane::new(&self.held, lane.lane_id().row())).collect())
+    }
+
+    fn elevation_at(&self, s: f64) -> PyResult<f64> {
+        Ok(self.road()?.elevation_at(s))
+    }
+
+    fn lane_at(&self, s: f64, t: f64) -> PyResult<Option<Lane>> {
+        let section = self.road()?.section_at(s);
+        let lane = section.and_then(|section| section.lane_at(s, t));
+        Ok(lane.map(|lane| Lane::new(&self.held, lane.lane_id().row())))
+    }
+
+    #[pyo3(signature = (tracks, *, out = None))]
+    fn to_inertial<'py>(
+        &self,
+        py: Python<'py>,
+        tracks: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let road = self.road()?;
+        if let Some(numbers) = one(tracks, "tracks", &[2, 3])? {
+            return pose(py, &road.to_inertial(track(&numbers)).map_err(query)?);
+        }
+        let tracks = Rows::of(tracks, "tracks", &[2, 3])?;
+        let found = answer(py, || {
+            let mut found = Poses::with_capacity(tracks.len());
+            for (row, one) in tracks.rows().enumerate() {
+                found.push(&road.to_inertial(track(one)).map_err(|error| (row, error))?);
+            }
+            Ok(found)
+        })?;
+        columns(py, "Poses", found.columns(), out)
+    }
+
+    #[pyo3(signature = (points, *, out = None))]
+    fn to_track<'py>(
+        &self,
+        py: Python<'py>,
+        points: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let road = self.road()?;
+        if let Some(point) = one_point(points, "points")? {
+            let at = road.to_track(point).map_err(query)?;
+            let fields = fields!(
+                py,
+                s = at.s,
+                t = at.t,
+                h = at.h,
+                distance = at.distance,
+                clamped = clamped_code(at.clamped),
+                exact = at.exact,
+            );
+            return result(py, "TrackPosition", &fields);
+        }
+        let points = Rows::of(points, "points", &[2, 3])?;
+        let found = answer(py, || {
+            let mut found = Tracks::with_capacity(points.len());
+            for (row, point) in points.points().enumerate() {
+                found.push(&road.to_track(point).map_err(|error| (row, error))?);
+            }
+            Ok(found)
+        })?;
+        columns(py, "Tracks", found.columns(), out)
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        let own = |road: &Self| id(content(road.held.map()), road.row);
+        other.cast::<Self>().is_ok_and(|other| own(other.get()) == own(self))
+    }
+
+    fn __hash__(&self) -> u64 {
+        id(content(self.held.map()), self.row)
+    }
+
+    fn __repr__(&self) -> PyResult<String> {
+        let road = self.road()?;
+        let name =
+            if road.name().is_empty() { String::new() } else { format!(" {:?}", road.name()) };
+        Ok(format!("<mapd.Road {}{name} {:.2} m>", road.id(), road.length()))
+    }
+}

@@ -1,0 +1,117 @@
+//! Signals.
+
+use crate::errors::query;
+use crate::held::{Held, content, id};
+use crate::input::triple;
+use crate::road::Road;
+use mapd_client::SignalId;
+use pyo3::prelude::*;
+use std::sync::Arc;
+
+/// A signal: a sign, a light, a marking across lanes.
+#[pyclass(frozen, module = "mapd")]
+pub(crate) struct Signal {
+    held: Arc<Held>,
+    signal: SignalId,
+}
+
+impl Signal {
+    pub(crate) fn new(held: &Arc<Held>, signal: SignalId) -> Self {
+        Self { held: Arc::clone(held), signal }
+    }
+
+    fn signal(&self) -> PyResult<mapd_client::Signal<'_>> {
+        self.held.map().signal(self.signal).map_err(query)
+    }
+
+    fn number(&self) -> u64 {
+        id(content(self.held.map()), self.signal.row())
+    }
+}
+
+#[pymethods]
+impl Signal {
+    #[getter]
+    fn id(&self) -> PyResult<&str> {
+        Ok(self.signal()?.id())
+    }
+
+    #[getter]
+    fn name(&self) -> PyResult<&str> {
+        Ok(self.signal()?.name())
+    }
+
+    #[getter]
+    fn meaning(&self) -> PyResult<&'static str> {
+        Ok(self.signal()?.class().name())
+    }
+
+    #[getter]
+    fn code(&self) -> PyResult<(&str, &str, &str, &str)> {
+        let [country, revision, kind, subtype] = self.signal()?.code();
+        Ok((country, revision, kind, subtype))
+    }
+
+    #[getter]
+    fn text(&self) -> PyResult<&str> {
+        Ok(self.signal()?.shown_text())
+    }
+
+    #[getter]
+    fn value(&self) -> PyResult<Option<f64>> {
+        Ok(self.signal()?.value())
+    }
+
+    #[getter]
+    fn is_dynamic(&self) -> PyResult<bool> {
+        Ok(self.signal()?.is_dynamic())
+    }
+
+    #[getter]
+    fn position(&self) -> PyResult<(f64, f64, f64)> {
+        Ok(triple(self.signal()?.position()))
+    }
+
+    #[getter]
+    fn facing(&self) -> PyResult<f64> {
+        Ok(self.signal()?.facing())
+    }
+
+    #[getter]
+    fn size(&self) -> PyResult<(Option<f64>, Option<f64>, Option<f64>)> {
+        let [width, height, length] = self.signal()?.size();
+        Ok((width, height, length))
+    }
+
+    #[getter]
+    fn road(&self) -> PyResult<Option<Road>> {
+        Ok(self.signal()?.road().map(|road| Road::new(&self.held, road.road_id().row())))
+    }
+
+    #[getter]
+    fn track(&self) -> PyResult<(f64, f64)> {
+        let [s, t, ..] = self.signal()?.track();
+        Ok((s, t))
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| other.get().number() == self.number())
+    }
+
+    fn __hash__(&self) -> u64 {
+        self.number()
+    }
+
+    fn __repr__(&self) -> PyResult<String> {
+        let signal = self.signal()?;
+        let p = signal.position();
+        Ok(format!(
+            "<mapd.Signal {} {} at ({:.2}, {:.2}, {:.2})>",
+            signal.id(),
+            signal.class().name(),
+            p.x,
+            p.y,
+            p.z
+        ))
+    }
+}

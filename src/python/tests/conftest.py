@@ -1,0 +1,85 @@
+"""Maps, a daemon of its own domain, and where things are."""
+
+from __future__ import annotations
+
+import itertools
+import os
+import signal
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import mapd
+
+WORKSPACE = Path(__file__).resolve().parents[3]
+MAPS = WORKSPACE / "examples" / "maps"
+# How long anything that must happen may take [s].
+PATIENCE = 60.0
+NUMBERS = itertools.count()
+
+
+def program() -> Path:
+    """The daemon's program: MAPD_PROGRAM, else the debug build."""
+    target = Path(os.environ.get("CARGO_TARGET_DIR", WORKSPACE / "target"))
+    place = Path(os.environ.get("MAPD_PROGRAM", target / "debug" / "mapd"))
+    assert place.exists(), f"{place} is missing: cargo build -p mapd"
+    return place
+
+
+class Daemon:
+    """A daemon that serves a copy of the town in a domain of its own."""
+
+    def __init__(self, folder: Path, prefix: str) -> None:
+        self.prefix = prefix
+        self.file = folder / "town.xodr"
+        self.file.write_bytes((MAPS / "town.xodr").read_bytes())
+        self.environment = dict(os.environ, MAPD_PREFIX=prefix, MAPD_CACHE=str(folder / "cache"))
+        self.start()
+
+    def start(self) -> None:
+        command = [str(program()), "--load", str(self.file)]
+        self.process = subprocess.Popen(command, env=self.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def client(self) -> mapd.Client:
+        return mapd.Client("town", timeout=PATIENCE, prefix=self.prefix)
+
+    def swap(self) -> None:
+        """Serves the town again, one street longer in name."""
+        text = self.file.read_text()
+        self.file.write_text(text.replace('name="Street ', 'name="Longer street ', 1))
+        command = [str(program()), "reload", "town"]
+        subprocess.run(command, env=self.environment, check=True, capture_output=True, timeout=PATIENCE)
+
+    def kill(self) -> None:
+        self.process.kill()
+        self.process.wait(PATIENCE)
+
+    def stop(self) -> None:
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGTERM)
+            self.process.wait(PATIENCE)
+
+
+@pytest.fixture
+def daemon(tmp_path: Path) -> Iterator[Daemon]:
+    daemon = Daemon(tmp_path, f"py{os.getpid()}x{next(NUMBERS)}_")
+    try:
+        yield daemon
+        # A daemon that was killed left files, which another one of its domain removes as it ends.
+        if daemon.process.poll() is not None:
+            daemon.start()
+            daemon.client().close()
+    finally:
+        daemon.stop()
+
+
+@pytest.fixture(scope="session")
+def town() -> mapd.Map:
+    return mapd.open(MAPS / "town.xodr")
+
+
+@pytest.fixture(scope="session")
+def other() -> mapd.Map:
+    return mapd.open(MAPS / "objects.xodr")

@@ -1,0 +1,25 @@
+"""The examples run, and the types are complete."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+from conftest import WORKSPACE, Daemon
+
+EXAMPLES = sorted((WORKSPACE / "examples" / "python").glob("*.py"))
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.name)
+def test_example(example: object, daemon: Daemon) -> None:
+    daemon.client().close()
+    ran = subprocess.run(
+        [sys.executable, "-W", "error", str(example)], env=daemon.environment, capture_output=True, text=True, timeout=120, cwd=WORKSPACE
+    )
+    assert ran.returncode == 0, ran.stderr
+    assert ran.stdout.strip()
+
+
+def test_there_are_examples() -> None:
+    assert len(EXAMPLES) >= 3

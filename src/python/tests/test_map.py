@@ -1,0 +1,189 @@
+"""Maps, their parts, routes and views."""
+
+from __future__ import annotations
+
+import gc
+import pickle
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import MAPS
+
+import mapd
+from mapd._layout import TABLES
+
+
+def test_parts_say_what_they_are(town: mapd.Map) -> None:
+    lane = town.lane("1:0:-1")
+    assert lane.key == "1:0:-1" and lane.road.id == "1" and lane.number == -1 and lane.kind == "driving"
+    assert repr(lane) == "<mapd.Lane 1:0:-1 driving s 0.00 to 76.00 m>"
+    assert repr(lane.road) == '<mapd.Road 1 "Street 1" 76.00 m>'
+    assert repr(town).startswith('<mapd.Map "town" generation 0: 56 roads')
+    assert lane == town.lane(lane.id) == town.lane(np.uint64(lane.id)) and hash(lane) == hash(town.lane(lane.id))
+    assert lane != town.lane("1:0:1") and lane != "1:0:-1"
+    assert lane.opposite() == town.lane("1:0:1")
+    assert [one.predecessors()[0] for one in lane.successors()] == [lane] * len(lane.successors())
+    assert lane.speed_limit_at(1.0) == pytest.approx(50 / 3.6)
+    assert set(town.lanes()) == {lane for road in town.roads() for lane in road.lanes()}
+
+
+def test_signals_and_objects(other: mapd.Map) -> None:
+    thing = other.objects()[0]
+    assert other.object(thing.id) == thing and thing.id in repr(thing)
+    assert thing.footprint().shape[1] == 3
+    assert any(near == thing for near, _ in other.objects_near(thing.position[:2], 1.0))
+    for signal in other.signals():
+        assert other.signal(signal.id) == signal and signal.id in repr(signal)
+        assert (signal, 0.0) in other.signals_near(signal.position[:2], 1.0)
+
+
+def test_frenet_there_and_back(town: mapd.Map) -> None:
+    road = town.road("1")
+    tracks = np.column_stack([np.linspace(0.5, 75.5, 50), np.linspace(-3.0, 3.0, 50)])
+    poses = road.to_inertial(tracks)
+    back = road.to_track(np.column_stack([poses.x, poses.y]))
+    assert np.allclose(np.column_stack([back.s, back.t]), tracks, atol=1e-9) and back.exact.all()
+    one = road.to_inertial((0.5, -3.0))
+    assert (one.x, one.y, one.heading) == (poses.x[0], poses.y[0], poses.heading[0])
+
+
+def test_positions_and_poses_of_lanes(town: mapd.Map) -> None:
+    lanes = np.array([lane.id for lane in town.lanes()], np.uint64)
+    starts = np.array([lane.s_range[0] for lane in town.lanes()])
+    poses = town.pose_at(lanes, starts + 0.5, 0.25)
+    back = town.position_of(lanes, np.column_stack([poses.x, poses.y]))
+    assert np.allclose(back.s, starts + 0.5, atol=1e-6) and np.allclose(back.offset, 0.25, atol=1e-6)
+
+
+def test_height_is_that_of_the_surface() -> None:
+    surfaces = mapd.open(MAPS / "surfaces.xodr")
+    lane = surfaces.lanes()[0]
+    middle = lane.pose_at(sum(lane.s_range) / 2)
+    height = surfaces.height((middle.x, middle.y))
+    assert height is not None and np.hypot(np.hypot(height.nx, height.ny), height.nz) == pytest.approx(1)
+    many = surfaces.height(np.array([[middle.x, middle.y], [1e5, 1e5]]))
+    assert many.z[0] == height.z and np.isnan(many.z[1]) and many.lane[1] == mapd.NONE
+
+
+def test_routes_and_what_can_be_reached(town: mapd.Map) -> None:
+    start, goal = town.nearest_lane((50.0, -1.75)), town.nearest_lane((150.0, 101.75))
+    assert start is not None and goal is not None
+    route = town.route(start, goal)
+    assert route is not None and route.steps[0].lane == start.lane and route.steps[-1].lane == goal.lane
+    assert route.length == pytest.approx(sum(abs(step.s_to - step.s_from) for step in route.steps), rel=0.2)
+    assert repr(route).startswith("<mapd.Route ")
+    assert town.route(("1:0:-1", 1.0), (goal.lane.id, goal.s), by="time", lane_change=1.0) is not None
+    reached = town.reachable(start, route.length + 100.0)
+    assert goal.lane.id in reached.lane and (np.diff(reached.cost) >= 0).all()
+    for sequence in town.lane_sequences_ahead(start, 200.0):
+        assert sequence[0] == start.lane
+    with pytest.raises(TypeError, match="place"):
+        town.route("1:0:-1", goal)  # type: ignore[arg-type]
+
+
+def test_paths(town: mapd.Map) -> None:
+    start, goal = town.nearest_lane((50.0, -1.75)), town.nearest_lane((150.0, 101.75))
+    assert start is not None and goal is not None
+    route = town.route(start, goal)
+    assert route is not None
+    path = town.path(route)
+    assert path.length == pytest.approx(route.length, abs=1.0) and path.lanes()[0] == start.lane
+    along = np.linspace(0.0, path.length, 40)
+    points = path.at(along)
+    back = path.project(np.column_stack([points.x, points.y]))
+    assert np.allclose(back.along, along, atol=1e-6) and np.allclose(back.d, 0, atol=1e-6)
+    assert path.at(float(along[3])).x == points.x[3]
+    assert len(path.corridor(2.0)) == len(path.corridor(2.0).left_x) > 10
+    assert path.along_of(start) == pytest.approx(0.0, abs=1e-6)
+    assert all(conflict.start <= conflict.end for conflict in path.conflicts())
+    with pytest.raises(mapd.PathError):
+        town.path([])
+    with pytest.raises(mapd.PathError, match="step 1"):
+        town.path([route.steps[0], route.steps[0]])
+
+
+def test_all_lines_at_once(town: mapd.Map) -> None:
+    for which, one in (("center", mapd.Lane.center_line), ("left", mapd.Lane.left_bound), ("right", mapd.Lane.right_bound)):
+        lines = town.lines(which=which)  # type: ignore[arg-type]
+        assert len(lines) == len(town.lanes())
+        for k in (0, len(lines) // 2, -1):
+            assert np.array_equal(lines[k], one(town.lane(int(lines.lane[k]))))
+    (x, y, _), (x2, y2, _) = town.bounds
+    part = town.lines((x, y, (x + x2) / 2, (y + y2) / 2), types="drivable")
+    assert 0 < len(part) < len(lines)
+    with pytest.raises(IndexError):
+        lines[len(lines)]
+
+
+def test_raw_views_are_read_only_and_keep_the_memory(tmp_path: Path) -> None:
+    compiled = mapd.compile(MAPS / "town.xodr")
+    compiled.save(tmp_path / "town.mapd")
+    map = mapd.open(tmp_path / "town.mapd")
+    assert map.content_hash == compiled.map.content_hash
+    roads, again = mapd.raw.table(map, "roads"), mapd.raw.table(map, "roads")
+    assert np.shares_memory(roads, again) and not roads.flags.owndata
+    assert [mapd.raw.string(map, number) for number in roads["id"]] == [road.id for road in map.roads()]
+    assert np.array_equal(roads["length"], [road.length for road in map.roads()])
+    for view in (roads, roads["length"], map._bytes()):
+        with pytest.raises(ValueError, match="WRITEABLE|writeable"):
+            view.flags.writeable = True
+        with pytest.raises(ValueError, match="read-only"):
+            view[0] = 0
+    lengths = roads["length"]
+    want = lengths.copy()
+    (tmp_path / "town.mapd").unlink()
+    del map, roads, again, compiled
+    gc.collect()
+    assert np.array_equal(lengths, want)
+
+
+def test_raw_knows_every_table(town: mapd.Map) -> None:
+    there = mapd.raw.tables(town)
+    assert {number for number, *_ in town._tables()} == {TABLES[name][0] for name in there}
+    assert set(there) <= set(mapd.raw.names())
+    hits = town.nearest_lane(np.array([[50.0, -1.75]]))
+    assert mapd.raw.rows(hits.lane)[0] < len(there["lanes"])
+
+
+def test_findings_are_objects(tmp_path: Path) -> None:
+    broken = tmp_path / "broken.xodr"
+    broken.write_text((MAPS / "town.xodr").read_text().replace('length="76"', 'length="-76"', 1))
+    report = mapd.check(broken)
+    assert report.verdict == "quarantined" and report.quarantined[0].owner == "1"
+    error = report.errors[0]
+    assert error.line > 1 and error.rule in str(error) and error.rejects
+    assert mapd.compile(broken).report.verdict == "quarantined"
+    with pytest.raises(mapd.RejectedError) as rejected:
+        mapd.compile(broken, on_error="reject")
+    assert rejected.value.report.errors and str(broken) in str(rejected.value)
+    assert pickle.loads(pickle.dumps(report)) == report and report.to_dict()["verdict"] == "quarantined"
+
+
+def test_files_that_are_none(tmp_path: Path) -> None:
+    with pytest.raises(mapd.FileError) as missing:
+        mapd.open(tmp_path / "no.mapd")
+    assert missing.value.errno == 2 and isinstance(missing.value, OSError)
+    with pytest.raises(mapd.FileError):
+        mapd.compile(tmp_path / "no.xodr")
+    with pytest.raises(mapd.FileError, match="folder"):
+        mapd.compile(tmp_path)
+    (tmp_path / "bad.mapd").write_bytes(b"nonsense" * 100)
+    with pytest.raises(mapd.ArchiveError):
+        mapd.open(tmp_path / "bad.mapd")
+    with pytest.raises(mapd.RejectedError):
+        mapd.open((tmp_path / "bad.mapd").rename(tmp_path / "bad.xodr"))
+    for option in ({"profile": "no"}, {"on_error": "no"}, {"index_tolerance": -1.0}):
+        with pytest.raises(ValueError):
+            mapd.compile(MAPS / "town.xodr", **option)
+
+
+def test_places_on_earth(town: mapd.Map) -> None:
+    road = mapd.open(MAPS / "one_road.xodr")
+    points = np.array([[0.0, 0.0, 5.0], [100.0, 20.0, 0.0]])
+    places = road.to_geodetic(points)
+    back = road.from_geodetic(np.column_stack([places.latitude, places.longitude, places.altitude]))
+    assert np.allclose(np.column_stack([back.x, back.y, back.z]), points, atol=1e-6)
+    assert road.to_geodetic((0.0, 0.0, 5.0)) == (places.latitude[0], places.longitude[0], places.altitude[0])
+    with pytest.raises(mapd.ProjectionError):
+        town.to_geodetic(points)

@@ -1,0 +1,231 @@
+"""Attaching, following, and what may go wrong: as processes."""
+
+from __future__ import annotations
+
+import gc
+import multiprocessing
+import os
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import MAPS, PATIENCE, Daemon
+
+import mapd
+
+POINTS = np.column_stack([np.linspace(-10.0, 210.0, 2000), np.linspace(0.0, 200.0, 2000)])
+
+
+def mappings(prefix: str) -> int:
+    """Number of mappings of a domain's shared memory, or of a file, in this process."""
+    return sum(prefix in line for line in Path("/proc/self/maps").read_text().splitlines())
+
+
+def test_attach_and_ask(daemon: Daemon, town: mapd.Map) -> None:
+    with daemon.client() as client:
+        assert client.name == "town" and client.served_by == daemon.process.pid and client.pending is None
+        map = client.map()
+        assert map.generation >= 1 and map.content_hash == town.content_hash
+        assert np.array_equal(map.nearest_lane(POINTS).lane, town.nearest_lane(POINTS).lane)
+        assert client.refresh().generation == map.generation
+        assert client.require(map.generation).generation == map.generation
+        client.populate()
+        assert repr(client) == f'<mapd.Client "town" generation {map.generation}>'
+    assert client.closed and repr(client) == '<mapd.Client "town" closed>'
+    for call in (client.map, client.refresh, client.wait, client.events, lambda: client.pending, lambda: client.served_by):
+        with pytest.raises(mapd.ClosedError):
+            call()
+    client.close()
+    assert len(map.lanes()) == len(town.lanes())
+
+
+def test_swaps_are_seen_and_what_is_held_stays(daemon: Daemon) -> None:
+    client = daemon.client()
+    events = client.events()
+    before = client.map()
+    assert events.wait(0.0) is None
+    with pytest.raises(mapd.NoGenerationError, match="no generation newer"):
+        client.wait(0.2)
+    daemon.swap()
+    event = events.wait(PATIENCE)
+    assert isinstance(event, mapd.Generation) and event.map.generation == before.generation + 1
+    after = client.map()
+    assert after.generation == event.map.generation and after.content_hash != before.content_hash
+    assert before.road("1").name == "Street 1" and after.road("1").name == "Longer street 1"
+    with pytest.raises(mapd.ForeignIdError):
+        after.lane(before.lanes()[0])
+    assert after.lane(before.lanes()[0].key).key == before.lanes()[0].key
+    with pytest.raises(mapd.SupersededError):
+        daemon.client().require(before.generation, 1.0)
+
+
+def test_a_killed_daemon_leaves_what_is_held(daemon: Daemon) -> None:
+    client = daemon.client()
+    events = client.events()
+    map = client.map()
+    want = map.nearest_lane(POINTS)
+    lengths = mapd.raw.table(map, "roads")["length"]
+    copy = lengths.copy()
+    daemon.kill()
+    event = events.wait(PATIENCE)
+    assert isinstance(event, mapd.DaemonGone) and client.served_by is None
+    assert np.array_equal(map.nearest_lane(POINTS).s, want.s, equal_nan=True)
+    with pytest.raises(mapd.NoGenerationError, match="has ended"):
+        client.wait(0.2)
+    client.close()
+    del map, client, events
+    gc.collect()
+    assert np.array_equal(lengths, copy)
+
+
+@pytest.mark.parametrize(
+    ("name", "prefix", "kind"),
+    [
+        ("town", "mapdpynobody_", mapd.NoDaemonError),
+        ("no/name", "mapdpynobody_", mapd.BadNameError),
+        ("", "mapdpynobody_", mapd.BadNameError),
+        ("town", "no/prefix", mapd.BadNameError),
+    ],
+)
+def test_what_cannot_be_attached_to(name: str, prefix: str, kind: type[Exception]) -> None:
+    with pytest.raises(kind):
+        mapd.Client(name, timeout=0.1, prefix=prefix)
+
+
+def test_waits_that_are_none() -> None:
+    for timeout in (-1.0, float("nan"), float("inf")):
+        with pytest.raises(ValueError, match="timeout"):
+            mapd.Client("town", timeout=timeout, prefix="mapdpynobody_")
+
+
+def test_a_map_that_is_not_served(daemon: Daemon) -> None:
+    daemon.client()
+    with pytest.raises(mapd.NoSuchMapError, match="town"):
+        mapd.Client("village", timeout=0.5, prefix=daemon.prefix)
+
+
+def test_attaching_and_letting_go_leaves_no_mapping(daemon: Daemon, tmp_path: Path) -> None:
+    daemon.client().close()
+    gc.collect()
+    before = mappings(daemon.prefix)
+    descriptors = len(os.listdir("/proc/self/fd"))
+    for _ in range(100):
+        client = daemon.client()
+        map = client.map()
+        lanes, view = map.lanes(), mapd.raw.table(map, "lanes")
+        assert mappings(daemon.prefix) > before
+        client.close()
+        del client, map, lanes, view
+    gc.collect()
+    assert mappings(daemon.prefix) == before and len(os.listdir("/proc/self/fd")) == descriptors
+    archive = tmp_path / "town.mapd"
+    mapd.compile(MAPS / "town.xodr").save(archive)
+    for _ in range(1000):
+        lane = mapd.open(archive).lanes()[0]
+        assert mappings(str(archive)) == 1
+        del lane
+    assert mappings(str(archive)) == 0
+
+
+def forked(work: Callable[[], None]) -> int:
+    """Exit code of a forked process that runs something and ends as Python does."""
+    child = os.fork()
+    if child == 0:
+        code = 1
+        try:
+            work()
+            code = 0
+        finally:
+            gc.collect()
+            os._exit(code)
+    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_a_forked_process_reads_what_it_inherits(daemon: Daemon) -> None:
+    held = [daemon.client()]
+    maps = [held[0].map()]
+    events = [held[0].events()]
+    want = maps[0].nearest_lane(POINTS)
+
+    def child() -> None:
+        assert np.array_equal(maps[0].nearest_lane(POINTS).s, want.s, equal_nan=True)
+        for call in (held[0].map, held[0].refresh, lambda: held[0].wait(0.1), lambda: events[0].wait(0.1)):
+            with pytest.raises(mapd.ForkedError):
+                call()
+        assert "another process" in repr(held[0])
+        mine = daemon.client()
+        assert mine.map().generation == maps[0].generation
+        mine.close()
+        maps.clear()
+        events.clear()
+        held.clear()
+        # Compiling uses threads of its own, which a fork does not take away.
+        assert mapd.compile(MAPS / "one_road.xodr").report.verdict == "accepted"
+
+    assert forked(child) == 0
+    daemon.swap()
+    assert held[0].wait(PATIENCE).generation == maps[0].generation + 1
+    assert np.array_equal(maps[0].nearest_lane(POINTS).s, want.s, equal_nan=True)
+
+
+def test_threads_share_everything(daemon: Daemon) -> None:
+    client = daemon.client()
+    map = client.map()
+    want = map.nearest_lane(POINTS).lane
+
+    def ask(_: int) -> bool:
+        newest = client.refresh()
+        same = np.array_equal(newest.nearest_lane(POINTS).lane, newest.nearest_lane(POINTS).lane)
+        return same and np.array_equal(map.nearest_lane(POINTS).lane, want)
+
+    with ThreadPoolExecutor(8) as threads:
+        asked = [threads.submit(ask, n) for n in range(40)]
+        daemon.swap()
+        assert all(one.result(PATIENCE) for one in asked)
+
+
+def test_batches_let_other_threads_run(town: mapd.Map) -> None:
+    many = np.tile(POINTS, (100, 1))
+    counted, done = 0, threading.Event()
+
+    def ask() -> None:
+        town.nearest_lane(many)
+        done.set()
+
+    thread = threading.Thread(target=ask)
+    thread.start()
+    while not done.is_set():
+        counted += 1
+    thread.join(PATIENCE)
+    assert counted > 1
+
+
+def test_waiting_heeds_an_interrupt(daemon: Daemon) -> None:
+    daemon.client().close()
+    code = (
+        "import mapd, sys\n"
+        f"events = mapd.Client('town', timeout={PATIENCE}, prefix={daemon.prefix!r}).events()\n"
+        "try:\n    print('waiting', flush=True)\n    next(events)\nexcept KeyboardInterrupt:\n    sys.exit(7)\n"
+    )
+    with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True) as waiting:
+        assert waiting.stdout is not None and waiting.stdout.readline() == "waiting\n"
+        waiting.send_signal(signal.SIGINT)
+        assert waiting.wait(PATIENCE) == 7
+
+
+def test_spawned_processes_attach_by_name(daemon: Daemon) -> None:
+    map = daemon.client().map()
+    with multiprocessing.get_context("spawn").Pool(2) as pool:
+        assert pool.starmap(generation_of, [(daemon.prefix,)] * 2) == [map.generation] * 2
+
+
+def generation_of(prefix: str) -> int:
+    with mapd.Client("town", timeout=PATIENCE, prefix=prefix) as client:
+        return client.map().generation
