@@ -66,7 +66,7 @@ pub enum TrustError {
     },
     /// The signature was made with another key.
     #[error(
-        "{archive} is signed with another key than the trusted one; get the key of who signed it, or sign it again"
+        "{archive} is signed with another key than the trusted one; get the signer's public key, or sign it again"
     )]
     OtherKey {
         /// The archive.

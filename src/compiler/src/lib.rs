@@ -355,7 +355,7 @@ fn read(
                 }
                 Next::Lowered => {
                     let mut element: Element = elements.pop_front().unwrap_or_default();
-                    checker.looked(element.looked);
+                    checker.examined(element.examined);
                     checked = checker.take_findings();
                     checked.append(&mut element.built);
                     roads = Some(before + element.roads);
@@ -389,8 +389,8 @@ fn read(
     let mut late = Vec::new();
     let whole = checker.whole();
     let lacks_ids = whole.lacks_ids();
-    let (looked, signals) = rayon::join(
-        || part::look(&whole),
+    let (examined, signals) = rayon::join(
+        || part::examine(&whole),
         || {
             lowering.finish_reading(&mut late);
             links::resolve(&mut lowering, without, &mut late);
@@ -401,7 +401,7 @@ fn read(
     if whole.has_more_overlaps() {
         late.push(too_many_overlaps());
     }
-    checker.end(whole, looked);
+    checker.end(whole, examined);
     collector.add_read(read, checker.take_findings(), &places, without);
     if lacks_ids {
         late.push(too_many_ids());

@@ -6,7 +6,7 @@ use crate::quarantine::Units;
 use mapd_archive::AnnotationOwner;
 use mapd_ontology::Ontology;
 use mapd_rules::line::ReferenceLine;
-use mapd_rules::{Checker, Looked, Looker, Network, Whole};
+use mapd_rules::{Checker, Examined, Examiner, Network, Whole};
 use mapd_xodr::source::Places;
 use mapd_xodr::{Batch, Context, Finding, Item, ReadBatch, Span, Text as _};
 use rayon::prelude::*;
@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 /// What the lowering of a batch needs to know.
 pub(crate) struct Plan {
-    looker: Looker,
+    examiner: Examiner,
     ontology: Arc<Ontology>,
     places: Places,
     without: Without,
@@ -25,7 +25,7 @@ pub(crate) struct Plan {
 #[derive(Default)]
 pub(crate) struct Element {
     /// By the rules on elements.
-    pub(crate) looked: Looked,
+    pub(crate) examined: Examined,
     /// By what built rows from it.
     pub(crate) built: Vec<Finding>,
     /// Roads in the rows of the part up to it.
@@ -49,37 +49,37 @@ impl Plan {
         without: Without,
     ) -> Self {
         let (ontology, places) = (Arc::clone(ontology), places.clone());
-        Self { looker: checker.looker(), ontology, places, without }
+        Self { examiner: checker.examiner(), ontology, places, without }
     }
 
     /// Reads a batch; each of its elements is checked and lowered while it is still at hand.
     pub(crate) fn read(self, context: &Context, batch: Batch) -> (ReadBatch, Lowered) {
-        let Self { mut looker, ontology, places, without } = self;
+        let Self { mut examiner, ontology, places, without } = self;
         let mut lowering = Lowering::part(ontology, without);
         let mut units = Units::default();
         let none = lowering.roads();
         let mut elements = VecDeque::new();
         let read = context.read_each(batch, &mut |mut item| {
             units.add(&item);
-            let (looked, line) = looker.item(&mut item);
+            let (examined, line) = examiner.item(&mut item);
             let mut built = Vec::new();
             lower(&mut lowering, (item, &line), &places, &mut built);
-            elements.push_back(Element { looked, built, roads: lowering.roads() - none });
+            elements.push_back(Element { examined, built, roads: lowering.roads() - none });
             None
         });
-        (read, Lowered { elements, network: looker.into_network(), units, lowering })
+        (read, Lowered { elements, network: examiner.into_network(), units, lowering })
     }
 }
 
 /// What all rules on the document as a whole find, in their order.
-pub(crate) fn look(whole: &Whole) -> Vec<Looked> {
+pub(crate) fn examine(whole: &Whole) -> Vec<Examined> {
     let needs_overlaps = |check: usize| whole.needs_overlaps(check);
     let first_overlaps = (0..whole.checks()).find(|check| needs_overlaps(*check));
     let (first, mut all) = rayon::join(
-        || first_overlaps.map(|check| whole.look(check)),
+        || first_overlaps.map(|check| whole.examine(check)),
         || {
             let others = (0..whole.checks()).into_par_iter();
-            let look = |check| (!needs_overlaps(check)).then(|| whole.look(check));
+            let look = |check| (!needs_overlaps(check)).then(|| whole.examine(check));
             others.map(look).collect::<Vec<_>>()
         },
     );
@@ -87,10 +87,10 @@ pub(crate) fn look(whole: &Whole) -> Vec<Looked> {
         *place = first;
     }
     let all = all.into_iter().enumerate();
-    all.map(|(check, looked)| looked.unwrap_or_else(|| whole.look(check))).collect()
+    all.map(|(check, examined)| examined.unwrap_or_else(|| whole.examine(check))).collect()
 }
 
-/// Appends what a top-level element says to the rows; its reference line is the one that the rules looked at.
+/// Appends what a top-level element says to the rows; its reference line is the one that the rules examined.
 pub(crate) fn lower(
     lowering: &mut Lowering,
     (item, line): (Item, &ReferenceLine),

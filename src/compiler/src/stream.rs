@@ -4,7 +4,7 @@
 //! read, check and lower them. Items and findings are the same, in the same order, as those of a reader without any of this.
 
 use crate::part::{Lowered, Plan};
-use mapd_xodr::{Context, Cutter, Handed, Item, ReadBatch, Reader};
+use mapd_xodr::{Context, Cutter, Delivered, Item, ReadBatch, Reader};
 use std::collections::VecDeque;
 use std::io;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError, sync_channel};
@@ -54,9 +54,9 @@ impl<'a> Stream<'a> {
     /// As [`Reader::next`]; batches are lowered as `plan` says, if it does.
     pub(crate) fn next(&mut self, plan: &dyn Fn() -> Option<Plan>) -> io::Result<Option<Next>> {
         loop {
-            match self.reader.handed() {
-                Some(Handed::Item(item)) => return Ok(Some(Next::Item(item))),
-                Some(Handed::Taken) => return Ok(Some(Next::Lowered)),
+            match self.reader.delivered() {
+                Some(Delivered::Item(item)) => return Ok(Some(Next::Item(item))),
+                Some(Delivered::Taken) => return Ok(Some(Next::Lowered)),
                 None => {}
             }
             let Some(ahead) = &mut self.ahead else {

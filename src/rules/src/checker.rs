@@ -1,7 +1,7 @@
 //! Shows a document to the rules, element by element.
 
+use crate::examiner::{Examined, Examiner, Found, Rules};
 use crate::line::ReferenceLine;
-use crate::looker::{Found, Looked, Looker, Rules};
 use crate::network::Network;
 use crate::rule::{Minor, NEWEST};
 use crate::settings::Settings;
@@ -18,7 +18,7 @@ type LeftOut = Option<(Span, Severity, u32)>;
 /// Checks a document while it streams by.
 pub struct Checker {
     settings: Settings,
-    looker: Looker,
+    examiner: Examiner,
     /// By rule.
     left_out: Vec<LeftOut>,
     findings: Vec<Finding>,
@@ -27,40 +27,40 @@ pub struct Checker {
 impl Checker {
     /// A checker with nothing seen yet. Until a header says otherwise, documents are of the newest version.
     pub fn new(settings: &Settings) -> Self {
-        let looker = Looker::new(Rules::new(settings, NEWEST));
-        let left_out = vec![None; looker.counts.len()];
-        Self { settings: settings.clone(), looker, left_out, findings: Vec::new() }
+        let examiner = Examiner::new(Rules::new(settings, NEWEST));
+        let left_out = vec![None; examiner.counts.len()];
+        Self { settings: settings.clone(), examiner, left_out, findings: Vec::new() }
     }
 
     /// Looks at a top-level element, and keeps what the rules on the network need of it; yields its reference line, if it has
-    /// one. Once the rules on their order have looked, a road's records are sorted.
+    /// one. Once the rules have looked at their order, a road's records are sorted.
     pub fn item(&mut self, item: &mut Item) -> ReferenceLine {
         self.select(item);
-        let (looked, line) = self.looker.item(item);
-        self.keep(looked);
+        let (examined, line) = self.examiner.item(item);
+        self.keep(examined);
         line
     }
 
     /// Looks at a top-level element by itself: to the rules on the network it is not there.
     pub fn item_apart(&mut self, item: &mut Item) -> ReferenceLine {
         self.select(item);
-        let line = self.looker.look(item);
-        let looked = Looked(std::mem::take(&mut self.looker.found));
-        self.keep(looked);
+        let line = self.examiner.examine(item);
+        let examined = Examined(std::mem::take(&mut self.examiner.found));
+        self.keep(examined);
         line
     }
 
-    /// Looks at elements behind the header, on any thread; what it finds comes back with [`Checker::looked`].
-    pub fn looker(&self) -> Looker {
-        self.looker.another()
+    /// Looks at elements behind the header, on any thread; what it finds comes back with [`Checker::examined`].
+    pub fn examiner(&self) -> Examiner {
+        self.examiner.another()
     }
 
     /// Takes what was found in the next top-level element.
-    pub fn looked(&mut self, looked: Looked) {
-        let limit = self.looker.rules.limit;
-        let decided = looked.0.into_iter().map(|(rank, found)| {
+    pub fn examined(&mut self, examined: Examined) {
+        let limit = self.examiner.rules.limit;
+        let decided = examined.0.into_iter().map(|(rank, found)| {
             let more = if let Found::LeftOut(_, _, count) = found { count } else { 1 };
-            let count = self.looker.counts.get_mut(rank).map_or(0, |count| {
+            let count = self.examiner.counts.get_mut(rank).map_or(0, |count| {
                 *count = count.saturating_add(more);
                 *count
             });
@@ -71,13 +71,13 @@ impl Checker {
                 found => (rank, found),
             }
         });
-        let decided = Looked(decided.collect());
+        let decided = Examined(decided.collect());
         self.keep(decided);
     }
 
     /// Takes what the rules on the network need of the next top-level elements.
     pub fn add_network(&mut self, network: Network) {
-        self.looker.network.append(network);
+        self.examiner.network.append(network);
     }
 
     /// Chooses the rules for the version that a header states.
@@ -86,15 +86,15 @@ impl Checker {
         let minor = header.rev_minor.map_or(i32::from(NEWEST), |minor| minor.value);
         let version = Minor::try_from(minor.clamp(i32::from(OLDEST), i32::from(NEWEST)));
         let rules = Rules::new(&self.settings, version.unwrap_or(NEWEST));
-        self.looker.counts = vec![0; rules.applied.len()];
+        self.examiner.counts = vec![0; rules.applied.len()];
         self.left_out = vec![None; rules.applied.len()];
-        self.looker.rules = Arc::new(rules);
+        self.examiner.rules = Arc::new(rules);
     }
 
     /// Keeps findings that are counted already.
-    fn keep(&mut self, looked: Looked) {
+    fn keep(&mut self, examined: Examined) {
         let before = self.findings.len();
-        for (rank, found) in looked.0 {
+        for (rank, found) in examined.0 {
             match found {
                 Found::Finding(finding) => self.findings.push(finding),
                 Found::LeftOut(span, severity, count) => {
@@ -112,21 +112,21 @@ impl Checker {
     /// Looks at the document as a whole, which has ended.
     pub fn finish(&mut self) {
         let whole = self.whole();
-        let looked = (0..whole.checks()).map(|check| whole.look(check)).collect::<Vec<_>>();
-        self.end(whole, looked);
+        let examined = (0..whole.checks()).map(|check| whole.examine(check)).collect::<Vec<_>>();
+        self.end(whole, examined);
     }
 
-    /// The document as a whole, which has ended, to be looked at on any thread; [`Checker::end`] takes what was found.
+    /// The document as a whole, which has ended, to be examined on any thread; [`Checker::end`] takes what was found.
     pub fn whole(&mut self) -> Whole {
-        let mut network = std::mem::take(&mut self.looker.network);
+        let mut network = std::mem::take(&mut self.examiner.network);
         network.finish();
-        Whole { rules: Arc::clone(&self.looker.rules), network }
+        Whole { rules: Arc::clone(&self.examiner.rules), network }
     }
 
     /// Takes what all checks of the document as a whole found, in their order.
-    pub fn end(&mut self, whole: Whole, looked: impl IntoIterator<Item = Looked>) {
+    pub fn end(&mut self, whole: Whole, examined: impl IntoIterator<Item = Examined>) {
         let Whole { rules, .. } = whole;
-        self.keep(Looked(looked.into_iter().flat_map(|looked| looked.0).collect()));
+        self.keep(Examined(examined.into_iter().flat_map(|examined| examined.0).collect()));
         for (applied, left_out) in rules.applied.iter().zip(&self.left_out) {
             if let Some((span, severity, count)) = *left_out {
                 let message = format!("{count} more findings of this rule, the first of them here");
@@ -149,7 +149,7 @@ impl Checker {
     }
 }
 
-/// Whether a finding is only counted, as the rule's so-manieth. Errors are all kept: each takes a part out of use. They use
+/// Whether a finding is only counted because its rule has reported `limit` of them. Errors are all kept: each takes a part out of use. They use
 /// up the others' places all the same.
 pub(crate) fn is_left_out(count: u32, limit: u32, severity: Severity) -> bool {
     count > limit && severity < Severity::Error

@@ -2,7 +2,7 @@
 //! one valid and one invalid example.
 //!
 //! A [`Checker`] is shown each top-level element of a document once, then looks at the compact [`Network`] that it kept of
-//! them; a [`Looker`] does the former on any thread. To add a rule, write its function and an entry beside it in a file of [`catalog`].
+//! them; a [`Examiner`] does the former on any thread. To add a rule, write its function and an entry beside it in a file of [`catalog`].
 //!
 //! Invariants: rules read, they change nothing, and what they looked at is what is built: records out of order are sorted between
 //! the rules on order and all others, and a geometry becomes a curve in [`line`] alone; the document is never whole in memory; nothing panics, whatever a document
@@ -26,9 +26,9 @@
 pub mod catalog;
 mod checker;
 mod documentation;
+mod examiner;
 mod example;
 pub mod line;
-mod looker;
 pub mod network;
 mod order;
 mod place;
@@ -42,8 +42,8 @@ mod whole;
 
 pub use checker::Checker;
 pub use documentation::{documentation, with_errors};
+pub use examiner::{Examined, Examiner};
 pub use example::Example;
-pub use looker::{Looked, Looker};
 pub use network::{Network, extent};
 pub use place::{LaneIn, ObjectIn, RoadIn, SectionIn, Side, SignalIn};
 pub use rule::{Check, Minor, NEWEST, Rule, Tolerance};

@@ -1,7 +1,7 @@
 //! Where rules put what they find.
 
 use crate::checker::is_left_out;
-use crate::looker::Found;
+use crate::examiner::Found;
 use crate::rule::{Minor, Rule};
 use mapd_xodr::{Finding, Severity, Span};
 use std::fmt::{self, Write as _};

@@ -1,7 +1,7 @@
 //! The walk through an element, to each part that some rule looks at.
 
+use crate::examiner::{Examiner, Rules};
 use crate::line::ReferenceLine;
-use crate::looker::{Looker, Rules};
 use crate::place::{LaneIn, ObjectIn, RoadIn, SectionIn, Side, SignalIn, number, text};
 use crate::rule::Check;
 use crate::sink::{Key, Step};
@@ -18,7 +18,7 @@ macro_rules! apply {
     };
 }
 
-impl Looker {
+impl Examiner {
     /// Applies the rules on single elements.
     pub(crate) fn walk(&mut self, rules: &Rules, item: &Item, line: &ReferenceLine) {
         match item {

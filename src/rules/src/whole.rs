@@ -1,6 +1,6 @@
 //! The document as a whole, once it has ended.
 
-use crate::looker::{Looked, Looker, Rules};
+use crate::examiner::{Examined, Examiner, Rules};
 use crate::network::Network;
 use crate::rule::Check;
 use std::sync::Arc;
@@ -23,7 +23,7 @@ impl Whole {
         self.network.lacks_ids()
     }
 
-    /// Whether more roads lie over one another than the rules that looked have been told of; see [`Network::overlaps`].
+    /// Whether more roads lie over one another than the rules that examined have been told of; see [`Network::overlaps`].
     pub fn has_more_overlaps(&self) -> bool {
         self.network.has_more_overlaps()
     }
@@ -37,16 +37,16 @@ impl Whole {
     }
 
     /// Applies a rule.
-    pub fn look(&self, check: usize) -> Looked {
+    pub fn examine(&self, check: usize) -> Examined {
         let Some(rank) = self.rules.lists.network.get(check).copied() else {
-            return Looked::default();
+            return Examined::default();
         };
-        let mut looker = Looker::with(&self.rules);
+        let mut examiner = Examiner::with(&self.rules);
         if let Some(Check::Network(check) | Check::Overlaps(check)) =
             self.rules.applied.get(rank).map(|applied| applied.rule.check)
         {
-            looker.apply((&self.rules, rank), &[], |sink| check(&self.network, sink));
+            examiner.apply((&self.rules, rank), &[], |sink| check(&self.network, sink));
         }
-        Looked(looker.found)
+        Examined(examiner.found)
     }
 }

@@ -220,7 +220,7 @@ impl Context {
     }
 
     /// Reads a batch, on any thread. Each top-level element goes through `take` as soon as it is read: what that does not give
-    /// back is not handed out later, where [`Reader::handed`](crate::Reader::handed) says that there was one. A batch may turn
+    /// back is not handed out later, where [`Reader::delivered`](crate::Reader::delivered) says that there was one. A batch may turn
     /// out to be refused when all of them are taken; it is read again then.
     pub fn read_each(&self, batch: Batch, take: &mut dyn FnMut(Item) -> Option<Item>) -> ReadBatch {
         let known = &*self.0;

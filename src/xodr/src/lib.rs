@@ -52,7 +52,7 @@ pub use extension::{Extension, ExtensionElement, ExtensionKind, Extensions};
 pub use finding::{Finding, Severity, Span};
 pub use generated::*;
 pub use limits::Limits;
-pub use reader::{Handed, Reader};
+pub use reader::{Delivered, Reader};
 pub use record::CubicRecord;
 pub use source::{LineIndex, Position};
 pub use written::{Keep, Shown, Visit, Written};

@@ -40,7 +40,7 @@ pub struct Reader<'a> {
 }
 
 /// A top-level element of a batch.
-pub enum Handed {
+pub enum Delivered {
     /// The element.
     Item(Item),
     /// It was taken away: [`Context::read_each`].
@@ -339,14 +339,14 @@ impl<'a> Reader<'a> {
     /// over.
     pub fn accepted(&mut self) -> Option<Item> {
         loop {
-            if let Handed::Item(item) = self.handed()? {
+            if let Delivered::Item(item) = self.delivered()? {
                 return Some(item);
             }
         }
     }
 
     /// As [`Reader::accepted`], but tells where an element was that [`Context::read_each`] gave away.
-    pub fn handed(&mut self) -> Option<Handed> {
+    pub fn delivered(&mut self) -> Option<Delivered> {
         loop {
             match self.accepted.pop_front()? {
                 Accepted::Part(part, mut findings, misplaced) => {
@@ -362,8 +362,8 @@ impl<'a> Reader<'a> {
                     }
                     findings.into_iter().for_each(|kept| cursor.findings.add_again(kept));
                     match part {
-                        Part::Item(item) => return Some(Handed::Item(item)),
-                        Part::Taken => return Some(Handed::Taken),
+                        Part::Item(item) => return Some(Delivered::Item(item)),
+                        Part::Taken => return Some(Delivered::Taken),
                         Part::Extension(extension) => {
                             let kept = (&mut self.extensions, &mut self.extended);
                             keep(extension, kept, cursor);

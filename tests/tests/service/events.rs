@@ -1,4 +1,4 @@
-//! What a client hears of its map and daemon, and what a wait in vain says.
+//! What a client hears of its map and daemon, and the error of a wait that ends without a map.
 
 use mapd::serve::{Doorbell, PublishMeta, Server, StopSignal};
 use mapd_archive::OpenError;
@@ -8,7 +8,7 @@ use mapd_tests::place::{PATIENCE, Place};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// A wait that is in vain.
+/// A wait that ends without a map.
 const SHORT: Duration = Duration::from_millis(300);
 
 fn place() -> Place {
@@ -90,7 +90,7 @@ fn staged(attach: Attach) {
     assert!(events.next(SHORT).expect("no error").is_none(), "nothing is pending any more");
 }
 
-/// Why a wait was in vain, and how long it took.
+/// Why a wait ended without a map, and how long it took.
 fn refused(attach: Attach, place: &Place, map: &str) -> (ClientError, Duration) {
     let start = Instant::now();
     let error = Client::connect_as(attach, &place.domain(), map, SHORT).err().expect("no map");
@@ -115,7 +115,7 @@ fn wait_in_vain(attach: Attach) {
 
     let (error, taken) = refused(&place, "../etc");
     assert!(matches!(error, ClientError::Attach(AttachError::MapName { .. })), "{error}");
-    assert!(taken < SHORT, "waited {taken:?} in vain");
+    assert!(taken < SHORT, "waited {taken:?} for nothing");
 
     let daemon = place.serve(&[&town()]);
     let (error, taken) = refused(&place, "village");

@@ -1,6 +1,6 @@
 //! Who goes first where lanes of a junction meet.
 //!
-//! Looked at in this order: lights, signs at the entry, `junction/priority`, turns across oncoming traffic, traffic from the
+//! Examined at in this order: lights, signs at the entry, `junction/priority`, turns across oncoming traffic, traffic from the
 //! right. The first that tells the two apart decides.
 
 use crate::lanes::view;

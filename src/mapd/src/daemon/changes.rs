@@ -94,7 +94,7 @@ impl Maps {
         }
         match self.fill(&change.map, &prepared, change.stage) {
             Err(ServeError::Fill { .. }) if prepared.from_cache => {
-                if let (Some(cache), Some(key)) = (&self.workshop.cache, &prepared.key) {
+                if let (Some(cache), Some(key)) = (&self.preparer.cache, &prepared.key) {
                     cache.remove(key);
                 }
                 if self.begin_reload(&change) {
@@ -164,7 +164,7 @@ impl Maps {
                 None
             }
             // What nobody could look at is not known to be bad.
-            Ok(Proof::Sound(_) | Proof::NotLooked(_)) | Err(_) => Some(generation),
+            Ok(Proof::Sound(_) | Proof::NotExamined(_)) | Err(_) => Some(generation),
         }
     }
 
@@ -218,7 +218,7 @@ impl Maps {
 
     fn nothing_to_go_back_to(&self, map: &str) -> &'static str {
         let served = self.entries.get(map).and_then(|entry| entry.served.as_ref());
-        match (&self.workshop.cache, served) {
+        match (&self.preparer.cache, served) {
             (None, Some(served)) if !served.archive.is_on_disk => {
                 "there is nothing to go back to, for there is no cache (--cache DIR)"
             }

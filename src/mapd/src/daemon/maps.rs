@@ -1,7 +1,7 @@
 //! What the daemon serves: each map's generations, and those to go back to.
 
 use super::ByName;
-use super::prepare::{Prepared, Workshop};
+use super::prepare::{Prepared, Preparer};
 use super::settings::MapSettings;
 use super::watch::WatchList;
 use crate::clock::unix_ns;
@@ -58,7 +58,7 @@ pub(super) struct Maps {
     pub(super) domain: Domain,
     pub(super) entries: ByName<MapEntry>,
     pub(super) board: Arc<Board>,
-    pub(super) workshop: Workshop,
+    pub(super) preparer: Preparer,
     pub(super) watched: WatchList,
 }
 
@@ -67,10 +67,10 @@ impl Maps {
         server: Server,
         domain: Domain,
         board: Arc<Board>,
-        workshop: Workshop,
+        preparer: Preparer,
         watched: WatchList,
     ) -> Self {
-        Self { server, domain, entries: ByName::new(), board, workshop, watched }
+        Self { server, domain, entries: ByName::new(), board, preparer, watched }
     }
 
     /// Serves all maps for the first time. Several are filled and proved before the first is sent: either all are served or
@@ -82,7 +82,7 @@ impl Maps {
         maps: Vec<(MapSettings, Prepared)>,
     ) -> anyhow::Result<Begun> {
         let stage = maps.len() > 1;
-        let cancelled = self.workshop.cancelled.clone();
+        let cancelled = self.preparer.cancelled.clone();
         // Many maps take longer than service managers wait for the end: a stop is looked for before each.
         let is_stopped = || cancelled.load(Ordering::SeqCst);
         let names = maps.iter().map(|(map, _)| map.name.as_str());
@@ -122,11 +122,11 @@ impl Maps {
     ) -> anyhow::Result<Kept> {
         let name = map.name.clone();
         let key = prepared.key.filter(|_| prepared.from_cache);
-        let status = match (self.fill(&name, &prepared, stage), key, &self.workshop.cache) {
+        let status = match (self.fill(&name, &prepared, stage), key, &self.preparer.cache) {
             (Err(ServeError::Fill { .. }), Some(key), Some(cache)) => {
                 cache.remove(&key);
                 let prepared = self
-                    .workshop
+                    .preparer
                     .prepare(map, true)
                     .map_err(|refusal| anyhow::anyhow!("map {name}: {}", refusal.reason()))?;
                 let status = self.fill(&name, &prepared, stage)?;
@@ -194,7 +194,7 @@ impl Maps {
         let mut hashes = ([0; 32], [0; 32]);
         let fill = |loan: &mut [u8]| -> Result<PublishMeta, Box<dyn Error + Send + Sync>> {
             archive.file.read_exact_at(loan, 0)?;
-            archive.prove_signature(self.workshop.trust.as_ref(), loan)?;
+            archive.prove_signature(self.preparer.trust.as_ref(), loan)?;
             let proved = verify(loan)?;
             if proved.header != archive.header {
                 return Err("the file has changed since it was prepared".into());
@@ -239,7 +239,7 @@ impl Maps {
             }
         }
         let rollbacks = entry.before.len();
-        self.workshop.note_served(&self.domain, map, &kept.archive);
+        self.preparer.note_served(&self.domain, map, &kept.archive);
         self.board.map(map, |state| {
             state.served = Some(kept.status);
             state.staged = None;

@@ -36,7 +36,7 @@ use log::say;
 use mapd_client::TrustedKey;
 use maps::{Begun, Maps};
 use orders::{Change, Order, Orders};
-use prepare::{Prepared, Workshop};
+use prepare::{Prepared, Preparer};
 use settings::Settings;
 use signal_hook::consts::SIGHUP;
 use std::collections::BTreeMap;
@@ -72,13 +72,13 @@ pub(crate) fn run(
     let metrics = oversight.open_metrics()?;
     let cancelled = stop.flag();
     let Settings { domain, cache, means, lock_memory, maps, .. } = settings;
-    let workshop = Workshop { cache, means, trust, cancelled };
+    let preparer = Preparer { cache, means, trust, cancelled };
     let watched: WatchList = Arc::default();
     let (mut ready, mut fallbacks) = (Vec::new(), Vec::new());
     let mut exit = Exit::Done;
     for map in &maps {
         let before = watch::identities(std::slice::from_ref(&map.source));
-        match workshop.prepare(map, false) {
+        match preparer.prepare(map, false) {
             Ok(prepared) => {
                 watch(&watched, map, &prepared, before);
                 ready.push((map.clone(), prepared));
@@ -86,7 +86,7 @@ pub(crate) fn run(
             Err(_) if stop.is_requested() => break,
             Err(refusal) => {
                 child::tell(&map.name, &refusal);
-                match workshop.last_served(&domain, map) {
+                match preparer.last_served(&domain, map) {
                     Some(prepared) => {
                         say(&format!("map {}: going on with what was published last", map.name));
                         watch(&watched, map, &prepared, before);
@@ -110,13 +110,13 @@ pub(crate) fn run(
     let (orders, received) = Orders::new(door.ringer().context("a socket pair")?);
     let mut server = Server::start_with(&domain, crate::oversight::log::notice)?;
     server.lock_memory(lock_memory);
-    if let Some(cache) = &workshop.cache {
+    if let Some(cache) = &preparer.cache {
         server.keep_generations_in(cache.folder());
     }
-    let board = Arc::new(Board::new(&domain, workshop.cache.as_ref().map(CacheStatus::of)));
+    let board = Arc::new(Board::new(&domain, preparer.cache.as_ref().map(CacheStatus::of)));
     let names: Vec<String> = maps.iter().map(|map| map.name.clone()).collect();
     let mut state =
-        Maps::new(server, domain.clone(), board.clone(), workshop.clone(), watched.clone());
+        Maps::new(server, domain.clone(), board.clone(), preparer.clone(), watched.clone());
     match state.begin_all(ready) {
         Ok(Begun::All) => {}
         Ok(Begun::Stopped { served: 0 }) => {
@@ -145,7 +145,7 @@ pub(crate) fn run(
     let control = ControlListener::start(&domain, &names, control)
         .inspect_err(|error| say(&format!("going on without `mapd reload`: {error}")));
     let worker =
-        Worker::start(workshop, maps.clone(), board, orders.clone()).context("a thread")?;
+        Worker::start(preparer, maps.clone(), board, orders.clone()).context("a thread")?;
     let watcher = match maps.iter().any(|map| map.watch) {
         true => Some(Watcher::start(watched, orders).context("a thread")?),
         false => None,

@@ -51,7 +51,7 @@ impl Prepared {
 
 /// What preparing needs besides a map.
 #[derive(Clone, Debug)]
-pub(crate) struct Workshop {
+pub(crate) struct Preparer {
     pub(crate) cache: Option<Cache>,
     pub(crate) means: Means,
     /// Whose archives alone are served.
@@ -60,7 +60,7 @@ pub(crate) struct Workshop {
     pub(crate) cancelled: Arc<AtomicBool>,
 }
 
-impl Workshop {
+impl Preparer {
     /// Prepares a map. `anew`: not from the cache, whose archive did not prove.
     ///
     /// Errors: why there is no archive.

@@ -1,7 +1,7 @@
 //! The thread that prepares maps, one after the other, while the daemon serves.
 
 use super::orders::{Job, Order, Orders};
-use super::prepare::Workshop;
+use super::prepare::Preparer;
 use super::settings::MapSettings;
 use crate::control::{Board, CacheStatus};
 use crate::joining::join_soon;
@@ -14,20 +14,20 @@ use std::thread::JoinHandle;
 /// Prepares maps in a thread of its own. Dropping it ends what it is at.
 pub(crate) struct Worker {
     jobs: Option<Sender<Job>>,
-    workshop: Workshop,
+    preparer: Preparer,
     thread: Option<JoinHandle<()>>,
 }
 
 impl Worker {
     /// Errors: no thread can be had.
     pub(crate) fn start(
-        workshop: Workshop,
+        preparer: Preparer,
         maps: Vec<MapSettings>,
         board: Arc<Board>,
         orders: Orders,
     ) -> io::Result<Self> {
         let (jobs, received) = channel::<Job>();
-        let own = workshop.clone();
+        let own = preparer.clone();
         let work = move || {
             for job in received {
                 let Some(map) = maps.iter().find(|map| map.name == job.change.map) else {
@@ -44,7 +44,7 @@ impl Worker {
             }
         };
         let thread = std::thread::Builder::new().name("prepare".to_owned()).spawn(work)?;
-        Ok(Self { jobs: Some(jobs), workshop, thread: Some(thread) })
+        Ok(Self { jobs: Some(jobs), preparer, thread: Some(thread) })
     }
 
     /// Has a map prepared, after those that wait already.
@@ -58,7 +58,7 @@ impl Worker {
 
 impl Drop for Worker {
     fn drop(&mut self) {
-        self.workshop.cancelled.store(true, Ordering::Relaxed);
+        self.preparer.cancelled.store(true, Ordering::Relaxed);
         self.jobs = None;
         join_soon(self.thread.take());
     }

@@ -25,7 +25,7 @@ pub(crate) enum Proof {
     /// Readers see something else, or nothing.
     Damaged(String),
     /// Nobody has looked, for there was no room, or not time enough.
-    NotLooked(String),
+    NotExamined(String),
 }
 
 /// Proves what a map's readers see, through a mapping like theirs: what is said about the generation, its header, its hash
@@ -41,7 +41,7 @@ pub(crate) fn prove(domain: &Domain, board: &Board, map: &str) -> Proof {
             reserving(|| Subscription::connect_in_reserve(domain, map, Instant::now() + WAIT));
         let pinned = match attached {
             Ok(subscription) => subscription.current(),
-            Err(error) if says_nothing(&error) => return Proof::NotLooked(error.to_string()),
+            Err(error) if says_nothing(&error) => return Proof::NotExamined(error.to_string()),
             // Nothing stands in the way but what is in memory.
             Err(error) => return Proof::Damaged(error.to_string()),
         };

@@ -40,7 +40,7 @@ fn one(domain: &Domain, board: &Board, map: &str) {
             board.map(map, |state| state.scrubs.failed(text.clone()));
             tracing::error!(map = %map, error = %text, "map {map}: what is served does not prove: {text}");
         }
-        Proof::NotLooked(text) => {
+        Proof::NotExamined(text) => {
             board.map(map, |state| state.scrubs.skipped(text.clone()));
             tracing::warn!(map = %map, error = %text, "map {map}: nothing is proved, for the daemon cannot attach: {text}");
         }

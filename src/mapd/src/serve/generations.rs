@@ -140,7 +140,7 @@ mod tests {
         let kept = tempfile::tempdir().expect("a folder");
         let mut numbers = Generations::default();
         numbers.keep_in(kept.path().to_owned());
-        // Handed out when the clock was years ahead.
+        // Delivered out when the clock was years ahead.
         let ahead = unix_ms() + 100_000_000_000;
         fs::write(kept_file(kept.path(), &place.0, "m"), ahead.to_string()).expect("written");
         assert_eq!(numbers.next(&place.0, "m", &|_| {}).ok(), Some(ahead + 1));

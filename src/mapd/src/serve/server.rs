@@ -36,7 +36,7 @@ const ROOT_MODE: u32 = 0o700;
 /// only one that was stopped holds it longer.
 const LOCK_PATIENCE: Duration = Duration::from_secs(2);
 
-/// The same, once it was in vain, until the lock can be had again.
+/// The same, once it has failed, until the lock can be had again.
 const PATIENCE_LOST: Duration = Duration::from_millis(20);
 
 /// How long a round waits for the attach lock at most: nobody attaches meanwhile.

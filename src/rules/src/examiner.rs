@@ -1,6 +1,6 @@
 //! Looks at elements by themselves, on any thread.
 //!
-//! What a rule finds does not depend on other elements, but how many of its findings are kept does. A [`Looker`] keeps what
+//! What a rule finds does not depend on other elements, but how many of its findings are kept does. A [`Examiner`] keeps what
 //! may be kept; a [`Checker`](crate::Checker) takes it in the order of the document and decides.
 
 use crate::catalog;
@@ -94,10 +94,10 @@ pub(crate) enum Found {
 
 /// What the rules on elements found in one of them, in the order in which they did.
 #[derive(Default)]
-pub struct Looked(pub(crate) Vec<(usize, Found)>);
+pub struct Examined(pub(crate) Vec<(usize, Found)>);
 
 /// Looks at top-level elements by themselves.
-pub struct Looker {
+pub struct Examiner {
     pub(crate) rules: Arc<Rules>,
     /// Findings so far by rule: no more than the whole document has up to here.
     pub(crate) counts: Vec<u32>,
@@ -105,7 +105,7 @@ pub struct Looker {
     pub(crate) network: Network,
 }
 
-impl Looker {
+impl Examiner {
     pub(crate) fn new(rules: Rules) -> Self {
         Self::with(&Arc::new(rules))
     }
@@ -124,20 +124,20 @@ impl Looker {
     }
 
     /// Looks at a top-level element, and keeps what the rules on the network need of it; yields its reference line, too, if
-    /// it has one. Once the rules on their order have looked, a road's records are sorted.
-    pub fn item(&mut self, item: &mut Item) -> (Looked, ReferenceLine) {
-        let line = self.look(item);
+    /// it has one. Once the rules on their order have examined, a road's records are sorted.
+    pub fn item(&mut self, item: &mut Item) -> (Examined, ReferenceLine) {
+        let line = self.examine(item);
         self.network.add(item, &line);
-        (Looked(std::mem::take(&mut self.found)), line)
+        (Examined(std::mem::take(&mut self.found)), line)
     }
 
-    /// What is kept of the elements that were looked at.
+    /// What is kept of the elements that were examined at.
     pub fn into_network(self) -> Network {
         self.network
     }
 
     /// Applies the rules on elements; yields the reference line of a road or junction.
-    pub(crate) fn look(&mut self, item: &mut Item) -> ReferenceLine {
+    pub(crate) fn examine(&mut self, item: &mut Item) -> ReferenceLine {
         let rules = Arc::clone(&self.rules);
         let line = match item {
             Item::Road(road) => {
