@@ -44,6 +44,16 @@ impl ClassSet {
         self.0[bit / WORD] >> (bit % WORD) & 1 == 1
     }
 
+    /// The set as numbers, the lowest bits first: the bit of a class is that of its code, the highest one stands for unknown classes.
+    pub const fn words(self) -> [u64; 4] {
+        self.0
+    }
+
+    /// The set of [`Self::words`].
+    pub const fn from_words(words: [u64; 4]) -> Self {
+        Self(words)
+    }
+
     const fn bit(class: Class) -> usize {
         let code = class.code() as usize;
         if code < LAST { code } else { LAST }

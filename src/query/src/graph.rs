@@ -1,5 +1,6 @@
 //! The lane graph: nodes, edges, conflicts.
 
+use crate::error::QueryError;
 use crate::ids::NodeId;
 use crate::lane::{Lane, edges_of};
 use crate::map::Map;
@@ -234,6 +235,14 @@ impl<'a> Conflict<'a> {
 }
 
 impl<'a> Map<'a> {
+    /// The node of an id.
+    ///
+    /// Errors: an id of another map content; a damaged archive.
+    pub fn lane_node(&self, id: NodeId) -> Result<LaneNode<'a>, QueryError> {
+        self.known(id.content)?;
+        LaneNode::new(*self, id.row).ok_or(QueryError::Corrupt)
+    }
+
     /// All nodes of the lane graph.
     pub fn lane_nodes(&self) -> impl ExactSizeIterator<Item = LaneNode<'a>> + use<'a> {
         let map = *self;

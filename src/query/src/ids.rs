@@ -19,6 +19,17 @@ macro_rules! ids {
             pub fn row(self) -> u32 {
                 self.row
             }
+
+            /// The whole id as a number, for programs in other languages of the same process.
+            pub fn to_bits(self) -> u64 {
+                u64::from(self.row) | u64::from(self.content) << 32
+            }
+
+            /// The id of [`Self::to_bits`]. Any number is one: a map refuses what it has not handed out, as an id of other content
+            /// or of no row.
+            pub fn from_bits(bits: u64) -> Self {
+                Self { row: bits as u32, content: (bits >> 32) as u32 }
+            }
         }
 
         impl fmt::Debug for $name {

@@ -1,0 +1,3986 @@
+/* mapd for C: attach to a served map, or open a .mapd file, and query its lanes in place. Made from the sources of the crate mapd-c by cbindgen.
+ *
+ * Every function that can fail returns a mapd_code and takes an optional mapd_error of the caller's, which it writes only on an error.
+ * A handle is closed with the function that takes its address and sets it to null. Lists go into the caller's buffer: capacity goes in, the number
+ * of all entries comes out, and MAPD_CODE_TOO_SMALL says that only as many as there was room for were written; the buffer may be null where the
+ * capacity is 0.
+ *
+ * Threads: a client, a snapshot, a path and a projector may be used by several threads at once; a scratch and events by one at a time.
+ * Lengths are metres, angles radians, times seconds, speeds metres per second; t is positive to the left of the reference line. A uint8_t that
+ * answers yes or no is 1 or 0. docs/cpp.md begins with examples. */
+
+#ifndef MAPD_H
+#define MAPD_H
+
+#include <stddef.h>
+#include <stdint.h>
+/* `vocabulary` of mapd_word. */
+enum {
+  MAPD_WORDS_LANE_TYPE = 1,
+  MAPD_WORDS_CLASS = 2,
+  MAPD_WORDS_VEHICLE_CLASS = 3,
+  MAPD_WORDS_CONTACT_POINT = 4,
+  MAPD_WORDS_EDGE_KIND = 5,
+  MAPD_WORDS_CONFLICT_KIND = 6,
+  MAPD_WORDS_ORIENTATION = 7,
+  MAPD_WORDS_SIGNAL_POSITION = 8,
+  MAPD_WORDS_LANE_METHOD = 9,
+  MAPD_WORDS_RELATION = 10,
+  MAPD_WORDS_RELATION_REASON = 11,
+  MAPD_WORDS_OBJECT_SHAPE = 12,
+  MAPD_WORDS_ROAD_MARK_KIND = 13,
+  MAPD_WORDS_ROAD_MARK_COLOR = 14,
+  MAPD_WORDS_ROAD_MARK_WEIGHT = 15,
+  MAPD_WORDS_MARK_LANE_CHANGE = 16,
+};
+
+/* MAPD_LANE_TYPE_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_LANE_TYPE_NONE = 0, /* none */
+  MAPD_LANE_TYPE_DRIVING = 1, /* driving */
+  MAPD_LANE_TYPE_STOP = 2, /* stop */
+  MAPD_LANE_TYPE_SHOULDER = 3, /* shoulder */
+  MAPD_LANE_TYPE_BIKING = 4, /* biking */
+  MAPD_LANE_TYPE_SIDEWALK = 5, /* sidewalk */
+  MAPD_LANE_TYPE_WALKING = 6, /* walking */
+  MAPD_LANE_TYPE_BORDER = 7, /* border */
+  MAPD_LANE_TYPE_RESTRICTED = 8, /* restricted */
+  MAPD_LANE_TYPE_PARKING = 9, /* parking */
+  MAPD_LANE_TYPE_CURB = 10, /* curb */
+  MAPD_LANE_TYPE_BIDIRECTIONAL = 11, /* bidirectional */
+  MAPD_LANE_TYPE_MEDIAN = 12, /* median */
+  MAPD_LANE_TYPE_SPECIAL1 = 13, /* special1 */
+  MAPD_LANE_TYPE_SPECIAL2 = 14, /* special2 */
+  MAPD_LANE_TYPE_SPECIAL3 = 15, /* special3 */
+  MAPD_LANE_TYPE_ROAD_WORKS = 16, /* roadWorks */
+  MAPD_LANE_TYPE_TRAM = 17, /* tram */
+  MAPD_LANE_TYPE_RAIL = 18, /* rail */
+  MAPD_LANE_TYPE_ENTRY = 19, /* entry */
+  MAPD_LANE_TYPE_EXIT = 20, /* exit */
+  MAPD_LANE_TYPE_OFF_RAMP = 21, /* offRamp */
+  MAPD_LANE_TYPE_ON_RAMP = 22, /* onRamp */
+  MAPD_LANE_TYPE_CONNECTING_RAMP = 23, /* connectingRamp */
+  MAPD_LANE_TYPE_BUS = 24, /* bus */
+  MAPD_LANE_TYPE_TAXI = 25, /* taxi */
+  MAPD_LANE_TYPE_HOV = 26, /* HOV */
+  MAPD_LANE_TYPE_MWY_ENTRY = 27, /* mwyEntry */
+  MAPD_LANE_TYPE_MWY_EXIT = 28, /* mwyExit */
+  MAPD_LANE_TYPE_SHARED = 29, /* shared */
+  MAPD_LANE_TYPE_SLIP_LANE = 30, /* slipLane */
+};
+
+/* MAPD_CLASS_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_CLASS_NONE = 0, /* none */
+  MAPD_CLASS_TRAFFIC_LIGHT = 10, /* traffic_light */
+  MAPD_CLASS_PEDESTRIAN_LIGHT = 11, /* pedestrian_light */
+  MAPD_CLASS_BICYCLE_LIGHT = 12, /* bicycle_light */
+  MAPD_CLASS_PUBLIC_TRANSPORT_LIGHT = 13, /* public_transport_light */
+  MAPD_CLASS_LANE_LIGHT = 14, /* lane_light */
+  MAPD_CLASS_WARNING_LIGHT = 15, /* warning_light */
+  MAPD_CLASS_LEVEL_CROSSING_LIGHT = 16, /* level_crossing_light */
+  MAPD_CLASS_STOP = 20, /* stop */
+  MAPD_CLASS_YIELD = 21, /* yield */
+  MAPD_CLASS_PRIORITY_ROAD = 22, /* priority_road */
+  MAPD_CLASS_END_OF_PRIORITY_ROAD = 23, /* end_of_priority_road */
+  MAPD_CLASS_PRIORITY_AT_NEXT_JUNCTION = 24, /* priority_at_next_junction */
+  MAPD_CLASS_YIELD_TO_ONCOMING = 25, /* yield_to_oncoming */
+  MAPD_CLASS_PRIORITY_OVER_ONCOMING = 26, /* priority_over_oncoming */
+  MAPD_CLASS_LEVEL_CROSSING = 27, /* level_crossing */
+  MAPD_CLASS_ROUNDABOUT = 28, /* roundabout */
+  MAPD_CLASS_PRIORITY_TO_THE_RIGHT = 29, /* priority_to_the_right */
+  MAPD_CLASS_SPEED_LIMIT = 30, /* speed_limit */
+  MAPD_CLASS_END_OF_SPEED_LIMIT = 31, /* end_of_speed_limit */
+  MAPD_CLASS_SPEED_LIMIT_ZONE = 32, /* speed_limit_zone */
+  MAPD_CLASS_END_OF_SPEED_LIMIT_ZONE = 33, /* end_of_speed_limit_zone */
+  MAPD_CLASS_MINIMUM_SPEED = 34, /* minimum_speed */
+  MAPD_CLASS_END_OF_MINIMUM_SPEED = 35, /* end_of_minimum_speed */
+  MAPD_CLASS_ADVISORY_SPEED = 36, /* advisory_speed */
+  MAPD_CLASS_END_OF_ADVISORY_SPEED = 37, /* end_of_advisory_speed */
+  MAPD_CLASS_END_OF_RESTRICTIONS = 38, /* end_of_restrictions */
+  MAPD_CLASS_NO_OVERTAKING = 40, /* no_overtaking */
+  MAPD_CLASS_END_OF_NO_OVERTAKING = 41, /* end_of_no_overtaking */
+  MAPD_CLASS_NO_OVERTAKING_BY_TRUCKS = 42, /* no_overtaking_by_trucks */
+  MAPD_CLASS_END_OF_NO_OVERTAKING_BY_TRUCKS = 43, /* end_of_no_overtaking_by_trucks */
+  MAPD_CLASS_NO_ENTRY = 50, /* no_entry */
+  MAPD_CLASS_CLOSED_TO_VEHICLES = 51, /* closed_to_vehicles */
+  MAPD_CLASS_CLOSED_TO_SOME = 52, /* closed_to_some */
+  MAPD_CLASS_MAXIMUM_WEIGHT = 53, /* maximum_weight */
+  MAPD_CLASS_MAXIMUM_HEIGHT = 54, /* maximum_height */
+  MAPD_CLASS_MAXIMUM_WIDTH = 55, /* maximum_width */
+  MAPD_CLASS_MAXIMUM_LENGTH = 56, /* maximum_length */
+  MAPD_CLASS_NO_PARKING = 57, /* no_parking */
+  MAPD_CLASS_NO_STOPPING = 58, /* no_stopping */
+  MAPD_CLASS_NO_LEFT_TURN = 59, /* no_left_turn */
+  MAPD_CLASS_NO_RIGHT_TURN = 60, /* no_right_turn */
+  MAPD_CLASS_NO_UTURN = 61, /* no_u_turn */
+  MAPD_CLASS_NO_TURN_ON_RED = 62, /* no_turn_on_red */
+  MAPD_CLASS_TURN_ON_RED = 63, /* turn_on_red */
+  MAPD_CLASS_NO_STRAIGHT_ON = 64, /* no_straight_on */
+  MAPD_CLASS_MINIMUM_DISTANCE = 65, /* minimum_distance */
+  MAPD_CLASS_MANDATORY_DIRECTION = 70, /* mandatory_direction */
+  MAPD_CLASS_PASS_ON_SIDE = 71, /* pass_on_side */
+  MAPD_CLASS_ONE_WAY = 72, /* one_way */
+  MAPD_CLASS_LANE_ASSIGNMENT = 73, /* lane_assignment */
+  MAPD_CLASS_BICYCLE_PATH = 74, /* bicycle_path */
+  MAPD_CLASS_FOOTPATH = 75, /* footpath */
+  MAPD_CLASS_SHARED_PATH = 76, /* shared_path */
+  MAPD_CLASS_BUS_LANE = 77, /* bus_lane */
+  MAPD_CLASS_MOTORWAY = 78, /* motorway */
+  MAPD_CLASS_END_OF_MOTORWAY = 79, /* end_of_motorway */
+  MAPD_CLASS_EXPRESSWAY = 80, /* expressway */
+  MAPD_CLASS_END_OF_EXPRESSWAY = 81, /* end_of_expressway */
+  MAPD_CLASS_TOWN = 82, /* town */
+  MAPD_CLASS_END_OF_TOWN = 83, /* end_of_town */
+  MAPD_CLASS_LIVING_STREET = 84, /* living_street */
+  MAPD_CLASS_END_OF_LIVING_STREET = 85, /* end_of_living_street */
+  MAPD_CLASS_PEDESTRIAN_ZONE = 86, /* pedestrian_zone */
+  MAPD_CLASS_PARKING_SIGN = 87, /* parking_sign */
+  MAPD_CLASS_BUS_STOP = 88, /* bus_stop */
+  MAPD_CLASS_PEDESTRIAN_CROSSING = 89, /* pedestrian_crossing */
+  MAPD_CLASS_WARNING = 100, /* warning */
+  MAPD_CLASS_WARNING_ROAD_WORKS = 101, /* warning_road_works */
+  MAPD_CLASS_WARNING_CURVE = 102, /* warning_curve */
+  MAPD_CLASS_WARNING_JUNCTION = 103, /* warning_junction */
+  MAPD_CLASS_WARNING_TRAFFIC_LIGHT = 104, /* warning_traffic_light */
+  MAPD_CLASS_WARNING_PEDESTRIANS = 105, /* warning_pedestrians */
+  MAPD_CLASS_WARNING_BICYCLES = 106, /* warning_bicycles */
+  MAPD_CLASS_WARNING_ANIMALS = 107, /* warning_animals */
+  MAPD_CLASS_WARNING_LEVEL_CROSSING = 108, /* warning_level_crossing */
+  MAPD_CLASS_WARNING_NARROWING = 109, /* warning_narrowing */
+  MAPD_CLASS_WARNING_SLIPPERY = 110, /* warning_slippery */
+  MAPD_CLASS_WARNING_SLOPE = 111, /* warning_slope */
+  MAPD_CLASS_WARNING_ONCOMING = 112, /* warning_oncoming */
+  MAPD_CLASS_WARNING_YIELD = 113, /* warning_yield */
+  MAPD_CLASS_WARNING_CONGESTION = 114, /* warning_congestion */
+  MAPD_CLASS_GUIDE_SIGN = 120, /* guide_sign */
+  MAPD_CLASS_INFORMATION_SIGN = 121, /* information_sign */
+  MAPD_CLASS_SUPPLEMENTARY_PLATE = 122, /* supplementary_plate */
+  MAPD_CLASS_BOARD = 123, /* board */
+  MAPD_CLASS_VARIABLE_MESSAGE_BOARD = 124, /* variable_message_board */
+  MAPD_CLASS_STREET_NAME = 125, /* street_name */
+  MAPD_CLASS_DELINEATOR = 126, /* delineator */
+  MAPD_CLASS_TRAFFIC_BARRIER_SIGN = 127, /* traffic_barrier_sign */
+  MAPD_CLASS_CROSSWALK = 140, /* crosswalk */
+  MAPD_CLASS_STOP_LINE = 141, /* stop_line */
+  MAPD_CLASS_WAITING_LINE = 142, /* waiting_line */
+  MAPD_CLASS_ARROW = 143, /* arrow */
+  MAPD_CLASS_MARKING = 144, /* marking */
+  MAPD_CLASS_RESTRICTED_AREA = 145, /* restricted_area */
+  MAPD_CLASS_BICYCLE_CROSSING = 146, /* bicycle_crossing */
+  MAPD_CLASS_SPEED_MARKING = 147, /* speed_marking */
+  MAPD_CLASS_LANE_LINE = 148, /* lane_line */
+  MAPD_CLASS_PARKING_SPACE = 200, /* parking_space */
+  MAPD_CLASS_BARRIER = 201, /* barrier */
+  MAPD_CLASS_RAILING = 202, /* railing */
+  MAPD_CLASS_SOUND_BARRIER = 203, /* sound_barrier */
+  MAPD_CLASS_POLE = 204, /* pole */
+  MAPD_CLASS_STREET_LAMP = 205, /* street_lamp */
+  MAPD_CLASS_GANTRY = 206, /* gantry */
+  MAPD_CLASS_TREE = 207, /* tree */
+  MAPD_CLASS_VEGETATION = 208, /* vegetation */
+  MAPD_CLASS_BUILDING = 209, /* building */
+  MAPD_CLASS_BRIDGE = 210, /* bridge */
+  MAPD_CLASS_TUNNEL = 211, /* tunnel */
+  MAPD_CLASS_OBSTACLE = 212, /* obstacle */
+  MAPD_CLASS_TRAFFIC_CONE = 213, /* traffic_cone */
+  MAPD_CLASS_TRAFFIC_ISLAND = 214, /* traffic_island */
+  MAPD_CLASS_PATCH = 215, /* patch */
+  MAPD_CLASS_SURFACE = 216, /* surface */
+  MAPD_CLASS_VEHICLE = 217, /* vehicle */
+  MAPD_CLASS_PERSON = 218, /* person */
+  MAPD_CLASS_WIND = 219, /* wind */
+  MAPD_CLASS_SIGN = 220, /* sign */
+  MAPD_CLASS_STREET_FURNITURE = 221, /* street_furniture */
+  MAPD_CLASS_STATION = 222, /* station */
+  MAPD_CLASS_PLATFORM = 223, /* platform */
+  MAPD_CLASS_GUARD_RAIL = 224, /* guard_rail */
+};
+
+/* MAPD_VEHICLE_CLASS_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_VEHICLE_CLASS_PASSENGER_CAR = 0, /* passengerCar */
+  MAPD_VEHICLE_CLASS_TRUCK = 1, /* truck */
+  MAPD_VEHICLE_CLASS_BUS = 2, /* bus */
+  MAPD_VEHICLE_CLASS_TAXI = 3, /* taxi */
+  MAPD_VEHICLE_CLASS_MOTORCYCLE = 4, /* motorcycle */
+  MAPD_VEHICLE_CLASS_EMERGENCY = 5, /* emergency */
+  MAPD_VEHICLE_CLASS_DELIVERY = 6, /* delivery */
+  MAPD_VEHICLE_CLASS_HOV = 7, /* HOV */
+  MAPD_VEHICLE_CLASS_AUTONOMOUS = 8, /* autonomousTraffic */
+  MAPD_VEHICLE_CLASS_THROUGH = 9, /* throughTraffic */
+  MAPD_VEHICLE_CLASS_SIMULATOR = 10, /* simulator */
+  MAPD_VEHICLE_CLASS_BICYCLE = 11, /* bicycle */
+  MAPD_VEHICLE_CLASS_PEDESTRIAN = 12, /* pedestrian */
+  MAPD_VEHICLE_CLASS_TRAM = 13, /* tram */
+  MAPD_VEHICLE_CLASS_TRAIN = 14, /* train */
+};
+
+/* MAPD_CONTACT_POINT_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_CONTACT_POINT_NONE = 0, /* none */
+  MAPD_CONTACT_POINT_START = 1, /* start */
+  MAPD_CONTACT_POINT_END = 2, /* end */
+};
+
+/* MAPD_EDGE_KIND_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_EDGE_KIND_WITHIN = 0, /* within a lane */
+  MAPD_EDGE_KIND_SECTION = 1, /* inside a road */
+  MAPD_EDGE_KIND_ROAD = 2, /* over a road's end */
+  MAPD_EDGE_KIND_CONNECTION = 3, /* connection */
+  MAPD_EDGE_KIND_IMPLIED = 4, /* implied by a connection */
+  MAPD_EDGE_KIND_VIRTUAL = 5, /* virtual junction */
+  MAPD_EDGE_KIND_CROSS_PATH = 6, /* crossing path */
+};
+
+/* MAPD_CONFLICT_KIND_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_CONFLICT_KIND_CROSS = 0, /* cross */
+  MAPD_CONFLICT_KIND_MERGE = 1, /* merge */
+  MAPD_CONFLICT_KIND_OVERLAP = 2, /* overlap */
+  MAPD_CONFLICT_KIND_CROSSING = 3, /* crossing */
+};
+
+/* MAPD_ORIENTATION_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_ORIENTATION_BOTH = 0, /* none */
+  MAPD_ORIENTATION_ALONG = 1, /* + */
+  MAPD_ORIENTATION_AGAINST = 2, /* - */
+};
+
+/* MAPD_SIGNAL_POSITION_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_SIGNAL_POSITION_TRACK = 0, /* s and t */
+  MAPD_SIGNAL_POSITION_ROAD = 1, /* positionRoad */
+  MAPD_SIGNAL_POSITION_INERTIAL = 2, /* positionInertial */
+};
+
+/* MAPD_LANE_METHOD_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_LANE_METHOD_VALIDITY = 0, /* validity */
+  MAPD_LANE_METHOD_ORIENTATION = 1, /* orientation */
+  MAPD_LANE_METHOD_TRACK = 2, /* s and t */
+  MAPD_LANE_METHOD_NEAREST = 3, /* nearest */
+  MAPD_LANE_METHOD_ORIENTATION_GUESS = 4, /* orientation guess */
+};
+
+/* MAPD_RELATION_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_RELATION_YIELDS = 0, /* yields */
+  MAPD_RELATION_PRIORITY = 1, /* priority */
+  MAPD_RELATION_LIGHTS = 2, /* lights */
+  MAPD_RELATION_OPEN = 3, /* open */
+};
+
+/* MAPD_RELATION_REASON_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_RELATION_REASON_NONE = 0, /* none */
+  MAPD_RELATION_REASON_LIGHTS = 1, /* lights */
+  MAPD_RELATION_REASON_STOP_SIGN = 2, /* stop sign */
+  MAPD_RELATION_REASON_YIELD_SIGN = 3, /* yield sign */
+  MAPD_RELATION_REASON_PRIORITY_ROAD = 4, /* priority road */
+  MAPD_RELATION_REASON_JUNCTION_PRIORITY = 5, /* junction priority */
+  MAPD_RELATION_REASON_TURN = 6, /* turn across oncoming traffic */
+  MAPD_RELATION_REASON_FROM_THE_RIGHT = 7, /* from the right */
+};
+
+/* MAPD_OBJECT_SHAPE_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_OBJECT_SHAPE_POINT = 0, /* point */
+  MAPD_OBJECT_SHAPE_BOX = 1, /* box */
+  MAPD_OBJECT_SHAPE_CYLINDER = 2, /* cylinder */
+  MAPD_OBJECT_SHAPE_OUTLINES = 3, /* outlines */
+};
+
+/* MAPD_ROAD_MARK_KIND_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_ROAD_MARK_KIND_NOT_GIVEN = 0, /*  */
+  MAPD_ROAD_MARK_KIND_NONE = 1, /* none */
+  MAPD_ROAD_MARK_KIND_SOLID = 2, /* solid */
+  MAPD_ROAD_MARK_KIND_BROKEN = 3, /* broken */
+  MAPD_ROAD_MARK_KIND_SOLID_SOLID = 4, /* solid solid */
+  MAPD_ROAD_MARK_KIND_SOLID_BROKEN = 5, /* solid broken */
+  MAPD_ROAD_MARK_KIND_BROKEN_SOLID = 6, /* broken solid */
+  MAPD_ROAD_MARK_KIND_BROKEN_BROKEN = 7, /* broken broken */
+  MAPD_ROAD_MARK_KIND_BOTTS_DOTS = 8, /* botts dots */
+  MAPD_ROAD_MARK_KIND_GRASS = 9, /* grass */
+  MAPD_ROAD_MARK_KIND_CURB = 10, /* curb */
+  MAPD_ROAD_MARK_KIND_CUSTOM = 11, /* custom */
+  MAPD_ROAD_MARK_KIND_EDGE = 12, /* edge */
+};
+
+/* MAPD_ROAD_MARK_COLOR_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_ROAD_MARK_COLOR_NOT_GIVEN = 0, /*  */
+  MAPD_ROAD_MARK_COLOR_STANDARD = 1, /* standard */
+  MAPD_ROAD_MARK_COLOR_BLUE = 2, /* blue */
+  MAPD_ROAD_MARK_COLOR_GREEN = 3, /* green */
+  MAPD_ROAD_MARK_COLOR_RED = 4, /* red */
+  MAPD_ROAD_MARK_COLOR_WHITE = 5, /* white */
+  MAPD_ROAD_MARK_COLOR_YELLOW = 6, /* yellow */
+  MAPD_ROAD_MARK_COLOR_BLACK = 7, /* black */
+  MAPD_ROAD_MARK_COLOR_ORANGE = 8, /* orange */
+  MAPD_ROAD_MARK_COLOR_VIOLET = 9, /* violet */
+};
+
+/* MAPD_ROAD_MARK_WEIGHT_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_ROAD_MARK_WEIGHT_NOT_GIVEN = 0, /*  */
+  MAPD_ROAD_MARK_WEIGHT_STANDARD = 1, /* standard */
+  MAPD_ROAD_MARK_WEIGHT_BOLD = 2, /* bold */
+};
+
+/* MAPD_MARK_LANE_CHANGE_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_MARK_LANE_CHANGE_NOT_GIVEN = 0, /*  */
+  MAPD_MARK_LANE_CHANGE_INCREASE = 1, /* increase */
+  MAPD_MARK_LANE_CHANGE_DECREASE = 2, /* decrease */
+  MAPD_MARK_LANE_CHANGE_BOTH = 3, /* both */
+  MAPD_MARK_LANE_CHANGE_NONE = 4, /* none */
+};
+
+
+/*
+ Bytes of a message, its terminating 0 included. Longer ones are cut.
+ */
+#define MAPD_MESSAGE_SIZE 504
+
+/*
+ Row of an id that names nothing.
+ */
+#define MAPD_NO_ROW UINT32_MAX
+
+/*
+ `clamped` of a place: it was not moved.
+ */
+#define MAPD_CLAMPED_NO 0
+
+/*
+ `clamped` of a place: it lay before the beginning of the line and was moved there.
+ */
+#define MAPD_CLAMPED_BEFORE 1
+
+/*
+ `clamped` of a place: it lay after the end of the line and was moved there.
+ */
+#define MAPD_CLAMPED_AFTER 2
+
+/*
+ `kind` of an event: a newer generation is served; `mapd_client_snapshot` gives it from now on.
+ */
+#define MAPD_EVENT_GENERATION 1
+
+/*
+ `kind` of an event: a generation waits to be activated, see `mapd_client_pending`.
+ */
+#define MAPD_EVENT_PENDING 2
+
+/*
+ `kind` of an event: the daemon has ended. What is held stays readable; nobody new can attach.
+ */
+#define MAPD_EVENT_DAEMON_GONE 3
+
+/*
+ `kind` of an event: a daemon serves the map again, or another one instead of the one before.
+ */
+#define MAPD_EVENT_DAEMON_BACK 4
+
+/*
+ `kind` of an event that this release has no word for.
+ */
+#define MAPD_EVENT_OTHER 255
+
+/*
+ `kind` of a road link: nothing is written.
+ */
+#define MAPD_ROAD_LINK_NONE 0
+
+/*
+ `kind` of a road link: a road.
+ */
+#define MAPD_ROAD_LINK_ROAD 1
+
+/*
+ `kind` of a road link: a junction.
+ */
+#define MAPD_ROAD_LINK_JUNCTION 2
+
+/*
+ `kind` of a road link: something that the map does not have.
+ */
+#define MAPD_ROAD_LINK_UNRESOLVED 3
+
+/*
+ `side` of `mapd_lane_beside`: to the left of the lane's traffic, whichever way that lane is travelled itself.
+ */
+#define MAPD_BESIDE_LEFT 0
+
+/*
+ `side` of `mapd_lane_beside`: to the right of the lane's traffic.
+ */
+#define MAPD_BESIDE_RIGHT 1
+
+/*
+ `side` of `mapd_lane_beside`: towards lane 0, lane 0 included.
+ */
+#define MAPD_BESIDE_INNER 2
+
+/*
+ `side` of `mapd_lane_beside`: the nearest one that is travelled the other way.
+ */
+#define MAPD_BESIDE_OPPOSITE 3
+
+/*
+ `side` of `mapd_lane_beside`: to the left of the reference line's direction; lane 0 is skipped.
+ */
+#define MAPD_BESIDE_LEFT_OF_REFERENCE_LINE 4
+
+/*
+ `side` of `mapd_lane_beside`: to the right of the reference line's direction; lane 0 is skipped.
+ */
+#define MAPD_BESIDE_RIGHT_OF_REFERENCE_LINE 5
+
+/*
+ `line` of `mapd_lane_line`: the centre line. Empty for lane 0.
+ */
+#define MAPD_LINE_CENTER 0
+
+/*
+ `line` of `mapd_lane_line`: the border on the left of the lane's traffic.
+ */
+#define MAPD_LINE_LEFT 1
+
+/*
+ `line` of `mapd_lane_line`: the border on the right of the lane's traffic.
+ */
+#define MAPD_LINE_RIGHT 2
+
+/*
+ `line` of `mapd_lane_line`: the border away from lane 0; for lane 0 the shifted reference line.
+ */
+#define MAPD_LINE_BORDER 3
+
+/*
+ `by` of a cost: metres along centre lines.
+ */
+#define MAPD_COST_LENGTH 0
+
+/*
+ `by` of a cost: seconds at the speed limits.
+ */
+#define MAPD_COST_TIME 1
+
+/*
+ `enter` of a step: the route starts on its lane.
+ */
+#define MAPD_ENTER_START 0
+
+/*
+ `enter` of a step: from behind, over the end of another lane.
+ */
+#define MAPD_ENTER_AHEAD 1
+
+/*
+ `enter` of a step: by a change of lane to the left, in driving direction.
+ */
+#define MAPD_ENTER_LEFT 2
+
+/*
+ `enter` of a step: by a change of lane to the right, in driving direction.
+ */
+#define MAPD_ENTER_RIGHT 3
+
+/*
+ `origin` of a speed rule: a sign.
+ */
+#define MAPD_SPEED_ORIGIN_SIGNAL 0
+
+/*
+ `origin` of a speed rule: the lane's own record.
+ */
+#define MAPD_SPEED_ORIGIN_LANE 1
+
+/*
+ `origin` of a speed rule: the road's type.
+ */
+#define MAPD_SPEED_ORIGIN_ROAD_TYPE 2
+
+/*
+ `origin` of a speed rule: the header's regulations for the road's type.
+ */
+#define MAPD_SPEED_ORIGIN_DEFAULT 3
+
+/*
+ `origin` of a speed rule: nothing in the map.
+ */
+#define MAPD_SPEED_ORIGIN_NONE 4
+
+/*
+ `origin` of a speed rule: what holds where the junction is entered.
+ */
+#define MAPD_SPEED_ORIGIN_ENTRY 5
+
+/*
+ `origin` of a speed rule: what holds where the junction is entered, which is not the same on all lanes that lead to the place.
+ */
+#define MAPD_SPEED_ORIGIN_DEPENDS 6
+
+/*
+ `which` of `mapd_lane_signals`: all that are for the lane.
+ */
+#define MAPD_LANE_SIGNALS_ALL 0
+
+/*
+ `which` of `mapd_lane_signals`: lights.
+ */
+#define MAPD_LANE_SIGNALS_LIGHTS 1
+
+/*
+ `which` of `mapd_lane_signals`: lines at which the lane's traffic stops or gives way.
+ */
+#define MAPD_LANE_SIGNALS_STOP_LINES 2
+
+/*
+ `which` of `mapd_lane_signals`: crosswalks that are written as signals.
+ */
+#define MAPD_LANE_SIGNALS_CROSSWALKS 3
+
+/*
+ `turn` of a movement: to the left.
+ */
+#define MAPD_TURN_LEFT 1
+
+/*
+ `turn` of a movement: straight on.
+ */
+#define MAPD_TURN_STRAIGHT 2
+
+/*
+ `turn` of a movement: to the right.
+ */
+#define MAPD_TURN_RIGHT 4
+
+/*
+ `turn` of a movement: back.
+ */
+#define MAPD_TURN_BACK 8
+
+/*
+ `basis` of a right of way: the file says so, by signs, lights or `junction/priority`.
+ */
+#define MAPD_BASIS_WRITTEN 0
+
+/*
+ `basis` of a right of way: it is what a rule of the road would say; whether that holds there, the file does not say.
+ */
+#define MAPD_BASIS_RULE 1
+
+/*
+ `basis` of a right of way: nothing decides.
+ */
+#define MAPD_BASIS_UNKNOWN 2
+
+/*
+ `which` of `mapd_lane_lines`: lines at which the lane's traffic stops or gives way.
+ */
+#define MAPD_LANE_LINES_TO_STOP_AT 0
+
+/*
+ `which` of `mapd_lane_lines`: crosswalks and bicycle crossings over the lane.
+ */
+#define MAPD_LANE_LINES_CROSSINGS 1
+
+/*
+ `which` of `mapd_lane_lines`: crosswalks and bicycle crossings that the movement through this lane of a junction passes.
+ */
+#define MAPD_LANE_LINES_MOVEMENT_CROSSINGS 2
+
+/*
+ What a call came to. Codes below `MAPD_CODE_NULL_POINTER` are no errors.
+ */
+enum mapd_code
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  /*
+   Done.
+   */
+  MAPD_CODE_OK = 0,
+  /*
+   There is no such thing: no lane near enough, no road of this id, nothing before the deadline. What was to be written is as before.
+   */
+  MAPD_CODE_NONE = 1,
+  /*
+   The buffer is too small: it holds as many entries as it has room for, and the count says how many there are.
+   */
+  MAPD_CODE_TOO_SMALL = 2,
+  /*
+   A pointer that is needed is null; a handle was closed, or never made.
+   */
+  MAPD_CODE_NULL_POINTER = 10,
+  /*
+   An argument cannot be used: text that is not UTF-8, an unknown code, a misaligned pointer, options of another size.
+   */
+  MAPD_CODE_ARGUMENT = 11,
+  /*
+   A number that is not finite.
+   */
+  MAPD_CODE_NOT_FINITE = 12,
+  /*
+   The id belongs to another map content: look it up again by its key or name in this snapshot.
+   */
+  MAPD_CODE_FOREIGN_ID = 13,
+  /*
+   The archive is damaged at this place.
+   */
+  MAPD_CODE_CORRUPT = 14,
+  /*
+   No daemon is running in the domain.
+   */
+  MAPD_CODE_NO_DAEMON = 20,
+  /*
+   Daemons are running, but none serves this map.
+   */
+  MAPD_CODE_NO_SUCH_MAP = 21,
+  /*
+   No (newer) generation came before the deadline.
+   */
+  MAPD_CODE_NO_GENERATION = 22,
+  /*
+   The generation that was asked for is no longer served.
+   */
+  MAPD_CODE_SUPERSEDED = 23,
+  /*
+   The daemon speaks another revision of the transport.
+   */
+  MAPD_CODE_WRONG_TRANSPORT = 24,
+  /*
+   All places for clients of this map are taken.
+   */
+  MAPD_CODE_TOO_MANY_SUBSCRIBERS = 25,
+  /*
+   This client holds as many generations as it can: close old snapshots.
+   */
+  MAPD_CODE_TOO_MANY_PINNED = 26,
+  /*
+   The daemon's files belong to another user.
+   */
+  MAPD_CODE_PERMISSION_DENIED = 27,
+  /*
+   A file that a killed process left is in the way.
+   */
+  MAPD_CODE_STUCK = 28,
+  /*
+   The daemon did not release its lock in time.
+   */
+  MAPD_CODE_BUSY = 29,
+  /*
+   Shared memory is full.
+   */
+  MAPD_CODE_NO_ROOM = 30,
+  /*
+   A file of the domain cannot be used, or shared memory failed.
+   */
+  MAPD_CODE_TRANSPORT = 31,
+  /*
+   The domain's prefix or the map's name cannot be used.
+   */
+  MAPD_CODE_NAME = 32,
+  /*
+   The bytes are no archive that this library reads.
+   */
+  MAPD_CODE_NOT_AN_ARCHIVE = 40,
+  /*
+   The archive does not prove.
+   */
+  MAPD_CODE_NOT_PROVEN = 41,
+  /*
+   The file cannot be read.
+   */
+  MAPD_CODE_FILE = 42,
+  /*
+   The archive is not signed by the trusted key, or not what was signed.
+   */
+  MAPD_CODE_NOT_TRUSTED = 43,
+  /*
+   The map has no georeference that can be used.
+   */
+  MAPD_CODE_NO_PROJECTION = 50,
+  /*
+   The place lies outside the area of the map's projection.
+   */
+  MAPD_CODE_OUTSIDE = 51,
+  /*
+   A latitude or longitude that there is not.
+   */
+  MAPD_CODE_NO_PLACE_ON_EARTH = 52,
+  /*
+   Something that this library has no code for.
+   */
+  MAPD_CODE_OTHER = 98,
+  /*
+   A bug in mapd: the message says where. Nothing else is known of what the call did.
+   */
+  MAPD_CODE_PANIC = 99,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum mapd_code mapd_code;
+#else
+typedef int32_t mapd_code;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/*
+ A connection to one served map. Several threads may use it at once.
+ */
+typedef struct mapd_client mapd_client;
+
+/*
+ A follower of a map. It belongs to one thread at a time and keeps its client.
+ */
+typedef struct mapd_events mapd_events;
+
+/*
+ A route as one line. It keeps its snapshot; several threads may use it at once.
+ */
+typedef struct mapd_path mapd_path;
+
+/*
+ Converts between a map's inertial frame and WGS 84. Several threads may use it at once. It is made from a snapshot and needs it no longer.
+ */
+typedef struct mapd_projector mapd_projector;
+
+/*
+ Memory of searches and lists, to be used again: it grows with the largest answer and is then enough. It belongs to one thread
+ at a time and to no map.
+ */
+typedef struct mapd_scratch mapd_scratch;
+
+/*
+ One generation of a map, pinned: readable as long as the handle is open, whatever becomes of daemon, client and file. Several threads may
+ use it at once.
+ */
+typedef struct mapd_snapshot mapd_snapshot;
+
+/*
+ Why a call failed. It is the caller's; a call that ends with an error writes it, any other leaves it as it was.
+ */
+typedef struct mapd_error {
+  /*
+   What the call returned.
+   */
+  mapd_code code;
+  /*
+   Length of the message in bytes.
+   */
+  uint32_t length;
+  /*
+   The message for people, UTF-8, terminated by 0.
+   */
+  char message[MAPD_MESSAGE_SIZE];
+} mapd_error;
+
+/*
+ A generation of a map, as it lies in shared memory.
+ */
+typedef struct mapd_generation {
+  /*
+   Its number; rises with every swap.
+   */
+  uint64_t generation;
+  /*
+   Length of its archive in bytes.
+   */
+  uint64_t length;
+} mapd_generation;
+
+/*
+ Something that has become of a map or its daemon.
+ */
+typedef struct mapd_event {
+  /*
+   A `MAPD_EVENT_…`.
+   */
+  uint32_t kind;
+  /*
+   Of `DAEMON_BACK`: its process id, in its own process namespace; 0 if it has not said.
+   */
+  uint32_t pid;
+  /*
+   Of `GENERATION` and `PENDING`: the number.
+   */
+  uint64_t generation;
+} mapd_event;
+
+/*
+ A text that lies in the snapshot: UTF-8, not terminated by 0. It is there as long as a handle of the snapshot's content is: the snapshot
+ itself, its clones and what was made from it.
+ */
+typedef struct mapd_text {
+  /*
+   Its first byte; never null.
+   */
+  const char *data;
+  /*
+   Its length in bytes.
+   */
+  size_t size;
+} mapd_text;
+
+/*
+ A place or direction in space, inertial [m].
+ */
+typedef struct mapd_vec3 {
+  /*
+   East [m].
+   */
+  double x;
+  /*
+   North [m].
+   */
+  double y;
+  /*
+   Up [m].
+   */
+  double z;
+} mapd_vec3;
+
+/*
+ What a map says of itself.
+ */
+typedef struct mapd_map_facts {
+  /*
+   What the map was published as; 0 for a file.
+   */
+  uint64_t generation;
+  /*
+   BLAKE3 of the archive's body.
+   */
+  uint8_t content_hash[32];
+  /*
+   BLAKE3 of the OpenDRIVE bytes that it was compiled from.
+   */
+  uint8_t source_hash[32];
+  /*
+   Name in the file's header.
+   */
+  struct mapd_text name;
+  /*
+   `geoReference` as written; empty if there is none.
+   */
+  struct mapd_text geo_reference;
+  /*
+   The georeference as PROJ parameters; empty if there is none that can be used.
+   */
+  struct mapd_text projection;
+  /*
+   The header's offset as it is applied: shift [m].
+   */
+  struct mapd_vec3 header_offset;
+  /*
+   The header's offset as it is applied: turn [rad].
+   */
+  double header_heading;
+  /*
+   Smallest inertial coordinates of all lanes [m].
+   */
+  struct mapd_vec3 low;
+  /*
+   Largest inertial coordinates of all lanes [m].
+   */
+  struct mapd_vec3 high;
+  /*
+   Sum of the roads' lengths [m].
+   */
+  double road_length;
+  /*
+   Number of roads.
+   */
+  uint32_t roads;
+  /*
+   Number of junctions.
+   */
+  uint32_t junctions;
+  /*
+   Number of signals.
+   */
+  uint32_t signals;
+  /*
+   Number of objects.
+   */
+  uint32_t objects;
+  /*
+   OpenDRIVE's version: major; 0 where the file has none.
+   */
+  uint16_t revision_major;
+  /*
+   OpenDRIVE's version: minor.
+   */
+  uint16_t revision_minor;
+  /*
+   First four bytes of the content's hash, as in every id.
+   */
+  uint32_t content;
+} mapd_map_facts;
+
+/*
+ Latitudes and longitudes of a map's bounds on WGS 84 [deg].
+ */
+typedef struct mapd_geodetic_bounds {
+  /*
+   Smallest latitude.
+   */
+  double south;
+  /*
+   Largest latitude.
+   */
+  double north;
+  /*
+   Western longitude.
+   */
+  double west;
+  /*
+   Eastern longitude; it passes 180 where the map crosses the antimeridian.
+   */
+  double east;
+} mapd_geodetic_bounds;
+
+/*
+ A road. Bound to the map content that it came from, and refused by any other; a row of `MAPD_NO_ROW` names nothing.
+ */
+typedef struct mapd_road_id {
+  /*
+   Row in the archive's table.
+   */
+  uint32_t row;
+  /*
+   First four bytes of the content's hash.
+   */
+  uint32_t content;
+} mapd_road_id;
+
+/*
+ A junction; as `mapd_road_id` otherwise.
+ */
+typedef struct mapd_junction_id {
+  /*
+   Row in the archive's table.
+   */
+  uint32_t row;
+  /*
+   First four bytes of the content's hash.
+   */
+  uint32_t content;
+} mapd_junction_id;
+
+/*
+ A signal; as `mapd_road_id` otherwise.
+ */
+typedef struct mapd_signal_id {
+  /*
+   Row in the archive's table.
+   */
+  uint32_t row;
+  /*
+   First four bytes of the content's hash.
+   */
+  uint32_t content;
+} mapd_signal_id;
+
+/*
+ An object; as `mapd_road_id` otherwise.
+ */
+typedef struct mapd_object_id {
+  /*
+   Row in the archive's table.
+   */
+  uint32_t row;
+  /*
+   First four bytes of the content's hash.
+   */
+  uint32_t content;
+} mapd_object_id;
+
+/*
+ A lane of a section; as `mapd_road_id` otherwise. What may leave the process is the lane's key: `mapd_lane_key`.
+ */
+typedef struct mapd_lane_id {
+  /*
+   Row in the archive's table.
+   */
+  uint32_t row;
+  /*
+   First four bytes of the content's hash.
+   */
+  uint32_t content;
+} mapd_lane_id;
+
+/*
+ A point in a lane's own coordinates. Left, right and ahead are those of the lane's traffic unless a name says `of_reference_line`.
+ */
+typedef struct mapd_lane_position {
+  /*
+   Along the road's reference line [m], within the lane's section.
+   */
+  double s;
+  /*
+   Lateral on the road [m], positive to the left of the reference line.
+   */
+  double t;
+  /*
+   From the lane's centre [m], positive to the left as its traffic goes.
+   */
+  double offset;
+  /*
+   From the lane's centre [m], positive to the left of the reference line.
+   */
+  double offset_of_reference_line;
+  /*
+   Plan-view distance from the lane's area [m]; 0 inside.
+   */
+  double distance;
+  /*
+   Height of the plane h = 0 at (s, t) [m].
+   */
+  double z;
+  /*
+   The way the lane's traffic goes at s [rad], in (−π, π].
+   */
+  double heading;
+  /*
+   Heading of the reference line at s [rad], in (−π, π].
+   */
+  double heading_of_reference_line;
+  /*
+   Whether the point lies before or after the lane's section in the direction of s.
+   */
+  uint8_t clamped;
+} mapd_lane_position;
+
+/*
+ The nearest lane and the point in its coordinates.
+ */
+typedef struct mapd_nearest {
+  /*
+   The lane; of a point of a batch that has none, a row of `MAPD_NO_ROW`.
+   */
+  struct mapd_lane_id lane;
+  /*
+   The point's place with respect to it.
+   */
+  struct mapd_lane_position position;
+} mapd_nearest;
+
+/*
+ What counts as a match. Set it with `mapd_nearest_options_init`, then change what should differ.
+ */
+typedef struct mapd_nearest_options {
+  /*
+   Size of this struct as the caller knows it: later releases may append to it.
+   */
+  size_t size;
+  /*
+   Largest plan-view distance from the lane's area [m]. Default 10.
+   */
+  double radius;
+  /*
+   Lane types that count: the bit of each is `1 << code`; `UINT64_MAX`, the default, is all. See `mapd_lane_types_drivable`.
+   */
+  uint64_t types;
+  /*
+   Largest difference between the point's z and the lane's [m]; counts only with `has_z_tolerance` and a point that has z.
+   */
+  double z_tolerance;
+  /*
+   Heading of travel [rad]; counts only with `has_heading`. Breaks ties, and excludes lanes by `heading_tolerance`.
+   */
+  double heading;
+  /*
+   Largest difference between `heading` and the lane's driving direction [rad]; counts only with `has_heading_tolerance`.
+   */
+  double heading_tolerance;
+  /*
+   Not 0: `z_tolerance` counts. Default 0.
+   */
+  uint8_t has_z_tolerance;
+  /*
+   Not 0: `heading` counts. Default 0.
+   */
+  uint8_t has_heading;
+  /*
+   Not 0: `heading_tolerance` counts. Default 0.
+   */
+  uint8_t has_heading_tolerance;
+  /*
+   Not 0: `vehicle` counts. Default 0.
+   */
+  uint8_t has_vehicle;
+  /*
+   Only places that this class of vehicles may use count, in either direction: a `MAPD_VEHICLE_CLASS_…`.
+   */
+  uint8_t vehicle;
+  /*
+   The answer for a point nearby, such as the one before on a trajectory: it makes the search cheaper and never changes its answer.
+   Default null.
+   */
+  const struct mapd_nearest *hint;
+} mapd_nearest_options;
+
+/*
+ A point that is asked about.
+ */
+typedef struct mapd_point {
+  /*
+   East [m].
+   */
+  double x;
+  /*
+   North [m].
+   */
+  double y;
+  /*
+   Up [m]; counts only with `has_z`.
+   */
+  double z;
+  /*
+   Not 0: z is known.
+   */
+  uint64_t has_z;
+} mapd_point;
+
+/*
+ A place in plan view, inertial [m].
+ */
+typedef struct mapd_vec2 {
+  /*
+   East [m].
+   */
+  double x;
+  /*
+   North [m].
+   */
+  double y;
+} mapd_vec2;
+
+/*
+ A rectangle along the axes, inertial [m], edges included.
+ */
+typedef struct mapd_region {
+  /*
+   Smallest x and y.
+   */
+  struct mapd_vec2 low;
+  /*
+   Largest x and y.
+   */
+  struct mapd_vec2 high;
+} mapd_region;
+
+/*
+ What a road is linked to at one of its ends.
+ */
+typedef struct mapd_road_link {
+  /*
+   The road, of a link to one.
+   */
+  struct mapd_road_id road;
+  /*
+   The junction, of a link to one.
+   */
+  struct mapd_junction_id junction;
+  /*
+   A `MAPD_ROAD_LINK_…`.
+   */
+  uint8_t kind;
+  /*
+   Which end of the road is touched: a `MAPD_CONTACT_POINT_…`.
+   */
+  uint8_t contact;
+} mapd_road_link;
+
+/*
+ A road.
+ */
+typedef struct mapd_road_facts {
+  /*
+   The road itself.
+   */
+  struct mapd_road_id road;
+  /*
+   The junction that this is a connecting road of, if any.
+   */
+  struct mapd_junction_id junction;
+  /*
+   OpenDRIVE's id, verbatim.
+   */
+  struct mapd_text id;
+  /*
+   OpenDRIVE's name.
+   */
+  struct mapd_text name;
+  /*
+   Length of the reference line as written [m].
+   */
+  double length;
+  /*
+   Largest s that the reference line reaches [m].
+   */
+  double reference_end;
+  /*
+   What lies at s = 0.
+   */
+  struct mapd_road_link predecessor;
+  /*
+   What lies at s = length.
+   */
+  struct mapd_road_link successor;
+  /*
+   Number of lane sections.
+   */
+  uint32_t sections;
+  /*
+   Line of the start tag in the file, from 1.
+   */
+  uint32_t line;
+  /*
+   Column of the start tag in the file, from 1.
+   */
+  uint32_t column;
+  /*
+   1: traffic keeps to the left.
+   */
+  uint8_t is_left_hand_traffic;
+} mapd_road_facts;
+
+/*
+ Track coordinates of a road (OpenDRIVE 1.8.1, 8.3).
+ */
+typedef struct mapd_track {
+  /*
+   Along the reference line [m].
+   */
+  double s;
+  /*
+   Lateral [m], positive to the left of the reference line.
+   */
+  double t;
+  /*
+   Upwards [m], perpendicular to the plane rolled by superelevation.
+   */
+  double h;
+} mapd_track;
+
+/*
+ A place on or beside a road or lane, with the frame there: of a road ahead is the way its reference line runs, of a lane the way its
+ traffic goes.
+ */
+typedef struct mapd_pose {
+  /*
+   Inertial position [m].
+   */
+  struct mapd_vec3 position;
+  /*
+   Direction of the reference line, ahead [rad], in (−π, π], counter-clockwise from x.
+   */
+  double heading;
+  /*
+   Curvature of the reference line [1/m], positive to the left.
+   */
+  double curvature;
+  /*
+   Metres upwards per metre of s ahead.
+   */
+  double slope;
+  /*
+   Superelevation [rad], positive lifts the left side.
+   */
+  double superelevation;
+  /*
+   Whether s lay outside and was moved to the nearer end.
+   */
+  uint8_t clamped;
+} mapd_pose;
+
+/*
+ Foot of a point on a road's reference line.
+ */
+typedef struct mapd_track_position {
+  /*
+   Along the reference line [m].
+   */
+  double s;
+  /*
+   Lateral [m], positive to the left.
+   */
+  double t;
+  /*
+   Upwards [m]; 0 without `has_h`.
+   */
+  double h;
+  /*
+   Plan-view distance from the reference line [m].
+   */
+  double distance;
+  /*
+   1: the point had a z, and h is known.
+   */
+  uint8_t has_h;
+  /*
+   Whether the foot is an end of the road and the point lies beyond it.
+   */
+  uint8_t clamped;
+  /*
+   1: (s, t, h) is the point; 0 beyond an end of the road and in the wedge beside a kink of its line.
+   */
+  uint8_t exact;
+} mapd_track_position;
+
+/*
+ A lane.
+ */
+typedef struct mapd_lane_facts {
+  /*
+   The lane itself.
+   */
+  struct mapd_lane_id lane;
+  /*
+   Its road.
+   */
+  struct mapd_road_id road;
+  /*
+   The junction that its road is a connecting road of, if any.
+   */
+  struct mapd_junction_id junction;
+  /*
+   Start of its section on the road [m].
+   */
+  double s_start;
+  /*
+   End of its section on the road [m].
+   */
+  double s_end;
+  /*
+   OpenDRIVE's lane number: positive left of lane 0, negative right.
+   */
+  int32_t number;
+  /*
+   Number of its section in the road, from 0.
+   */
+  uint32_t section;
+  /*
+   Its type: a `MAPD_LANE_TYPE_…`.
+   */
+  uint8_t kind;
+  /*
+   1: motor vehicles travel on lanes of this type.
+   */
+  uint8_t is_drivable;
+  /*
+   1: vehicles travel towards +s. Left, right and ahead of a lane are those of this direction.
+   */
+  uint8_t is_forward;
+  /*
+   1: it may be travelled in both directions.
+   */
+  uint8_t is_bidirectional;
+  /*
+   1: it is of the temporary layer.
+   */
+  uint8_t is_temporary;
+  /*
+   1: it is the same as its namesake in the section before.
+   */
+  uint8_t continues;
+} mapd_lane_facts;
+
+/*
+ A place on a lane's centre line.
+ */
+typedef struct mapd_waypoint {
+  /*
+   On the road's reference line [m].
+   */
+  double s;
+  /*
+   Inertial position on the plane h = 0 [m].
+   */
+  struct mapd_vec3 position;
+  /*
+   Heading of the centre line in driving direction [rad], in (−π, π].
+   */
+  double heading;
+  /*
+   Width of the lane [m].
+   */
+  double width;
+  /*
+   Whether s lay outside the lane's section and was moved to its nearer end.
+   */
+  uint8_t clamped;
+} mapd_waypoint;
+
+/*
+ Both edges of a lane at s, as lateral coordinates [m].
+ */
+typedef struct mapd_lane_edges {
+  /*
+   t of the edge nearer to lane 0.
+   */
+  double inner;
+  /*
+   t of the edge away from lane 0.
+   */
+  double outer;
+} mapd_lane_edges;
+
+/*
+ Both edges of a lane at s, inertial [m], on the plane h = 0.
+ */
+typedef struct mapd_lane_bounds {
+  /*
+   On the left of the lane's traffic.
+   */
+  struct mapd_vec3 left;
+  /*
+   On the right of the lane's traffic.
+   */
+  struct mapd_vec3 right;
+} mapd_lane_bounds;
+
+/*
+ A point of a polyline.
+ */
+typedef struct mapd_line_point {
+  /*
+   On the road [m]. Points of equal s are both sides of a jump.
+   */
+  double s;
+  /*
+   Inertial position [m].
+   */
+  struct mapd_vec3 position;
+} mapd_line_point;
+
+/*
+ A node of the lane graph: a lane, or a piece of one, travelled in one direction; as `mapd_road_id` otherwise.
+ */
+typedef struct mapd_node_id {
+  /*
+   Row in the archive's table.
+   */
+  uint32_t row;
+  /*
+   First four bytes of the content's hash.
+   */
+  uint32_t content;
+} mapd_node_id;
+
+/*
+ A node of the lane graph.
+ */
+typedef struct mapd_node_facts {
+  /*
+   The node itself.
+   */
+  struct mapd_node_id node;
+  /*
+   Its lane.
+   */
+  struct mapd_lane_id lane;
+  /*
+   Smaller s of both ends on the road [m].
+   */
+  double s_low;
+  /*
+   Larger s of both ends on the road [m].
+   */
+  double s_high;
+  /*
+   Length of the centre line in plan view [m].
+   */
+  double length;
+  /*
+   Time to pass it at the speed limit [s].
+   */
+  double travel_time;
+  /*
+   The node beside it to the left that travels the same way, if any.
+   */
+  struct mapd_node_id left;
+  /*
+   The node beside it to the right that travels the same way, if any.
+   */
+  struct mapd_node_id right;
+  /*
+   Where a change of lane to the left leads, if the road marks allow one.
+   */
+  struct mapd_node_id change_left;
+  /*
+   Where a change of lane to the right leads, if the road marks allow one.
+   */
+  struct mapd_node_id change_right;
+  /*
+   Strongly connected component, in topological order.
+   */
+  uint32_t component;
+  /*
+   Classes of vehicles that may use it: the bit of each is `1 << code` of its `MAPD_VEHICLE_CLASS_…`.
+   */
+  uint32_t access;
+  /*
+   1: it travels towards +s.
+   */
+  uint8_t is_forward;
+} mapd_node_facts;
+
+/*
+ An edge of the lane graph: from one node into the next, in driving direction.
+ */
+typedef struct mapd_edge {
+  /*
+   The node that is entered.
+   */
+  struct mapd_node_id target;
+  /*
+   Where it comes from: a `MAPD_EDGE_KIND_…`.
+   */
+  uint8_t kind;
+  /*
+   1: it closes a loop; the graph without such edges has no cycle.
+   */
+  uint8_t closes_loop;
+  /*
+   Line of the link in the file, from 1; 0 where no link is needed.
+   */
+  uint32_t line;
+  /*
+   Column of the link in the file, from 1.
+   */
+  uint32_t column;
+} mapd_edge;
+
+/*
+ A place where two lanes of a junction meet.
+ */
+typedef struct mapd_conflict {
+  /*
+   The lane that is met.
+   */
+  struct mapd_lane_id other;
+  /*
+   The common area on the lane itself: smaller s [m].
+   */
+  double s_low;
+  /*
+   The common area on the lane itself: larger s [m].
+   */
+  double s_high;
+  /*
+   The common area on the other lane: smaller s [m].
+   */
+  double other_low;
+  /*
+   The common area on the other lane: larger s [m].
+   */
+  double other_high;
+  /*
+   How the two meet: a `MAPD_CONFLICT_KIND_…`.
+   */
+  uint8_t kind;
+} mapd_conflict;
+
+/*
+ A place on a lane.
+ */
+typedef struct mapd_lane_place {
+  /*
+   The lane.
+   */
+  struct mapd_lane_id lane;
+  /*
+   On the road [m]; outside the lane's section its nearer end counts.
+   */
+  double s;
+} mapd_lane_place;
+
+/*
+ What a route keeps small, and for whom.
+ */
+typedef struct mapd_cost {
+  /*
+   A `MAPD_COST_…`.
+   */
+  uint32_t by;
+  /*
+   Who travels: a `MAPD_VEHICLE_CLASS_…`.
+   */
+  uint32_t vehicle;
+  /*
+   What a change of lane costs, in the cost's unit; usual are 20 m and 2 s. One that is negative or no number closes the way.
+   */
+  double lane_change;
+} mapd_cost;
+
+/*
+ What a route comes to.
+ */
+typedef struct mapd_route_sum {
+  /*
+   What the cost adds up to.
+   */
+  double cost;
+  /*
+   Length along the lanes' centre lines [m].
+   */
+  double length;
+  /*
+   Time at the speed limits [s].
+   */
+  double travel_time;
+  /*
+   Number of lane changes.
+   */
+  uint32_t lane_changes;
+} mapd_route_sum;
+
+/*
+ A lane of a route. A lane that is only changed from is driven for no length.
+ */
+typedef struct mapd_route_step {
+  /*
+   The lane.
+   */
+  struct mapd_lane_id lane;
+  /*
+   s on the road at which the route enters it [m]; of a change, the first place where it may happen.
+   */
+  double s_from;
+  /*
+   s on the road at which the route leaves it [m].
+   */
+  double s_to;
+  /*
+   Of a change, the last place where it may happen, else `s_from` [m].
+   */
+  double s_latest;
+  /*
+   1: it is travelled towards +s.
+   */
+  uint8_t forward;
+  /*
+   How it is entered: a `MAPD_ENTER_…`.
+   */
+  uint8_t enter;
+} mapd_route_step;
+
+/*
+ A node that can be reached.
+ */
+typedef struct mapd_reached {
+  /*
+   The node.
+   */
+  struct mapd_node_id node;
+  /*
+   Least cost up to its beginning.
+   */
+  double cost;
+} mapd_reached;
+
+/*
+ The next junction on a lane's way.
+ */
+typedef struct mapd_next_junction {
+  /*
+   The junction.
+   */
+  struct mapd_junction_id junction;
+  /*
+   Distance to its first connecting road, along centre lines [m].
+   */
+  double distance;
+} mapd_next_junction;
+
+/*
+ The next change of lane on a route.
+ */
+typedef struct mapd_lane_change {
+  /*
+   Number of the step that is entered by it.
+   */
+  size_t step;
+  /*
+   Distance along the route to the first place where it may happen [m].
+   */
+  double from;
+  /*
+   Distance along the route to the last place where it may happen [m].
+   */
+  double until;
+  /*
+   1: it goes to the left.
+   */
+  uint8_t left;
+} mapd_lane_change;
+
+/*
+ A place on a path, as who drives there has it.
+ */
+typedef struct mapd_path_point {
+  /*
+   S [m].
+   */
+  double along;
+  /*
+   Inertial position on the plane h = 0 [m].
+   */
+  struct mapd_vec3 position;
+  /*
+   Heading of the driven line [rad], in (−π, π].
+   */
+  double heading;
+  /*
+   Curvature of the driven line in plan view [1/m], positive to the left.
+   */
+  double curvature;
+  /*
+   Its change along the line [1/m²].
+   */
+  double curvature_rate;
+  /*
+   Metres upwards per metre of S.
+   */
+  double grade;
+  /*
+   Superelevation [rad]; positive lifts the driver's left side.
+   */
+  double superelevation;
+  /*
+   Distance to the driven lane's left edge [m].
+   */
+  double left;
+  /*
+   Distance to the driven lane's right edge [m].
+   */
+  double right;
+  /*
+   The driven lane.
+   */
+  struct mapd_lane_id lane;
+  /*
+   s on its road [m].
+   */
+  double s;
+  /*
+   1: it is driven towards +s.
+   */
+  uint8_t forward;
+  /*
+   Whether S lay outside the path and was moved to its nearer end.
+   */
+  uint8_t clamped;
+} mapd_path_point;
+
+/*
+ A point in a path's coordinates.
+ */
+typedef struct mapd_path_position {
+  /*
+   S of the foot: the nearest point of the driven line in plan view [m].
+   */
+  double along;
+  /*
+   Offset to the left of the driven line there [m].
+   */
+  double d;
+  /*
+   Plan-view distance from the driven line [m].
+   */
+  double distance;
+  /*
+   Heading of the driven line at the foot [rad], in (−π, π].
+   */
+  double heading;
+  /*
+   The driven lane there.
+   */
+  struct mapd_lane_id lane;
+  /*
+   s on its road [m].
+   */
+  double s;
+  /*
+   Whether the point lies before the path's start or after its end.
+   */
+  uint8_t clamped;
+} mapd_path_position;
+
+/*
+ The speed limit at a place.
+ */
+typedef struct mapd_speed_rule {
+  /*
+   Limit [m/s], infinite where there is none; counts only with `has_max`.
+   */
+  double max;
+  /*
+   The sign, if one says so.
+   */
+  struct mapd_signal_id signal;
+  /*
+   1: the map says something.
+   */
+  uint8_t has_max;
+  /*
+   Who says so: a `MAPD_SPEED_ORIGIN_…`.
+   */
+  uint8_t origin;
+} mapd_speed_rule;
+
+/*
+ A place where the driven line is not continuous, or changes lanes.
+ */
+typedef struct mapd_path_joint {
+  /*
+   S [m].
+   */
+  double along;
+  /*
+   How far apart the line's two sides lie in plan view [m].
+   */
+  double gap;
+  /*
+   By how much the line turns there [rad], positive to the left, in (−π, π].
+   */
+  double kink;
+  /*
+   How the lane behind it is entered: a `MAPD_ENTER_…`.
+   */
+  uint8_t enter;
+  /*
+   1: gap or kink are larger than a path should have. A change of lane breaks nothing by its gap.
+   */
+  uint8_t broken;
+} mapd_path_joint;
+
+/*
+ A junction.
+ */
+typedef struct mapd_junction_facts {
+  /*
+   The junction itself.
+   */
+  struct mapd_junction_id junction;
+  /*
+   OpenDRIVE's id, verbatim.
+   */
+  struct mapd_text id;
+  /*
+   OpenDRIVE's name.
+   */
+  struct mapd_text name;
+  /*
+   Number of connections.
+   */
+  size_t connections;
+} mapd_junction_facts;
+
+/*
+ A connection of a junction, as written.
+ */
+typedef struct mapd_connection {
+  /*
+   OpenDRIVE's id, verbatim.
+   */
+  struct mapd_text id;
+  /*
+   Road that leads into the junction, where the map has it.
+   */
+  struct mapd_road_id incoming_road;
+  /*
+   Connecting road, or the linked road of a direct junction, where the map has it.
+   */
+  struct mapd_road_id connecting_road;
+  /*
+   End of the connecting road that touches the incoming one: a `MAPD_CONTACT_POINT_…`.
+   */
+  uint8_t contact;
+} mapd_connection;
+
+/*
+ A traffic sign, light or marking.
+ */
+typedef struct mapd_signal_facts {
+  /*
+   The signal itself.
+   */
+  struct mapd_signal_id signal;
+  /*
+   The road that it is written in.
+   */
+  struct mapd_road_id road;
+  /*
+   Of a sign on a board: the signal that carries the board.
+   */
+  struct mapd_signal_id carrier;
+  /*
+   OpenDRIVE's id, verbatim.
+   */
+  struct mapd_text id;
+  /*
+   OpenDRIVE's name.
+   */
+  struct mapd_text name;
+  /*
+   Code as written: country.
+   */
+  struct mapd_text country;
+  /*
+   Code as written: its revision.
+   */
+  struct mapd_text country_revision;
+  /*
+   Code as written: type.
+   */
+  struct mapd_text kind;
+  /*
+   Code as written: subtype.
+   */
+  struct mapd_text subtype;
+  /*
+   Text shown.
+   */
+  struct mapd_text text;
+  /*
+   Unit as written; counts only with `has_written_value`.
+   */
+  struct mapd_text unit;
+  /*
+   Value as written; counts only with `has_written_value`.
+   */
+  double written_value;
+  /*
+   What the class means by its value: [m/s], [m] or [kg]; counts only with `has_value`.
+   */
+  double value;
+  /*
+   Where it stands, inertial [m].
+   */
+  struct mapd_vec3 position;
+  /*
+   Direction of the face's normal in plan view [rad], in (−π, π].
+   */
+  double facing;
+  /*
+   Pitch of what stands there [rad].
+   */
+  double pitch;
+  /*
+   Roll of what stands there [rad].
+   */
+  double roll;
+  /*
+   As written [m].
+   */
+  double s;
+  /*
+   As written [m].
+   */
+  double t;
+  /*
+   Width [m]; negative where not given.
+   */
+  double width;
+  /*
+   Height [m]; negative where not given.
+   */
+  double height;
+  /*
+   Length [m]; negative where not given.
+   */
+  double length;
+  /*
+   What it means: a `MAPD_CLASS_…`.
+   */
+  uint16_t class_code;
+  /*
+   Direction of travel that it is for, on its own road: a `MAPD_ORIENTATION_…`.
+   */
+  uint8_t orientation;
+  /*
+   Where the place in space comes from: a `MAPD_SIGNAL_POSITION_…`.
+   */
+  uint8_t position_source;
+  /*
+   1: `written_value` and `unit` are there.
+   */
+  uint8_t has_written_value;
+  /*
+   1: `value` is there.
+   */
+  uint8_t has_value;
+  /*
+   1: its state changes.
+   */
+  uint8_t is_dynamic;
+  /*
+   1: it stands for a limited time.
+   */
+  uint8_t is_temporary;
+  /*
+   1: it no longer holds.
+   */
+  uint8_t is_invalidated;
+  /*
+   Of a light its lamps: 1 red, 2 yellow, 4 green; 0 for what is no light.
+   */
+  uint8_t bulbs;
+  /*
+   Of a light its phases: 1 red, 2 red and yellow, 4 yellow, 8 green, 16, 32, 64 flashing red, yellow, green, 128 off.
+   */
+  uint8_t phases;
+  /*
+   Of a light the movements that it is for, 0 all: 1 left, 2 straight on, 4 right, 8 back.
+   */
+  uint8_t arrows;
+} mapd_signal_facts;
+
+/*
+ A signal that is for a lane.
+ */
+typedef struct mapd_lane_signal {
+  /*
+   The signal.
+   */
+  struct mapd_signal_id signal;
+  /*
+   The lane.
+   */
+  struct mapd_lane_id lane;
+  /*
+   Where it counts on the lane's road, within the lane's section [m].
+   */
+  double s;
+  /*
+   Where it counts, lateral on its road [m].
+   */
+  double t;
+  /*
+   Distance of that place from the lane's area in plan view [m].
+   */
+  double distance;
+  /*
+   What it means: a `MAPD_CLASS_…`.
+   */
+  uint16_t class_code;
+  /*
+   How signal and lane belong together: a `MAPD_LANE_METHOD_…`.
+   */
+  uint8_t method;
+  /*
+   1: it is for traffic that travels towards +s.
+   */
+  uint8_t is_for_forward;
+  /*
+   1: it is for traffic that travels towards −s.
+   */
+  uint8_t is_for_backward;
+} mapd_lane_signal;
+
+/*
+ A signal near a point.
+ */
+typedef struct mapd_near_signal {
+  /*
+   The signal.
+   */
+  struct mapd_signal_id signal;
+  /*
+   Plan-view distance of the point from where it stands [m].
+   */
+  double distance;
+} mapd_near_signal;
+
+/*
+ A signal ahead.
+ */
+typedef struct mapd_signal_ahead {
+  /*
+   The signal.
+   */
+  struct mapd_signal_id signal;
+  /*
+   The lane on which it counts.
+   */
+  struct mapd_lane_id lane;
+  /*
+   Distance along the lanes' centre lines [m].
+   */
+  double distance;
+  /*
+   Its place on that lane's road [m].
+   */
+  double s;
+} mapd_signal_ahead;
+
+/*
+ A stop line or crosswalk on a lane.
+ */
+typedef struct mapd_lane_line_at {
+  /*
+   The signal that says so; one of `signal` and `object` names something.
+   */
+  struct mapd_signal_id signal;
+  /*
+   The object that says so.
+   */
+  struct mapd_object_id object;
+  /*
+   The lane.
+   */
+  struct mapd_lane_id lane;
+  /*
+   Where the lane's traffic meets it first, on the road [m].
+   */
+  double s;
+  /*
+   Of a line ahead: distance along the lanes' centre lines from the route's start [m]; else 0.
+   */
+  double distance;
+  /*
+   What it is: a `MAPD_CLASS_…`.
+   */
+  uint16_t class_code;
+} mapd_lane_line_at;
+
+/*
+ Who goes first where a lane of a junction meets another.
+ */
+typedef struct mapd_right_of_way {
+  /*
+   The other lane.
+   */
+  struct mapd_lane_id other;
+  /*
+   Who goes first: a `MAPD_RELATION_…`.
+   */
+  uint8_t relation;
+  /*
+   Why: a `MAPD_RELATION_REASON_…`.
+   */
+  uint8_t reason;
+  /*
+   What that rests on: a `MAPD_BASIS_…`.
+   */
+  uint8_t basis;
+} mapd_right_of_way;
+
+/*
+ An object.
+ */
+typedef struct mapd_object_facts {
+  /*
+   The object itself.
+   */
+  struct mapd_object_id object;
+  /*
+   The road that it is written in, if any.
+   */
+  struct mapd_road_id road;
+  /*
+   The junction that it is written in, if any.
+   */
+  struct mapd_junction_id junction;
+  /*
+   OpenDRIVE's id, verbatim.
+   */
+  struct mapd_text id;
+  /*
+   Name for people.
+   */
+  struct mapd_text name;
+  /*
+   `type` as written.
+   */
+  struct mapd_text kind;
+  /*
+   `subtype` as written.
+   */
+  struct mapd_text subtype;
+  /*
+   As written [m].
+   */
+  double s;
+  /*
+   As written [m].
+   */
+  double t;
+  /*
+   Height of the origin above the reference line at s [m].
+   */
+  double z_offset;
+  /*
+   Length along s over which it holds [m]; 0 if not given.
+   */
+  double valid_length;
+  /*
+   Number of places where it stands.
+   */
+  uint32_t placements;
+  /*
+   What it means: a `MAPD_CLASS_…`.
+   */
+  uint16_t class_code;
+  /*
+   What its extent is made of: a `MAPD_OBJECT_SHAPE_…`.
+   */
+  uint8_t shape;
+  /*
+   Direction of travel that it is for: a `MAPD_ORIENTATION_…`.
+   */
+  uint8_t orientation;
+  /*
+   1: its state may change.
+   */
+  uint8_t is_dynamic;
+  /*
+   1: it is repeated, and stands at the copies alone.
+   */
+  uint8_t is_repeated;
+  /*
+   1: it stands for a limited time.
+   */
+  uint8_t is_temporary;
+  /*
+   1: it is written to hold no longer.
+   */
+  uint8_t is_invalidated;
+} mapd_object_facts;
+
+/*
+ A place of an object.
+ */
+typedef struct mapd_placement_id {
+  /*
+   The object.
+   */
+  struct mapd_object_id object;
+  /*
+   Which of its copies, from 0; `MAPD_NO_ROW` for an object that is not repeated.
+   */
+  uint32_t copy;
+} mapd_placement_id;
+
+/*
+ An object where it stands.
+ */
+typedef struct mapd_placement_facts {
+  /*
+   Names the place.
+   */
+  struct mapd_placement_id place;
+  /*
+   Inertial position of the origin [m].
+   */
+  struct mapd_vec3 position;
+  /*
+   Inertial heading of the u axis [rad], in (−π, π].
+   */
+  double heading;
+  /*
+   Pitch [rad]; positive lowers the front.
+   */
+  double pitch;
+  /*
+   Roll [rad]; positive lifts the left side.
+   */
+  double roll;
+  /*
+   Along its own u axis [m]; 0 if not given.
+   */
+  double length;
+  /*
+   Along its own v axis [m]; 0 if not given.
+   */
+  double width;
+  /*
+   Height [m]; 0 if none is given.
+   */
+  double height;
+  /*
+   Radius [m]; 0 if not given.
+   */
+  double radius;
+  /*
+   On the object's road [m].
+   */
+  double s;
+  /*
+   On the object's road [m], positive to the left.
+   */
+  double t;
+  /*
+   1: it is the object without gaps along a stretch of road.
+   */
+  uint8_t is_swept;
+} mapd_placement_facts;
+
+/*
+ An object's belonging to a lane.
+ */
+typedef struct mapd_object_lane {
+  /*
+   The object.
+   */
+  struct mapd_object_id object;
+  /*
+   The lane.
+   */
+  struct mapd_lane_id lane;
+  /*
+   From where on the road it lies on the lane, or beside it [m].
+   */
+  double s_low;
+  /*
+   To where [m].
+   */
+  double s_high;
+  /*
+   Distance of the object from the lane's area in plan view [m]; 0 on it.
+   */
+  double distance;
+  /*
+   How the object came to the lane: a `MAPD_LANE_METHOD_…`.
+   */
+  uint8_t method;
+} mapd_object_lane;
+
+/*
+ An object near a point.
+ */
+typedef struct mapd_near_object {
+  /*
+   Where it stands.
+   */
+  struct mapd_placement_id place;
+  /*
+   Plan-view distance of the point from what it covers [m]; 0 on it.
+   */
+  double distance;
+} mapd_near_object;
+
+/*
+ A set of classes of signals and objects: the bit of each is that of its code.
+ */
+typedef struct mapd_class_set {
+  /*
+   The lowest bits first; the highest one stands for unknown classes.
+   */
+  uint64_t words[4];
+} mapd_class_set;
+
+/*
+ A thing that localisers find again.
+ */
+typedef struct mapd_landmark {
+  /*
+   The signal that it is; one of `signal` and `place` names something.
+   */
+  struct mapd_signal_id signal;
+  /*
+   The place of an object that it is.
+   */
+  struct mapd_placement_id place;
+  /*
+   What it means: a `MAPD_CLASS_…`.
+   */
+  uint16_t class_code;
+  /*
+   Where it stands, inertial [m].
+   */
+  struct mapd_vec3 position;
+  /*
+   Of a signal the direction of its face's normal, of an object that of its u axis [rad], in (−π, π].
+   */
+  double heading;
+  /*
+   Pitch [rad]; positive lowers the front.
+   */
+  double pitch;
+  /*
+   Roll [rad]; positive lifts the left side.
+   */
+  double roll;
+  /*
+   Length [m]; 0 where not given.
+   */
+  double length;
+  /*
+   Width [m]; 0 where not given.
+   */
+  double width;
+  /*
+   Height [m]; 0 where not given.
+   */
+  double height;
+  /*
+   Plan-view distance from the point that was asked about [m]; 0 where none was.
+   */
+  double distance;
+} mapd_landmark;
+
+/*
+ A road mark on a lane's outer border, for lane 0 on its own line.
+ */
+typedef struct mapd_road_mark {
+  /*
+   Where it begins: s on the road [m], not before the lane's section.
+   */
+  double s;
+  /*
+   Where the lane's next mark or the section's end takes over [m].
+   */
+  double s_end;
+  /*
+   Width [m]; negative where not given; of marks of two lines, that of each.
+   */
+  double width;
+  /*
+   Width [m]; where the file gives none 0.12 m, for bold marks 0.25 m; 0 for the kind `none`.
+   */
+  double width_or_default;
+  /*
+   Height above the road [m]; negative where not given.
+   */
+  double height;
+  /*
+   A `MAPD_ROAD_MARK_KIND_…`.
+   */
+  uint8_t kind;
+  /*
+   A `MAPD_ROAD_MARK_COLOR_…`.
+   */
+  uint8_t color;
+  /*
+   A `MAPD_ROAD_MARK_WEIGHT_…`.
+   */
+  uint8_t weight;
+  /*
+   Which lane changes it says it allows: a `MAPD_MARK_LANE_CHANGE_…`.
+   */
+  uint8_t lane_change;
+} mapd_road_mark;
+
+/*
+ A straight piece of a lane's border.
+ */
+typedef struct mapd_boundary_segment {
+  /*
+   The lane whose outer border it is; lane 0 for the line between left and right lanes.
+   */
+  struct mapd_lane_id lane;
+  /*
+   s of the first end [m].
+   */
+  double s_from;
+  /*
+   s of the second end [m].
+   */
+  double s_to;
+  /*
+   First end, inertial [m].
+   */
+  struct mapd_vec3 from;
+  /*
+   Second end, inertial [m].
+   */
+  struct mapd_vec3 to;
+} mapd_boundary_segment;
+
+/*
+ A straight piece of a road mark's course.
+ */
+typedef struct mapd_road_mark_segment {
+  /*
+   The piece of the lane's border.
+   */
+  struct mapd_boundary_segment segment;
+  /*
+   The mark's width [m], or the default one.
+   */
+  double width;
+  /*
+   A `MAPD_ROAD_MARK_KIND_…`.
+   */
+  uint8_t kind;
+  /*
+   A `MAPD_ROAD_MARK_COLOR_…`.
+   */
+  uint8_t color;
+} mapd_road_mark_segment;
+
+/*
+ What a lane is made of.
+ */
+typedef struct mapd_material {
+  /*
+   Start on the road [m].
+   */
+  double s;
+  /*
+   Surface code as written; its meaning is the map maker's.
+   */
+  struct mapd_text surface;
+  /*
+   Friction coefficient; negative where not given.
+   */
+  double friction;
+  /*
+   Roughness as written; negative where not given.
+   */
+  double roughness;
+} mapd_material;
+
+/*
+ A point of the road's surface.
+ */
+typedef struct mapd_surface {
+  /*
+   Inertial position [m].
+   */
+  struct mapd_vec3 position;
+  /*
+   Unit normal, upwards.
+   */
+  struct mapd_vec3 normal;
+  /*
+   The lane there, if any.
+   */
+  struct mapd_lane_id lane;
+  /*
+   What the lane is made of; counts only with `has_material`.
+   */
+  struct mapd_material material;
+  /*
+   1: the map says what the lane is made of.
+   */
+  uint8_t has_material;
+  /*
+   Whether s lay outside the road and was moved to its nearer end.
+   */
+  uint8_t clamped;
+} mapd_surface;
+
+/*
+ What a lane lies above the road's surface [m].
+ */
+typedef struct mapd_lane_height {
+  /*
+   At the edge nearer to lane 0.
+   */
+  double inner;
+  /*
+   At the edge away from lane 0.
+   */
+  double outer;
+} mapd_lane_height;
+
+/*
+ Height of a junction's elevation grid.
+ */
+typedef struct mapd_grid_height {
+  /*
+   Inertial [m].
+   */
+  double z;
+  /*
+   Slope by x.
+   */
+  double by_x;
+  /*
+   Slope by y.
+   */
+  double by_y;
+} mapd_grid_height;
+
+/*
+ A place on Earth, on the ellipsoid of WGS 84.
+ */
+typedef struct mapd_geodetic {
+  /*
+   Latitude [deg], positive to the north.
+   */
+  double latitude;
+  /*
+   Longitude [deg], positive to the east, −180 to 180.
+   */
+  double longitude;
+  /*
+   Altitude [m]: the map's z with the header's offset. No geoid is applied.
+   */
+  double altitude;
+} mapd_geodetic;
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+/*
+ Makes a scratch. Close it with `mapd_scratch_close`.
+ */
+mapd_code mapd_scratch_new(struct mapd_scratch **out, struct mapd_error *error);
+
+/*
+ Closes a scratch and sets the handle to null. Null, or a handle that is null, is fine.
+ */
+void mapd_scratch_close(struct mapd_scratch **scratch);
+
+/*
+ Connects to the map of this name, whichever side starts first, and pins its newest generation. Waits at most `wait_s` [s];
+ infinity is for ever. `prefix` names the domain; null: the one of the environment variable MAPD_PREFIX, else the default one.
+ Close the client with `mapd_client_close`.
+
+ Errors: the codes of attaching, what was missing when the wait ended; `MAPD_CODE_NAME`; `MAPD_CODE_NOT_AN_ARCHIVE`.
+ */
+mapd_code mapd_client_connect(const char *map,
+                              const char *prefix,
+                              double wait_s,
+                              struct mapd_client **out,
+                              struct mapd_error *error);
+
+/*
+ Closes a client and sets the handle to null. Snapshots and events that came from it stay good. Null, or a handle that is null,
+ is fine.
+ */
+void mapd_client_close(struct mapd_client **client);
+
+/*
+ The newest generation seen so far, without looking for another. Close it with `mapd_snapshot_close`.
+ */
+mapd_code mapd_client_snapshot(const struct mapd_client *client_handle,
+                               struct mapd_snapshot **out,
+                               struct mapd_error *error);
+
+/*
+ Looks for a newer generation without waiting; the newest. Close it with `mapd_snapshot_close`.
+
+ Errors: the transport failed, or the new archive cannot be read; what is held stays what it was.
+ */
+mapd_code mapd_client_refresh(const struct mapd_client *client_handle,
+                              struct mapd_snapshot **out,
+                              struct mapd_error *error);
+
+/*
+ Waits at most `wait_s` [s] for a generation newer than the newest seen so far. Close it with `mapd_snapshot_close`.
+
+ Errors: `MAPD_CODE_NO_GENERATION` if none came in time; as `mapd_client_refresh`.
+ */
+mapd_code mapd_client_wait_next(const struct mapd_client *client_handle,
+                                double wait_s,
+                                struct mapd_snapshot **out,
+                                struct mapd_error *error);
+
+/*
+ Waits at most `wait_s` [s] for the generation of this number: processes that must change over together agree on the number of a staged
+ generation, see `mapd_client_pending`, and each requires it. Close it with `mapd_snapshot_close`.
+
+ Errors: `MAPD_CODE_SUPERSEDED` if a newer one is served already; as `mapd_client_wait_next`.
+ */
+mapd_code mapd_client_require(const struct mapd_client *client_handle,
+                              uint64_t generation,
+                              double wait_s,
+                              struct mapd_snapshot **out,
+                              struct mapd_error *error);
+
+/*
+ The generation that is staged: verified, in shared memory, and served once `mapd activate` is called. `MAPD_CODE_NONE` if there
+ is none.
+ */
+mapd_code mapd_client_pending(const struct mapd_client *client_handle,
+                              struct mapd_generation *out,
+                              struct mapd_error *error);
+
+/*
+ The process that serves the map now, in its own process namespace; 0 if it has not said. `MAPD_CODE_NONE` if none does.
+ */
+mapd_code mapd_client_served_by(const struct mapd_client *client_handle, uint32_t *pid, struct mapd_error *error);
+
+/*
+ Whether generations are mapped page by page before they are handed out, beginning with the one that is held now, so that no query waits
+ for the kernel: as `mapd_snapshot_populate`. 0: no, the default.
+ */
+mapd_code mapd_client_set_populate(const struct mapd_client *client_handle,
+                                   uint8_t populate,
+                                   struct mapd_error *error);
+
+/*
+ Number of the newest generation seen so far, without looking for another.
+ */
+mapd_code mapd_client_generation(const struct mapd_client *client_handle, uint64_t *out, struct mapd_error *error);
+
+/*
+ Follows the map from now on. Each follower sees every event; what happens between two calls, and is over again, is not told. Close it
+ with `mapd_events_close`.
+ */
+mapd_code mapd_events_new(const struct mapd_client *client,
+                          struct mapd_events **out,
+                          struct mapd_error *error);
+
+/*
+ Closes a follower and sets the handle to null. Null, or a handle that is null, is fine.
+ */
+void mapd_events_close(struct mapd_events **events);
+
+/*
+ The next event; waits for it at most `wait_s` [s]. `MAPD_CODE_NONE`: nothing has happened.
+
+ Errors: the transport failed, or the new archive cannot be read; what is held stays what it was, and the next call goes on.
+ */
+mapd_code mapd_events_next(struct mapd_events *events,
+                           double wait_s,
+                           struct mapd_event *out,
+                           struct mapd_error *error);
+
+/*
+ Opens a `.mapd` file in place. Close the snapshot with `mapd_snapshot_close`.
+
+ Errors: `MAPD_CODE_FILE`, `MAPD_CODE_NOT_AN_ARCHIVE`.
+ */
+mapd_code mapd_snapshot_open(const char *path, struct mapd_snapshot **out, struct mapd_error *error);
+
+/*
+ As `mapd_snapshot_open`, if the file is signed with the key in the file `key` (minisign); the signature lies beside the archive. Reads the
+ whole file.
+
+ Errors: as `mapd_snapshot_open`; `MAPD_CODE_NOT_TRUSTED`.
+ */
+mapd_code mapd_snapshot_open_trusted(const char *path,
+                                     const char *key,
+                                     struct mapd_snapshot **out,
+                                     struct mapd_error *error);
+
+/*
+ Another handle of the same snapshot, to be closed by itself: for another thread or owner.
+ */
+mapd_code mapd_snapshot_clone(const struct mapd_snapshot *snapshot,
+                              struct mapd_snapshot **out,
+                              struct mapd_error *error);
+
+/*
+ Closes a snapshot and sets the handle to null. Null, or a handle that is null, is fine.
+ */
+void mapd_snapshot_close(struct mapd_snapshot **snapshot);
+
+/*
+ Proves the whole archive, content hash included. Linear in its size; attaching and opening do not do this.
+
+ Errors: `MAPD_CODE_NOT_PROVEN`, with the first thing that is wrong.
+ */
+mapd_code mapd_snapshot_verify(const struct mapd_snapshot *snapshot, struct mapd_error *error);
+
+/*
+ Has every page of the archive mapped in this process now, so that no query waits for the kernel. Linear in the archive's size.
+ */
+mapd_code mapd_snapshot_populate(const struct mapd_snapshot *snapshot,
+                                 struct mapd_error *error);
+
+/*
+ What the map says of itself.
+ */
+mapd_code mapd_map_facts_of(const struct mapd_snapshot *snapshot, struct mapd_map_facts *out, struct mapd_error *error);
+
+/*
+ Latitudes and longitudes of the map's bounds, rounded to 1e-9 degrees. `MAPD_CODE_NONE` without a usable georeference.
+ */
+mapd_code mapd_map_geodetic_bounds(const struct mapd_snapshot *snapshot,
+                                   struct mapd_geodetic_bounds *out,
+                                   struct mapd_error *error);
+
+/*
+ The road with OpenDRIVE's id, compared byte by byte. `MAPD_CODE_NONE` if there is none.
+ */
+mapd_code mapd_road_by_id(const struct mapd_snapshot *snapshot,
+                          const char *id,
+                          struct mapd_road_id *out,
+                          struct mapd_error *error);
+
+/*
+ The junction with OpenDRIVE's id, compared byte by byte. `MAPD_CODE_NONE` if there is none.
+ */
+mapd_code mapd_junction_by_id(const struct mapd_snapshot *snapshot,
+                              const char *id,
+                              struct mapd_junction_id *out,
+                              struct mapd_error *error);
+
+/*
+ A signal with OpenDRIVE's id, compared byte by byte; of several with one id any. `MAPD_CODE_NONE` if there is none.
+ */
+mapd_code mapd_signal_by_id(const struct mapd_snapshot *snapshot,
+                            const char *id,
+                            struct mapd_signal_id *out,
+                            struct mapd_error *error);
+
+/*
+ The object with OpenDRIVE's id, compared byte by byte; of several the first. `MAPD_CODE_NONE` if there is none.
+ */
+mapd_code mapd_object_by_id(const struct mapd_snapshot *snapshot,
+                            const char *id,
+                            struct mapd_object_id *out,
+                            struct mapd_error *error);
+
+/*
+ The lane with a key such as `12:0:-1`; of one in several pieces the first. `MAPD_CODE_NONE` if there is none.
+
+ Errors: `MAPD_CODE_ARGUMENT` for a text that is no key.
+ */
+mapd_code mapd_lane_by_key(const struct mapd_snapshot *snapshot,
+                           const char *key,
+                           struct mapd_lane_id *out,
+                           struct mapd_error *error);
+
+/*
+ The lane's stable name, `road:section:lane`, terminated by 0. `length`: without that; may be null. With `MAPD_CODE_TOO_SMALL` the buffer holds
+ the beginning.
+ */
+mapd_code mapd_lane_key(const struct mapd_snapshot *snapshot,
+                        struct mapd_lane_id lane,
+                        char *out,
+                        size_t capacity,
+                        size_t *length,
+                        struct mapd_error *error);
+
+/*
+ OpenDRIVE's id of a road, verbatim.
+ */
+mapd_code mapd_road_name_id(const struct mapd_snapshot *snapshot,
+                            struct mapd_road_id road,
+                            struct mapd_text *out,
+                            struct mapd_error *error);
+
+/*
+ All roads in file order.
+ */
+mapd_code mapd_roads(const struct mapd_snapshot *snapshot,
+                     struct mapd_road_id *out,
+                     size_t capacity,
+                     size_t *count,
+                     struct mapd_error *error);
+
+/*
+ All junctions in file order.
+ */
+mapd_code mapd_junctions(const struct mapd_snapshot *snapshot,
+                         struct mapd_junction_id *out,
+                         size_t capacity,
+                         size_t *count,
+                         struct mapd_error *error);
+
+/*
+ All lanes, those of the number 0 and of the temporary layer left out.
+ */
+mapd_code mapd_lanes(const struct mapd_snapshot *snapshot,
+                     struct mapd_lane_id *out,
+                     size_t capacity,
+                     size_t *count,
+                     struct mapd_error *error);
+
+/*
+ All signals in file order, signs on boards behind what carries them.
+ */
+mapd_code mapd_signals(const struct mapd_snapshot *snapshot,
+                       struct mapd_signal_id *out,
+                       size_t capacity,
+                       size_t *count,
+                       struct mapd_error *error);
+
+/*
+ All objects: those of roads in the order of the roads, then those of junctions.
+ */
+mapd_code mapd_objects(const struct mapd_snapshot *snapshot,
+                       struct mapd_object_id *out,
+                       size_t capacity,
+                       size_t *count,
+                       struct mapd_error *error);
+
+/*
+ Sets options to their defaults. `size` is `sizeof(mapd_nearest_options)`.
+ */
+mapd_code mapd_nearest_options_init(struct mapd_nearest_options *options, size_t size, struct mapd_error *error);
+
+/*
+ Bits of the lane types that the lane graph opens to motor vehicles.
+ */
+uint64_t mapd_lane_types_drivable(void);
+
+/*
+ The lane whose area is nearest to a point in plan view, within the options' radius; distance 0 inside. Ties go by heading difference, z
+ difference, |offset|, then key. `options`: null is the default. `MAPD_CODE_NONE` if nothing is near enough.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_nearest_lane(const struct mapd_snapshot *snapshot,
+                            struct mapd_point point,
+                            const struct mapd_nearest_options *options,
+                            struct mapd_nearest *out,
+                            struct mapd_error *error);
+
+/*
+ As `mapd_nearest_lane`, of `count` points; `out` has room for as many answers. What has none gets a lane with the row `MAPD_NO_ROW`
+ and a position of zeros. The hint is for the first point; each next one takes the answer before.
+
+ Errors: as `mapd_nearest_lane`; the answers before the point that has one are written.
+ */
+mapd_code mapd_nearest_lane_batch(const struct mapd_snapshot *snapshot,
+                                  const struct mapd_point *points,
+                                  size_t count,
+                                  const struct mapd_nearest_options *options,
+                                  struct mapd_nearest *out,
+                                  struct mapd_error *error);
+
+/*
+ Every lane whose area lies within the options' radius of a point, nearest first, each once.
+
+ Errors: as `mapd_nearest_lane`.
+ */
+mapd_code mapd_lanes_near(const struct mapd_snapshot *snapshot,
+                          struct mapd_point point,
+                          const struct mapd_nearest_options *options,
+                          struct mapd_scratch *scratch,
+                          struct mapd_nearest *out,
+                          size_t capacity,
+                          size_t *count,
+                          struct mapd_error *error);
+
+/*
+ Whether a point lies on a lane, edges included, in plan view: 1 or 0. A point with z only on one within `z_tolerance` [m], where
+ that is not negative.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_covers(const struct mapd_snapshot *snapshot,
+                      struct mapd_point point,
+                      double z_tolerance,
+                      uint8_t *out,
+                      struct mapd_error *error);
+
+/*
+ Every lane of these types whose area meets a rectangle in plan view, in the order of their rows.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_lanes_in(const struct mapd_snapshot *snapshot,
+                        struct mapd_region region,
+                        uint64_t types,
+                        struct mapd_scratch *scratch,
+                        struct mapd_lane_id *out,
+                        size_t capacity,
+                        size_t *count,
+                        struct mapd_error *error);
+
+/*
+ What a road is.
+ */
+mapd_code mapd_road_facts_of(const struct mapd_snapshot *snapshot,
+                             struct mapd_road_id road,
+                             struct mapd_road_facts *out,
+                             struct mapd_error *error);
+
+/*
+ Inertial pose of a track position: (x, y, e) + t along the rolled lateral axis + h along its normal. s beyond the reference line
+ is moved to its end and flagged.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_road_to_inertial(const struct mapd_snapshot *snapshot,
+                                struct mapd_road_id road,
+                                struct mapd_track track,
+                                struct mapd_pose *out,
+                                struct mapd_error *error);
+
+/*
+ Track position of a point: the foot on the nearest place of the whole reference line. Without z in plan view.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_road_to_track(const struct mapd_snapshot *snapshot,
+                             struct mapd_road_id road,
+                             struct mapd_point point,
+                             struct mapd_track_position *out,
+                             struct mapd_error *error);
+
+/*
+ Elevation of the reference line at s [m]. s outside the road counts as its nearer end.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_road_elevation_at(const struct mapd_snapshot *snapshot,
+                                 struct mapd_road_id road,
+                                 double s,
+                                 double *out,
+                                 struct mapd_error *error);
+
+/*
+ Superelevation at s [rad]; positive lifts the left side. s outside the road counts as its nearer end.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_road_superelevation_at(const struct mapd_snapshot *snapshot,
+                                      struct mapd_road_id road,
+                                      double s,
+                                      double *out,
+                                      struct mapd_error *error);
+
+/*
+ Lane offset at s [m]; positive to the left. s outside the road counts as its nearer end.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_road_lane_offset_at(const struct mapd_snapshot *snapshot,
+                                   struct mapd_road_id road,
+                                   double s,
+                                   double *out,
+                                   struct mapd_error *error);
+
+/*
+ The lane that covers (s, t); on a shared edge the one nearer to lane 0. `MAPD_CODE_NONE` beside all lanes.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_road_lane_at(const struct mapd_snapshot *snapshot,
+                            struct mapd_road_id road,
+                            double s,
+                            double t,
+                            struct mapd_lane_id *out,
+                            struct mapd_error *error);
+
+/*
+ The lane with OpenDRIVE's number at s; at a boundary of two sections that of the later one. `MAPD_CODE_NONE` if there is none.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_road_lane_numbered(const struct mapd_snapshot *snapshot,
+                                  struct mapd_road_id road,
+                                  double s,
+                                  int32_t number,
+                                  struct mapd_lane_id *out,
+                                  struct mapd_error *error);
+
+/*
+ Lanes of a section of the road, by the section's number from 0, from left to right, lane 0 among them. `MAPD_CODE_NONE` for a section
+ that there is not.
+ */
+mapd_code mapd_road_section_lanes(const struct mapd_snapshot *snapshot,
+                                  struct mapd_road_id road,
+                                  uint32_t section,
+                                  struct mapd_lane_id *out,
+                                  size_t capacity,
+                                  size_t *count,
+                                  struct mapd_error *error);
+
+/*
+ What a lane is.
+ */
+mapd_code mapd_lane_facts_of(const struct mapd_snapshot *snapshot,
+                             struct mapd_lane_id lane,
+                             struct mapd_lane_facts *out,
+                             struct mapd_error *error);
+
+/*
+ A point in the lane's coordinates: exact foot on the reference line within the lane's section, distance from the lane's area.
+
+ Errors: `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_CORRUPT` for lane 0, which has no area.
+ */
+mapd_code mapd_lane_position_of(const struct mapd_snapshot *snapshot,
+                                struct mapd_lane_id lane,
+                                struct mapd_point point,
+                                struct mapd_lane_position *out,
+                                struct mapd_error *error);
+
+/*
+ Pose at s as the lane's traffic has it, `offset` [m] to its left of the lane's centre, on the plane h = 0. s outside the lane's section
+ is moved to its nearer end and flagged.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_lane_pose_at(const struct mapd_snapshot *snapshot,
+                            struct mapd_lane_id lane,
+                            double s,
+                            double offset,
+                            struct mapd_pose *out,
+                            struct mapd_error *error);
+
+/*
+ As `mapd_lane_pose_at`, along the reference line: ahead is the way s rises, and `offset` counts to the left of that.
+ */
+mapd_code mapd_lane_pose_of_reference_line(const struct mapd_snapshot *snapshot,
+                                           struct mapd_lane_id lane,
+                                           double s,
+                                           double offset,
+                                           struct mapd_pose *out,
+                                           struct mapd_error *error);
+
+/*
+ The centre line's exact place at s, with its own direction. s outside the lane's section is moved to its nearer end and flagged.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_lane_waypoint_at(const struct mapd_snapshot *snapshot,
+                                struct mapd_lane_id lane,
+                                double s,
+                                struct mapd_waypoint *out,
+                                struct mapd_error *error);
+
+/*
+ Waypoints in driving direction, `step` [m] of s apart, from where the lane is entered to where it is left; both ends are among them.
+
+ Errors: `MAPD_CODE_NOT_FINITE` for a step that is not a positive finite number.
+ */
+mapd_code mapd_lane_waypoints(const struct mapd_snapshot *snapshot,
+                              struct mapd_lane_id lane,
+                              double step,
+                              struct mapd_waypoint *out,
+                              size_t capacity,
+                              size_t *count,
+                              struct mapd_error *error);
+
+/*
+ Both edges at s, as lateral coordinates. s outside the lane's section counts as its nearer end.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_lane_edges_at(const struct mapd_snapshot *snapshot,
+                             struct mapd_lane_id lane,
+                             double s,
+                             struct mapd_lane_edges *out,
+                             struct mapd_error *error);
+
+/*
+ Both edges at s, inertial. s outside the lane's section counts as its nearer end.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_lane_bounds_at(const struct mapd_snapshot *snapshot,
+                              struct mapd_lane_id lane,
+                              double s,
+                              struct mapd_lane_bounds *out,
+                              struct mapd_error *error);
+
+/*
+ Width at s [m], never negative. s outside the lane's section counts as its nearer end.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_lane_width_at(const struct mapd_snapshot *snapshot,
+                             struct mapd_lane_id lane,
+                             double s,
+                             double *out,
+                             struct mapd_error *error);
+
+/*
+ Speed limit at s [m/s]: the lane's own record, else that of the road's type; infinite where the file says `no limit`. Signs count in
+ `mapd_lane_speed_rule_at`. `MAPD_CODE_NONE` where the file says nothing.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_lane_speed_limit_at(const struct mapd_snapshot *snapshot,
+                                   struct mapd_lane_id lane,
+                                   double s,
+                                   double *out,
+                                   struct mapd_error *error);
+
+/*
+ Length of the centre line in plan view between two places on the road [m]. s outside the lane's section counts as its nearer end.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_lane_length_between(const struct mapd_snapshot *snapshot,
+                                   struct mapd_lane_id lane,
+                                   double a,
+                                   double b,
+                                   double *out,
+                                   struct mapd_error *error);
+
+/*
+ The lane beside this one; `side` is a `MAPD_BESIDE_…`. `MAPD_CODE_NONE` if there is none. One that shares the direction and may be
+ changed to is `change_left` or `change_right` of `mapd_node_facts`.
+
+ Errors: `MAPD_CODE_ARGUMENT` for an unknown side.
+ */
+mapd_code mapd_lane_beside(const struct mapd_snapshot *snapshot,
+                           struct mapd_lane_id lane,
+                           uint32_t side,
+                           struct mapd_lane_id *out,
+                           struct mapd_error *error);
+
+/*
+ Lanes entered from this one in its own driving direction, in order of road id, section and lane.
+ */
+mapd_code mapd_lane_successors(const struct mapd_snapshot *snapshot,
+                               struct mapd_lane_id lane,
+                               struct mapd_lane_id *out,
+                               size_t capacity,
+                               size_t *count,
+                               struct mapd_error *error);
+
+/*
+ Lanes from which this one is entered in its own driving direction, in order of road id, section and lane.
+ */
+mapd_code mapd_lane_predecessors(const struct mapd_snapshot *snapshot,
+                                 struct mapd_lane_id lane,
+                                 struct mapd_lane_id *out,
+                                 size_t capacity,
+                                 size_t *count,
+                                 struct mapd_error *error);
+
+/*
+ Points of a lane's centre line or of one of its borders, in ascending s: a polyline of bounded error, as it is stored. `line` is
+ a `MAPD_LINE_…`.
+
+ Errors: `MAPD_CODE_ARGUMENT` for an unknown line.
+ */
+mapd_code mapd_lane_line(const struct mapd_snapshot *snapshot,
+                         struct mapd_lane_id lane,
+                         uint32_t line,
+                         struct mapd_line_point *out,
+                         size_t capacity,
+                         size_t *count,
+                         struct mapd_error *error);
+
+/*
+ Number of nodes of the lane graph; their rows count from 0.
+ */
+mapd_code mapd_node_count(const struct mapd_snapshot *snapshot, size_t *out, struct mapd_error *error);
+
+/*
+ What a node is.
+ */
+mapd_code mapd_node_facts_of(const struct mapd_snapshot *snapshot,
+                             struct mapd_node_id node,
+                             struct mapd_node_facts *out,
+                             struct mapd_error *error);
+
+/*
+ Edges that leave a node, by road id, section and lane of their targets.
+ */
+mapd_code mapd_node_edges(const struct mapd_snapshot *snapshot,
+                          struct mapd_node_id node,
+                          struct mapd_edge *out,
+                          size_t capacity,
+                          size_t *count,
+                          struct mapd_error *error);
+
+/*
+ Nodes from which a node is entered.
+ */
+mapd_code mapd_node_predecessors(const struct mapd_snapshot *snapshot,
+                                 struct mapd_node_id node,
+                                 struct mapd_node_id *out,
+                                 size_t capacity,
+                                 size_t *count,
+                                 struct mapd_error *error);
+
+/*
+ A lane's nodes in driving order; of a lane travelled both ways then those of the other way.
+ */
+mapd_code mapd_lane_nodes(const struct mapd_snapshot *snapshot,
+                          struct mapd_lane_id lane,
+                          struct mapd_node_id *out,
+                          size_t capacity,
+                          size_t *count,
+                          struct mapd_error *error);
+
+/*
+ The node that holds s, towards +s (`forward` not 0) or −s; at a cut the later one in that direction. s outside the lane's section
+ counts as its nearer end. `MAPD_CODE_NONE` where the lane is not travelled that way.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_lane_node_at(const struct mapd_snapshot *snapshot,
+                            struct mapd_lane_id lane,
+                            double s,
+                            uint8_t forward,
+                            struct mapd_node_id *out,
+                            struct mapd_error *error);
+
+/*
+ Whether a class of vehicles may use the lane at s in its own direction: 1 or 0. `vehicle` is a `MAPD_VEHICLE_CLASS_…`.
+
+ Errors: `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for an unknown class.
+ */
+mapd_code mapd_lane_allows_at(const struct mapd_snapshot *snapshot,
+                              struct mapd_lane_id lane,
+                              double s,
+                              uint8_t vehicle,
+                              uint8_t *out,
+                              struct mapd_error *error);
+
+/*
+ Lanes of the same junction whose areas meet this one's.
+ */
+mapd_code mapd_lane_conflicts(const struct mapd_snapshot *snapshot,
+                              struct mapd_lane_id lane,
+                              struct mapd_conflict *out,
+                              size_t capacity,
+                              size_t *count,
+                              struct mapd_error *error);
+
+/*
+ The cheapest way through `place_count` places, two or more, in their order, in driving direction and by allowed lane changes only. `sum`: what
+ it comes to; null is fine. Fewer than two places, or no way: `MAPD_CODE_NONE`, and the count is 0.
+
+ The lane of the start may be any; every other one must be open to the vehicle. Each leg is the cheapest by itself.
+
+ Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for an unknown cost or class.
+ */
+mapd_code mapd_route(const struct mapd_snapshot *snapshot,
+                     const struct mapd_lane_place *places,
+                     size_t place_count,
+                     struct mapd_cost cost,
+                     struct mapd_scratch *scratch,
+                     struct mapd_route_sum *sum,
+                     struct mapd_route_step *out,
+                     size_t capacity,
+                     size_t *count,
+                     struct mapd_error *error);
+
+/*
+ Every node whose beginning can be reached within a cost, nearest first; the start's own node and those beside it come first of all.
+
+ Errors: as `mapd_route`.
+ */
+mapd_code mapd_reachable(const struct mapd_snapshot *snapshot,
+                         struct mapd_lane_place from,
+                         double limit,
+                         struct mapd_cost cost,
+                         struct mapd_scratch *scratch,
+                         struct mapd_reached *out,
+                         size_t capacity,
+                         size_t *count,
+                         struct mapd_error *error);
+
+/*
+ All sequences of lanes that a vehicle can follow from a place without changing lanes (`ahead` not 0), or on which it can have come there,
+ until each is `distance` [m] long or ends. `out` gets the lanes of all sequences one behind the other, `ends` where each ends in `out`.
+ `truncated`: 1 where there are more sequences than are listed; null is fine.
+
+ Errors: as `mapd_route`.
+ */
+mapd_code mapd_lane_sequences(const struct mapd_snapshot *snapshot,
+                              struct mapd_lane_place from,
+                              double distance,
+                              uint8_t vehicle,
+                              uint8_t ahead,
+                              struct mapd_scratch *scratch,
+                              struct mapd_lane_id *out,
+                              size_t capacity,
+                              size_t *count,
+                              size_t *ends,
+                              size_t ends_capacity,
+                              size_t *ends_count,
+                              uint8_t *truncated,
+                              struct mapd_error *error);
+
+/*
+ The next junction ahead of a place within a distance [m], following the lanes as long as there is but one way on, or all ways lead into one
+ junction. On a connecting road the distance is 0. `MAPD_CODE_NONE` if there is none.
+
+ Errors: as `mapd_route`.
+ */
+mapd_code mapd_next_junction_of(const struct mapd_snapshot *snapshot,
+                                struct mapd_lane_place from,
+                                double distance,
+                                uint8_t vehicle,
+                                struct mapd_next_junction *out,
+                                struct mapd_error *error);
+
+/*
+ The next change of lane on a route, seen from a place on step number `at`. `MAPD_CODE_NONE` if the route needs no more.
+
+ Errors: as `mapd_route`.
+ */
+mapd_code mapd_next_lane_change(const struct mapd_snapshot *snapshot,
+                                const struct mapd_route_step *steps,
+                                size_t step_count,
+                                size_t at,
+                                struct mapd_lane_place place,
+                                struct mapd_scratch *scratch,
+                                struct mapd_lane_change *out,
+                                struct mapd_error *error);
+
+/*
+ The length of a route's steps along centre lines [m].
+
+ Errors: as `mapd_route`.
+ */
+mapd_code mapd_steps_length(const struct mapd_snapshot *snapshot,
+                            const struct mapd_route_step *steps,
+                            size_t step_count,
+                            double *out,
+                            struct mapd_error *error);
+
+/*
+ The path along a route's steps. Close it with `mapd_path_close`.
+
+ Errors: steps that do not follow each other, go backwards, or none: `MAPD_CODE_ARGUMENT`; `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_path_new(const struct mapd_snapshot *snapshot,
+                        const struct mapd_route_step *steps,
+                        size_t step_count,
+                        struct mapd_path **out,
+                        struct mapd_error *error);
+
+/*
+ Closes a path and sets the handle to null. Null, or a handle that is null, is fine.
+ */
+void mapd_path_close(struct mapd_path **path);
+
+/*
+ Length: the largest S [m].
+ */
+mapd_code mapd_path_length(const struct mapd_path *path, double *out, struct mapd_error *error);
+
+/*
+ The place at S, `along` [m]. S outside the path is moved to its nearer end and flagged.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_path_at(const struct mapd_path *path,
+                       double along,
+                       struct mapd_path_point *out,
+                       struct mapd_error *error);
+
+/*
+ A point in the path's coordinates. `hint`: null, or S of a point nearby such as the one before: the search begins there.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_path_project(const struct mapd_path *path,
+                            struct mapd_vec2 point,
+                            const double *hint,
+                            struct mapd_path_position *out,
+                            struct mapd_error *error);
+
+/*
+ The speed limit at S, `along` [m]; in a junction that which comes in on the path. `MAPD_CODE_NONE` where the path has none.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_path_speed_at(const struct mapd_path *path,
+                             double along,
+                             struct mapd_speed_rule *out,
+                             struct mapd_error *error);
+
+/*
+ Gaps, overlaps and kinks of more than rounding, and changes of lane, in ascending S.
+ */
+mapd_code mapd_path_joints(const struct mapd_path *path,
+                           struct mapd_path_joint *out,
+                           size_t capacity,
+                           size_t *count,
+                           struct mapd_error *error);
+
+/*
+ What a junction is.
+ */
+mapd_code mapd_junction_facts_of(const struct mapd_snapshot *snapshot,
+                                 struct mapd_junction_id junction,
+                                 struct mapd_junction_facts *out,
+                                 struct mapd_error *error);
+
+/*
+ Connections of a junction in file order.
+ */
+mapd_code mapd_junction_connections(const struct mapd_snapshot *snapshot,
+                                    struct mapd_junction_id junction,
+                                    struct mapd_connection *out,
+                                    size_t capacity,
+                                    size_t *count,
+                                    struct mapd_error *error);
+
+/*
+ What a signal is.
+ */
+mapd_code mapd_signal_facts_of(const struct mapd_snapshot *snapshot,
+                               struct mapd_signal_id signal,
+                               struct mapd_signal_facts *out,
+                               struct mapd_error *error);
+
+/*
+ Signals that are for a lane, ascending in s; `which` is a `MAPD_LANE_SIGNALS_…`.
+
+ Errors: `MAPD_CODE_ARGUMENT` for an unknown `which`.
+ */
+mapd_code mapd_lane_signals(const struct mapd_snapshot *snapshot,
+                            struct mapd_lane_id lane,
+                            uint32_t which,
+                            struct mapd_lane_signal *out,
+                            size_t capacity,
+                            size_t *count,
+                            struct mapd_error *error);
+
+/*
+ The speed limit at s: sign before lane before road type before the header's regulations.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_lane_speed_rule_at(const struct mapd_snapshot *snapshot,
+                                  struct mapd_lane_id lane,
+                                  double s,
+                                  struct mapd_speed_rule *out,
+                                  struct mapd_error *error);
+
+/*
+ Every signal that stands as near to a point as `radius` [m] in plan view, nearest first, whatever lanes it is for.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_signals_near(const struct mapd_snapshot *snapshot,
+                            struct mapd_vec2 point,
+                            double radius,
+                            struct mapd_scratch *scratch,
+                            struct mapd_near_signal *out,
+                            size_t capacity,
+                            size_t *count,
+                            struct mapd_error *error);
+
+/*
+ Every signal that stands in a rectangle in plan view, in the order of their rows.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_signals_in(const struct mapd_snapshot *snapshot,
+                          struct mapd_region region,
+                          struct mapd_scratch *scratch,
+                          struct mapd_signal_id *out,
+                          size_t capacity,
+                          size_t *count,
+                          struct mapd_error *error);
+
+/*
+ Signals for traffic that goes on from a place without changing lanes, up to a distance [m] along any way, the nearest first. `vehicle` is a
+ `MAPD_VEHICLE_CLASS_…`.
+
+ Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for an unknown class.
+ */
+mapd_code mapd_signals_ahead(const struct mapd_snapshot *snapshot,
+                             struct mapd_lane_place from,
+                             double distance,
+                             uint8_t vehicle,
+                             struct mapd_scratch *scratch,
+                             struct mapd_signal_ahead *out,
+                             size_t capacity,
+                             size_t *count,
+                             struct mapd_error *error);
+
+/*
+ Signals along a route, with distances from its start.
+
+ Errors: as `mapd_signals_ahead`.
+ */
+mapd_code mapd_signals_along(const struct mapd_snapshot *snapshot,
+                             const struct mapd_route_step *steps,
+                             size_t step_count,
+                             struct mapd_scratch *scratch,
+                             struct mapd_signal_ahead *out,
+                             size_t capacity,
+                             size_t *count,
+                             struct mapd_error *error);
+
+/*
+ Stop lines, lines to give way at, crosswalks and bicycle crossings along a route, nearest first, whether the file writes them as signals
+ or as objects; one over several lanes stands once for each that is driven on.
+
+ Errors: as `mapd_signals_ahead`.
+ */
+mapd_code mapd_lines_along(const struct mapd_snapshot *snapshot,
+                           const struct mapd_route_step *steps,
+                           size_t step_count,
+                           struct mapd_scratch *scratch,
+                           struct mapd_lane_line_at *out,
+                           size_t capacity,
+                           size_t *count,
+                           struct mapd_error *error);
+
+/*
+ Where the movement through this lane of a junction leads: a `MAPD_TURN_…`.
+ */
+mapd_code mapd_lane_turn(const struct mapd_snapshot *snapshot,
+                         struct mapd_lane_id lane,
+                         uint8_t *out,
+                         struct mapd_error *error);
+
+/*
+ Lanes from which the junction is entered on the way through this one.
+ */
+mapd_code mapd_lane_entries(const struct mapd_snapshot *snapshot,
+                            struct mapd_lane_id lane,
+                            struct mapd_lane_id *out,
+                            size_t capacity,
+                            size_t *count,
+                            struct mapd_error *error);
+
+/*
+ Lanes of the junction that the movement through this one goes over, first to last; itself where it is in no junction.
+ */
+mapd_code mapd_lane_movement_lanes(const struct mapd_snapshot *snapshot,
+                                   struct mapd_lane_id lane,
+                                   struct mapd_lane_id *out,
+                                   size_t capacity,
+                                   size_t *count,
+                                   struct mapd_error *error);
+
+/*
+ Lights that govern the movement through this lane of a junction.
+ */
+mapd_code mapd_lane_movement_lights(const struct mapd_snapshot *snapshot,
+                                    struct mapd_lane_id lane,
+                                    struct mapd_lane_signal *out,
+                                    size_t capacity,
+                                    size_t *count,
+                                    struct mapd_error *error);
+
+/*
+ Where the movement through this lane of a junction stops: at the marked line nearest to the junction, up to 30 m before it or on the movement's
+ first lane; without one at its light. `MAPD_CODE_NONE` where neither is known.
+ */
+mapd_code mapd_lane_movement_stop(const struct mapd_snapshot *snapshot,
+                                  struct mapd_lane_id lane,
+                                  struct mapd_lane_line_at *out,
+                                  struct mapd_error *error);
+
+/*
+ Lines on a lane, or that its movement passes; `which` is a `MAPD_LANE_LINES_…`.
+
+ Errors: `MAPD_CODE_ARGUMENT` for an unknown `which`.
+ */
+mapd_code mapd_lane_lines(const struct mapd_snapshot *snapshot,
+                          struct mapd_lane_id lane,
+                          uint32_t which,
+                          struct mapd_lane_line_at *out,
+                          size_t capacity,
+                          size_t *count,
+                          struct mapd_error *error);
+
+/*
+ Who goes first where this lane of a junction meets others.
+ */
+mapd_code mapd_lane_right_of_way(const struct mapd_snapshot *snapshot,
+                                 struct mapd_lane_id lane,
+                                 struct mapd_right_of_way *out,
+                                 size_t capacity,
+                                 size_t *count,
+                                 struct mapd_error *error);
+
+/*
+ First lanes of the movements through junctions that a light governs; none of what is no light. Looks at all places of signals of the map.
+ */
+mapd_code mapd_signal_movements(const struct mapd_snapshot *snapshot,
+                                struct mapd_signal_id signal,
+                                struct mapd_lane_id *out,
+                                size_t capacity,
+                                size_t *count,
+                                struct mapd_error *error);
+
+/*
+ What an object is.
+ */
+mapd_code mapd_object_facts_of(const struct mapd_snapshot *snapshot,
+                               struct mapd_object_id object,
+                               struct mapd_object_facts *out,
+                               struct mapd_error *error);
+
+/*
+ Every place where an object stands: its own, or those of its copies.
+ */
+mapd_code mapd_object_placements(const struct mapd_snapshot *snapshot,
+                                 struct mapd_object_id object,
+                                 struct mapd_placement_facts *out,
+                                 size_t capacity,
+                                 size_t *count,
+                                 struct mapd_error *error);
+
+/*
+ An object where it stands.
+ */
+mapd_code mapd_placement_facts_of(const struct mapd_snapshot *snapshot,
+                                  struct mapd_placement_id place,
+                                  struct mapd_placement_facts *out,
+                                  struct mapd_error *error);
+
+/*
+ Corners of the area that an object covers, at its foot, inertial [m].
+ */
+mapd_code mapd_placement_footprint(const struct mapd_snapshot *snapshot,
+                                   struct mapd_placement_id place,
+                                   struct mapd_scratch *scratch,
+                                   struct mapd_vec3 *out,
+                                   size_t capacity,
+                                   size_t *count,
+                                   struct mapd_error *error);
+
+/*
+ Lanes that an object belongs to, nearer ones first.
+ */
+mapd_code mapd_object_lanes(const struct mapd_snapshot *snapshot,
+                            struct mapd_object_id object,
+                            struct mapd_object_lane *out,
+                            size_t capacity,
+                            size_t *count,
+                            struct mapd_error *error);
+
+/*
+ Objects that belong to a lane, in ascending s: crosswalks, stop lines, parking spaces, what stands beside it.
+ */
+mapd_code mapd_lane_objects(const struct mapd_snapshot *snapshot,
+                            struct mapd_lane_id lane,
+                            struct mapd_object_lane *out,
+                            size_t capacity,
+                            size_t *count,
+                            struct mapd_error *error);
+
+/*
+ Every place of an object whose area comes as near to a point as `radius` [m] in plan view, nearest first.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_objects_near(const struct mapd_snapshot *snapshot,
+                            struct mapd_vec2 point,
+                            double radius,
+                            struct mapd_scratch *scratch,
+                            struct mapd_near_object *out,
+                            size_t capacity,
+                            size_t *count,
+                            struct mapd_error *error);
+
+/*
+ Every place of an object whose area meets a rectangle in plan view, in the order of their rows.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_objects_in(const struct mapd_snapshot *snapshot,
+                          struct mapd_region region,
+                          struct mapd_scratch *scratch,
+                          struct mapd_placement_id *out,
+                          size_t capacity,
+                          size_t *count,
+                          struct mapd_error *error);
+
+/*
+ The classes that localisers use.
+ */
+struct mapd_class_set mapd_class_set_landmarks(void);
+
+/*
+ Signals and places of objects of these classes as near to a point as `radius` [m] in plan view, nearest first; objects that move are left out.
+ `classes`: null is what localisers use.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_landmarks_near(const struct mapd_snapshot *snapshot,
+                              struct mapd_vec2 point,
+                              double radius,
+                              const struct mapd_class_set *classes,
+                              struct mapd_scratch *scratch,
+                              struct mapd_landmark *out,
+                              size_t capacity,
+                              size_t *count,
+                              struct mapd_error *error);
+
+/*
+ As `mapd_landmarks_near`, in a rectangle: signals by row, then places of objects whose area meets it.
+ */
+mapd_code mapd_landmarks_in(const struct mapd_snapshot *snapshot,
+                            struct mapd_region region,
+                            const struct mapd_class_set *classes,
+                            struct mapd_scratch *scratch,
+                            struct mapd_landmark *out,
+                            size_t capacity,
+                            size_t *count,
+                            struct mapd_error *error);
+
+/*
+ A lane's road marks in ascending s, those that hold somewhere in its section. The kind `none` is among them.
+ */
+mapd_code mapd_lane_road_marks(const struct mapd_snapshot *snapshot,
+                               struct mapd_lane_id lane,
+                               struct mapd_road_mark *out,
+                               size_t capacity,
+                               size_t *count,
+                               struct mapd_error *error);
+
+/*
+ The road mark that holds at s; at a boundary the later one. `MAPD_CODE_NONE` before the first and beyond the section.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_lane_road_mark_at(const struct mapd_snapshot *snapshot,
+                                 struct mapd_lane_id lane,
+                                 double s,
+                                 struct mapd_road_mark *out,
+                                 struct mapd_error *error);
+
+/*
+ Every piece of the borders of lanes of these types that meets a rectangle in plan view, each once, in the order of their lanes and of s.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_boundary_segments(const struct mapd_snapshot *snapshot,
+                                 struct mapd_region region,
+                                 uint64_t types,
+                                 struct mapd_scratch *scratch,
+                                 struct mapd_boundary_segment *out,
+                                 size_t capacity,
+                                 size_t *count,
+                                 struct mapd_error *error);
+
+/*
+ Every piece of the road marks of lanes of these types that meets a rectangle in plan view, along the borders, without sway.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_road_mark_segments(const struct mapd_snapshot *snapshot,
+                                  struct mapd_region region,
+                                  uint64_t types,
+                                  struct mapd_scratch *scratch,
+                                  struct mapd_road_mark_segment *out,
+                                  size_t capacity,
+                                  size_t *count,
+                                  struct mapd_error *error);
+
+/*
+ The surface at (s, t), with lateral shape, crossfall or cross-section surface, lane heights, and in a junction its elevation grid. s beyond
+ the reference line is moved to its end and flagged.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_road_surface_at(const struct mapd_snapshot *snapshot,
+                               struct mapd_road_id road,
+                               double s,
+                               double t,
+                               struct mapd_surface *out,
+                               struct mapd_error *error);
+
+/*
+ What a lane lies above the road's surface at s.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_lane_height_at(const struct mapd_snapshot *snapshot,
+                              struct mapd_lane_id lane,
+                              double s,
+                              struct mapd_lane_height *out,
+                              struct mapd_error *error);
+
+/*
+ What a lane is made of at s. `MAPD_CODE_NONE` where the map does not say.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_lane_material_at(const struct mapd_snapshot *snapshot,
+                                struct mapd_lane_id lane,
+                                double s,
+                                struct mapd_material *out,
+                                struct mapd_error *error);
+
+/*
+ Height of a junction's elevation grid at a point in plan view, its edge held beyond it. `MAPD_CODE_NONE` without a grid.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_junction_grid_height_at(const struct mapd_snapshot *snapshot,
+                                       struct mapd_junction_id junction,
+                                       struct mapd_vec2 point,
+                                       struct mapd_grid_height *out,
+                                       struct mapd_error *error);
+
+/*
+ What converts between this map's inertial frame and WGS 84. Close it with `mapd_projector_close`.
+
+ Errors: `MAPD_CODE_NO_PROJECTION`.
+ */
+mapd_code mapd_projector_new(const struct mapd_snapshot *snapshot,
+                             struct mapd_projector **out,
+                             struct mapd_error *error);
+
+/*
+ What converts between the file's own frame and WGS 84, of a map that was compiled into another frame; else as `mapd_projector_new`.
+
+ Errors: `MAPD_CODE_NO_PROJECTION`.
+ */
+mapd_code mapd_projector_of_file(const struct mapd_snapshot *snapshot,
+                                 struct mapd_projector **out,
+                                 struct mapd_error *error);
+
+/*
+ Closes a projector and sets the handle to null. Null, or a handle that is null, is fine.
+ */
+void mapd_projector_close(struct mapd_projector **projector);
+
+/*
+ Where a point of the map lies on Earth.
+
+ Errors: `MAPD_CODE_NOT_FINITE`, `MAPD_CODE_OUTSIDE`.
+ */
+mapd_code mapd_to_geodetic(const struct mapd_projector *projector,
+                           struct mapd_vec3 point,
+                           struct mapd_geodetic *out,
+                           struct mapd_error *error);
+
+/*
+ The point of the map at a place on Earth.
+
+ Errors: `MAPD_CODE_NOT_FINITE`, `MAPD_CODE_NO_PLACE_ON_EARTH`, `MAPD_CODE_OUTSIDE`.
+ */
+mapd_code mapd_from_geodetic(const struct mapd_projector *projector,
+                             struct mapd_geodetic place,
+                             struct mapd_vec3 *out,
+                             struct mapd_error *error);
+
+/*
+ As `mapd_to_geodetic`, of `count` points; `out` has room for as many.
+
+ Errors: as `mapd_to_geodetic`, of the first point that has one; the answers before it are written.
+ */
+mapd_code mapd_to_geodetic_batch(const struct mapd_projector *projector,
+                                 const struct mapd_vec3 *points,
+                                 size_t count,
+                                 struct mapd_geodetic *out,
+                                 struct mapd_error *error);
+
+/*
+ As `mapd_nearest_lane`, from a place on Earth through a projector of this map. The altitude counts where `has_altitude` is not 0.
+
+ Errors: as `mapd_from_geodetic`.
+ */
+mapd_code mapd_nearest_lane_geodetic(const struct mapd_snapshot *snapshot,
+                                     const struct mapd_projector *projector,
+                                     struct mapd_geodetic place,
+                                     uint8_t has_altitude,
+                                     const struct mapd_nearest_options *options,
+                                     struct mapd_nearest *out,
+                                     struct mapd_error *error);
+
+/*
+ The word of a code, as OpenDRIVE or the vocabulary of classes has it; `unknown` for a code that this release does not know. `vocabulary`
+ is a `MAPD_WORDS_…`. The text is there for ever.
+
+ Errors: `MAPD_CODE_ARGUMENT` for an unknown vocabulary.
+ */
+mapd_code mapd_word(uint32_t vocabulary,
+                    uint16_t code,
+                    struct mapd_text *out,
+                    struct mapd_error *error);
+
+/*
+ The release of the library, such as `0.1.0`. The text is there for ever.
+ */
+struct mapd_text mapd_version(void);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* MAPD_H */

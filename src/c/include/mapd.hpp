@@ -1,0 +1,289 @@
+/// mapd for C++17: attach to a served map, or open a .mapd file, and query its lanes in place.
+///
+/// On top of `mapd.h`, which documents units, signs and errors of each call. `try_f` returns a `Result`; `f` throws an `Exception` instead and is
+/// there where the program is built with exceptions. Ids, facts and answers are the plain structs of C: doubles side by side, so that
+/// `Eigen::Map<const Eigen::Vector3d>(&pose.position.x)` and the like work.
+///
+/// Threads: `Client`, `Snapshot` and `Projector` may be used by several threads at once; a `Scratch` and `Events` by one at a time. A text that an
+/// answer points to (`view`) is there as long as a snapshot of that content is.
+#pragma once
+
+#include "mapd/base.hpp"
+#include "mapd/queries.hpp"
+
+namespace mapd {
+
+/// One generation of a map, pinned: readable as long as any copy is held, whatever becomes of daemon, client and file.
+class Snapshot : public Queries {
+ public:
+  using Queries::Queries;
+  Snapshot(Snapshot&&) noexcept = default;
+  Snapshot& operator=(Snapshot&&) noexcept = default;
+  Snapshot(const Snapshot& other) : Queries(copy(other.get())) {}
+  Snapshot& operator=(const Snapshot& other) {
+    Queries::operator=(Snapshot(other));
+    return *this;
+  }
+
+  /// Opens a `.mapd` file in place.
+  static Result<Snapshot> try_open(const std::string& path) {
+    return detail::handle<Snapshot>([&](auto... out) { return mapd_snapshot_open(path.c_str(), out...); });
+  }
+#if MAPD_EXCEPTIONS
+  static Snapshot open(const std::string& path) { return try_open(path).value(); }
+#endif
+
+  /// Proves the whole archive.
+  Error try_verify() const {
+    mapd_error error;
+    const mapd_code code = mapd_snapshot_verify(get(), &error);
+    return code == MAPD_CODE_OK ? Error{} : detail::failed(code, error);
+  }
+#if MAPD_EXCEPTIONS
+  void verify() const {
+    if (Error error = try_verify(); error.code != MAPD_CODE_OK) throw Exception(error);
+  }
+#endif
+
+  /// The lane's stable name.
+  Result<std::string> try_key(LaneId lane) const {
+    std::string out(32, '\0');
+    mapd_error error;
+    for (;;) {
+      std::size_t length = 0;
+      const mapd_code code = mapd_lane_key(get(), lane, out.data(), out.size() + 1, &length, &error);
+      out.resize(length);
+      if (code == MAPD_CODE_OK) return out;
+      if (code != MAPD_CODE_TOO_SMALL) return detail::failed(code, error);
+    }
+  }
+#if MAPD_EXCEPTIONS
+  std::string key(LaneId lane) const { return try_key(lane).value(); }
+#endif
+
+  /// Nearest lanes of many points; what has none gets a lane that names nothing. `out` has as many entries as `points`.
+  Error try_nearest_lanes(span<const mapd_point> points, span<Nearest> out, const NearestOptions& options = {}) const {
+    if (out.size() < points.size()) return {MAPD_CODE_TOO_SMALL, "expected as many answers as points"};
+    const mapd_nearest_options own = options.c();
+    mapd_error error;
+    const mapd_code code = mapd_nearest_lane_batch(get(), points.data(), points.size(), &own, out.data(), &error);
+    return code == MAPD_CODE_OK ? Error{} : detail::failed(code, error);
+  }
+#if MAPD_EXCEPTIONS
+  void nearest_lanes(span<const mapd_point> points, span<Nearest> out, const NearestOptions& options = {}) const {
+    if (Error error = try_nearest_lanes(points, out, options); error.code != MAPD_CODE_OK) throw Exception(error);
+  }
+#endif
+
+  /// Whether a point lies on a lane; a point with z only on one within the tolerance [m], if any is given.
+  Result<bool> try_covers(Point point, std::optional<double> z_tolerance = std::nullopt) const {
+    std::uint8_t out = 0;
+    mapd_error error;
+    const mapd_code code = mapd_covers(get(), point, z_tolerance.value_or(-1.0), &out, &error);
+    if (code != MAPD_CODE_OK) return detail::failed(code, error);
+    return out != 0;
+  }
+  /// Whether a class of vehicles may use the lane at s in its own direction.
+  Result<bool> try_allows_at(LaneId lane, double s, std::uint8_t vehicle) const {
+    std::uint8_t out = 0;
+    mapd_error error;
+    const mapd_code code = mapd_lane_allows_at(get(), lane, s, vehicle, &out, &error);
+    if (code != MAPD_CODE_OK) return detail::failed(code, error);
+    return out != 0;
+  }
+#if MAPD_EXCEPTIONS
+  bool covers(Point point, std::optional<double> z_tolerance = std::nullopt) const {
+    return try_covers(point, z_tolerance).value();
+  }
+  bool allows_at(LaneId lane, double s, std::uint8_t vehicle) const { return try_allows_at(lane, s, vehicle).value(); }
+#endif
+
+  /// The cheapest way through these places, in driving direction and by allowed lane changes; none if there is no way.
+  Result<std::optional<Route>> try_route(span<const LanePlace> places, Cost cost, Scratch& scratch) const {
+    Route route;
+    mapd_error error;
+    route.steps.resize(64);
+    for (;;) {
+      std::size_t count = 0;
+      const mapd_code code = mapd_route(get(), places.data(), places.size(), cost, scratch.get(), &route.sum,
+                                        route.steps.data(), route.steps.size(), &count, &error);
+      if (code == MAPD_CODE_NONE) return std::optional<Route>();
+      if (code != MAPD_CODE_OK && code != MAPD_CODE_TOO_SMALL) return detail::failed(code, error);
+      route.steps.resize(count);
+      if (code == MAPD_CODE_OK) return std::optional<Route>(std::move(route));
+    }
+  }
+#if MAPD_EXCEPTIONS
+  std::optional<Route> route(span<const LanePlace> places, Cost cost, Scratch& scratch) const {
+    return try_route(places, cost, scratch).value();
+  }
+#endif
+
+  /// The path along a route's steps.
+  Result<Path> try_path(span<const RouteStep> steps) const {
+    return detail::handle<Path>([&](auto... out) { return mapd_path_new(get(), steps.data(), steps.size(), out...); });
+  }
+#if MAPD_EXCEPTIONS
+  Path path(span<const RouteStep> steps) const { return try_path(steps).value(); }
+#endif
+
+  /// All sequences of lanes ahead of a place, or behind it.
+  Result<LaneSequences> try_lane_sequences(LanePlace from, double distance, std::uint8_t vehicle, bool ahead,
+                                           Scratch& scratch) const {
+    std::vector<LaneId> lanes(64);
+    std::vector<std::size_t> ends(16);
+    std::uint8_t truncated = 0;
+    mapd_error error;
+    for (;;) {
+      std::size_t lane_count = 0, end_count = 0;
+      const mapd_code code = mapd_lane_sequences(get(), from, distance, vehicle, ahead ? 1 : 0, scratch.get(),
+                                                 lanes.data(), lanes.size(), &lane_count, ends.data(), ends.size(),
+                                                 &end_count, &truncated, &error);
+      if (code != MAPD_CODE_OK && code != MAPD_CODE_TOO_SMALL) return detail::failed(code, error);
+      lanes.resize(lane_count);
+      ends.resize(end_count);
+      if (code == MAPD_CODE_OK) break;
+    }
+    LaneSequences out;
+    out.truncated = truncated != 0;
+    std::size_t from_lane = 0;
+    for (const std::size_t end : ends) {
+      out.sequences.emplace_back(lanes.begin() + static_cast<std::ptrdiff_t>(from_lane),
+                                 lanes.begin() + static_cast<std::ptrdiff_t>(end));
+      from_lane = end;
+    }
+    return out;
+  }
+#if MAPD_EXCEPTIONS
+  LaneSequences lane_sequences(LanePlace from, double distance, std::uint8_t vehicle, bool ahead,
+                               Scratch& scratch) const {
+    return try_lane_sequences(from, distance, vehicle, ahead, scratch).value();
+  }
+#endif
+
+  /// What converts between this map's inertial frame and WGS 84.
+  Result<Projector> try_projector() const {
+    return detail::handle<Projector>([&](auto... out) { return mapd_projector_new(get(), out...); });
+  }
+  /// The same of the file's own frame, of a map that was compiled into another one.
+  Result<Projector> try_file_projector() const {
+    return detail::handle<Projector>([&](auto... out) { return mapd_projector_of_file(get(), out...); });
+  }
+  /// As `try_nearest_lane`, from a place on Earth through a projector of this map.
+  Result<std::optional<Nearest>> try_nearest_lane_geodetic(const Projector& projector, Geodetic place, bool has_altitude,
+                                                           const NearestOptions& options = {}) const {
+    const mapd_nearest_options own = options.c();
+    return detail::optional<Nearest>([&](auto... out) {
+      return mapd_nearest_lane_geodetic(get(), projector.get(), place, has_altitude ? 1 : 0, &own, out...);
+    });
+  }
+#if MAPD_EXCEPTIONS
+  Projector projector() const { return try_projector().value(); }
+  Projector file_projector() const { return try_file_projector().value(); }
+  std::optional<Nearest> nearest_lane_geodetic(const Projector& projector, Geodetic place, bool has_altitude,
+                                               const NearestOptions& options = {}) const {
+    return try_nearest_lane_geodetic(projector, place, has_altitude, options).value();
+  }
+#endif
+
+ private:
+  static mapd_snapshot* copy(const mapd_snapshot* other) noexcept {
+    mapd_snapshot* raw = nullptr;
+    mapd_snapshot_clone(other, &raw, nullptr);
+    return raw;
+  }
+};
+
+/// A follower of a map. It belongs to one thread at a time and keeps its client.
+class Events : public detail::Owner<mapd_events, mapd_events_close> {
+ public:
+  using Owner::Owner;
+
+  /// The next event; waits for it at most so many seconds. None: nothing has happened.
+  Result<std::optional<Event>> try_next(double wait_s) {
+    return detail::optional<Event>([&](auto... out) { return mapd_events_next(get(), wait_s, out...); });
+  }
+#if MAPD_EXCEPTIONS
+  std::optional<Event> next(double wait_s) { return try_next(wait_s).value(); }
+#endif
+};
+
+/// A connection to one served map.
+class Client : public detail::Owner<mapd_client, mapd_client_close> {
+ public:
+  using Owner::Owner;
+
+  /// Connects to the map of this name, whichever side starts first; waits at most so many seconds. No prefix: that of MAPD_PREFIX, else the
+  /// default one.
+  static Result<Client> try_connect(const std::string& map, double wait_s, const char* prefix = nullptr) {
+    return detail::handle<Client>(
+        [&](auto... out) { return mapd_client_connect(map.c_str(), prefix, wait_s, out...); });
+  }
+  /// The newest generation seen so far, without looking for another.
+  Result<Snapshot> try_snapshot() const {
+    return detail::handle<Snapshot>([&](auto... out) { return mapd_client_snapshot(get(), out...); });
+  }
+  /// Looks for a newer generation without waiting; the newest.
+  Result<Snapshot> try_refresh() const {
+    return detail::handle<Snapshot>([&](auto... out) { return mapd_client_refresh(get(), out...); });
+  }
+  /// Waits at most so many seconds for a generation newer than the newest seen so far.
+  Result<Snapshot> try_wait_next(double wait_s) const {
+    return detail::handle<Snapshot>([&](auto... out) { return mapd_client_wait_next(get(), wait_s, out...); });
+  }
+  /// Waits at most so many seconds for the generation of this number.
+  Result<Snapshot> try_require(std::uint64_t generation, double wait_s) const {
+    return detail::handle<Snapshot>([&](auto... out) { return mapd_client_require(get(), generation, wait_s, out...); });
+  }
+  /// The generation that is staged, if any.
+  Result<std::optional<Generation>> try_pending() const {
+    return detail::optional<Generation>([&](auto... out) { return mapd_client_pending(get(), out...); });
+  }
+  /// The process that serves the map now, if any.
+  Result<std::optional<std::uint32_t>> try_served_by() const {
+    return detail::optional<std::uint32_t>([&](auto... out) { return mapd_client_served_by(get(), out...); });
+  }
+  /// Follows the map from now on.
+  Result<Events> try_events() const {
+    return detail::handle<Events>([&](auto... out) { return mapd_events_new(get(), out...); });
+  }
+#if MAPD_EXCEPTIONS
+  static Client connect(const std::string& map, double wait_s, const char* prefix = nullptr) {
+    return try_connect(map, wait_s, prefix).value();
+  }
+  Snapshot snapshot() const { return try_snapshot().value(); }
+  Snapshot refresh() const { return try_refresh().value(); }
+  Snapshot wait_next(double wait_s) const { return try_wait_next(wait_s).value(); }
+  Snapshot require(std::uint64_t generation, double wait_s) const { return try_require(generation, wait_s).value(); }
+  std::optional<Generation> pending() const { return try_pending().value(); }
+  std::optional<std::uint32_t> served_by() const { return try_served_by().value(); }
+  Events events() const { return try_events().value(); }
+#endif
+};
+
+/// The word of a code; vocabulary is a MAPD_WORDS_…. Empty for an unknown vocabulary.
+inline std::string_view word(std::uint32_t vocabulary, std::uint16_t code) noexcept {
+  mapd_text out{"", 0};
+  mapd_word(vocabulary, code, &out, nullptr);
+  return view(out);
+}
+
+}  // namespace mapd
+
+// Ids compare and hash.
+#define MAPD_ID(Id)                                                                                                  \
+  constexpr bool operator==(const Id& a, const Id& b) noexcept { return a.row == b.row && a.content == b.content; } \
+  constexpr bool operator!=(const Id& a, const Id& b) noexcept { return !(a == b); }                                \
+  template <>                                                                                                        \
+  struct std::hash<Id> {                                                                                             \
+    std::size_t operator()(const Id& id) const noexcept {                                                            \
+      return std::hash<std::uint64_t>()(std::uint64_t{id.content} << 32 | id.row);                                   \
+    }                                                                                                                \
+  };
+MAPD_ID(mapd_road_id)
+MAPD_ID(mapd_lane_id)
+MAPD_ID(mapd_junction_id)
+MAPD_ID(mapd_node_id)
+MAPD_ID(mapd_signal_id)
+MAPD_ID(mapd_object_id)
+#undef MAPD_ID

@@ -1,0 +1,365 @@
+/// Values, results and handles of mapd for C++17: see `mapd.hpp`.
+#pragma once
+
+#include "../mapd.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#if defined(__cpp_exceptions) || defined(_CPPUNWIND)
+#define MAPD_EXCEPTIONS 1
+#include <stdexcept>
+#else
+#define MAPD_EXCEPTIONS 0
+#endif
+
+namespace mapd {
+
+using Vec2 = mapd_vec2;
+using Vec3 = mapd_vec3;
+using Region = mapd_region;
+using Track = mapd_track;
+using Pose = mapd_pose;
+using TrackPosition = mapd_track_position;
+using LanePosition = mapd_lane_position;
+using RoadId = mapd_road_id;
+using LaneId = mapd_lane_id;
+using JunctionId = mapd_junction_id;
+using NodeId = mapd_node_id;
+using SignalId = mapd_signal_id;
+using ObjectId = mapd_object_id;
+using PlacementId = mapd_placement_id;
+using Generation = mapd_generation;
+using Event = mapd_event;
+using MapFacts = mapd_map_facts;
+using GeodeticBounds = mapd_geodetic_bounds;
+using Nearest = mapd_nearest;
+using RoadFacts = mapd_road_facts;
+using LaneFacts = mapd_lane_facts;
+using LaneEdges = mapd_lane_edges;
+using LaneBounds = mapd_lane_bounds;
+using Waypoint = mapd_waypoint;
+using LinePoint = mapd_line_point;
+using NodeFacts = mapd_node_facts;
+using Edge = mapd_edge;
+using Conflict = mapd_conflict;
+using LanePlace = mapd_lane_place;
+using Cost = mapd_cost;
+using RouteStep = mapd_route_step;
+using RouteSum = mapd_route_sum;
+using Reached = mapd_reached;
+using NextJunction = mapd_next_junction;
+using LaneChange = mapd_lane_change;
+using JunctionFacts = mapd_junction_facts;
+using Connection = mapd_connection;
+using SignalFacts = mapd_signal_facts;
+using LaneSignal = mapd_lane_signal;
+using NearSignal = mapd_near_signal;
+using SpeedRule = mapd_speed_rule;
+using SignalAhead = mapd_signal_ahead;
+using LaneLine = mapd_lane_line_at;
+using RightOfWay = mapd_right_of_way;
+using ObjectFacts = mapd_object_facts;
+using PlacementFacts = mapd_placement_facts;
+using NearObject = mapd_near_object;
+using ObjectLane = mapd_object_lane;
+using ClassSet = mapd_class_set;
+using Landmark = mapd_landmark;
+using RoadMark = mapd_road_mark;
+using BoundarySegment = mapd_boundary_segment;
+using RoadMarkSegment = mapd_road_mark_segment;
+using Material = mapd_material;
+using Surface = mapd_surface;
+using LaneHeight = mapd_lane_height;
+using GridHeight = mapd_grid_height;
+using Geodetic = mapd_geodetic;
+using PathPoint = mapd_path_point;
+using PathPosition = mapd_path_position;
+using PathJoint = mapd_path_joint;
+
+/// For ever.
+inline constexpr double forever = std::numeric_limits<double>::infinity();
+/// Every lane type.
+inline constexpr std::uint64_t all_lane_types = UINT64_MAX;
+
+/// Entries side by side.
+template <class T>
+class span {
+ public:
+  constexpr span() noexcept = default;
+  constexpr span(T* data, std::size_t size) noexcept : data_(data), size_(size) {}
+  /// Of whatever has `data()` and `size()`, such as a vector.
+  template <class C, class = decltype(static_cast<T*>(std::declval<C&>().data()))>
+  constexpr span(C&& all) noexcept : data_(all.data()), size_(all.size()) {}
+  template <std::size_t N>
+  constexpr span(T (&all)[N]) noexcept : data_(all), size_(N) {}
+
+  constexpr T* data() const noexcept { return data_; }
+  constexpr std::size_t size() const noexcept { return size_; }
+  constexpr bool empty() const noexcept { return size_ == 0; }
+  constexpr T* begin() const noexcept { return data_; }
+  constexpr T* end() const noexcept { return data_ + size_; }
+  constexpr T& operator[](std::size_t i) const noexcept { return data_[i]; }
+
+ private:
+  T* data_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+/// A point that is asked about, with or without z [m].
+struct Point : mapd_point {
+  constexpr Point(double east, double north) noexcept : mapd_point{east, north, 0.0, 0} {}
+  constexpr Point(double east, double north, double up) noexcept : mapd_point{east, north, up, 1} {}
+  constexpr Point(Vec2 at) noexcept : Point(at.x, at.y) {}
+  constexpr Point(Vec3 at) noexcept : Point(at.x, at.y, at.z) {}
+};
+
+/// What counts as a match: see `mapd_nearest_options`.
+struct NearestOptions {
+  double radius = 10.0;
+  std::uint64_t types = all_lane_types;
+  std::optional<double> z_tolerance = std::nullopt;
+  std::optional<double> heading = std::nullopt;
+  std::optional<double> heading_tolerance = std::nullopt;
+  std::optional<std::uint8_t> vehicle = std::nullopt;
+  /// The answer for a point nearby; it has to outlive the call.
+  const Nearest* hint = nullptr;
+
+  mapd_nearest_options c() const noexcept {
+    mapd_nearest_options out{};
+    out.size = sizeof out;
+    out.radius = radius;
+    out.types = types;
+    out.z_tolerance = z_tolerance.value_or(0.0);
+    out.heading = heading.value_or(0.0);
+    out.heading_tolerance = heading_tolerance.value_or(0.0);
+    out.has_z_tolerance = z_tolerance.has_value() ? 1 : 0;
+    out.has_heading = heading.has_value() ? 1 : 0;
+    out.has_heading_tolerance = heading_tolerance.has_value() ? 1 : 0;
+    out.has_vehicle = vehicle.has_value() ? 1 : 0;
+    out.vehicle = vehicle.value_or(std::uint8_t{0});
+    out.hint = hint;
+    return out;
+  }
+};
+
+/// Why a call failed.
+struct Error {
+  mapd_code code = MAPD_CODE_OK;
+  std::string message;
+};
+
+#if MAPD_EXCEPTIONS
+/// What `f` throws where `try_f` returns an error.
+class Exception : public std::runtime_error {
+ public:
+  explicit Exception(const Error& error) : std::runtime_error(error.message), code_(error.code) {}
+  mapd_code code() const noexcept { return code_; }
+
+ private:
+  mapd_code code_;
+};
+#endif
+
+/// A value, or why there is none.
+template <class T>
+class Result {
+ public:
+  Result(T value) : value_(std::move(value)) {}
+  Result(Error error) : error_(std::move(error)) {}
+
+  explicit operator bool() const noexcept { return value_.has_value(); }
+  bool has_value() const noexcept { return value_.has_value(); }
+  /// The value; there has to be one.
+  T& operator*() & noexcept { return *value_; }
+  const T& operator*() const& noexcept { return *value_; }
+  T&& operator*() && noexcept { return std::move(*value_); }
+  T* operator->() noexcept { return &*value_; }
+  const T* operator->() const noexcept { return &*value_; }
+  /// Why there is none; `MAPD_CODE_OK` where there is one.
+  const Error& error() const noexcept { return error_; }
+  mapd_code code() const noexcept { return error_.code; }
+#if MAPD_EXCEPTIONS
+  /// The value, or an exception.
+  T value() && {
+    if (!value_) throw Exception(error_);
+    return std::move(*value_);
+  }
+#endif
+
+ private:
+  std::optional<T> value_;
+  Error error_;
+};
+
+/// A text of an answer's.
+inline std::string_view view(mapd_text text) noexcept { return {text.data, text.size}; }
+
+/// Whether an id names something.
+template <class Id>
+constexpr bool is_some(const Id& id) noexcept {
+  return id.row != MAPD_NO_ROW;
+}
+
+namespace detail {
+
+inline Error failed(mapd_code code, const mapd_error& error) { return {code, std::string(error.message, error.length)}; }
+
+template <class T, class F>
+Result<T> value(F call) {
+  T out{};
+  mapd_error error;
+  const mapd_code code = call(&out, &error);
+  if (code != MAPD_CODE_OK) return failed(code, error);
+  return out;
+}
+
+template <class T, class F>
+Result<std::optional<T>> optional(F call) {
+  T out{};
+  mapd_error error;
+  const mapd_code code = call(&out, &error);
+  if (code == MAPD_CODE_OK) return std::optional<T>(out);
+  if (code == MAPD_CODE_NONE) return std::optional<T>();
+  return failed(code, error);
+}
+
+template <class T, class F>
+Result<std::vector<T>> list(F call) {
+  std::vector<T> out(16);
+  mapd_error error;
+  for (;;) {
+    std::size_t count = 0;
+    const mapd_code code = call(out.data(), out.size(), &count, &error);
+    if (code == MAPD_CODE_TOO_SMALL) {
+      out.resize(count);
+      continue;
+    }
+    if (code != MAPD_CODE_OK && code != MAPD_CODE_NONE) return failed(code, error);
+    out.resize(code == MAPD_CODE_OK ? count : 0);
+    return out;
+  }
+}
+
+template <class T, class F>
+Result<T> handle(F call) {
+  typename T::Raw* raw = nullptr;
+  mapd_error error;
+  const mapd_code code = call(&raw, &error);
+  if (code != MAPD_CODE_OK) return failed(code, error);
+  return T(raw);
+}
+
+/// Owns a handle of C.
+template <class R, void (*close)(R**)>
+class Owner {
+ public:
+  using Raw = R;
+  Owner() noexcept = default;
+  explicit Owner(R* raw) noexcept : raw_(raw) {}
+  Owner(Owner&& other) noexcept : raw_(std::exchange(other.raw_, nullptr)) {}
+  Owner& operator=(Owner&& other) noexcept {
+    std::swap(raw_, other.raw_);
+    return *this;
+  }
+  Owner(const Owner&) = delete;
+  Owner& operator=(const Owner&) = delete;
+  ~Owner() { close(&raw_); }
+  /// The handle, for calls of C; null once it was moved from.
+  R* get() const noexcept { return raw_; }
+
+ private:
+  R* raw_ = nullptr;
+};
+
+}  // namespace detail
+
+/// Memory of searches and lists, to be used again. It belongs to one thread at a time and to no map.
+class Scratch : public detail::Owner<mapd_scratch, mapd_scratch_close> {
+ public:
+  Scratch() : Owner(make()) {}
+
+ private:
+  static mapd_scratch* make() noexcept {
+    mapd_scratch* raw = nullptr;
+    mapd_scratch_new(&raw, nullptr);
+    return raw;
+  }
+};
+
+/// A route: what it comes to, and its lanes.
+struct Route {
+  RouteSum sum{};
+  std::vector<RouteStep> steps;
+};
+
+/// Sequences of lanes.
+struct LaneSequences {
+  std::vector<std::vector<LaneId>> sequences;
+  bool truncated = false;
+};
+
+/// Converts between a map's inertial frame and WGS 84.
+class Projector : public detail::Owner<mapd_projector, mapd_projector_close> {
+ public:
+  using Owner::Owner;
+
+  /// Where a point of the map lies on Earth.
+  Result<Geodetic> try_to_geodetic(Vec3 point) const {
+    return detail::value<Geodetic>([&](auto... out) { return mapd_to_geodetic(get(), point, out...); });
+  }
+  /// The point of the map at a place on Earth.
+  Result<Vec3> try_from_geodetic(Geodetic place) const {
+    return detail::value<Vec3>([&](auto... out) { return mapd_from_geodetic(get(), place, out...); });
+  }
+#if MAPD_EXCEPTIONS
+  Geodetic to_geodetic(Vec3 point) const { return try_to_geodetic(point).value(); }
+  Vec3 from_geodetic(Geodetic place) const { return try_from_geodetic(place).value(); }
+#endif
+};
+
+/// A route as one line. It keeps its snapshot; several threads may use it at once.
+class Path : public detail::Owner<mapd_path, mapd_path_close> {
+ public:
+  using Owner::Owner;
+
+  /// Length: the largest S [m].
+  Result<double> try_length() const {
+    return detail::value<double>([&](auto... out) { return mapd_path_length(get(), out...); });
+  }
+  /// The place at S [m].
+  Result<PathPoint> try_at(double along) const {
+    return detail::value<PathPoint>([&](auto... out) { return mapd_path_at(get(), along, out...); });
+  }
+  /// A point in the path's coordinates; the search begins at the hint.
+  Result<PathPosition> try_project(Vec2 point, std::optional<double> hint = std::nullopt) const {
+    const double* begin = hint ? &*hint : nullptr;
+    return detail::value<PathPosition>([&](auto... out) { return mapd_path_project(get(), point, begin, out...); });
+  }
+  /// The speed limit at S.
+  Result<std::optional<SpeedRule>> try_speed_at(double along) const {
+    return detail::optional<SpeedRule>([&](auto... out) { return mapd_path_speed_at(get(), along, out...); });
+  }
+  /// Where the line is not continuous, or changes lanes.
+  Result<std::vector<PathJoint>> try_joints() const {
+    return detail::list<PathJoint>([&](auto... out) { return mapd_path_joints(get(), out...); });
+  }
+#if MAPD_EXCEPTIONS
+  double length() const { return try_length().value(); }
+  PathPoint at(double along) const { return try_at(along).value(); }
+  PathPosition project(Vec2 point, std::optional<double> hint = std::nullopt) const {
+    return try_project(point, hint).value();
+  }
+  std::optional<SpeedRule> speed_at(double along) const { return try_speed_at(along).value(); }
+  std::vector<PathJoint> joints() const { return try_joints().value(); }
+#endif
+};
+
+}  // namespace mapd

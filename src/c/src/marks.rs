@@ -1,0 +1,177 @@
+//! Road marks and borders.
+
+use crate::code::{answer, mapd_code, mapd_error};
+use crate::ids::mapd_lane_id;
+use crate::list::{List, finite, get_mut, put_some};
+use crate::lookup::lane_of;
+use crate::point::{mapd_region, mapd_vec3};
+use crate::scratch::mapd_scratch;
+use crate::snapshot::{map_of, mapd_snapshot};
+use mapd_client::{BoundarySegment, LaneTypes, RoadMark, RoadMarkSegment};
+
+/// A road mark on a lane's outer border, for lane 0 on its own line.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_road_mark {
+    /// Where it begins: s on the road \[m\], not before the lane's section.
+    pub s: f64,
+    /// Where the lane's next mark or the section's end takes over \[m\].
+    pub s_end: f64,
+    /// Width \[m\]; negative where not given; of marks of two lines, that of each.
+    pub width: f64,
+    /// Width \[m\]; where the file gives none 0.12 m, for bold marks 0.25 m; 0 for the kind `none`.
+    pub width_or_default: f64,
+    /// Height above the road \[m\]; negative where not given.
+    pub height: f64,
+    /// A `MAPD_ROAD_MARK_KIND_…`.
+    pub kind: u8,
+    /// A `MAPD_ROAD_MARK_COLOR_…`.
+    pub color: u8,
+    /// A `MAPD_ROAD_MARK_WEIGHT_…`.
+    pub weight: u8,
+    /// Which lane changes it says it allows: a `MAPD_MARK_LANE_CHANGE_…`.
+    pub lane_change: u8,
+}
+
+/// A straight piece of a lane's border.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_boundary_segment {
+    /// The lane whose outer border it is; lane 0 for the line between left and right lanes.
+    pub lane: mapd_lane_id,
+    /// s of the first end \[m\].
+    pub s_from: f64,
+    /// s of the second end \[m\].
+    pub s_to: f64,
+    /// First end, inertial \[m\].
+    pub from: mapd_vec3,
+    /// Second end, inertial \[m\].
+    pub to: mapd_vec3,
+}
+
+/// A straight piece of a road mark's course.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_road_mark_segment {
+    /// The piece of the lane's border.
+    pub segment: mapd_boundary_segment,
+    /// The mark's width \[m\], or the default one.
+    pub width: f64,
+    /// A `MAPD_ROAD_MARK_KIND_…`.
+    pub kind: u8,
+    /// A `MAPD_ROAD_MARK_COLOR_…`.
+    pub color: u8,
+}
+
+fn mark(one: &RoadMark<'_>) -> mapd_road_mark {
+    mapd_road_mark {
+        s: one.s(),
+        s_end: one.s_end(),
+        width: one.width().unwrap_or(-1.0),
+        width_or_default: one.width_or_default(),
+        height: one.height().unwrap_or(-1.0),
+        kind: one.kind().code(),
+        color: one.color().code(),
+        weight: one.weight().code(),
+        lane_change: one.lane_change().code(),
+    }
+}
+
+fn segment(one: &BoundarySegment) -> mapd_boundary_segment {
+    let ([s_from, s_to], [from, to]) = (one.s, one.ends);
+    mapd_boundary_segment { lane: one.lane.into(), s_from, s_to, from: from.into(), to: to.into() }
+}
+
+fn mark_segment(one: &RoadMarkSegment) -> mapd_road_mark_segment {
+    mapd_road_mark_segment {
+        segment: segment(&one.segment),
+        width: one.width,
+        kind: one.kind.code(),
+        color: one.color.code(),
+    }
+}
+
+/// A lane's road marks in ascending s, those that hold somewhere in its section. The kind `none` is among them.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_lane_road_marks(
+    snapshot: *const mapd_snapshot,
+    lane: mapd_lane_id,
+    out: *mut mapd_road_mark,
+    capacity: usize,
+    count: *mut usize,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let lane = lane_of(snapshot, lane)?;
+            List { out, capacity, count }.write(lane.road_marks().map(|one| mark(&one)))
+        })
+    }
+}
+
+/// The road mark that holds at s; at a boundary the later one. `MAPD_CODE_NONE` before the first and beyond the section.
+///
+/// Errors: `MAPD_CODE_NOT_FINITE`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_lane_road_mark_at(
+    snapshot: *const mapd_snapshot,
+    lane: mapd_lane_id,
+    s: f64,
+    out: *mut mapd_road_mark,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let lane = lane_of(snapshot, lane)?;
+            put_some(out, lane.road_mark_at(finite(s)?).map(|one| mark(&one)))
+        })
+    }
+}
+
+/// Every piece of the borders of lanes of these types that meets a rectangle in plan view, each once, in the order of their lanes and of s.
+///
+/// Errors: `MAPD_CODE_NOT_FINITE`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_boundary_segments(
+    snapshot: *const mapd_snapshot,
+    region: mapd_region,
+    types: u64,
+    scratch: *mut mapd_scratch,
+    out: *mut mapd_boundary_segment,
+    capacity: usize,
+    count: *mut usize,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let mapd_scratch { lanes, bounds, .. } = get_mut(scratch, "a scratch")?;
+            let types = LaneTypes::from_bits(types);
+            map_of(snapshot)?.boundary_segments(region.into(), types, lanes, bounds)?;
+            List { out, capacity, count }.write(bounds.iter().map(segment))
+        })
+    }
+}
+
+/// Every piece of the road marks of lanes of these types that meets a rectangle in plan view, along the borders, without sway.
+///
+/// Errors: `MAPD_CODE_NOT_FINITE`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_road_mark_segments(
+    snapshot: *const mapd_snapshot,
+    region: mapd_region,
+    types: u64,
+    scratch: *mut mapd_scratch,
+    out: *mut mapd_road_mark_segment,
+    capacity: usize,
+    count: *mut usize,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let mapd_scratch { lanes, bounds, marks, .. } = get_mut(scratch, "a scratch")?;
+            let types = LaneTypes::from_bits(types);
+            map_of(snapshot)?.road_mark_segments(region.into(), types, lanes, bounds, marks)?;
+            List { out, capacity, count }.write(marks.iter().map(mark_segment))
+        })
+    }
+}

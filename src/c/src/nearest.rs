@@ -1,0 +1,280 @@
+//! Lanes near a place.
+
+use crate::code::{Failure, Outcome, answer, mapd_code, mapd_error};
+use crate::graph::vehicle_of;
+use crate::ids::mapd_lane_id;
+use crate::list::{List, entries, get, get_mut, put, put_some};
+use crate::point::{mapd_lane_position, mapd_point, mapd_region};
+use crate::scratch::mapd_scratch;
+use crate::snapshot::{map_of, mapd_snapshot};
+use mapd_client::{LaneTypes, Nearest, NearestOptions};
+
+/// The nearest lane and the point in its coordinates.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_nearest {
+    /// The lane; of a point of a batch that has none, a row of `MAPD_NO_ROW`.
+    pub lane: mapd_lane_id,
+    /// The point's place with respect to it.
+    pub position: mapd_lane_position,
+}
+
+/// What counts as a match. Set it with `mapd_nearest_options_init`, then change what should differ.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct mapd_nearest_options {
+    /// Size of this struct as the caller knows it: later releases may append to it.
+    pub size: usize,
+    /// Largest plan-view distance from the lane's area \[m\]. Default 10.
+    pub radius: f64,
+    /// Lane types that count: the bit of each is `1 << code`; `UINT64_MAX`, the default, is all. See `mapd_lane_types_drivable`.
+    pub types: u64,
+    /// Largest difference between the point's z and the lane's \[m\]; counts only with `has_z_tolerance` and a point that has z.
+    pub z_tolerance: f64,
+    /// Heading of travel \[rad\]; counts only with `has_heading`. Breaks ties, and excludes lanes by `heading_tolerance`.
+    pub heading: f64,
+    /// Largest difference between `heading` and the lane's driving direction \[rad\]; counts only with `has_heading_tolerance`.
+    pub heading_tolerance: f64,
+    /// Not 0: `z_tolerance` counts. Default 0.
+    pub has_z_tolerance: u8,
+    /// Not 0: `heading` counts. Default 0.
+    pub has_heading: u8,
+    /// Not 0: `heading_tolerance` counts. Default 0.
+    pub has_heading_tolerance: u8,
+    /// Not 0: `vehicle` counts. Default 0.
+    pub has_vehicle: u8,
+    /// Only places that this class of vehicles may use count, in either direction: a `MAPD_VEHICLE_CLASS_…`.
+    pub vehicle: u8,
+    /// The answer for a point nearby, such as the one before on a trajectory: it makes the search cheaper and never changes its answer.
+    /// Default null.
+    pub hint: *const mapd_nearest,
+}
+
+/// Size of the options' first release: whoever knows less of them is no caller of this library.
+const FIRST_OPTIONS: usize = size_of::<mapd_nearest_options>();
+
+impl From<Nearest> for mapd_nearest {
+    #[inline]
+    fn from(nearest: Nearest) -> Self {
+        Self { lane: nearest.lane.into(), position: nearest.position.into() }
+    }
+}
+
+impl From<mapd_nearest> for Nearest {
+    fn from(nearest: mapd_nearest) -> Self {
+        Self { lane: nearest.lane.into(), position: nearest.position.into() }
+    }
+}
+
+/// The options of a caller's; null is the default.
+///
+/// # Safety
+///
+/// `options` is null or valid for reads of as many bytes as its `size` says; so is its `hint`.
+#[inline]
+pub(crate) unsafe fn options_of(
+    options: *const mapd_nearest_options,
+) -> Result<NearestOptions, Failure> {
+    if options.is_null() {
+        return Ok(NearestOptions::default());
+    }
+    // SAFETY: as promised above; the size comes first in every release.
+    let size = unsafe { *get(options.cast::<usize>(), "options")? };
+    if size != FIRST_OPTIONS {
+        return Err(Failure::argument(format!(
+            "expected options of {FIRST_OPTIONS} bytes, found size {size}; set them with mapd_nearest_options_init"
+        )));
+    }
+    // SAFETY: as promised above; every value of every field is one.
+    let given = unsafe { get(options, "options")? };
+    // SAFETY: as promised above.
+    let hint = if given.hint.is_null() { None } else { Some(unsafe { get(given.hint, "hint")? }) };
+    Ok(NearestOptions {
+        radius: given.radius,
+        types: LaneTypes::from_bits(given.types),
+        z_tolerance: (given.has_z_tolerance != 0).then_some(given.z_tolerance),
+        heading: (given.has_heading != 0).then_some(given.heading),
+        heading_tolerance: (given.has_heading_tolerance != 0).then_some(given.heading_tolerance),
+        vehicle: if given.has_vehicle != 0 { Some(vehicle_of(given.vehicle)?) } else { None },
+        hint: hint.map(|hint| Nearest::from(*hint)),
+    })
+}
+
+/// Sets options to their defaults. `size` is `sizeof(mapd_nearest_options)`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_nearest_options_init(
+    options: *mut mapd_nearest_options,
+    size: usize,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            if size != FIRST_OPTIONS {
+                return Err(Failure::argument(format!(
+                    "expected options of {FIRST_OPTIONS} bytes, found {size}; header and library are of different releases"
+                )));
+            }
+            let NearestOptions { radius, types, .. } = NearestOptions::default();
+            put(
+                options,
+                mapd_nearest_options {
+                    size,
+                    radius,
+                    types: types.bits(),
+                    z_tolerance: 0.0,
+                    heading: 0.0,
+                    heading_tolerance: 0.0,
+                    has_z_tolerance: 0,
+                    has_heading: 0,
+                    has_heading_tolerance: 0,
+                    has_vehicle: 0,
+                    vehicle: 0,
+                    hint: std::ptr::null(),
+                },
+            )
+        })
+    }
+}
+
+/// Bits of the lane types that the lane graph opens to motor vehicles.
+#[unsafe(no_mangle)]
+pub extern "C" fn mapd_lane_types_drivable() -> u64 {
+    LaneTypes::drivable().bits()
+}
+
+/// The lane whose area is nearest to a point in plan view, within the options' radius; distance 0 inside. Ties go by heading difference, z
+/// difference, |offset|, then key. `options`: null is the default. `MAPD_CODE_NONE` if nothing is near enough.
+///
+/// Errors: `MAPD_CODE_NOT_FINITE`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_nearest_lane(
+    snapshot: *const mapd_snapshot,
+    point: mapd_point,
+    options: *const mapd_nearest_options,
+    out: *mut mapd_nearest,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let found = map_of(snapshot)?.nearest_lane(point, &options_of(options)?)?;
+            put_some(out, found.map(mapd_nearest::from))
+        })
+    }
+}
+
+/// As `mapd_nearest_lane`, of `count` points; `out` has room for as many answers. What has none gets a lane with the row `MAPD_NO_ROW`
+/// and a position of zeros. The hint is for the first point; each next one takes the answer before.
+///
+/// Errors: as `mapd_nearest_lane`; the answers before the point that has one are written.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_nearest_lane_batch(
+    snapshot: *const mapd_snapshot,
+    points: *const mapd_point,
+    count: usize,
+    options: *const mapd_nearest_options,
+    out: *mut mapd_nearest,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe { answer(error, || batch(snapshot, points, count, options, out)) }
+}
+
+unsafe fn batch(
+    snapshot: *const mapd_snapshot,
+    points: *const mapd_point,
+    count: usize,
+    options: *const mapd_nearest_options,
+    out: *mut mapd_nearest,
+) -> Outcome {
+    let map = unsafe { map_of(snapshot) }?;
+    let mut options = unsafe { options_of(options) }?;
+    let points = unsafe { entries(points, count, "the points") }?;
+    // Only to prove the pointer: the entries may never have been written.
+    unsafe { entries(out.cast::<std::mem::MaybeUninit<mapd_nearest>>(), count, "the answers") }?;
+    let none = mapd_nearest {
+        lane: mapd_lane_id::NONE,
+        position: mapd_lane_position {
+            s: 0.0,
+            t: 0.0,
+            offset: 0.0,
+            offset_of_reference_line: 0.0,
+            distance: 0.0,
+            z: 0.0,
+            heading: 0.0,
+            heading_of_reference_line: 0.0,
+            clamped: 0,
+        },
+    };
+    for (i, point) in points.iter().enumerate() {
+        let found = map.nearest_lane(*point, &options)?;
+        options.hint = found.or(options.hint);
+        // SAFETY: within the entries that are proven above.
+        unsafe { out.add(i).write(found.map_or(none, mapd_nearest::from)) };
+    }
+    Ok(mapd_code::OK)
+}
+
+/// Every lane whose area lies within the options' radius of a point, nearest first, each once.
+///
+/// Errors: as `mapd_nearest_lane`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_lanes_near(
+    snapshot: *const mapd_snapshot,
+    point: mapd_point,
+    options: *const mapd_nearest_options,
+    scratch: *mut mapd_scratch,
+    out: *mut mapd_nearest,
+    capacity: usize,
+    count: *mut usize,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let near = &mut get_mut(scratch, "a scratch")?.near;
+            map_of(snapshot)?.lanes_near(point, &options_of(options)?, near)?;
+            List { out, capacity, count }.write(near.iter().map(|one| (*one).into()))
+        })
+    }
+}
+
+/// Whether a point lies on a lane, edges included, in plan view: 1 or 0. A point with z only on one within `z_tolerance` \[m\], where
+/// that is not negative.
+///
+/// Errors: `MAPD_CODE_NOT_FINITE`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_covers(
+    snapshot: *const mapd_snapshot,
+    point: mapd_point,
+    z_tolerance: f64,
+    out: *mut u8,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let tolerance = if z_tolerance < 0.0 { None } else { Some(z_tolerance) };
+            put(out, map_of(snapshot)?.covers(point, tolerance)?.into())
+        })
+    }
+}
+
+/// Every lane of these types whose area meets a rectangle in plan view, in the order of their rows.
+///
+/// Errors: `MAPD_CODE_NOT_FINITE`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_lanes_in(
+    snapshot: *const mapd_snapshot,
+    region: mapd_region,
+    types: u64,
+    scratch: *mut mapd_scratch,
+    out: *mut mapd_lane_id,
+    capacity: usize,
+    count: *mut usize,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let lanes = &mut get_mut(scratch, "a scratch")?.lanes;
+            map_of(snapshot)?.lanes_in(region.into(), LaneTypes::from_bits(types), lanes)?;
+            List { out, capacity, count }.write(lanes.iter().map(|one| (*one).into()))
+        })
+    }
+}

@@ -1,0 +1,406 @@
+//! Routes, what can be reached, and what comes next.
+
+use crate::code::{Failure, answer, mapd_code, mapd_error};
+use crate::graph::vehicle_of;
+use crate::ids::{mapd_junction_id, mapd_lane_id, mapd_node_id};
+use crate::list::{List, entries, get_mut, put, put_raw, put_some};
+use crate::scratch::mapd_scratch;
+use crate::snapshot::{map_of, mapd_snapshot};
+use mapd_client::{
+    Enter, LanePlace, QueryError, Route, RouteStep, ShortestLength, ShortestTime, VehicleClass,
+};
+
+/// A place on a lane.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_lane_place {
+    /// The lane.
+    pub lane: mapd_lane_id,
+    /// On the road \[m\]; outside the lane's section its nearer end counts.
+    pub s: f64,
+}
+
+/// `by` of a cost: metres along centre lines.
+pub const MAPD_COST_LENGTH: u32 = 0;
+/// `by` of a cost: seconds at the speed limits.
+pub const MAPD_COST_TIME: u32 = 1;
+
+/// What a route keeps small, and for whom.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_cost {
+    /// A `MAPD_COST_…`.
+    pub by: u32,
+    /// Who travels: a `MAPD_VEHICLE_CLASS_…`.
+    pub vehicle: u32,
+    /// What a change of lane costs, in the cost's unit; usual are 20 m and 2 s. One that is negative or no number closes the way.
+    pub lane_change: f64,
+}
+
+/// `enter` of a step: the route starts on its lane.
+pub const MAPD_ENTER_START: u8 = 0;
+/// `enter` of a step: from behind, over the end of another lane.
+pub const MAPD_ENTER_AHEAD: u8 = 1;
+/// `enter` of a step: by a change of lane to the left, in driving direction.
+pub const MAPD_ENTER_LEFT: u8 = 2;
+/// `enter` of a step: by a change of lane to the right, in driving direction.
+pub const MAPD_ENTER_RIGHT: u8 = 3;
+
+/// A lane of a route. A lane that is only changed from is driven for no length.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_route_step {
+    /// The lane.
+    pub lane: mapd_lane_id,
+    /// s on the road at which the route enters it \[m\]; of a change, the first place where it may happen.
+    pub s_from: f64,
+    /// s on the road at which the route leaves it \[m\].
+    pub s_to: f64,
+    /// Of a change, the last place where it may happen, else `s_from` \[m\].
+    pub s_latest: f64,
+    /// 1: it is travelled towards +s.
+    pub forward: u8,
+    /// How it is entered: a `MAPD_ENTER_…`.
+    pub enter: u8,
+}
+
+/// What a route comes to.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_route_sum {
+    /// What the cost adds up to.
+    pub cost: f64,
+    /// Length along the lanes' centre lines \[m\].
+    pub length: f64,
+    /// Time at the speed limits \[s\].
+    pub travel_time: f64,
+    /// Number of lane changes.
+    pub lane_changes: u32,
+}
+
+/// A node that can be reached.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_reached {
+    /// The node.
+    pub node: mapd_node_id,
+    /// Least cost up to its beginning.
+    pub cost: f64,
+}
+
+/// The next junction on a lane's way.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_next_junction {
+    /// The junction.
+    pub junction: mapd_junction_id,
+    /// Distance to its first connecting road, along centre lines \[m\].
+    pub distance: f64,
+}
+
+/// The next change of lane on a route.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_lane_change {
+    /// Number of the step that is entered by it.
+    pub step: usize,
+    /// Distance along the route to the first place where it may happen \[m\].
+    pub from: f64,
+    /// Distance along the route to the last place where it may happen \[m\].
+    pub until: f64,
+    /// 1: it goes to the left.
+    pub left: u8,
+}
+
+/// `MAPD_ENTER_…`.
+pub(crate) fn enter_code(enter: Enter) -> u8 {
+    match enter {
+        Enter::Start => MAPD_ENTER_START,
+        Enter::Ahead => MAPD_ENTER_AHEAD,
+        Enter::Left => MAPD_ENTER_LEFT,
+        Enter::Right => MAPD_ENTER_RIGHT,
+    }
+}
+
+impl From<mapd_lane_place> for LanePlace {
+    fn from(place: mapd_lane_place) -> Self {
+        Self { lane: place.lane.into(), s: place.s }
+    }
+}
+
+impl From<RouteStep> for mapd_route_step {
+    fn from(step: RouteStep) -> Self {
+        Self {
+            lane: step.lane.into(),
+            s_from: step.s_from,
+            s_to: step.s_to,
+            s_latest: step.s_latest,
+            forward: step.forward.into(),
+            enter: enter_code(step.enter),
+        }
+    }
+}
+
+/// A step of a caller's.
+///
+/// Errors: numbers that are not finite; an unknown way of entering.
+fn step_of(step: mapd_route_step) -> Result<RouteStep, Failure> {
+    if [step.s_from, step.s_to, step.s_latest].iter().any(|s| !s.is_finite()) {
+        return Err(QueryError::NotFinite.into());
+    }
+    Ok(RouteStep {
+        lane: step.lane.into(),
+        forward: step.forward != 0,
+        enter: match step.enter {
+            MAPD_ENTER_START => Enter::Start,
+            MAPD_ENTER_AHEAD => Enter::Ahead,
+            MAPD_ENTER_LEFT => Enter::Left,
+            MAPD_ENTER_RIGHT => Enter::Right,
+            other => return Err(Failure::argument(format!("a step is entered by no {other}"))),
+        },
+        s_from: step.s_from,
+        s_to: step.s_to,
+        s_latest: step.s_latest,
+    })
+}
+
+impl From<Route> for mapd_route_sum {
+    fn from(route: Route) -> Self {
+        let Route { cost, length, travel_time, lane_changes } = route;
+        Self { cost, length, travel_time, lane_changes }
+    }
+}
+
+/// Takes a caller's steps into a scratch.
+///
+/// # Safety
+///
+/// As [`entries`].
+pub(crate) unsafe fn take_steps(
+    steps: *const mapd_route_step,
+    count: usize,
+    into: &mut Vec<RouteStep>,
+) -> Result<(), Failure> {
+    into.clear();
+    for step in unsafe { entries(steps, count, "the steps") }? {
+        into.push(step_of(*step)?);
+    }
+    Ok(())
+}
+
+/// The class of a cost's vehicle.
+fn class_of(cost: mapd_cost) -> Result<VehicleClass, Failure> {
+    vehicle_of(u8::try_from(cost.vehicle).unwrap_or(u8::MAX))
+}
+
+fn no_cost(by: u32) -> Failure {
+    Failure::argument(format!("{by} is no cost"))
+}
+
+/// The cheapest way through `place_count` places, two or more, in their order, in driving direction and by allowed lane changes only. `sum`: what
+/// it comes to; null is fine. Fewer than two places, or no way: `MAPD_CODE_NONE`, and the count is 0.
+///
+/// The lane of the start may be any; every other one must be open to the vehicle. Each leg is the cheapest by itself.
+///
+/// Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for an unknown cost or class.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_route(
+    snapshot: *const mapd_snapshot,
+    places: *const mapd_lane_place,
+    place_count: usize,
+    cost: mapd_cost,
+    scratch: *mut mapd_scratch,
+    sum: *mut mapd_route_sum,
+    out: *mut mapd_route_step,
+    capacity: usize,
+    count: *mut usize,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let (map, vehicle) = (map_of(snapshot)?, class_of(cost)?);
+            let mapd_scratch { route, steps, places: own, .. } = get_mut(scratch, "a scratch")?;
+            own.clear();
+            own.extend(
+                entries(places, place_count, "the places")?.iter().map(|p| LanePlace::from(*p)),
+            );
+            let lane_change = cost.lane_change;
+            let found = match cost.by {
+                MAPD_COST_LENGTH => {
+                    map.route_via(own, vehicle, &ShortestLength { lane_change }, route, steps)?
+                }
+                MAPD_COST_TIME => {
+                    map.route_via(own, vehicle, &ShortestTime { lane_change }, route, steps)?
+                }
+                by => return Err(no_cost(by)),
+            };
+            let code = List { out, capacity, count }.write(steps.iter().map(|s| (*s).into()))?;
+            let Some(found) = found else { return Ok(mapd_code::NONE) };
+            put_raw(sum, found.into())?;
+            Ok(code)
+        })
+    }
+}
+
+/// Every node whose beginning can be reached within a cost, nearest first; the start's own node and those beside it come first of all.
+///
+/// Errors: as `mapd_route`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_reachable(
+    snapshot: *const mapd_snapshot,
+    from: mapd_lane_place,
+    limit: f64,
+    cost: mapd_cost,
+    scratch: *mut mapd_scratch,
+    out: *mut mapd_reached,
+    capacity: usize,
+    count: *mut usize,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let (map, vehicle) = (map_of(snapshot)?, class_of(cost)?);
+            let mapd_scratch { route, reached, .. } = get_mut(scratch, "a scratch")?;
+            let (from, lane_change) = (from.into(), cost.lane_change);
+            crate::list::finite(limit)?;
+            match cost.by {
+                MAPD_COST_LENGTH => {
+                    let cost = ShortestLength { lane_change };
+                    map.reachable(from, limit, vehicle, &cost, route, reached)?;
+                }
+                MAPD_COST_TIME => {
+                    let cost = ShortestTime { lane_change };
+                    map.reachable(from, limit, vehicle, &cost, route, reached)?;
+                }
+                by => return Err(no_cost(by)),
+            }
+            let all = reached.iter();
+            let all = all.map(|one| mapd_reached { node: one.node.into(), cost: one.cost });
+            List { out, capacity, count }.write(all)
+        })
+    }
+}
+
+/// All sequences of lanes that a vehicle can follow from a place without changing lanes (`ahead` not 0), or on which it can have come there,
+/// until each is `distance` \[m\] long or ends. `out` gets the lanes of all sequences one behind the other, `ends` where each ends in `out`.
+/// `truncated`: 1 where there are more sequences than are listed; null is fine.
+///
+/// Errors: as `mapd_route`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_lane_sequences(
+    snapshot: *const mapd_snapshot,
+    from: mapd_lane_place,
+    distance: f64,
+    vehicle: u8,
+    ahead: u8,
+    scratch: *mut mapd_scratch,
+    out: *mut mapd_lane_id,
+    capacity: usize,
+    count: *mut usize,
+    ends: *mut usize,
+    ends_capacity: usize,
+    ends_count: *mut usize,
+    truncated: *mut u8,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let (map, vehicle) = (map_of(snapshot)?, vehicle_of(vehicle)?);
+            let found = &mut get_mut(scratch, "a scratch")?.sequences;
+            if ahead != 0 {
+                map.lane_sequences_ahead(from.into(), distance, vehicle, found)?;
+            } else {
+                map.lane_sequences_behind(from.into(), distance, vehicle, found)?;
+            }
+            put_raw(truncated, found.truncated.into())?;
+            let lanes = found.iter().flatten().map(|lane| (*lane).into());
+            let lanes = List { out, capacity, count }.write(lanes)?;
+            let at = found.iter().scan(0, |end, lanes| {
+                *end += lanes.len();
+                Some(*end)
+            });
+            let ends = List { out: ends, capacity: ends_capacity, count: ends_count }.write(at)?;
+            Ok(if lanes == mapd_code::OK { ends } else { lanes })
+        })
+    }
+}
+
+/// The next junction ahead of a place within a distance \[m\], following the lanes as long as there is but one way on, or all ways lead into one
+/// junction. On a connecting road the distance is 0. `MAPD_CODE_NONE` if there is none.
+///
+/// Errors: as `mapd_route`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_next_junction_of(
+    snapshot: *const mapd_snapshot,
+    from: mapd_lane_place,
+    distance: f64,
+    vehicle: u8,
+    out: *mut mapd_next_junction,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let vehicle = vehicle_of(vehicle)?;
+            let next = map_of(snapshot)?.next_junction(from.into(), distance, vehicle)?;
+            let next = next.map(|next| mapd_next_junction {
+                junction: next.junction.into(),
+                distance: next.distance,
+            });
+            put_some(out, next)
+        })
+    }
+}
+
+/// The next change of lane on a route, seen from a place on step number `at`. `MAPD_CODE_NONE` if the route needs no more.
+///
+/// Errors: as `mapd_route`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_next_lane_change(
+    snapshot: *const mapd_snapshot,
+    steps: *const mapd_route_step,
+    step_count: usize,
+    at: usize,
+    place: mapd_lane_place,
+    scratch: *mut mapd_scratch,
+    out: *mut mapd_lane_change,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let own = &mut get_mut(scratch, "a scratch")?.steps;
+            take_steps(steps, step_count, own)?;
+            let next = mapd_client::next_lane_change(map_of(snapshot)?, own, at, place.into())?;
+            let next = next.map(|next| mapd_lane_change {
+                step: next.step,
+                from: next.from,
+                until: next.until,
+                left: next.left.into(),
+            });
+            put_some(out, next)
+        })
+    }
+}
+
+/// The length of a route's steps along centre lines \[m\].
+///
+/// Errors: as `mapd_route`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_steps_length(
+    snapshot: *const mapd_snapshot,
+    steps: *const mapd_route_step,
+    step_count: usize,
+    out: *mut f64,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let map = map_of(snapshot)?;
+            let mut sum = 0.0;
+            for step in entries(steps, step_count, "the steps")? {
+                let step = step_of(*step)?;
+                sum += map.lane(step.lane)?.length_between(step.s_from, step.s_to);
+            }
+            put(out, sum)
+        })
+    }
+}

@@ -1,0 +1,48 @@
+//! Memory of queries that need some.
+
+use crate::code::{answer, mapd_code, mapd_error};
+use crate::list::{close, hand_out};
+use mapd_client::glam::DVec3;
+use mapd_client::{
+    BoundarySegment, Landmark, LaneId, LanePlace, LaneSequences, LineAhead, NearObject, NearSignal,
+    Nearest, PlacementId, Reached, RoadMarkSegment, RouteScratch, RouteStep, SignalId,
+    SignalsAhead,
+};
+
+/// Memory of searches and lists, to be used again: it grows with the largest answer and is then enough. It belongs to one thread
+/// at a time and to no map.
+#[derive(Default)]
+pub struct mapd_scratch {
+    pub(crate) route: RouteScratch,
+    pub(crate) steps: Vec<RouteStep>,
+    pub(crate) places: Vec<LanePlace>,
+    pub(crate) reached: Vec<Reached>,
+    pub(crate) sequences: LaneSequences,
+    pub(crate) signals_ahead: SignalsAhead,
+    pub(crate) lines: Vec<LineAhead>,
+    pub(crate) near: Vec<Nearest>,
+    pub(crate) lanes: Vec<LaneId>,
+    pub(crate) signals: Vec<SignalId>,
+    pub(crate) near_signals: Vec<NearSignal>,
+    pub(crate) near_objects: Vec<NearObject>,
+    pub(crate) objects: Vec<PlacementId>,
+    pub(crate) landmarks: Vec<Landmark>,
+    pub(crate) bounds: Vec<BoundarySegment>,
+    pub(crate) marks: Vec<RoadMarkSegment>,
+    pub(crate) corners: Vec<DVec3>,
+}
+
+/// Makes a scratch. Close it with `mapd_scratch_close`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_scratch_new(
+    out: *mut *mut mapd_scratch,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe { answer(error, || hand_out(out, mapd_scratch::default())) }
+}
+
+/// Closes a scratch and sets the handle to null. Null, or a handle that is null, is fine.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_scratch_close(scratch: *mut *mut mapd_scratch) {
+    unsafe { close(scratch) }
+}

@@ -1,0 +1,177 @@
+/* What the C interface refuses, and what it says: every answer is a code, nothing crashes. `refusals ARCHIVE OTHER_ARCHIVE`. */
+#include <math.h>
+#include <mapd.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int failures = 0;
+static int checks = 0;
+static mapd_error error;
+
+/* A call, its code, and with an error its message. */
+#define EXPECT(wanted, call)                                                                            \
+  do {                                                                                                  \
+    memset(&error, 0, sizeof error);                                                                    \
+    const mapd_code found_ = (call);                                                                    \
+    ++checks;                                                                                           \
+    if (found_ != (wanted) || !is_told(found_)) {                                                       \
+      fprintf(stderr, "%s:%d: %s: expected %d, found %d %s\n", __FILE__, __LINE__, #call, (int)(wanted), \
+              (int)found_, error.message);                                                              \
+      ++failures;                                                                                       \
+    }                                                                                                   \
+  } while (0)
+
+static int is_told(mapd_code found) {
+  if (found < MAPD_CODE_NULL_POINTER) return error.length == 0;
+  return error.code == found && error.length > 0 && strlen(error.message) == error.length;
+}
+
+int main(int argc, char **argv) {
+  if (argc != 3) return EXIT_FAILURE;
+  mapd_snapshot *map = NULL, *other = NULL, *second = NULL;
+  mapd_scratch *scratch = NULL;
+  mapd_client *client = NULL;
+  mapd_events *events = NULL;
+  mapd_projector *projector = NULL;
+
+  /* Opening. */
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_snapshot_open(NULL, &map, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_snapshot_open(argv[1], NULL, &error));
+  EXPECT(MAPD_CODE_FILE, mapd_snapshot_open("/nowhere/nothing.mapd", &map, &error));
+  EXPECT(MAPD_CODE_NOT_AN_ARCHIVE, mapd_snapshot_open(argv[0], &map, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_snapshot_open("\xff\xfe", &map, &error));
+  EXPECT(MAPD_CODE_OK, mapd_snapshot_open(argv[1], &map, &error));
+  EXPECT(MAPD_CODE_OK, mapd_snapshot_open(argv[2], &other, NULL));
+  EXPECT(MAPD_CODE_OK, mapd_snapshot_clone(map, &second, &error));
+  EXPECT(MAPD_CODE_OK, mapd_snapshot_verify(second, &error));
+  EXPECT(MAPD_CODE_OK, mapd_scratch_new(&scratch, &error));
+
+  /* Nobody serves here. */
+  EXPECT(MAPD_CODE_NO_DAEMON, mapd_client_connect("town", "nobody-here_", 0.0, &client, &error));
+  EXPECT(MAPD_CODE_NAME, mapd_client_connect("town", "no/prefix", 0.0, &client, &error));
+  EXPECT(MAPD_CODE_NAME, mapd_client_connect("no/name", "nobody-here_", 0.0, &client, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_client_connect("town", NULL, -1.0, &client, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_client_connect("town", NULL, NAN, &client, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_client_snapshot(client, &second, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_events_new(client, &events, &error));
+  mapd_event event;
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_events_next(events, 0.0, &event, &error));
+
+  /* Points. */
+  mapd_nearest hit;
+  mapd_point point = {50.0, -1.75, 0.0, 0};
+  EXPECT(MAPD_CODE_OK, mapd_nearest_lane(map, point, NULL, &hit, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_nearest_lane(NULL, point, NULL, &hit, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_nearest_lane(map, point, NULL, NULL, &error));
+  if (mapd_nearest_lane(map, point, NULL, NULL, NULL) != MAPD_CODE_NULL_POINTER) ++failures;
+  const mapd_point nan_point = {NAN, 0.0, 0.0, 0}, far_off = {1e9, 1e9, 0.0, 0};
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_nearest_lane(map, nan_point, NULL, &hit, &error));
+  EXPECT(MAPD_CODE_NONE, mapd_nearest_lane(map, far_off, NULL, &hit, &error));
+  mapd_nearest_options options;
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_nearest_options_init(&options, 3, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_nearest_options_init(NULL, sizeof options, &error));
+  EXPECT(MAPD_CODE_OK, mapd_nearest_options_init(&options, sizeof options, &error));
+  options.size = 1;
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_nearest_lane(map, point, &options, &hit, &error));
+  EXPECT(MAPD_CODE_OK, mapd_nearest_options_init(&options, sizeof options, &error));
+  options.radius = INFINITY;
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_nearest_lane(map, point, &options, &hit, &error));
+  options.radius = 10.0;
+  mapd_nearest hint = hit;
+  hint.lane.content ^= 1; /* of another map: ignored */
+  hint.position.clamped = 77;
+  options.hint = &hint;
+  EXPECT(MAPD_CODE_OK, mapd_nearest_lane(map, point, &options, &hit, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_nearest_lane_batch(map, NULL, 2, NULL, &hit, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_nearest_lane_batch(map, &point, 1, NULL, NULL, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_nearest_lane_batch(map, &point, SIZE_MAX / 4, NULL, &hit, &error));
+  EXPECT(MAPD_CODE_OK, mapd_nearest_lane_batch(map, NULL, 0, NULL, NULL, &error));
+  EXPECT(MAPD_CODE_ARGUMENT,
+         mapd_nearest_lane(map, point, NULL, (mapd_nearest *)((char *)&options + 1), &error));
+
+  /* Ids. */
+  mapd_lane_facts lane;
+  EXPECT(MAPD_CODE_OK, mapd_lane_facts_of(map, hit.lane, &lane, &error));
+  EXPECT(MAPD_CODE_FOREIGN_ID, mapd_lane_facts_of(other, hit.lane, &lane, &error));
+  mapd_lane_id wrong = hit.lane;
+  wrong.row = MAPD_NO_ROW;
+  EXPECT(MAPD_CODE_CORRUPT, mapd_lane_facts_of(map, wrong, &lane, &error));
+  wrong.content = 0;
+  EXPECT(MAPD_CODE_FOREIGN_ID, mapd_lane_facts_of(map, wrong, &lane, &error));
+  EXPECT(MAPD_CODE_NONE, mapd_lane_by_key(map, "nothing:0:-1", &wrong, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_lane_by_key(map, "no key", &wrong, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_lane_by_key(map, NULL, &wrong, &error));
+  double number = 0.0;
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_lane_width_at(map, hit.lane, NAN, &number, &error));
+  mapd_waypoint waypoint;
+  size_t count = 0;
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_lane_waypoints(map, hit.lane, 0.0, &waypoint, 1, &count, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_lane_beside(map, hit.lane, 99, &wrong, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_lane_signals(map, hit.lane, 99, NULL, 0, &count, &error));
+
+  /* Buffers: what fits is written, and nothing behind it. */
+  EXPECT(MAPD_CODE_TOO_SMALL, mapd_lane_waypoints(map, hit.lane, 1.0, &waypoint, 1, &count, &error));
+  EXPECT(MAPD_CODE_TOO_SMALL, mapd_lane_waypoints(map, hit.lane, 1.0, NULL, 0, &count, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_lane_waypoints(map, hit.lane, 1.0, NULL, 3, &count, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_lane_waypoints(map, hit.lane, 1.0, &waypoint, 1, NULL, &error));
+  mapd_waypoint *exact = malloc(count * sizeof *exact);
+  EXPECT(MAPD_CODE_OK, mapd_lane_waypoints(map, hit.lane, 1.0, exact, count, &count, &error));
+  free(exact);
+  char key[64];
+  size_t length = 0;
+  EXPECT(MAPD_CODE_OK, mapd_lane_key(map, hit.lane, key, sizeof key, &length, &error));
+  char *small = malloc(length);
+  EXPECT(MAPD_CODE_TOO_SMALL, mapd_lane_key(map, hit.lane, small, length, &length, &error));
+  if (strncmp(small, key, length - 1) != 0 || small[length - 1] != '\0') ++failures;
+  free(small);
+  EXPECT(MAPD_CODE_TOO_SMALL, mapd_lane_key(map, hit.lane, NULL, 0, &length, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_lane_key(map, hit.lane, NULL, 5, &length, &error));
+
+  /* Routes. */
+  const mapd_cost by_length = {MAPD_COST_LENGTH, MAPD_VEHICLE_CLASS_PASSENGER_CAR, 20.0};
+  mapd_cost wrong_cost = by_length;
+  mapd_lane_place places[2] = {{hit.lane, hit.position.s}, {hit.lane, NAN}};
+  mapd_route_step steps[64];
+  mapd_route_sum sum;
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_route(map, places, 2, by_length, scratch, &sum, steps, 64, &count, &error));
+  places[1].s = hit.position.s + 1.0;
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_route(map, places, 2, by_length, NULL, &sum, steps, 64, &count, &error));
+  EXPECT(MAPD_CODE_FOREIGN_ID, mapd_route(other, places, 2, by_length, scratch, &sum, steps, 64, &count, &error));
+  EXPECT(MAPD_CODE_NONE, mapd_route(map, places, 1, by_length, scratch, &sum, steps, 64, &count, &error));
+  EXPECT(MAPD_CODE_OK, mapd_route(map, places, 2, by_length, scratch, NULL, steps, 64, &count, &error));
+  wrong_cost.by = 9;
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_route(map, places, 2, wrong_cost, scratch, &sum, steps, 64, &count, &error));
+  wrong_cost = by_length;
+  wrong_cost.vehicle = 300;
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_route(map, places, 2, wrong_cost, scratch, &sum, steps, 64, &count, &error));
+  mapd_lane_line_at lines[4];
+  EXPECT(MAPD_CODE_OK, mapd_lines_along(map, steps, count, scratch, lines, 4, &length, &error));
+  steps[0].enter = 200;
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_lines_along(map, steps, count, scratch, lines, 4, &length, &error));
+
+  /* Words. */
+  mapd_text text;
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_word(99, 0, &text, &error));
+  EXPECT(MAPD_CODE_OK, mapd_word(MAPD_WORDS_LANE_TYPE, 60000, &text, &error));
+
+  /* A map without georeference. */
+  const mapd_code projected = mapd_projector_new(map, &projector, &error);
+  if (projected != MAPD_CODE_OK && projected != MAPD_CODE_NO_PROJECTION) ++failures;
+  mapd_projector_close(&projector);
+
+  /* After closing. */
+  mapd_snapshot_close(&map);
+  if (map != NULL) ++failures;
+  mapd_snapshot_close(&map);
+  mapd_snapshot_close(NULL);
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_nearest_lane(map, point, NULL, &hit, &error));
+  EXPECT(MAPD_CODE_OK, mapd_nearest_lane(second, point, NULL, &hit, &error));
+  mapd_snapshot_close(&second);
+  mapd_snapshot_close(&other);
+  mapd_scratch_close(&scratch);
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_snapshot_verify(other, &error));
+
+  printf("%d checks, %d failures\n", checks, failures);
+  return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
