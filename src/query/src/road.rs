@@ -15,7 +15,8 @@ use mapd_archive::{
 use mapd_geometry::{Curve, CurveKind, CurvePoint, Start, clamp, normalize_angle};
 
 /// Two geometries that meet may miss each other by the rounding of their written coordinates: a unit in the last place of
-/// 8,000 km `[m]`. Nor is an s moved that lies by no more beyond the end. Of two feet whose distances differ by less, the perpendicular one is the foot.
+/// 8,000 km `[m]`. An s beyond the end by no more is not said to be moved. Of two feet whose distances differ by less, the
+/// perpendicular one is the foot.
 pub(crate) const JOINT: f64 = 1e-9;
 
 /// A foot at an end of a piece is exact if its place is as near to the point as this `[m]`: what evaluating and projecting round.
@@ -317,15 +318,18 @@ impl<'a> Road<'a> {
     ///
     /// Errors: coordinates that are not finite; a damaged archive.
     pub fn to_inertial(&self, track: Track) -> Result<Pose, QueryError> {
-        if !track.s.is_finite() {
+        let end = self.reference_end().max(0.0);
+        let s = clamp(track.s, 0.0, end);
+        // An s that did not move is finite.
+        let clamped = if s == track.s {
+            Clamped::No
+        } else if track.s.is_finite() {
+            Clamped::of(track.s, 0.0, end + JOINT)
+        } else {
             return Err(QueryError::NotFinite);
-        }
-        let s = clamp(track.s, 0.0, self.reference_end().max(0.0));
+        };
         let pose = self.pose(At::new(s), track.t, track.h)?;
-        Ok(Pose {
-            clamped: Clamped::of(track.s, 0.0, self.reference_end().max(0.0) + JOINT),
-            ..pose
-        })
+        Ok(Pose { clamped, ..pose })
     }
 
     /// As [`Road::to_inertial`], at a place of the reference line.
