@@ -322,6 +322,9 @@ enum Command {
         /// svg: also the driven line of the shortest way of a passenger car
         #[arg(long, value_name = "ROAD,S,LANE:ROAD,S,LANE", allow_hyphen_values = true)]
         route: Option<export::RouteEnds>,
+        /// geojson, flatgeobuf: layers that are written [default: all]
+        #[arg(long, value_name = "LAYER,…", value_enum, value_delimiter = ',')]
+        layers: Vec<export::Layer>,
         #[command(flatten)]
         opening: Opening,
     },
@@ -621,7 +624,7 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
                 .map_err(usage_of)?;
             Exit::Done
         }
-        Command::Export { source, format, output, index_boxes, route, opening } => {
+        Command::Export { source, format, output, index_boxes, route, layers, opening } => {
             let is_source = |output: &&PathBuf| is_same_file(output, source.as_ref());
             if let Some(output) = output.as_ref().filter(is_source) {
                 let message = format!("{} would overwrite its source", output.display());
@@ -629,8 +632,16 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
             }
             match opening.open(&source)? {
                 Some(snapshot) => {
-                    let options = export::Options { index_boxes, route };
-                    export::run(snapshot.map(), format, &options, output.as_deref(), out)?;
+                    let options = export::Options { index_boxes, route, layers };
+                    let map = snapshot.map();
+                    let left_out = export::run(map, format, &options, output.as_deref(), out)?;
+                    if left_out > 0 {
+                        // A closed stderr is nobody's loss.
+                        let _ = writeln!(
+                            io::stderr(),
+                            "mapd: {left_out} features without a place are left out: this format cannot hold them"
+                        );
+                    }
                     Exit::Done
                 }
                 None => Exit::Rejected,

@@ -9,7 +9,7 @@ use anyhow::{Context, Result, ensure};
 use rustix::fs::OFlags;
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
-use std::io;
+use std::io::{self, BufWriter, Write};
 use std::os::unix::fs::{MetadataExt, OpenOptionsExt};
 use std::path::{Path, PathBuf};
 
@@ -128,12 +128,28 @@ fn draft_of(place: &Path, ending: &str) -> Option<PathBuf> {
 ///
 /// Errors: what the system says.
 pub(crate) fn write(place: &Path, bytes: &[u8]) -> Result<()> {
+    write_by(place, |out| Ok(out.write_all(bytes)?))
+}
+
+/// As [`write`], piece by piece.
+///
+/// Errors: what the system or `fill` says; then nothing is left behind.
+pub(crate) fn write_by(
+    place: &Path,
+    fill: impl FnOnce(&mut dyn Write) -> Result<()>,
+) -> Result<()> {
     let writing = || format!("writing {}", place.display());
+    let fill = |file: &File| -> Result<()> {
+        let mut out = BufWriter::new(file);
+        fill(&mut out)?;
+        Ok(out.flush()?)
+    };
     if fs::metadata(place).is_ok_and(|there| !there.is_file() && !there.is_dir()) {
-        return fs::write(place, bytes).with_context(writing);
+        let file = OpenOptions::new().write(true).open(place).with_context(writing)?;
+        return fill(&file).with_context(writing);
     }
     let draft = Draft::begin(place).with_context(writing)?;
-    io::Write::write_all(&mut draft.file(), bytes).with_context(writing)?;
+    fill(draft.file()).with_context(writing)?;
     draft.publish().with_context(writing)
 }
 

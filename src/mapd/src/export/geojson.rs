@@ -1,0 +1,62 @@
+//! A map as one GeoJSON feature collection (RFC 7946).
+
+use super::earth::{self, Place};
+use super::layers::{Layer, Shape, Value};
+use anyhow::{Context, Result};
+use geojson::{Feature, FeatureWriter, Geometry, GeometryValue, JsonObject, JsonValue, Position};
+use mapd_client::Map;
+use std::io::Write;
+
+/// Writes the layers, one after the other; each feature says its own.
+///
+/// Errors: the map has no georeference, or lies outside its area; what writing gives.
+pub(super) fn write(map: Map<'_>, layers: &[Layer], out: &mut dyn Write) -> Result<()> {
+    let projector = earth::projector(map)?;
+    let mut writer = FeatureWriter::from_writer(out);
+    for layer in layers {
+        layer.visit(map, &mut |shape, values| {
+            let places = earth::on_earth(&shape, &projector)
+                .with_context(|| format!("writing the layer {}", layer.name()))?;
+            let mut properties = JsonObject::new();
+            properties.insert("layer".to_owned(), layer.name().into());
+            for ((name, _), value) in layer.columns().iter().zip(values) {
+                properties.insert((*name).to_owned(), json(value));
+            }
+            let geometry = geometry(&shape, places).map(Geometry::new);
+            let properties = Some(properties);
+            Ok(writer.write_feature(&Feature { geometry, properties, ..Feature::default() })?)
+        })?;
+    }
+    Ok(writer.finish()?)
+}
+
+fn json(value: &Value<'_>) -> JsonValue {
+    match value {
+        Value::None => JsonValue::Null,
+        Value::Text(text) => text.as_ref().into(),
+        Value::Whole(number) => (*number).into(),
+        Value::Number(number) => (*number).into(),
+        Value::Flag(flag) => (*flag).into(),
+    }
+}
+
+/// The geometry of a shape; areas run counter-clockwise, as the RFC wants them.
+fn geometry(shape: &Shape, mut places: Vec<Place>) -> Option<GeometryValue> {
+    let position = |place: Place| Position::from(place.to_vec());
+    match shape {
+        Shape::Nowhere => None,
+        Shape::Point(_) => Some(GeometryValue::Point { coordinates: position(*places.first()?) }),
+        Shape::Line(_) => Some(GeometryValue::LineString {
+            coordinates: places.into_iter().map(position).collect(),
+        }),
+        Shape::Polygon(_) => {
+            if earth::is_clockwise(&places) {
+                places.reverse();
+            }
+            let first = *places.first()?;
+            places.push(first);
+            let ring = places.into_iter().map(position).collect();
+            Some(GeometryValue::Polygon { coordinates: vec![ring] })
+        }
+    }
+}
