@@ -24,6 +24,10 @@
 //! becomes shorter ends its reader by SIGBUS. Holes would do so where shared memory is full; files with holes are refused.
 
 mod memory;
+#[cfg(test)]
+#[allow(clippy::duplicate_mod)]
+mod model;
+#[allow(clippy::duplicate_mod)]
 mod page;
 mod reader;
 mod slot;
