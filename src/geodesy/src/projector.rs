@@ -12,6 +12,9 @@ use thiserror::Error;
 /// Words of definitions that want grid files, in lower case: the parameter, and the one named datum that is given by grids.
 const GRIDS: [&str; 2] = ["nadgrids", "nad27"];
 
+/// Steps along a meridian to either side of a point `[deg]`: 11 m, so that rounding of coordinates turns it by 1e-10 rad at most.
+const NORTH_STEP: f64 = 1e-4;
+
 /// A place on Earth, on the ellipsoid of WGS 84.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Geodetic {
@@ -140,6 +143,20 @@ impl Projector {
         let z = self.plane.above(place.height);
         let point = self.offset.invert(plane.extend(z));
         if point.is_finite() { Ok(point) } else { Err(ProjectionError::Outside) }
+    }
+
+    /// Heading of true north at a point of the map `[rad]`, counter-clockwise from x, in (−π, π]: the meridian's direction. A
+    /// heading that a receiver gives clockwise from true north is this minus that one. The grid's convergence, how far grid north
+    /// lies clockwise from true north, is this minus π/2 where the header's offset does not turn the map.
+    ///
+    /// Errors: as [`Self::to_geodetic`]; places so near a pole that no meridian passes through them.
+    pub fn north_at(&self, point: DVec3) -> Result<f64, ProjectionError> {
+        let place = self.to_geodetic(point)?;
+        let beside =
+            |by: f64| self.from_geodetic(Geodetic { latitude: place.latitude + by, ..place });
+        // A meridian's bend counts on both sides alike.
+        let along = beside(NORTH_STEP)? - beside(-NORTH_STEP)?;
+        Ok(libm::atan2(along.y, along.x))
     }
 
     /// As [`Self::to_geodetic`] for many points; `out` gets one answer for each.

@@ -400,3 +400,31 @@ fn places_that_are_none_have_errors_of_their_own() {
     let grid = Projector::new("+proj=utm +zone=32 +nadgrids=/etc/passwd", Offset::default());
     assert!(matches!(grid, Err(DefinitionError::Unusable { .. })));
 }
+
+/// True north in UTM leaves grid north by γ = atan(tan(λ − λ₀) sin φ), on the sphere exactly, on the ellipsoid within 1e-5 for
+/// places of a zone; and the header's turn goes with it.
+#[test]
+fn true_north_is_told_from_grid_north() {
+    let check = |latitude: f64, longitude: f64, turn: f64| {
+        let offset = Offset { heading: turn, ..Offset::default() };
+        let projector =
+            Projector::new("+proj=utm +zone=32 +datum=WGS84", offset).expect("a projector");
+        let place = Geodetic { latitude, longitude, altitude: 0.0 };
+        let point = projector.from_geodetic(place).expect("a point");
+        let north = projector.north_at(point).expect("an answer");
+        let (away, up) = ((longitude - 9.0).to_radians(), latitude.to_radians());
+        let convergence = (away.tan() * up.sin()).atan();
+        // Eastwards of the middle meridian the grid's north lies clockwise from the true one.
+        let expected = std::f64::consts::FRAC_PI_2 + convergence - turn;
+        assert!(
+            (north - expected).abs() < 1e-5,
+            "{latitude}, {longitude}: {north}, not {expected}"
+        );
+    };
+    for (latitude, longitude) in
+        [(48.0, 9.0), (48.0, 11.5), (60.0, 7.0), (0.0, 10.0), (-33.0, 11.0)]
+    {
+        check(latitude, longitude, 0.0);
+        check(latitude, longitude, 0.4);
+    }
+}
