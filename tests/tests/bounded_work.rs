@@ -398,7 +398,7 @@ fn roads_of_one_id_are_not_all_compared() {
     let text = map_of(&metre("1", 0.0).repeat(4000));
     let compiled = soon("roads of one id", &text);
     assert!(compiled.rows.is_none());
-    assert!(count(&compiled, "mapd:compile.duplicate_road") > 0);
+    assert!(count(&compiled, "asam.net:xodr:1.4.0:ids.id_unique_in_class") > 0);
 }
 
 /// Roads without anything, each of which is left out.
