@@ -61,7 +61,7 @@ enum Seen {
 
 impl Observer {
     /// Finds a map and maps its newest generation. Daemon and client may start in any order: tries again until the deadline while
-    /// there is no daemon, no such map, or no generation. Where the daemon was killed, its last generation is found: [`heartbeat_age`] tells.
+    /// there is no daemon, no such map, or no generation. Where the daemon was killed, its last generation is found: `Client::heartbeat_age` tells.
     ///
     /// Errors: what was missing at the deadline; at once, what no waiting helps against: wrong names, another user's daemon, another release's daemon.
     pub fn connect(domain: &Domain, map: &str, deadline: Instant) -> Result<Self, AttachError> {
