@@ -5,7 +5,7 @@
 //! them; a [`Examiner`] does the former on any thread. To add a rule, write its function and an entry beside it in a file of [`catalog`].
 //!
 //! Invariants: rules read, they change nothing, and what they looked at is what is built: records out of order are sorted between
-//! the rules on order and all others, and a geometry becomes a curve in [`line`] alone; the document is never whole in memory; nothing panics, whatever a document
+//! the rules on order and all others, and a geometry becomes a curve in [`mod@line`] alone; the document is never whole in memory; nothing panics, whatever a document
 //! says. Deliberately absent: a look at what reading and building find, of which the catalog has entries alone, at what the schema says already (see [`structural`]), and any decision about what to do.
 //!
 //! ```
