@@ -281,7 +281,7 @@ impl Check<'_> {
                 "element removed",
                 whole.clone(),
                 "",
-                Some(rule_ids::ELEMENT),
+                Some(if name == "header" { rule_ids::HEADER } else { rule_ids::ELEMENT }),
                 parent.place.clone(),
             );
         }
