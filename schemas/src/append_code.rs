@@ -23,7 +23,7 @@ fn references(table: &Table) -> impl Iterator<Item = (&Field, &str)> {
 pub(crate) fn append(layout: &Layout) -> String {
     let targets = targets(layout);
     let mut out = format!("//! Appending the rows of a part of a map to the whole.\n{NOTE}");
-    out += "use super::tables::Rows;\nuse crate::moves::Moved;\n\n";
+    out += "use super::rows::Rows;\nuse crate::moves::Moved;\n\n";
     out += "/// Where the rows of a part of a map come to lie, of each table that something refers to.\npub struct Moves {\n";
     for name in &targets {
         let _ = writeln!(out, "/// `{name}`.\npub {name}: Moved,");

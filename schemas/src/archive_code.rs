@@ -119,14 +119,15 @@ fn getter(field: &Field) -> String {
     }
 }
 
-/// The directory's known entries, the rows as the compiler fills them, and the borrowed tables.
-pub(crate) fn tables(layout: &Layout) -> String {
-    let mut out = format!("//! The archive's tables in the order in which they lie.\n{NOTE}");
-    for (part, ..) in PARTS {
-        let _ = writeln!(out, "use super::{part}_rows::*;");
-    }
-    out += "use crate::directory::{Feature, Reader, TableKind};\nuse crate::error::OpenError;\n";
-    out += "use crate::table::{Table, TableInfo};\nuse rkyv::rend;\n\n";
+/// Imports of all row types.
+fn row_imports() -> String {
+    PARTS.iter().map(|(part, ..)| format!("use super::{part}_rows::*;\n")).collect()
+}
+
+/// What this release writes and knows: its format, features and the directory's entries.
+pub(crate) fn known_tables(layout: &Layout) -> String {
+    let mut out = format!("//! What this release writes and knows.\n{NOTE}");
+    out += "use crate::directory::{Feature, TableKind};\n\n";
     let _ = writeln!(
         out,
         "/// Number of the format, raised by hand when old archives can no longer be read.\npub const FORMAT: u32 = {};",
@@ -154,7 +155,7 @@ pub(crate) fn tables(layout: &Layout) -> String {
     for t in &tables {
         let _ = writeln!(
             out,
-            "TableKind {{ number: {}, name: \"{}\", row_bytes: {}, row_id: {:#018x}, required: {} }},",
+            "TableKind::new({}, \"{}\", {}, {:#018x}, {}),",
             t.number,
             t.name,
             t.element_bytes(),
@@ -162,7 +163,15 @@ pub(crate) fn tables(layout: &Layout) -> String {
             t.required
         );
     }
-    out += "];\n\n/// All tables of a map as the compiler fills them.\n#[derive(Default)]\npub struct Rows {\n";
+    out + "];\n"
+}
+
+/// The rows as the compiler fills them.
+pub(crate) fn filled(layout: &Layout) -> String {
+    let mut out = format!("//! The archive's tables as they are filled.\n{NOTE}{}", row_imports());
+    out += "use super::tables::Tables;\nuse crate::table::Table;\n\n";
+    let tables = layout.by_number();
+    out += "/// All tables of a map as the compiler fills them.\n#[derive(Default)]\npub struct Rows {\n";
     for t in &tables {
         let _ = writeln!(out, "/// {}\npub {}: Table<{}>,", t.doc, t.name, element(t));
     }
@@ -176,7 +185,15 @@ pub(crate) fn tables(layout: &Layout) -> String {
     for t in &tables {
         let _ = writeln!(out, "bytemuck::cast_slice(self.{}.as_slice()),", t.name);
     }
-    out += "]\n}\n}\n\n/// All tables of an opened archive; those that it does not have are empty. Lengths and places were read once and\n/// checked; they stay what they are whatever happens to the bytes later.\n#[derive(Clone, Copy)]\npub struct Tables<'a> {\n";
+    out + "]\n}\n}\n"
+}
+
+/// The borrowed tables.
+pub(crate) fn tables(layout: &Layout) -> String {
+    let mut out = format!("//! The archive's tables as they lie.\n{NOTE}{}", row_imports());
+    out += "use super::known_tables::TABLES;\nuse crate::directory::Reader;\nuse crate::error::OpenError;\nuse crate::table::TableInfo;\nuse rkyv::rend;\n\n";
+    let tables = layout.by_number();
+    out += "/// All tables of an opened archive; those that it does not have are empty. Lengths and places were read once and\n/// checked; they stay what they are whatever happens to the bytes later.\n#[derive(Clone, Copy)]\npub struct Tables<'a> {\n";
     for t in &tables {
         let _ = writeln!(out, "/// {}\npub {}: &'a [{}],", t.doc, t.name, view(t));
     }
@@ -203,12 +220,21 @@ pub(crate) fn tables(layout: &Layout) -> String {
 /// The row part of `verify()`.
 pub(crate) fn verification(layout: &Layout) -> String {
     let mut out = format!("//! Proving the archive's rows.\n{NOTE}");
-    out += "use super::tables::Tables;\nuse crate::error::VerifyError;\nuse crate::unknown::UnknownCodes;\nuse crate::verify::Check;\n\n";
+    out +=
+        "use super::tables::Tables;\nuse crate::error::VerifyError;\nuse crate::verify::Check;\n\n";
     out += "impl Tables<'_> {\n/// Proves every row: finite numbers, known codes, references and ranges inside their tables.\npub(crate) fn verify_rows(&self) -> Result<(), VerifyError> {\nlet strings = self.string_offsets.len().saturating_sub(1);\n";
     for t in &layout.tables {
         out += &verify_table(t);
     }
-    out += "Ok(())\n}\n\n/// Notes codes that this release does not know where nothing else depends on them.\npub(crate) fn note_unknown_codes(&self, found: &mut UnknownCodes) {\n";
+    out + "Ok(())\n}\n}\n"
+}
+
+/// Codes that this release does not know.
+pub(crate) fn unknown_codes(layout: &Layout) -> String {
+    let mut out =
+        format!("//! Codes of the archive's rows that this release does not know.\n{NOTE}");
+    out += "use super::tables::Tables;\nuse crate::unknown::UnknownCodes;\n\nimpl Tables<'_> {\n";
+    out += "/// Notes codes that this release does not know where nothing else depends on them.\npub(crate) fn note_unknown_codes(&self, found: &mut UnknownCodes) {\n";
     for t in &layout.tables {
         let open = |f: &&Field| f.codes.is_some() && !f.closed;
         let notes: String = t.fields.iter().filter(open).map(|f| note(t, f)).collect();

@@ -39,7 +39,10 @@ pub fn outputs(root: &Path) -> Result<Vec<Output>> {
     let mut outputs = vec![
         (format!("{folder}/append.rs"), append_code::append(&layout)),
         (format!("{folder}/move_rows.rs"), append_code::move_rows(&layout)),
+        (format!("{folder}/known_tables.rs"), archive_code::known_tables(&layout)),
+        (format!("{folder}/rows.rs"), archive_code::filled(&layout)),
         (format!("{folder}/tables.rs"), archive_code::tables(&layout)),
+        (format!("{folder}/unknown_codes.rs"), archive_code::unknown_codes(&layout)),
         (format!("{folder}/verify_rows.rs"), archive_code::verification(&layout)),
         ("src/python/python/mapd/_layout.py".to_owned(), python_code::layout(&layout)),
         ("docs/format.md".to_owned(), archive_doc::splice(&page, &layout)?),

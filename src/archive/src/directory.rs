@@ -5,8 +5,8 @@
 //! they hold is nobody's business here.
 
 use crate::error::OpenError;
+use crate::generated::known_tables::{FEATURES, TABLES};
 use crate::generated::network_rows::{ArchivedFeatureRow, FeatureRow};
-use crate::generated::tables::{FEATURES, TABLES};
 use crate::header::{HEADER_LENGTH, Header};
 use crate::open::ALIGNMENT;
 use bytemuck::{AnyBitPattern, Pod, Zeroable};
@@ -63,6 +63,18 @@ pub(crate) struct TableKind {
     pub(crate) row_id: u64,
     /// Whether every archive has it.
     pub(crate) required: bool,
+}
+
+impl TableKind {
+    pub(crate) const fn new(
+        number: u32,
+        name: &'static str,
+        row_bytes: u32,
+        row_id: u64,
+        required: bool,
+    ) -> Self {
+        Self { number, name, row_bytes, row_id, required }
+    }
 }
 
 /// Something that changes the meaning of tables which older readers know: a reader has to know of it.

@@ -68,10 +68,12 @@ pub use generated::{
     beside_rows::*,
     classes::{Class, ClassGroup},
     index_rows::*,
+    known_tables::{FEATURES, FORMAT, LAYOUT_ID},
     network_rows::*,
     object_rows::*,
+    rows::Rows,
     signal_rows::*,
-    tables::*,
+    tables::Tables,
 };
 pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_flags};
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};

@@ -2,7 +2,7 @@
 
 use crate::directory::directory;
 use crate::error::OpenError;
-use crate::generated::tables::TABLES;
+use crate::generated::known_tables::TABLES;
 use crate::open::open;
 use std::fmt;
 

@@ -3,7 +3,7 @@
 use crate::Rows;
 use crate::directory::{ENTRY_LENGTH, TableEntry, TableKind, feature_bit};
 use crate::error::WriteError;
-use crate::generated::tables::TABLES;
+use crate::generated::known_tables::TABLES;
 use crate::header::{HEADER_LENGTH, Header, Provenance};
 use crate::open::ALIGNMENT;
 use rkyv::rancor::{Failure, Fallible};

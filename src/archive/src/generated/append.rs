@@ -1,7 +1,7 @@
 //! Appending the rows of a part of a map to the whole.
 // Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
 
-use super::tables::Rows;
+use super::rows::Rows;
 use crate::moves::Moved;
 
 /// Where the rows of a part of a map come to lie, of each table that something refers to.
