@@ -3,6 +3,8 @@
 
 use std::process::ExitCode;
 
+mapd::program!();
+
 fn main() -> ExitCode {
     let code = mapd::cli::run();
     let Some(file) = std::env::var_os("MAPD_BENCH_PEAK") else { return code };

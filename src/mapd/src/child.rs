@@ -4,11 +4,11 @@
 //! far it is and what it made; on its standard error what a user would see. It ends with its parent.
 
 use crate::allocator::NO_MEMORY_IS_LEFT;
-use crate::compile_args::CompileArguments;
+use crate::args::CompileArguments;
+use crate::args::Size;
+use crate::args::ThreadCount;
 use crate::exit::Exit;
 use crate::report::Counts;
-use crate::size::Size;
-use crate::threads::ThreadCount;
 use mapd_compiler::Progress;
 use rustix::process::{Resource, Rlimit, Signal};
 use serde::{Deserialize, Serialize};

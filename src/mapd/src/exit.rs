@@ -65,3 +65,8 @@ impl From<Exit> for ExitCode {
         Self::from(exit.code())
     }
 }
+
+/// Wrong usage that only shows while running.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+pub(crate) struct UsageError(pub(crate) String);

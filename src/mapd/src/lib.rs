@@ -17,44 +17,27 @@
 //! ```
 
 mod allocator;
-mod annotation_facts;
 pub mod archive_file;
-mod bench;
+mod args;
 pub mod cache;
-mod change;
-mod check;
 mod child;
 pub mod cli;
 mod clock;
-mod compile;
-mod compile_args;
+pub mod commands;
 pub mod control;
 mod daemon;
-mod doctor;
 mod draft;
 pub mod exit;
-pub mod export;
 mod faults;
-mod graph_facts;
-mod inspect;
 mod joining;
-mod judging;
-mod number;
-mod object_facts;
-mod ontology_args;
 mod oversight;
+mod program;
 mod progress;
-pub mod query;
 pub mod report;
 mod same_file;
 pub mod serve;
-mod sign;
-mod signal_facts;
-mod size;
 mod small_text;
 pub mod source;
-mod status;
-mod threads;
 mod trust;
 
 pub use allocator::Allocator;

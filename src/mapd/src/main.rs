@@ -1,7 +1,6 @@
 //! The `mapd` program: see the library.
 
-#[global_allocator]
-static ALLOCATOR: mapd::Allocator = mapd::Allocator;
+mapd::program!();
 
 fn main() -> std::process::ExitCode {
     mapd::cli::run()

@@ -1,7 +1,5 @@
 //! How far long work is: a bar where stderr is a terminal, else a line every few seconds, or nothing.
 
-use crate::number::Seconds;
-use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use mapd_compiler::Progress;
 use std::fmt::Write as _;
@@ -12,31 +10,8 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-/// Time between two lines of progress where nothing else is said: seldom enough for a log, often enough to see that work
-/// goes on.
-const INTERVAL: Duration = Duration::from_secs(5);
-
 /// First bytes of a gzip file.
 const GZIP: [u8; 2] = [0x1f, 0x8b];
-
-/// Options of showing progress.
-#[derive(Args, Clone, Copy, Debug)]
-pub(crate) struct ProgressArgs {
-    /// Say nothing but findings and errors
-    #[arg(short, long)]
-    pub(crate) quiet: bool,
-
-    /// Where stderr is no terminal: seconds between two lines of progress
-    #[arg(long, value_name = "S", default_value_t = Seconds(INTERVAL))]
-    progress_interval: Seconds,
-}
-
-impl ProgressArgs {
-    /// How progress is shown.
-    pub(crate) fn manner(&self) -> Manner {
-        if self.quiet { Manner::Silent } else { Manner::Lines(self.progress_interval.0) }
-    }
-}
 
 /// How progress is shown.
 #[derive(Clone, Copy, Debug)]

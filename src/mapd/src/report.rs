@@ -1,6 +1,5 @@
 //! What a compilation found: as text for people, as JSON for programs.
 
-use crate::compile::Record;
 pub use mapd_client::transport::hex;
 use mapd_compiler::{Compilation, Diagnostic, QuarantinedPart, Treatment, Verdict};
 use mapd_xodr::source::Places;
@@ -21,14 +20,6 @@ pub struct Report<'a> {
     quarantined: Vec<ReportedPart<'a>>,
     counts: Counts,
     not_kept: usize,
-    archive: Option<Record>,
-}
-
-impl Report<'_> {
-    /// With what became of the map.
-    pub(crate) fn of_archive(self, archive: Record) -> Self {
-        Self { archive: Some(archive), ..self }
-    }
 }
 
 /// A finding as JSON.
@@ -173,7 +164,6 @@ pub fn report<'a>(file: &'a str, compiled: &'a Compilation) -> Report<'a> {
         quarantined: compiled.quarantined.iter().map(part).collect(),
         counts: counts(compiled),
         not_kept: compiled.dropped.iter().sum(),
-        archive: None,
     }
 }
 

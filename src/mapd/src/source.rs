@@ -1,11 +1,8 @@
 //! SOURCE: an OpenDRIVE file, an archive, or a live map.
 
-use crate::report;
-use crate::threads::ThreadsArg;
-use crate::trust::{NotSignable, signable};
 use anyhow::{Context, Result};
 use mapd_archive::{MAGIC, encode};
-use mapd_client::{Attach, Client, Domain, Snapshot, TrustedKey};
+use mapd_client::{Attach, Client, Domain, Snapshot};
 use mapd_compiler::{Compilation, CompileOptions, Progress, ReadOptions, compile_from};
 use std::fs::File;
 use std::io::{Read, Seek};
@@ -16,24 +13,6 @@ use std::time::Duration;
 pub(crate) const SHARED: &str = "shm:";
 /// How long to wait for a live map by default.
 pub const WAIT: Duration = Duration::from_secs(2);
-
-/// How a live map is attached to, as an option.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub(crate) enum How {
-    /// Maps it and writes nothing
-    Observer,
-    /// Takes part in iceoryx2, as one of at most 64
-    Subscriber,
-}
-
-impl From<How> for Attach {
-    fn from(how: How) -> Self {
-        match how {
-            How::Observer => Self::Observer,
-            How::Subscriber => Self::Subscriber,
-        }
-    }
-}
 
 /// A source that answers queries, or the report of why it does not.
 pub enum Opened {
@@ -132,33 +111,4 @@ pub fn open(
         Some(rows) => Ok(Opened::Map(Snapshot::from_bytes(encode(rows, &compiled.provenance)?)?)),
         None => Ok(Opened::Rejected(Box::new(compiled))),
     }
-}
-
-/// Opens a SOURCE for a command that needs a map; prints why there is none. With a key, only an archive that it has signed.
-pub(crate) fn open_or_report(
-    source: &str,
-    compiling: (&ReadOptions, &CompileOptions),
-    key: Option<TrustedKey>,
-    live: (&Domain, Attach, Duration),
-) -> Result<Option<Snapshot>> {
-    if let Some(key) = key {
-        if source.starts_with(SHARED) {
-            return Err(NotSignable::Live { name: source.to_owned() }.into());
-        }
-        signable(Path::new(source))?;
-        return Ok(Some(Snapshot::open_trusted(source, &key)?));
-    }
-    if !is_compiled(source) {
-        ThreadsArg::default().start(None)?;
-    }
-    let bar = crate::progress::Meter::of_file(Path::new(source), crate::progress::Manner::Bar);
-    let opened = open(source, compiling, live, &mut |p| bar.show(p))?;
-    bar.finish();
-    Ok(match opened {
-        Opened::Map(snapshot) => Some(snapshot),
-        Opened::Rejected(compiled) => {
-            report::print(source, &compiled);
-            None
-        }
-    })
 }

@@ -1,32 +1,8 @@
-//! `--trust KEY`: only archives that are signed by this key.
+//! What a signature can stand for, and whether the want of one is why something failed.
 
 use crate::serve::ServeError;
-use anyhow::Result;
-use clap::Args;
-use mapd_client::{ClientError, TrustError, TrustedKey};
+use mapd_client::{ClientError, TrustError};
 use std::path::{Path, PathBuf};
-
-/// Whom to trust.
-#[derive(Args, Clone, Debug, Default)]
-pub(crate) struct TrustArgs {
-    /// Refuse every map that is not an archive signed by this minisign public key; its signature lies beside it (FILE.mapd.minisig)
-    #[arg(long, value_name = "KEY.pub")]
-    trust: Option<PathBuf>,
-}
-
-impl TrustArgs {
-    /// This key, or if none is named, that of the configuration file.
-    pub(crate) fn or(self, file: Option<&PathBuf>) -> Self {
-        Self { trust: self.trust.or_else(|| file.cloned()) }
-    }
-
-    /// The key, if one is named.
-    ///
-    /// Errors: it cannot be read.
-    pub(crate) fn key(&self) -> Result<Option<TrustedKey>> {
-        Ok(self.trust.as_ref().map(TrustedKey::open).transpose()?)
-    }
-}
 
 /// Something that a signature cannot stand for.
 #[derive(Debug, thiserror::Error)]

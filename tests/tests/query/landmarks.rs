@@ -1,7 +1,7 @@
 //! Landmarks for localisation, and signals near a point and in a rectangle: against asking everything, on real maps and on many
 //! signals; and over the command line.
 
-use mapd::query::{Kind, RouteArgs};
+use mapd::commands::query::{Kind, RouteArgs};
 use mapd_client::glam::DVec2;
 use mapd_client::{Map, NearestOptions, Region};
 use mapd_query::{Class, ClassSet, Landmark, LandmarkSource, SignalId};
@@ -163,8 +163,9 @@ fn the_command_line_lists_a_row_for_each() {
     let snapshot = open(&few());
     let answer = |input: &str| {
         let mut out = Vec::new();
-        let options = (&NearestOptions::default(), &RouteArgs::default(), mapd::query::Format::Csv);
-        mapd::query::run(
+        let options =
+            (&NearestOptions::default(), &RouteArgs::default(), mapd::commands::query::Format::Csv);
+        mapd::commands::query::run(
             (snapshot.map(), "the document"),
             Kind::Landmarks,
             options,

@@ -1,7 +1,7 @@
 //! Objects near a point and in a rectangle: against asking every place, on real maps and on many copies; and over the
 //! command line.
 
-use mapd::query::{Kind, RouteArgs};
+use mapd::commands::query::{Kind, RouteArgs};
 use mapd_client::glam::DVec2;
 use mapd_client::{Map, NearestOptions, Region};
 use mapd_query::PlacementId;
@@ -68,8 +68,9 @@ fn the_command_line_lists_a_row_for_each() {
     let snapshot = open(&document(&PLAIN, objects));
     let mut out = Vec::new();
     let input = "x,y,radius\n30,0,9\n0,0,1\n30,0,-1\n";
-    let options = (&NearestOptions::default(), &RouteArgs::default(), mapd::query::Format::Csv);
-    mapd::query::run(
+    let options =
+        (&NearestOptions::default(), &RouteArgs::default(), mapd::commands::query::Format::Csv);
+    mapd::commands::query::run(
         (snapshot.map(), "the document"),
         Kind::Objects,
         options,

@@ -2,9 +2,9 @@
 
 use super::log::{relay, say};
 use super::settings::MapSettings;
+use crate::args::ThreadCount;
 use crate::child::{self, End, Output, Told, Work};
 use crate::exit::Exit;
-use crate::threads::ThreadCount;
 use std::collections::VecDeque;
 use std::ffi::OsStr;
 use std::io;

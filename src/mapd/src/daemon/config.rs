@@ -2,11 +2,11 @@
 
 use super::settings::MapSettings;
 use super::sources;
-use crate::compile_args::CompileArguments;
+use crate::args::CompileArguments;
+use crate::args::Size;
+use crate::args::ThreadCount;
 use crate::oversight::OversightSettings;
-use crate::size::Size;
 use crate::small_text;
-use crate::threads::ThreadCount;
 use anyhow::{Context, Result};
 use mapd_client::Domain;
 use serde::Deserialize;

@@ -1,8 +1,8 @@
 //! What a daemon is to do.
 
 use super::child::Means;
+use crate::args::CompileArguments;
 use crate::cache::Cache;
-use crate::compile_args::CompileArguments;
 use crate::oversight::OversightSettings;
 use mapd_client::Domain;
 use std::path::PathBuf;

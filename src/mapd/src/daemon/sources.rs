@@ -1,6 +1,6 @@
 //! Files and folders of maps.
 
-use crate::cli::UsageError;
+use crate::exit::UsageError;
 use anyhow::{Context, Result, bail};
 use std::path::{Path, PathBuf};
 

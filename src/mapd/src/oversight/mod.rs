@@ -14,8 +14,8 @@ mod rounds;
 mod scrubber;
 mod self_query;
 
-use crate::cli::UsageError;
 use crate::control::Board;
+use crate::exit::UsageError;
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use mapd_client::Domain;

@@ -56,6 +56,7 @@ pub use loan::PublishMeta;
 pub(crate) use memory::available as available_memory;
 pub(crate) use memory::{OVERHEAD, machine_available};
 pub use notice::Notice;
+pub use reserve::ftruncate;
 pub(crate) use reserve::reserving;
 pub(crate) use rights::NODE_COUNTER;
 pub use server::{ServedMap, Server};

@@ -2,7 +2,8 @@
 //!
 //! iceoryx2 sizes a segment with `ftruncate`, which reserves no pages on a file system in memory: if `/dev/shm` is filled up
 //! before the segment is written for the first time, the writer dies by SIGBUS. Within [`reserving`] the pages are reserved
-//! at once, so that iceoryx2 sees an error instead, hands it on, and removes what it had begun.
+//! at once, so that iceoryx2 sees an error instead, hands it on, and removes what it had begun. That needs a program whose
+//! `ftruncate` is the one of this module: [`program`](crate::program) says so; the library replaces nothing by itself.
 #![allow(unsafe_code)]
 
 use rustix::fs::FallocateFlags;
@@ -28,16 +29,13 @@ pub(crate) fn reserving<T>(work: impl FnOnce() -> T) -> T {
     work()
 }
 
-/// Takes the place of the C library's function of this name, in programs that serve maps, for callers in Rust and C; what
-/// it does outside of [`reserving`] is the same. Rust's own `File::set_len` calls another function.
+/// What `ftruncate` does in a program that serves maps: the same as the C library's, and within [`reserving`] it reserves the
+/// pages. Rust's own `File::set_len` calls another function.
 ///
 /// # Safety
 ///
 /// The same as of the C library's: `fd` is not closed meanwhile.
-// SAFETY: the symbol has the C library's signature and contract (POSIX.1-2017, ftruncate).
-#[unsafe(no_mangle)]
-#[expect(unreachable_pub, reason = "found by its name, not by its path")]
-pub unsafe extern "C" fn ftruncate(fd: c_int, length: i64) -> c_int {
+pub unsafe fn ftruncate(fd: c_int, length: i64) -> c_int {
     let sized = (|| {
         let length = u64::try_from(length).map_err(|_| Errno::INVAL)?;
         if fd < 0 {

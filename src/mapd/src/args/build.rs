@@ -1,0 +1,127 @@
+//! How a map is built.
+
+use super::{FrameArgs, JudgingArgs, OntologyArgs, finite};
+use crate::exit::UsageError;
+use anyhow::Result;
+use clap::{Args, ValueEnum};
+use mapd_compiler::{CompileOptions, CyclePolicy, Extra, OffsetSign, ReadOptions};
+
+/// How a map is built.
+#[derive(Args)]
+pub(crate) struct BuildArgs {
+    /// Largest distance of a lane's centre line from its polyline [m]
+    #[arg(long, value_name = "M", default_value_t = CompileOptions::default().index_tolerance, value_parser = finite)]
+    index_tolerance: f64,
+
+    /// Largest distance of a lane's border from its polyline [m]
+    #[arg(long, value_name = "M", default_value_t = CompileOptions::default().bound_tolerance, value_parser = finite)]
+    bound_tolerance: f64,
+
+    /// Largest distance of an object or signal from a lane that it belongs to as the nearest [m]
+    #[arg(long, value_name = "M", default_value_t = CompileOptions::default().lane_reach, value_parser = finite)]
+    lane_reach: f64,
+
+    /// Landmarks for routing, 0 to 32: more are faster over long ways and larger
+    #[arg(long, value_name = "N", default_value_t = CompileOptions::default().landmarks, value_parser = clap::value_parser!(u8).range(0..=32))]
+    landmarks: u8,
+
+    /// Which cycles of the lane graph are errors
+    #[arg(long, value_enum, default_value_t = Cycles::Illegal)]
+    cycles: Cycles,
+
+    /// Sign of the header's offset
+    #[arg(long, value_enum, default_value_t = Sign::Auto)]
+    offset_sign: Sign,
+
+    /// What is left out of the archive: nothing else in it depends on these
+    #[arg(long, value_name = "KIND", value_enum, value_delimiter = ',')]
+    without: Vec<WithoutKind>,
+
+    #[command(flatten)]
+    frame: FrameArgs,
+
+    #[command(flatten)]
+    ontology: OntologyArgs,
+}
+
+/// As [`Extra`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct WithoutKind(Extra);
+
+impl ValueEnum for WithoutKind {
+    fn value_variants<'a>() -> &'a [Self] {
+        const ALL: [WithoutKind; Extra::ALL.len()] = {
+            let mut all = [WithoutKind(Extra::UserData); Extra::ALL.len()];
+            let mut i = 0;
+            while i < all.len() {
+                all[i] = WithoutKind(Extra::ALL[i]);
+                i += 1;
+            }
+            all
+        };
+        &ALL
+    }
+
+    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
+        Some(clap::builder::PossibleValue::new(self.0.name()))
+    }
+}
+
+/// As [`OffsetSign`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Sign {
+    /// As written, unless the file is known to be, or can only be, one of the other sign
+    Auto,
+    /// As written: added, as the standard has it
+    Standard,
+    /// Turned: subtracted, as netconvert of Eclipse SUMO writes it
+    Negated,
+}
+
+/// As [`CyclePolicy`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Cycles {
+    /// Those that no network may have: within a junction, or without length
+    Illegal,
+    /// All
+    All,
+    /// None: forbidden ones are warnings, the others information
+    Report,
+}
+
+impl BuildArgs {
+    fn compile(&self) -> CompileOptions {
+        CompileOptions {
+            index_tolerance: self.index_tolerance,
+            bound_tolerance: self.bound_tolerance,
+            lane_reach: self.lane_reach,
+            landmarks: self.landmarks,
+            cycles: match self.cycles {
+                Cycles::Illegal => CyclePolicy::Illegal,
+                Cycles::All => CyclePolicy::All,
+                Cycles::Report => CyclePolicy::Report,
+            },
+            offset_sign: match self.offset_sign {
+                Sign::Auto => OffsetSign::Auto,
+                Sign::Standard => OffsetSign::Standard,
+                Sign::Negated => OffsetSign::Negated,
+            },
+            crs: self.frame.crs.clone(),
+            without: self.without.iter().map(|kind| kind.0).collect(),
+        }
+    }
+}
+
+impl BuildArgs {
+    /// How a document is read, by these options and the rules that apply.
+    pub(crate) fn reading(&self, judging: &JudgingArgs) -> Result<ReadOptions> {
+        self.ontology.apply(judging.apply(ReadOptions::default())?)
+    }
+
+    /// How a map is built, by these options.
+    pub(crate) fn validated(&self) -> Result<CompileOptions> {
+        let options = self.compile();
+        options.validate().map_err(|error| UsageError(error.to_string()))?;
+        Ok(options)
+    }
+}

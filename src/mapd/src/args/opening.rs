@@ -1,0 +1,128 @@
+//! How a SOURCE is opened.
+
+use super::{DomainArgs, FrameArgs, OntologyArgs, Seconds, ThreadsArg, TrustArgs};
+use crate::progress::{Manner, Meter};
+use crate::report;
+use crate::source::{self, Opened, SHARED};
+use crate::trust::{NotSignable, signable};
+use anyhow::Result;
+use clap::{Args, ValueEnum};
+use mapd_client::{Attach, Domain, Snapshot, TrustedKey};
+use mapd_compiler::{CompileOptions, ReadOptions};
+use std::path::Path;
+use std::time::Duration;
+
+/// How a SOURCE is opened.
+#[derive(Args)]
+pub(crate) struct Opening {
+    #[command(flatten)]
+    frame: FrameArgs,
+
+    #[command(flatten)]
+    ontology: OntologyArgs,
+
+    #[command(flatten)]
+    trust: TrustArgs,
+
+    #[command(flatten)]
+    live: Live,
+
+    #[command(flatten)]
+    attach: AttachArgs,
+}
+
+/// How live maps are attached to.
+#[derive(Args)]
+pub(crate) struct AttachArgs {
+    /// shm:NAME: how to attach; a subscriber takes part in iceoryx2, an observer writes nothing
+    #[arg(long, value_enum, value_name = "HOW", default_value_t = How::Observer)]
+    attach: How,
+}
+
+/// Where live maps are.
+#[derive(Args)]
+pub(crate) struct Live {
+    #[command(flatten)]
+    domain: DomainArgs,
+
+    /// shm:NAME: longest wait for daemon and map [s]
+    #[arg(long, value_name = "S", default_value_t = Seconds(source::WAIT))]
+    wait: Seconds,
+}
+
+impl AttachArgs {
+    /// How.
+    pub(crate) fn get(&self) -> Attach {
+        self.attach.into()
+    }
+}
+
+impl Live {
+    /// Domain, and longest wait.
+    ///
+    /// Errors: no such domain.
+    pub(crate) fn get(&self) -> Result<(Domain, Duration)> {
+        Ok((self.domain.domain()?, self.wait.0))
+    }
+}
+
+impl Opening {
+    /// Opens a SOURCE; prints why there is no map where there is none.
+    ///
+    /// Errors: files that cannot be read, archives that this release cannot read, no such live map; options that do not go
+    /// with the source.
+    pub(crate) fn open(&self, source: &str) -> Result<Option<Snapshot>> {
+        let (domain, wait) = self.live.get()?;
+        let reading = self.ontology.for_source(source::is_compiled(source))?;
+        let options = self.frame.source(source)?;
+        let compiling = (&reading, &options);
+        open_or_report(source, compiling, self.trust.key()?, (&domain, self.attach.get(), wait))
+    }
+}
+
+/// How a live map is attached to, as an option.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum How {
+    /// Maps it and writes nothing
+    Observer,
+    /// Takes part in iceoryx2, as one of at most 64
+    Subscriber,
+}
+
+impl From<How> for Attach {
+    fn from(how: How) -> Self {
+        match how {
+            How::Observer => Self::Observer,
+            How::Subscriber => Self::Subscriber,
+        }
+    }
+}
+
+/// Opens a SOURCE for a command that needs a map; prints why there is none. With a key, only an archive that it has signed.
+fn open_or_report(
+    source: &str,
+    compiling: (&ReadOptions, &CompileOptions),
+    key: Option<TrustedKey>,
+    live: (&Domain, Attach, Duration),
+) -> Result<Option<Snapshot>> {
+    if let Some(key) = key {
+        if source.starts_with(SHARED) {
+            return Err(NotSignable::Live { name: source.to_owned() }.into());
+        }
+        signable(Path::new(source))?;
+        return Ok(Some(Snapshot::open_trusted(source, &key)?));
+    }
+    if !source::is_compiled(source) {
+        ThreadsArg::default().start(None)?;
+    }
+    let bar = Meter::of_file(Path::new(source), Manner::Bar);
+    let opened = source::open(source, compiling, live, &mut |p| bar.show(p))?;
+    bar.finish();
+    Ok(match opened {
+        Opened::Map(snapshot) => Some(snapshot),
+        Opened::Rejected(compiled) => {
+            report::print(source, &compiled);
+            None
+        }
+    })
+}

@@ -1,0 +1,28 @@
+//! `--trust KEY`: only archives that are signed by this key.
+
+use anyhow::Result;
+use clap::Args;
+use mapd_client::TrustedKey;
+use std::path::PathBuf;
+
+/// Whom to trust.
+#[derive(Args, Clone, Debug, Default)]
+pub(crate) struct TrustArgs {
+    /// Refuse every map that is not an archive signed by this minisign public key; its signature lies beside it (FILE.mapd.minisig)
+    #[arg(long, value_name = "KEY.pub")]
+    trust: Option<PathBuf>,
+}
+
+impl TrustArgs {
+    /// This key, or if none is named, that of the configuration file.
+    pub(crate) fn or(self, file: Option<&PathBuf>) -> Self {
+        Self { trust: self.trust.or_else(|| file.cloned()) }
+    }
+
+    /// The key, if one is named.
+    ///
+    /// Errors: it cannot be read.
+    pub(crate) fn key(&self) -> Result<Option<TrustedKey>> {
+        Ok(self.trust.as_ref().map(TrustedKey::open).transpose()?)
+    }
+}

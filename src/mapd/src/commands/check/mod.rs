@@ -1,0 +1,150 @@
+//! `mapd check`: every finding about a file, whether or not a map can be built from it.
+
+mod excerpt;
+mod json;
+mod sarif;
+mod text;
+mod xqar;
+
+use crate::args::{FrameArgs, JudgingArgs, ProgressArgs, ThreadsArg};
+use crate::exit::Exit;
+use crate::progress::Meter;
+use crate::source;
+use anyhow::{Context, Result};
+use clap::{Args, ValueEnum};
+use mapd_compiler::{Compilation, CompileOptions, ReadOptions};
+use mapd_xodr::{Limits, source::SourceLimits};
+use std::fs::File;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Said at the end of `mapd help check`.
+pub(crate) const HELP: &str = "\
+An error says that the file violates the standard; parts are left out only for errors that say so, because what they are
+built from is missing or unusable. Ends with 0 where the map would be accepted, with 3 where parts of it would be left
+out, with 4 where it would be rejected.";
+
+/// What to check, and how.
+#[derive(Args)]
+pub(crate) struct CheckCommand {
+    /// OpenDRIVE file (.xodr or .xodrz)
+    file: PathBuf,
+    /// How findings are written
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    #[command(flatten)]
+    frame: FrameArgs,
+    #[command(flatten)]
+    reading: ReadArgs,
+    #[command(flatten)]
+    threads: ThreadsArg,
+    #[command(flatten)]
+    progress: ProgressArgs,
+}
+
+/// How findings are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// For people: each finding with its line of the file.
+    Text,
+    /// For programs: one document.
+    Json,
+    /// For code review tools: SARIF 2.1.0.
+    Sarif,
+    /// For ASAM's quality checker framework: its result file.
+    Xqar,
+}
+
+/// Bounds on what a file may ask for, and where it may include others from.
+#[derive(Args)]
+struct ReadArgs {
+    /// Deepest nesting of elements
+    #[arg(long, value_name = "N", default_value_t = Limits::default().depth)]
+    max_depth: usize,
+
+    /// Longest tag, which bounds its attributes [bytes]
+    #[arg(long, value_name = "BYTES", default_value_t = Limits::default().tag_bytes)]
+    max_attribute_length: usize,
+
+    /// Most attributes of one element
+    #[arg(long, value_name = "N", default_value_t = Limits::default().attributes)]
+    max_attributes: usize,
+
+    /// Longest text, comment or CDATA section [bytes]
+    #[arg(long, value_name = "BYTES", default_value_t = Limits::default().text_bytes)]
+    max_text_length: usize,
+
+    /// Largest file with all that it includes, decompressed [bytes]
+    #[arg(long, value_name = "BYTES", default_value_t = SourceLimits::default().decoded_bytes)]
+    max_bytes: u64,
+
+    /// Largest road, junction or other top-level element, with 256 bytes for each element within [bytes]
+    #[arg(long, value_name = "BYTES", default_value_t = Limits::default().item_bytes)]
+    max_road_bytes: usize,
+
+    /// Findings of one kind about one type of element that are told one by one; more are counted
+    #[arg(long, value_name = "N", default_value_t = Limits::default().findings_of_a_kind)]
+    max_findings: u32,
+
+    /// Folder that files may be included from [default: that of FILE]
+    #[arg(long, value_name = "FOLDER")]
+    include_base: Option<PathBuf>,
+
+    #[command(flatten)]
+    judging: JudgingArgs,
+}
+
+impl ReadArgs {
+    fn options(&self, file: &Path) -> Result<ReadOptions> {
+        let source = SourceLimits { decoded_bytes: self.max_bytes, ..SourceLimits::default() };
+        let limits = Limits {
+            depth: self.max_depth,
+            tag_bytes: self.max_attribute_length,
+            text_bytes: self.max_text_length,
+            attributes: self.max_attributes,
+            item_bytes: self.max_road_bytes,
+            findings_of_a_kind: self.max_findings,
+            source,
+            ..Limits::default()
+        };
+        let include_folder = self.include_base.clone().or_else(|| source::folder(file));
+        self.judging.apply(ReadOptions { limits, include_folder, ..ReadOptions::default() })
+    }
+}
+
+impl CheckCommand {
+    /// Checks a file and writes what was found.
+    ///
+    /// Errors: the file cannot be read, or the output not written.
+    pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
+        self.threads.start(None)?;
+        let file = &*self.file;
+        let options = CompileOptions { crs: self.frame.crs, ..CompileOptions::default() };
+        let bar = Meter::of_file(file, self.progress.manner());
+        // What cannot be opened is said in words of its own.
+        drop(source::open_input(file)?);
+        let reading = self.reading.options(file)?;
+        let show = &mut |p| bar.show(p);
+        let checked = mapd_compiler::check_with(|| File::open(file), &reading, &options, show)
+            .with_context(|| format!("reading {}", file.display()))?;
+        bar.finish();
+        match self.format {
+            Format::Text => text::write(file, &checked, out)?,
+            Format::Json => json::write(file, &checked, out)?,
+            Format::Sarif => sarif::write(file, &checked, out)?,
+            Format::Xqar => xqar::write(file, &checked, out)?,
+        }
+        Ok(checked.verdict.into())
+    }
+}
+
+/// Findings of each rule, most first: rule, count.
+fn by_rule(checked: &Compilation) -> Vec<(&'static str, usize)> {
+    let mut counts = std::collections::BTreeMap::new();
+    for diagnostic in &checked.diagnostics {
+        *counts.entry(diagnostic.finding.rule).or_insert(0) += 1;
+    }
+    let mut rules: Vec<(&str, usize)> = counts.into_iter().collect();
+    rules.sort_by_key(|(rule, count)| (std::cmp::Reverse(*count), *rule));
+    rules
+}

@@ -1,0 +1,88 @@
+//! `mapd doctor`: what this machine and the domain are like, line by line, and what to do about it.
+//!
+//! Nothing is changed: it looks, and attaches to each map as a client would.
+
+mod domain;
+mod finding;
+mod limits;
+mod maps;
+mod memory;
+
+use crate::args::Live;
+use crate::exit::Exit;
+use anyhow::{Context, Result};
+use clap::Args;
+use finding::{Finding, State};
+use mapd_client::Domain;
+use serde::Serialize;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Width of the column of what was examined.
+const CHECK: usize = 24;
+
+/// What to examine.
+#[derive(Args)]
+pub(crate) struct DoctorCommand {
+    /// Archive (.mapd) that is to be served: is there room for it, twice, as while it is replaced?
+    archive: Option<PathBuf>,
+    /// As JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    live: Live,
+}
+
+impl DoctorCommand {
+    /// Examines and prints.
+    ///
+    /// Errors: as [`examine`].
+    pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
+        let (domain, wait) = self.live.get()?;
+        examine(&self, (&domain, wait), out)
+    }
+}
+
+#[derive(Serialize)]
+struct Report<'a> {
+    prefix: &'a str,
+    /// The gravest of all.
+    state: State,
+    findings: &'a [Finding],
+}
+
+/// Examines and prints. Ends with [`Exit::Environment`] where anything is a problem.
+///
+/// Errors: the archive's size cannot be had; writing fails.
+fn examine(
+    args: &DoctorCommand,
+    (domain, wait): (&Domain, Duration),
+    out: &mut dyn Write,
+) -> Result<Exit> {
+    let archive = args.archive.as_deref().map(length).transpose()?.unwrap_or(0);
+    let mut findings = Vec::new();
+    memory::examine(archive, &mut findings);
+    limits::examine(archive, &mut findings);
+    if domain::examine(domain, &mut findings) {
+        maps::examine(domain, wait, &mut findings);
+    }
+    let state = findings.iter().map(|finding| finding.state).max().unwrap_or(State::Ok);
+    if args.json {
+        let report = Report { prefix: domain.prefix(), state, findings: &findings };
+        serde_json::to_writer_pretty(&mut *out, &report)?;
+        writeln!(out)?;
+    } else {
+        for Finding { check, state, found, advice } in &findings {
+            writeln!(out, "{:<8}{check:<CHECK$}{found}", state.name())?;
+            if let Some(advice) = advice {
+                writeln!(out, "{:8}{:CHECK$}→ {advice}", "", "")?;
+            }
+        }
+    }
+    Ok(if state == State::Problem { Exit::Environment } else { Exit::Done })
+}
+
+fn length(path: &Path) -> Result<u64> {
+    Ok(std::fs::metadata(path).with_context(|| format!("reading {}", path.display()))?.len())
+}

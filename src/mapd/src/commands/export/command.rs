@@ -1,0 +1,58 @@
+//! `mapd export` on the command line.
+
+use super::{Format, Layer, Options, RouteEnds, write};
+use crate::args::Opening;
+use crate::exit::{Exit, UsageError};
+use crate::same_file::is_same_file;
+use anyhow::{Result, bail};
+use clap::Args;
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+/// What to write of which map.
+#[derive(Args)]
+pub(crate) struct ExportCommand {
+    /// .xodr, .mapd or shm:NAME
+    source: String,
+    /// What to write
+    #[arg(long, value_enum)]
+    format: Format,
+    /// File to write [default: stdout]
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+    /// svg: also the boxes of the spatial index
+    #[arg(long)]
+    index_boxes: bool,
+    /// svg: also the driven line of the shortest way of a passenger car
+    #[arg(long, value_name = "ROAD,S,LANE:ROAD,S,LANE", allow_hyphen_values = true)]
+    route: Option<RouteEnds>,
+    /// geojson, flatgeobuf: layers that are written [default: all]
+    #[arg(long, value_name = "LAYER,…", value_enum, value_delimiter = ',')]
+    layers: Vec<Layer>,
+    #[command(flatten)]
+    opening: Opening,
+}
+
+impl ExportCommand {
+    /// Writes the map.
+    ///
+    /// Errors: wrong usage; the source cannot be opened; as [`write`].
+    pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
+        let output = self.output.as_deref();
+        if let Some(output) = output.filter(|file| is_same_file(file, self.source.as_ref())) {
+            bail!(UsageError(format!("{} would overwrite its source", output.display())));
+        }
+        let Some(snapshot) = self.opening.open(&self.source)? else { return Ok(Exit::Rejected) };
+        let Self { index_boxes, route, layers, .. } = self;
+        let options = Options { index_boxes, route, layers };
+        let left_out = write(snapshot.map(), self.format, &options, self.output.as_deref(), out)?;
+        if left_out > 0 {
+            // A closed stderr is nobody's loss.
+            let _ = writeln!(
+                io::stderr(),
+                "mapd: {left_out} features without a place are left out: this format cannot hold them"
+            );
+        }
+        Ok(Exit::Done)
+    }
+}

@@ -1,0 +1,13 @@
+//! The commands: each is what clap reads of its arguments, and what it does.
+
+pub(crate) mod bench;
+pub(crate) mod change;
+pub(crate) mod check;
+pub(crate) mod compile;
+pub(crate) mod doctor;
+pub mod export;
+pub(crate) mod inspect;
+pub mod query;
+pub(crate) mod sign;
+pub(crate) mod status;
+pub(crate) mod trace;

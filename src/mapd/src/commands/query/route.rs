@@ -1,0 +1,155 @@
+//! `mapd query … route`.
+
+use super::holes::{Holes, exit};
+use super::kinds::{lane_in, number, text};
+use super::row::Row;
+use crate::args::{not_negative, vehicle};
+use clap::{Args, ValueEnum};
+use mapd_client::Map;
+use mapd_query::glam::DVec2;
+use mapd_query::{
+    Enter, LanePlace, Route, RouteScratch, RouteStep, ShortestLength, ShortestTime, VehicleClass,
+};
+
+/// What a route is to keep small.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum RouteBy {
+    /// Metres along lanes.
+    Length,
+    /// Seconds at the speed limits.
+    Time,
+}
+
+/// How routes are found.
+#[derive(Args, Clone, Debug)]
+pub struct RouteArgs {
+    /// route: what to keep small
+    #[arg(long, value_enum, default_value_t = RouteBy::Length)]
+    by: RouteBy,
+    /// route: what a change of lane costs, in metres or seconds [default: 20 m, 2 s]
+    #[arg(long, value_name = "COST", value_parser = not_negative)]
+    lane_change: Option<f64>,
+    /// route, signals: who travels, in the words of access/restriction
+    #[arg(long, value_name = "CLASS", default_value = VehicleClass::PassengerCar.name(), value_parser = vehicle)]
+    vehicle: VehicleClass,
+    /// path, corridor: metres from station to station
+    #[arg(long, value_name = "M", default_value_t = STEP, value_parser = step)]
+    step: f64,
+}
+
+/// From station to station by default `[m]`.
+const STEP: f64 = 1.0;
+
+fn step(text: &str) -> Result<f64, String> {
+    let step = text.parse::<f64>().ok().filter(|step| step.is_finite() && *step > 0.0);
+    step.ok_or_else(|| "expected a positive finite number of metres".to_owned())
+}
+
+impl Default for RouteArgs {
+    fn default() -> Self {
+        Self {
+            by: RouteBy::Length,
+            lane_change: None,
+            vehicle: VehicleClass::PassengerCar,
+            step: STEP,
+        }
+    }
+}
+
+/// Finds routes one after the other.
+pub(crate) struct Router<'a> {
+    args: &'a RouteArgs,
+    scratch: RouteScratch,
+    steps: Vec<RouteStep>,
+}
+
+impl<'a> Router<'a> {
+    pub(crate) fn new(args: &'a RouteArgs) -> Self {
+        Self { args, scratch: RouteScratch::default(), steps: Vec::new() }
+    }
+
+    /// Who travels.
+    pub(crate) fn vehicle(&self) -> VehicleClass {
+        self.args.vehicle
+    }
+
+    /// Where the steps of the last answer end.
+    pub(super) fn ends(&self, map: Map<'_>) -> impl Iterator<Item = DVec2> {
+        self.steps.iter().filter_map(move |step| exit(&map.lane(step.lane).ok()?))
+    }
+
+    /// The steps of the last route.
+    pub(super) fn steps(&self) -> &[RouteStep] {
+        &self.steps
+    }
+
+    /// From station to station `[m]`.
+    pub(super) fn step(&self) -> f64 {
+        self.args.step
+    }
+
+    /// Finds the route of a row; its steps are then [`Self::steps`].
+    pub(super) fn find(
+        &mut self,
+        holes: &Holes<'_>,
+        map: Map<'_>,
+        row: &Row<'_>,
+    ) -> Result<Route, String> {
+        self.steps.clear();
+        let place = |road, s, lane| {
+            let (lane, s) = lane_in(holes, map, row, (road, s, lane))?;
+            Ok::<_, String>(LanePlace { lane: lane.lane_id(), s })
+        };
+        let from = place("from_road", "from_s", "from_lane")?;
+        let to = place("to_road", "to_s", "to_lane")?;
+        let Self { args, scratch, steps } = self;
+        let found = match args.by {
+            RouteBy::Length => {
+                let default = ShortestLength::default().lane_change;
+                let cost = ShortestLength { lane_change: args.lane_change.unwrap_or(default) };
+                map.route(from, to, args.vehicle, &cost, scratch, steps)
+            }
+            RouteBy::Time => {
+                let default = ShortestTime::default().lane_change;
+                let cost = ShortestTime { lane_change: args.lane_change.unwrap_or(default) };
+                map.route(from, to, args.vehicle, &cost, scratch, steps)
+            }
+        };
+        let route = found.map_err(text)?;
+        route.ok_or_else(|| {
+            let lost = match map.quarantined().len() {
+                0 => String::new(),
+                1 => "; one part of the map is left out".to_owned(),
+                more => format!("; {more} parts of the map are left out"),
+            };
+            format!("no way for {}{lost}", args.vehicle.name())
+        })
+    }
+
+    /// Answers one row.
+    pub(crate) fn answer(
+        &mut self,
+        holes: &Holes<'_>,
+        map: Map<'_>,
+        row: &Row<'_>,
+        out: &mut Vec<String>,
+    ) -> Result<(), String> {
+        let route = self.find(holes, map, row)?;
+        let mut keys: Vec<String> = Vec::new();
+        let mut last = None;
+        for step in &self.steps {
+            let lane = map.lane(step.lane).map_err(text)?;
+            let (key, section) = (lane.key().to_string(), lane.section().section_id());
+            // Stretches of one lane beside a section of the other side are one lane; a ring's lane may follow itself.
+            let goes_on = step.enter == Enter::Ahead && last.is_some_and(|last| last != section);
+            if !(goes_on && keys.last() == Some(&key)) {
+                keys.push(key);
+            }
+            last = Some(section);
+        }
+        out.push(number(route.length));
+        out.push(route.lane_changes.to_string());
+        out.push(keys.join(";"));
+        Ok(())
+    }
+}

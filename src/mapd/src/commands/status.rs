@@ -1,0 +1,174 @@
+//! `mapd status`.
+
+use crate::args::DomainArgs;
+use crate::clock::since_epoch;
+use crate::control::{CacheStatus, DaemonStatus, MapState, Request, Response, ask};
+use crate::exit::Exit;
+use crate::report::hex;
+use anyhow::Result;
+use clap::Args;
+use mapd_client::Domain;
+use mapd_client::transport::{MapStatus, list_maps};
+use serde::Serialize;
+use std::io::Write;
+use std::time::Duration;
+
+/// Longest wait for a daemon's own account: what everybody can see is told without it.
+const WAIT: Duration = Duration::from_secs(1);
+
+/// A map: what everybody can see of it, and what its daemon says.
+#[derive(Serialize)]
+struct Status {
+    name: String,
+    alive: bool,
+    pid: Option<u64>,
+    generation: Option<u64>,
+    bytes: Option<u64>,
+    layout_id: Option<String>,
+    content_hash: Option<String>,
+    input_hash: Option<String>,
+    subscribers: usize,
+    published_unix_ns: Option<u64>,
+    /// What its daemon says about it; `None` if it does not answer.
+    state: Option<MapState>,
+    /// What its daemon says about itself.
+    daemon: Option<Daemon>,
+}
+
+/// A daemon, its maps left out.
+#[derive(Clone, Serialize)]
+struct Daemon {
+    version: String,
+    pid: u32,
+    started_unix_ns: u64,
+    uptime_seconds: f64,
+    cache: Option<CacheStatus>,
+}
+
+impl Status {
+    fn of(map: MapStatus, daemon: Option<&DaemonStatus>) -> Self {
+        let info = map.info;
+        let state = daemon.and_then(|daemon| daemon.maps.iter().find(|m| m.name == map.name));
+        Self {
+            name: map.name,
+            alive: map.alive,
+            pid: info.map(|i| i.daemon_pid),
+            generation: info.map(|i| i.generation),
+            bytes: info.map(|i| i.length),
+            layout_id: info.map(|i| hex(&i.layout_id[..16])),
+            content_hash: info.map(|i| hex(&i.content_hash)),
+            input_hash: info.map(|i| hex(&i.input_hash)),
+            subscribers: map.subscribers,
+            published_unix_ns: info.map(|i| i.published_unix_ns),
+            state: state.cloned(),
+            daemon: daemon.map(|daemon| Daemon {
+                version: daemon.version.clone(),
+                pid: daemon.pid,
+                started_unix_ns: daemon.started_unix_ns,
+                uptime_seconds: daemon.uptime_seconds,
+                cache: daemon.cache.clone(),
+            }),
+        }
+    }
+}
+
+/// What the daemons of these maps say, each asked once.
+fn daemons(domain: &Domain, maps: &[MapStatus]) -> Vec<DaemonStatus> {
+    let mut daemons: Vec<DaemonStatus> = Vec::new();
+    for map in maps.iter().filter(|map| map.alive) {
+        if daemons.iter().any(|daemon| daemon.maps.iter().any(|m| m.name == map.name)) {
+            continue;
+        }
+        // One that does not answer is about to begin or end, or busy beyond measure.
+        if let Ok(Response::Status(daemon)) = ask(domain, &map.name, &Request::Status, WAIT) {
+            daemons.push(*daemon);
+        }
+    }
+    daemons
+}
+
+/// Which maps to list, and how.
+#[derive(Args)]
+pub(crate) struct StatusCommand {
+    /// As JSON: also sources, counts, memory, what is staged, what became of the last reload
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    domain: DomainArgs,
+}
+
+impl StatusCommand {
+    /// Lists the maps that are served.
+    ///
+    /// Errors: as [`list`].
+    pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
+        list(&self.domain.domain()?, self.json, out)?;
+        Ok(Exit::Done)
+    }
+}
+
+/// Lists the maps of a domain.
+fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<()> {
+    let maps = list_maps(domain)?;
+    let daemons = daemons(domain, &maps);
+    let of = |map: MapStatus| {
+        let its = |daemon: &&DaemonStatus| daemon.maps.iter().any(|m| m.name == map.name);
+        let daemon = daemons.iter().find(its);
+        Status::of(map, daemon)
+    };
+    let maps: Vec<Status> = maps.into_iter().map(of).collect();
+    if json {
+        serde_json::to_writer_pretty(&mut *out, &maps)?;
+        writeln!(out)?;
+        return Ok(());
+    }
+    if maps.is_empty() {
+        writeln!(out, "no maps are served (prefix {})", domain.prefix())?;
+        return Ok(());
+    }
+    let head = ("map", "generation", "bytes", "readers", "since", "content");
+    writeln!(
+        out,
+        "{:<20} {:>14} {:>12} {:>8} {:>10}  {}",
+        head.0, head.1, head.2, head.3, head.4, head.5
+    )?;
+    for map in maps {
+        let number = |n: Option<u64>| n.map(|n| n.to_string()).unwrap_or_else(|| "-".to_owned());
+        let content =
+            map.content_hash.map(|hash| hash[..16].to_owned()).unwrap_or_else(|| "-".to_owned());
+        let since = if map.alive { age(map.published_unix_ns) } else { "no daemon".to_owned() };
+        writeln!(
+            out,
+            "{:<20} {:>14} {:>12} {:>8} {:>10}  {content}",
+            map.name,
+            number(map.generation),
+            number(map.bytes),
+            map.subscribers,
+            since
+        )?;
+        let Some(state) = map.state else { continue };
+        if let Some(staged) = state.staged {
+            writeln!(out, "    staged: generation {}, {} bytes", staged.generation, staged.bytes)?;
+        }
+        for (what, check) in [("query of its own", state.self_queries), ("scrub", state.scrubs)] {
+            if check.last_failed == Some(true) {
+                writeln!(out, "    {what} failed: {}", check.last_error)?;
+            }
+        }
+        if let Some(report) = state.last_reload {
+            writeln!(out, "    {}", crate::daemon::sentence(&report))?;
+        }
+    }
+    Ok(())
+}
+
+/// How long ago something was published.
+fn age(published_unix_ns: Option<u64>) -> String {
+    let Some(published) = published_unix_ns else { return "-".to_owned() };
+    let seconds = since_epoch().saturating_sub(Duration::from_nanos(published)).as_secs();
+    match seconds {
+        0..120 => format!("{seconds} s"),
+        120..7200 => format!("{} min", seconds / 60),
+        _ => format!("{} h", seconds / 3600),
+    }
+}
