@@ -458,3 +458,27 @@ fn roads_of_one_junction_are_not_all_compared() {
     assert_eq!(count(&compiled, OVERLAPS), 1);
     assert_eq!(rows(compiled).connections.len(), EACH);
 }
+
+/// From each signal all that it depends on through others was searched anew.
+#[test]
+fn dependencies_of_signals_are_followed_once() {
+    const COUNT: usize = 20_000;
+    let signals = |last: &str| {
+        let mut text = String::from("<signals>");
+        for id in 0..COUNT {
+            let next = if id + 1 < COUNT { (id + 1).to_string() } else { last.to_owned() };
+            let _ = write!(
+                text,
+                r#"<signal id="{id}" s="0.5" t="-4" zOffset="2" dynamic="no" orientation="+" type="274" subtype="50" country="DE"><dependency id="{next}"/></signal>"#
+            );
+        }
+        let road = metre("1", 0.0).replace("</road>", &(text + "</signals></road>"));
+        soon("a chain of dependencies", &map_of(&road))
+    };
+    const CYCLE: &str = "mapd:xodr:1.4.0:topology.dependency_cycle";
+    for (last, cycles) in [("nowhere", 0), ("0", 1), ("19998", 1)] {
+        let compiled = signals(last);
+        assert_eq!(count(&compiled, CYCLE), cycles, "the last depends on {last}");
+        assert_eq!(rows(compiled).signals.len(), COUNT, "none is lost");
+    }
+}

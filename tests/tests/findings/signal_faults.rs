@@ -64,10 +64,7 @@ fn faults_are_findings() {
     let a = holding("a", "+", "<dependency id=\"b\"/>");
     let b = holding("b", "+", "<dependency id=\"a\"/>");
     let looped = compiled(true, &with(&(a + &b)), "");
-    let snapshot_of_loop = snapshot(&looped);
-    let ids: Vec<&str> = snapshot_of_loop.map().signals().map(|signal| signal.id()).collect();
-    assert!(ids.contains(&"ok") && ids.len() < 3, "a loop is cut: {ids:?}");
-    check("loop", &looped, &ids, &["topology.dependency_cycle"]);
+    check("loop", &looped, &["ok", "a", "b"], &["topology.dependency_cycle"]);
     let lost = "<signalReference id=\"nowhere\" s=\"5\" t=\"0\" orientation=\"+\"/>";
     check("reference", &compiled(true, &with(lost), ""), &["ok"], &["signal_reference"]);
     let unreadable = holding("bad", "+", "").replace("s=\"20\"", "s=\"many\"");

@@ -8,12 +8,9 @@ use crate::sink::Sink;
 use std::collections::{HashMap, HashSet};
 
 pub(super) static RULES: &[Rule] = &[
-    Rule::error(
+    Rule::warning(
         "mapd:xodr:1.4.0:topology.dependency_cycle",
-        [
-            "No signal depends on itself through others.",
-            "who follows what the signal depends on never ends",
-        ],
+        "No signal depends on itself through others.",
         All(cycles),
         [
             Signals(
@@ -80,53 +77,45 @@ fn of(network: &Network, at: NamedAt) -> impl Iterator<Item = &Reference> {
     network.references.iter().filter(move |reference| reference.at == at)
 }
 
+/// Each loop once, at the dependency that closes it. Every dependency is followed once, so that long chains cost what they hold.
 fn cycles(network: &Network, sink: &mut Sink<'_>) {
-    let mut next: HashMap<Name, Vec<Name>> = HashMap::new();
+    let mut next: HashMap<Name, Vec<&Reference>> = HashMap::new();
     for reference in of(network, NamedAt::SignalDependency) {
-        next.entry(reference.from).or_default().push(reference.id);
+        next.entry(reference.from).or_default().push(reference);
     }
-    let mut told: HashSet<Name> = HashSet::new();
+    let mut done: HashSet<Name> = HashSet::new();
     for reference in of(network, NamedAt::SignalDependency) {
-        let from = reference.from;
-        if told.contains(&from) {
-            continue;
+        // The signals from the first one to where the search is, with how many dependencies of each were followed.
+        let mut path: Vec<(Name, usize)> = Vec::new();
+        // Where in it each of them is.
+        let mut places: HashMap<Name, usize> = HashMap::new();
+        if done.insert(reference.from) {
+            places.insert(reference.from, 0);
+            path.push((reference.from, 0));
         }
-        // From the signal that is depended on, back to this one.
-        let mut before: HashMap<Name, Name> = HashMap::new();
-        let mut open = vec![reference.id];
-        while let Some(signal) = open.pop() {
-            if signal == from {
-                break;
-            }
-            for other in next.get(&signal).into_iter().flatten() {
-                if !before.contains_key(other) {
-                    before.insert(*other, signal);
-                    open.push(*other);
-                }
+        while let Some((signal, followed)) = path.last_mut() {
+            let Some(link) = next.get(signal).and_then(|links| links.get(*followed)) else {
+                places.remove(signal);
+                path.pop();
+                continue;
+            };
+            *followed += 1;
+            if let Some(&first) = places.get(&link.id) {
+                let around = path[first..].iter().map(|(signal, _)| *signal).chain([link.id]);
+                let around: Vec<&str> = around.map(|id| network.name(id)).collect();
+                let place = link.path(network);
+                sink.add_at(
+                    || place,
+                    sink.severity,
+                    link.span(),
+                    "no way back to the signal",
+                    around.join(" on "),
+                );
+            } else if done.insert(link.id) {
+                places.insert(link.id, path.len());
+                path.push((link.id, 0));
             }
         }
-        let mut path = vec![from];
-        if reference.id != from {
-            let Some(mut at) = before.get(&from).copied() else { continue };
-            while at != reference.id {
-                path.push(at);
-                let Some(previous) = before.get(&at) else { break };
-                at = *previous;
-            }
-            path.push(reference.id);
-        }
-        path.push(from);
-        path.reverse();
-        told.extend(path.iter().copied());
-        let path: Vec<&str> = path.into_iter().map(|id| network.name(id)).collect();
-        let place = reference.path(network);
-        sink.add_at(
-            || place,
-            sink.severity,
-            reference.span(),
-            "no way back to the signal",
-            path.join(" on "),
-        );
     }
 }
 
