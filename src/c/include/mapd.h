@@ -442,6 +442,21 @@ enum {
 #define MAPD_BESIDE_RIGHT_OF_REFERENCE_LINE 5
 
 /*
+ `painted` of a road mark: there is paint.
+ */
+#define MAPD_PAINTED_YES 1
+
+/*
+ `painted` of a road mark: there is a gap.
+ */
+#define MAPD_PAINTED_NO 0
+
+/*
+ `painted` of a road mark: its kind has gaps, and the file does not say which.
+ */
+#define MAPD_PAINTED_UNKNOWN 2
+
+/*
  `line` of `mapd_lane_line`: the centre line. Empty for lane 0.
  */
 #define MAPD_LINE_CENTER 0
@@ -490,6 +505,31 @@ enum {
  `enter` of a step: by a change of lane to the right, in driving direction.
  */
 #define MAPD_ENTER_RIGHT 3
+
+/*
+ `yields` of a conflict: who drives along the path gives way.
+ */
+#define MAPD_YIELDS_YIELDS 0
+
+/*
+ `yields` of a conflict: the other gives way.
+ */
+#define MAPD_YIELDS_PRIORITY 1
+
+/*
+ `yields` of a conflict: lights decide.
+ */
+#define MAPD_YIELDS_LIGHTS 2
+
+/*
+ `yields` of a conflict: the file's priorities say nothing about the two.
+ */
+#define MAPD_YIELDS_OPEN 3
+
+/*
+ `yields` of a conflict: the file does not say, and a rule of the road would have to.
+ */
+#define MAPD_YIELDS_UNKNOWN 4
 
 /*
  `origin` of a speed rule: a sign.
@@ -1451,6 +1491,306 @@ typedef struct mapd_lane_bounds {
 } mapd_lane_bounds;
 
 /*
+ How hypotheses are weighed. Set it with `mapd_match_options_init`, then change what should differ.
+ */
+typedef struct mapd_match_options {
+  /*
+   Size of this struct as the caller knows it: later releases may append to it.
+   */
+  size_t size;
+  /*
+   Lane types that are hypotheses, as in `mapd_nearest_options`. Default all.
+   */
+  uint64_t types;
+  /*
+   Largest difference between the pose's z and the lane's [m]; counts only with `has_z_tolerance` and a pose that has z.
+   */
+  double z_tolerance;
+  /*
+   Standard deviation of a driver's heading from the lane's direction [rad], not negative. Default 0.1.
+   */
+  double drive_deviation;
+  /*
+   Prior of `none`, where a lane has 1; positive. Default 0.01.
+   */
+  double none;
+  /*
+   Share of the prior that lanes have which the vehicle may not use, in (0, 1]. Default 0.05.
+   */
+  double closed;
+  /*
+   Share of the prior that lanes have which are not expected, in (0, 1]. Default 0.05.
+   */
+  double unexpected;
+  /*
+   Lanes that are expected, such as those of a route. Default null, which expects nothing.
+   */
+  const struct mapd_lane_id *expected;
+  /*
+   How many there are.
+   */
+  size_t expected_count;
+  /*
+   Not 0: `z_tolerance` counts. Default 0.
+   */
+  uint8_t has_z_tolerance;
+  /*
+   Not 0: `vehicle` counts. Default 0.
+   */
+  uint8_t has_vehicle;
+  /*
+   Who drives: a `MAPD_VEHICLE_CLASS_…`.
+   */
+  uint8_t vehicle;
+} mapd_match_options;
+
+/*
+ How a trace is matched. Set it with `mapd_trace_options_init`, then change what should differ.
+ */
+typedef struct mapd_trace_options {
+  /*
+   Size of this struct as the caller knows it: later releases may append to it.
+   */
+  size_t size;
+  /*
+   Standard deviation of x and of y [m], positive. Default 1.
+   */
+  double deviation;
+  /*
+   Standard deviation of headings [rad], of fixes that have one. Default 0.1.
+   */
+  double heading_deviation;
+  /*
+   Mean time between changes of lane [s], positive. Default 30.
+   */
+  double change_interval;
+  /*
+   Lane types that count, as in `mapd_nearest_options`. Default those that motor vehicles travel on.
+   */
+  uint64_t types;
+  /*
+   Who drives: a `MAPD_VEHICLE_CLASS_…`. Default a passenger car.
+   */
+  uint8_t vehicle;
+} mapd_trace_options;
+
+/*
+ What somebody measured: where a vehicle is and which way it heads.
+ */
+typedef struct mapd_vehicle_pose {
+  /*
+   Place, inertial [m]; z only if known.
+   */
+  struct mapd_point position;
+  /*
+   Heading [rad], counter-clockwise from x; any turn of it.
+   */
+  double heading;
+} mapd_vehicle_pose;
+
+/*
+ A lane that a vehicle may be in, in one of its directions.
+ */
+typedef struct mapd_lane_match {
+  /*
+   The lane.
+   */
+  struct mapd_lane_id lane;
+  /*
+   The pose's place with respect to it.
+   */
+  struct mapd_lane_position position;
+  /*
+   Probability among all hypotheses.
+   */
+  double probability;
+  /*
+   Mahalanobis distance of the pose from the lane's centre line at the pose's s, headed in the lane's direction.
+   */
+  double mahalanobis;
+  /*
+   The given heading less the driving direction [rad], in (−π, π].
+   */
+  double heading_difference;
+  /*
+   1: the vehicle travels towards +s.
+   */
+  uint8_t forward;
+} mapd_lane_match;
+
+/*
+ A place of a trace.
+ */
+typedef struct mapd_trace_fix {
+  /*
+   When [s]; does not fall along the trace.
+   */
+  double time;
+  /*
+   Where, inertial [m].
+   */
+  struct mapd_point position;
+  /*
+   Which way it heads [rad]; counts only with `has_heading`.
+   */
+  double heading;
+  /*
+   Not 0: the heading is known.
+   */
+  uint8_t has_heading;
+} mapd_trace_fix;
+
+/*
+ Where a fix of a trace was.
+ */
+typedef struct mapd_trace_match {
+  /*
+   The lane; a row of `MAPD_NO_ROW` where the trace is on no lane.
+   */
+  struct mapd_lane_id lane;
+  /*
+   The place with respect to it; zeros where there is none.
+   */
+  struct mapd_lane_position position;
+  /*
+   Probability of this, given the whole trace.
+   */
+  double probability;
+  /*
+   1: it travels towards +s.
+   */
+  uint8_t forward;
+} mapd_trace_match;
+
+/*
+ What a lane is made of.
+ */
+typedef struct mapd_material {
+  /*
+   Start on the road [m].
+   */
+  double s;
+  /*
+   Surface code as written; its meaning is the map maker's.
+   */
+  struct mapd_text surface;
+  /*
+   Friction coefficient; negative where not given.
+   */
+  double friction;
+  /*
+   Roughness as written; negative where not given.
+   */
+  double roughness;
+} mapd_material;
+
+/*
+ The ground at a place.
+ */
+typedef struct mapd_ground {
+  /*
+   Height of the surface at the place [m].
+   */
+  double z;
+  /*
+   Unit normal of the surface, upwards.
+   */
+  struct mapd_vec3 normal;
+  /*
+   The lane that holds the place; of a place of a batch that has none, a row of `MAPD_NO_ROW`.
+   */
+  struct mapd_lane_id lane;
+  /*
+   Along its road [m].
+   */
+  double s;
+  /*
+   Lateral on its road [m].
+   */
+  double t;
+  /*
+   What the lane is made of; counts only with `has_material`.
+   */
+  struct mapd_material material;
+  /*
+   Which level this is, the lowest one 0.
+   */
+  uint32_t level;
+  /*
+   How many levels of lanes there are at the place.
+   */
+  uint32_t levels;
+  /*
+   1: the map says what the lane is made of.
+   */
+  uint8_t has_material;
+} mapd_ground;
+
+/*
+ Which road marks count. Set it with `mapd_mark_filter_init`, then change what should differ.
+ */
+typedef struct mapd_mark_filter {
+  /*
+   Size of this struct as the caller knows it: later releases may append to it.
+   */
+  size_t size;
+  /*
+   Largest distance in plan view [m]. Default 5.
+   */
+  double radius;
+  /*
+   Kinds that count: the bit of each is `1 << code`; `UINT64_MAX`, the default, is all. The kind `none` never counts.
+   */
+  uint64_t kinds;
+  /*
+   Types of lanes whose borders count, on either side, as in `mapd_nearest_options`. Default all.
+   */
+  uint64_t types;
+} mapd_mark_filter;
+
+/*
+ The place of a road mark that is nearest to a point.
+ */
+typedef struct mapd_near_mark {
+  /*
+   The lane on whose outer border the mark lies, lane 0 for marks of the centre; of a point of a batch that has none, a row of `MAPD_NO_ROW`.
+   */
+  struct mapd_lane_id lane;
+  /*
+   Where, on the road [m].
+   */
+  double s;
+  /*
+   The nearest place of the middle of the mark's line, inertial [m].
+   */
+  struct mapd_vec2 place;
+  /*
+   How far away that is in plan view [m].
+   */
+  double distance;
+  /*
+   Width of the line [m], the default one where it has none of its own.
+   */
+  double width;
+  /*
+   1: the mark lies to the left, for one at the point who looks along the road's reference line.
+   */
+  uint8_t left_of_reference_line;
+  /*
+   A `MAPD_ROAD_MARK_KIND_…`.
+   */
+  uint8_t kind;
+  /*
+   A `MAPD_ROAD_MARK_COLOR_…`: the line's own, or the mark's.
+   */
+  uint8_t color;
+  /*
+   Whether there is paint at this s: a `MAPD_PAINTED_…`.
+   */
+  uint8_t painted;
+} mapd_near_mark;
+
+/*
  A point of a polyline.
  */
 typedef struct mapd_line_point {
@@ -1865,6 +2205,138 @@ typedef struct mapd_path_joint {
    */
   uint8_t broken;
 } mapd_path_joint;
+
+/*
+ A lane of a path and what of it is driven.
+ */
+typedef struct mapd_path_lane {
+  /*
+   The lane.
+   */
+  struct mapd_lane_id lane;
+  /*
+   S where it is entered [m].
+   */
+  double along_from;
+  /*
+   S where it is left [m].
+   */
+  double along_to;
+  /*
+   s on its road where it is entered [m].
+   */
+  double s_from;
+  /*
+   s on its road where it is left [m].
+   */
+  double s_to;
+  /*
+   Number of the route's step.
+   */
+  size_t step;
+  /*
+   1: it is travelled towards +s.
+   */
+  uint8_t forward;
+} mapd_path_lane;
+
+/*
+ What lies on an edge of the driven lane.
+ */
+typedef struct mapd_edge_mark {
+  /*
+   A `MAPD_ROAD_MARK_KIND_…`; none where there is none.
+   */
+  uint8_t kind;
+  /*
+   A `MAPD_ROAD_MARK_COLOR_…`.
+   */
+  uint8_t color;
+  /*
+   1: a change of lane over this edge is allowed, into a lane of its direction that the vehicle may use.
+   */
+  uint8_t may_cross;
+} mapd_edge_mark;
+
+/*
+ The room at one station of a path. Left and right are those of who drives; edges lie on the plane h = 0.
+ */
+typedef struct mapd_corridor_station {
+  /*
+   S [m].
+   */
+  double along;
+  /*
+   The driven lane.
+   */
+  struct mapd_lane_id lane;
+  /*
+   Left edge of the driven lane [m].
+   */
+  struct mapd_vec3 left;
+  /*
+   Right edge of the driven lane [m].
+   */
+  struct mapd_vec3 right;
+  /*
+   Left edge of the leftmost lane beside it that has its direction and is open to the vehicle [m].
+   */
+  struct mapd_vec3 outer_left;
+  /*
+   Right edge of the rightmost such lane [m].
+   */
+  struct mapd_vec3 outer_right;
+  /*
+   What lies on the left edge of the driven lane.
+   */
+  struct mapd_edge_mark left_mark;
+  /*
+   What lies on its right edge.
+   */
+  struct mapd_edge_mark right_mark;
+} mapd_corridor_station;
+
+/*
+ A place where the traffic of another lane meets a path.
+ */
+typedef struct mapd_path_conflict {
+  /*
+   S of the first common place [m]; too early by up to half a metre.
+   */
+  double along_from;
+  /*
+   S of the last common place [m]; too late by up to half a metre.
+   */
+  double along_to;
+  /*
+   The other lane.
+   */
+  struct mapd_lane_id other;
+  /*
+   The smaller s of the common place on its road [m].
+   */
+  double other_s_from;
+  /*
+   The larger s of the common place on its road [m].
+   */
+  double other_s_to;
+  /*
+   S at which to wait [m]: the line to stop at on the path, else the last place before the common one.
+   */
+  double wait;
+  /*
+   How the two meet: a `MAPD_CONFLICT_KIND_…`.
+   */
+  uint8_t kind;
+  /*
+   Who goes first, by what the file says: a `MAPD_YIELDS_…`.
+   */
+  uint8_t yields;
+  /*
+   Why: a `MAPD_RELATION_REASON_…`; what a rule of the road would say where `yields` is `MAPD_YIELDS_UNKNOWN`.
+   */
+  uint8_t reason;
+} mapd_path_conflict;
 
 /*
  A junction.
@@ -2521,28 +2993,6 @@ typedef struct mapd_road_mark_segment {
    */
   uint8_t color;
 } mapd_road_mark_segment;
-
-/*
- What a lane is made of.
- */
-typedef struct mapd_material {
-  /*
-   Start on the road [m].
-   */
-  double s;
-  /*
-   Surface code as written; its meaning is the map maker's.
-   */
-  struct mapd_text surface;
-  /*
-   Friction coefficient; negative where not given.
-   */
-  double friction;
-  /*
-   Roughness as written; negative where not given.
-   */
-  double roughness;
-} mapd_material;
 
 /*
  A point of the road's surface.
@@ -3236,6 +3686,102 @@ mapd_code mapd_lane_predecessors(const struct mapd_snapshot *snapshot,
                                  struct mapd_error *error);
 
 /*
+ Sets options to their defaults. `size` is `sizeof(mapd_match_options)`.
+ */
+mapd_code mapd_match_options_init(struct mapd_match_options *options, size_t size, struct mapd_error *error);
+
+/*
+ Sets options to their defaults. `size` is `sizeof(mapd_trace_options)`.
+ */
+mapd_code mapd_trace_options_init(struct mapd_trace_options *options, size_t size, struct mapd_error *error);
+
+/*
+ The lanes that a vehicle may be in by a measured pose, the most probable first. `covariance` has nine entries, row by row: that of
+ (x, y, heading) in [m²], [m·rad] and [rad²]; a heading that is not known has a large one. `options`: null is the default. `none`: the
+ probability that it is in no lane; null is fine. docs/localisation.md has the model.
+
+ Errors: `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for a covariance that is not symmetric and positive semi-definite, and for
+ options out of their domain.
+ */
+mapd_code mapd_match_pose(const struct mapd_snapshot *snapshot,
+                          struct mapd_vehicle_pose pose,
+                          const double *covariance,
+                          const struct mapd_match_options *options,
+                          struct mapd_scratch *scratch,
+                          struct mapd_lane_match *out,
+                          size_t capacity,
+                          size_t *count,
+                          double *none,
+                          struct mapd_error *error);
+
+/*
+ The lanes of a trace: the most probable way through all its fixes. `out` has room for `fix_count` answers, one for each fix. `options`: null
+ is the default.
+
+ Errors: `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for times that fall and for options out of their domain.
+ */
+mapd_code mapd_match_trace(const struct mapd_snapshot *snapshot,
+                           const struct mapd_trace_fix *fixes,
+                           size_t fix_count,
+                           const struct mapd_trace_options *options,
+                           struct mapd_scratch *scratch,
+                           struct mapd_trace_match *out,
+                           struct mapd_error *error);
+
+/*
+ The ground at a place, on the level whose height is nearest to the point's z; on the lowest one of a point without z. Heights more than
+ 2 m apart are levels of their own. `MAPD_CODE_NONE` beside all lanes.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_ground_at(const struct mapd_snapshot *snapshot,
+                         struct mapd_point point,
+                         struct mapd_scratch *scratch,
+                         struct mapd_ground *out,
+                         struct mapd_error *error);
+
+/*
+ As `mapd_ground_at`, of `count` points; `out` has room for as many answers. What has none gets a lane with the row `MAPD_NO_ROW`.
+
+ Errors: as `mapd_ground_at`; the answers before the point that has one are written.
+ */
+mapd_code mapd_ground_at_batch(const struct mapd_snapshot *snapshot,
+                            const struct mapd_point *points,
+                            size_t count,
+                            struct mapd_scratch *scratch,
+                            struct mapd_ground *out,
+                            struct mapd_error *error);
+
+/*
+ Sets a filter to its defaults. `size` is `sizeof(mapd_mark_filter)`.
+ */
+mapd_code mapd_mark_filter_init(struct mapd_mark_filter *filter, size_t size, struct mapd_error *error);
+
+/*
+ The road mark that is nearest to a point, on the exact course of each of its lines. Lines count along their whole length, gaps included.
+ `filter`: null is the default. `MAPD_CODE_NONE` if none is near enough.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_nearest_mark(const struct mapd_snapshot *snapshot,
+                            struct mapd_vec2 point,
+                            const struct mapd_mark_filter *filter,
+                            struct mapd_near_mark *out,
+                            struct mapd_error *error);
+
+/*
+ As `mapd_nearest_mark`, of `count` points; `out` has room for as many answers. What has none gets a lane with the row `MAPD_NO_ROW`.
+
+ Errors: as `mapd_nearest_mark`; the answers before the point that has one are written.
+ */
+mapd_code mapd_nearest_mark_batch(const struct mapd_snapshot *snapshot,
+                                  const struct mapd_vec2 *points,
+                                  size_t count,
+                                  const struct mapd_mark_filter *filter,
+                                  struct mapd_near_mark *out,
+                                  struct mapd_error *error);
+
+/*
  Points of a lane's centre line or of one of its borders, in ascending s: a polyline of bounded error, as it is stored. `line` is
  a `MAPD_LINE_…`.
 
@@ -3481,6 +4027,98 @@ mapd_code mapd_path_joints(const struct mapd_path *path,
                            size_t capacity,
                            size_t *count,
                            struct mapd_error *error);
+
+/*
+ The steps over lanes that follow each other, as `mapd_lane_sequences` lists them, from s [m] on the first to s on the last; each in its own
+ driving direction.
+
+ Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_steps_of_lanes(const struct mapd_snapshot *snapshot,
+                              const struct mapd_lane_id *lanes,
+                              size_t lane_count,
+                              double s_from,
+                              double s_to,
+                              struct mapd_scratch *scratch,
+                              struct mapd_route_step *out,
+                              size_t capacity,
+                              size_t *count,
+                              struct mapd_error *error);
+
+/*
+ The lanes that are driven on, in ascending S; one that is only changed from is not among them.
+ */
+mapd_code mapd_path_lanes(const struct mapd_path *path,
+                          struct mapd_path_lane *out,
+                          size_t capacity,
+                          size_t *count,
+                          struct mapd_error *error);
+
+/*
+ S of a place on one of the path's lanes [m]: the first where it is driven over several times. `MAPD_CODE_NONE` for one that the path does
+ not pass.
+ */
+mapd_code mapd_path_along_of(const struct mapd_path *path,
+                             struct mapd_lane_id lane,
+                             double s,
+                             double *out,
+                             struct mapd_error *error);
+
+/*
+ 1 where some joint is broken: a gap of more than 0.1 m or a kink of more than 0.3 rad.
+ */
+mapd_code mapd_path_is_broken(const struct mapd_path *path, uint8_t *out, struct mapd_error *error);
+
+/*
+ As `mapd_path_at`, of `count` places; `out` has room for as many.
+
+ Errors: as `mapd_path_at`; the answers before the place that has one are written.
+ */
+mapd_code mapd_path_at_batch(const struct mapd_path *path,
+                             const double *along,
+                             size_t count,
+                             struct mapd_path_point *out,
+                             struct mapd_error *error);
+
+/*
+ As `mapd_path_project` without a hint, of `count` points; `out` has room for as many.
+
+ Errors: as `mapd_path_project`; the answers before the point that has one are written.
+ */
+mapd_code mapd_path_project_batch(const struct mapd_path *path,
+                                  const struct mapd_vec2 *points,
+                                  size_t count,
+                                  struct mapd_path_position *out,
+                                  struct mapd_error *error);
+
+/*
+ The room along the path from S, `from` [m], on: a station every `step` [m] and one at the end, `length` [m] on or where the path ends.
+ `vehicle` is a `MAPD_VEHICLE_CLASS_…`.
+
+ Errors: `MAPD_CODE_NOT_FINITE`, also for a step that is not positive or gives more than a million stations; `MAPD_CODE_ARGUMENT` for an
+ unknown class.
+ */
+mapd_code mapd_path_corridor(const struct mapd_path *path,
+                             double from,
+                             double length,
+                             double step,
+                             uint8_t vehicle,
+                             struct mapd_scratch *scratch,
+                             struct mapd_corridor_station *out,
+                             size_t capacity,
+                             size_t *count,
+                             struct mapd_error *error);
+
+/*
+ Where lanes of junctions and other lanes that the map knows to conflict meet the path, in ascending S. Lanes that the path itself drives on
+ are left out.
+ */
+mapd_code mapd_path_conflicts(const struct mapd_path *path,
+                              struct mapd_scratch *scratch,
+                              struct mapd_path_conflict *out,
+                              size_t capacity,
+                              size_t *count,
+                              struct mapd_error *error);
 
 /*
  What a junction is.

@@ -41,7 +41,7 @@ class Snapshot : public Queries {
   }
 #if MAPD_EXCEPTIONS
   void verify() const {
-    if (Error error = try_verify(); error.code != MAPD_CODE_OK) throw Exception(error);
+    detail::must(try_verify());
   }
 #endif
 
@@ -63,15 +63,59 @@ class Snapshot : public Queries {
 
   /// Nearest lanes of many points; what has none gets a lane that names nothing. `out` has as many entries as `points`.
   Error try_nearest_lanes(span<const mapd_point> points, span<Nearest> out, const NearestOptions& options = {}) const {
-    if (out.size() < points.size()) return {MAPD_CODE_TOO_SMALL, "expected as many answers as points"};
     const mapd_nearest_options own = options.c();
-    mapd_error error;
-    const mapd_code code = mapd_nearest_lane_batch(get(), points.data(), points.size(), &own, out.data(), &error);
-    return code == MAPD_CODE_OK ? Error{} : detail::failed(code, error);
+    return detail::batch(points, out, [&](auto all, auto count, auto... rest) {
+      return mapd_nearest_lane_batch(get(), all, count, &own, rest...);
+    });
+  }
+  /// The ground at many places; what has none gets a lane that names nothing. `out` has as many entries as `points`.
+  Error try_ground_below(span<const mapd_point> points, span<Ground> out, Scratch& scratch) const {
+    return detail::batch(points, out, [&](auto all, auto count, auto... rest) {
+      return mapd_ground_at_batch(get(), all, count, scratch.get(), rest...);
+    });
+  }
+  /// The road marks nearest to many points; what has none gets a lane that names nothing. `out` has as many entries as `points`.
+  Error try_nearest_marks(span<const Vec2> points, span<NearMark> out, const MarkFilter& filter = {}) const {
+    return detail::batch(points, out, [&](auto all, auto count, auto... rest) {
+      return mapd_nearest_mark_batch(get(), all, count, &filter, rest...);
+    });
+  }
+  /// Where each fix of a trace was. `out` has as many entries as `fixes`.
+  Error try_match_trace(span<const TraceFix> fixes, span<TraceMatch> out, Scratch& scratch,
+                        const TraceOptions& options = {}) const {
+    return detail::batch(fixes, out, [&](auto all, auto count, auto... rest) {
+      return mapd_match_trace(get(), all, count, &options, scratch.get(), rest...);
+    });
+  }
+  /// The lanes that a vehicle may be in by a measured pose, the most probable first.
+  Result<PoseMatch> try_match_pose(const VehiclePose& pose, const Covariance& covariance, Scratch& scratch,
+                                   const MatchOptions& options = {}) const {
+    PoseMatch match;
+    auto lanes = detail::list<LaneMatch>([&](auto out, auto capacity, auto count, auto error) {
+      return mapd_match_pose(get(), pose, covariance.data(), &options, scratch.get(), out, capacity, count, &match.none,
+                             error);
+    });
+    if (!lanes) return lanes.error();
+    match.lanes = *std::move(lanes);
+    return match;
   }
 #if MAPD_EXCEPTIONS
   void nearest_lanes(span<const mapd_point> points, span<Nearest> out, const NearestOptions& options = {}) const {
-    if (Error error = try_nearest_lanes(points, out, options); error.code != MAPD_CODE_OK) throw Exception(error);
+    detail::must(try_nearest_lanes(points, out, options));
+  }
+  void ground_below(span<const mapd_point> points, span<Ground> out, Scratch& scratch) const {
+    detail::must(try_ground_below(points, out, scratch));
+  }
+  void nearest_marks(span<const Vec2> points, span<NearMark> out, const MarkFilter& filter = {}) const {
+    detail::must(try_nearest_marks(points, out, filter));
+  }
+  void match_trace(span<const TraceFix> fixes, span<TraceMatch> out, Scratch& scratch,
+                   const TraceOptions& options = {}) const {
+    detail::must(try_match_trace(fixes, out, scratch, options));
+  }
+  PoseMatch match_pose(const VehiclePose& pose, const Covariance& covariance, Scratch& scratch,
+                       const MatchOptions& options = {}) const {
+    return try_match_pose(pose, covariance, scratch, options).value();
   }
 #endif
 

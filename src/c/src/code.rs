@@ -103,6 +103,12 @@ impl Failure {
         Self { code, message: message.into() }
     }
 
+    /// The same of one of several questions, by its number from 0.
+    #[cold]
+    pub(crate) fn of_entry(self, number: usize) -> Self {
+        Self::new(self.code, format!("entry {number}: {}", self.message))
+    }
+
     pub(crate) fn code(&self) -> mapd_code {
         self.code
     }
@@ -127,7 +133,7 @@ impl From<QueryError> for Failure {
         let code = match error {
             QueryError::ForeignId => mapd_code::FOREIGN_ID,
             QueryError::Corrupt => mapd_code::CORRUPT,
-            QueryError::NotFinite => mapd_code::NOT_FINITE,
+            QueryError::NotFinite | QueryError::NotFiniteAt(_) => mapd_code::NOT_FINITE,
             _ => mapd_code::OTHER,
         };
         Self::new(code, error.to_string())

@@ -1,12 +1,11 @@
 //! Places on Earth.
 
 use crate::code::{Failure, answer, mapd_code, mapd_error};
-use crate::list::{close, entries, get, hand_out, put, put_some};
+use crate::list::{close, entries, fill, get, hand_out, put, put_some};
 use crate::nearest::{mapd_nearest, mapd_nearest_options, options_of};
 use crate::point::mapd_vec3;
 use crate::snapshot::{map_of, mapd_snapshot};
 use mapd_client::{Geodetic, Projector};
-use std::mem::MaybeUninit;
 
 /// Converts between a map's inertial frame and WGS 84. Several threads may use it at once. It is made from a snapshot and needs it no longer.
 pub struct mapd_projector(Projector);
@@ -116,11 +115,7 @@ pub unsafe extern "C" fn mapd_to_geodetic_batch(
         answer(error, || {
             let projector = projector_of(projector)?;
             let points = entries(points, count, "the points")?;
-            entries(out.cast::<MaybeUninit<mapd_geodetic>>(), count, "the answers")?;
-            for (i, point) in points.iter().enumerate() {
-                out.add(i).write(projector.to_geodetic((*point).into())?.into());
-            }
-            Ok(mapd_code::OK)
+            fill(out, points, |point| projector.to_geodetic((*point).into()).map(Into::into))
         })
     }
 }

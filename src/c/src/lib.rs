@@ -15,11 +15,13 @@
 //!
 //! No panic leaves a function: what would be one becomes [`mapd_code::PANIC`].
 
+mod along;
 mod client;
 mod code;
 mod earth;
 mod events;
 mod graph;
+mod ground;
 mod ids;
 mod junction;
 mod landmarks;
@@ -27,10 +29,12 @@ mod lane;
 mod list;
 mod lookup;
 mod marks;
+mod matching;
 mod movement;
 mod names;
 mod nearest;
 mod objects;
+mod options;
 mod path;
 mod point;
 mod polyline;
@@ -43,17 +47,20 @@ mod snapshot;
 mod surface;
 mod text;
 
+pub use along::*;
 pub use client::*;
 pub use code::*;
 pub use earth::*;
 pub use events::*;
 pub use graph::*;
+pub use ground::*;
 pub use ids::*;
 pub use junction::*;
 pub use landmarks::*;
 pub use lane::*;
 pub use lookup::*;
 pub use marks::*;
+pub use matching::*;
 pub use movement::*;
 pub use names::*;
 pub use nearest::*;

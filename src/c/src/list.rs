@@ -172,6 +172,29 @@ impl<T> List<T> {
     }
 }
 
+/// Writes an answer for each of the caller's questions; those before one that has none stay written, and the error has its number.
+///
+/// # Safety
+///
+/// `out` is null or valid for writes of as many entries as there are questions.
+#[inline]
+pub(crate) unsafe fn fill<Q, A, E: Into<Failure>>(
+    out: *mut A,
+    questions: &[Q],
+    mut ask: impl FnMut(&Q) -> Result<A, E>,
+) -> Outcome {
+    if !questions.is_empty() {
+        check(out, "the answers")?;
+        check_size::<A>(questions.len())?;
+    }
+    for (i, question) in questions.iter().enumerate() {
+        let found = ask(question).map_err(|error| error.into().of_entry(i))?;
+        // SAFETY: within the entries that are promised above.
+        unsafe { out.add(i).write(found) };
+    }
+    Ok(mapd_code::OK)
+}
+
 /// A number that has to be finite.
 #[inline]
 pub(crate) fn finite(number: f64) -> Result<f64, Failure> {

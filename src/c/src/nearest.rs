@@ -3,7 +3,8 @@
 use crate::code::{Failure, Outcome, answer, mapd_code, mapd_error};
 use crate::graph::vehicle_of;
 use crate::ids::mapd_lane_id;
-use crate::list::{List, entries, get, get_mut, put, put_some};
+use crate::list::{List, entries, fill, get, get_mut, put, put_some};
+use crate::options::{given_options, put_defaults};
 use crate::point::{mapd_lane_position, mapd_point, mapd_region};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
@@ -50,9 +51,6 @@ pub struct mapd_nearest_options {
     pub hint: *const mapd_nearest,
 }
 
-/// Size of the options' first release: whoever knows less of them is no caller of this library.
-const FIRST_OPTIONS: usize = size_of::<mapd_nearest_options>();
-
 impl From<Nearest> for mapd_nearest {
     #[inline]
     fn from(nearest: Nearest) -> Self {
@@ -70,23 +68,14 @@ impl From<mapd_nearest> for Nearest {
 ///
 /// # Safety
 ///
-/// `options` is null or valid for reads of as many bytes as its `size` says; so is its `hint`.
+/// As [`given_options`]; so is its `hint`.
 #[inline]
 pub(crate) unsafe fn options_of(
     options: *const mapd_nearest_options,
 ) -> Result<NearestOptions, Failure> {
-    if options.is_null() {
+    let Some(given) = (unsafe { given_options(options, "mapd_nearest_options_init") })? else {
         return Ok(NearestOptions::default());
-    }
-    // SAFETY: as promised above; the size comes first in every release.
-    let size = unsafe { *get(options.cast::<usize>(), "options")? };
-    if size != FIRST_OPTIONS {
-        return Err(Failure::argument(format!(
-            "expected options of {FIRST_OPTIONS} bytes, found size {size}; set them with mapd_nearest_options_init"
-        )));
-    }
-    // SAFETY: as promised above; every value of every field is one.
-    let given = unsafe { get(options, "options")? };
+    };
     // SAFETY: as promised above.
     let hint = if given.hint.is_null() { None } else { Some(unsafe { get(given.hint, "hint")? }) };
     Ok(NearestOptions {
@@ -109,29 +98,22 @@ pub unsafe extern "C" fn mapd_nearest_options_init(
 ) -> mapd_code {
     unsafe {
         answer(error, || {
-            if size != FIRST_OPTIONS {
-                return Err(Failure::argument(format!(
-                    "expected options of {FIRST_OPTIONS} bytes, found {size}; header and library are of different releases"
-                )));
-            }
             let NearestOptions { radius, types, .. } = NearestOptions::default();
-            put(
-                options,
-                mapd_nearest_options {
-                    size,
-                    radius,
-                    types: types.bits(),
-                    z_tolerance: 0.0,
-                    heading: 0.0,
-                    heading_tolerance: 0.0,
-                    has_z_tolerance: 0,
-                    has_heading: 0,
-                    has_heading_tolerance: 0,
-                    has_vehicle: 0,
-                    vehicle: 0,
-                    hint: std::ptr::null(),
-                },
-            )
+            let defaults = mapd_nearest_options {
+                size,
+                radius,
+                types: types.bits(),
+                z_tolerance: 0.0,
+                heading: 0.0,
+                heading_tolerance: 0.0,
+                has_z_tolerance: 0,
+                has_heading: 0,
+                has_heading_tolerance: 0,
+                has_vehicle: 0,
+                vehicle: 0,
+                hint: std::ptr::null(),
+            };
+            put_defaults(options, size, defaults)
         })
     }
 }
@@ -188,29 +170,15 @@ unsafe fn batch(
     let map = unsafe { map_of(snapshot) }?;
     let mut options = unsafe { options_of(options) }?;
     let points = unsafe { entries(points, count, "the points") }?;
-    // Only to prove the pointer: the entries may never have been written.
-    unsafe { entries(out.cast::<std::mem::MaybeUninit<mapd_nearest>>(), count, "the answers") }?;
-    let none = mapd_nearest {
-        lane: mapd_lane_id::NONE,
-        position: mapd_lane_position {
-            s: 0.0,
-            t: 0.0,
-            offset: 0.0,
-            offset_of_reference_line: 0.0,
-            distance: 0.0,
-            z: 0.0,
-            heading: 0.0,
-            heading_of_reference_line: 0.0,
-            clamped: 0,
-        },
-    };
-    for (i, point) in points.iter().enumerate() {
-        let found = map.nearest_lane(*point, &options)?;
-        options.hint = found.or(options.hint);
-        // SAFETY: within the entries that are proven above.
-        unsafe { out.add(i).write(found.map_or(none, mapd_nearest::from)) };
+    let none = mapd_nearest { lane: mapd_lane_id::NONE, position: mapd_lane_position::NOWHERE };
+    unsafe {
+        fill(out, points, |point| {
+            map.nearest_lane(*point, &options).map(|found| {
+                options.hint = found.or(options.hint);
+                found.map_or(none, mapd_nearest::from)
+            })
+        })
     }
-    Ok(mapd_code::OK)
 }
 
 /// Every lane whose area lies within the options' radius of a point, nearest first, each once.

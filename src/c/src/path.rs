@@ -7,7 +7,7 @@ use crate::point::{clamped_code, mapd_vec2, mapd_vec3};
 use crate::route::{mapd_route_step, take_steps};
 use crate::signals::{mapd_speed_rule, speed_rule};
 use crate::snapshot::mapd_snapshot;
-use mapd_client::{Path, PathBuffer, PathError, PathOptions, Snapshot};
+use mapd_client::{Path, PathBuffer, PathError, PathOptions, PathPoint, PathPosition, Snapshot};
 
 /// A route as one line. It keeps its snapshot; several threads may use it at once.
 pub struct mapd_path {
@@ -94,7 +94,46 @@ impl From<PathError> for Failure {
     }
 }
 
-unsafe fn path_of<'a>(path: *const mapd_path) -> Result<Path<'a, 'a>, Failure> {
+impl From<PathPoint> for mapd_path_point {
+    fn from(p: PathPoint) -> Self {
+        Self {
+            along: p.along,
+            position: p.position.into(),
+            heading: p.heading,
+            curvature: p.curvature,
+            curvature_rate: p.curvature_rate,
+            grade: p.grade,
+            superelevation: p.superelevation,
+            left: p.left,
+            right: p.right,
+            lane: p.lane.into(),
+            s: p.s,
+            forward: p.forward.into(),
+            clamped: clamped_code(p.clamped),
+        }
+    }
+}
+
+impl From<PathPosition> for mapd_path_position {
+    fn from(p: PathPosition) -> Self {
+        Self {
+            along: p.along,
+            d: p.d,
+            distance: p.distance,
+            heading: p.heading,
+            lane: p.lane.into(),
+            s: p.s,
+            clamped: clamped_code(p.clamped),
+        }
+    }
+}
+
+/// The path of a handle.
+///
+/// # Safety
+///
+/// As [`get`].
+pub(crate) unsafe fn path_of<'a>(path: *const mapd_path) -> Result<Path<'a, 'a>, Failure> {
     let path = unsafe { get(path, "a path") }?;
     Ok(Path::of(path.snapshot.map(), &path.buffer)?)
 }
@@ -147,29 +186,7 @@ pub unsafe extern "C" fn mapd_path_at(
     out: *mut mapd_path_point,
     error: *mut mapd_error,
 ) -> mapd_code {
-    unsafe {
-        answer(error, || {
-            let p = path_of(path)?.at(along)?;
-            put(
-                out,
-                mapd_path_point {
-                    along: p.along,
-                    position: p.position.into(),
-                    heading: p.heading,
-                    curvature: p.curvature,
-                    curvature_rate: p.curvature_rate,
-                    grade: p.grade,
-                    superelevation: p.superelevation,
-                    left: p.left,
-                    right: p.right,
-                    lane: p.lane.into(),
-                    s: p.s,
-                    forward: p.forward.into(),
-                    clamped: clamped_code(p.clamped),
-                },
-            )
-        })
-    }
+    unsafe { answer(error, || put(out, path_of(path)?.at(along)?.into())) }
 }
 
 /// A point in the path's coordinates. `hint`: null, or S of a point nearby such as the one before: the search begins there.
@@ -186,19 +203,7 @@ pub unsafe extern "C" fn mapd_path_project(
     unsafe {
         answer(error, || {
             let hint = if hint.is_null() { None } else { Some(*get(hint, "the hint")?) };
-            let p = path_of(path)?.project(point.into(), hint)?;
-            put(
-                out,
-                mapd_path_position {
-                    along: p.along,
-                    d: p.d,
-                    distance: p.distance,
-                    heading: p.heading,
-                    lane: p.lane.into(),
-                    s: p.s,
-                    clamped: clamped_code(p.clamped),
-                },
-            )
+            put(out, path_of(path)?.project(point.into(), hint)?.into())
         })
     }
 }

@@ -131,6 +131,28 @@ pub struct mapd_lane_position {
     pub clamped: u8,
 }
 
+impl mapd_lane_position {
+    /// What stands where there is none.
+    pub(crate) const NOWHERE: Self = Self {
+        s: 0.0,
+        t: 0.0,
+        offset: 0.0,
+        offset_of_reference_line: 0.0,
+        distance: 0.0,
+        z: 0.0,
+        heading: 0.0,
+        heading_of_reference_line: 0.0,
+        clamped: 0,
+    };
+}
+
+impl From<DVec2> for mapd_vec2 {
+    #[inline]
+    fn from(v: DVec2) -> Self {
+        Self { x: v.x, y: v.y }
+    }
+}
+
 impl From<DVec3> for mapd_vec3 {
     #[inline]
     fn from(v: DVec3) -> Self {

@@ -4,9 +4,10 @@ use crate::code::{answer, mapd_code, mapd_error};
 use crate::list::{close, hand_out};
 use mapd_client::glam::DVec3;
 use mapd_client::{
-    BoundarySegment, Landmark, LaneId, LanePlace, LaneSequences, LineAhead, NearObject, NearSignal,
-    Nearest, PlacementId, Reached, RoadMarkSegment, RouteScratch, RouteStep, SignalId,
-    SignalsAhead,
+    BoundarySegment, Corridor, GroundScratch, Landmark, LaneId, LaneMatch, LanePlace,
+    LaneSequences, LineAhead, NearObject, NearSignal, Nearest, PathConflict, PlacementId, Reached,
+    RoadMarkSegment, RouteScratch, RouteStep, SignalId, SignalsAhead, TraceFix, TraceMatch,
+    TraceScratch,
 };
 
 /// Memory of searches and lists, to be used again: it grows with the largest answer and is then enough. It belongs to one thread
@@ -30,6 +31,13 @@ pub struct mapd_scratch {
     pub(crate) bounds: Vec<BoundarySegment>,
     pub(crate) marks: Vec<RoadMarkSegment>,
     pub(crate) corners: Vec<DVec3>,
+    pub(crate) matches: Vec<LaneMatch>,
+    pub(crate) fixes: Vec<TraceFix>,
+    pub(crate) trace: TraceScratch,
+    pub(crate) traced: Vec<TraceMatch>,
+    pub(crate) ground: GroundScratch,
+    pub(crate) corridor: Corridor,
+    pub(crate) conflicts: Vec<PathConflict>,
 }
 
 /// Makes a scratch. Close it with `mapd_scratch_close`.

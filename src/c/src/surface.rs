@@ -63,6 +63,11 @@ pub struct mapd_grid_height {
     pub by_y: f64,
 }
 
+/// What stands where the map does not say what a lane is made of.
+pub(crate) fn material_or_none(one: Option<Material<'_>>) -> mapd_material {
+    material(one.unwrap_or(Material { s: 0.0, surface: "", friction: None, roughness: None }))
+}
+
 fn material(one: Material<'_>) -> mapd_material {
     mapd_material {
         s: one.s,
@@ -88,14 +93,13 @@ pub unsafe extern "C" fn mapd_road_surface_at(
     unsafe {
         answer(error, || {
             let surface = road_of(snapshot, road)?.surface_at(s, t)?;
-            let none = Material { s: 0.0, surface: "", friction: None, roughness: None };
             put(
                 out,
                 mapd_surface {
                     position: surface.position.into(),
                     normal: surface.normal.into(),
                     lane: surface.lane.into(),
-                    material: material(surface.material.unwrap_or(none)),
+                    material: material_or_none(surface.material),
                     has_material: surface.material.is_some().into(),
                     clamped: clamped_code(surface.clamped),
                 },

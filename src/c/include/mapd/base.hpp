@@ -3,6 +3,7 @@
 
 #include "../mapd.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -83,6 +84,15 @@ using Geodetic = mapd_geodetic;
 using PathPoint = mapd_path_point;
 using PathPosition = mapd_path_position;
 using PathJoint = mapd_path_joint;
+using PathLane = mapd_path_lane;
+using CorridorStation = mapd_corridor_station;
+using PathConflict = mapd_path_conflict;
+using Ground = mapd_ground;
+using NearMark = mapd_near_mark;
+using VehiclePose = mapd_vehicle_pose;
+using LaneMatch = mapd_lane_match;
+using TraceFix = mapd_trace_fix;
+using TraceMatch = mapd_trace_match;
 
 /// For ever.
 inline constexpr double forever = std::numeric_limits<double>::infinity();
@@ -148,6 +158,30 @@ struct NearestOptions {
     out.hint = hint;
     return out;
   }
+};
+
+/// Which road marks count: see `mapd_mark_filter`.
+struct MarkFilter : mapd_mark_filter {
+  MarkFilter() noexcept { mapd_mark_filter_init(this, sizeof(mapd_mark_filter), nullptr); }
+};
+
+/// How hypotheses are weighed: see `mapd_match_options`.
+struct MatchOptions : mapd_match_options {
+  MatchOptions() noexcept { mapd_match_options_init(this, sizeof(mapd_match_options), nullptr); }
+};
+
+/// How a trace is matched: see `mapd_trace_options`.
+struct TraceOptions : mapd_trace_options {
+  TraceOptions() noexcept { mapd_trace_options_init(this, sizeof(mapd_trace_options), nullptr); }
+};
+
+/// A covariance of (x, y, heading), row by row [m², m·rad, rad²].
+using Covariance = std::array<double, 9>;
+
+/// Lanes that a vehicle may be in, and the probability that it is in none.
+struct PoseMatch {
+  std::vector<LaneMatch> lanes;
+  double none = 0.0;
 };
 
 /// Why a call failed.
@@ -247,6 +281,21 @@ Result<std::vector<T>> list(F call) {
     return out;
   }
 }
+
+/// What a batch came to: nothing, or why it failed.
+template <class Q, class A, class F>
+Error batch(span<Q> questions, span<A> answers, F call) {
+  if (answers.size() < questions.size()) return {MAPD_CODE_TOO_SMALL, "expected as many answers as questions"};
+  mapd_error error;
+  const mapd_code code = call(questions.data(), questions.size(), answers.data(), &error);
+  return code == MAPD_CODE_OK ? Error{} : failed(code, error);
+}
+
+#if MAPD_EXCEPTIONS
+inline void must(const Error& error) {
+  if (error.code != MAPD_CODE_OK) throw Exception(error);
+}
+#endif
 
 template <class T, class F>
 Result<T> handle(F call) {
@@ -351,6 +400,40 @@ class Path : public detail::Owner<mapd_path, mapd_path_close> {
   Result<std::vector<PathJoint>> try_joints() const {
     return detail::list<PathJoint>([&](auto... out) { return mapd_path_joints(get(), out...); });
   }
+  /// Whether some joint is broken.
+  Result<bool> try_is_broken() const {
+    const auto out = detail::value<std::uint8_t>([&](auto... out) { return mapd_path_is_broken(get(), out...); });
+    if (!out) return out.error();
+    return *out != 0;
+  }
+  /// The lanes that are driven on.
+  Result<std::vector<PathLane>> try_lanes() const {
+    return detail::list<PathLane>([&](auto... out) { return mapd_path_lanes(get(), out...); });
+  }
+  /// S of a place on one of the path's lanes [m].
+  Result<std::optional<double>> try_along_of(LanePlace place) const {
+    return detail::optional<double>(
+        [&](auto... out) { return mapd_path_along_of(get(), place.lane, place.s, out...); });
+  }
+  /// The room along the path, a station every `step` [m] from S on.
+  Result<std::vector<CorridorStation>> try_corridor(double from, double length, double step, std::uint8_t vehicle,
+                                                    Scratch& scratch) const {
+    return detail::list<CorridorStation>([&](auto... out) {
+      return mapd_path_corridor(get(), from, length, step, vehicle, scratch.get(), out...);
+    });
+  }
+  /// Where other traffic meets the path.
+  Result<std::vector<PathConflict>> try_conflicts(Scratch& scratch) const {
+    return detail::list<PathConflict>([&](auto... out) { return mapd_path_conflicts(get(), scratch.get(), out...); });
+  }
+  /// Many places; `out` has as many entries as `along`.
+  Error try_at(span<const double> along, span<PathPoint> out) const {
+    return detail::batch(along, out, [&](auto... rest) { return mapd_path_at_batch(get(), rest...); });
+  }
+  /// Many points in the path's coordinates; `out` has as many entries as `points`.
+  Error try_project(span<const Vec2> points, span<PathPosition> out) const {
+    return detail::batch(points, out, [&](auto... rest) { return mapd_path_project_batch(get(), rest...); });
+  }
 #if MAPD_EXCEPTIONS
   double length() const { return try_length().value(); }
   PathPoint at(double along) const { return try_at(along).value(); }
@@ -359,6 +442,16 @@ class Path : public detail::Owner<mapd_path, mapd_path_close> {
   }
   std::optional<SpeedRule> speed_at(double along) const { return try_speed_at(along).value(); }
   std::vector<PathJoint> joints() const { return try_joints().value(); }
+  bool is_broken() const { return try_is_broken().value(); }
+  std::vector<PathLane> lanes() const { return try_lanes().value(); }
+  std::optional<double> along_of(LanePlace place) const { return try_along_of(place).value(); }
+  std::vector<CorridorStation> corridor(double from, double length, double step, std::uint8_t vehicle,
+                                        Scratch& scratch) const {
+    return try_corridor(from, length, step, vehicle, scratch).value();
+  }
+  std::vector<PathConflict> conflicts(Scratch& scratch) const { return try_conflicts(scratch).value(); }
+  void at(span<const double> along, span<PathPoint> out) const { detail::must(try_at(along, out)); }
+  void project(span<const Vec2> points, span<PathPosition> out) const { detail::must(try_project(points, out)); }
 #endif
 };
 

@@ -94,6 +94,16 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
     return detail::list<LaneId>([&](auto... out) { return mapd_lanes_in(get(), region, types, scratch.get(), out...); });
   }
 
+  /// The ground at a place, on the level whose height is nearest to the point's z.
+  Result<std::optional<Ground>> try_ground_at(Point point, Scratch& scratch) const {
+    return detail::optional<Ground>([&](auto... out) { return mapd_ground_at(get(), point, scratch.get(), out...); });
+  }
+
+  /// The road mark that is nearest to a point.
+  Result<std::optional<NearMark>> try_nearest_mark(Vec2 point, const MarkFilter& filter = {}) const {
+    return detail::optional<NearMark>([&](auto... out) { return mapd_nearest_mark(get(), point, &filter, out...); });
+  }
+
   /// Signals and objects that localisers find again, nearest first; no classes: the usual ones.
   Result<std::vector<Landmark>> try_landmarks_near(Vec2 point, double radius, const ClassSet* classes, Scratch& scratch) const {
     return detail::list<Landmark>([&](auto... out) { return mapd_landmarks_near(get(), point, radius, classes, scratch.get(), out...); });
@@ -138,6 +148,8 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   std::optional<Nearest> nearest_lane(Point point, const NearestOptions& options = {}) const { return try_nearest_lane(point, options).value(); }
   std::vector<Nearest> lanes_near(Point point, Scratch& scratch, const NearestOptions& options = {}) const { return try_lanes_near(point, scratch, options).value(); }
   std::vector<LaneId> lanes_in(Region region, std::uint64_t types, Scratch& scratch) const { return try_lanes_in(region, types, scratch).value(); }
+  std::optional<Ground> ground_at(Point point, Scratch& scratch) const { return try_ground_at(point, scratch).value(); }
+  std::optional<NearMark> nearest_mark(Vec2 point, const MarkFilter& filter = {}) const { return try_nearest_mark(point, filter).value(); }
   std::vector<Landmark> landmarks_near(Vec2 point, double radius, const ClassSet* classes, Scratch& scratch) const { return try_landmarks_near(point, radius, classes, scratch).value(); }
   std::vector<Landmark> landmarks_in(Region region, const ClassSet* classes, Scratch& scratch) const { return try_landmarks_in(region, classes, scratch).value(); }
   std::vector<NearSignal> signals_near(Vec2 point, double radius, Scratch& scratch) const { return try_signals_near(point, radius, scratch).value(); }
@@ -385,6 +397,11 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
     return detail::optional<NextJunction>([&](auto... out) { return mapd_next_junction_of(get(), from, distance, vehicle, out...); });
   }
 
+  /// The steps over lanes that follow each other, from s on the first to s on the last.
+  Result<std::vector<RouteStep>> try_steps_of_lanes(span<const LaneId> lanes, double s_from, double s_to, Scratch& scratch) const {
+    return detail::list<RouteStep>([&](auto... out) { return mapd_steps_of_lanes(get(), lanes.data(), lanes.size(), s_from, s_to, scratch.get(), out...); });
+  }
+
   /// The next change of lane on a route.
   Result<std::optional<LaneChange>> try_next_lane_change(span<const RouteStep> steps, std::size_t at, LanePlace place, Scratch& scratch) const {
     return detail::optional<LaneChange>([&](auto... out) { return mapd_next_lane_change(get(), steps.data(), steps.size(), at, place, scratch.get(), out...); });
@@ -405,6 +422,7 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   std::vector<Conflict> conflicts(LaneId lane) const { return try_conflicts(lane).value(); }
   std::vector<Reached> reachable(LanePlace from, double limit, Cost cost, Scratch& scratch) const { return try_reachable(from, limit, cost, scratch).value(); }
   std::optional<NextJunction> next_junction(LanePlace from, double distance, std::uint8_t vehicle) const { return try_next_junction(from, distance, vehicle).value(); }
+  std::vector<RouteStep> steps_of_lanes(span<const LaneId> lanes, double s_from, double s_to, Scratch& scratch) const { return try_steps_of_lanes(lanes, s_from, s_to, scratch).value(); }
   std::optional<LaneChange> next_lane_change(span<const RouteStep> steps, std::size_t at, LanePlace place, Scratch& scratch) const { return try_next_lane_change(steps, at, place, scratch).value(); }
   double steps_length(span<const RouteStep> steps) const { return try_steps_length(steps).value(); }
 #endif

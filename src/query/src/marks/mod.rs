@@ -39,6 +39,16 @@ impl MarkKinds {
         self.0 & Self::bit(kind) != 0
     }
 
+    /// The set as a number: the bit of a kind is that of its code, the highest one stands for unknown kinds.
+    pub const fn bits(self) -> u64 {
+        self.0
+    }
+
+    /// The set of [`Self::bits`].
+    pub const fn from_bits(bits: u64) -> Self {
+        Self(bits)
+    }
+
     fn bit(kind: RoadMarkKind) -> u64 {
         // Codes stay below 63; what is unknown has the last bit.
         1 << kind.code().min(63)

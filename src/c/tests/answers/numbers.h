@@ -2,6 +2,10 @@
 #ifndef MAPD_TEST_ANSWERS_H
 #define MAPD_TEST_ANSWERS_H
 
+/* For getline; g++ defines it by itself. */
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE
+#endif
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,0 +1,46 @@
+//! Options of callers: structs that begin with their size, so that later releases may append to them.
+
+use crate::code::{Failure, Outcome};
+use crate::list::{get, put};
+
+/// Options of a caller's; none for null.
+///
+/// # Safety
+///
+/// `options` is null or valid for reads of as many bytes as its first field, a `size_t`, says.
+#[inline]
+pub(crate) unsafe fn given_options<'a, T>(
+    options: *const T,
+    init: &'static str,
+) -> Result<Option<&'a T>, Failure> {
+    if options.is_null() {
+        return Ok(None);
+    }
+    // SAFETY: as promised above; the size comes first in every release.
+    let size = unsafe { *get(options.cast::<usize>(), "options")? };
+    // Whoever knows less of them than the first release is no caller of this library.
+    if size != size_of::<T>() {
+        return Err(Failure::argument(format!(
+            "expected options of {} bytes, found size {size}; set them with {init}",
+            size_of::<T>()
+        )));
+    }
+    // SAFETY: as promised above; every value of every field is one.
+    unsafe { get(options, "options") }.map(Some)
+}
+
+/// Writes the defaults where the caller knows the options as this library does.
+///
+/// # Safety
+///
+/// `options` is null or valid for writes.
+pub(crate) unsafe fn put_defaults<T>(options: *mut T, size: usize, defaults: T) -> Outcome {
+    if size != size_of::<T>() {
+        return Err(Failure::argument(format!(
+            "expected options of {} bytes, found {size}; header and library are of different releases",
+            size_of::<T>()
+        )));
+    }
+    // SAFETY: as promised above.
+    unsafe { put(options, defaults) }
+}

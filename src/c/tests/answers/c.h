@@ -1,0 +1,62 @@
+/* What the parts of the C program share: see main.c. */
+#ifndef MAPD_TEST_ANSWERS_C_H
+#define MAPD_TEST_ANSWERS_C_H
+
+#include "numbers.h"
+#include <mapd.h>
+
+/* Entries of the longest list. */
+enum { MOST = 1 << 16 };
+#define CAR ((uint8_t)MAPD_VEHICLE_CLASS_PASSENGER_CAR)
+
+extern mapd_snapshot *map;
+extern mapd_scratch *scratch;
+extern mapd_projector *projector;
+extern mapd_error error;
+
+/* Ends the program unless the call did what it should. */
+void must(mapd_code code);
+/* Whether there is an answer. */
+int is(mapd_code code);
+
+#define ID(kind)                                                                              \
+  static inline uint64_t kind##_bits(mapd_##kind##_id id) {                                   \
+    return id.row == MAPD_NO_ROW ? MAPD_NO_ROW : (uint64_t)id.content << 32 | id.row;         \
+  }
+ID(lane)
+ID(signal)
+ID(object)
+ID(junction)
+#undef ID
+
+static inline mapd_lane_id lane_of(uint64_t bits) {
+  const mapd_lane_id id = {(uint32_t)bits, (uint32_t)(bits >> 32)};
+  return id;
+}
+
+static inline mapd_point point_of(const uint64_t *q) {
+  const mapd_point point = {as_f(q[0]), as_f(q[1]), as_f(q[2]), q[3]};
+  return point;
+}
+
+static inline uint64_t text_hash(mapd_text text) { return hash_of(text.data, text.size); }
+
+void add_v(struct numbers *out, mapd_vec3 v);
+void add_nearest(struct numbers *out, mapd_lane_id lane, mapd_lane_position position);
+void add_pose(struct numbers *out, mapd_pose pose);
+/* The hash of a signal's id, and of an object's. */
+void add_signal(struct numbers *out, mapd_signal_id signal);
+void add_object(struct numbers *out, mapd_object_id object);
+
+void points(const char *kind, const uint64_t *q, struct numbers *out);
+void roads(const char *kind, const uint64_t *q, struct numbers *out);
+void geodetic(const uint64_t *q, struct numbers *out);
+void lanes(const char *kind, const uint64_t *q, struct numbers *out);
+void routes(const char *kind, const uint64_t *q, struct numbers *out);
+void reachable(const uint64_t *q, struct numbers *out);
+void ground(const uint64_t *q, struct numbers *out);
+void mark(const uint64_t *q, struct numbers *out);
+void match(const uint64_t *q, struct numbers *out);
+void trace(const uint64_t *q, size_t count, struct numbers *out);
+
+#endif

@@ -1,0 +1,398 @@
+// Answers the questions of a file in C++ and compares bit by bit. `answers ARCHIVE ANSWERS`.
+#include "numbers.h"
+
+#include <mapd.hpp>
+
+#include <string>
+#include <unordered_map>
+
+namespace {
+
+constexpr std::uint8_t car = MAPD_VEHICLE_CLASS_PASSENGER_CAR;
+constexpr const char* yields[] = {"yields", "priority", "lights", "open", "unknown"};
+
+/// Numbers of an answer.
+class Numbers {
+ public:
+  Numbers& f(double value) {
+    add_f(&own, value);
+    return *this;
+  }
+  Numbers& u(std::uint64_t value) {
+    add_u(&own, value);
+    return *this;
+  }
+  template <class... F>
+  Numbers& all(F... values) {
+    (f(values), ...);
+    return *this;
+  }
+  template <class Id>
+  Numbers& id(Id id) {
+    return u(mapd::is_some(id) ? std::uint64_t{id.content} << 32 | id.row : MAPD_NO_ROW);
+  }
+  template <class Id>
+  Numbers& id(const std::optional<Id>& some) {
+    return some ? id(*some) : u(MAPD_NO_ROW);
+  }
+  Numbers& v(mapd::Vec3 at) { return all(at.x, at.y, at.z); }
+  Numbers& text(std::string_view text) { return u(hash_of(text.data(), text.size())); }
+  Numbers& option(std::optional<double> value) { return u(value.has_value()).f(value.value_or(0.0)); }
+  Numbers& place(mapd::LaneId lane, const mapd::LanePosition& p) {
+    id(lane).all(p.s, p.t, p.offset, p.offset_of_reference_line, p.distance, p.z, p.heading);
+    return f(p.heading_of_reference_line).u(p.clamped);
+  }
+  Numbers& pose(const mapd::Pose& pose) {
+    return v(pose.position).all(pose.heading, pose.curvature, pose.slope, pose.superelevation).u(pose.clamped);
+  }
+  template <class Id>
+  Numbers& ids(const std::vector<Id>& ids) {
+    u(ids.size());
+    for (const Id& one : ids) id(one);
+    return *this;
+  }
+
+  numbers own{};
+};
+
+/// Numbers of a question, taken one after another.
+class Question {
+ public:
+  explicit Question(const numbers& all) : at_(all.all), end_(all.all + all.count) {}
+  bool more() const { return at_ < end_; }
+  std::uint64_t u() { return *at_++; }
+  double f() { return as_f(u()); }
+  mapd::Vec2 xy() {
+    const double x = f();
+    return {x, f()};
+  }
+  template <class Id = mapd::LaneId>
+  Id id() {
+    const std::uint64_t bits = u();
+    return {static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)};
+  }
+  mapd::LanePlace place() {
+    const mapd::LaneId lane = id();
+    return {lane, f()};
+  }
+  /// x, y, z, and whether z counts.
+  mapd::Point point() {
+    const mapd::Vec2 at = xy();
+    const double z = f();
+    return u() == 1 ? mapd::Point(at.x, at.y, z) : mapd::Point(at);
+  }
+
+ private:
+  const std::uint64_t* at_;
+  const std::uint64_t* end_;
+};
+
+class Answerer {
+ public:
+  explicit Answerer(const char* archive) : map_(mapd::Snapshot::open(archive)) {
+    if (auto projector = map_.try_projector()) projector_.emplace(*std::move(projector));
+  }
+
+  /// Answers a question; false for a kind that there is not.
+  bool answer(const std::string& kind, Question q, Numbers& a) {
+    const auto found = kinds().find(kind);
+    if (found == kinds().end()) return false;
+    (this->*found->second)(q, a);
+    return true;
+  }
+
+ private:
+  using Ask = void (Answerer::*)(Question&, Numbers&);
+
+  static const std::unordered_map<std::string, Ask>& kinds() {
+    static const std::unordered_map<std::string, Ask> all = {
+        {"nearest", &Answerer::nearest},     {"near", &Answerer::near},         {"objects", &Answerer::objects},
+        {"landmarks", &Answerer::landmarks}, {"around", &Answerer::around},     {"track", &Answerer::track},
+        {"geodetic", &Answerer::geodetic},   {"inertial", &Answerer::inertial}, {"surface", &Answerer::surface},
+        {"pose", &Answerer::pose},           {"position", &Answerer::position}, {"edges", &Answerer::edges},
+        {"at", &Answerer::at},               {"lane", &Answerer::lane},         {"movement", &Answerer::movement},
+        {"line", &Answerer::line},           {"ahead", &Answerer::ahead},       {"sequences", &Answerer::sequences},
+        {"junction", &Answerer::junction},   {"route", &Answerer::route},       {"lines", &Answerer::lines},
+        {"path", &Answerer::path},           {"reachable", &Answerer::reachable}, {"ground", &Answerer::ground},
+        {"mark", &Answerer::mark},           {"match", &Answerer::match},       {"trace", &Answerer::trace},
+    };
+    return all;
+  }
+
+  void nearest(Question& q, Numbers& a) {
+    const mapd::Point point = q.point();
+    mapd::NearestOptions options;
+    options.radius = q.f();
+    const auto hit = map_.nearest_lane(point, options);
+    a.u(hit.has_value());
+    if (hit) a.place(hit->lane, hit->position);
+  }
+  void near(Question& q, Numbers& a) {
+    const mapd::Point point = q.point();
+    mapd::NearestOptions options;
+    options.radius = q.f();
+    const auto all = map_.lanes_near(point, scratch_, options);
+    a.u(all.size());
+    for (const auto& one : all) a.place(one.lane, one.position);
+  }
+  void objects(Question& q, Numbers& a) {
+    const mapd::Vec2 at = q.xy();
+    const auto all = map_.objects_near(at, q.f(), scratch_);
+    a.u(all.size());
+    for (const auto& one : all) a.id(one.place.object).u(one.place.copy).f(one.distance);
+  }
+  void landmarks(Question& q, Numbers& a) {
+    const mapd::Vec2 at = q.xy();
+    const auto all = map_.landmarks_near(at, q.f(), nullptr, scratch_);
+    a.u(all.size());
+    for (const auto& one : all) {
+      a.id(one.signal).id(one.place.object).u(one.class_code).v(one.position);
+      a.all(one.heading, one.length, one.width, one.height, one.distance);
+    }
+  }
+  void around(Question& q, Numbers& a) {
+    const mapd::Vec2 at = q.xy();
+    const double radius = q.f();
+    const auto signals = map_.signals_near(at, radius, scratch_);
+    a.u(signals.size());
+    for (const auto& one : signals) a.text(mapd::view(map_.signal(one.signal).id)).f(one.distance);
+    const auto objects = map_.objects_near(at, radius, scratch_);
+    a.u(objects.size());
+    for (const auto& one : objects) a.text(mapd::view(map_.object(one.place.object).id)).f(one.distance);
+  }
+  void track(Question& q, Numbers& a) {
+    const auto road = q.id<mapd::RoadId>();
+    const auto at = map_.to_track(road, q.point());
+    a.all(at.s, at.t).u(at.has_h).all(at.h, at.distance).u(at.clamped).u(at.exact);
+  }
+  void geodetic(Question& q, Numbers& a) {
+    const mapd::Vec2 at = q.xy();
+    const mapd::Vec3 point{at.x, at.y, q.f()};
+    const auto place = projector_ ? projector_->try_to_geodetic(point) : mapd::Result<mapd::Geodetic>(mapd::Error{});
+    a.u(place.has_value());
+    if (place) a.all(place->latitude, place->longitude, place->altitude);
+  }
+  void inertial(Question& q, Numbers& a) {
+    const auto road = q.id<mapd::RoadId>();
+    const double s = q.f(), t = q.f(), h = q.f();
+    a.pose(map_.to_inertial(road, {s, t, h}));
+  }
+  void surface(Question& q, Numbers& a) {
+    const auto road = q.id<mapd::RoadId>();
+    const double s = q.f(), t = q.f();
+    const auto found = map_.surface_at(road, s, t);
+    a.v(found.position).v(found.normal).id(found.lane).u(found.has_material);
+    a.f(found.material.friction).u(found.clamped);
+  }
+
+  void pose(Question& q, Numbers& a) {
+    const auto at = q.place();
+    a.pose(map_.pose_at(at.lane, at.s, q.f()));
+  }
+  void position(Question& q, Numbers& a) {
+    const auto lane = q.id();
+    a.place(lane, map_.position_of(lane, q.xy()));
+  }
+  void edges(Question& q, Numbers& a) {
+    const auto at = q.place();
+    const auto edges = map_.edges_at(at.lane, at.s);
+    const auto waypoint = map_.waypoint_at(at.lane, at.s);
+    const auto bounds = map_.bounds_at(at.lane, at.s);
+    a.all(edges.inner, edges.outer, waypoint.s).v(waypoint.position).all(waypoint.heading, waypoint.width);
+    a.v(bounds.left).v(bounds.right).f(map_.length_between(at.lane, at.s, map_.lane(at.lane).s_end));
+    a.id(map_.speed_rule_at(at.lane, at.s).signal);
+    const auto mark = map_.road_mark_at(at.lane, at.s);
+    a.u(mark.has_value());
+    if (mark) a.u(mark->kind).u(mark->color).f(mark->width_or_default);
+  }
+  void at(Question& q, Numbers& a) {
+    const auto at = q.place();
+    const auto rule = map_.speed_rule_at(at.lane, at.s);
+    a.f(map_.width_at(at.lane, at.s)).option(map_.speed_limit_at(at.lane, at.s));
+    a.u(rule.has_max).f(rule.max).u(map_.allows_at(at.lane, at.s, car));
+  }
+  void lane(Question& q, Numbers& a) {
+    const auto lane = q.id();
+    const auto facts = map_.lane(lane);
+    a.text(map_.key(lane)).u(static_cast<std::uint32_t>(facts.number)).u(facts.kind).u(facts.is_forward);
+    a.all(facts.s_start, facts.s_end);
+    for (const auto side : {MAPD_BESIDE_LEFT, MAPD_BESIDE_RIGHT, MAPD_BESIDE_OPPOSITE}) a.id(map_.beside(lane, side));
+    a.ids(map_.successors(lane)).ids(map_.predecessors(lane));
+  }
+  void movement(Question& q, Numbers& a) {
+    const auto lane = q.id();
+    a.ids(map_.entries(lane)).ids(map_.movement_lanes(lane)).u(map_.turn(lane));
+    const auto ways = map_.right_of_way(lane);
+    a.u(ways.size());
+    for (const auto& one : ways) a.id(one.other).u(one.relation).u(one.reason);
+    const auto lights = map_.movement_lights(lane);
+    a.u(lights.size());
+    for (const auto& one : lights) a.id(one.signal).id(one.lane);
+  }
+  void line(Question& q, Numbers& a) {
+    const auto all = map_.line(q.id(), MAPD_LINE_CENTER);
+    a.u(all.size());
+    for (const auto& one : all) a.f(one.s).v(one.position);
+  }
+  void ahead(Question& q, Numbers& a) {
+    const auto from = q.place();
+    const auto all = map_.signals_ahead(from, q.f(), car, scratch_);
+    a.u(all.size());
+    for (const auto& one : all) {
+      a.text(mapd::view(map_.signal(one.signal).id)).id(one.lane).all(one.distance, one.s);
+    }
+  }
+  void sequences(Question& q, Numbers& a) {
+    const auto from = q.place();
+    const auto all = map_.lane_sequences(from, q.f(), car, true, scratch_);
+    a.u(all.sequences.size());
+    for (const auto& one : all.sequences) a.ids(one);
+  }
+  void junction(Question& q, Numbers& a) {
+    const auto from = q.place();
+    const auto next = map_.next_junction(from, q.f(), car);
+    a.u(next.has_value());
+    if (next) a.id(next->junction).f(next->distance);
+  }
+
+  std::optional<mapd::Route> found_route(Question& q) {
+    const auto from = q.place(), to = q.place();
+    const mapd::LanePlace places[] = {from, to};
+    const bool by_time = q.u() == 1;
+    const mapd::Cost length{MAPD_COST_LENGTH, car, 20.0}, time{MAPD_COST_TIME, car, 2.0};
+    return map_.route(places, by_time ? time : length, scratch_);
+  }
+  void route(Question& q, Numbers& a) {
+    const auto route = found_route(q);
+    a.u(route.has_value());
+    if (!route) return;
+    a.all(route->sum.cost, route->sum.length, route->sum.travel_time).u(route->sum.lane_changes);
+    a.u(route->steps.size());
+    for (const auto& one : route->steps) {
+      a.id(one.lane).u(one.forward).u(one.enter).all(one.s_from, one.s_to, one.s_latest);
+    }
+  }
+  void lines(Question& q, Numbers& a) {
+    const auto route = found_route(q);
+    const auto all = map_.lines_along(route->steps, scratch_);
+    a.u(all.size());
+    for (const auto& one : all) {
+      a.id(one.signal).id(one.object).id(one.lane).all(one.s, one.distance).u(one.class_code);
+    }
+  }
+  void path(Question& q, Numbers& a) {
+    const auto route = found_route(q);
+    const double along = q.f();
+    const auto point = q.xy();
+    const double step = q.f();
+    const auto path = map_.path(route->steps);
+    a.f(path.length()).u(path.is_broken());
+    const auto lanes = path.lanes();
+    a.u(lanes.size());
+    for (const auto& one : lanes) a.id(one.lane);
+    const auto at = path.at(along);
+    a.f(at.along).v(at.position).all(at.heading, at.curvature, at.curvature_rate, at.grade, at.superelevation);
+    a.all(at.left, at.right, at.s).id(at.lane).u(at.clamped);
+    const auto own = path.project(point);
+    a.all(own.along, own.d, own.distance, own.heading, own.s).id(own.lane).u(own.clamped);
+    const auto rule = path.speed_at(along);
+    a.option(rule && rule->has_max ? std::optional(rule->max) : std::nullopt);
+    const auto room = path.corridor(0.0, path.length(), step, car, scratch_);
+    a.u(room.size());
+    for (const auto& one : room) {
+      a.f(one.along).id(one.lane).v(one.left).v(one.right).v(one.outer_left).v(one.outer_right);
+      for (const auto& mark : {one.left_mark, one.right_mark}) a.u(mark.kind).u(mark.color).u(mark.may_cross);
+    }
+    const auto conflicts = path.conflicts(scratch_);
+    a.u(conflicts.size());
+    for (const auto& one : conflicts) {
+      a.all(one.along_from, one.along_to).id(one.other).all(one.other_s_from, one.other_s_to, one.wait);
+      a.text(mapd::word(MAPD_WORDS_CONFLICT_KIND, one.kind)).text(yields[one.yields]);
+      a.text(mapd::word(MAPD_WORDS_RELATION_REASON, one.reason));
+    }
+  }
+  void reachable(Question& q, Numbers& a) {
+    const auto from = q.place();
+    const auto all = map_.reachable(from, q.f(), {MAPD_COST_LENGTH, car, 20.0}, scratch_);
+    a.u(all.size());
+    for (const auto& one : all) {
+      const auto node = map_.node(one.node);
+      a.id(node.lane).u(node.is_forward).all(node.s_low, node.s_high, one.cost);
+    }
+  }
+
+  void ground(Question& q, Numbers& a) {
+    const auto found = map_.ground_at(q.point(), scratch_);
+    a.u(found.has_value());
+    if (found) a.f(found->z).v(found->normal).all(found->s, found->t).id(found->lane).u(found->level).u(found->levels);
+  }
+  void mark(Question& q, Numbers& a) {
+    const auto found = map_.nearest_mark(q.xy());
+    a.u(found.has_value());
+    if (!found) return;
+    a.id(found->lane).all(found->s, found->place.x, found->place.y, found->distance, found->width);
+    a.u(found->left_of_reference_line).u(found->kind).u(found->color).u(found->painted);
+  }
+  void match(Question& q, Numbers& a) {
+    const mapd::Point point = q.point();
+    const double heading = q.f();
+    mapd::Covariance covariance;
+    for (double& one : covariance) one = q.f();
+    const auto found = map_.match_pose({point, heading}, covariance, scratch_);
+    a.f(found.none).u(found.lanes.size());
+    for (const auto& one : found.lanes) {
+      a.u(one.forward).all(one.probability, one.mahalanobis, one.heading_difference).place(one.lane, one.position);
+    }
+  }
+  void trace(Question& q, Numbers& a) {
+    std::vector<mapd::TraceFix> fixes;
+    while (q.more()) {
+      const double time = q.f();
+      const mapd::Point at(q.xy());
+      const auto has_heading = static_cast<std::uint8_t>(q.u());
+      fixes.push_back({time, at, q.f(), has_heading});
+    }
+    std::vector<mapd::TraceMatch> found(fixes.size());
+    map_.match_trace(fixes, found, scratch_);
+    for (const auto& one : found) {
+      a.u(one.forward).f(one.probability).u(mapd::is_some(one.lane));
+      if (mapd::is_some(one.lane)) a.place(one.lane, one.position);
+    }
+  }
+
+  mapd::Snapshot map_;
+  mapd::Scratch scratch_;
+  std::optional<mapd::Projector> projector_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  if (argc != 3) return 1;
+  Answerer answerer(argv[1]);
+  std::FILE* file = std::fopen(argv[2], "r");
+  if (!file) return 1;
+  char *line = nullptr, *kind = nullptr;
+  std::size_t room = 0, asked = 0, wrong = 0;
+  numbers question{}, answer{};
+  Numbers found;
+  while (read_line(file, &line, &room, &kind, &question, &answer)) {
+    found.own.count = 0;
+    if (!answerer.answer(kind, Question(question), found)) {
+      std::fprintf(stderr, "no kind %s\n", kind);
+      return 1;
+    }
+    ++asked;
+    if (!same(&answer, &found.own) && wrong++ < 5) std::fprintf(stderr, "question %zu, %s: another answer\n", asked, kind);
+  }
+  std::fclose(file);
+  std::free(line);
+  std::free(question.all);
+  std::free(answer.all);
+  std::free(found.own.all);
+  std::printf("%zu questions, %zu other answers\n", asked, wrong);
+  return asked > 0 && wrong == 0 ? 0 : 1;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
+}
