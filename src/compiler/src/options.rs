@@ -1,7 +1,10 @@
-//! What shapes the output.
+//! How a document is read, and what shapes the output.
 
-use crate::annotations::Without;
+use crate::quarantine::Policy;
+use crate::without::Without;
 use mapd_geodesy::Target;
+use mapd_xodr::Limits;
+use std::path::PathBuf;
 use thiserror::Error;
 
 /// Default of [`CompileOptions::index_tolerance`] `[m]`.
@@ -128,6 +131,44 @@ impl CompileOptions {
         }
         if let Some(target) = &self.crs {
             hasher.update(target.text().as_bytes());
+        }
+        let mut out = [0; 8];
+        out.copy_from_slice(&hasher.finalize().as_bytes()[..8]);
+        out
+    }
+}
+
+/// How a document is read and what becomes of its errors. It never shapes the tables of a map without errors.
+#[derive(Clone, Debug, Default)]
+pub struct ReadOptions {
+    /// Bounds on what the document may ask for.
+    pub limits: Limits,
+    /// The folder that files may be included from; none: nothing is included, and a map that wants to is rejected.
+    pub include_folder: Option<PathBuf>,
+    /// Which rules apply, and how bad their findings are.
+    pub rules: mapd_rules::Settings,
+    /// What becomes of a map with errors.
+    pub policy: Policy,
+    /// What signals and objects mean.
+    pub ontology: mapd_ontology::Ontology,
+    /// Bytes of text that a thread reads, checks and lowers at once, at least; none: 256 KiB. It does not show in the archive.
+    pub batch_bytes: Option<usize>,
+}
+
+impl ReadOptions {
+    /// First bytes of the BLAKE3 of all that shapes an archive, as its header carries them.
+    pub fn hash(&self, options: &CompileOptions) -> [u8; 8] {
+        let tables = self.ontology.user_texts();
+        let plain = self.rules == mapd_rules::Settings::default();
+        if plain && self.policy == Policy::default() && tables.is_empty() {
+            return options.hash();
+        }
+        let mut hasher = blake3::Hasher::new();
+        hasher.update(&options.hash());
+        // Both are plain values with names, the same in every build of one version.
+        hasher.update(format!("{:?} {:?}", self.rules, self.policy).as_bytes());
+        for text in tables {
+            hasher.update(blake3::hash(text.as_bytes()).as_bytes());
         }
         let mut out = [0; 8];
         out.copy_from_slice(&hasher.finalize().as_bytes()[..8]);

@@ -1,6 +1,6 @@
 //! What a compilation yields besides rows.
 
-use crate::quarantine::{Exclusions, PartKind, QuarantinedPart, Unit, Units};
+use crate::quarantine::{Cause, Exclusions, PartKind, QuarantinedPart, Unit, Units};
 use mapd_archive::{Provenance, Rows};
 use mapd_rules::Settings;
 use mapd_rules::catalog::{COMPUTABLE, building};
@@ -97,33 +97,6 @@ pub struct Compilation {
     pub quarantined: Vec<QuarantinedPart>,
     /// What becomes of the map.
     pub verdict: Verdict,
-}
-
-/// A finding because of which something is left out.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Cause {
-    pub(crate) rule: &'static str,
-    /// Where the finding stands.
-    pub(crate) start: u64,
-    pub(crate) message: String,
-    /// Name of the included file that it stands in; empty for the document itself.
-    pub(crate) file: Arc<str>,
-    pub(crate) line: u32,
-    pub(crate) column: u32,
-}
-
-impl Cause {
-    /// Whether leaving something out would help: not where the document cannot be read on.
-    pub(crate) fn can_be_left_out(&self) -> bool {
-        !matches!(
-            self.rule,
-            rule_ids::XML
-                | rule_ids::LIMIT
-                | rule_ids::ENCODING
-                | rule_ids::COMPRESSION
-                | rule_ids::ROOT
-        )
-    }
 }
 
 /// Findings of one severity that are kept; a file with an error in every line must not fill the memory.

@@ -5,21 +5,23 @@
 //! offsets, which stay metres as written although the plane has a scale; the scale is told instead.
 
 mod charts;
+mod georeference;
 mod move_rows;
 
-use crate::finding;
-use crate::georeference::Placed;
-use crate::lower::Lowering;
+use crate::draft::Draft;
+use crate::draft::Placed;
+use crate::findings::finding;
 use crate::options::CompileOptions;
-use crate::signals::Resolved;
+use crate::resolve::Resolved;
 use charts::{Charts, Local, Way};
+pub(crate) use georeference::complete;
 use glam::{DVec2, DVec3};
 use mapd_archive::{FileFrameRow, GeometryRow, Rows};
 use mapd_geodesy::{Doubt, Offset, Projector, Target};
 use mapd_geometry::normalize_angle;
 use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
-pub(crate) use move_rows::edge;
+use move_rows::edge;
 
 /// Path of what it concerns.
 const PATH: &str = "OpenDRIVE/header/geoReference";
@@ -262,16 +264,16 @@ impl Frame {
 /// Moves a map that has been read into the frame that is asked for. None where none is, where the map has no roads, and where
 /// it cannot be, which is an error among the findings.
 pub(crate) fn apply(
-    lowering: &mut Lowering,
+    draft: &mut Draft,
     signals: &mut Resolved,
     options: &CompileOptions,
     findings: &mut Vec<Finding>,
 ) -> Option<Frame> {
     let target = options.crs.as_ref()?;
-    let placed = lowering.placed.clone();
-    let mut frame = Frame::new(target, (&placed, &lowering.rows), options, findings)?;
-    move_rows::all(&mut frame, lowering, signals, findings);
-    frame.strings = lowering.retarget(&frame.definition, &frame.target);
+    let placed = draft.placed.clone();
+    let mut frame = Frame::new(target, (&placed, &draft.rows), options, findings)?;
+    move_rows::all(&mut frame, draft, signals, findings);
+    frame.strings = draft.retarget(&frame.definition, &frame.target);
     tell(&frame, target, &placed, findings);
     Some(frame)
 }

@@ -1,9 +1,9 @@
 //! Moves what the file has in x, y and z.
 
 use super::{Frame, scales};
-use crate::finding;
-use crate::lower::Lowering;
-use crate::signals::Resolved;
+use crate::draft::Draft;
+use crate::findings::finding;
+use crate::resolve::Resolved;
 use glam::{DVec2, DVec3};
 use mapd_archive::{CubicRow, GeometryRow, Range, Rows};
 use mapd_geometry::{Curve, CurveKind, CurveTransform, Start};
@@ -29,19 +29,19 @@ struct Moved {
 /// Moves everything; errors for what has no place in the target frame.
 pub(super) fn all(
     frame: &mut Frame,
-    lowering: &mut Lowering,
+    draft: &mut Draft,
     signals: &mut Resolved,
     findings: &mut Vec<Finding>,
 ) {
-    geometries(frame, lowering, findings);
-    heights(frame.height_shift, lowering);
-    grids(frame, lowering, findings);
-    quarantined(frame, lowering);
+    geometries(frame, draft, findings);
+    heights(frame.height_shift, draft);
+    grids(frame, draft, findings);
+    quarantined(frame, draft);
     signals.move_by(&|at, heading| frame.standing(at, heading));
 }
 
-fn geometries(frame: &mut Frame, lowering: &mut Lowering, findings: &mut Vec<Finding>) {
-    let rows = &mut lowering.rows;
+fn geometries(frame: &mut Frame, draft: &mut Draft, findings: &mut Vec<Finding>) {
+    let rows = &mut draft.rows;
     let transform = CurveTransform::default();
     let moved: Vec<Vec<Result<Moved, String>>> = {
         let one = |row: &GeometryRow| geometry(frame, &transform, row, &rows.coefficients);
@@ -71,16 +71,16 @@ fn geometries(frame: &mut Frame, lowering: &mut Lowering, findings: &mut Vec<Fin
     frame.error += error;
     for (number, why) in failed {
         let message = format!("cannot be transformed into {}: {why}", frame.target);
-        findings.push(about_geometry(lowering, number, message));
+        findings.push(about_geometry(draft, number, message));
     }
 }
 
 /// An error about the road that a geometry belongs to.
 #[cold]
-fn about_geometry(lowering: &Lowering, number: u32, message: String) -> Finding {
+fn about_geometry(draft: &Draft, number: u32, message: String) -> Finding {
     let owns = |range: Range| range.first <= number && u64::from(number) < range.end();
-    let road = lowering.rows.roads.iter().position(|road| owns(road.geometries));
-    let span = road.and_then(|road| lowering.links.road_spans.get(road).copied());
+    let road = draft.rows.roads.iter().position(|road| owns(road.geometries));
+    let span = road.and_then(|road| draft.links.road_spans.get(road).copied());
     let path = match road {
         Some(_) => "OpenDRIVE/road/planView/geometry",
         None => "OpenDRIVE/junction/planView/geometry",
@@ -134,11 +134,11 @@ fn geometry(
 }
 
 /// Moves whatever has a height of its own.
-fn heights(shift: f64, lowering: &mut Lowering) {
+fn heights(shift: f64, draft: &mut Draft) {
     if shift == 0.0 {
         return;
     }
-    let rows = &mut lowering.rows;
+    let rows = &mut draft.rows;
     // Other tables and other roads may use the same records: these are put beside them, once.
     let mut lifted: HashMap<(u32, u32), Range> = HashMap::new();
     for road in rows.roads.iter_mut() {
@@ -162,8 +162,8 @@ fn heights(shift: f64, lowering: &mut Lowering) {
     }
 }
 
-fn grids(frame: &Frame, lowering: &mut Lowering, findings: &mut Vec<Finding>) {
-    for grid in lowering.rows.elevation_grids.iter_mut() {
+fn grids(frame: &Frame, draft: &mut Draft, findings: &mut Vec<Finding>) {
+    for grid in draft.rows.elevation_grids.iter_mut() {
         let at = DVec2::new(grid.x, grid.y);
         let Some(chart) = frame.charts.at(at) else {
             let message = format!(
@@ -195,8 +195,8 @@ fn grids(frame: &Frame, lowering: &mut Lowering, findings: &mut Vec<Finding>) {
 }
 
 /// Moves the rectangles around what was left out.
-fn quarantined(frame: &Frame, lowering: &mut Lowering) {
-    for part in lowering.rows.quarantined.iter_mut().filter(|part| part.has_extent == 1) {
+fn quarantined(frame: &Frame, draft: &mut Draft) {
+    for part in draft.rows.quarantined.iter_mut().filter(|part| part.has_extent == 1) {
         let low = DVec2::new(part.min_x, part.min_y);
         let high = DVec2::new(part.max_x, part.max_y);
         let (mut min, mut max) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
@@ -236,7 +236,7 @@ pub(super) fn file_bounds(frame: &Frame, rows: &Rows) -> Option<[DVec3; 2]> {
     let map = rows.map.first()?;
     let none = (DVec2::INFINITY, DVec2::NEG_INFINITY);
     let join = |a: (DVec2, DVec2), b: (DVec2, DVec2)| (a.0.min(b.0), a.1.max(b.1));
-    let archive = crate::lanes::view(rows);
+    let archive = crate::sample::view(rows);
     let seen = mapd_query::Map::new(&archive, 0);
     let numbers: Vec<u32> = (0..rows.lanes.len() as u32).collect();
     let lanes = numbers.par_chunks(GEOMETRIES_PER_TASK).map(|lanes| {

@@ -8,7 +8,7 @@ use super::findings::{Problem, Problems};
 use super::nodes::{first_node, pieces};
 use super::walk::{Edge, connection_written, lane_of, written_links};
 use super::{cross_paths, virtual_connections};
-use crate::lower::Lowering;
+use crate::draft::Draft;
 use mapd_archive::{ContactPoint, EdgeKind, LinkKind, node_flags};
 use mapd_xodr::{ElementDir, Span};
 
@@ -27,20 +27,20 @@ pub(crate) struct Place {
 }
 
 impl Attachments {
-    pub(crate) fn new(lowering: &Lowering, cuts: &Cuts, problems: &mut Problems) -> Self {
+    pub(crate) fn new(draft: &Draft, cuts: &Cuts, problems: &mut Problems) -> Self {
         let mut edges = Vec::new();
-        for road in 0..lowering.rows.roads.len() as u32 {
+        for road in 0..draft.rows.roads.len() as u32 {
             for successor in [false, true] {
-                out_of_road(lowering, cuts, (road, successor), problems, &mut edges);
+                out_of_road(draft, cuts, (road, successor), problems, &mut edges);
             }
         }
-        for row in lowering.rows.junctions.iter() {
+        for row in draft.rows.junctions.iter() {
             for connection in row.connections.first..row.connections.end() as u32 {
-                into_road(lowering, cuts, connection, problems, &mut edges);
+                into_road(draft, cuts, connection, problems, &mut edges);
             }
         }
-        cross_paths::edges(lowering, cuts, problems, &mut edges);
-        virtual_connections::edges(lowering, cuts, problems, &mut edges);
+        cross_paths::edges(draft, cuts, problems, &mut edges);
+        virtual_connections::edges(draft, cuts, problems, &mut edges);
         edges.sort_by_key(|edge| edge.from);
         Self { edges }
     }
@@ -58,9 +58,9 @@ fn at_place(from: u32, to: u32, span: Span) -> Edge {
 }
 
 /// A road's link at one end, if it names a place inside another road.
-fn link_inside(lowering: &Lowering, road: u32, successor: bool) -> Option<Place> {
-    let row = lowering.rows.roads.get(road as usize)?;
-    let link = lowering.links.roads.get(road as usize)?[usize::from(successor)].as_ref()?;
+fn link_inside(draft: &Draft, road: u32, successor: bool) -> Option<Place> {
+    let row = draft.rows.roads.get(road as usize)?;
+    let link = draft.links.roads.get(road as usize)?[usize::from(successor)].as_ref()?;
     let (kind, target) = if successor {
         (row.successor_kind, row.successor)
     } else {
@@ -73,16 +73,16 @@ fn link_inside(lowering: &Lowering, road: u32, successor: bool) -> Option<Place>
 
 /// Edges that leave a road over a link into the middle of another.
 fn out_of_road(
-    lowering: &Lowering,
+    draft: &Draft,
     cuts: &Cuts,
     (road, successor): (u32, bool),
     problems: &mut Problems,
     edges: &mut Vec<Edge>,
 ) {
-    let Some(mut place) = link_inside(lowering, road, successor) else { return };
+    let Some(mut place) = link_inside(draft, road, successor) else { return };
     // Who leaves over the predecessor travels against +s of both.
     place.forward = place.forward == successor;
-    let rows = &lowering.rows;
+    let rows = &draft.rows;
     let Some(row) = rows.roads.get(road as usize) else { return };
     let at_end =
         if successor { row.sections.end().saturating_sub(1) } else { row.sections.first.into() };
@@ -91,8 +91,8 @@ fn out_of_road(
         let Some(leaving) = rows.lanes.get(lane as usize) else { continue };
         let Some(first) = first_node(leaving, successor) else { continue };
         let from = first + pieces(leaving) - 1;
-        for link in written_links(lowering, lane, successor) {
-            match node_at(lowering, cuts, place, link.number, true) {
+        for link in written_links(draft, lane, successor) {
+            match node_at(draft, cuts, place, link.number, true) {
                 Ok(to) => edges.push(at_place(from, to, link.span())),
                 Err(missing) => {
                     problems.add(missing.problem(from, link.number, link.span(), false));
@@ -104,30 +104,30 @@ fn out_of_road(
 
 /// Edges from the middle of an incoming road into a connecting road.
 fn into_road(
-    lowering: &Lowering,
+    draft: &Draft,
     cuts: &Cuts,
     connection: u32,
     problems: &mut Problems,
     edges: &mut Vec<Edge>,
 ) {
-    let rows = &lowering.rows;
+    let rows = &draft.rows;
     let Some(row) = rows.connections.get(connection as usize) else { return };
     let start = match ContactPoint::from_code(row.contact) {
         ContactPoint::Start => true,
         ContactPoint::End => false,
         _ => return,
     };
-    let Some(mut place) = link_inside(lowering, row.connecting_road, !start) else { return };
+    let Some(mut place) = link_inside(draft, row.connecting_road, !start) else { return };
     if place.road != row.incoming_road {
         return;
     }
     place.forward = place.forward == start;
     let Some(road) = rows.roads.get(row.connecting_road as usize) else { return };
     let section = if start { road.sections.first } else { road.sections.end() as u32 - 1 };
-    let Some(written) = connection_written(lowering, connection) else { return };
-    for link in written.lane_links.of(&lowering.links.connected) {
+    let Some(written) = connection_written(draft, connection) else { return };
+    for link in written.lane_links.of(&draft.links.connected) {
         let (number, entered, span) = (link.from, link.to, link.span());
-        let from = match node_at(lowering, cuts, place, number, false) {
+        let from = match node_at(draft, cuts, place, number, false) {
             Ok(from) => from,
             // Lanes of the main road that travel the other way have nothing to do with this place.
             Err(Missing::Direction(_)) => continue,
@@ -136,7 +136,7 @@ fn into_road(
                 continue;
             }
         };
-        let lane = lane_of(lowering, section, entered);
+        let lane = lane_of(draft, section, entered);
         let Some(lane) = lane else {
             let (number, is_lane_link) = (entered, true);
             problems.add(Problem::MissingLane { from, section, number, span, is_lane_link });
@@ -180,13 +180,13 @@ impl Missing {
 
 /// The node of a lane that begins (`entering`) or ends at a place, in its direction of travel.
 pub(crate) fn node_at(
-    lowering: &Lowering,
+    draft: &Draft,
     cuts: &Cuts,
     place: Place,
     number: i32,
     entering: bool,
 ) -> Result<u32, Missing> {
-    let rows = &lowering.rows;
+    let rows = &draft.rows;
     let range = rows.roads.get(place.road as usize).map(|road| road.sections).unwrap_or_default();
     let sections = range.of(&rows.sections);
     // The piece lies beyond the place towards +s just if one enters towards +s or leaves towards −s.
@@ -204,7 +204,7 @@ pub(crate) fn node_at(
         }
     });
     let at = range.first + after.saturating_sub(1) as u32;
-    let lane = lane_of(lowering, at, number).ok_or(Missing::Lane(at))?;
+    let lane = lane_of(draft, at, number).ok_or(Missing::Lane(at))?;
     let row = rows.lanes.get(lane as usize).ok_or(Missing::Lane(at))?;
     let first = first_node(row, place.forward).ok_or(Missing::Direction(lane))?;
     let offset = rows.sections.get(at as usize).map_or(0.0, |section| place.s - section.s_start);

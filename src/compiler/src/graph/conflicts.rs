@@ -8,8 +8,8 @@
 
 use super::cells::{Bounds, Cell};
 use super::zones::{Stretch, Zone, ZoneKind};
-use crate::finding;
-use crate::lanes::view;
+use crate::findings::finding;
+use crate::sample::view;
 use mapd_archive::{ConflictKind, ConflictRow, NO_RELATION, RelationReason, Rows, section_step};
 use mapd_query::{Lane, LaneId, LaneSection, Map, SectionCutter};
 use mapd_rules::catalog::building;

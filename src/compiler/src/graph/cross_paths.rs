@@ -10,7 +10,7 @@ use super::findings::{Problem, Problems};
 use super::nodes::{first_node, pieces};
 use super::walk::{Edge, lane_of};
 use super::zones::road_of;
-use crate::lower::Lowering;
+use crate::draft::Draft;
 use mapd_archive::{EdgeKind, VehicleClass};
 use mapd_xodr::{CrossPath, CrossPathLaneLink, Text as _, Value as _};
 
@@ -30,27 +30,22 @@ struct End<'a> {
 }
 
 /// Places inside roads that paths touch: (road row, s).
-pub(crate) fn places(lowering: &Lowering) -> impl Iterator<Item = (u32, f64)> + '_ {
-    ends(lowering).filter_map(|end| Some((road_of(lowering, end.touched)?, end.link.s.value()?)))
+pub(crate) fn places(draft: &Draft) -> impl Iterator<Item = (u32, f64)> + '_ {
+    ends(draft).filter_map(|end| Some((road_of(draft, end.touched)?, end.link.s.value()?)))
 }
 
 /// Edges from and to all paths.
-pub(crate) fn edges(
-    lowering: &Lowering,
-    cuts: &Cuts,
-    problems: &mut Problems,
-    edges: &mut Vec<Edge>,
-) {
-    for end in ends(lowering) {
-        if let Err(message) = join(lowering, cuts, &end, edges) {
+pub(crate) fn edges(draft: &Draft, cuts: &Cuts, problems: &mut Problems, edges: &mut Vec<Edge>) {
+    for end in ends(draft) {
+        if let Err(message) = join(draft, cuts, &end, edges) {
             let message = format!("{message}; not linked");
             problems.add(Problem::NoPlace { path: LINK, message, span: end.link.span });
         }
     }
 }
 
-fn ends(lowering: &Lowering) -> impl Iterator<Item = End<'_>> {
-    let paths = lowering.links.elements().flat_map(|junction| &junction.cross_path);
+fn ends(draft: &Draft) -> impl Iterator<Item = End<'_>> {
+    let paths = draft.links.elements().flat_map(|junction| &junction.cross_path);
     paths.flat_map(|path| {
         let start = (&path.start_lane_link, path.road_at_start.text(), true);
         let end = (&path.end_lane_link, path.road_at_end.text(), false);
@@ -61,15 +56,10 @@ fn ends(lowering: &Lowering) -> impl Iterator<Item = End<'_>> {
 }
 
 /// Adds the edges over one end; says what is missing.
-fn join(
-    lowering: &Lowering,
-    cuts: &Cuts,
-    end: &End<'_>,
-    edges: &mut Vec<Edge>,
-) -> Result<(), String> {
-    let rows = &lowering.rows;
+fn join(draft: &Draft, cuts: &Cuts, end: &End<'_>, edges: &mut Vec<Edge>) -> Result<(), String> {
+    let rows = &draft.rows;
     let road = |id: &str| {
-        let row = road_of(lowering, id);
+        let row = road_of(draft, id);
         row.ok_or_else(|| {
             format!("expected a road of the map, found {id:?}, which it does not have")
         })
@@ -86,7 +76,7 @@ fn join(
     };
     let sections = rows.roads.get(crossing as usize).map(|road| road.sections).unwrap_or_default();
     let section = if end.start { sections.first.into() } else { sections.end().saturating_sub(1) };
-    let lane = u32::try_from(section).ok().and_then(|section| lane_of(lowering, section, to));
+    let lane = u32::try_from(section).ok().and_then(|section| lane_of(draft, section, to));
     let lane = lane.and_then(|lane| rows.lanes.get(lane as usize));
     let lane = lane.ok_or_else(|| missing(carrying, to))?;
     // Into the path's road at its start one travels towards +s, out of it there towards −s.
@@ -96,7 +86,7 @@ fn join(
     for forward in [true, false] {
         let place = Place { road: touched, s, forward };
         for (entering, path_node) in [(false, into), (true, out_of)] {
-            match (node_at(lowering, cuts, place, from, entering), path_node) {
+            match (node_at(draft, cuts, place, from, entering), path_node) {
                 (Ok(node), Some(path_node)) => {
                     found = true;
                     let (from, to) = if entering { (path_node, node) } else { (node, path_node) };

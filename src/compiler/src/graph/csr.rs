@@ -1,8 +1,8 @@
 //! Edges as compressed sparse rows, forward and backward.
 
 use super::walk::Edge;
-use crate::TooLarge;
-use crate::lower::Lowering;
+use crate::draft::Draft;
+use crate::findings::TooLarge;
 use mapd_archive::{EdgeRow, NONE, Rows};
 use mapd_xodr::Span;
 use mapd_xodr::source::Places;
@@ -10,21 +10,21 @@ use mapd_xodr::source::Places;
 /// Stores edges, which come by the node that is left; gives each edge's place in the file. Those of one node are ordered by road id, section and lane of the
 /// node that is entered, so that the order of elements in the file does not show.
 pub(crate) fn store(
-    lowering: &mut Lowering,
+    draft: &mut Draft,
     mut edges: Vec<Edge>,
     places: &Places,
 ) -> Result<Vec<Span>, TooLarge> {
     if edges.len() >= NONE as usize {
         return Err(TooLarge::new("successors"));
     }
-    let rank = ranks(&lowering.rows);
+    let rank = ranks(&draft.rows);
     let key = |node: u32| rank.get(node as usize).copied().unwrap_or(NONE);
     for of_node in edges.chunk_by_mut(|a, b| a.from == b.from) {
         of_node.sort_by_key(|edge| (key(edge.to), edge.kind.code(), edge.span.start));
     }
     // A file may state a link twice.
     edges.dedup_by_key(|edge| (edge.from, edge.to));
-    let rows = &mut lowering.rows;
+    let rows = &mut draft.rows;
     let nodes = rows.lane_nodes.len();
     rows.successor_offsets = offsets(nodes, edges.iter().map(|edge| edge.from)).into();
     rows.successors = edges.iter().map(|edge| edge.to).collect::<Vec<_>>().into();

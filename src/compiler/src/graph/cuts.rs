@@ -5,7 +5,7 @@
 //! a change of lane is allowed over a whole piece or not at all. Cuts never show in a `LaneKey`.
 
 use super::{cross_paths, virtual_connections};
-use crate::lower::{Lowering, between};
+use crate::draft::{Draft, between};
 use mapd_archive::{CubicRow, LaneType, Range, VehicleClass, lane_flags};
 
 /// Shortest piece `[m]`: a cut nearer than this to an end or to another cut is left out. What holds in the middle of a
@@ -21,16 +21,16 @@ pub(crate) struct Cuts {
 }
 
 impl Cuts {
-    pub(crate) fn new(lowering: &Lowering) -> Self {
-        let rows = &lowering.rows;
+    pub(crate) fn new(draft: &Draft) -> Self {
+        let rows = &draft.rows;
         let mut cuts =
             Self { ranges: Vec::with_capacity(rows.sections.len()), offsets: Vec::new() };
-        let attached = attachments(lowering);
+        let attached = attachments(draft);
         let mut wanted = Vec::new();
         for section in rows.sections.iter() {
             let length = section.s_end - section.s_start;
             for lane in section.lanes.first..section.lanes.end() as u32 {
-                wanted_by(lowering, lane, &mut wanted);
+                wanted_by(draft, lane, &mut wanted);
             }
             let from = attached.partition_point(|(road, _)| *road < section.road);
             let own = attached.get(from..).unwrap_or(&[]);
@@ -60,9 +60,9 @@ impl Cuts {
 }
 
 /// Places on roads to which virtual junctions and paths across link roads and lanes: (road row, s), sorted.
-fn attachments(lowering: &Lowering) -> Vec<(u32, f64)> {
+fn attachments(draft: &Draft) -> Vec<(u32, f64)> {
     let mut places = Vec::new();
-    for (row, links) in lowering.rows.roads.iter().zip(&lowering.links.roads) {
+    for (row, links) in draft.rows.roads.iter().zip(&draft.links.roads) {
         let ends = [row.predecessor, row.successor];
         for (link, target) in links.iter().zip(ends) {
             if let Some(link) = link
@@ -73,25 +73,25 @@ fn attachments(lowering: &Lowering) -> Vec<(u32, f64)> {
             }
         }
     }
-    places.extend(virtual_connections::places(lowering));
-    places.extend(cross_paths::places(lowering));
+    places.extend(virtual_connections::places(draft));
+    places.extend(cross_paths::places(draft));
     places.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
     places
 }
 
 /// Cuts that a lane asks for.
-fn wanted_by(lowering: &Lowering, lane: u32, wanted: &mut Vec<f64>) {
-    let rows = &lowering.rows;
+fn wanted_by(draft: &Draft, lane: u32, wanted: &mut Vec<f64>) {
+    let rows = &draft.rows;
     let Some(row) = rows.lanes.get(lane as usize) else { return };
-    let permissions = &lowering.permissions;
-    if !usable(lowering, lane) && row.number != 0 {
+    let permissions = &draft.permissions;
+    if !usable(draft, lane) && row.number != 0 {
         return;
     }
     wanted.extend(permissions.accesses(lane).iter().map(|record| record.s));
     // The mark on the outer border concerns the lane beyond it; that on lane 0 both lanes beside it.
     let beyond = if row.number > 0 { lane.wrapping_sub(1) } else { lane + 1 };
     let own = if row.number == 0 { lane.wrapping_sub(1) } else { lane };
-    if usable(lowering, own) && usable(lowering, beyond) && one_way(lowering, own, beyond) {
+    if usable(draft, own) && usable(draft, beyond) && one_way(draft, own, beyond) {
         wanted.extend(permissions.mark_breaks(lane));
     }
     if row.flags & lane_flags::BORDER == 0
@@ -110,17 +110,17 @@ pub(crate) fn is_zero(width: &CubicRow) -> bool {
 }
 
 /// Whether anybody may use a lane anywhere.
-fn usable(lowering: &Lowering, lane: u32) -> bool {
-    let Some(row) = lowering.rows.lanes.get(lane as usize).filter(|row| row.number != 0) else {
+fn usable(draft: &Draft, lane: u32) -> bool {
+    let Some(row) = draft.rows.lanes.get(lane as usize).filter(|row| row.number != 0) else {
         return false;
     };
     VehicleClass::of_lane_type(LaneType::from_code(row.kind)) != 0
-        || !lowering.permissions.accesses(lane).is_empty()
+        || !draft.permissions.accesses(lane).is_empty()
 }
 
 /// Whether two lanes of one section share a direction of travel.
-fn one_way(lowering: &Lowering, a: u32, b: u32) -> bool {
-    let row = |lane: u32| lowering.rows.lanes.get(lane as usize);
+fn one_way(draft: &Draft, a: u32, b: u32) -> bool {
+    let row = |lane: u32| draft.rows.lanes.get(lane as usize);
     let (Some(a), Some(b)) = (row(a), row(b)) else { return false };
     a.section == b.section
         && ((a.flags | b.flags) & lane_flags::TWO_WAY != 0

@@ -1,7 +1,7 @@
 //! What is wrong with lane links, put into words.
 
-use crate::finding;
-use crate::lower::Lowering;
+use crate::draft::Draft;
+use crate::findings::finding;
 use mapd_archive::Rows;
 use mapd_rules::catalog::building;
 use mapd_rules::{Rule, Settings};
@@ -34,7 +34,7 @@ impl Problems {
     /// Findings in file order; of each kind the first ones by name, the rest as a number.
     pub(crate) fn report(
         mut self,
-        lowering: &Lowering,
+        draft: &Draft,
         settings: &Settings,
         findings: &mut Vec<Finding>,
     ) {
@@ -55,7 +55,7 @@ impl Problems {
             let is_error = settings.severity_of(rule, severity) == Some(Severity::Error);
             let named = if is_error { usize::MAX } else { NAMED };
             for problem in of_kind().take(named) {
-                let (path, message) = problem.text(lowering);
+                let (path, message) = problem.text(draft);
                 let span = problem.span();
                 findings.push(finding(rule, severity, span, path, message, ""));
             }
@@ -92,50 +92,50 @@ impl Problem {
         }
     }
 
-    fn text(&self, lowering: &Lowering) -> (String, String) {
+    fn text(&self, draft: &Draft) -> (String, String) {
         match *self {
             Self::NoPlace { path, ref message, .. } => (path.to_owned(), message.clone()),
             Self::MissingLane { from, section, number, .. } => {
-                let place = section_text(lowering, section);
+                let place = section_text(draft, section);
                 let message =
                     format!("expected a lane {number} in {place}, found none; not linked");
-                (node_path(lowering, from), message)
+                (node_path(draft, from), message)
             }
             Self::Direction { from, lane, .. } => {
                 let message = format!(
                     "expected a link to a lane that travels on, found {}, which travels the other way; not linked",
-                    lane_text(lowering, lane)
+                    lane_text(draft, lane)
                 );
-                (node_path(lowering, from), message)
+                (node_path(draft, from), message)
             }
         }
     }
 }
 
 /// Path of the lane of a node.
-fn node_path(lowering: &Lowering, node: u32) -> String {
-    let lane = lowering.rows.lane_nodes.get(node as usize).map_or(u32::MAX, |node| node.lane);
-    let Some((road, section, number)) = place_of(&lowering.rows, lane) else {
+fn node_path(draft: &Draft, node: u32) -> String {
+    let lane = draft.rows.lane_nodes.get(node as usize).map_or(u32::MAX, |node| node.lane);
+    let Some((road, section, number)) = place_of(&draft.rows, lane) else {
         return "OpenDRIVE/junction/connection/laneLink".to_owned();
     };
-    let s = lowering.rows.sections.get(section as usize).map_or(0.0, |section| section.s_start);
-    let road = road_id(lowering, road);
+    let s = draft.rows.sections.get(section as usize).map_or(0.0, |section| section.s_start);
+    let road = road_id(draft, road);
     format!("OpenDRIVE/road[@id={road}]/lanes/laneSection[@s={s}]/lane[@id={number}]")
 }
 
-fn lane_text(lowering: &Lowering, lane: u32) -> String {
-    let Some((_, section, number)) = place_of(&lowering.rows, lane) else { return String::new() };
-    format!("lane {number} of {}", section_text(lowering, section))
+fn lane_text(draft: &Draft, lane: u32) -> String {
+    let Some((_, section, number)) = place_of(&draft.rows, lane) else { return String::new() };
+    format!("lane {number} of {}", section_text(draft, section))
 }
 
-fn section_text(lowering: &Lowering, section: u32) -> String {
-    let Some(row) = lowering.rows.sections.get(section as usize) else { return String::new() };
-    format!("road {:?}, section at s = {}", road_id(lowering, row.road), row.s_start)
+fn section_text(draft: &Draft, section: u32) -> String {
+    let Some(row) = draft.rows.sections.get(section as usize) else { return String::new() };
+    format!("road {:?}, section at s = {}", road_id(draft, row.road), row.s_start)
 }
 
-fn road_id(lowering: &Lowering, road: u32) -> String {
-    let id = lowering.rows.roads.get(road as usize).map_or(0, |road| road.id);
-    String::from_utf8_lossy(lowering.strings.bytes_of(id)).into_owned()
+fn road_id(draft: &Draft, road: u32) -> String {
+    let id = draft.rows.roads.get(road as usize).map_or(0, |road| road.id);
+    String::from_utf8_lossy(draft.strings.bytes_of(id)).into_owned()
 }
 
 /// Road, section and number of a lane.

@@ -1,7 +1,7 @@
 //! Edges whose lanes do not meet where they are linked.
 
 use super::report::Report;
-use crate::lanes::view;
+use crate::sample::view;
 use glam::DVec3;
 use mapd_archive::{EdgeKind, Rows};
 use mapd_query::{LaneNode, Map};

@@ -1,6 +1,6 @@
 //! Connections by the road that leads in.
 
-use crate::lower::Lowering;
+use crate::draft::Draft;
 use mapd_archive::Range;
 
 /// Connections by incoming road, with their junction.
@@ -12,8 +12,8 @@ pub(crate) struct Incoming {
 }
 
 impl Incoming {
-    pub(crate) fn new(lowering: &Lowering) -> Self {
-        let rows = &lowering.rows;
+    pub(crate) fn new(draft: &Draft) -> Self {
+        let rows = &draft.rows;
         let mut all: Vec<(u32, (u32, u32))> = Vec::new();
         for (junction, row) in rows.junctions.iter().enumerate() {
             let range = row.connections;

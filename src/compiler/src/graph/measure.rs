@@ -1,6 +1,6 @@
 //! Length and time of each node, from the lane's own polynomials.
 
-use crate::lanes::view;
+use crate::sample::view;
 use mapd_archive::Rows;
 use mapd_geometry::clamp;
 use mapd_query::{Lane, Map};

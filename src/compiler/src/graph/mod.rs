@@ -15,17 +15,16 @@ mod incoming;
 mod landmarks;
 mod measure;
 mod nodes;
-mod permissions;
 mod report;
+mod rings;
 mod virtual_connections;
 mod walk;
 mod zones;
 
-pub(crate) use components::strong_components;
-pub(crate) use permissions::Permissions;
+pub(crate) use rings::rings;
 
-use crate::TooLarge;
-use crate::lower::Lowering;
+use crate::draft::Draft;
+use crate::findings::TooLarge;
 use crate::options::{CompileOptions, MOST_LANDMARKS};
 use mapd_archive::Rows;
 use mapd_rules::Settings;
@@ -42,18 +41,18 @@ pub(crate) struct Written {
 
 /// Fills nodes and edges. What is wrong with a link is a finding, and the link is left out.
 pub(crate) fn build(
-    lowering: &mut Lowering,
+    draft: &mut Draft,
     places: &Places,
     settings: &Settings,
     findings: &mut Vec<Finding>,
 ) -> Result<Written, TooLarge> {
-    let cuts = cuts::Cuts::new(lowering);
-    nodes::build(lowering, &cuts)?;
+    let cuts = cuts::Cuts::new(draft);
+    nodes::build(draft, &cuts)?;
     let mut problems = findings::Problems::default();
-    let attachments = attach::Attachments::new(lowering, &cuts, &mut problems);
-    let edges = walk::edges(lowering, &attachments, &mut problems);
-    problems.report(lowering, settings, findings);
-    Ok(Written { links: csr::store(lowering, edges, places)?, zones: zones::zones(lowering) })
+    let attachments = attach::Attachments::new(draft, &cuts, &mut problems);
+    let edges = walk::edges(draft, &attachments, &mut problems);
+    problems.report(draft, settings, findings);
+    Ok(Written { links: csr::store(draft, edges, places)?, zones: zones::zones(draft) })
 }
 
 /// Completes the graph from sampled lanes: lengths and times, components, conflicts, landmarks, and what is wrong with its cycles and joints.

@@ -1,35 +1,35 @@
 //! Nodes: a lane, or a piece of one, travelled in one direction.
 
 use super::cuts::{Cuts, is_zero};
-use crate::TooLarge;
-use crate::lower::Lowering;
+use crate::draft::Draft;
+use crate::findings::TooLarge;
 use mapd_archive::{
     LaneNodeRow, LaneRow, LaneType, NONE, NOT_BESIDE, Rows, SectionRow, beside_of, lane_flags,
     node_flags,
 };
 
 /// Appends the nodes of all lanes, then joins those beside each other.
-pub(crate) fn build(lowering: &mut Lowering, cuts: &Cuts) -> Result<(), TooLarge> {
-    for lane in 0..lowering.rows.lanes.len() {
-        add(lowering, cuts, lane)?;
+pub(crate) fn build(draft: &mut Draft, cuts: &Cuts) -> Result<(), TooLarge> {
+    for lane in 0..draft.rows.lanes.len() {
+        add(draft, cuts, lane)?;
     }
-    if lowering.rows.lane_nodes.len() >= NONE as usize {
+    if draft.rows.lane_nodes.len() >= NONE as usize {
         return Err(TooLarge::new("lane_nodes"));
     }
-    for node in 0..lowering.rows.lane_nodes.len() {
-        join(lowering, node as u32)?;
+    for node in 0..draft.rows.lane_nodes.len() {
+        join(draft, node as u32)?;
     }
     Ok(())
 }
 
-fn add(lowering: &mut Lowering, cuts: &Cuts, lane: usize) -> Result<(), TooLarge> {
+fn add(draft: &mut Draft, cuts: &Cuts, lane: usize) -> Result<(), TooLarge> {
     let has_nodes = |row: &LaneRow| row.number != 0 && row.flags & lane_flags::TEMPORARY == 0;
-    let Some(row) = lowering.rows.lanes.get(lane).copied().filter(has_nodes) else {
+    let Some(row) = draft.rows.lanes.get(lane).copied().filter(has_nodes) else {
         return Ok(());
     };
-    let before = lowering.rows.lane_nodes.len();
+    let before = draft.rows.lane_nodes.len();
     let offsets = cuts.of(row.section);
-    let section = lowering.rows.sections.get(row.section as usize);
+    let section = draft.rows.sections.get(row.section as usize);
     let length = section.map_or(0.0, |section| section.s_end - section.s_start);
     let forward = row.flags & lane_flags::FORWARD != 0;
     let ways = 1 + usize::from(row.flags & lane_flags::TWO_WAY != 0);
@@ -41,11 +41,11 @@ fn add(lowering: &mut Lowering, cuts: &Cuts, lane: usize) -> Result<(), TooLarge
             let s_to = offsets.get(piece).map_or(length, |s| f64::from(*s));
             let middle = 0.5 * (f64::from(s_from) + s_to);
             let kind = LaneType::from_code(row.kind);
-            let mut access = lowering.permissions.classes(lane as u32, kind, middle);
-            if !has_width(&lowering.rows, &row, middle) {
+            let mut access = draft.permissions.classes(lane as u32, kind, middle);
+            if !has_width(&draft.rows, &row, middle) {
                 access = 0;
             }
-            lowering.rows.lane_nodes.push(LaneNodeRow {
+            draft.rows.lane_nodes.push(LaneNodeRow {
                 lane: lane as u32,
                 left: NOT_BESIDE,
                 right: NOT_BESIDE,
@@ -63,11 +63,11 @@ fn add(lowering: &mut Lowering, cuts: &Cuts, lane: usize) -> Result<(), TooLarge
         }
     }
     let (Ok(first), Ok(count)) =
-        (u32::try_from(before), u16::try_from(lowering.rows.lane_nodes.len() - before))
+        (u32::try_from(before), u16::try_from(draft.rows.lane_nodes.len() - before))
     else {
-        return Err(TooLarge::of_lane("lane_nodes", &lowering.rows, lane as u32));
+        return Err(TooLarge::of_lane("lane_nodes", &draft.rows, lane as u32));
     };
-    if let Some(row) = lowering.rows.lanes.get_mut(lane) {
+    if let Some(row) = draft.rows.lanes.get_mut(lane) {
         (row.first_node, row.node_count) = (first, count);
     }
     Ok(())
@@ -86,8 +86,8 @@ fn has_width(rows: &Rows, lane: &LaneRow, offset: f64) -> bool {
 
 /// Joins a node with the one on either side that travels the same way and may be used by somebody who may use this one;
 /// says whether the border's marks allow the change.
-fn join(lowering: &mut Lowering, node: u32) -> Result<(), TooLarge> {
-    let rows = &lowering.rows;
+fn join(draft: &mut Draft, node: u32) -> Result<(), TooLarge> {
+    let rows = &draft.rows;
     let Some(own) = rows.lane_nodes.get(node as usize).copied() else { return Ok(()) };
     let Some(lane) = rows.lanes.get(own.lane as usize) else { return Ok(()) };
     let Some(section) = rows.sections.get(lane.section as usize) else { return Ok(()) };
@@ -106,12 +106,12 @@ fn join(lowering: &mut Lowering, node: u32) -> Result<(), TooLarge> {
         }
         joined[side] = beside_of(node, other)
             .ok_or_else(|| TooLarge::of_lane("lane_nodes", rows, own.lane))?;
-        let (increase, decrease) = permission(lowering, cuts_middle(rows, node), own.lane, beside);
+        let (increase, decrease) = permission(draft, cuts_middle(rows, node), own.lane, beside);
         if if target.number > lane.number { increase } else { decrease } {
             allowed |= [node_flags::CHANGE_LEFT, node_flags::CHANGE_RIGHT][side];
         }
     }
-    if let Some(row) = lowering.rows.lane_nodes.get_mut(node as usize) {
+    if let Some(row) = draft.rows.lane_nodes.get_mut(node as usize) {
         [row.left, row.right] = joined;
         row.flags |= allowed;
     }
@@ -175,8 +175,8 @@ fn beside(rows: &Rows, section: &SectionRow, lane: u32, to_lower_row: bool) -> O
 
 /// What the marks between two lanes beside each other allow: to higher and to lower numbers. The inner lane's marks lie
 /// on the shared border; between ±1 it is lane 0's.
-fn permission(lowering: &Lowering, s: f64, a: u32, b: u32) -> (bool, bool) {
-    let number = |lane: u32| lowering.rows.lanes.get(lane as usize).map_or(0, |row| row.number);
+fn permission(draft: &Draft, s: f64, a: u32, b: u32) -> (bool, bool) {
+    let number = |lane: u32| draft.rows.lanes.get(lane as usize).map_or(0, |row| row.number);
     let shared = if (number(a) > 0) != (number(b) > 0) {
         a.min(b) + 1
     } else if number(a).unsigned_abs() < number(b).unsigned_abs() {
@@ -184,5 +184,5 @@ fn permission(lowering: &Lowering, s: f64, a: u32, b: u32) -> (bool, bool) {
     } else {
         b
     };
-    lowering.permissions.changes(shared, s)
+    draft.permissions.changes(shared, s)
 }

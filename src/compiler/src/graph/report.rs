@@ -1,6 +1,6 @@
 //! Findings about edges of the finished graph.
 
-use crate::finding;
+use crate::findings::finding;
 use mapd_archive::{EdgeKind, LaneRow, NONE, RoadRow, Rows, SectionRow, string};
 use mapd_rules::{Rule, Settings};
 use mapd_xodr::{Finding, Severity, Span};

@@ -9,7 +9,7 @@ use super::cuts::Cuts;
 use super::findings::{Problem, Problems};
 use super::walk::Edge;
 use super::zones::road_of;
-use crate::lower::Lowering;
+use crate::draft::Draft;
 use mapd_archive::EdgeKind;
 use mapd_xodr::{
     Connection, ConnectionEnd, ConnectionType, ElementDir, Span, Text as _, Value as _,
@@ -21,21 +21,16 @@ const ENDS: &str = "OpenDRIVE/junction/connection";
 const BEYOND: f64 = 0.01;
 
 /// Places inside roads that virtual connections name: (road row, s).
-pub(crate) fn places(lowering: &Lowering) -> impl Iterator<Item = (u32, f64)> + '_ {
-    let ends = connections(lowering).flat_map(|connection| ends(connection).into_iter().flatten());
-    ends.filter_map(|end| place(lowering, end).ok()).map(|place| (place.road, place.s))
+pub(crate) fn places(draft: &Draft) -> impl Iterator<Item = (u32, f64)> + '_ {
+    let ends = connections(draft).flat_map(|connection| ends(connection).into_iter().flatten());
+    ends.filter_map(|end| place(draft, end).ok()).map(|place| (place.road, place.s))
 }
 
 /// Edges of all virtual connections.
-pub(crate) fn edges(
-    lowering: &Lowering,
-    cuts: &Cuts,
-    problems: &mut Problems,
-    edges: &mut Vec<Edge>,
-) {
-    for connection in connections(lowering) {
+pub(crate) fn edges(draft: &Draft, cuts: &Cuts, problems: &mut Problems, edges: &mut Vec<Edge>) {
+    for connection in connections(draft) {
         let [from, to] = ends(connection).map(|end| match end {
-            Some(end) => place(lowering, end).map_err(|message| (message, end.span)),
+            Some(end) => place(draft, end).map_err(|message| (message, end.span)),
             None => Err(("expected a predecessor and a successor".to_owned(), connection.span)),
         });
         let (from, to) = match (from, to) {
@@ -58,7 +53,7 @@ pub(crate) fn edges(
             };
             let span = link.span;
             let mut node = |place, number, entering, from: u32| {
-                let found = node_at(lowering, cuts, place, number, entering);
+                let found = node_at(draft, cuts, place, number, entering);
                 found.map_err(|missing: Missing| {
                     problems.add(missing.problem(from, number, span, true))
                 })
@@ -71,8 +66,8 @@ pub(crate) fn edges(
 }
 
 /// All virtual connections.
-fn connections(lowering: &Lowering) -> impl Iterator<Item = &Connection> {
-    let all = lowering.links.elements().flat_map(|junction| &junction.connection);
+fn connections(draft: &Draft) -> impl Iterator<Item = &Connection> {
+    let all = draft.links.elements().flat_map(|junction| &junction.connection);
     all.filter(|connection| {
         connection.r#type.value() == Some(ConnectionType::Virtual)
             && (connection.connecting_road.is_none()
@@ -86,13 +81,13 @@ fn ends(connection: &Connection) -> [Option<&ConnectionEnd>; 2] {
 }
 
 /// The place that an end names, or what is wrong with it.
-fn place(lowering: &Lowering, end: &ConnectionEnd) -> Result<Place, String> {
+fn place(draft: &Draft, end: &ConnectionEnd) -> Result<Place, String> {
     let id = end.element_id.text();
-    let road = road_of(lowering, id);
+    let road = road_of(draft, id);
     let road = road.ok_or_else(|| {
         format!("expected a road of the map, found {id:?}, which it does not have")
     })?;
-    let length = lowering.rows.roads.get(road as usize).map_or(0.0, |row| row.length);
+    let length = draft.rows.roads.get(road as usize).map_or(0.0, |row| row.length);
     let s = end.element_s.value().ok_or("expected @elementS, found none")?;
     if !(0.0..=length + BEYOND).contains(&s) {
         return Err(format!("expected a place within 0 to {length} m of road {id:?}, found {s} m"));

@@ -8,7 +8,7 @@ use super::attach::Attachments;
 use super::findings::{Problem, Problems};
 use super::incoming::Incoming;
 use super::nodes::{first_node, pieces};
-use crate::lower::{Lowering, WrittenConnection, WrittenLink};
+use crate::draft::{Draft, WrittenConnection, WrittenLink};
 use mapd_archive::{
     ConnectionRow, ContactPoint, EdgeKind, LaneRow, LinkKind, Range, RoadRow, lane_flags,
     node_flags,
@@ -33,20 +33,20 @@ struct Entry {
 
 /// All edges, by the node that is left, and what is wrong with the links.
 pub(crate) fn edges(
-    lowering: &Lowering,
+    draft: &Draft,
     attachments: &Attachments,
     problems: &mut Problems,
 ) -> Vec<Edge> {
-    let incoming = Incoming::new(lowering);
-    let mut walk = Walk { lowering, incoming: &incoming, attachments, edges: Vec::new(), problems };
-    for node in 0..lowering.rows.lane_nodes.len() {
+    let incoming = Incoming::new(draft);
+    let mut walk = Walk { draft, incoming: &incoming, attachments, edges: Vec::new(), problems };
+    for node in 0..draft.rows.lane_nodes.len() {
         walk.leave(node as u32);
     }
     walk.edges
 }
 
 struct Walk<'a> {
-    lowering: &'a Lowering,
+    draft: &'a Draft,
     incoming: &'a Incoming,
     attachments: &'a Attachments,
     edges: Vec<Edge>,
@@ -56,7 +56,7 @@ struct Walk<'a> {
 impl Walk<'_> {
     /// Adds the edges that leave a node.
     fn leave(&mut self, node: u32) {
-        let rows = &self.lowering.rows;
+        let rows = &self.draft.rows;
         let Some(own) = rows.lane_nodes.get(node as usize) else { return };
         let Some(row) = rows.lanes.get(own.lane as usize) else { return };
         let forward = own.flags & node_flags::FORWARD != 0;
@@ -103,7 +103,7 @@ impl Walk<'_> {
 
     /// Whether a road's link at one end names a place inside another road.
     fn names_a_place(&self, road: u32, forward: bool) -> bool {
-        let links = self.lowering.links.roads.get(road as usize);
+        let links = self.draft.links.roads.get(road as usize);
         links
             .and_then(|links| links[usize::from(forward)].as_ref())
             .is_some_and(|link| link.s.is_some())
@@ -111,14 +111,14 @@ impl Walk<'_> {
 
     /// Follows the lane's links as written: its successors (`forward`) or predecessors.
     fn written(&mut self, node: u32, lane: u32, forward: bool, kind: EdgeKind, entry: Entry) {
-        for link in written_links(self.lowering, lane, forward) {
+        for link in written_links(self.draft, lane, forward) {
             self.enter((node, kind, link.span()), entry, link.number);
         }
     }
 
     /// The section of a road at one of its ends and whether lanes entered there travel towards +s.
     fn touching(&self, road: u32, contact: u8) -> Option<Entry> {
-        let sections = self.lowering.rows.roads.get(road as usize)?.sections;
+        let sections = self.draft.rows.roads.get(road as usize)?.sections;
         let last = sections.count.checked_sub(1)?;
         match ContactPoint::from_code(contact) {
             ContactPoint::Start => Some(Entry { section: sections.first, forward: true }),
@@ -136,8 +136,8 @@ impl Walk<'_> {
         junction: u32,
         forward: bool,
     ) {
-        let lowering = self.lowering;
-        let rows = &lowering.rows;
+        let draft = self.draft;
+        let rows = &draft.rows;
         let incoming = self.incoming;
         for (of, connection_row) in incoming.of_road(number) {
             let Some(connection) =
@@ -151,10 +151,10 @@ impl Walk<'_> {
             let Some(entry) = self.touching(connection.connecting_road, connection.contact) else {
                 continue;
             };
-            let Some(written) = connection_written(lowering, *connection_row) else {
+            let Some(written) = connection_written(draft, *connection_row) else {
                 continue;
             };
-            let lane_links = written.lane_links.of(&lowering.links.connected);
+            let lane_links = written.lane_links.of(&draft.links.connected);
             if lane_links.is_empty() {
                 // OpenDRIVE 1.4: without lane links, lanes keep their numbers, as far as both roads have them.
                 if self.find(entry, row.number).is_some_and(|lane| self.travels(lane, entry)) {
@@ -170,7 +170,7 @@ impl Walk<'_> {
     /// Whether a connection's road is linked to this end of the incoming road; asked where both ends of the road lie at
     /// one junction.
     fn starts_here(&self, connection: &ConnectionRow, road: u32, forward: bool) -> bool {
-        let Some(connecting) = self.lowering.rows.roads.get(connection.connecting_road as usize)
+        let Some(connecting) = self.draft.rows.roads.get(connection.connecting_road as usize)
         else {
             return false;
         };
@@ -190,11 +190,11 @@ impl Walk<'_> {
 
     /// The lane with a number in the section that is entered.
     fn find(&self, entry: Entry, number: i32) -> Option<u32> {
-        lane_of(self.lowering, entry.section, number)
+        lane_of(self.draft, entry.section, number)
     }
 
     fn travels(&self, lane: u32, entry: Entry) -> bool {
-        self.lowering.rows.lanes.get(lane as usize).is_some_and(|row| {
+        self.draft.rows.lanes.get(lane as usize).is_some_and(|row| {
             row.flags & lane_flags::TWO_WAY != 0
                 || (row.flags & lane_flags::FORWARD != 0) == entry.forward
         })
@@ -202,7 +202,7 @@ impl Walk<'_> {
 
     /// Adds an edge to a lane of a section if that lane travels the way it is entered.
     fn enter(&mut self, (from, kind, span): (u32, EdgeKind, Span), entry: Entry, number: i32) {
-        let rows = &self.lowering.rows;
+        let rows = &self.draft.rows;
         let Some(lane) = self.find(entry, number) else {
             if !self.only_walked(from) {
                 let section = entry.section;
@@ -222,7 +222,7 @@ impl Walk<'_> {
 
     /// Whether a node goes against the traffic rule because who walks may: the file promises nothing about that way.
     fn only_walked(&self, node: u32) -> bool {
-        let rows = &self.lowering.rows;
+        let rows = &self.draft.rows;
         let node = rows.lane_nodes.get(node as usize);
         node.and_then(|node| Some((node, rows.lanes.get(node.lane as usize)?))).is_some_and(
             |(node, lane)| {
@@ -235,8 +235,8 @@ impl Walk<'_> {
 }
 
 /// The lane with a number in a section; none for lane 0.
-pub(crate) fn lane_of(lowering: &Lowering, section: u32, number: i32) -> Option<u32> {
-    let rows = &lowering.rows;
+pub(crate) fn lane_of(draft: &Draft, section: u32, number: i32) -> Option<u32> {
+    let rows = &draft.rows;
     let section = rows.sections.get(section as usize)?;
     let lanes = section.lanes.of(&rows.lanes);
     let at = lanes.binary_search_by(|lane| number.cmp(&lane.number)).ok()?;
@@ -244,17 +244,14 @@ pub(crate) fn lane_of(lowering: &Lowering, section: u32, number: i32) -> Option<
 }
 
 /// Lanes written as successors (`forward`) or predecessors.
-pub(crate) fn written_links(lowering: &Lowering, lane: u32, forward: bool) -> &[WrittenLink] {
-    let ranges: [Range; 2] = lowering.links.lanes.get(lane as usize).copied().unwrap_or_default();
-    ranges[usize::from(forward)].of(&lowering.links.lane_links)
+pub(crate) fn written_links(draft: &Draft, lane: u32, forward: bool) -> &[WrittenLink] {
+    let ranges: [Range; 2] = draft.links.lanes.get(lane as usize).copied().unwrap_or_default();
+    ranges[usize::from(forward)].of(&draft.links.lane_links)
 }
 
 /// A connection as the file has it.
-pub(crate) fn connection_written(
-    lowering: &Lowering,
-    connection: u32,
-) -> Option<&WrittenConnection> {
-    lowering.links.connections.get(connection as usize)
+pub(crate) fn connection_written(draft: &Draft, connection: u32) -> Option<&WrittenConnection> {
+    draft.links.connections.get(connection as usize)
 }
 
 /// Whether both ends of a road lie at this junction.

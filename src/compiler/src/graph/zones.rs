@@ -2,7 +2,7 @@
 //! virtual one or a path across touches, the sections of roads that a crossing names, and the roads of a direct junction as
 //! far as they may overlap (OpenDRIVE 1.8.1, 12).
 
-use crate::lower::Lowering;
+use crate::draft::Draft;
 use mapd_archive::{ContactPoint, LinkKind, NONE};
 use mapd_xodr::{Junction, JunctionType, Span, Text as _, Value as _};
 
@@ -39,15 +39,15 @@ pub(crate) enum ZoneKind {
 }
 
 /// The zones of all junctions in their order.
-pub(crate) fn zones(lowering: &Lowering) -> Vec<Zone> {
-    let rows = &lowering.rows;
-    let mut zones: Vec<Zone> = lowering
+pub(crate) fn zones(draft: &Draft) -> Vec<Zone> {
+    let rows = &draft.rows;
+    let mut zones: Vec<Zone> = draft
         .links
         .junctions
         .iter()
         .map(|junction| Zone {
             stretches: junction.element.as_ref().map_or_else(Vec::new, |junction| {
-                [named(lowering, junction), crossed(lowering, junction)].concat()
+                [named(draft, junction), crossed(draft, junction)].concat()
             }),
             span: junction.span,
             kind: match junction.kind {
@@ -63,7 +63,7 @@ pub(crate) fn zones(lowering: &Lowering) -> Vec<Zone> {
             zone.stretches.push(Stretch { road: road_number, s_from: 0.0, s_to: road.length });
             // Where it attaches inside another road, that road is part of the zone.
             let ends = [road.predecessor, road.successor];
-            let links = lowering.links.roads.get(number).into_iter().flatten();
+            let links = draft.links.roads.get(number).into_iter().flatten();
             for (link, target) in links.zip(ends) {
                 if let Some(s) = link.as_ref().and_then(|link| link.s) {
                     touch(&mut zone.stretches, target, s);
@@ -72,13 +72,13 @@ pub(crate) fn zones(lowering: &Lowering) -> Vec<Zone> {
         }
     }
     for (number, zone) in zones.iter_mut().enumerate().filter(|(_, z)| z.kind == ZoneKind::Direct) {
-        overlaps(lowering, number as u32, &mut zone.stretches);
+        overlaps(draft, number as u32, &mut zone.stretches);
     }
     zones
 }
 
 /// Stretches of roads around the ends of paths across them.
-fn crossed(lowering: &Lowering, junction: &Junction) -> Vec<Stretch> {
+fn crossed(draft: &Draft, junction: &Junction) -> Vec<Stretch> {
     let ends = junction.cross_path.iter().flat_map(|path| {
         [
             (path.road_at_start.text(), path.start_lane_link.as_deref()),
@@ -87,7 +87,7 @@ fn crossed(lowering: &Lowering, junction: &Junction) -> Vec<Stretch> {
     });
     let mut stretches = Vec::new();
     for (id, link) in ends {
-        if let Some(road) = road_of(lowering, id)
+        if let Some(road) = road_of(draft, id)
             && let Some(s) = link.and_then(|link| link.s.value())
         {
             touch(&mut stretches, road, s - CROSSING_REACH);
@@ -99,9 +99,9 @@ fn crossed(lowering: &Lowering, junction: &Junction) -> Vec<Stretch> {
 
 /// Stretches of the roads of a direct junction along which their lanes may overlap: the longest of each road's lane links,
 /// from the joint.
-fn overlaps(lowering: &Lowering, junction: u32, stretches: &mut Vec<Stretch>) {
-    let rows = &lowering.rows;
-    let Some(written) = lowering.links.junctions.get(junction as usize) else { return };
+fn overlaps(draft: &Draft, junction: u32, stretches: &mut Vec<Stretch>) {
+    let rows = &draft.rows;
+    let Some(written) = draft.links.junctions.get(junction as usize) else { return };
     let Some(row) = rows.junctions.get(junction as usize) else { return };
     let written = written.element.as_ref().map_or(&[][..], |junction| &junction.connection);
     for (number, connection) in row.connections.of(&rows.connections).iter().enumerate() {
@@ -132,9 +132,9 @@ fn overlaps(lowering: &Lowering, junction: u32, stretches: &mut Vec<Stretch>) {
 }
 
 /// Stretches that a junction names itself.
-fn named(lowering: &Lowering, junction: &Junction) -> Vec<Stretch> {
+fn named(draft: &Draft, junction: &Junction) -> Vec<Stretch> {
     let stretch = |id: &str, from: Option<f64>, to: Option<f64>| {
-        let road = road_of(lowering, id)?;
+        let road = road_of(draft, id)?;
         let (from, to) = (from?, to?);
         Some(Stretch { road, s_from: from.min(to), s_to: from.max(to) })
     };
@@ -157,10 +157,10 @@ fn touch(stretches: &mut Vec<Stretch>, road: u32, s: f64) {
 }
 
 /// The road of an id.
-pub(crate) fn road_of(lowering: &Lowering, id: &str) -> Option<u32> {
-    let rows = &lowering.rows;
+pub(crate) fn road_of(draft: &Draft, id: &str) -> Option<u32> {
+    let rows = &draft.rows;
     let id_of = |row: &u32| {
-        rows.roads.get(*row as usize).map_or(&[][..], |road| lowering.strings.bytes_of(road.id))
+        rows.roads.get(*row as usize).map_or(&[][..], |road| draft.strings.bytes_of(road.id))
     };
     let at = rows.roads_by_id.binary_search_by(|row| id_of(row).cmp(id.as_bytes())).ok()?;
     rows.roads_by_id.get(at).copied()

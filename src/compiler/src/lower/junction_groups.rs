@@ -1,14 +1,14 @@
 //! Junction groups, and what junctions note for those who look for owners.
 
-use super::{Lowering, between};
-use crate::annotations::Extra;
+use crate::draft::{Draft, between};
+use crate::without::Extra;
 use mapd_archive::{
     AnnotationOwner, JunctionGroupKind, JunctionGroupMemberRow, JunctionGroupRow, NONE, Range,
 };
 use mapd_xodr::source::Places;
 use mapd_xodr::{Junction, JunctionGroup, JunctionGroupType, Text as _, Value as _};
 
-impl Lowering {
+impl Draft {
     /// Appends a group. Its junctions are resolved later.
     pub(crate) fn junction_group(&mut self, group: &JunctionGroup, places: &Places) {
         if self.without.has(Extra::JunctionGroups) {

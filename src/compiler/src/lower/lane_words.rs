@@ -1,12 +1,12 @@
 //! What lanes say that nothing is built from: how far one sees, and rules in words.
 
-use super::Lowering;
 use super::need::Part;
-use crate::annotations::Extra;
+use crate::draft::Draft;
+use crate::without::Extra;
 use mapd_archive::{LaneRuleRow, LaneVisibilityRow};
 use mapd_xodr::{self as xodr, Attribute, Finding, Span, Text as _, Value as _};
 
-impl Lowering {
+impl Draft {
     /// Appends the records of the lane whose row comes next.
     pub(super) fn lane_words(
         &mut self,

@@ -1,8 +1,8 @@
 //! One element after the other, from what the file says to flat rows.
 
-mod append;
+mod annotations;
+mod georeference;
 mod grid;
-mod interned;
 mod junction_groups;
 mod lane_words;
 mod links;
@@ -12,71 +12,38 @@ mod object_details;
 mod object_outlines;
 mod object_repeats;
 mod objects;
+mod permissions;
 mod railway;
 mod reference_line;
 mod sections;
+mod semantics;
+mod signals;
+mod speeds;
 mod structures;
 mod surface;
 
-use crate::annotations::{Owners, Without};
-use crate::georeference::Placed;
-use crate::graph::Permissions;
-use crate::objects::written::Objects;
-use crate::options::CompileOptions;
-use crate::quarantine::{QuarantinedPart, Treatment};
-use crate::signals::Pending;
-use crate::{finding, origin};
-pub(crate) use grid::{Joint, transitions};
-pub(crate) use links::{Links, WrittenConnection, WrittenLink};
+use crate::draft::{Draft, Placed, between};
+use crate::findings::finding;
 use mapd_archive::{
-    ContactPoint, JunctionRow, LaneLayerRow, LinkKind, MapRow, NONE, QuarantinedContentRow,
-    QuarantinedFileRow, QuarantinedRow, Range, RoadRow, RoadType, RoadTypeRow, Rows, SpeedKind,
-    StringTable,
+    ContactPoint, JunctionRow, LaneLayerRow, LinkKind, MapRow, NONE, Range, RoadRow, RoadType,
+    RoadTypeRow,
 };
 use mapd_rules::catalog::building;
 use mapd_rules::line::ReferenceLine;
 use mapd_xodr::{
     self as xodr, Finding, Header, Junction, JunctionType, Position, Road, Severity, Span,
-    SpeedLimit, Text as _, TrafficRule, UnitSpeed, Value as _,
+    Text as _, TrafficRule, Value as _,
 };
-pub(crate) use need::Part;
-pub(crate) use objects::{Owner, assumed_unit, lanes, orientation};
+use need::Part;
+pub(crate) use objects::Owner;
+use objects::{assumed_unit, lanes, orientation};
 use sections::Layer;
-use std::sync::Arc;
+use speeds::speed;
 
 /// Value of `road/@junction` that means none.
 const NO_JUNCTION: &str = "-1";
 
-/// The rows of what has been read so far.
-#[derive(Default)]
-pub(crate) struct Lowering {
-    pub(crate) rows: Rows,
-    pub(crate) strings: StringTable,
-    pub(crate) links: Links,
-    pub(crate) permissions: Permissions,
-    pub(crate) objects: Objects,
-    /// Where the map lies on Earth, as the header says it.
-    pub(crate) placed: Placed,
-    styles: marks::Styles,
-    interned: interned::Interned,
-    pub(crate) signals: Pending,
-    /// What got rows of the top-level element that is being lowered.
-    pub(crate) owners: Owners,
-    /// What is left out of the archive.
-    pub(crate) without: Without,
-    map: Option<MapRow>,
-}
-
-impl Lowering {
-    /// Nothing yet; `ontology` says what signals mean, `without` what is left out.
-    pub(crate) fn new(ontology: Arc<mapd_ontology::Ontology>, without: Without) -> Self {
-        Self { signals: Pending::new(ontology), without, ..Self::default() }
-    }
-
-    pub(crate) fn roads(&self) -> usize {
-        self.rows.roads.len()
-    }
-
+impl Draft {
     pub(crate) fn header(&mut self, header: &Header, findings: &mut Vec<Finding>) {
         let mut row: MapRow = bytemuck::Zeroable::zeroed();
         row.stated_north = header.north.value().unwrap_or(0.0);
@@ -313,105 +280,6 @@ impl Lowering {
                 message,
                 "",
             ));
-        }
-    }
-
-    /// Appends what is not in the map as the document has it.
-    pub(crate) fn quarantine(&mut self, parts: &[QuarantinedPart]) {
-        for part in parts {
-            let [min_x, min_y, max_x, max_y] = part.extent.unwrap_or_default();
-            let row = QuarantinedRow {
-                min_x,
-                min_y,
-                max_x,
-                max_y,
-                length: part.length,
-                id: self.strings.add(&part.id),
-                owner: self.strings.add(&part.owner),
-                rule: self.strings.add(part.rule),
-                message: self.strings.add(&part.message),
-                line: part.line,
-                column: part.column,
-                kind: part.kind.code(),
-                treatment: u8::from(part.treatment == Treatment::ReferenceLine),
-                has_extent: u8::from(part.extent.is_some()),
-                owner_kind: part.owner_kind.code(),
-                reserved: [0; 4],
-            };
-            let part_row = self.rows.quarantined.len() as u32;
-            self.rows.quarantined.push(row);
-            // Folders differ from machine to machine; the archive does not.
-            let file = std::path::Path::new(&*part.file).file_name();
-            if let Some(file) = file.map(|name| name.to_string_lossy()) {
-                let file = self.strings.add(&file);
-                self.rows.quarantined_files.push(QuarantinedFileRow { part: part_row, file });
-            }
-            for (kind, id) in &part.contents {
-                let id = self.strings.add(id);
-                let row = QuarantinedContentRow {
-                    id,
-                    part: part_row,
-                    kind: kind.code(),
-                    reserved: [0; 3],
-                };
-                self.rows.quarantined_contents.push(row);
-            }
-        }
-    }
-
-    /// Names the projection of a target frame as the map's. The file's own and the target as asked for, as strings.
-    pub(crate) fn retarget(&mut self, definition: &str, target: &str) -> [u32; 2] {
-        if let Some(map) = &mut self.map {
-            map.projection = self.strings.add(definition);
-        }
-        [self.strings.add(&self.placed.definition), self.strings.add(target)]
-    }
-
-    /// The tables so far, geometry moved to the local origin.
-    pub(crate) fn into_rows(self, options: &CompileOptions) -> Rows {
-        let mut rows = self.rows;
-        let joints = self.links.joints;
-        let (x, y) = origin::choose(&rows.geometries);
-        for g in rows.geometries.iter_mut() {
-            g.x -= x;
-            g.y -= y;
-        }
-        for grid in rows.elevation_grids.iter_mut() {
-            grid.x -= x;
-            grid.y -= y;
-        }
-        let mut map = self.map.unwrap_or_else(bytemuck::Zeroable::zeroed);
-        (map.origin_x, map.origin_y) = (x, y);
-        map.index_tolerance = options.index_tolerance;
-        map.bound_tolerance = options.bound_tolerance;
-        map.road_length = rows.roads.iter().map(|road| road.length).sum();
-        rows.map.push(map);
-        let (bytes, offsets) = self.strings.into_tables();
-        rows.string_bytes = bytes.into();
-        rows.string_offsets = offsets.into();
-        transitions(&mut rows, &joints);
-        rows
-    }
-}
-
-/// Rows between two lengths. Tables that outgrow 32 bits are refused at the end, before anything is written.
-pub(crate) fn between(before: usize, after: usize) -> Range {
-    Range::between(before, after).unwrap_or_default()
-}
-
-/// What a speed record says, in m/s. Without a unit, or with one that is none of speed, m/s is meant.
-fn speed(max: Option<SpeedLimit>, unit: Option<UnitSpeed>) -> (SpeedKind, f64) {
-    match max {
-        None => (SpeedKind::None, 0.0),
-        Some(SpeedLimit::NoLimit) => (SpeedKind::NoLimit, 0.0),
-        Some(SpeedLimit::Undefined) => (SpeedKind::Undefined, 0.0),
-        Some(SpeedLimit::Limit(value)) => {
-            let value = match unit {
-                Some(UnitSpeed::KilometersPerHour) => value / 3.6,
-                Some(UnitSpeed::MilesPerHour) => value * 0.44704,
-                _ => value,
-            };
-            (SpeedKind::Value, value)
         }
     }
 }

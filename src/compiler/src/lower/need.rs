@@ -72,6 +72,6 @@ impl Part<'_> {
     fn finding(&self, rule: &'static Rule, severity: Severity, message: String) -> Finding {
         let (base, tail) = self.path;
         let path = if tail.is_empty() { base.to_owned() } else { format!("{base}/{tail}") };
-        crate::finding(rule, severity, self.span, path, message, "")
+        crate::findings::finding(rule, severity, self.span, path, message, "")
     }
 }

@@ -1,10 +1,10 @@
 //! Markings, borders, skeletons, materials and parking of objects as written.
 
-use super::Lowering;
 use super::need::Part;
 use super::objects::left_out;
-use crate::objects::single;
-use crate::objects::written::{Along, Border, Corner, Details, Marking, Outline, Vertex};
+use crate::draft::Draft;
+use crate::draft::single;
+use crate::draft::{Along, Border, Corner, Details, Marking, Outline, Vertex};
 use mapd_archive::{
     NONE, ObjectBorderRow, ObjectMarkingRow, ObjectMaterialRow, ParkingSpaceRow, Range,
 };
@@ -16,7 +16,7 @@ use mapd_xodr::{
 /// In the rows of materials: not given.
 const NOT_GIVEN: f32 = -1.0;
 
-impl Lowering {
+impl Draft {
     /// What is written in an object besides its place and shape; none where there is nothing.
     pub(super) fn details(
         &mut self,

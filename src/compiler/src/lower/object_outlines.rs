@@ -1,9 +1,9 @@
 //! Outlines of objects as written.
 
-use super::Lowering;
 use super::need::Part;
 use super::objects::left_out;
-use crate::objects::written::{Corner, Curve, Outline};
+use crate::draft::Draft;
+use crate::draft::{Corner, Curve, Outline};
 use mapd_archive::{LaneType, NONE, ObjectOutlineRow, OutlineFill, Range, outline_flags};
 use mapd_geometry::{ParameterRange, Primitive};
 use mapd_xodr::{self as xodr, Attribute, ParamPoly3Range, Text as _, Value as _};
@@ -13,7 +13,7 @@ const CLOSED_CORNERS: usize = 3;
 /// Types of objects whose outlines are lines unless they say that they are closed.
 const LINEAR: [&str; 3] = ["barrier", "railing", "soundBarrier"];
 
-impl Lowering {
+impl Draft {
     /// The outlines of an object in the old form (a child of its own) and the new one. One without two corners or a
     /// curve is left out.
     pub(super) fn outlines(&self, object: &xodr::Object, part: &mut Part<'_>) -> Vec<Outline> {

@@ -2,7 +2,7 @@
 
 use super::need::Part;
 use super::objects::left_out;
-use crate::objects::written::{Lateral, Repeat};
+use crate::draft::{Lateral, Repeat};
 use mapd_xodr::{self as xodr, Attribute, Value as _};
 
 /// A repetition with the object's own sizes where it has none; none where it has no place.

@@ -1,9 +1,9 @@
 //! Objects as written, in numbers. They are placed when everything else is.
 
-use super::Lowering;
 use super::need::Part;
-use crate::objects::single;
-use crate::objects::written::{Object, Repeat};
+use crate::draft::Draft;
+use crate::draft::single;
+use crate::draft::{Object, Repeat};
 use mapd_archive::{
     AnnotationOwner, NONE, ObjectRow, ObjectShape, ObjectValueRow, Orientation, Range, object_flags,
 };
@@ -39,7 +39,7 @@ impl Owner<'_> {
     }
 }
 
-impl Lowering {
+impl Draft {
     /// Takes the objects of a road or junction. One that cannot be placed is an error of its own.
     pub(crate) fn objects(
         &mut self,
@@ -214,7 +214,7 @@ fn with_shape(mut row: ObjectRow, has_outlines: bool) -> ObjectRow {
 
 /// The shape that sizes make.
 fn shape(row: &ObjectRow) -> ObjectShape {
-    crate::objects::shape([row.length, row.width, row.radius])
+    crate::draft::shape([row.length, row.width, row.radius])
 }
 
 /// Direction of travel as the archive has it.

@@ -1,11 +1,11 @@
 //! Railway switches and stations as written. Nothing is built from them: what they lack is left open.
 
-use super::Lowering;
-use crate::objects::written::{Platform, Station, Switch};
+use crate::draft::Draft;
+use crate::draft::{Platform, Station, Switch};
 use mapd_archive::{NONE, PlatformRow, PlatformSegmentRow, Range, StationRow, SwitchRow};
 use mapd_xodr::{self as xodr, ElementDir, PlatformSide, SwitchPosition, Text as _, Value as _};
 
-impl Lowering {
+impl Draft {
     /// Takes the switches of a road.
     pub(crate) fn switches(&mut self, road: u32, railroad: &xodr::Railroad) {
         for switch in &railroad.switch {

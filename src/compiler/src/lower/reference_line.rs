@@ -1,7 +1,7 @@
 //! The reference line and the cubics along it.
 
 use super::need::{MOST_COEFFICIENT, Part};
-use super::{Lowering, between};
+use crate::draft::{Draft, between};
 use mapd_archive::{CubicRow, GeometryRow, Range};
 use mapd_geometry::ParameterRange;
 use mapd_rules::catalog::building;
@@ -11,7 +11,7 @@ use mapd_xodr::{self as xodr, CubicRecord, Finding, Severity, Span, Value as _};
 /// Path of a geometry within its road.
 const GEOMETRY: &str = "planView/geometry";
 
-impl Lowering {
+impl Draft {
     /// Appends the geometries of a reference line, which are the curves that the rules looked at.
     pub(super) fn geometries(
         &mut self,

@@ -1,8 +1,9 @@
 //! Lane sections and lanes.
 
 use super::need::Part;
+use super::speeds::speed;
 use super::surface::place;
-use super::{Lowering, WrittenLink, between, speed};
+use crate::draft::{Draft, WrittenLink, between};
 use bytemuck::Zeroable as _;
 use mapd_archive::{
     AnnotationOwner, LaneRow, LaneSpeedRow, LaneType, MOST_OF_LANE, NONE, Range, SectionRow,
@@ -167,7 +168,7 @@ fn sides<'a>(
     stretches
 }
 
-impl Lowering {
+impl Draft {
     /// Appends a road's sections.
     pub(super) fn sections(
         &mut self,

@@ -1,17 +1,17 @@
 //! Bridges, tunnels and references to objects as written.
 
-use super::Lowering;
 use super::need::Part;
 use super::objects::{lanes, orientation};
-use crate::objects::single;
-use crate::objects::written::{Reference, Structure};
+use crate::draft::Draft;
+use crate::draft::single;
+use crate::draft::{Reference, Structure};
 use mapd_archive::{NONE, ObjectReferenceRow, Range, StructureRow};
 use mapd_xodr::{self as xodr, Attribute, Finding, Position, Span, Text as _, Value as _};
 
 /// In the rows of structures: not given.
 const NOT_GIVEN: f32 = -1.0;
 
-impl Lowering {
+impl Draft {
     /// Takes the references of a road to objects. One without a place or the id of an object is an error of its
     /// own.
     pub(super) fn references(

@@ -1,7 +1,7 @@
 //! What lies above or below the plane of elevation and superelevation, and what lanes are made of.
 
 use super::need::Part;
-use super::{Lowering, between};
+use crate::draft::{Draft, between};
 use mapd_archive::{
     CubicRow, LaneHeightRow, LaneMaterialRow, Range, ShapeStationRow, SurfaceRow, SurfaceStripRow,
 };
@@ -14,7 +14,7 @@ use mapd_xodr::{
 /// In the rows of materials: not given.
 const NOT_GIVEN: f64 = -1.0;
 
-impl Lowering {
+impl Draft {
     /// Appends a road's lateral profiles, if it has any besides superelevation.
     pub(super) fn surface(
         &mut self,

@@ -3,8 +3,8 @@
 
 use super::near_lanes::NearLanes;
 use super::track_area::{Profile, Stretch, TrackArea};
-use crate::TooLarge;
-use crate::lanes::view;
+use crate::findings::TooLarge;
+use crate::sample::view;
 use glam::DVec2;
 use mapd_archive::{LaneMethod, NONE, ObjectLaneRow, Orientation, Range, Rows};
 use mapd_query::{Lane, LanePosition, Map, Object, ObjectPlacement, ObjectShape, Road};

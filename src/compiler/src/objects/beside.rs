@@ -1,9 +1,9 @@
 //! Bridges, tunnels, references to objects, and railways: stored as written, ids made rows.
 
 use super::attach::Reference;
-use super::written::Objects;
-use crate::TooLarge;
-use crate::lanes::view;
+use crate::draft::{Objects, Switch};
+use crate::findings::TooLarge;
+use crate::sample::view;
 use mapd_archive::{
     LaneRangeRow, NONE, ObjectReferenceRow, Orientation, PlatformRow, PlatformSegmentRow, Range,
     Rows, StationRow, StructureRow, SwitchRow, string,
@@ -71,7 +71,7 @@ fn railways(rows: &mut Rows, written: &Objects) -> Result<(), TooLarge> {
             .enumerate()
             .map(|(number, switch)| (string(map.tables(), switch.row.id), number as u32))
             .collect();
-        let switch = |switch: &super::written::Switch| SwitchRow {
+        let switch = |switch: &Switch| SwitchRow {
             main: road(&switch.tracks[0]),
             side: road(&switch.tracks[1]),
             partner: by_id.get(switch.partner.as_str()).copied().unwrap_or(NONE),

@@ -3,9 +3,9 @@
 use super::Shape;
 use super::line::Line;
 use super::place::Standing;
-use super::single;
-use super::written::{Along, Corner, Details, Vertex};
-use crate::TooLarge;
+use crate::draft::single;
+use crate::draft::{Along, Corner, Details, Vertex};
+use crate::findings::TooLarge;
 use glam::DVec3;
 use mapd_archive::{
     NONE, ObjectBorderRow, ObjectMarkingRow, ObjectMaterialRow, ObjectSkeletonRow, ObjectValueRow,

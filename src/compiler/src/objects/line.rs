@@ -1,6 +1,6 @@
 //! The reference line that objects are placed along: a road's, or that of a junction.
 
-use super::written::Objects;
+use crate::draft::Objects;
 use glam::{DVec2, DVec3};
 use mapd_archive::{ArchivedGeometryRow, NONE, ObjectRow};
 use mapd_geometry::{Attitude, Curve, CurveKind, Start, atan2, clamp};

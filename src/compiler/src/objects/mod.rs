@@ -1,26 +1,23 @@
 //! Places objects (docs/objects.md): their origins, axes and shapes in space, by the functions that queries use.
 
-mod append;
 mod attach;
 mod beside;
 mod details;
-mod index;
 mod line;
 mod near_lanes;
 mod outline;
 mod place;
 mod repeat;
 mod track_area;
-pub(crate) mod written;
 
-use crate::TooLarge;
-use crate::flatten::Fault;
-use crate::lanes::view;
+use crate::draft::{Object, Objects};
+use crate::findings::TooLarge;
 use crate::options::CompileOptions;
-pub(crate) use index::build as index;
+use crate::sample::Fault;
+use crate::sample::view;
 use line::Line;
 use mapd_archive::{
-    NONE, ObjectCopyRow, ObjectOutlineRow, ObjectPointRow, ObjectRow, ObjectShape, Range, Rows,
+    NONE, ObjectCopyRow, ObjectOutlineRow, ObjectPointRow, ObjectRow, Range, Rows,
     SkeletonVertexRow, string,
 };
 use mapd_query::Map;
@@ -29,7 +26,6 @@ use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
 use rayon::prelude::*;
 use repeat::Left;
-use written::{Object, Objects};
 
 /// Objects that are placed at once, for each thread.
 const OBJECTS_PER_TASK: usize = 64;
@@ -39,24 +35,6 @@ const MOST_MADE_OF_AN_OBJECT: usize = 1 << 15;
 const LEAST_MADE_OF_A_MAP: usize = 1 << 19;
 /// Points beyond these for each object of the map: guard rails have some hundred.
 const MADE_FOR_AN_OBJECT: usize = 1 << 9;
-
-/// To single precision; what does not fit becomes the largest number that does, so that tables stay finite.
-pub(crate) fn single(value: f64) -> f32 {
-    if value.is_nan() {
-        return 0.0;
-    }
-    mapd_geometry::clamp(value, f64::from(f32::MIN), f64::from(f32::MAX)) as f32
-}
-
-/// The shape that length, width and radius make. Both written is against the standard; a box tells more.
-pub(crate) fn shape([length, width, radius]: [f32; 3]) -> ObjectShape {
-    let is_box = length > 0.0 && width > 0.0;
-    match (radius > 0.0, length > 0.0 || width > 0.0) {
-        (true, _) if !is_box => ObjectShape::Cylinder,
-        (_, true) => ObjectShape::Box,
-        _ => ObjectShape::Point,
-    }
-}
 
 /// An outline with its corners in the frame of what it belongs to.
 pub(crate) struct Shape {
@@ -318,5 +296,5 @@ fn finding(
     };
     let path =
         format!("OpenDRIVE/{owner}[@id={}]/objects/object[@id={}]", text(id), text(object.row.id));
-    crate::finding(rule, severity, span, path, message, "")
+    crate::findings::finding(rule, severity, span, path, message, "")
 }

@@ -1,6 +1,6 @@
 //! Lanes near a place, of whatever road: an R*-tree that the compiler alone needs, and only for objects and signals.
 
-use crate::flatten::distance_to_segment;
+use crate::sample::distance_to_segment;
 use glam::DVec2;
 use mapd_query::{Lane, LanePosition, LaneType, Map};
 use rstar::primitives::{GeomWithData, Rectangle};

@@ -2,9 +2,10 @@
 
 use super::line::Line;
 use super::place::Standing;
-use super::written::{Corner, Curve, Outline};
-use super::{MOST_MADE_OF_AN_OBJECT, Shape, single};
-use crate::flatten::{Fault, flatten};
+use super::{MOST_MADE_OF_AN_OBJECT, Shape};
+use crate::draft::single;
+use crate::draft::{Corner, Curve, Outline};
+use crate::sample::{Fault, flatten};
 use glam::DVec3;
 use mapd_archive::{NONE, ObjectPointRow, outline_flags};
 use mapd_geometry::{Start, compile};

@@ -1,8 +1,8 @@
 //! Origin and axes of an object.
 
 use super::line::{Line, Station};
-use super::single;
-use super::written::Object;
+use crate::draft::Object;
+use crate::draft::single;
 use glam::DVec3;
 use mapd_archive::{ObjectRow, object_flags};
 use mapd_geometry::{Attitude, normalize_angle};

@@ -3,9 +3,9 @@
 use super::line::Line;
 use super::outline::point;
 use super::place::stand_at;
-use super::written::{Object, Repeat, between};
-use super::{Copy, Shape, shape, single};
-use crate::flatten::{Fault, Sample, flatten};
+use super::{Copy, Shape};
+use crate::draft::{Object, Repeat, linear, shape, single};
+use crate::sample::{Fault, Sample, flatten};
 use glam::DVec3;
 use mapd_archive::{
     NONE, ObjectCopyRow, ObjectOutlineRow, ObjectPointRow, ObjectShape, Range, copy_flags,
@@ -128,7 +128,7 @@ fn detached(line: &Line<'_>, repeat: &Repeat, ds: f64) -> Option<(DVec3, f64)> {
 /// The copy at a distance from the repetition's start.
 fn instance(line: &Line<'_>, object: &Object, repeat: &Repeat, ds: f64) -> Option<Copy> {
     let (s, t) = (repeat.s + ds, repeat.t.at(ds, repeat.length));
-    let value = |pair| between(pair, ds, repeat.length);
+    let value = |pair| linear(pair, ds, repeat.length);
     let mut station = line.at(s, t)?;
     if repeat.is_detached {
         (station.position, station.heading) = detached(line, repeat, ds)?;
@@ -168,7 +168,7 @@ fn instance(line: &Line<'_>, object: &Object, repeat: &Repeat, ds: f64) -> Optio
 
 /// The width of what is swept `[m]`: that of a round object is its diameter.
 fn width(repeat: &Repeat, ds: f64) -> f64 {
-    let value = |pair| between(pair, ds, repeat.length).max(0.0);
+    let value = |pair| linear(pair, ds, repeat.length).max(0.0);
     let width = value(repeat.width);
     if width > 0.0 { width } else { 2.0 * value(repeat.radius) }
 }
@@ -181,7 +181,7 @@ fn sweep(line: &Line<'_>, repeat: &Repeat, end: f64, tolerance: f64) -> Result<C
         let mut at = |s: f64| {
             let ds = s - repeat.s;
             let t = repeat.t.at(ds, repeat.length) + 0.5 * side * width(repeat, ds);
-            let z_offset = between(repeat.z_offset, ds, repeat.length);
+            let z_offset = linear(repeat.z_offset, ds, repeat.length);
             let p = line.at(s, t)?.position + DVec3::Z * z_offset;
             p.is_finite().then_some(p)
         };
@@ -207,7 +207,7 @@ fn straight(line: &Line<'_>, repeat: &Repeat, end: f64) -> Option<Copy> {
             let (middle, heading) = detached(line, repeat, ds)?;
             let (cos, sin) = mapd_geometry::cos_sin(normalize_angle(heading));
             let left = DVec3::new(-sin, cos, 0.0);
-            let up = DVec3::Z * between(repeat.z_offset, ds, repeat.length);
+            let up = DVec3::Z * linear(repeat.z_offset, ds, repeat.length);
             let position = middle + left * (0.5 * side * width(repeat, ds)) + up;
             samples.push(Sample { s: repeat.s + ds, position });
         }
@@ -225,7 +225,7 @@ fn swept(
 ) -> Option<Copy> {
     let t = repeat.t.at(0.0, repeat.length);
     let origin = line.at(repeat.s, t)?.position + DVec3::Z * repeat.z_offset[0];
-    let height = |s: f64| between(repeat.height, s - repeat.s, repeat.length);
+    let height = |s: f64| linear(repeat.height, s - repeat.s, repeat.length);
     let points: Vec<ObjectPointRow> =
         samples.iter().map(|p| point(p.position - origin, height(p.s))).collect();
     let (x, y, z) = origin.is_finite().then_some(origin)?.into();

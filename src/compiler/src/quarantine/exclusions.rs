@@ -1,7 +1,6 @@
 //! What is left out, and the document without it.
 
-use super::{PartKind, QuarantinedPart, Treatment, Unit};
-use crate::report::Cause;
+use super::{Cause, PartKind, QuarantinedPart, Treatment, Unit};
 use mapd_rules::line::ReferenceLine;
 use mapd_xodr::{Connection, Item, Junction, Objects, Road, Signals, Span, Text as _, Value as _};
 use std::collections::{BTreeMap, BTreeSet};

@@ -4,10 +4,12 @@
 //! them, until nothing more is wrong: what refers to a part that is gone is then seen as it will be. So nothing is ever
 //! taken back from tables, and a document without errors costs nothing.
 
+mod cause;
 mod exclusions;
 mod policy;
 mod units;
 
+pub(crate) use cause::Cause;
 pub(crate) use exclusions::Exclusions;
 pub use policy::{OnError, Policy};
 pub use units::PartKind;

@@ -1,8 +1,8 @@
 //! Which lanes signals are for.
 
-use super::{PlaceWritten, Resolved};
-use crate::finding;
-use crate::lanes::view;
+use crate::findings::finding;
+use crate::resolve::{PlaceWritten, Resolved};
+use crate::sample::view;
 use mapd_archive::{LaneMethod, Orientation, Rows, SignalLaneRow, SignalPlaceRow};
 use mapd_geometry::clamp;
 use mapd_query::{Lane, Map, Road};
@@ -69,7 +69,7 @@ pub(super) fn attach(rows: &mut Rows, resolved: &Resolved, reach: f64) -> Vec<Fi
             t: place.t,
             signal: place.signal,
             road: place.road,
-            lanes: crate::lower::between(before, rows.signal_lanes.len()),
+            lanes: crate::draft::between(before, rows.signal_lanes.len()),
             line: place.line,
             column: place.column,
             orientation: place.orientation,

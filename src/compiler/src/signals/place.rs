@@ -1,7 +1,8 @@
 //! Where signals stand, and where they face.
 
-use super::{Position, Resolved};
-use crate::lanes::view;
+use crate::draft::Position;
+use crate::resolve::Resolved;
+use crate::sample::view;
 use glam::DVec3;
 use mapd_archive::{Orientation, Rows, SignalRow, signal_flags};
 use mapd_geometry::{beside, clamp, normalize_angle};

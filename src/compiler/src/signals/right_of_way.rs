@@ -3,7 +3,7 @@
 //! Examined at in this order: lights, signs at the entry, `junction/priority`, turns across oncoming traffic, traffic from the
 //! right. The first that tells the two apart decides.
 
-use crate::lanes::view;
+use crate::sample::view;
 use mapd_archive::{
     Class, ConflictKind, ConflictRow, JunctionPriorityRow, Relation, RelationReason, Rows,
 };

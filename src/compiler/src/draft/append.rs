@@ -1,0 +1,46 @@
+//! Appends what a part of the document was lowered to, so that the whole is as if it had been lowered in one go.
+
+use super::owners::{Before, move_owners};
+use super::{Draft, interned};
+use crate::without::Without;
+use mapd_archive::{Moved, Rows};
+use mapd_ontology::Ontology;
+use std::sync::Arc;
+
+impl Draft {
+    /// Of a part of the document, to be appended to what comes before it.
+    pub(crate) fn part(ontology: Arc<Ontology>, without: Without) -> Self {
+        let interned = interned::Interned::of_part();
+        Self { rows: Rows::part(), interned, ..Self::new(ontology, without) }
+    }
+
+    /// Takes the part of the document that comes next. Strings, cubics and styles that are known already stand for its own;
+    /// each new one comes where it would if the part had been lowered here.
+    pub(crate) fn append(&mut self, part: Self) {
+        let mut moves = self.rows.moves();
+        moves.strings = Moved::To(self.strings.append(&part.strings));
+        let its_cubics = (&part.interned, part.rows.cubics.as_slice());
+        moves.cubics = self.interned.append(&mut self.rows.cubics, its_cubics);
+        let grids = self.rows.elevation_grids.len();
+        moves.road_mark_styles = self.styles.append(&mut self.rows, &part.rows, &moves);
+        moves.road_marks =
+            self.styles.append_marks(&mut self.rows, &part.rows, &moves.road_mark_styles);
+        // The styles' lines are there with them.
+        moves.road_mark_lines = Moved::To(Vec::new());
+        let annotated = self.rows.annotations.len();
+        self.rows.append(&part.rows, &moves);
+        let before = Before {
+            connections: self.links.connections.len(),
+            objects: self.objects.objects.len(),
+            controllers: self.signals.controllers(),
+            stations: self.objects.stations.len(),
+        };
+        if let Some(new) = self.rows.annotations.get_mut(annotated..) {
+            move_owners(new, before, &moves);
+        }
+        self.links.append(part.links, grids);
+        self.permissions.append(part.permissions, &moves.lanes);
+        self.objects.append(part.objects, &moves);
+        self.signals.append(part.signals, &moves);
+    }
+}

@@ -1,0 +1,84 @@
+//! Road marks, each style and each sequence of them once.
+
+use super::between;
+use mapd_archive::{Moved, Moves, NONE, Range, RoadMarkRow, RoadMarkStyleRow, Rows};
+use std::collections::HashMap;
+
+/// Numbers of the styles that have been written, by what they and their lines hold.
+#[derive(Default)]
+pub(crate) struct Styles {
+    known: HashMap<Vec<u8>, u32>,
+    /// First rows of sequences of marks, by what they hold.
+    sequences: HashMap<Vec<(u64, u32)>, u32>,
+}
+
+impl Styles {
+    /// First row of a sequence of marks, which is written if it is a new one.
+    pub(crate) fn sequence(&mut self, rows: &mut Rows, marks: &[(f64, u32)]) -> u32 {
+        let Some((last, others)) = marks.split_last() else { return NONE };
+        let key: Vec<_> = marks.iter().map(|(s, style)| (s.to_bits(), *style)).collect();
+        *self.sequences.entry(key).or_insert_with(|| {
+            let first = rows.road_marks.len() as u32;
+            let row = |(s_offset, style): &(f64, u32), last| RoadMarkRow {
+                s_offset: *s_offset,
+                style: *style,
+                last,
+                reserved: [0; 3],
+            };
+            rows.road_marks.extend(others.iter().map(|mark| row(mark, 0)));
+            rows.road_marks.push(row(last, 1));
+            first
+        })
+    }
+
+    /// Row of a style whose lines have just been appended from `lines` on: an equal one that is there already takes its
+    /// place.
+    pub(crate) fn add(&mut self, rows: &mut Rows, style: RoadMarkStyleRow, lines: usize) -> u32 {
+        let mut key = bytemuck::bytes_of(&style).to_vec();
+        key.extend_from_slice(bytemuck::cast_slice(&rows.road_mark_lines[lines..]));
+        if let Some(known) = self.known.get(&key) {
+            rows.road_mark_lines.truncate(lines);
+            return *known;
+        }
+        let number = rows.road_mark_styles.len() as u32;
+        let lines = between(lines, rows.road_mark_lines.len());
+        rows.road_mark_styles.push(RoadMarkStyleRow { lines, ..style });
+        self.known.insert(key, number);
+        number
+    }
+}
+
+impl Styles {
+    /// Adds the styles of a part of a map, which has `moves` for what they refer to; where each comes to lie.
+    pub(super) fn append(&mut self, rows: &mut Rows, part: &Rows, moves: &Moves) -> Moved {
+        let places = part.road_mark_styles.iter().enumerate().map(|(row, style)| {
+            // Row 0 of a part is not used.
+            if row == 0 {
+                return 0;
+            }
+            let before = rows.road_mark_lines.len();
+            rows.road_mark_lines.extend_from_slice(style.lines.of(&part.road_mark_lines));
+            let mut style = RoadMarkStyleRow { lines: Range::default(), ..*style };
+            style.move_by(moves);
+            self.add(rows, style, before)
+        });
+        Moved::To(places.collect())
+    }
+
+    /// Adds the sequences of marks of a part, whose styles have come to lie elsewhere; where each comes to lie.
+    pub(super) fn append_marks(&mut self, rows: &mut Rows, part: &Rows, styles: &Moved) -> Moved {
+        let mut places = vec![NONE; part.road_marks.len()];
+        // Row 0 of a part is not used.
+        let marks = part.road_marks.get(1..).unwrap_or_default();
+        let mut at = 1;
+        for own in marks.split_inclusive(|mark| mark.last != 0) {
+            let own: Vec<_> =
+                own.iter().map(|mark| (mark.s_offset, styles.row(mark.style))).collect();
+            if let Some(place) = places.get_mut(at) {
+                *place = self.sequence(rows, &own);
+            }
+            at += own.len();
+        }
+        Moved::To(places)
+    }
+}

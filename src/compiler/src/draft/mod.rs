@@ -1,0 +1,76 @@
+//! What is known of a document while it is read and resolved: rows as they will be, and beside them what the file says until
+//! every id and lane is known.
+//!
+//! Types only. `lower` fills them from elements, `resolve` makes rows of ids; parts of a document are appended here.
+
+mod append;
+mod interned;
+mod links;
+mod marks;
+mod objects;
+mod owners;
+mod permissions;
+mod placed;
+mod signals;
+
+use crate::without::Without;
+use mapd_archive::{MapRow, Range, Rows, StringTable};
+use std::sync::Arc;
+
+pub(crate) use links::{
+    ConnectedLanes, Joint, Links, RoadLink, WrittenConnection, WrittenController, WrittenJunction,
+    WrittenLink,
+};
+pub(crate) use marks::Styles;
+pub(crate) use objects::{
+    Along, Border, Corner, Curve, Details, Lateral, Marking, Object, Objects, Outline, Platform,
+    Reference, Repeat, Station, Structure, Switch, Vertex, linear, shape, single,
+};
+pub(crate) use owners::{Owner, Owners};
+pub(crate) use permissions::{Access, Mark, Permissions};
+pub(crate) use placed::Placed;
+pub(crate) use signals::{OnCarrier, Position, SignalReference, Signals, WrittenSignal};
+
+/// The rows of what has been read so far.
+#[derive(Default)]
+pub(crate) struct Draft {
+    pub(crate) rows: Rows,
+    pub(crate) strings: StringTable,
+    pub(crate) links: Links,
+    pub(crate) permissions: Permissions,
+    pub(crate) objects: Objects,
+    /// Where the map lies on Earth, as the header says it.
+    pub(crate) placed: Placed,
+    pub(crate) styles: Styles,
+    pub(crate) interned: interned::Interned,
+    pub(crate) signals: Signals,
+    /// What got rows of the top-level element that is being lowered.
+    pub(crate) owners: Owners,
+    /// What is left out of the archive.
+    pub(crate) without: Without,
+    pub(crate) map: Option<MapRow>,
+}
+
+impl Draft {
+    /// Nothing yet; `ontology` says what signals mean, `without` what is left out.
+    pub(crate) fn new(ontology: Arc<mapd_ontology::Ontology>, without: Without) -> Self {
+        Self { signals: Signals::new(ontology), without, ..Self::default() }
+    }
+
+    pub(crate) fn roads(&self) -> usize {
+        self.rows.roads.len()
+    }
+
+    /// Names the projection of a target frame as the map's. The file's own and the target as asked for, as strings.
+    pub(crate) fn retarget(&mut self, definition: &str, target: &str) -> [u32; 2] {
+        if let Some(map) = &mut self.map {
+            map.projection = self.strings.add(definition);
+        }
+        [self.strings.add(&self.placed.definition), self.strings.add(target)]
+    }
+}
+
+/// Rows between two lengths. Tables that outgrow 32 bits are refused at the end, before anything is written.
+pub(crate) fn between(before: usize, after: usize) -> Range {
+    Range::between(before, after).unwrap_or_default()
+}

@@ -1,0 +1,22 @@
+//! Findings of the compiler's own.
+
+mod too_large;
+
+pub(crate) use too_large::{TooLarge, too_large, too_many_ids, too_many_overlaps, unfit};
+
+use mapd_rules::Rule;
+use mapd_xodr::{Finding, Severity, Span};
+
+/// A finding of the compiler's own: as bad as its rule's usual ones, or milder.
+pub(crate) fn finding(
+    rule: &'static Rule,
+    severity: Severity,
+    span: Span,
+    path: String,
+    message: String,
+    hint: &str,
+) -> Finding {
+    let severity = severity.min(rule.severity);
+    let (rule, subject, hint) = (rule.id, "".into(), hint.to_owned());
+    Finding { rule, severity, span, path, subject, message, hint }
+}

@@ -1,0 +1,311 @@
+//! Builds the packed spatial index over the lanes' centre lines.
+
+use super::packed::{Key, ROUNDING, ordered, round_up, stack};
+use crate::findings::TooLarge;
+use crate::options::CompileOptions;
+use crate::sample::view;
+use crate::sample::{Line, Lines};
+use glam::{DVec2, DVec3};
+use mapd_archive::packed_index::{HEIGHT_UNIT, REACH_UNIT, WIDTH};
+use mapd_archive::{IndexLeafRow, IndexNodeRow, NONE, Rows};
+use mapd_geometry::clamp;
+use mapd_query::Map;
+use rayon::prelude::*;
+
+/// Added to every reach, overshoot and height `[m]`, besides the tolerances: single precision within a leaf.
+const REACH_MARGIN: f64 = 1e-4;
+/// Least step of a leaf `[m]`: finer ones mean nothing, and products with them stay normal numbers.
+const LEAST_STEP: f32 = 1.0 / (1 << 20) as f32;
+/// Units of `reach` and `overshoot` in a metre.
+const REACH_UNITS: f64 = 1.0 / REACH_UNIT as f64;
+/// Units of `z_low` and `z_high` in a metre.
+const HEIGHT_UNITS: f64 = 1.0 / HEIGHT_UNIT as f64;
+
+/// A segment of a centre line. All of them are ordered at once, so that there is no more of each than its name; what is
+/// stored of it is computed leaf by leaf.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Place {
+    lane: u32,
+    segment: u16,
+}
+
+/// A segment of a centre line as its leaf has it, with the area it stands for, relative to the local origin.
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    a: DVec2,
+    b: DVec2,
+    extent: Extent,
+    place: Place,
+}
+
+/// How far a lane's area reaches around a segment of its centre line.
+#[derive(Clone, Copy, Debug)]
+struct Extent {
+    /// From the line through the segment `[m]`.
+    reach: f64,
+    /// Beyond the segment's ends, along it `[m]`.
+    overshoot: f64,
+    /// Heights `[m]`.
+    z: [f64; 2],
+}
+
+/// Fills `index_levels`, `index_nodes` and `index_leaves`.
+pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), TooLarge> {
+    let archive = view(rows);
+    let map = Map::new(&archive, 0);
+    let lanes = (0..rows.lanes.len() as u32).into_par_iter();
+    let keys: Vec<Key<Place>> = lanes.flat_map_iter(|lane| places(map, lane)).collect();
+    if keys.is_empty() {
+        return Ok(());
+    }
+    u32::try_from(keys.len()).map_err(|_| TooLarge::new("index_leaves"))?;
+    let places = ordered(keys);
+    let leaf = |lines: &mut Lines<'_>, places: &[Place]| leaf(lines, places, options);
+    let (leaves, boxes): (Vec<_>, Vec<_>) =
+        places.par_chunks(WIDTH).map_init(|| Lines::new(map), leaf).unzip();
+    let (levels, nodes) = stack(boxes, node);
+    rows.index_levels = levels.into();
+    rows.index_nodes = nodes.into();
+    rows.index_leaves = leaves.into();
+    Ok(())
+}
+
+/// The segments of a lane that have an area, to be ordered by their middles. Both sides of a jump have none between them.
+fn places(map: Map<'_>, lane: u32) -> Vec<Key<Place>> {
+    let row = map.lane_by_row(lane).filter(|lane| !lane.is_temporary());
+    let Some(line) = row.map(|lane| lane.center_line()) else { return Vec::new() };
+    let origin = map.local_origin();
+    let mut keys = Vec::with_capacity(line.len());
+    let (mut before, mut segment) = (None, 0);
+    for (s, position) in line.points() {
+        let here = (position.truncate() - origin, s);
+        if let Some((place, at)) = before.replace(here) {
+            if at != s {
+                keys.push(Key::new(place + here.0, Place { lane, segment }));
+            }
+            segment += 1;
+        }
+    }
+    keys
+}
+
+/// Both ends of a segment.
+fn ends(lines: &mut Lines<'_>, place: &Place) -> [DVec2; 2] {
+    let Some(lane) = lines.of(place.lane) else { return [DVec2::ZERO; 2] };
+    let first = usize::from(place.segment);
+    [first, first + 1]
+        .map(|i| lane.center.point(i).map_or(DVec2::ZERO, |point| point.place.truncate()))
+}
+
+impl Extent {
+    const NONE: Self = Self { reach: 0.0, overshoot: 0.0, z: [f64::INFINITY, f64::NEG_INFINITY] };
+
+    fn widened(self, margin: f64) -> Self {
+        Self {
+            reach: self.reach + margin,
+            overshoot: self.overshoot + margin,
+            z: [self.z[0] - margin, self.z[1] + margin],
+        }
+    }
+}
+
+/// The extent of a lane's area between two s. The area lies in the hull of both borders' stretches, and what is asked of
+/// it (how far to the sides, beyond the ends, up and down) is greatest at a point of theirs, or where they are cut.
+fn extent(borders: [Line<'_, '_>; 2], ends: [DVec2; 2], cuts: [f64; 2]) -> Extent {
+    let along = ends[1] - ends[0];
+    let length = along.length();
+    let mut extent = Extent::NONE;
+    for border in borders {
+        let mut visit = |p: DVec3| {
+            let away = p.truncate() - ends[0];
+            let (forward, sideways) = if length > 0.0 {
+                (away.dot(along) / length, away.perp_dot(along) / length)
+            } else {
+                (away.length(), away.length())
+            };
+            extent.reach = extent.reach.max(sideways.abs());
+            extent.overshoot = extent.overshoot.max(-forward).max(forward - length);
+            extent.z = [extent.z[0].min(p.z), extent.z[1].max(p.z)];
+        };
+        let from = border.points_before(cuts[0]);
+        let to = border.points_before(cuts[1].next_up());
+        (from..to).filter_map(|i| border.point(i)).for_each(|p| visit(p.place));
+        for (cut, i) in [(cuts[0], from), (cuts[1], to)] {
+            if let Some(p) = i.checked_sub(1).and_then(|i| border.point(i))
+                && let Some(q) = border.point(i)
+                && q.s > p.s
+            {
+                visit(p.place.lerp(q.place, clamp((cut - p.s) / (q.s - p.s), 0.0, 1.0)));
+            }
+        }
+    }
+    extent
+}
+
+/// A box in double precision: smallest x, y, z, largest x, y, z.
+type Bounds = [DVec3; 2];
+
+const EMPTY: Bounds = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+
+fn join(a: Bounds, b: Bounds) -> Bounds {
+    [a[0].min(b[0]), a[1].max(b[1])]
+}
+
+/// The box of an entry's area.
+fn bounds(e: &Entry) -> Bounds {
+    let along = (e.b - e.a).normalize_or_zero();
+    // Without a direction, both count in all directions.
+    let (forward, sideways) = if along == DVec2::ZERO {
+        (DVec2::splat(e.extent.overshoot), DVec2::splat(e.extent.reach))
+    } else {
+        (along.abs() * e.extent.overshoot, along.perp().abs() * e.extent.reach)
+    };
+    let around = forward + sideways;
+    let (low, high) = (e.a.min(e.b) - around, e.a.max(e.b) + around);
+    [low.extend(e.extent.z[0]), high.extend(e.extent.z[1])]
+}
+
+/// Where a leaf's segments are written from, and in which steps.
+struct Frame {
+    corner: [f32; 2],
+    step: f32,
+}
+
+impl Frame {
+    /// The frame in which all these places have numbers of 16 bits.
+    fn around(low: DVec2, high: DVec2) -> Self {
+        let corner = [low.x, low.y].map(round_down);
+        let span = (high - DVec2::from(corner.map(f64::from))).max_element();
+        // Divided by one number less than there are, so that rounding the quotient reaches none beyond.
+        let step = round_up(span / f64::from(u16::MAX - 1)).max(LEAST_STEP);
+        Self { corner, step }
+    }
+
+    /// A place in steps.
+    fn steps(&self, place: DVec2) -> [u16; 2] {
+        let away = place - DVec2::from(self.corner.map(f64::from));
+        (away / f64::from(self.step)).to_array().map(|steps| steps.round() as u16)
+    }
+
+    /// The place that so many steps stand for.
+    fn place(&self, steps: [u16; 2]) -> DVec2 {
+        let away = steps.map(|steps| f64::from(steps) * f64::from(self.step));
+        DVec2::from(self.corner.map(f64::from)) + DVec2::from(away)
+    }
+}
+
+/// Both ends of a segment in steps; never the same, so that each segment has a direction.
+fn ends_in_steps(frame: &Frame, ends: [DVec2; 2]) -> [[u16; 2]; 2] {
+    let [start, mut end] = ends.map(|end| frame.steps(end));
+    if start == end {
+        end[0] = if start[0] == u16::MAX { start[0] - 1 } else { start[0] + 1 };
+    }
+    [start, end]
+}
+
+/// A leaf and the box of all areas in it. How far an area reaches is told from its segment as it is written, so that
+/// writing it in steps loses nothing.
+fn leaf(
+    lines: &mut Lines<'_>,
+    places: &[Place],
+    options: &CompileOptions,
+) -> (IndexLeafRow, Bounds) {
+    let mut written = [[DVec2::ZERO; 2]; WIDTH];
+    let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+    for (written, place) in written.iter_mut().zip(places) {
+        *written = ends(lines, place);
+        low = low.min(written[0]).min(written[1]);
+        high = high.max(written[0]).max(written[1]);
+    }
+    let frame = Frame::around(low, high);
+    let mut row = IndexLeafRow {
+        x: frame.corner[0],
+        y: frame.corner[1],
+        z: 0.0,
+        step: frame.step,
+        lane: [NONE; WIDTH],
+        start_x: [0; WIDTH],
+        start_y: [0; WIDTH],
+        end_x: [1; WIDTH],
+        end_y: [0; WIDTH],
+        segment: [0; WIDTH],
+        reach: [0; WIDTH],
+        overshoot: [0; WIDTH],
+        z_low: [0; WIDTH],
+        z_high: [0; WIDTH],
+    };
+    let mut entries = Vec::with_capacity(WIDTH);
+    for (k, (place, ends)) in places.iter().zip(written).enumerate().take(WIDTH) {
+        let [start, end] = ends_in_steps(&frame, ends);
+        ([row.start_x[k], row.start_y[k]], [row.end_x[k], row.end_y[k]]) = (start, end);
+        entries.push(entry(lines, *place, [start, end].map(|end| frame.place(end)), options));
+    }
+    let lowest = entries.iter().map(|e| e.extent.z[0]).fold(f64::INFINITY, f64::min);
+    row.z = round_down(lowest);
+    let z = f64::from(row.z);
+    // A query has places relative to the corner in single precision.
+    let rounding = f64::from(frame.step) * f64::from(u16::MAX) * ROUNDING;
+    let mut all = EMPTY;
+    for (k, e) in entries.iter().enumerate() {
+        row.lane[k] = e.place.lane;
+        row.segment[k] = e.place.segment;
+        row.reach[k] = units((e.extent.reach + rounding) * REACH_UNITS);
+        row.overshoot[k] = units((e.extent.overshoot + rounding) * REACH_UNITS);
+        row.z_low[k] = ((e.extent.z[0] - z) * HEIGHT_UNITS).floor() as u16;
+        row.z_high[k] = units((e.extent.z[1] - z) * HEIGHT_UNITS);
+        all = join(all, bounds(e));
+    }
+    (row, all)
+}
+
+/// A segment between its ends as they are written.
+fn entry(
+    lines: &mut Lines<'_>,
+    place: Place,
+    [a, b]: [DVec2; 2],
+    options: &CompileOptions,
+) -> Entry {
+    let mut extent = Extent::NONE;
+    if let Some(lane) = lines.of(place.lane) {
+        let first = usize::from(place.segment);
+        let station = |i: usize| lane.center.point(i).map_or(0.0, |point| point.s);
+        extent = self::extent(lane.borders, [a, b], [first, first + 1].map(station));
+    }
+    let margin = 2.0 * options.bound_tolerance + REACH_MARGIN;
+    Entry { a, b, extent: extent.widened(margin), place }
+}
+
+/// To single precision, never larger.
+fn round_down(value: f64) -> f32 {
+    -round_up(-value)
+}
+
+/// Rounded up; the largest value, which stands for any distance, where it does not fit. (Casts saturate.)
+fn units(value: f64) -> u16 {
+    value.ceil() as u16
+}
+
+/// A node over the boxes of its children.
+fn node(children: &[Bounds]) -> (IndexNodeRow, Bounds) {
+    // Empty boxes: nothing is near them, and every number stays finite.
+    let mut row = IndexNodeRow {
+        min_x: [f32::MAX; WIDTH],
+        min_y: [f32::MAX; WIDTH],
+        max_x: [f32::MIN; WIDTH],
+        max_y: [f32::MIN; WIDTH],
+        min_z: [f32::MAX; WIDTH],
+        max_z: [f32::MIN; WIDTH],
+    };
+    let mut all = EMPTY;
+    for (k, child) in children.iter().enumerate().take(WIDTH) {
+        let margin = child[0].abs().max(child[1].abs()).max_element() * ROUNDING;
+        row.min_x[k] = -round_up(-(child[0].x - margin));
+        row.min_y[k] = -round_up(-(child[0].y - margin));
+        row.max_x[k] = round_up(child[1].x + margin);
+        row.max_y[k] = round_up(child[1].y + margin);
+        row.min_z[k] = -round_up(-(child[0].z - margin));
+        row.max_z[k] = round_up(child[1].z + margin);
+        all = join(all, *child);
+    }
+    (row, all)
+}

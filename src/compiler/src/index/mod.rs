@@ -1,0 +1,10 @@
+//! The packed spatial indexes: of lanes, objects and signals.
+
+mod lanes;
+mod objects;
+mod packed;
+mod signals;
+
+pub(crate) use lanes::build as lanes;
+pub(crate) use objects::build as objects;
+pub(crate) use signals::build as signals;

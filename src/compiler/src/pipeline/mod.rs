@@ -1,0 +1,329 @@
+//! The single path: a document is read and lowered part by part, its ids resolved, its lanes sampled, its graph completed.
+
+mod hashing;
+mod part;
+mod rounds;
+mod stream;
+
+use crate::draft::Draft;
+use crate::findings::{too_large, too_many_ids, too_many_overlaps, unfit};
+use crate::options::{CompileOptions, ReadOptions};
+use crate::quarantine::{Cause, Exclusions, QuarantinedPart, Units};
+use crate::report::{Collector, Compilation, Diagnostic, Progress, Verdict, Version};
+use crate::without::Without;
+use crate::{frame, graph, index, objects, resolve, sample, signals};
+use hashing::HashingReader;
+use mapd_archive::{Provenance, Rows};
+use mapd_rules::Checker;
+use mapd_xodr::source::{Inputs, Places};
+use mapd_xodr::{Item, Reader};
+use part::{Element, Plan};
+use std::collections::VecDeque;
+use std::io::{self, Read};
+use std::path::PathBuf;
+use std::sync::Arc;
+use stream::{Next, Stream};
+
+/// As [`crate::compile_with`].
+pub(crate) fn compile_once(
+    input: impl Read + Send,
+    reading: &ReadOptions,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Compilation> {
+    let round = round(input, reading, &Exclusions::default(), options, progress)?;
+    build(round.rows, round.compilation, reading, options, progress)
+}
+
+/// As [`crate::compile_from`].
+pub(crate) fn compile<R: Read + Send>(
+    open: &mut dyn FnMut() -> io::Result<R>,
+    reading: &ReadOptions,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Compilation> {
+    let (rows, compilation) = rounds::read(open, reading, options, progress)?;
+    build(rows, compilation, reading, options, progress)
+}
+
+/// As [`crate::check`].
+pub(crate) fn check_once(
+    input: impl Read + Send,
+    reading: &ReadOptions,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Compilation> {
+    Ok(round(input, reading, &Exclusions::default(), options, progress)?.compilation)
+}
+
+/// As [`crate::check_with`].
+pub(crate) fn check<R: Read + Send>(
+    open: &mut dyn FnMut() -> io::Result<R>,
+    reading: &ReadOptions,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Compilation> {
+    Ok(rounds::read(open, reading, options, progress)?.1)
+}
+
+/// Builds the index of a map that is not rejected.
+fn build(
+    rows: Option<Rows>,
+    mut compiled: Compilation,
+    reading: &ReadOptions,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Compilation> {
+    compiled.provenance.options_hash = reading.hash(options);
+    if let Some(mut rows) = rows.filter(|_| compiled.verdict != Verdict::Rejected) {
+        progress(Progress::Indexing { bytes: rows.points.len() });
+        index::objects(&mut rows);
+        index::signals(&mut rows);
+        match index::lanes(&mut rows, options) {
+            Ok(()) => compiled.rows = Some(rows),
+            Err(error) => {
+                let finding = too_large(&error);
+                let file = "".into();
+                let told = Diagnostic { finding, rejects: true, file, line: 1, column: 1 };
+                compiled.diagnostics.insert(0, told);
+                compiled.quarantined.clear();
+                compiled.verdict = Verdict::Rejected;
+            }
+        }
+    }
+    Ok(compiled)
+}
+
+/// What reading a document once yields.
+struct Round {
+    /// Tables but for the index; none where something is wrong.
+    rows: Option<Rows>,
+    compilation: Compilation,
+    causes: Vec<Cause>,
+    units: Units,
+    /// Number of roads in the map.
+    roads: usize,
+    /// Their length together `[m]`.
+    length: f64,
+}
+
+/// Reads a document without some parts, samples lanes and completes the lane graph.
+fn round(
+    input: impl Read + Send,
+    reading: &ReadOptions,
+    without: &Exclusions,
+    options: &CompileOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Round> {
+    let mut document = read(input, reading, (without, options.without), progress)?;
+    let roads = document.draft.rows.roads.len();
+    let length = document.draft.rows.roads.iter().map(|road| road.length).sum();
+    let rows = document.sample(options, progress)?;
+    let files = included(&document.places).collect();
+    let (mut compilation, causes, units) =
+        document.collector.finish(document.provenance, document.version, document.quarantined);
+    compilation.included = files;
+    compilation.missing = document.places.missing();
+    Ok(Round { rows, compilation, causes, units, roads, length })
+}
+
+/// A document that has been read and checked, and whose links are resolved.
+struct Document {
+    draft: Draft,
+    /// What the file says about the lane graph.
+    graph: graph::Written,
+    /// What the file says about signals.
+    signals: resolve::Resolved,
+    collector: Collector,
+    places: Places,
+    provenance: Provenance,
+    version: Version,
+    /// Parts that were left out.
+    quarantined: Vec<QuarantinedPart>,
+}
+
+impl Document {
+    /// Samples lanes and completes the lane graph, which may find more that is wrong; none for a rejected map.
+    fn sample(
+        &mut self,
+        options: &CompileOptions,
+        progress: &mut dyn FnMut(Progress),
+    ) -> io::Result<Option<Rows>> {
+        if self.collector.is_rejected() {
+            return Ok(None);
+        }
+        let mut draft = std::mem::take(&mut self.draft);
+        progress(Progress::Sampling { lanes: draft.rows.lanes.len() });
+        let mut findings = Vec::new();
+        let frame = frame::apply(&mut draft, &mut self.signals, options, &mut findings);
+        self.collector.add_late(findings, &self.places);
+        if self.collector.is_rejected() {
+            return Ok(None);
+        }
+        let placed = draft.placed.clone();
+        let written = std::mem::take(&mut draft.objects);
+        let road_spans = std::mem::take(&mut draft.links.road_spans);
+        let mut rows = resolve::tables(draft, options);
+        let allowance = sample::Allowance::of(&rows);
+        let lanes = match sample::lanes(&mut rows, options, &allowance) {
+            Ok(_) if allowance.is_exceeded() => {
+                self.collector.add_late(vec![allowance.finding()], &self.places);
+                return Ok(None);
+            }
+            Ok(lanes) => lanes,
+            Err(error) => {
+                self.collector.add_late(vec![too_large(&error)], &self.places);
+                return Ok(None);
+            }
+        };
+        let lost = lanes.iter().map(|lane| unfit(&rows, *lane, &road_spans)).collect::<Vec<_>>();
+        if !lost.is_empty() {
+            self.collector.add_late(lost, &self.places);
+            return Ok(None);
+        }
+        progress(Progress::Graph { nodes: rows.lane_nodes.len() });
+        let mut findings =
+            graph::complete(&mut rows, &self.graph, options, &self.collector.settings);
+        graph::rings(&mut rows);
+        frame::complete(&mut rows, &placed, frame.as_ref(), options, &mut findings);
+        self.collector.add_late(findings, &self.places);
+        match objects::build(&mut rows, written, options) {
+            Ok(findings) => self.collector.add_late(findings, &self.places),
+            Err(error) => self.collector.add_late(vec![too_large(&error)], &self.places),
+        }
+        let findings = signals::complete(&mut rows, &self.signals, options);
+        self.collector.add_late(findings, &self.places);
+        Ok(Some(rows).filter(|_| !self.collector.is_rejected()))
+    }
+}
+
+/// Reads and checks a document without some parts and resolves its links.
+fn read(
+    input: impl Read + Send,
+    reading: &ReadOptions,
+    (without, extras): (&Exclusions, Without),
+    progress: &mut dyn FnMut(Progress),
+) -> io::Result<Document> {
+    let mut hashing = HashingReader::new(input);
+    let ontology = Arc::new(reading.ontology.clone());
+    let mut draft = Draft::new(Arc::clone(&ontology), extras);
+    let mut collector = Collector::new(without, &reading.rules);
+    let mut quarantined = Vec::new();
+    let (places, version, mut checker, read) = {
+        let mut inputs = Inputs::new(reading.limits.source);
+        if let Some(folder) = &reading.include_folder {
+            inputs = inputs.with_include_folder(folder);
+        }
+        let source = inputs.open(Box::new(&mut hashing), "");
+        let reader = Reader::with_source(inputs, source, reading.limits);
+        let mut stream = Stream::new(reader, reading.batch_bytes);
+        let places = stream.reader.places().clone();
+        let mut checker = Checker::new(&reading.rules);
+        // What was lowered on other threads, and the roads before it.
+        let (mut elements, mut before) = (VecDeque::new(), 0);
+        loop {
+            // What is left out is so before anything looks at it.
+            let plan =
+                || without.is_empty().then(|| Plan::new(&checker, &ontology, &places, extras));
+            let Some(next) = stream.next(&plan)? else { break };
+            let read = stream.reader.take_findings();
+            let mut checked = Vec::new();
+            let mut roads = None;
+            match next {
+                Next::Part(part) => {
+                    before = draft.roads();
+                    checker.add_network(part.network);
+                    collector.append_units(part.units);
+                    draft.append(part.draft);
+                    elements = part.elements;
+                    collector.add_read(read, checked, &places, without);
+                    continue;
+                }
+                Next::Lowered => {
+                    let mut element: Element = elements.pop_front().unwrap_or_default();
+                    checker.examined(element.examined);
+                    checked = checker.take_findings();
+                    checked.append(&mut element.built);
+                    roads = Some(before + element.roads);
+                }
+                Next::Item(item) => {
+                    collector.add_units(&item);
+                    if let Some(mut item) = without.filter(item, &mut quarantined) {
+                        let line = match &item {
+                            // What refers to its lanes and links is seen as if it were not there.
+                            Item::Road(road) if without.is_bare(road.span.start) => {
+                                checker.item_apart(&mut item)
+                            }
+                            _ => checker.item(&mut item),
+                        };
+                        checked = checker.take_findings();
+                        part::lower(&mut draft, (item, &line), &places, &mut checked);
+                    }
+                }
+            }
+            collector.add_read(read, checked, &places, without);
+            let (bytes, roads) = (stream.reader.bytes_read(), roads.unwrap_or(draft.roads()));
+            progress(Progress::Reading { bytes, roads });
+        }
+        let reader = &mut stream.reader;
+        let stated = reader.stated_version().to_owned();
+        let version = Version { stated, checked: reader.checked_version() };
+        draft.annotate_root(reader.extensions().as_slice(), &places);
+        (places, version, checker, reader.take_findings())
+    };
+    progress(Progress::Linking { roads: draft.roads() });
+    let mut late = Vec::new();
+    let whole = checker.whole();
+    let lacks_ids = whole.lacks_ids();
+    let (examined, signals) = rayon::join(
+        || part::examine(&whole),
+        || {
+            draft.finish_reading(&mut late);
+            resolve::links(&mut draft, without, &mut late);
+            resolve::groups(&mut draft);
+            resolve::signals(&mut draft, &places, &mut late)
+        },
+    );
+    if whole.has_more_overlaps() {
+        late.push(too_many_overlaps());
+    }
+    checker.end(whole, examined);
+    collector.add_read(read, checker.take_findings(), &places, without);
+    if lacks_ids {
+        late.push(too_many_ids());
+    }
+    collector.add(late, &places);
+    let mut graph = graph::Written::default();
+    if !collector.is_rejected() {
+        let mut late = Vec::new();
+        graph = graph::build(&mut draft, &places, &collector.settings, &mut late)
+            .map_err(io::Error::other)?;
+        collector.add_late(late, &places);
+    }
+    let most = reading.limits.source.decoded_bytes;
+    let input_hash = match hashing.finish(included(&places), most)? {
+        Some(hash) => hash,
+        // Nothing is made of it that the hash would have to name.
+        None if collector.is_rejected() => [0; 32],
+        None => {
+            return Err(io::Error::other(format!("more than {most} bytes follow the document")));
+        }
+    };
+    let provenance =
+        Provenance { input_hash, options_hash: [0; 8], compiler_version: compiler_version() };
+    resolve::annotations(&mut draft, &places, reading.include_folder.as_deref());
+    resolve::quarantined(&mut draft, &quarantined);
+    Ok(Document { draft, graph, signals, collector, places, provenance, version, quarantined })
+}
+
+/// The files that the document included, in the order in which it did.
+fn included(places: &Places) -> impl Iterator<Item = PathBuf> {
+    let start = |file: usize| Places::start(u16::try_from(file).unwrap_or(u16::MAX), 0);
+    (1..places.files()).map(move |file| PathBuf::from(&*places.place(start(file)).file))
+}
+
+/// This crate's version as numbers.
+fn compiler_version() -> [u16; 3] {
+    let mut parts = env!("CARGO_PKG_VERSION").split('.').map(|part| part.parse().unwrap_or(0));
+    std::array::from_fn(|_| parts.next().unwrap_or(0))
+}

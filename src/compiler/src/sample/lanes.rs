@@ -1,0 +1,298 @@
+//! Samples every lane's centre line and border, through the queries that will answer later.
+
+use super::allowance::Allowance;
+use super::cuts::{Cuts, Memory};
+use super::flatten::{Curve, Fault, Sample, flatten};
+use crate::findings::TooLarge;
+use crate::options::CompileOptions;
+use glam::DVec3;
+use mapd_archive::{Archive, Header, LaneRow, PointCode, Rows, SectionRow};
+use mapd_query::{Lane, LaneEdges, Map};
+use rayon::prelude::*;
+use std::collections::HashMap;
+
+/// Sections that one task samples; small enough to share work evenly, large enough to be worth a task.
+const SECTIONS_PER_TASK: usize = 16;
+
+/// Share of the index' tolerance that centre lines use up. Shorter segments have sharper rectangles around them, but there are
+/// more of them: of shares from 0.25 to 1, with this one queries on the carried town take the fewest instructions.
+const INDEX_SHARE: f64 = 0.75;
+
+/// Share of the tolerances that writing points in few bits may use up: their steps are at most this share of the smaller
+/// one, so that a point is off by less than √3/2 of that.
+const ROUNDING_SHARE: f64 = 1.0 / 16.0;
+
+/// The sampled lines of some sections.
+struct Lines {
+    /// One for each section.
+    frames: Vec<Frame>,
+    lanes: Vec<Line>,
+    /// Stations, section by section.
+    stations: Vec<f32>,
+    /// Centre line and border as they are written, lane by lane.
+    bytes: Vec<u8>,
+    /// Lanes whose lines have too many points, or points that cannot be written.
+    unfit: Vec<u32>,
+    /// Smallest and largest coordinates of any point.
+    bounds: [DVec3; 2],
+}
+
+/// What the points of a section count from, and how they are written.
+#[derive(Clone, Copy, Default)]
+struct Frame {
+    origin: [f32; 3],
+    code: PointCode,
+    /// Number of its stations.
+    stations: usize,
+}
+
+/// What the points of one lane are.
+struct Line {
+    lane: u32,
+    /// Points of the centre line.
+    center: usize,
+    /// Points of the border, which follow.
+    border: usize,
+    /// Bytes of both.
+    bytes: usize,
+}
+
+/// Fills `point_stations`, `points`, what sections and lanes say of them, and the map's bounds. Sections are sampled in parallel and
+/// joined in order. Yields lanes whose lines have more points than lines may have, or such as cannot be written; of a section with such a lane, not all lanes are
+/// looked at. Where the allowance is exceeded, nothing of it is of use.
+pub(crate) fn sample(
+    rows: &mut Rows,
+    options: &CompileOptions,
+    allowance: &Allowance,
+) -> Result<Vec<u32>, TooLarge> {
+    let lines: Vec<Lines> = {
+        let archive = view(rows);
+        let map = Map::new(&archive, 0);
+        let numbers: Vec<u32> = (0..rows.sections.len() as u32).collect();
+        let chunks = numbers.par_chunks(SECTIONS_PER_TASK);
+        chunks.map(|sections| lines(map, sections, options, allowance)).collect()
+    };
+    let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    if allowance.is_exceeded() {
+        return Ok(Vec::new());
+    }
+    rows.points.reserve_exact(lines.iter().map(|lines| lines.bytes.len()).sum());
+    let mut unfit = Vec::new();
+    let mut sections = 0;
+    // Equal sections have equal stations: each sequence is written once.
+    let mut known: HashMap<Vec<u32>, u32> = HashMap::new();
+    for lines in lines {
+        let mut stations = lines.stations.as_slice();
+        for frame in &lines.frames {
+            let row: &mut SectionRow = &mut rows.sections[sections];
+            [row.x, row.y, row.z] = frame.origin;
+            row.set_point_code(frame.code);
+            let (own, others) = stations.split_at(frame.stations);
+            let first = u32::try_from(rows.point_stations.len());
+            let first = first.map_err(|_| TooLarge::new("point_stations"))?;
+            let key = own.iter().map(|s| s.to_bits()).collect();
+            row.first_station = *known.entry(key).or_insert_with(|| {
+                rows.point_stations.extend_from_slice(own);
+                first
+            });
+            stations = others;
+            sections += 1;
+        }
+        let mut first = rows.points.len();
+        rows.points.extend_from_slice(&lines.bytes);
+        for line in &lines.lanes {
+            let Ok(first_byte) = u32::try_from(first) else {
+                return Err(TooLarge::at_lane("points", rows, line.lane));
+            };
+            first += line.bytes;
+            let row: &mut LaneRow = &mut rows.lanes[line.lane as usize];
+            row.first_byte = first_byte;
+            // Longer ones are among `unfit`.
+            (row.center_count, row.border_count) = (line.center as u16, line.border as u16);
+        }
+        unfit.extend(lines.unfit);
+        low = low.min(lines.bounds[0]);
+        high = high.max(lines.bounds[1]);
+    }
+    if let Some(map) = rows.map.first_mut().filter(|_| low.is_finite() && high.is_finite()) {
+        (map.min_x, map.min_y, map.min_z) = (low.x + map.origin_x, low.y + map.origin_y, low.z);
+        (map.max_x, map.max_y, map.max_z) = (high.x + map.origin_x, high.y + map.origin_y, high.z);
+    }
+    Ok(unfit)
+}
+
+/// Unfinished rows, seen as an archive.
+pub(crate) fn view(rows: &Rows) -> Archive<'_> {
+    Archive { header: Header::default(), tables: rows.as_tables() }
+}
+
+/// Samples the lanes of some sections.
+fn lines(map: Map<'_>, sections: &[u32], options: &CompileOptions, allowance: &Allowance) -> Lines {
+    let mut lines = Lines {
+        frames: Vec::with_capacity(sections.len()),
+        lanes: Vec::new(),
+        stations: Vec::new(),
+        bytes: Vec::new(),
+        unfit: Vec::new(),
+        bounds: [DVec3::INFINITY, DVec3::NEG_INFINITY],
+    };
+    let mut memory = Memory::new();
+    let mut sampled = Sampled::default();
+    for section in sections {
+        sampled.samples.clear();
+        let before = lines.lanes.len();
+        let section = map.section_by_row(*section);
+        let cuts = section.and_then(|section| Some((section, Cuts::new(section, &mut memory)?)));
+        let start = section.map_or(0.0, |section| section.s_start());
+        if let Some((section, mut cuts)) = cuts {
+            let unfit = lines.unfit.len();
+            for (at, lane) in section.lanes().enumerate() {
+                if lines.unfit.len() > unfit || allowance.is_exceeded() {
+                    break;
+                }
+                let samples = sampled.samples.len();
+                let along = (&mut cuts, at);
+                if line(&lane, along, options, &mut sampled, &mut lines).is_err() {
+                    sampled.samples.truncate(samples);
+                    lines.unfit.push(lane.lane_id().row());
+                }
+                allowance.take(sampled.samples.len() - samples);
+            }
+        }
+        write(&mut sampled, start, options, before, &mut lines);
+    }
+    lines.bytes.shrink_to_fit();
+    lines
+}
+
+/// What is sampled of one section, and room to work in.
+#[derive(Default)]
+struct Sampled {
+    /// Centre line and border, lane by lane.
+    samples: Vec<Sample>,
+    line: Vec<Sample>,
+    stations: Vec<f32>,
+}
+
+/// Samples the lane that is the `at`-th of its section from the left.
+///
+/// Errors: as those of [`flatten`].
+fn line(
+    lane: &Lane<'_>,
+    (cuts, at): (&mut Cuts<'_, '_>, usize),
+    options: &CompileOptions,
+    sampled: &mut Sampled,
+    lines: &mut Lines,
+) -> Result<(), Fault> {
+    let breaks = breaks(lane);
+    let row = lane.lane_id().row();
+    let before = sampled.samples.len();
+    if lane.number() != 0 {
+        let mut curve = LaneCurve { cuts, lane: at, t: LaneEdges::center };
+        flatten(&breaks, INDEX_SHARE * options.index_tolerance, &mut curve, &mut sampled.line)?;
+        sampled.samples.append(&mut sampled.line);
+    }
+    let center = sampled.samples.len() - before;
+    let mut curve = LaneCurve { cuts, lane: at, t: |edges: LaneEdges| edges.outer };
+    let tolerance = (1.0 - ROUNDING_SHARE) * options.bound_tolerance;
+    flatten(&breaks, tolerance, &mut curve, &mut sampled.line)?;
+    let border = sampled.line.len();
+    for sample in &sampled.line {
+        let [low, high] = lines.bounds;
+        lines.bounds = [low.min(sample.position), high.max(sample.position)];
+    }
+    sampled.samples.append(&mut sampled.line);
+    lines.lanes.push(Line { lane: row, center, border, bytes: 0 });
+    Ok(())
+}
+
+/// Writes the points of a section, of whose lanes the first is the `before`-th of all.
+fn write(
+    sampled: &mut Sampled,
+    s_start: f64,
+    options: &CompileOptions,
+    before: usize,
+    lines: &mut Lines,
+) {
+    let Sampled { samples, stations, .. } = sampled;
+    let station = |sample: &Sample| (sample.s - s_start) as f32;
+    stations.clear();
+    stations.extend(samples.iter().map(station));
+    stations.sort_by(f32::total_cmp);
+    stations.dedup();
+    let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    for sample in samples.iter() {
+        (low, high) = (low.min(sample.position), high.max(sample.position));
+    }
+    let step = ROUNDING_SHARE * options.index_tolerance.min(options.bound_tolerance);
+    let origin = low.to_array().map(round_down);
+    let from = DVec3::from_array(origin.map(f64::from));
+    let code = PointCode::fitting((high - from).to_array(), stations.len(), step);
+    // Where 128 bits are not enough for a point, steps are larger than the tolerances allow.
+    let is_fine = |code: &PointCode| from.is_finite() && code.error() <= step;
+    let Some(code) = code.filter(|code| !samples.is_empty() && is_fine(code)) else {
+        // Nothing could be sampled, or nothing that can be written.
+        let lost = lines.lanes.drain(before..).map(|line| line.lane);
+        lines.unfit.extend(lost);
+        let (code, none) = (PointCode::fitting([0.0; 3], 0, step), [0.0; 3]);
+        let code = code.unwrap_or_default();
+        lines.frames.push(Frame { origin: none, code, stations: 0 });
+        return;
+    };
+    lines.frames.push(Frame { origin, code, stations: stations.len() });
+    let mut rest = samples.as_slice();
+    for line in lines.lanes.iter_mut().skip(before) {
+        let (own, others) = rest.split_at(line.center + line.border);
+        for sample in own {
+            let at = stations.partition_point(|s| s.total_cmp(&station(sample)).is_lt());
+            code.write((sample.position - from).to_array(), at as u32, &mut lines.bytes);
+        }
+        line.bytes = own.len() * code.bytes();
+        rest = others;
+    }
+    lines.stations.extend_from_slice(stations);
+}
+
+/// The largest number of single precision that is not above this.
+fn round_down(value: f64) -> f32 {
+    let near = value as f32;
+    if f64::from(near) > value { near.next_down() } else { near }
+}
+
+/// A line along a lane, between its edges.
+struct LaneCurve<'c, 'm, 'a, T> {
+    cuts: &'c mut Cuts<'m, 'a>,
+    /// Counted from the left.
+    lane: usize,
+    t: T,
+}
+
+impl<T: Fn(LaneEdges) -> f64> Curve for LaneCurve<'_, '_, '_, T> {
+    #[inline]
+    fn at(&mut self, s: f64) -> Option<DVec3> {
+        self.cuts.place(self.lane, s, &self.t)
+    }
+
+    fn is_straight(&mut self, from: f64, to: f64) -> bool {
+        self.cuts.is_straight(self.lane, from, to)
+    }
+
+    fn arc(&mut self, from: f64, to: f64) -> Option<f64> {
+        self.cuts.arc(self.lane, from, to)
+    }
+}
+
+/// Every s of the lane's section at which some record that shapes it begins, with both ends.
+fn breaks(lane: &Lane<'_>) -> Vec<f64> {
+    let section = lane.section();
+    let (start, end) = (section.s_start(), section.s_end());
+    let mut breaks: Vec<f64> = lane.shape_breaks().filter(|s| *s > start && *s < end).collect();
+    breaks.push(start);
+    breaks.push(end);
+    breaks.sort_by(f64::total_cmp);
+    breaks.dedup();
+    if breaks.len() == 1 {
+        breaks.push(end);
+    }
+    breaks
+}
