@@ -3,7 +3,7 @@
 use mapd::serve::{PublishMeta, Server, StopSignal};
 use mapd_benches::{best, maps, percentiles, print};
 use mapd_client::Domain;
-use mapd_client::transport::Subscription;
+use mapd_transport::Subscription;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};

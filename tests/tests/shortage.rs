@@ -5,13 +5,13 @@
 //! where that is not allowed.
 
 use iceoryx2::prelude::{NodeBuilder, ServiceName, SignalHandlingMode};
-use mapd_client::transport::{
-    AttachError, Chunk64, GenerationInfo, MAX_SUBSCRIBERS, Subscription, TransportService,
-    iceoryx2_config, service_name, wake_name,
-};
 use mapd_client::{Attach, Client, ClientError};
 use mapd_tests::place::{PATIENCE, Place};
 use mapd_tests::say;
+use mapd_transport::{
+    AttachError, Chunk64, GenerationInfo, MAX_SUBSCRIBERS, Subscription, TransportService,
+    iceoryx2_config, service_name, wake_name,
+};
 use std::fs::File;
 use std::os::unix::fs::FileExt;
 use std::path::{Path, PathBuf};
@@ -315,7 +315,7 @@ fn another_transport_revision_is_told_so() {
     let record = File::options().read(true).write(true).open(root.join("town.published"));
     let (record, mut revision) = (record.expect("the record"), [0; 4]);
     record.read_exact_at(&mut revision, 8).expect("a revision");
-    assert_eq!(u32::from_le_bytes(revision), mapd_client::transport::TRANSPORT_REVISION);
+    assert_eq!(u32::from_le_bytes(revision), mapd_transport::TRANSPORT_REVISION);
     record.write_all_at(&99_u32.to_le_bytes(), 8).expect("written");
     for entry in std::fs::read_dir(root.join("services")).expect("services").flatten() {
         std::fs::remove_file(entry.path()).expect("removed");
@@ -340,7 +340,7 @@ fn other_limits_of_a_living_client_are_told() {
     for map_service in [true, false] {
         let domain = place.domain();
         let config = iceoryx2_config(&domain).expect("a configuration");
-        let presence = mapd_client::transport::Presence::enter(&domain).expect("present");
+        let presence = mapd_transport::Presence::enter(&domain).expect("present");
         let node = NodeBuilder::new()
             .config(&config)
             .signal_handling_mode(SignalHandlingMode::Disabled)

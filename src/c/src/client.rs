@@ -4,7 +4,7 @@ use crate::code::{Failure, answer, mapd_code, mapd_error};
 use crate::list::{close, get, hand_out, put, put_some};
 use crate::snapshot::mapd_snapshot;
 use crate::text::{given, given_or_null};
-use ::mapd_client::transport::AttachError;
+use ::mapd_client::AttachError;
 use ::mapd_client::{Client, ClientError, Domain};
 use std::ffi::c_char;
 use std::sync::Arc;

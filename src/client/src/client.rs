@@ -2,9 +2,9 @@
 
 use crate::error::ClientError;
 use crate::snapshot::Snapshot;
-use crate::transport::{
-    AttachError, AttachTiming, Domain, Observer, Pinned, Subscription, after, heartbeat_age,
-};
+use mapd_transport::{AttachError, Domain, GenerationInfo, Observer, Pinned, after};
+#[cfg(feature = "subscriber")]
+use mapd_transport::{AttachTiming, Subscription};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -18,14 +18,16 @@ pub enum Attach {
     /// [`Client::heartbeat_age`].
     #[default]
     Observer,
-    /// Takes part in iceoryx2, as one of at most [`crate::transport::MAX_SUBSCRIBERS`] subscriptions of a map, which the daemon counts and
-    /// cleans up after. Attaches only while a daemon serves the map.
+    /// Takes part in iceoryx2, as one of at most 64 subscriptions of a map, which the daemon counts and cleans up after. Attaches only
+    /// while a daemon serves the map. With the feature `subscriber`.
+    #[cfg(feature = "subscriber")]
     Subscriber,
 }
 
 /// Where generations come from.
 enum Source {
     Observer(Observer),
+    #[cfg(feature = "subscriber")]
     Subscriber(Box<Subscription>),
 }
 
@@ -33,6 +35,7 @@ impl Source {
     fn newer_than(&self, than: u64) -> Result<Option<Pinned>, AttachError> {
         match self {
             Self::Observer(observer) => observer.newer_than(than),
+            #[cfg(feature = "subscriber")]
             Self::Subscriber(subscription) => subscription.newer_than(than),
         }
     }
@@ -40,6 +43,7 @@ impl Source {
     fn wait_newer(&self, than: u64, until: Instant) -> Result<Pinned, AttachError> {
         match self {
             Self::Observer(observer) => observer.wait_newer(than, until),
+            #[cfg(feature = "subscriber")]
             Self::Subscriber(subscription) => subscription.wait_newer(than, until),
         }
     }
@@ -60,7 +64,7 @@ impl Client {
     ///
     /// Errors: what was missing when the deadline passed, or why the archive cannot be read.
     pub fn connect(map: &str, deadline: Duration) -> Result<Self, ClientError> {
-        let domain = Domain::from_env().map_err(crate::transport::AttachError::from)?;
+        let domain = Domain::from_env().map_err(AttachError::from)?;
         Self::connect_in(&domain, map, deadline)
     }
 
@@ -81,6 +85,7 @@ impl Client {
         let until = after(deadline);
         let source = match attach {
             Attach::Observer => Source::Observer(Observer::connect(domain, map, until)?),
+            #[cfg(feature = "subscriber")]
             Attach::Subscriber => {
                 Source::Subscriber(Box::new(Subscription::connect(domain, map, until)?))
             }
@@ -92,6 +97,7 @@ impl Client {
     /// it serves.
     ///
     /// Errors: as [`Client::connect_in`].
+    #[cfg(feature = "subscriber")]
     #[doc(hidden)]
     pub fn connect_in_reserve(
         domain: &Domain,
@@ -119,6 +125,7 @@ impl Client {
     pub fn attachment(&self) -> Attach {
         match self.source {
             Source::Observer(_) => Attach::Observer,
+            #[cfg(feature = "subscriber")]
             Source::Subscriber(_) => Attach::Subscriber,
         }
     }
@@ -128,7 +135,7 @@ impl Client {
     /// small file in shared memory; the clock is the monotonic one, which stands still while the machine sleeps, so that a daemon and a client in
     /// different time namespaces cannot tell.
     pub fn heartbeat_age(&self) -> Option<Duration> {
-        heartbeat_age(&self.domain, &self.name)
+        mapd_transport::heartbeat_age(&self.domain, &self.name)
     }
 
     /// Name of the map.
@@ -136,7 +143,9 @@ impl Client {
         &self.name
     }
 
-    /// Where the time of attaching went, of a subscriber; an observer has no phases.
+    /// Where the time of attaching went, of a subscriber; an observer has no phases. For benchmarks.
+    #[cfg(feature = "subscriber")]
+    #[doc(hidden)]
     pub fn attach_timing(&self) -> Option<AttachTiming> {
         match &self.source {
             Source::Observer(_) => None,
@@ -195,9 +204,10 @@ impl Client {
         Ok(snapshot)
     }
 
-    /// The process that serves the map now: see [`crate::transport::served_by`].
+    /// Process id of the daemon that serves the map now, in its own process namespace; 0 if it lives but has not said; `None` if nobody serves it, or
+    /// it cannot be looked at.
     pub fn served_by(&self) -> Option<u32> {
-        crate::transport::served_by(&self.domain, &self.name)
+        mapd_transport::served_by(&self.domain, &self.name)
     }
 
     /// Waits at most `deadline` for the generation of this number and returns it: processes that must change over together
@@ -223,8 +233,8 @@ impl Client {
 
     /// The generation that is staged: verified, in shared memory, and served once `mapd activate` is called; `None` if there
     /// is none.
-    pub fn pending(&self) -> Option<crate::transport::GenerationInfo> {
-        crate::transport::pending(&self.domain, &self.name)
+    pub fn pending(&self) -> Option<GenerationInfo> {
+        mapd_transport::pending(&self.domain, &self.name)
     }
 
     /// Keeps the newer of two generations: threads may race here.

@@ -1,7 +1,7 @@
 //! Why a map cannot be had.
 
-use crate::transport::AttachError;
 use mapd_archive::{OpenError, VerifyError};
+use mapd_transport::AttachError;
 use std::path::PathBuf;
 use thiserror::Error;
 

@@ -3,7 +3,7 @@
 use crate::client::Client;
 use crate::error::ClientError;
 use crate::snapshot::Snapshot;
-use crate::transport::{AttachError, after};
+use mapd_transport::{AttachError, after};
 use std::fmt;
 use std::time::{Duration, Instant};
 

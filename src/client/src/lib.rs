@@ -4,6 +4,8 @@
 //! readable while it is held, whatever the daemon does, and many threads query it without locks. [`Snapshot::open`] maps
 //! a `.mapd` file as the same thing, so that planner tests need no daemon.
 //!
+//! Without the feature `subscriber`, which is on by default, iceoryx2 is not built: what is left are observers, files and bytes.
+//!
 //! Invariants: attaching validates in constant time; every wait has a deadline; no signal handlers, no threads, no
 //! output, no configuration read from the working directory. Deliberately absent: XML, compiling, publishing.
 //!
@@ -27,7 +29,6 @@ mod error;
 mod events;
 mod file;
 mod snapshot;
-pub mod transport;
 #[cfg(feature = "trust")]
 mod trust;
 
@@ -36,7 +37,7 @@ pub use error::ClientError;
 pub use events::{Events, MapEvent};
 pub use mapd_archive as archive;
 pub use mapd_query::*;
+pub use mapd_transport::{AttachError, Domain, DomainError, GenerationInfo};
 pub use snapshot::Snapshot;
-pub use transport::{AttachError, Domain};
 #[cfg(feature = "trust")]
 pub use trust::{SIGNATURE_SUFFIX, TrustError, TrustedKey, read_signature, signature_path};

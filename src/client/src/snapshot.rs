@@ -3,17 +3,16 @@
 
 use crate::error::ClientError;
 use crate::file;
-use crate::transport::{AttachError, Pinned};
 use mapd_archive::{AlignedBytes, Archive, open, verify};
 use mapd_query::Map;
-use memmap2::Mmap;
+use mapd_transport::{AttachError, Mapping, Pinned};
 use std::path::Path;
 use std::sync::Arc;
 
 /// What keeps the bytes where they are.
 enum Memory {
     Shared(Pinned),
-    File(Mmap),
+    File(Mapping),
     Owned(AlignedBytes),
 }
 
@@ -21,7 +20,7 @@ impl Memory {
     fn bytes(&self) -> &[u8] {
         match self {
             Self::Shared(pinned) => pinned.bytes(),
-            Self::File(map) => map,
+            Self::File(map) => map.bytes(),
             Self::Owned(bytes) => bytes,
         }
     }

@@ -171,7 +171,7 @@ pub fn read_signature(archive: &Path) -> Result<String, TrustError> {
 
 /// Reads a small text.
 fn read(path: &Path) -> std::io::Result<String> {
-    crate::transport::read_regular(path, LARGEST)
+    mapd_transport::read_regular(path, LARGEST)
 }
 
 impl Snapshot {

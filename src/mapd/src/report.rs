@@ -1,7 +1,7 @@
 //! What a compilation found: as text for people, as JSON for programs.
 
-pub use mapd_client::transport::hex;
 use mapd_compiler::{Compilation, Diagnostic, QuarantinedPart, Treatment, Verdict};
+pub use mapd_transport::hex;
 use mapd_xodr::source::Places;
 use mapd_xodr::{Severity, rule_ids};
 use serde::{Deserialize, Serialize};

@@ -1,7 +1,7 @@
 //! Texts that a user names: configuration, rules, tables.
 
 use anyhow::{Context, Result};
-use mapd_client::transport::read_regular;
+use mapd_transport::read_regular;
 use std::path::Path;
 
 /// Longest such text \[bytes\]; those that people write have some thousands.

@@ -21,10 +21,10 @@
 #![allow(unsafe_code, clippy::print_stdout)]
 
 use iceoryx2::prelude::{NodeBuilder, SignalHandlingMode};
-use mapd_client::transport::{Subscription, TransportService, iceoryx2_config, silence_iceoryx2};
 use mapd_client::{
     Attach, Client, ClientError, Domain, NearestOptions, Snapshot, archive, glam::DVec2,
 };
+use mapd_transport::{Subscription, TransportService, iceoryx2_config, silence_iceoryx2};
 use std::collections::BTreeMap;
 use std::io::{Read, Seek};
 use std::process::ExitCode;

@@ -1,5 +1,6 @@
-//! A planner that names `mapd-client` builds no parser, no thread pool, no command line.
+//! A planner that names `mapd-client` builds no parser, no thread pool, no command line; one that only observes, no iceoryx2 and few crates.
 
+use std::collections::BTreeSet;
 use std::process::Command;
 
 /// Crates that only the compiler and the daemon need.
@@ -22,31 +23,42 @@ const HEAVY: [&str; 14] = [
     "minisign",
 ];
 
-#[test]
-fn the_client_stays_light() {
+/// Crates that a planner builds that only observes, build scripts and macros among them.
+const MOST_OF_AN_OBSERVER: usize = 40;
+
+/// Names of the crates that building `mapd-client` takes.
+fn crates(options: &[&str]) -> BTreeSet<String> {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
     let output = Command::new(cargo)
-        .args([
-            "tree",
-            "-p",
-            "mapd-client",
-            "--edges",
-            "normal",
-            "--prefix",
-            "none",
-            "--format",
-            "{p}",
-            "--offline",
-        ])
+        .args(["tree", "-p", "mapd-client", "--edges", "normal,build", "--offline"])
+        .args(["--prefix", "none", "--no-dedupe", "--format", "{p}"])
+        .args(options)
         .current_dir(mapd_tests::workspace())
         .output()
         .expect("cargo runs");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let tree = String::from_utf8_lossy(&output.stdout).into_owned();
-    let crates: Vec<&str> =
-        tree.lines().filter_map(|line| line.split_whitespace().next()).collect();
-    assert!(crates.contains(&"iceoryx2"), "this is no tree of the client:\n{tree}");
+    let tree = String::from_utf8(output.stdout).expect("text");
+    // Name and version: two versions of a crate are two crates.
+    let named = |line: &str| line.split_whitespace().take(2).collect::<Vec<_>>().join(" ");
+    tree.lines().map(named).collect()
+}
+
+fn has(crates: &BTreeSet<String>, name: &str) -> bool {
+    crates.iter().any(|of| of.split(' ').next() == Some(name))
+}
+
+#[test]
+fn the_client_stays_light() {
+    let crates = crates(&[]);
+    assert!(has(&crates, "iceoryx2"), "this is no tree of the client: {crates:?}");
     for heavy in HEAVY {
-        assert!(!crates.contains(&heavy), "mapd-client depends on {heavy}:\n{tree}");
+        assert!(!has(&crates, heavy), "mapd-client depends on {heavy}: {crates:?}");
     }
+}
+
+#[test]
+fn an_observer_needs_few_crates() {
+    let crates = crates(&["--no-default-features"]);
+    assert!(has(&crates, "mapd-transport") && !has(&crates, "iceoryx2"), "{crates:?}");
+    assert!(crates.len() <= MOST_OF_AN_OBSERVER, "{} crates: {crates:?}", crates.len());
 }

@@ -126,7 +126,7 @@ fn a_daemon_that_is_stopped() {
     let place = place();
     let daemon = place.serve(&[&town()]);
     // A stopped daemon seldom holds the lock: the test holds it in its place.
-    let lock = mapd_client::transport::AttachLock::open(&place.domain()).expect("a lock");
+    let lock = mapd_transport::AttachLock::open(&place.domain()).expect("a lock");
     let guard = lock.exclusive(Instant::now() + PATIENCE).expect("locks").expect("in time");
     let mut command = place.command();
     let output = command.args(["doctor", "--json", "--wait", "0.1"]).output().expect("runs");

@@ -2,9 +2,9 @@
 
 use mapd::serve::{Doorbell, PublishMeta, Server, StopSignal};
 use mapd_archive::OpenError;
-use mapd_client::transport::{AttachError, AttachLock, MAX_PINNED, Pinned, Subscription};
 use mapd_client::{Attach, Client, ClientError, Events, MapEvent};
 use mapd_tests::place::{PATIENCE, Place};
+use mapd_transport::{AttachError, AttachLock, MAX_PINNED, Pinned, Subscription};
 use std::path::Path;
 use std::time::{Duration, Instant};
 

@@ -1,9 +1,9 @@
 //! Records and segments that are not what a daemon makes: an observer says so, and neither hangs nor crashes.
 
-use mapd_client::transport::AttachError;
 use mapd_client::{Client, ClientError};
 use mapd_tests::place::{Daemon, PATIENCE, Place};
 use mapd_tests::say;
+use mapd_transport::AttachError;
 use std::fs::File;
 use std::ops::Range;
 use std::os::unix::fs::{FileExt, MetadataExt};

@@ -1,8 +1,8 @@
 //! What a daemon shows while it runs: logs, metrics, the service manager's socket, proofs of what is served.
 
-use mapd_client::transport::{AttachLock, Subscription};
 use mapd_tests::manager::{Manager, WATCHDOG};
 use mapd_tests::place::{PATIENCE, Place};
+use mapd_transport::{AttachLock, Subscription};
 use serde_json::Value;
 use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::net::TcpStream;

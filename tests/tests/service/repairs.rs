@@ -2,8 +2,8 @@
 
 use mapd::control::ReloadResult;
 use mapd_client::Client;
-use mapd_client::transport::GenerationInfo;
 use mapd_tests::place::{PATIENCE, Place};
+use mapd_transport::GenerationInfo;
 use std::fs::{self, OpenOptions, Permissions};
 use std::os::unix::fs::{FileExt, PermissionsExt};
 use std::time::{Duration, Instant};
@@ -88,7 +88,7 @@ fn damage_is_damage_and_a_reload_publishes_anew() {
     for part in PARTS {
         let before = place.state("town");
         let served = before.served.expect("served").generation;
-        let subscription = mapd_client::transport::Subscription::connect(
+        let subscription = mapd_transport::Subscription::connect(
             &place.domain(),
             "town",
             Instant::now() + PATIENCE,

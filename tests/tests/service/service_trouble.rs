@@ -61,7 +61,7 @@ fn full_shared_memory_is_no_reason_to_be_killed() {
 /// Clients are refused at a number of their own, and the daemon still looks at what it serves.
 #[test]
 fn places_are_kept_for_the_daemon() {
-    use mapd_client::transport::MAX_SUBSCRIBERS;
+    use mapd_transport::MAX_SUBSCRIBERS;
     let (place, manager) = (Place::new(MAPD), Manager::new());
     let mut command = place.command();
     manager.listen_to(&mut command).args(["--load", &town()]);

@@ -1,7 +1,7 @@
 //! What an archive is compiled from, as a name.
 
 use mapd_archive::{Header, LAYOUT_ID};
-use mapd_client::transport::open_regular;
+use mapd_transport::open_regular;
 use std::fmt;
 use std::io;
 use std::os::unix::fs::MetadataExt;

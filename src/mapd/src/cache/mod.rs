@@ -23,7 +23,7 @@ pub use key::{InputHash, Key};
 pub use known::Identity;
 
 use crate::clock::since_epoch;
-use mapd_client::transport::{open_regular, read_regular};
+use mapd_transport::{open_regular, read_regular};
 use std::ffi::OsStr;
 use std::fs::{self, DirBuilder, File, OpenOptions, TryLockError};
 use std::io;

@@ -69,7 +69,7 @@ impl ChangeArgs {
     /// Errors: no daemon, no answer in time, no such map.
     fn ask(&self, request: impl FnOnce(String) -> Request, out: &mut dyn Write) -> Result<Exit> {
         let domain = self.domain.domain()?;
-        mapd_client::transport::check_map_name(&self.name)?;
+        mapd_transport::check_map_name(&self.name)?;
         match ask(&domain, &self.name, &request(self.name.clone()), self.wait.0)? {
             Response::Done(report) => {
                 if self.json {

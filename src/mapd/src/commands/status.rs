@@ -8,7 +8,7 @@ use crate::report::hex;
 use anyhow::Result;
 use clap::Args;
 use mapd_client::Domain;
-use mapd_client::transport::{MapStatus, list_maps};
+use mapd_transport::{MapStatus, count_subscriptions, list_maps};
 use serde::Serialize;
 use std::io::Write;
 use std::time::Duration;
@@ -46,7 +46,7 @@ struct Daemon {
 }
 
 impl Status {
-    fn of(map: MapStatus, daemon: Option<&DaemonStatus>) -> Self {
+    fn of(map: MapStatus, subscribers: usize, daemon: Option<&DaemonStatus>) -> Self {
         let info = map.info;
         let state = daemon.and_then(|daemon| daemon.maps.iter().find(|m| m.name == map.name));
         Self {
@@ -58,7 +58,7 @@ impl Status {
             layout_id: info.map(|i| hex(&i.layout_id[..16])),
             content_hash: info.map(|i| hex(&i.content_hash)),
             input_hash: info.map(|i| hex(&i.input_hash)),
-            subscribers: map.subscribers,
+            subscribers,
             published_unix_ns: info.map(|i| i.published_unix_ns),
             state: state.cloned(),
             daemon: daemon.map(|daemon| Daemon {
@@ -114,7 +114,8 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<()> {
     let of = |map: MapStatus| {
         let its = |daemon: &&DaemonStatus| daemon.maps.iter().any(|m| m.name == map.name);
         let daemon = daemons.iter().find(its);
-        Status::of(map, daemon)
+        let subscribers = map.info.and_then(|_| count_subscriptions(domain, &map.name));
+        Status::of(map, subscribers.unwrap_or(0), daemon)
     };
     let maps: Vec<Status> = maps.into_iter().map(of).collect();
     if json {

@@ -46,7 +46,7 @@ mod tests {
     #[test]
     fn the_longest_names_fit_a_socket() {
         let domain = Domain::new("abcdefghijklmnopqrs_").expect("a prefix");
-        let path = socket_path(&domain, &"m".repeat(mapd_client::transport::MAX_MAP_NAME_LENGTH));
+        let path = socket_path(&domain, &"m".repeat(mapd_transport::MAX_MAP_NAME_LENGTH));
         assert!(path.as_os_str().len() < 100, "{}", path.display());
     }
 }

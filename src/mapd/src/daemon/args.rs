@@ -13,7 +13,7 @@ use crate::exit::UsageError;
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use mapd_client::Domain;
-use mapd_client::transport::check_map_name;
+use mapd_transport::check_map_name;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 

@@ -1,7 +1,7 @@
 //! A daemon's status as Prometheus reads it.
 
 use crate::control::{CheckStatus, DaemonStatus, MapState, ReloadResult};
-use mapd_client::transport::free_bytes;
+use mapd_transport::free_bytes;
 use prometheus_client::encoding::{EncodeLabelSet, text::encode};
 use prometheus_client::metrics::counter::Counter;
 use prometheus_client::metrics::family::Family;

@@ -5,7 +5,7 @@ use crate::report::hex;
 use crate::serve::reserving;
 use mapd_archive::{LAYOUT_ID, verify};
 use mapd_client::AttachError;
-use mapd_client::transport::{Domain, GenerationInfo, Pinned, Subscription};
+use mapd_transport::{Domain, GenerationInfo, Pinned, Subscription};
 use std::time::{Duration, Instant};
 
 /// Longest wait for a map.

@@ -3,7 +3,7 @@
 use super::periodic::{Periodic, Stop};
 use super::proof::{Proof, prove};
 use crate::control::Board;
-use mapd_client::transport::Domain;
+use mapd_transport::Domain;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 

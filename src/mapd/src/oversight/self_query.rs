@@ -1,8 +1,8 @@
 //! A query as any client would ask it.
 
 use crate::serve::reserving;
-use mapd_client::transport::Domain;
 use mapd_client::{AttachError, Client, ClientError, NearestOptions, QueryError};
+use mapd_transport::Domain;
 use std::time::{Duration, Instant};
 use thiserror::Error;
 

@@ -3,7 +3,7 @@
 use super::nodes;
 use super::notice::Notice;
 use iceoryx2::prelude::Node;
-use mapd_client::transport::{
+use mapd_transport::{
     AttachGuard, Domain, GENERATION_SUFFIX, RECORD_SUFFIX, SHARED_MEMORY_FOLDER, TransportService,
     unfinished_segments,
 };

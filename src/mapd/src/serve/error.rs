@@ -1,6 +1,6 @@
 //! Why a map cannot be served.
 
-use mapd_client::transport::{ATTACH_DESCRIPTORS, AttachError, ClaimError};
+use mapd_transport::{ATTACH_DESCRIPTORS, AttachError, ClaimError};
 use std::error::Error;
 use std::path::PathBuf;
 use thiserror::Error;

@@ -11,7 +11,7 @@
 use super::error::ServeError;
 use super::notice::Notice;
 use crate::clock::since_epoch;
-use mapd_client::transport::{
+use mapd_transport::{
     Domain, GENERATION_SUFFIX, LARGEST_GENERATION, read_generation, read_generation_file,
     replace_text_durably, write_generation,
 };

@@ -6,7 +6,7 @@ use super::notice::Notice;
 use super::served_map::MapPorts;
 use super::stop::StopSignal;
 use iceoryx2::prelude::{CallbackProgression, SignalHandlingMode, WaitSetBuilder};
-use mapd_client::transport::{AttachLock, TransportService};
+use mapd_transport::{AttachLock, TransportService};
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 

@@ -4,7 +4,7 @@
 use super::error::ServeError;
 use iceoryx2::sample_mut::SampleMut;
 use iceoryx2::sample_mut_uninit::SampleMutUninit;
-use mapd_client::transport::{Chunk64, GenerationInfo, TransportService};
+use mapd_transport::{Chunk64, GenerationInfo, TransportService};
 use std::error::Error;
 use std::hash::{BuildHasher, Hasher, RandomState};
 use std::mem::MaybeUninit;

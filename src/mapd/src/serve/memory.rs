@@ -3,7 +3,7 @@
 
 use super::control_group;
 use super::error::ServeError;
-use mapd_client::transport::{
+use mapd_transport::{
     ATTACH_DESCRIPTORS, ATTACH_ROOM, AttachError, ClaimError, SHARED_MEMORY_FOLDER,
     descriptors_left, free_bytes,
 };

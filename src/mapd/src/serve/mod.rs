@@ -3,7 +3,7 @@
 //! A [`Server`] claims map names, publishes opaque bytes under them, and answers newcomers until a [`StopSignal`] ends it.
 //! The bytes are written once, straight into shared memory, by a function that the caller gives; each generation has a
 //! publisher of its own, exactly as large as the map. The meeting place and what clients do there is described in
-//! [`mapd_client::transport`].
+//! [`mapd_transport`].
 //!
 //! Invariants: a generation number never repeats; a fill that fails leaves nothing
 //! behind; memory is reserved before it is written, so that too little of it is an error and no signal; segments are

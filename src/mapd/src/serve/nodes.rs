@@ -7,7 +7,7 @@
 
 use iceoryx2::node::NodeView;
 use iceoryx2::prelude::{CallbackProgression, Config, Node, NodeState};
-use mapd_client::transport::{AttachGuard, Domain, TransportService};
+use mapd_transport::{AttachGuard, Domain, TransportService};
 use std::collections::BTreeSet;
 use std::fs;
 

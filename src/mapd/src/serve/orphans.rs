@@ -7,7 +7,7 @@
 use super::notice::Notice;
 use iceoryx2::prelude::{CallbackProgression, Node, PortFactory as _, Service, ServiceName};
 use iceoryx2::service::static_config::messaging_pattern::MessagingPattern;
-use mapd_client::transport::{
+use mapd_transport::{
     AttachGuard, Chunk64, Domain, GenerationInfo, SHARED_MEMORY_FOLDER, TransportService,
 };
 use std::collections::BTreeSet;

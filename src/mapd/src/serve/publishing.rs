@@ -11,7 +11,7 @@ use super::segment::Segment;
 use super::served_map::MapPublisher;
 use super::server::Server;
 use crate::clock::unix_ns;
-use mapd_client::transport::{
+use mapd_transport::{
     AttachGuard, GenerationInfo, Place, SHARED_MEMORY_FOLDER, chunks_for, write_staged,
 };
 use std::error::Error;

@@ -1,6 +1,6 @@
 //! Rights of what iceoryx2 creates for everybody.
 
-use mapd_client::transport::{Domain, SHARED_MEMORY_FOLDER};
+use mapd_transport::{Domain, SHARED_MEMORY_FOLDER};
 use std::fs::Permissions;
 use std::io;
 use std::os::unix::fs::PermissionsExt;

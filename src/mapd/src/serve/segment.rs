@@ -3,7 +3,7 @@
 use super::loan::Mark;
 use super::locked::LockedPages;
 use super::served_map::MapPublisher;
-use mapd_client::transport::{Domain, Place, SHARED_MEMORY_FOLDER};
+use mapd_transport::{Domain, Place, SHARED_MEMORY_FOLDER};
 use rustix::fs::FallocateFlags;
 use std::cell::OnceCell;
 use std::fs::{File, OpenOptions, Permissions};

@@ -12,7 +12,7 @@ use iceoryx2::port::publisher::Publisher;
 use iceoryx2::port::update_connections::UpdateConnections;
 use iceoryx2::prelude::{AllocationStrategy, Node};
 use iceoryx2::service::port_factory::PortFactory as _;
-use mapd_client::transport::{
+use mapd_transport::{
     AttachGuard, Chunk64, Claim, Domain, GenerationInfo, RecordWriter, TransportService,
 };
 

@@ -15,7 +15,7 @@ use super::segment::SegmentType;
 use super::served_map::MapPorts;
 use super::stop::StopSignal;
 use iceoryx2::prelude::{Node, NodeBuilder, NodeName, SignalHandlingMode};
-use mapd_client::transport::{
+use mapd_transport::{
     AttachGuard, AttachLock, Claim, DAEMON_NODE, Domain, GenerationInfo, Presence,
     TransportService, check_map_name, check_owner, iceoryx2_config, silence_iceoryx2,
     unfinished_segments, write_staged,

@@ -8,12 +8,12 @@ use iceoryx2::service::builder::publish_subscribe::{
 };
 use iceoryx2::service::port_factory::{event, publish_subscribe};
 use iceoryx2::service::service_hash::ServiceHash;
-use mapd_client::transport as shared;
-use mapd_client::transport::{AttachGuard, Chunk64, Domain, GenerationInfo, TransportService};
+use mapd_transport as shared;
+use mapd_transport::{AttachGuard, Chunk64, Domain, GenerationInfo, TransportService};
 use std::fmt::Debug;
 use std::fs;
 
-/// The services of a map, as [`mapd_client::transport`] names and limits them.
+/// The services of a map, as [`mapd_transport`] names and limits them.
 pub(crate) struct MapServices {
     /// Carries the generations.
     pub(crate) map: publish_subscribe::PortFactory<TransportService, [Chunk64], GenerationInfo>,

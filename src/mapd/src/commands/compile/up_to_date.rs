@@ -9,7 +9,7 @@ use crate::child::ArchiveFacts;
 use crate::exit::Exit;
 use crate::report::{self, Counts};
 use mapd_archive::{HEADER_LENGTH, Header, Provenance};
-use mapd_client::transport::open_regular;
+use mapd_transport::open_regular;
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::io::BufReader;

@@ -1,7 +1,7 @@
 //! What lies in the domain: whose it is, who lives in it, what the dead have left.
 
 use super::finding::{Finding, size};
-use mapd_client::transport::{
+use mapd_transport::{
     AttachError, AttachLock, Domain, Presence, SHARED_MEMORY_FOLDER, check_owner,
     unfinished_segments,
 };

@@ -5,8 +5,8 @@ use super::finding::{Finding, size};
 use crate::faults::minor_faults;
 use crate::serve::NODE_COUNTER;
 use mapd_archive::FORMAT;
-use mapd_client::transport::{MapStatus, TRANSPORT_REVISION, list_maps, revision_of};
 use mapd_client::{Attach, Client, Domain};
+use mapd_transport::{MapStatus, TRANSPORT_REVISION, list_maps, revision_of};
 use std::time::{Duration, Instant};
 
 /// The version of iceoryx2 that is built in: all processes of a domain need the same.

@@ -2,7 +2,7 @@
 
 use super::finding::{Finding, size};
 use crate::serve::{OVERHEAD, control_group_available, machine_available};
-use mapd_client::transport::SHARED_MEMORY_FOLDER;
+use mapd_transport::SHARED_MEMORY_FOLDER;
 
 /// What the kernel calls a tmpfs (`linux/magic.h`, TMPFS_MAGIC).
 const TMPFS: u64 = 0x0102_1994;

@@ -3,7 +3,7 @@
 //! iceoryx2 freezes a service's limits while any process has it open, so they are constants of a transport revision:
 //! whoever changes one raises [`TRANSPORT_REVISION`], which gives the services new names.
 
-use super::error::AttachError;
+use crate::error::AttachError;
 
 /// Revision of everything that both sides must agree on: limits, user header, records, lock protocol. Part of
 /// service names.
@@ -34,7 +34,7 @@ pub const SUBSCRIBER_BUFFER: usize = 1;
 pub const SUBSCRIBER_BORROWED: usize = 1;
 
 /// Generations that one subscription can keep pinned at a time. iceoryx2 must know it beforehand and aborts when it is
-/// exceeded, so [`super::Subscription`] refuses to receive more.
+/// exceeded, so a subscription refuses to receive more.
 pub const MAX_PINNED: usize = 16;
 
 /// Ports on the seldom-used side of each event service (daemons), with room for killed ones.
@@ -96,6 +96,7 @@ mod tests {
         }
     }
 
+    #[cfg(feature = "iceoryx2")]
     #[test]
     fn the_longest_names_fit_iceoryx2() {
         let map = "m".repeat(MAX_MAP_NAME_LENGTH);

@@ -1,8 +1,8 @@
 //! iceoryx2, configured without any file and without side effects on the process.
 
-use super::domain::Domain;
-use super::error::AttachError;
-use super::limits::MAX_PINNED;
+use crate::domain::Domain;
+use crate::error::AttachError;
+use crate::limits::MAX_PINNED;
 use iceoryx2::prelude::{
     Config, FileName, LogLevel, Path, SemanticString, ipc_threadsafe, set_log_level,
 };

@@ -1,13 +1,14 @@
 //! Following one map.
 
 use super::attach::{AttachTiming, Ports, open_listener, open_ports};
-use super::claim::{served_by, who_serves};
 use super::config::{TransportService, silence_iceoryx2};
-use super::domain::Domain;
-use super::error::AttachError;
-use super::limits::{MAX_PINNED, MAX_SUBSCRIBERS, MAX_SUBSCRIPTIONS, check_map_name};
-use super::pinned::{Pinned, Watch};
-use super::room::{RECEIVE_DESCRIPTORS, check_descriptors, check_room};
+use super::sample::PinnedSample;
+use super::shortage::{RECEIVE_DESCRIPTORS, check_descriptors, check_room};
+use crate::claim::{served_by, who_serves};
+use crate::domain::Domain;
+use crate::error::AttachError;
+use crate::limits::{MAX_PINNED, MAX_SUBSCRIBERS, MAX_SUBSCRIPTIONS, check_map_name};
+use crate::pinned::{Memory, Pinned, Watch};
 use iceoryx2::port::listener::Listener;
 use iceoryx2::service::port_factory::PortFactory as _;
 use std::fmt;
@@ -129,7 +130,9 @@ impl Subscription {
     }
 
     /// As [`Subscription::latest`], but newer than `than` instead of any handed out before.
-    pub(crate) fn newer_than(&self, than: u64) -> Result<Option<Pinned>, AttachError> {
+    ///
+    /// Errors: as [`Subscription::latest`].
+    pub fn newer_than(&self, than: u64) -> Result<Option<Pinned>, AttachError> {
         self.latest()?;
         let state = self.state();
         Ok(Some(&state.current).filter(|current| current.info().generation > than).cloned())
@@ -306,7 +309,8 @@ impl Inbox {
             let Some(sample) = self.ports.subscriber.receive().map_err(failed)? else {
                 return Ok(newest);
             };
-            let pinned = Pinned::new(sample, map, &self.ports.presence)?;
+            let (info, sample) = PinnedSample::new(sample, map, &self.ports.presence)?;
+            let pinned = Pinned::new(info, Memory::Sample(sample));
             self.held.push(pinned.watch());
             if newest
                 .as_ref()

@@ -1,11 +1,11 @@
 //! Small text files per map: the last generation number, which outlives the daemon, and what is staged. (What is served now
 //! has a record that readers wait on: `observer`.)
 
-use super::claim::served_by;
-use super::domain::Domain;
-use super::limits::TRANSPORT_REVISION;
-use super::payload::GenerationInfo;
-use super::regular::read_regular;
+use crate::claim::served_by;
+use crate::domain::Domain;
+use crate::limits::TRANSPORT_REVISION;
+use crate::payload::GenerationInfo;
+use crate::regular::read_regular;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};

@@ -2,8 +2,7 @@
 //! own segments: where there is no room, whoever writes into a new one is killed by a signal. And whether the process has
 //! file descriptors left.
 
-use super::domain::SHARED_MEMORY_FOLDER;
-use super::error::AttachError;
+use crate::domain::SHARED_MEMORY_FOLDER;
 
 /// Room that a client must find before it makes anything \[bytes\]. It takes about 16 KiB; the rest is for others who
 /// attach at the same moment.
@@ -15,21 +14,8 @@ pub fn free_bytes() -> Option<u64> {
     Some(fs.f_bavail.saturating_mul(fs.f_frsize))
 }
 
-/// Checks that there is [`ATTACH_ROOM`].
-///
-/// Errors: [`AttachError::NoRoom`].
-pub(crate) fn check_room() -> Result<(), AttachError> {
-    match free_bytes() {
-        Some(available) if available < ATTACH_ROOM => Err(AttachError::NoRoom { available }),
-        _ => Ok(()),
-    }
-}
-
 /// File descriptors that a process must have left to attach, or to make what serves one map.
 pub const ATTACH_DESCRIPTORS: u64 = 24;
-
-/// Those of them that are needed last, to receive a generation.
-pub(crate) const RECEIVE_DESCRIPTORS: u64 = 4;
 
 /// File descriptors that are left to this process, and how many it may have; `None` where there is no limit, or the system
 /// does not say.
@@ -44,14 +30,4 @@ pub fn descriptors_left() -> Option<(u64, u64)> {
         Err(_) => return None,
     };
     Some((limit.saturating_sub(used), limit))
-}
-
-/// Checks that there are so many. Takes a look at each descriptor: for whoever has failed already.
-///
-/// Errors: [`AttachError::NoDescriptors`].
-pub(crate) fn check_descriptors(needed: u64) -> Result<(), AttachError> {
-    match descriptors_left() {
-        Some((left, limit)) if left < needed => Err(AttachError::NoDescriptors { left, limit }),
-        _ => Ok(()),
-    }
 }

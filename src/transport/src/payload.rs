@@ -1,14 +1,15 @@
 //! What is sent.
 
+#[cfg(feature = "iceoryx2")]
 use iceoryx2::prelude::ZeroCopySend;
 
 /// Unit of the payload: 64 bytes on a 64-byte boundary, so that the archive's tables are aligned in place.
 ///
 /// (A byte slice with a raised alignment would not do: iceoryx2 0.10 multiplies the element size by it.)
-#[derive(Clone, Copy, Debug, ZeroCopySend)]
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "iceoryx2", derive(ZeroCopySend), type_name("mapd_chunk64"))]
 #[repr(C)]
 #[repr(align(64))]
-#[type_name("mapd_chunk64")]
 pub struct Chunk64(pub [u8; 64]);
 
 /// Chunks that hold `length` bytes.
@@ -17,9 +18,9 @@ pub fn chunks_for(length: usize) -> usize {
 }
 
 /// What is said about a generation: the sample's user header.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ZeroCopySend)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "iceoryx2", derive(ZeroCopySend), type_name("mapd_generation_info"))]
 #[repr(C)]
-#[type_name("mapd_generation_info")]
 pub struct GenerationInfo {
     /// Rises with every publication of a map, across restarts of the daemon. At least 1.
     pub generation: u64,

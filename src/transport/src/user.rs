@@ -1,7 +1,7 @@
 //! Whose files these are.
 
-use super::domain::Domain;
-use super::error::AttachError;
+use crate::domain::Domain;
+use crate::error::AttachError;
 use std::fs;
 use std::io;
 use std::os::unix::fs::MetadataExt;

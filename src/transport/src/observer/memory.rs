@@ -2,10 +2,11 @@
 #![allow(unsafe_code)]
 
 use super::page::{PAGE_BYTES, Page};
-use memmap2::{Advice, Mmap, MmapOptions, MmapRaw};
+use crate::mapping::Mapping;
 use rustix::fd::OwnedFd;
 use rustix::fs::{FileType, Mode, OFlags, Stat};
 use rustix::io::Errno;
+use rustix::mm::ProtFlags;
 use std::io;
 use std::path::Path;
 
@@ -69,7 +70,7 @@ pub(super) fn identity(stat: &Stat) -> Identity {
 
 /// A record that is mapped.
 pub(super) struct Record {
-    map: MmapRaw,
+    map: Mapping,
     pub(super) identity: Identity,
 }
 
@@ -83,9 +84,8 @@ impl Record {
         if stat.st_size as u64 != PAGE_BYTES as u64 {
             return Err(bad(format!("expected {PAGE_BYTES} bytes, found {}", stat.st_size)));
         }
-        let mut options = MmapOptions::new();
-        options.len(PAGE_BYTES);
-        let map = if write { options.map_raw(&file) } else { options.map_raw_read_only(&file) }?;
+        let written = if write { ProtFlags::WRITE } else { ProtFlags::empty() };
+        let map = Mapping::new(&file, PAGE_BYTES, ProtFlags::READ | written)?;
         Ok(Self { map, identity: identity(&stat) })
     }
 
@@ -96,7 +96,7 @@ impl Record {
         // - Value: a `Page` is atomic integers, for which every bit pattern is one.
         // - Races: all processes touch the page by atomic operations alone.
         // - Read-only mappings: readers only load, at most eight bytes at once, which the processor does without writing.
-        unsafe { &*self.map.as_ptr().cast::<Page>() }
+        unsafe { self.map.address().cast::<Page>().as_ref() }
     }
 }
 
@@ -108,7 +108,7 @@ pub(super) fn map_segment(
     inode: u64,
     length: u64,
     owner: u32,
-) -> Result<Mmap, Refusal> {
+) -> Result<Mapping, Refusal> {
     let (file, stat) = open(path, OFlags::RDONLY, owner)?;
     if stat.st_ino != inode {
         return Err(Errno::NOENT.into());
@@ -121,8 +121,7 @@ pub(super) fn map_segment(
     // it is written after the last byte of it was, its writer has made it read-only, and a file of another inode was refused above. Its owner could still change it, and
     // is trusted not to; lengths are read once when an archive is opened, so that a changed byte gives a wrong answer, not an access outside. It is not
     // shortened: iceoryx2 sizes a segment once, before it is sent, and unlinks it afterwards. It has no holes, so that reading never needs a new page.
-    let map = unsafe { MmapOptions::new().len(length).map(&file)? };
-    // A system that cannot leave it out of core dumps is no reason to have no map.
-    let _ = map.advise(Advice::DontDump);
+    let map = unsafe { Mapping::read_only(&file, length)? };
+    map.leave_out_of_core_dumps();
     Ok(map)
 }

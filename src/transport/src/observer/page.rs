@@ -17,7 +17,7 @@ pub(super) const MAGIC: u64 = u64::from_le_bytes(*b"mapdpub\x01");
 #[repr(C)]
 pub(super) struct Page {
     pub(super) magic: AtomicU64,
-    /// [`crate::transport::TRANSPORT_REVISION`] of who made the page.
+    /// [`crate::TRANSPORT_REVISION`] of who made the page.
     pub(super) revision: AtomicU32,
     /// Which slot holds, by its lowest bit; 0 while nothing was ever published. Rises by 1; after the highest number comes 2.
     pub(super) sequence: AtomicU32,

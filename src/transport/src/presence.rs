@@ -1,6 +1,6 @@
 //! Who is in a domain: known by a lock that the kernel releases when a process dies.
 
-use super::domain::Domain;
+use crate::domain::Domain;
 use std::fs::{File, OpenOptions};
 use std::io;
 use std::os::unix::fs::OpenOptionsExt;

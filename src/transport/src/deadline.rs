@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 const FOR_EVER: Duration = Duration::from_secs(30 * 365 * 24 * 3600);
 
 /// The moment so much later; [`Duration::MAX`] waits for ever.
-pub(crate) fn after(wait: Duration) -> Instant {
+pub fn after(wait: Duration) -> Instant {
     Instant::now() + wait.min(FOR_EVER)
 }
 

@@ -1,18 +1,18 @@
 //! One attempt to attach.
 
-use super::attach_lock::{AttachGuard, AttachLock};
-use super::claim::who_serves;
 use super::config::{TransportService, iceoryx2_config};
-use super::domain::Domain;
-use super::error::AttachError;
-use super::limits::{TRANSPORT_REVISION, changed_name, service_name, wake_name};
-use super::observer::revision_of;
-use super::payload::{Chunk64, GenerationInfo};
-use super::presence::Presence;
-use super::room::check_room;
-use super::status::alive_maps;
-use super::unfinished::unfinished_among;
-use super::user::check_owner;
+use super::shortage::check_room;
+use crate::attach_lock::{AttachGuard, AttachLock};
+use crate::claim::who_serves;
+use crate::domain::Domain;
+use crate::error::AttachError;
+use crate::limits::{TRANSPORT_REVISION, changed_name, service_name, wake_name};
+use crate::observer::revision_of;
+use crate::payload::{Chunk64, GenerationInfo};
+use crate::presence::Presence;
+use crate::status::alive_maps;
+use crate::unfinished::unfinished_among;
+use crate::user::check_owner;
 use iceoryx2::port::listener::Listener;
 use iceoryx2::port::notifier::Notifier;
 use iceoryx2::port::subscriber::{Subscriber, SubscriberCreateError};

@@ -1,7 +1,7 @@
 //! How a generation of a map travels from the daemon to its readers: opaque bytes in iceoryx2 shared memory.
 //!
-//! The daemon publishes one exactly sized sample per generation. An [`Observer`] maps it and writes nothing; a [`Subscription`]
-//! takes part in iceoryx2 and receives it. Either way a [`Pinned`] keeps it alive and readable for as long as it is held, whatever becomes of the daemon. Nothing here knows what the bytes mean.
+//! The daemon publishes one exactly sized sample per generation. An [`Observer`] maps it and writes nothing; a `Subscription`
+//! takes part in iceoryx2 and receives it (feature `iceoryx2`, which the daemon needs too). Either way a [`Pinned`] keeps it alive and readable for as long as it is held, whatever becomes of the daemon. Nothing here knows what the bytes mean.
 //!
 //! Where both sides meet is a [`Domain`]: a prefix for every file in `/dev/shm` and a root folder there, mode 0700.
 //!
@@ -26,26 +26,25 @@
 //! nothing, and reads no configuration; every wait has a deadline. All processes of a domain run as one user.
 //!
 //! ```no_run
-//! use mapd_client::transport::{Domain, Subscription};
+//! use mapd_transport::{Domain, Observer};
 //! use std::time::{Duration, Instant};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let deadline = Instant::now() + Duration::from_secs(2);
-//! let subscription = Subscription::connect(&Domain::from_env()?, "town", deadline)?;
-//! let pinned = subscription.current();
+//! let observer = Observer::connect(&Domain::from_env()?, "town", deadline)?;
+//! let pinned = observer.wait_newer(0, deadline)?;
 //! assert_eq!(pinned.bytes().len() as u64, pinned.info().length);
 //! # Ok(())
 //! # }
 //! ```
 
-mod attach;
 mod attach_lock;
 mod claim;
-mod config;
 mod deadline;
 mod domain;
 mod error;
 mod limits;
+mod mapping;
 mod observer;
 mod payload;
 mod pinned;
@@ -54,22 +53,21 @@ mod record;
 mod regular;
 mod room;
 mod status;
-mod subscription;
+#[cfg(feature = "iceoryx2")]
+mod subscriber;
 mod unfinished;
 mod user;
 
-pub use attach::AttachTiming;
 pub use attach_lock::{AttachGuard, AttachLock};
 pub use claim::{Claim, ClaimError, served_by};
-pub use config::{TransportService, iceoryx2_config, silence_iceoryx2};
-pub(crate) use deadline::after;
+pub use deadline::after;
 pub use domain::{
     DEFAULT_PREFIX, Domain, DomainError, MAX_PREFIX_LENGTH, PREFIX_VARIABLE, SHARED_MEMORY_FOLDER,
 };
 pub use error::AttachError;
 pub use limits::*;
-pub(crate) use observer::heartbeat_age;
-pub use observer::{Observer, Place, RecordWriter, revision_of};
+pub use mapping::Mapping;
+pub use observer::{Observer, Place, RecordWriter, heartbeat_age, revision_of};
 pub use payload::{Chunk64, GenerationInfo, chunks_for};
 pub use pinned::Pinned;
 pub use presence::Presence;
@@ -81,6 +79,10 @@ pub use record::{
 pub use regular::{open_regular, read_regular};
 pub use room::{ATTACH_DESCRIPTORS, ATTACH_ROOM, descriptors_left, free_bytes};
 pub use status::{MapStatus, list_maps};
-pub use subscription::Subscription;
+#[cfg(feature = "iceoryx2")]
+pub use subscriber::{
+    AttachTiming, Subscription, TransportService, count_subscriptions, iceoryx2_config,
+    silence_iceoryx2,
+};
 pub use unfinished::unfinished_segments;
 pub use user::check_owner;

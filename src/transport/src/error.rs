@@ -1,9 +1,9 @@
 //! Why a map cannot be attached to.
 
-use super::domain::DomainError;
-use super::domain::SHARED_MEMORY_FOLDER;
-use super::limits::{MAX_MAP_NAME_LENGTH, MAX_PINNED, MAX_SUBSCRIBERS, TRANSPORT_REVISION};
-use super::room::{ATTACH_DESCRIPTORS, ATTACH_ROOM, check_descriptors, check_room};
+use crate::domain::DomainError;
+use crate::domain::SHARED_MEMORY_FOLDER;
+use crate::limits::{MAX_MAP_NAME_LENGTH, MAX_PINNED, MAX_SUBSCRIBERS, TRANSPORT_REVISION};
+use crate::room::{ATTACH_DESCRIPTORS, ATTACH_ROOM};
 use std::path::PathBuf;
 use thiserror::Error;
 
@@ -162,23 +162,8 @@ pub enum AttachError {
 }
 
 impl AttachError {
-    pub(crate) fn iceoryx(error: impl std::fmt::Debug) -> Self {
-        Self::Iceoryx(format!("{error:?}"))
-    }
-
     pub(crate) fn io(path: impl Into<PathBuf>, error: std::io::Error) -> Self {
         Self::Io { path: path.into(), error }
-    }
-
-    /// The same, or what there is too little of, if there is: whatever failed, failed for that.
-    pub(crate) fn or_shortage(self) -> Self {
-        match self {
-            Self::Iceoryx(_) | Self::Io { .. } => check_room()
-                .and_then(|()| check_descriptors(ATTACH_DESCRIPTORS))
-                .err()
-                .unwrap_or(self),
-            other => other,
-        }
     }
 
     /// Whether trying again may help: not for wrong names, users and versions.

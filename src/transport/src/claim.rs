@@ -1,7 +1,7 @@
 //! Who serves a map: one daemon at a time, known by a lock that the kernel releases when it dies.
 
-use super::domain::Domain;
-use super::regular::open_regular;
+use crate::domain::Domain;
+use crate::regular::open_regular;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, Read, Write};
 use std::os::unix::fs::{MetadataExt, OpenOptionsExt};

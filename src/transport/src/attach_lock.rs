@@ -1,7 +1,7 @@
 //! The attach lock: nobody sees a segment that is being created, and nobody cleans up while someone creates.
 
-use super::domain::Domain;
-use super::error::AttachError;
+use crate::domain::Domain;
+use crate::error::AttachError;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io;
 use std::os::unix::fs::{MetadataExt, OpenOptionsExt};

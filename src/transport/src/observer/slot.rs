@@ -2,7 +2,7 @@
 
 use super::WORDS;
 use super::page::Words;
-use crate::transport::payload::{Chunk64, GenerationInfo};
+use crate::payload::{Chunk64, GenerationInfo};
 
 /// Longest name of a segment \[bytes\].
 const NAME_BYTES: usize = 8 * (WORDS - NAME);

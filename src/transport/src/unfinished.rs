@@ -1,6 +1,6 @@
 //! Files that a killed process left half made.
 
-use super::domain::{Domain, SHARED_MEMORY_FOLDER};
+use crate::domain::{Domain, SHARED_MEMORY_FOLDER};
 use std::fs;
 use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};

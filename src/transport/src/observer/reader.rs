@@ -3,15 +3,15 @@
 use super::memory::{Record, Refusal, identity, map_segment};
 use super::page::{MAGIC, Page};
 use super::slot::{Place, Said, decode, says_nothing};
-use crate::transport::claim::served_by;
-use crate::transport::domain::{Domain, SHARED_MEMORY_FOLDER};
-use crate::transport::error::AttachError;
-use crate::transport::limits::{TRANSPORT_REVISION, check_map_name};
-use crate::transport::payload::GenerationInfo;
-use crate::transport::pinned::Pinned;
-use crate::transport::record::RECORD_SUFFIX;
-use crate::transport::status::alive_maps;
-use crate::transport::user::check_owned_by;
+use crate::claim::served_by;
+use crate::domain::{Domain, SHARED_MEMORY_FOLDER};
+use crate::error::AttachError;
+use crate::limits::{TRANSPORT_REVISION, check_map_name};
+use crate::payload::GenerationInfo;
+use crate::pinned::Pinned;
+use crate::record::RECORD_SUFFIX;
+use crate::status::alive_maps;
+use crate::user::check_owned_by;
 use rustix::io::Errno;
 use rustix::thread::futex;
 use rustix::time::{ClockId, Timespec};
@@ -61,7 +61,7 @@ enum Seen {
 
 impl Observer {
     /// Finds a map and maps its newest generation. Daemon and client may start in any order: tries again until the deadline while
-    /// there is no daemon, no such map, or no generation. Where the daemon was killed, its last generation is found: `Client::heartbeat_age` tells.
+    /// there is no daemon, no such map, or no generation. Where the daemon was killed, its last generation is found: [`heartbeat_age`] tells.
     ///
     /// Errors: what was missing at the deadline; at once, what no waiting helps against: wrong names, another user's daemon, another release's daemon.
     pub fn connect(domain: &Domain, map: &str, deadline: Instant) -> Result<Self, AttachError> {
@@ -269,7 +269,7 @@ fn age(page: &Page) -> Option<Duration> {
 }
 
 /// How long ago the daemon of a map last said that it lives; `None` if the map has no record.
-pub(crate) fn heartbeat_age(domain: &Domain, map: &str) -> Option<Duration> {
+pub fn heartbeat_age(domain: &Domain, map: &str) -> Option<Duration> {
     let owner = rustix::process::geteuid().as_raw();
     let record = Record::open(&domain.map_file(map, RECORD_SUFFIX), owner, false).ok()?;
     age(record.page())

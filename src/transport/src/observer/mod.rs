@@ -37,8 +37,8 @@ pub use reader::Observer;
 pub use slot::Place;
 pub use writer::RecordWriter;
 
-pub use reader::revision_of;
-pub(crate) use reader::{heartbeat_age, published};
+pub(crate) use reader::published;
+pub use reader::{heartbeat_age, revision_of};
 
 use std::sync::atomic;
 

@@ -1,0 +1,14 @@
+//! Readers that take part in iceoryx2, and what the daemon shares with them.
+
+mod attach;
+mod config;
+mod count;
+mod sample;
+mod shortage;
+mod subscription;
+
+pub use attach::AttachTiming;
+pub use config::{TransportService, iceoryx2_config, silence_iceoryx2};
+pub use count::count_subscriptions;
+pub(crate) use sample::PinnedSample;
+pub use subscription::Subscription;
