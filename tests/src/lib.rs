@@ -19,6 +19,7 @@ pub mod literal;
 pub mod manager;
 pub mod maps;
 pub mod object_maps;
+pub mod other_user;
 pub mod place;
 pub mod plain_route;
 pub mod releases;

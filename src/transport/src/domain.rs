@@ -1,5 +1,6 @@
 //! Where daemon and clients meet.
 
+use crate::accounts::user_id;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -15,15 +16,30 @@ pub const MAX_PREFIX_LENGTH: usize = 20;
 /// The file system that holds everything of a domain. POSIX shared memory lives here on Linux.
 pub const SHARED_MEMORY_FOLDER: &str = "/dev/shm";
 
-/// The prefix cannot be used.
+/// Environment variable with the user whose daemon is trusted, by name or number, in [`Domain::from_env`].
+pub const OWNER_VARIABLE: &str = "MAPD_OWNER";
+
+/// The prefix or the owner cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error(
-    "expected a prefix of ASCII letters, digits and '-' that ends with its only '_', at most {MAX_PREFIX_LENGTH} bytes, \
-     such as {DEFAULT_PREFIX:?}; found {prefix:?}; change it or {PREFIX_VARIABLE}"
-)]
-pub struct DomainError {
-    /// What was given.
-    pub prefix: String,
+#[non_exhaustive]
+pub enum DomainError {
+    /// The prefix.
+    #[error(
+        "expected a prefix of ASCII letters, digits and '-' that ends with its only '_', at most {MAX_PREFIX_LENGTH} bytes, \
+         such as {DEFAULT_PREFIX:?}; found {prefix:?}; change it or {PREFIX_VARIABLE}"
+    )]
+    Prefix {
+        /// What was given.
+        prefix: String,
+    },
+    /// The owner.
+    #[error("owner {owner:?}: {reason}; change it or {OWNER_VARIABLE}")]
+    Owner {
+        /// What was given.
+        owner: String,
+        /// Why it is no user.
+        reason: String,
+    },
 }
 
 /// Where daemon and clients meet: the prefix of all files in [`SHARED_MEMORY_FOLDER`], and the root folder
@@ -35,6 +51,8 @@ pub struct DomainError {
 pub struct Domain {
     prefix: String,
     root: PathBuf,
+    /// Whose daemon is trusted; `None` for this process's own user.
+    owner: Option<u32>,
 }
 
 impl Domain {
@@ -46,20 +64,41 @@ impl Domain {
         let allowed = |c: char| c.is_ascii_alphanumeric() || c == '-';
         let starts_well = stem.starts_with(|c: char| c.is_ascii_alphanumeric());
         if !starts_well || prefix.len() > MAX_PREFIX_LENGTH || !stem.chars().all(allowed) {
-            return Err(DomainError { prefix: prefix.to_owned() });
+            return Err(DomainError::Prefix { prefix: prefix.to_owned() });
         }
         let root = Path::new(SHARED_MEMORY_FOLDER).join(format!("{prefix}root"));
-        Ok(Self { prefix: prefix.to_owned(), root })
+        Ok(Self { prefix: prefix.to_owned(), root, owner: None })
     }
 
-    /// The domain that the environment variable [`PREFIX_VARIABLE`] names, else the default one.
+    /// The domain that the environment variables [`PREFIX_VARIABLE`] and [`OWNER_VARIABLE`] name, else the default one of this process's own user.
     ///
-    /// Errors: the variable's prefix cannot be used.
+    /// Errors: prefix or owner cannot be used.
     pub fn from_env() -> Result<Self, DomainError> {
-        match std::env::var_os(PREFIX_VARIABLE) {
+        let domain = match std::env::var_os(PREFIX_VARIABLE) {
             Some(prefix) => Self::new(&prefix.to_string_lossy()),
             None => Self::new(DEFAULT_PREFIX),
+        }?;
+        match std::env::var_os(OWNER_VARIABLE) {
+            Some(owner) => domain.owned_by(&owner.to_string_lossy()),
+            None => Ok(domain),
         }
+    }
+
+    /// The same, of another user, by name or number: its daemon's word is taken, and nobody else's. Anybody can make a folder of the domain's name first.
+    ///
+    /// Errors: there is no such user.
+    pub fn owned_by(mut self, owner: &str) -> Result<Self, DomainError> {
+        let failed = |error: std::io::Error| DomainError::Owner {
+            owner: owner.to_owned(),
+            reason: error.to_string(),
+        };
+        self.owner = Some(user_id(owner).map_err(failed)?);
+        Ok(self)
+    }
+
+    /// Id of the user whose daemon is trusted.
+    pub fn owner(&self) -> u32 {
+        self.owner.unwrap_or_else(|| rustix::process::geteuid().as_raw())
     }
 
     /// Prefix of all files.
@@ -92,7 +131,7 @@ mod tests {
         for bad in
             ["", "_", "mapd", "mapd_x_", "-a_", "a/b_", "a b_", "\u{e4}_", "abcdefghijklmnopqrst_"]
         {
-            assert_eq!(Domain::new(bad), Err(DomainError { prefix: bad.to_owned() }));
+            assert_eq!(Domain::new(bad), Err(DomainError::Prefix { prefix: bad.to_owned() }));
         }
     }
 }

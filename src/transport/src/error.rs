@@ -88,15 +88,36 @@ pub enum AttachError {
         /// The map.
         map: String,
     },
-    /// The files belong to another user.
-    #[error("{} belongs to user {owner}, this process runs as user {us}; run daemon and clients as one user", path.display())]
+    /// The files belong to another user than the one that is trusted.
+    #[error(
+        "{} belongs to user {owner}, trusted is user {trusted}; run daemon and clients as one user, or name the daemon's with --owner or MAPD_OWNER",
+        path.display()
+    )]
     PermissionDenied {
         /// What cannot be used.
         path: PathBuf,
         /// User id of its owner.
         owner: u32,
-        /// Effective user id of this process.
-        us: u32,
+        /// User id of whoever is trusted: this process's own, unless another one was named.
+        trusted: u32,
+    },
+    /// The files belong to a user of whom nothing is known in this user namespace.
+    #[error(
+        "{} belongs to a user that has no id in this user namespace, so that it may be anybody's; map the daemon's user into it, or hand over a signed file",
+        path.display()
+    )]
+    UnknownOwner {
+        /// What cannot be used.
+        path: PathBuf,
+    },
+    /// The daemon's user is trusted, but does not share.
+    #[error(
+        "this process may not read {}: the daemon shares with nobody, or with a group that this process is not in; start it with --share group:NAME",
+        path.display()
+    )]
+    NotShared {
+        /// What cannot be read.
+        path: PathBuf,
     },
     /// A file that a killed process left unfinished is in the way until a daemon removes it.
     #[error("{} was left unfinished by a process that was killed; a running daemon removes it within seconds, else start one", file.display())]
@@ -174,6 +195,7 @@ impl AttachError {
                 | Self::MapName { .. }
                 | Self::WrongTransport { .. }
                 | Self::PermissionDenied { .. }
+                | Self::UnknownOwner { .. }
                 | Self::TooManyPinned { .. }
                 | Self::Superseded { .. }
                 | Self::OtherContent { .. }

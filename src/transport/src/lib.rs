@@ -38,6 +38,7 @@
 //! # }
 //! ```
 
+mod accounts;
 mod attach_lock;
 mod claim;
 mod deadline;
@@ -52,17 +53,20 @@ mod presence;
 mod record;
 mod regular;
 mod room;
+mod share;
 mod status;
 #[cfg(feature = "iceoryx2")]
 mod subscriber;
 mod unfinished;
 mod user;
 
+pub use accounts::{group_id, user_id};
 pub use attach_lock::{AttachGuard, AttachLock};
 pub use claim::{Claim, ClaimError, served_by};
 pub use deadline::after;
 pub use domain::{
-    DEFAULT_PREFIX, Domain, DomainError, MAX_PREFIX_LENGTH, PREFIX_VARIABLE, SHARED_MEMORY_FOLDER,
+    DEFAULT_PREFIX, Domain, DomainError, MAX_PREFIX_LENGTH, OWNER_VARIABLE, PREFIX_VARIABLE,
+    SHARED_MEMORY_FOLDER,
 };
 pub use error::AttachError;
 pub use limits::*;
@@ -73,11 +77,12 @@ pub use pinned::Pinned;
 pub use presence::Presence;
 pub use record::{
     GENERATION_SUFFIX, LARGEST_GENERATION, RECORD_SUFFIX, hex, parse_generation, pending,
-    read_generation, read_generation_file, replace_text, replace_text_durably, write_generation,
-    write_staged,
+    read_generation, read_generation_file, remove_staged, replace_text, replace_text_durably,
+    write_generation, write_staged,
 };
 pub use regular::{open_regular, read_regular};
 pub use room::{ATTACH_DESCRIPTORS, ATTACH_ROOM, descriptors_left, free_bytes};
+pub use share::Share;
 pub use status::{MapStatus, list_maps};
 #[cfg(feature = "iceoryx2")]
 pub use subscriber::{
@@ -85,4 +90,4 @@ pub use subscriber::{
     silence_iceoryx2,
 };
 pub use unfinished::unfinished_segments;
-pub use user::check_owner;
+pub use user::{check_own, check_owner};

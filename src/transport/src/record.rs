@@ -5,9 +5,11 @@ use crate::claim::served_by;
 use crate::domain::Domain;
 use crate::limits::TRANSPORT_REVISION;
 use crate::payload::GenerationInfo;
-use crate::regular::read_regular;
+use crate::regular::{read_owned, read_regular};
+use crate::share::Share;
 use std::fs::{self, File};
 use std::io::{self, Write};
+use std::os::unix::fs::OpenOptionsExt;
 use std::path::{Path, PathBuf};
 
 /// Suffix of the file of the last generation number of a map.
@@ -64,7 +66,7 @@ pub fn write_generation(domain: &Domain, map: &str, generation: u64) -> io::Resu
 
 /// The generation that was staged; `None` if none was.
 fn read_staged(domain: &Domain, map: &str) -> Option<(u32, GenerationInfo)> {
-    parse(&read_regular(&domain.map_file(map, STAGED), LONGEST).ok()?)
+    parse(&read_owned(&domain.map_file(map, STAGED), domain.owner(), LONGEST).ok()?)
 }
 
 /// The generation that waits to be served, if a daemon that lives has staged one. Reads small files; attaches to nothing.
@@ -73,15 +75,28 @@ pub fn pending(domain: &Domain, map: &str) -> Option<GenerationInfo> {
     served_by(domain, map).map(|_| info)
 }
 
-/// Writes down what is staged now; `None` removes it.
+/// Writes down what is staged now, for whom the daemon shares with.
 ///
 /// Errors: what the system says.
-pub fn write_staged(domain: &Domain, map: &str, info: Option<&GenerationInfo>) -> io::Result<()> {
+pub fn write_staged(
+    domain: &Domain,
+    map: &str,
+    info: &GenerationInfo,
+    share: Share,
+) -> io::Result<()> {
     let path = domain.map_file(map, STAGED);
-    match info {
-        Some(info) => replace_text(&path, &print(info)),
-        None => remove_text(&path),
-    }
+    let new = unfinished(&path);
+    let mut file = create_anew(&new)?;
+    share.written(&file)?;
+    file.write_all(print(info).as_bytes())?;
+    fs::rename(&new, &path)
+}
+
+/// Nothing is staged any more.
+///
+/// Errors: what the system says.
+pub fn remove_staged(domain: &Domain, map: &str) -> io::Result<()> {
+    remove_text(&domain.map_file(map, STAGED))
 }
 
 /// Removes a file, and what whoever was killed while replacing it has left.
@@ -103,7 +118,8 @@ pub(super) fn unfinished(path: &Path) -> PathBuf {
 fn create_anew(path: &Path) -> io::Result<File> {
     match fs::remove_file(path) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
-        _ => File::create_new(path),
+        // Whatever the umask is: nobody else writes in a folder that is shared.
+        _ => File::options().write(true).create_new(true).mode(0o600).open(path),
     }
 }
 

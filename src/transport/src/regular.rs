@@ -1,18 +1,23 @@
 //! Opening files under names that anything may have: a pipe, a folder, a device that never ends.
 
+use crate::user::trusts;
 use rustix::fs::OFlags;
 use std::fs::{File, OpenOptions};
 use std::io::{self, Read};
-use std::os::unix::fs::OpenOptionsExt;
+use std::os::unix::fs::{MetadataExt, OpenOptionsExt};
 use std::path::Path;
 
 /// Opens a regular file for reading; never waits for the other end of a pipe.
 ///
 /// Errors: what the system says; [`io::ErrorKind::InvalidInput`] for what is no regular file.
 pub fn open_regular(path: &Path) -> io::Result<File> {
-    let mut options = OpenOptions::new();
     // Of a regular file it changes nothing.
-    options.read(true).custom_flags(OFlags::NONBLOCK.bits().cast_signed());
+    open_with(path, OFlags::NONBLOCK)
+}
+
+fn open_with(path: &Path, flags: OFlags) -> io::Result<File> {
+    let mut options = OpenOptions::new();
+    options.read(true).custom_flags(flags.bits().cast_signed());
     let file = options.open(path)?;
     match file.metadata()?.is_file() {
         true => Ok(file),
@@ -20,12 +25,34 @@ pub fn open_regular(path: &Path) -> io::Result<File> {
     }
 }
 
+/// Reads a text of at most `most` bytes from a regular file of this user; follows no link.
+///
+/// Errors: those of [`read_regular`]; [`io::ErrorKind::PermissionDenied`] for another user's.
+pub(crate) fn read_owned(path: &Path, owner: u32, most: u64) -> io::Result<String> {
+    read_text(open_owned(path, owner)?, most)
+}
+
+/// Opens a regular file of this user for reading; follows no link.
+///
+/// Errors: as [`read_owned`].
+pub(crate) fn open_owned(path: &Path, owner: u32) -> io::Result<File> {
+    let file = open_with(path, OFlags::NONBLOCK | OFlags::NOFOLLOW)?;
+    match trusts(owner, file.metadata()?.uid()) {
+        true => Ok(file),
+        false => Err(io::ErrorKind::PermissionDenied.into()),
+    }
+}
+
 /// Reads a text of at most `most` bytes from a regular file.
 ///
 /// Errors: those of [`open_regular`]; [`io::ErrorKind::InvalidData`] for a longer one, and for what is no text.
 pub fn read_regular(path: &Path, most: u64) -> io::Result<String> {
+    read_text(open_regular(path)?, most)
+}
+
+fn read_text(file: File, most: u64) -> io::Result<String> {
     let mut text = String::new();
-    open_regular(path)?.take(most.saturating_add(1)).read_to_string(&mut text)?;
+    file.take(most.saturating_add(1)).read_to_string(&mut text)?;
     match text.len() as u64 > most {
         true => {
             let message = format!("expected at most {most} bytes, found more");

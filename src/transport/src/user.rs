@@ -5,25 +5,57 @@ use crate::error::AttachError;
 use std::fs;
 use std::io;
 use std::os::unix::fs::MetadataExt;
+use std::path::Path;
 
-/// Checks that the root folder is a real folder of this process's user. Files of two users in one domain could not be
-/// cleaned up by either, even if one of them may read everything.
-///
-/// Errors: [`AttachError::PermissionDenied`]; [`AttachError::Io`], of kind not-found if there is no root folder.
-pub fn check_owner(domain: &Domain) -> Result<(), AttachError> {
-    check_owned_by(domain, rustix::process::geteuid().as_raw())
+/// What the kernel shows for an owner whose id is not mapped into this user namespace: its default.
+const UNMAPPED: u32 = 65_534;
+
+/// Ids of a namespace that maps all of them.
+const ALL: &str = "4294967295";
+
+/// Whether a file of user `found` is one of `owner`'s. One whose owner is not known here is nobody's: in a user namespace all such files
+/// seem to be of one user, which this process may seem to be, too.
+pub(crate) fn trusts(owner: u32, found: u32) -> bool {
+    found == owner && (found != UNMAPPED || all_are_mapped())
 }
 
-/// The same of the user whose id is known already.
-pub(super) fn check_owned_by(domain: &Domain, us: u32) -> Result<(), AttachError> {
+fn all_are_mapped() -> bool {
+    let map = std::fs::read_to_string("/proc/self/uid_map").unwrap_or_default();
+    map.split_whitespace().eq(["0", "0", ALL])
+}
+
+/// Checks that the root folder is a real folder of the domain's owner.
+///
+/// Errors: [`AttachError::PermissionDenied`], [`AttachError::UnknownOwner`]; [`AttachError::Io`], of kind not-found if there is no root folder.
+pub fn check_owner(domain: &Domain) -> Result<(), AttachError> {
+    check_owned_by(domain, domain.owner())
+}
+
+/// The same of an owner whose id is known already.
+pub(super) fn check_owned_by(domain: &Domain, owner: u32) -> Result<(), AttachError> {
     let root = domain.root();
     let metadata = fs::symlink_metadata(root).map_err(|error| AttachError::io(root, error))?;
     if !metadata.is_dir() {
         return Err(AttachError::io(root, io::ErrorKind::NotADirectory.into()));
     }
-    if us != metadata.uid() {
-        let owner = metadata.uid();
-        return Err(AttachError::PermissionDenied { path: root.to_owned(), owner, us });
+    match trusts(owner, metadata.uid()) {
+        true => Ok(()),
+        false => Err(not_owned(root, metadata.uid(), owner)),
     }
-    Ok(())
+}
+
+/// Checks that the domain is this process's own user's: to write in it, as daemons and subscribers do.
+///
+/// Errors: as [`check_owner`].
+pub fn check_own(domain: &Domain) -> Result<(), AttachError> {
+    check_owned_by(domain, rustix::process::geteuid().as_raw())
+}
+
+/// The error for what belongs to user `found`.
+pub(crate) fn not_owned(path: &Path, found: u32, trusted: u32) -> AttachError {
+    let path = path.to_owned();
+    match found {
+        UNMAPPED if !all_are_mapped() => AttachError::UnknownOwner { path },
+        owner => AttachError::PermissionDenied { path, owner, trusted },
+    }
 }

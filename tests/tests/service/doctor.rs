@@ -72,11 +72,11 @@ fn nothing_is_wrong_before_and_while_a_map_is_served() {
     let daemon = place.serve(&[&town()]);
     let during = doctor(&place);
     for (check, words) in [
-        ("root folder", "this user's alone"),
+        ("root folder", "alone"),
         ("attach lock", "free"),
         ("unfinished files", "none"),
         ("files of dead processes", "in use"),
-        ("rights", "nothing is open"),
+        ("rights", "others may write nothing"),
         ("versions", &format!("iceoryx2 {},", iceoryx2())),
         ("daemon", &daemon.id().to_string()),
         ("attach", "page faults"),

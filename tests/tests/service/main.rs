@@ -18,5 +18,6 @@ mod reload_storm;
 mod repairs;
 mod service;
 mod service_trouble;
+mod shared;
 mod threads;
 mod trust;

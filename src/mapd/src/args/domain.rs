@@ -11,6 +11,10 @@ pub(crate) struct DomainArgs {
     /// Prefix of everything in shared memory; daemons and clients meet where it is equal (letters and digits, one _ at the end) [default: mapd_]
     #[arg(long, env = "MAPD_PREFIX", value_name = "PREFIX")]
     prefix: Option<String>,
+
+    /// Trust the daemon of this user, by name or number; it has to share (--share) [default: this process's user]
+    #[arg(long, env = "MAPD_OWNER", value_name = "USER")]
+    owner: Option<String>,
 }
 
 impl DomainArgs {
@@ -18,17 +22,21 @@ impl DomainArgs {
     ///
     /// Errors: as [`DomainArgs::domain`].
     pub(crate) fn named(&self) -> Result<Option<Domain>> {
-        self.prefix.is_some().then(|| self.domain()).transpose()
+        (self.prefix.is_some() || self.owner.is_some()).then(|| self.domain()).transpose()
     }
 
     /// The domain: this one, or that of the environment.
     ///
-    /// Errors: it cannot be a prefix.
+    /// Errors: it cannot be a prefix; there is no such owner.
     pub(crate) fn domain(&self) -> Result<Domain> {
         let domain = match &self.prefix {
             Some(prefix) => Domain::new(prefix),
             None => Domain::from_env(),
         };
+        let domain = domain.and_then(|domain| match &self.owner {
+            Some(owner) => domain.owned_by(owner),
+            None => Ok(domain),
+        });
         domain.map_err(|error| UsageError(error.to_string()).into())
     }
 }

@@ -6,14 +6,14 @@ use super::log::say;
 use super::settings::{MapSettings, Settings};
 use super::sources;
 use crate::args::CompileArguments;
-use crate::args::Size;
 use crate::args::ThreadsArg;
+use crate::args::{ShareWith, Size};
 use crate::cache::{self, Cache};
 use crate::exit::UsageError;
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use mapd_client::Domain;
-use mapd_transport::check_map_name;
+use mapd_transport::{Share, check_map_name};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
@@ -66,6 +66,10 @@ pub(crate) struct DaemonArgs {
     /// Keep what is served in memory, never in swap; needs a limit of locked memory of twice the largest map (ulimit -l)
     #[arg(long)]
     lock_memory: bool,
+
+    /// Let members of this group read what is served, as observers (--owner); nobody else writes anything [default: private]
+    #[arg(long, value_name = "group:NAME")]
+    share: Option<ShareWith>,
 }
 
 impl DaemonArgs {
@@ -142,8 +146,9 @@ impl DaemonArgs {
         };
         let cache = self.cache(&file)?;
         let lock_memory = self.lock_memory || file.lock_memory;
+        let share = self.share.or(file.share).map_or(Share::Private, |with| with.0);
         let (trust, oversight) = (file.trust, file.oversight);
-        Ok(Settings { domain, cache, means, trust, oversight, lock_memory, maps })
+        Ok(Settings { domain, cache, means, trust, oversight, lock_memory, share, maps })
     }
 
     /// The cache. One that was asked for must be usable; the default one is done without if it is not.

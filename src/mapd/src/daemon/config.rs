@@ -3,6 +3,7 @@
 use super::settings::MapSettings;
 use super::sources;
 use crate::args::CompileArguments;
+use crate::args::ShareWith;
 use crate::args::Size;
 use crate::args::ThreadCount;
 use crate::oversight::OversightSettings;
@@ -26,6 +27,7 @@ pub(crate) struct Configuration {
     pub(crate) compile_memory: Option<Size>,
     pub(crate) threads: Option<ThreadCount>,
     pub(crate) lock_memory: bool,
+    pub(crate) share: Option<ShareWith>,
     pub(crate) trust: Option<PathBuf>,
     pub(crate) oversight: OversightSettings,
     pub(crate) watch: bool,
@@ -48,6 +50,7 @@ struct File {
     threads: Option<ThreadCount>,
     #[serde(default)]
     lock_memory: bool,
+    share: Option<ShareWith>,
     trust: Option<PathBuf>,
     metrics: Option<SocketAddr>,
     #[serde(default)]
@@ -129,6 +132,7 @@ impl Configuration {
             compile_memory: file.compile_memory,
             threads: file.threads,
             lock_memory: file.lock_memory,
+            share: file.share,
             trust: file.trust.map(|key| folder.join(key)),
             oversight: OversightSettings {
                 metrics: file.metrics,

@@ -34,9 +34,11 @@ use crate::serve::{Doorbell, ServeError, Server, StopSignal};
 use anyhow::{Context, Result};
 use log::say;
 use mapd_client::TrustedKey;
+use mapd_transport::Share;
 use maps::{Begun, Maps};
 use orders::{Change, Order, Orders};
 use prepare::{Prepared, Preparer};
+use rustix::fs::Mode;
 use settings::Settings;
 use signal_hook::consts::SIGHUP;
 use std::collections::BTreeMap;
@@ -71,7 +73,7 @@ pub(crate) fn run(
         .context("installing the handler of SIGHUP")?;
     let metrics = oversight.open_metrics()?;
     let cancelled = stop.flag();
-    let Settings { domain, cache, means, lock_memory, maps, .. } = settings;
+    let Settings { domain, cache, means, lock_memory, share, maps, .. } = settings;
     let preparer = Preparer { cache, means, trust, cancelled };
     let watched: WatchList = Arc::default();
     let (mut ready, mut fallbacks) = (Vec::new(), Vec::new());
@@ -110,6 +112,11 @@ pub(crate) fn run(
     let (orders, received) = Orders::new(door.ringer().context("a socket pair")?);
     let mut server = Server::start_with(&domain, crate::oversight::log::notice)?;
     server.lock_memory(lock_memory);
+    if share != Share::Private {
+        // What a group may read in, it must not write: nothing is made with rights that are taken away only afterwards.
+        rustix::process::umask(Mode::RWXG | Mode::RWXO);
+    }
+    server.share(share)?;
     if let Some(cache) = &preparer.cache {
         server.keep_generations_in(cache.folder());
     }

@@ -5,6 +5,7 @@ use crate::args::CompileArguments;
 use crate::cache::Cache;
 use crate::oversight::OversightSettings;
 use mapd_client::Domain;
+use mapd_transport::Share;
 use std::path::PathBuf;
 
 /// What a daemon is to do.
@@ -21,6 +22,8 @@ pub(crate) struct Settings {
     pub(crate) oversight: OversightSettings,
     /// Whether what is served is kept from swap.
     pub(crate) lock_memory: bool,
+    /// Who may read what is served.
+    pub(crate) share: Share,
     pub(crate) maps: Vec<MapSettings>,
 }
 

@@ -15,6 +15,24 @@ pub enum ServeError {
     /// Another daemon serves a map of this name.
     #[error(transparent)]
     Claim(#[from] ClaimError),
+    /// The daemon's user cannot give files to the group it is to share with.
+    #[error(
+        "sharing with group {group}: this user is not in it; add the user to the group, or name one it is in (--share group:NAME)"
+    )]
+    NotInGroup {
+        /// Id of the group.
+        group: u32,
+    },
+    /// Another daemon shares the domain with another group.
+    #[error(
+        "the domain is shared with group {group} already, by another daemon; share with that group instead of {wanted}, or take another --prefix"
+    )]
+    SharedAlready {
+        /// Id of its group.
+        group: u32,
+        /// Id of the group that was wanted.
+        wanted: u32,
+    },
     /// A map of no bytes cannot be published.
     #[error("map {map:?}: expected at least one byte, found none")]
     Empty {

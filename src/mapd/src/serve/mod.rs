@@ -47,6 +47,7 @@ mod segment;
 mod served_map;
 mod server;
 mod services;
+mod sharing;
 mod stop;
 
 pub(crate) use control_group::available as control_group_available;

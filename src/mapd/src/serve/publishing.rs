@@ -12,7 +12,8 @@ use super::served_map::MapPublisher;
 use super::server::Server;
 use crate::clock::unix_ns;
 use mapd_transport::{
-    AttachGuard, GenerationInfo, Place, SHARED_MEMORY_FOLDER, chunks_for, write_staged,
+    AttachGuard, GenerationInfo, Place, SHARED_MEMORY_FOLDER, chunks_for, remove_staged,
+    write_staged,
 };
 use std::error::Error;
 use std::io;
@@ -81,7 +82,10 @@ impl Server {
         };
         let info = *staged.info();
         self.staged.insert(map.to_owned(), staged);
-        self.tell_if_failed("writing the record", write_staged(&self.domain, map, Some(&info)));
+        self.tell_if_failed(
+            "writing the record",
+            write_staged(&self.domain, map, &info, self.share),
+        );
         Ok(info.generation)
     }
 
@@ -98,7 +102,7 @@ impl Server {
             return Err(ServeError::NothingStaged { map: map.to_owned() });
         };
         let sent = self.send(map, staged).map_err(memory::or_shortage);
-        self.tell_if_failed("removing the record", write_staged(&self.domain, map, None));
+        self.tell_if_failed("removing the record", remove_staged(&self.domain, map));
         sent
     }
 
@@ -113,7 +117,7 @@ impl Server {
     pub(super) fn unstage(&mut self, map: &str, _exclusive: Option<&AttachGuard>) {
         if let Some(staged) = self.staged.remove(map) {
             drop(staged);
-            self.tell_if_failed("removing the record", write_staged(&self.domain, map, None));
+            self.tell_if_failed("removing the record", remove_staged(&self.domain, map));
         }
     }
 
@@ -182,7 +186,7 @@ impl Server {
             Ok(info(generation, length, &meta))
         })?;
         // Nobody has written through it meanwhile, and nobody will.
-        self.tell_if_failed("making the data segment read-only", segment.protect());
+        self.tell_if_failed("making the data segment read-only", segment.protect(self.share));
         Ok((filled, place, locked))
     }
 

@@ -3,16 +3,13 @@
 use super::loan::Mark;
 use super::locked::LockedPages;
 use super::served_map::MapPublisher;
-use mapd_transport::{Domain, Place, SHARED_MEMORY_FOLDER};
+use mapd_transport::{Domain, Place, SHARED_MEMORY_FOLDER, Share};
 use rustix::fs::FallocateFlags;
 use std::cell::OnceCell;
-use std::fs::{File, OpenOptions, Permissions};
+use std::fs::{File, OpenOptions};
 use std::io;
-use std::os::unix::fs::{FileExt, MetadataExt, PermissionsExt};
+use std::os::unix::fs::{FileExt, MetadataExt};
 use std::path::Path;
-
-/// Mode of a published data segment: nobody changes it any more, and other users do not even read it.
-const READ_ONLY: u32 = 0o400;
 
 /// The hash of a type name that iceoryx2 puts into the names of data segments, once one has been found: it is the same for
 /// all publishers of maps.
@@ -112,11 +109,11 @@ impl Segment {
         LockedPages::of(&self.file)
     }
 
-    /// Makes it read-only for good. Existing mappings stay what they are; iceoryx2 maps readers read-only anyway, but
+    /// Makes it read-only for good, for whom the daemon shares with. Existing mappings stay what they are; iceoryx2 maps readers read-only anyway, but
     /// would give any process of the user a writable one.
     ///
     /// Errors: what the system says.
-    pub(crate) fn protect(&self) -> io::Result<()> {
-        self.file.set_permissions(Permissions::from_mode(READ_ONLY))
+    pub(crate) fn protect(&self, share: Share) -> io::Result<()> {
+        share.finished(&self.file)
     }
 }

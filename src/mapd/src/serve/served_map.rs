@@ -13,10 +13,17 @@ use iceoryx2::port::update_connections::UpdateConnections;
 use iceoryx2::prelude::{AllocationStrategy, Node};
 use iceoryx2::service::port_factory::PortFactory as _;
 use mapd_transport::{
-    AttachGuard, Chunk64, Claim, Domain, GenerationInfo, RecordWriter, TransportService,
+    AttachGuard, Chunk64, Claim, Domain, GenerationInfo, RecordWriter, Share, TransportService,
 };
 
 pub(crate) type MapPublisher = Publisher<TransportService, [Chunk64], GenerationInfo>;
+
+/// Which map is served, and to whom.
+pub(crate) struct MapOf<'a> {
+    pub(crate) domain: &'a Domain,
+    pub(crate) map: &'a str,
+    pub(crate) share: Share,
+}
 
 /// The services and ports of a map. Fields are dropped in the order they are written.
 pub(crate) struct MapPorts {
@@ -36,13 +43,13 @@ impl MapPorts {
     ///
     /// Errors: iceoryx2 refuses; the claim is given up.
     pub(crate) fn create(
-        domain: &Domain,
+        of: &MapOf<'_>,
         node: &Node<TransportService>,
-        map: &str,
         claim: Claim,
         exclusive: Option<&AttachGuard>,
     ) -> Result<Self, ServeError> {
-        let record = match RecordWriter::open(domain, map) {
+        let MapOf { domain, map, share } = of;
+        let record = match RecordWriter::open(domain, map, *share) {
             Ok(record) => record,
             Err(error) => {
                 claim.release();

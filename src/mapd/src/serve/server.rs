@@ -12,13 +12,14 @@ use super::publishing::Staged;
 use super::reserve::reserving;
 use super::rights;
 use super::segment::SegmentType;
-use super::served_map::MapPorts;
+use super::served_map::{MapOf, MapPorts};
+use super::sharing::{check_owner_is_us, share_root};
 use super::stop::StopSignal;
 use iceoryx2::prelude::{Node, NodeBuilder, NodeName, SignalHandlingMode};
 use mapd_transport::{
-    AttachGuard, AttachLock, Claim, DAEMON_NODE, Domain, GenerationInfo, Presence,
-    TransportService, check_map_name, check_owner, iceoryx2_config, silence_iceoryx2,
-    unfinished_segments, write_staged,
+    AttachGuard, AttachLock, Claim, DAEMON_NODE, Domain, GenerationInfo, Presence, Share,
+    TransportService, check_map_name, check_owner, iceoryx2_config, remove_staged,
+    silence_iceoryx2, unfinished_segments,
 };
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -72,6 +73,9 @@ pub struct Server {
     pub(super) notify: Box<dyn Fn(&Notice)>,
     pub(super) generations: Generations,
     pub(super) lock_memory: bool,
+    pub(super) share: Share,
+    /// Whether it found the domain deserted.
+    alone: bool,
     pub(super) segment_type: SegmentType,
     patience: Cell<Duration>,
     next_round: Instant,
@@ -94,12 +98,14 @@ impl Server {
         domain: &Domain,
         notify: impl Fn(&Notice) + 'static,
     ) -> Result<Self, ServeError> {
+        check_owner_is_us(domain)?;
         silence_iceoryx2();
         let config = iceoryx2_config(domain)?;
         memory::check_overhead()?;
         let (lock, exclusive) = enter(domain).map_err(memory::or_shortage)?;
+        let alone = exclusive.is_some() && Presence::is_deserted(domain);
         match &exclusive {
-            Some(guard) if Presence::is_deserted(domain) => cleanup::wipe(domain, false, guard),
+            Some(guard) if alone => cleanup::wipe(domain, false, guard),
             Some(guard) => cleanup::sweep(domain, guard, &notify),
             None => {
                 notify(&Notice::LockHeld { lock: lock.path().to_owned() });
@@ -120,6 +126,8 @@ impl Server {
             notify: Box::new(notify),
             generations: Generations::default(),
             lock_memory: false,
+            share: Share::default(),
+            alone,
             segment_type: SegmentType::default(),
             patience: Cell::new(LOCK_PATIENCE),
             next_round: Instant::now(),
@@ -153,6 +161,15 @@ impl Server {
     /// generation whose pages cannot be locked is refused with [`ServeError::NotLocked`].
     pub fn lock_memory(&mut self, lock: bool) {
         self.lock_memory = lock;
+    }
+
+    /// Lets a group read what is published from now on, or nobody, which is the default. Before the first map is claimed.
+    ///
+    /// Errors: this user is not in the group; the domain is shared with another group already; what the system says.
+    pub fn share(&mut self, share: Share) -> Result<(), ServeError> {
+        share_root(&self.domain, share, self.alone)?;
+        self.share = share;
+        Ok(())
     }
 
     /// Claims a map before its first generation is ready, so that a second daemon fails at once and clients know that the
@@ -192,7 +209,7 @@ impl Server {
     fn claim_new(&mut self, map: &str) -> Result<(), ServeError> {
         let claim = Claim::acquire(&self.domain, map)?;
         // A killed daemon's word is out of date. What it served last is still told to observers, until there is something newer.
-        self.tell_if_failed("removing an old record", write_staged(&self.domain, map, None));
+        self.tell_if_failed("removing an old record", remove_staged(&self.domain, map));
         let exclusive = self.exclusive();
         let Some(node) = &self.node else {
             return Err(ServeError::iceoryx("creating a service")("no node"));
@@ -201,8 +218,10 @@ impl Server {
             claim.release();
             return Err(error);
         }
-        let ports =
-            reserving(|| MapPorts::create(&self.domain, node, map, claim, exclusive.as_ref()))?;
+        let ports = reserving(|| {
+            let of = MapOf { domain: &self.domain, map, share: self.share };
+            MapPorts::create(&of, node, claim, exclusive.as_ref())
+        })?;
         self.maps.insert(map.to_owned(), ports);
         Ok(())
     }

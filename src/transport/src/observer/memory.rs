@@ -3,6 +3,8 @@
 
 use super::page::{PAGE_BYTES, Page};
 use crate::mapping::Mapping;
+use crate::share::Share;
+use crate::user::trusts;
 use rustix::fd::OwnedFd;
 use rustix::fs::{FileType, Mode, OFlags, Stat};
 use rustix::io::Errno;
@@ -47,7 +49,7 @@ fn open(path: &Path, access: OFlags, owner: u32) -> Result<(OwnedFd, Stat), Refu
     let flags = access | OFlags::NOFOLLOW | OFlags::NONBLOCK | OFlags::CLOEXEC | OFlags::NOCTTY;
     let file = rustix::fs::open(path, flags, Mode::empty())?;
     let stat = rustix::fs::fstat(&file)?;
-    if stat.st_uid != owner {
+    if !trusts(owner, stat.st_uid) {
         return Err(Refusal::OtherOwner(stat.st_uid));
     }
     if FileType::from_raw_mode(stat.st_mode) != FileType::RegularFile {
@@ -74,19 +76,30 @@ pub(super) struct Record {
     pub(super) identity: Identity,
 }
 
+/// Opens a record of the daemon's own for writing, read by whom the daemon shares with.
+///
+/// Errors: those of opening a file; the group cannot have it.
+pub(super) fn open_own(path: &Path, owner: u32, share: Share) -> Result<Record, Refusal> {
+    let (file, stat) = open(path, OFlags::RDWR, owner)?;
+    share.written(&file)?;
+    Record::of(&file, &stat, ProtFlags::READ | ProtFlags::WRITE)
+}
+
 impl Record {
-    /// Maps a record of `owner`: for the daemon writable, for everybody else not.
+    /// Maps a record of `owner` read-only.
     ///
     /// Errors: those of opening a file; invalid-data, if it is not as long as a record.
-    pub(super) fn open(path: &Path, owner: u32, write: bool) -> Result<Self, Refusal> {
-        let access = if write { OFlags::RDWR } else { OFlags::RDONLY };
-        let (file, stat) = open(path, access, owner)?;
+    pub(super) fn open(path: &Path, owner: u32) -> Result<Self, Refusal> {
+        let (file, stat) = open(path, OFlags::RDONLY, owner)?;
+        Self::of(&file, &stat, ProtFlags::READ)
+    }
+
+    fn of(file: &OwnedFd, stat: &Stat, access: ProtFlags) -> Result<Self, Refusal> {
         if stat.st_size as u64 != PAGE_BYTES as u64 {
             return Err(bad(format!("expected {PAGE_BYTES} bytes, found {}", stat.st_size)));
         }
-        let written = if write { ProtFlags::WRITE } else { ProtFlags::empty() };
-        let map = Mapping::new(&file, PAGE_BYTES, ProtFlags::READ | written)?;
-        Ok(Self { map, identity: identity(&stat) })
+        let map = Mapping::new(file, PAGE_BYTES, access)?;
+        Ok(Self { map, identity: identity(stat) })
     }
 
     pub(super) fn page(&self) -> &Page {

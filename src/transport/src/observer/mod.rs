@@ -37,7 +37,7 @@ pub use reader::Observer;
 pub use slot::Place;
 pub use writer::RecordWriter;
 
-pub(crate) use reader::published;
+pub(crate) use reader::{daemon_heard, published};
 pub use reader::{heartbeat_age, revision_of};
 
 use std::sync::atomic;

@@ -11,7 +11,7 @@ use crate::payload::GenerationInfo;
 use crate::pinned::Pinned;
 use crate::record::RECORD_SUFFIX;
 use crate::status::alive_maps;
-use crate::user::check_owned_by;
+use crate::user::{check_owned_by, not_owned};
 use rustix::io::Errno;
 use rustix::thread::futex;
 use rustix::time::{ClockId, Timespec};
@@ -70,7 +70,7 @@ impl Observer {
             map: map.to_owned(),
             domain: domain.clone(),
             path: domain.map_file(map, RECORD_SUFFIX),
-            owner: rustix::process::geteuid().as_raw(),
+            owner: domain.owner(),
             record: Mutex::default(),
             current: Mutex::default(),
         };
@@ -176,15 +176,15 @@ fn open(info: &GenerationInfo, place: &Place, owner: u32) -> Result<Option<Pinne
     match map_segment(&path, place.inode, place.offset + info.length, owner) {
         Ok(mapping) => Ok(Some(Pinned::of_segment(mapping, place.offset, *info))),
         Err(Refusal::Io(error)) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-        Err(refusal) => Err(refused(&path, refusal)),
+        Err(refusal) => Err(refused(&path, refusal, owner)),
     }
 }
 
-fn refused(path: &Path, refusal: Refusal) -> AttachError {
+fn refused(path: &Path, refusal: Refusal, owner: u32) -> AttachError {
     match refusal {
-        Refusal::OtherOwner(owner) => {
-            let us = rustix::process::geteuid().as_raw();
-            AttachError::PermissionDenied { path: path.to_owned(), owner, us }
+        Refusal::OtherOwner(found) => not_owned(path, found, owner),
+        Refusal::Io(error) if error.kind() == io::ErrorKind::PermissionDenied => {
+            AttachError::NotShared { path: path.to_owned() }
         }
         Refusal::Io(error) if error.kind() == io::ErrorKind::InvalidData => {
             AttachError::Record { path: path.to_owned(), why: error.to_string() }
@@ -196,7 +196,7 @@ fn refused(path: &Path, refusal: Refusal) -> AttachError {
 /// Opens a record, in a root folder of the same owner.
 fn open_record(domain: &Domain, path: &Path, owner: u32) -> Result<Record, AttachError> {
     check_owned_by(domain, owner)?;
-    Record::open(path, owner, false).map_err(|refusal| refused(path, refusal))
+    Record::open(path, owner).map_err(|refusal| refused(path, refusal, owner))
 }
 
 /// What a record says now, and its sequence.
@@ -270,16 +270,20 @@ fn age(page: &Page) -> Option<Duration> {
 
 /// How long ago the daemon of a map last said that it lives; `None` if the map has no record.
 pub fn heartbeat_age(domain: &Domain, map: &str) -> Option<Duration> {
-    let owner = rustix::process::geteuid().as_raw();
-    let record = Record::open(&domain.map_file(map, RECORD_SUFFIX), owner, false).ok()?;
+    let record = Record::open(&domain.map_file(map, RECORD_SUFFIX), domain.owner()).ok()?;
     age(record.page())
+}
+
+/// Process id of the daemon that says that it serves a map, by its heartbeat alone: for those who may not look at its lock.
+pub(crate) fn daemon_heard(domain: &Domain, map: &str) -> Option<u32> {
+    heartbeat_age(domain, map).filter(|age| *age <= SILENCE)?;
+    Some(published(domain, map).map_or(0, |info| u32::try_from(info.daemon_pid).unwrap_or(0)))
 }
 
 /// What was published last, and the revision of the transport of who did; `None` if nothing is served, or the record is damaged.
 pub(crate) fn published(domain: &Domain, map: &str) -> Option<GenerationInfo> {
     let path = domain.map_file(map, RECORD_SUFFIX);
-    let owner = rustix::process::geteuid().as_raw();
-    let record = Record::open(&path, owner, false).ok()?;
+    let record = Record::open(&path, domain.owner()).ok()?;
     match read(&record, domain, map, &path) {
         Ok((_, Said::Served(info, _))) => Some(info),
         _ => None,
@@ -288,8 +292,7 @@ pub(crate) fn published(domain: &Domain, map: &str) -> Option<GenerationInfo> {
 
 /// The revision of the transport that a map's record has; `None` if there is no record.
 pub fn revision_of(domain: &Domain, map: &str) -> Option<u32> {
-    let owner = rustix::process::geteuid().as_raw();
-    let record = Record::open(&domain.map_file(map, RECORD_SUFFIX), owner, false).ok()?;
+    let record = Record::open(&domain.map_file(map, RECORD_SUFFIX), domain.owner()).ok()?;
     let page = record.page();
     (page.magic.load(Ordering::Acquire) == MAGIC).then(|| page.revision.load(Ordering::Relaxed))
 }
@@ -307,6 +310,7 @@ impl fmt::Debug for Observer {
 mod tests {
     use super::super::RecordWriter;
     use super::*;
+    use crate::share::Share;
 
     fn served(generation: u64) -> (GenerationInfo, Place) {
         let info = GenerationInfo { generation, length: 1, ..GenerationInfo::default() };
@@ -334,7 +338,7 @@ mod tests {
     #[test]
     fn who_sleeps_is_woken() {
         let folder = Folder::new("recordwake");
-        let writer = RecordWriter::open(&folder.0, "m").expect("a record");
+        let writer = RecordWriter::open(&folder.0, "m", Share::Private).expect("a record");
         let path = folder.0.map_file("m", RECORD_SUFFIX);
         for generation in 1..20 {
             let record = open_record(&folder.0, &path, rustix::process::geteuid().as_raw());
@@ -365,7 +369,7 @@ mod tests {
         let owner = rustix::process::geteuid().as_raw();
         let open = || open_record(&folder.0, &path, owner).expect("opens");
         let publish = |generation| {
-            let writer = RecordWriter::open(&folder.0, "m").expect("a record");
+            let writer = RecordWriter::open(&folder.0, "m", Share::Private).expect("a record");
             let (info, place) = served(generation);
             writer.hold(writer.prepare(&info, &place).expect("can be said"));
             // What is prepared and does not hold is seen by nobody.

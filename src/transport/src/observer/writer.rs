@@ -1,6 +1,6 @@
 //! The daemon's side of a record.
 
-use super::memory::{Record, Refusal};
+use super::memory::{Record, Refusal, open_own};
 use super::page::{MAGIC, PAGE_BYTES, Page};
 use super::reader::monotonic_ns;
 use super::slot::{Place, Said, encode};
@@ -8,6 +8,7 @@ use crate::domain::Domain;
 use crate::limits::TRANSPORT_REVISION;
 use crate::payload::GenerationInfo;
 use crate::record::{RECORD_SUFFIX, remove_text, unfinished};
+use crate::share::Share;
 use rustix::fs::{FallocateFlags, Mode, OFlags};
 use rustix::thread::futex;
 use std::fmt;
@@ -15,7 +16,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
-/// Mode of a record: its user alone, as everything in the root folder.
+/// Mode of a record while it is made: its user alone.
 const MODE: Mode = Mode::RUSR.union(Mode::WUSR);
 
 /// The record of a map, written by the daemon that has claimed it. Dropping it leaves it as it is; [`RecordWriter::close`] removes it.
@@ -32,16 +33,16 @@ pub struct Prepared(u32);
 impl RecordWriter {
     /// Goes on with the record that a killed daemon left, else makes a new one, whose page is there for good: writing it never fails.
     ///
-    /// Errors: what the system says; no room.
-    pub fn open(domain: &Domain, map: &str) -> io::Result<Self> {
+    /// Errors: what the system says; no room; a group that this user is not in.
+    pub fn open(domain: &Domain, map: &str, share: Share) -> io::Result<Self> {
         let path = domain.map_file(map, RECORD_SUFFIX);
         let us = rustix::process::geteuid().as_raw();
-        let record = match Record::open(&path, us, true) {
+        let record = match open_own(&path, us, share) {
             Ok(record) if is_ours(record.page()) => record,
             // None, one of another release, or one that is damaged: who waits on it finds by the name that another has taken its place.
             _ => {
-                create(&path)?;
-                Record::open(&path, us, true).map_err(as_io)?
+                create(&path, share)?;
+                open_own(&path, us, share).map_err(as_io)?
             }
         };
         let writer = Self { record, path };
@@ -107,7 +108,7 @@ fn is_ours(page: &Page) -> bool {
 }
 
 /// Makes a record that says nothing, whole from the moment it has its name.
-fn create(path: &Path) -> io::Result<()> {
+fn create(path: &Path, share: Share) -> io::Result<()> {
     let new = unfinished(path);
     let flags = OFlags::RDWR | OFlags::CREATE | OFlags::TRUNC | OFlags::NOFOLLOW | OFlags::CLOEXEC;
     let file = rustix::fs::open(&new, flags, MODE)?;
@@ -115,7 +116,7 @@ fn create(path: &Path) -> io::Result<()> {
     let made = rustix::fs::fallocate(&file, FallocateFlags::empty(), 0, PAGE_BYTES as u64)
         .map_err(io::Error::from)
         .and_then(|()| {
-            let record = Record::open(&new, us, true).map_err(as_io)?;
+            let record = open_own(&new, us, share).map_err(as_io)?;
             let page = record.page();
             page.revision.store(TRANSPORT_REVISION, Ordering::Relaxed);
             page.magic.store(MAGIC, Ordering::Release);

@@ -12,7 +12,7 @@ use crate::payload::{Chunk64, GenerationInfo};
 use crate::presence::Presence;
 use crate::status::alive_maps;
 use crate::unfinished::unfinished_among;
-use crate::user::check_owner;
+use crate::user::check_own;
 use iceoryx2::port::listener::Listener;
 use iceoryx2::port::notifier::Notifier;
 use iceoryx2::port::subscriber::{Subscriber, SubscriberCreateError};
@@ -142,7 +142,7 @@ fn enter(
     deadline: Instant,
 ) -> Result<(AttachLock, AttachGuard), AttachError> {
     let missing = || AttachError::NoDaemon { map: map.to_owned(), root: domain.root().to_owned() };
-    match check_owner(domain) {
+    match check_own(domain) {
         Err(AttachError::Io { error, .. }) if error.kind() == io::ErrorKind::NotFound => {
             return Err(missing());
         }

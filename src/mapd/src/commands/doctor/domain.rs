@@ -18,6 +18,15 @@ const LOCK_PATIENCE: Duration = Duration::from_millis(500);
 /// Any rights of others than the owner.
 const OTHERS: u32 = 0o077;
 
+/// Those of a root folder that is shared with a group.
+const SHARED_FOLDER: u32 = 0o050;
+
+/// Those of a file that is.
+const SHARED_FILE: u32 = 0o040;
+
+/// Endings of the files that may be: what is published.
+const SHARED: [&str; 3] = [".data", ".published", ".staged"];
+
 /// Examines the domain. Whether clients can go in.
 pub(super) fn examine(domain: &Domain, out: &mut Vec<Finding>) -> bool {
     let check = "root folder";
@@ -32,11 +41,11 @@ pub(super) fn examine(domain: &Domain, out: &mut Vec<Finding>) -> bool {
             leftovers(domain, true, out);
             return false;
         }
-        Err(AttachError::PermissionDenied { owner, us, .. }) => {
+        Err(AttachError::PermissionDenied { owner, trusted, .. }) => {
             out.push(Finding::problem(
                 check,
-                format!("{root} belongs to user {owner}, this process runs as user {us}"),
-                "run daemon and clients as one user, or take another --prefix",
+                format!("{root} belongs to user {owner}, trusted is user {trusted}"),
+                "run daemon and clients as one user, name the daemon's with --owner, or take another --prefix",
             ));
             return false;
         }
@@ -47,12 +56,21 @@ pub(super) fn examine(domain: &Domain, out: &mut Vec<Finding>) -> bool {
         }
     }
     match domain.root().metadata() {
-        Ok(metadata) if metadata.mode() & OTHERS != 0 => out.push(Finding::problem(
-            check,
-            format!("{root} has mode {:04o}: other users may come in", metadata.mode() & 0o7777),
-            format!("chmod 700 {root}"),
-        )),
-        Ok(_) => out.push(Finding::ok(check, format!("{root}, this user's alone"))),
+        Ok(metadata) => out.push(match metadata.mode() & OTHERS {
+            0 => Finding::ok(check, format!("{root}, of user {} alone", metadata.uid())),
+            SHARED_FOLDER => Finding::ok(
+                check,
+                format!("{root}, of user {}, shared with group {}", metadata.uid(), metadata.gid()),
+            ),
+            _ => Finding::problem(
+                check,
+                format!(
+                    "{root} has mode {:04o}: other users may come in",
+                    metadata.mode() & 0o7777
+                ),
+                format!("chmod 700 {root}, or 750 where a daemon shares with a group"),
+            ),
+        }),
         Err(error) => {
             out.push(Finding::problem(check, format!("{root}: {error}"), "start the daemon again"));
         }
@@ -67,9 +85,16 @@ pub(super) fn examine(domain: &Domain, out: &mut Vec<Finding>) -> bool {
 
 fn lock(domain: &Domain, out: &mut Vec<Finding>) {
     let check = "attach lock";
-    let Ok(lock) = AttachLock::open(domain) else {
-        out.push(Finding::ok(check, "not there: no daemon runs"));
-        return;
+    let lock = match AttachLock::open(domain) {
+        Ok(lock) => lock,
+        Err(error) if error.kind() == std::io::ErrorKind::PermissionDenied => {
+            out.push(Finding::ok(check, "its user's alone: an observer needs none"));
+            return;
+        }
+        Err(_) => {
+            out.push(Finding::ok(check, "not there: no daemon runs"));
+            return;
+        }
     };
     out.push(match lock.shared(Instant::now() + LOCK_PATIENCE) {
         Ok(Some(_)) => Finding::ok(check, "free"),
@@ -139,15 +164,21 @@ fn leftovers(domain: &Domain, deserted: bool, out: &mut Vec<Finding>) {
 }
 
 fn rights(domain: &Domain, out: &mut Vec<Finding>) {
-    let open = segments(domain)
-        .into_iter()
-        .find(|path| path.metadata().is_ok_and(|metadata| metadata.mode() & OTHERS != 0));
-    out.push(match open {
+    let inside = std::fs::read_dir(domain.root()).into_iter().flatten().flatten();
+    let files = segments(domain).into_iter().chain(inside.map(|entry| entry.path()));
+    let is_open = |path: &PathBuf| {
+        let is_published = SHARED.iter().any(|end| path.to_string_lossy().ends_with(end));
+        let allowed = if is_published { SHARED_FILE } else { 0 };
+        // Folders of iceoryx2's own show others names at most, and hold nothing that they may read.
+        let regular = |m: &std::fs::Metadata| m.is_file() && m.mode() & OTHERS & !allowed != 0;
+        path.symlink_metadata().is_ok_and(|metadata| regular(&metadata))
+    };
+    out.push(match { files }.find(is_open) {
         Some(path) => Finding::problem(
             "rights",
             format!("{} is open to other users", path.display()),
             "end all processes of the domain and start the daemon again; a daemon takes these rights away when it starts",
         ),
-        None => Finding::ok("rights", "nothing is open to other users"),
+        None => Finding::ok("rights", "others may write nothing, and read no more than is shared"),
     });
 }

@@ -1,0 +1,36 @@
+//! Processes of another user, which only root can start.
+
+use crate::place::Place;
+use std::path::Path;
+use std::process::Command;
+
+/// A group that daemons share with; no list of groups needs to have it.
+pub const GROUP: u32 = 61_002;
+
+/// Whose process it is: a user that no file belongs to.
+const USER: u32 = 61_001;
+
+/// A program of another user in this domain, in these groups; `None` with a word to whoever runs the tests where that cannot be done.
+pub fn command(place: &Place, groups: &str, program: impl AsRef<Path>) -> Option<Command> {
+    let as_other = || {
+        let mut command = place.command_of("setpriv");
+        command.arg(format!("--reuid={USER}")).arg(format!("--regid={USER}"));
+        match groups {
+            "" => command.arg("--clear-groups"),
+            groups => command.arg(format!("--groups={groups}")),
+        };
+        command.arg("--no-new-privs").env_remove("MAPD_CACHE");
+        command
+    };
+    // The program may lie in a folder that other users may not enter.
+    let reads = as_other().args(["test", "-x"]).arg(program.as_ref()).status();
+    if !reads.is_ok_and(|status| status.success()) {
+        crate::say(
+            "SKIPPED: this user may not start processes of other users, or they may not read the program",
+        );
+        return None;
+    }
+    let mut command = as_other();
+    command.arg(program.as_ref());
+    Some(command)
+}

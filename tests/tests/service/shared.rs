@@ -1,0 +1,185 @@
+//! A map that is shared with a group: its members read, and can do no more; nobody else can do anything.
+
+use mapd::control::ReloadResult;
+use mapd_client::{AttachError, Client, ClientError, Domain};
+use mapd_tests::other_user::{GROUP, command};
+use mapd_tests::place::{Daemon, PATIENCE, Place};
+use mapd_tests::say;
+use mapd_tests::two_maps::TwoMaps;
+use std::io::{BufRead, BufReader};
+use std::os::unix::fs::{MetadataExt, PermissionsExt};
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
+const PROBE: &str = env!("CARGO_BIN_EXE_planner_probe");
+const HOSTILE: &str = env!("CARGO_BIN_EXE_hostile_reader");
+
+fn town() -> String {
+    mapd_tests::carried("town.xodr").display().to_string()
+}
+
+/// A daemon that shares, with a umask that would let everybody write.
+fn share(place: &Place, map: &Path, options: &str) -> Daemon {
+    let mut shell = place.command_of("sh");
+    shell.args(["-c", "umask 0; exec \"$0\" \"$@\"", MAPD, "--load"]).arg(map);
+    shell.args(options.split_whitespace());
+    let mut daemon = place.spawn(shell);
+    daemon.wait_until_serving();
+    daemon
+}
+
+fn group() -> String {
+    format!("--share group:{GROUP}")
+}
+
+/// What a probe of another user says.
+fn said(command: &mut Command) -> String {
+    let output = command.output().expect("runs");
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+/// The user of this process, who owns what it makes.
+fn us() -> String {
+    std::fs::metadata("/proc/self").expect("a process").uid().to_string()
+}
+
+/// Who may attach: members of the group that name the owner, and nobody else.
+#[test]
+fn members_of_the_group_read() {
+    let place = Place::new(MAPD);
+    let member = GROUP.to_string();
+    let (Some(mut reads), Some(mut other), Some(mut unnamed)) = (
+        command(&place, &member, PROBE),
+        command(&place, "", PROBE),
+        command(&place, &member, PROBE),
+    ) else {
+        return;
+    };
+    let daemon = share(&place, Path::new(&town()), &group());
+    let own = said(place.command_of(PROBE).args(["answers", "town", "0"]));
+    let answers = said(reads.env("MAPD_OWNER", us()).args(["answers", "town", "2000"]));
+    assert_eq!(answers, own);
+    let refused = said(other.env("MAPD_OWNER", us()).args(["connect", "town", "0"]));
+    assert!(refused.contains("may not read"), "{refused}");
+    let refused = said(unnamed.args(["connect", "town", "0"]));
+    assert!(refused.contains("--owner"), "{refused}");
+    drop(daemon);
+}
+
+/// A private daemon after one that shared, and one that shares after a private one.
+#[test]
+fn what_is_private_stays_so() {
+    let place = Place::new(MAPD);
+    for (options, folder, record) in [
+        ("", 0o700, 0o600),
+        (&*group(), 0o750, 0o640),
+        ("", 0o700, 0o600),
+        ("--share private", 0o700, 0o600),
+    ] {
+        let daemon = share(&place, Path::new(&town()), options);
+        let mode = |path: &Path| path.metadata().expect("there").permissions().mode() & 0o777;
+        let root = place.domain().root().to_owned();
+        assert_eq!(
+            (mode(&root), mode(&root.join("town.published"))),
+            (folder, record),
+            "{options}"
+        );
+        let shared = folder == 0o750;
+        for path in place.segments() {
+            let data = path.extension().is_some_and(|end| end == "data");
+            let allowed = if data && shared { 0o440 } else { 0o700 };
+            assert_eq!(mode(&path) & !allowed, 0, "{} {:o}", path.display(), mode(&path));
+        }
+        let doctor = place.command().args(["doctor", "--wait", "2"]).output().expect("runs");
+        let told = String::from_utf8_lossy(&doctor.stdout).into_owned();
+        assert!(told.contains("others may write nothing"), "{told}");
+        // Killed: what it leaves is the next one's.
+        daemon.kill();
+    }
+}
+
+/// Whatever a member tries: it changes nothing, and generations go on.
+#[test]
+fn a_hostile_member_holds_and_delays_and_no_more() {
+    const ROUNDS: usize = 10;
+    let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+    let Some(mut hostile) = command(&place, &GROUP.to_string(), HOSTILE) else { return };
+    let daemon = share(&place, &maps.path(), &group());
+    hostile.env("MAPD_OWNER", us()).arg("map").stdin(Stdio::piped());
+    let mut hostile = hostile.spawn().expect("starts");
+    let mut lines = BufReader::new(hostile.stdout.take().expect("stdout")).lines();
+    let first = lines.next().expect("a line").expect("text");
+    assert!(first.starts_with("ready"), "{first}");
+    let client = Client::connect_in(&place.domain(), "map", PATIENCE).expect("attaches");
+    let mut longest = Duration::ZERO;
+    for round in 1..=ROUNDS {
+        std::thread::scope(|scope| {
+            let waiting = scope.spawn(|| (client.wait_next(PATIENCE), Instant::now()));
+            maps.put(round);
+            let report = place.reload("map");
+            let told = Instant::now();
+            assert_eq!(report.result, ReloadResult::Published, "{}", report.reason);
+            let (seen, when) = waiting.join().expect("ends");
+            assert_eq!(report.generation, Some(seen.expect("in time").generation()));
+            longest = longest.max(when.saturating_duration_since(told));
+        });
+    }
+    say(&format!(
+        "{ROUNDS} generations beside a hostile reader, the latest seen {longest:.0?} after the reload was reported"
+    ));
+    drop(hostile.stdin.take());
+    assert!(hostile.wait().expect("ends").success());
+    assert_eq!(daemon.stop(), 0);
+}
+
+/// Whoever makes the folder first is not taken for the daemon.
+#[test]
+fn a_squatted_folder_is_refused() {
+    let place = Place::new(MAPD);
+    let Some(mut squats) = command(&place, "", "/bin/mkdir") else { return };
+    assert!(
+        squats.args(["-m", "755"]).arg(place.domain().root()).status().is_ok_and(|s| s.success())
+    );
+    let refused =
+        Client::connect_in(&place.domain(), "town", Duration::ZERO).err().expect("refused");
+    assert!(
+        matches!(refused, ClientError::Attach(AttachError::PermissionDenied { .. })),
+        "{refused}"
+    );
+    let daemon = place.command().args(["--load", &town()]).output().expect("runs");
+    let told = String::from_utf8_lossy(&daemon.stderr).into_owned();
+    assert!(!daemon.status.success() && told.contains("belongs to user"), "{told}");
+}
+
+/// In a user namespace that maps nobody, all files seem to be this process's own.
+#[test]
+fn an_owner_that_is_not_mapped_is_nobody() {
+    let place = Place::new(MAPD);
+    let _daemon = place.serve(&[&town()]);
+    let mut unmapped = place.command_of("unshare");
+    let output = unmapped.args(["--user", PROBE, "connect", "town", "0"]).output();
+    match output {
+        Ok(output) if output.stderr.is_empty() => {
+            let told = String::from_utf8_lossy(&output.stdout).into_owned();
+            assert!(told.contains("no id in this user namespace"), "{told}");
+        }
+        _ => say("SKIPPED: this user may not make a user namespace"),
+    }
+}
+
+/// A daemon is its own user's, whoever is named.
+#[test]
+fn a_daemon_serves_as_itself() {
+    let place = Place::new(MAPD);
+    let output = place
+        .command()
+        .env("MAPD_OWNER", "61001")
+        .args(["--load", &town()])
+        .output()
+        .expect("runs");
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(!output.status.success() && told.contains("trusted is user 61001"), "{told}");
+    assert!(!Domain::root(&place.domain()).exists());
+}
