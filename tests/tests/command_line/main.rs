@@ -8,6 +8,7 @@ mod export;
 mod export_layers;
 mod numbers;
 mod options_documented;
+mod page;
 mod path_queries;
 mod progress;
 mod readme;

@@ -4,10 +4,11 @@ use super::{Format, Layer, Options, RouteEnds, write};
 use crate::args::Opening;
 use crate::exit::{Exit, UsageError};
 use crate::same_file::is_same_file;
+use crate::source::SHARED;
 use anyhow::{Result, bail};
 use clap::Args;
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// What to write of which map.
 #[derive(Args)]
@@ -43,9 +44,10 @@ impl ExportCommand {
             bail!(UsageError(format!("{} would overwrite its source", output.display())));
         }
         let Some(snapshot) = self.opening.open(&self.source)? else { return Ok(Exit::Rejected) };
+        let title = title(&self.source);
         let Self { index_boxes, route, layers, .. } = self;
-        let options = Options { index_boxes, route, layers };
-        let left_out = write(snapshot.map(), self.format, &options, self.output.as_deref(), out)?;
+        let options = Options { index_boxes, route, layers, title };
+        let left_out = write(&snapshot, self.format, &options, self.output.as_deref(), out)?;
         if left_out > 0 {
             // A closed stderr is nobody's loss.
             let _ = writeln!(
@@ -55,4 +57,11 @@ impl ExportCommand {
         }
         Ok(Exit::Done)
     }
+}
+
+/// What a page is called: a file without its folder and kind, a live map by its name.
+fn title(source: &str) -> String {
+    let name = source.strip_prefix(SHARED).unwrap_or(source);
+    let stem = Path::new(name).file_stem().unwrap_or_default();
+    stem.to_string_lossy().into_owned()
 }

@@ -17,7 +17,7 @@ use anyhow::Result;
 use clap::ValueEnum;
 pub(crate) use command::ExportCommand;
 pub use layers::Layer;
-use mapd_client::Map;
+use mapd_client::Snapshot;
 pub use route::RouteEnds;
 use std::io::Write;
 use std::path::Path;
@@ -33,6 +33,8 @@ pub enum Format {
     /// Layers of features in one indexed table, in the plane of the map's projection.
     #[value(name = "flatgeobuf")]
     FlatGeobuf,
+    /// One page for a browser, which draws the map and answers questions, without a network.
+    Html,
 }
 
 /// What is written besides what every map has.
@@ -44,6 +46,8 @@ pub struct Options {
     pub route: Option<RouteEnds>,
     /// Of formats that have layers, those that are written; none: all.
     pub layers: Vec<Layer>,
+    /// Of a page, its title.
+    pub title: String,
 }
 
 /// Writes a map to a file, which is there as a whole or not, or to `out` where there is none. Returns how many features were
@@ -51,12 +55,13 @@ pub struct Options {
 ///
 /// Errors: the file cannot be written; the format needs a georeference and the map has none.
 pub(crate) fn write(
-    map: Map<'_>,
+    snapshot: &Snapshot,
     format: Format,
     options: &Options,
     file: Option<&Path>,
     out: &mut dyn Write,
 ) -> Result<usize> {
+    let map = snapshot.map();
     let line = options.route.as_ref().map(|ends| route::line(map, ends)).transpose()?;
     let mut layers = options.layers.clone();
     layers.sort_unstable();
@@ -70,6 +75,7 @@ pub(crate) fn write(
             Format::Svg => svg::write(map, options, line.as_deref(), out)?,
             Format::GeoJson => geojson::write(map, &layers, out)?,
             Format::FlatGeobuf => left_out = flatgeobuf::write(map, &layers, out)?,
+            Format::Html => mapd_web::page::write(snapshot.bytes(), &options.title, out)?,
         }
         Ok(())
     };

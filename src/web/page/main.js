@@ -1,0 +1,268 @@
+// Puts everything together: opens the map, loads the layers, and follows what the user does.
+
+const $ = id => document.getElementById(id);
+
+// Layers that can be shown and hidden: name, title, whether it is shown at first.
+const SHOWN = [
+  ["lanes", "Lanes by type", true], ["marks", "Road marks", true], ["borders", "Lane borders", true],
+  ["directions", "Directions of travel", true], ["stop lines", "Stop lines", true], ["crosswalks", "Crosswalks", true],
+  ["signals", "Signals", true], ["objects", "Objects", true], ["left out", "Left out", true],
+  ["reference lines", "Reference lines", false], ["conflicts", "Conflicts", false], ["index boxes", "Index boxes", false],
+];
+const KEYS = [
+  ["drag", "move"], ["wheel, + −", "zoom"], ["Shift drag, , .", "turn; n turns x to the right again"], ["arrows", "move"],
+  ["click, Enter", "what is there, at the pointer or the middle"], ["/", "search"], ["r", "route between two clicks"],
+  ["m", "measure"], ["l", "layers"], ["h", "colour lanes by height"], ["f", "what is left out"], ["0", "whole map"], ["d", "dark or light"], ["Esc", "close"],
+];
+
+class Viewer {
+  constructor(queries) {
+    this.camera = new Camera($("map"), () => this.changed());
+    this.painter = new Painter($("map"));
+    this.labels = new Labels($("labels"));
+    this.panel = new Panel($("panel"), (link, isWhole) => this.choose(link, { isWhole, isFollowed: true }), () => this.clear());
+    this.shown = new Set(SHOWN.filter(([, , isShown]) => isShown).map(([name]) => name));
+    this.isByHeight = false;
+    this.mode = "look";
+    this.dark = matchMedia("(prefers-color-scheme: dark)").matches;
+    this.open(queries);
+    this.listen();
+    this.camera.resize();
+    this.setTheme();
+    if (!this.readAddress()) this.fit();
+  }
+
+  // Shows a map; the view stays where it is.
+  open(queries) {
+    const { map } = queries;
+    Object.assign(this, { queries, map });
+    this.camera.farthest = 50 / Math.max(map.bounds[1][0] - map.bounds[0][0], map.bounds[1][1] - map.bounds[0][1], 1);
+    LAYERS.forEach((name, number) => {
+      const drawing = queries.draw(number);
+      if (name === "lanes") this.painter.setLowest(drawing.corners);
+      this.painter.set(name, drawing);
+    });
+    const count = (number, one, many) => `${number.toLocaleString("en")} ${number === 1 ? one : many}`;
+    $("about").textContent = [map.name, count(map.lanes, "lane", "lanes"), count(map.signals, "signal", "signals"), count(map.objects, "object", "objects"),
+      `${(map.road_length / 1000).toFixed(1)} km of roads`].filter(Boolean).join(" · ");
+    $("show-left-out").hidden = !map.left_out;
+    $("show-left-out").textContent = `${map.left_out} left out`;
+    this.clear();
+    this.legend();
+  }
+
+  // From the map's coordinates to those of drawings and back.
+  near(x, y) { return [x - this.map.middle[0], y - this.map.middle[1]]; }
+  far([x, y]) { return [x + this.map.middle[0], y + this.map.middle[1]]; }
+
+  fit() {
+    const [low, high] = this.map.bounds;
+    this.camera.fit([...this.near(low[0], low[1]), ...this.near(high[0], high[1])]);
+  }
+
+  changed() {
+    if (this.asked) return;
+    this.asked = requestAnimationFrame(() => { this.asked = 0; this.paint(); });
+    clearTimeout(this.writing);
+    this.writing = setTimeout(() => this.writeAddress(), 300);
+  }
+
+  paint() {
+    const [low, high] = this.map.bounds, span = high[2] - low[2];
+    const heights = this.isByHeight ? [low[2] - this.map.middle[2], 1 / Math.max(span, 1e-3)] : [0, 0];
+    this.painter.paint(this.camera, this.shown, heights);
+    this.labels.paint(this.camera, this.dark ? "#f2f5f7" : "#15191d", this.dark ? "#14181bcc" : "#ffffffdd");
+  }
+
+  setTheme() {
+    document.documentElement.dataset.theme = this.dark ? "dark" : "light";
+    const back = getComputedStyle(document.documentElement).getPropertyValue("--back").trim();
+    this.painter.setColors(this.map.paints, this.dark, [1, 3, 5].map(at => parseInt(back.slice(at, at + 2), 16) / 255));
+    this.legend();
+    this.changed();
+  }
+
+  legend() {
+    const swatch = name => {
+      const made = element("span", { className: "swatch" });
+      const [r, g, b] = rgba(name, this.dark).map(value => Math.round(value * 255));
+      made.style.background = `rgb(${r},${g},${b})`;
+      return made;
+    };
+    const toggle = (title, isOn, change) => {
+      const box = element("input", { type: "checkbox", checked: isOn, onchange: () => { change(box.checked); this.changed(); } });
+      return element("label", {}, box, title);
+    };
+    const layers = SHOWN.map(([name, title]) => toggle(title, this.shown.has(name), isOn => this.shown[isOn ? "add" : "delete"](name)));
+    $("layers").replaceChildren(
+      element("h2", { textContent: "Layers" }), ...layers, toggle("Lanes by height", this.isByHeight, isOn => { this.isByHeight = isOn; }),
+      element("h2", { textContent: "Lane types" }), ...LEGEND.map(name => element("label", {}, swatch(name), name)),
+      element("h2", { textContent: "Chosen lane" }),
+      ...[["chosen", "the lane"], ["next", "leads to"], ["before", "comes from"], ["other", "gives way to"]].map(([name, title]) => element("label", {}, swatch(name), title)));
+  }
+
+  name(link) {
+    return this.queries.sheet(link)?.title ?? link.kind;
+  }
+
+  // Opens a thing's sheet. One that is followed is brought into view, one that is to be seen as a whole is fitted.
+  choose(link, { also = [], isFollowed = false, isWhole = false } = {}) {
+    const sheet = this.queries.sheet(link);
+    if (!sheet) return;
+    this.painter.setOverlay(this.queries.drawing());
+    const named = also.slice(0, 9).map(other => [other, this.name(other)]);
+    this.panel.sheet(sheet, also, other => named.find(([one]) => one === other)[1]);
+    this.chosen = link;
+    const [x0, y0, x1, y1] = sheet.bounds ?? [];
+    const isPoint = sheet.bounds && x0 === x1 && y0 === y1;
+    this.labels.mark = isPoint ? this.near(x0, y0) : null;
+    if (sheet.bounds && (isFollowed || isWhole)) {
+      const box = [...this.near(x0, y0), ...this.near(x1, y1)], [a, b, c, d] = this.camera.bounds();
+      const isSeen = box[0] >= a && box[1] >= b && box[2] <= c && box[3] <= d;
+      const room = isPoint ? 25 : 10;
+      if (isWhole || !isSeen) this.camera.fit([box[0] - room, box[1] - room, box[2] + room, box[3] + room], 20);
+    }
+    this.changed();
+  }
+
+  clear() {
+    this.painter.setOverlay(null);
+    Object.assign(this.labels, { mark: null, ends: [], measure: [] });
+    this.chosen = null;
+    this.panel.hide();
+    $("layers").hidden ||= innerWidth <= 720;
+    this.changed();
+  }
+
+  click(px, py, pointer) {
+    const place = this.camera.toGround(px, py);
+    if (this.mode === "measure") {
+      this.labels.measure.push(place);
+      return this.changed();
+    }
+    if (this.mode === "route") return this.routeTo(place);
+    const radius = (pointer === "touch" ? 16 : 7) / this.camera.scale;
+    const found = this.queries.pick(...this.far(place), Math.min(radius, 50));
+    const visible = { signal: "signals", quarantine: "left out" };
+    const links = found.filter(link => !visible[link.kind] || this.shown.has(visible[link.kind]));
+    if (links.length) this.choose(links[0], { also: links });
+    else this.clear();
+  }
+
+  routeTo(place) {
+    const ends = this.labels.ends.length === 1 ? [this.labels.ends[0], place] : [place];
+    this.clear();
+    this.labels.ends = ends;
+    if (ends.length < 2) return this.note("Now click the destination.");
+    const way = this.queries.way(this.far(ends[0]), this.far(ends[1]));
+    if (way.error) return this.note(`No route: ${way.error}.`);
+    this.note("");
+    this.painter.setOverlay(this.queries.drawing());
+    this.panel.way(way);
+    this.changed();
+  }
+
+  setMode(mode) {
+    this.mode = this.mode === mode ? "look" : mode;
+    this.clear();
+    for (const name of ["route", "measure"]) $(name).setAttribute("aria-pressed", this.mode === name);
+    this.note({ route: "Click where the route begins.", measure: "Click from place to place." }[this.mode] ?? "");
+  }
+
+  note(text) {
+    Object.assign($("message"), { textContent: text, className: "note" });
+    clearTimeout(this.noting);
+    if (text) this.noting = setTimeout(() => { $("message").textContent = ""; }, 6000);
+    this.changed();
+  }
+
+  hover(px, py) {
+    const [x, y] = this.far(this.camera.toGround(px, py));
+    const { lane } = this.queries.place(x, y), parts = [`x ${x.toFixed(2)}`, `y ${y.toFixed(2)}`];
+    if (lane) parts.push(`z ${lane.z.toFixed(2)}`, `${lane.distance ? "beside lane" : "lane"} ${lane.key} (${lane.kind})`, `s ${lane.s.toFixed(2)}`, `t ${lane.t.toFixed(2)}`);
+    $("here").textContent = parts.join("   ");
+  }
+
+  toggleLayers() {
+    $("layers").hidden = !$("layers").hidden;
+    $("show-layers").setAttribute("aria-pressed", !$("layers").hidden);
+  }
+
+  key(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const middle = [this.camera.width / 2, this.camera.height / 2];
+    const keys = {
+      "/": () => $("text").focus(), "0": () => this.fit(), r: () => this.setMode("route"), m: () => this.setMode("measure"),
+      l: () => this.toggleLayers(), f: () => this.showLeftOut(), d: () => { this.dark = !this.dark; this.setTheme(); },
+      h: () => { this.isByHeight = !this.isByHeight; this.legend(); this.changed(); }, "?": () => this.panel.help(KEYS),
+      Escape: () => { if (this.mode === "look") this.clear(); else this.setMode(this.mode); }, Enter: () => this.click(...middle),
+    };
+    if (event.target.tagName === "INPUT" && event.key !== "Escape") return;
+    if (["BUTTON", "A", "SUMMARY"].includes(event.target.tagName) && event.key === "Enter") return;
+    if (keys[event.key]) keys[event.key]();
+    else if (!this.camera.key(event.key)) return;
+    event.preventDefault();
+  }
+
+  showLeftOut() {
+    if (this.map.left_out) this.panel.leftOut(this.queries.leftOut(), this.map.left_out);
+  }
+
+  listen() {
+    this.camera.listen((...at) => this.click(...at), (...at) => this.hover(...at));
+    addEventListener("resize", () => { this.camera.resize(); this.changed(); });
+    addEventListener("keydown", event => this.key(event));
+    addEventListener("hashchange", () => this.readAddress());
+    $("fit").onclick = () => this.fit();
+    $("route").onclick = () => this.setMode("route");
+    $("measure").onclick = () => this.setMode("measure");
+    $("theme").onclick = () => { this.dark = !this.dark; this.setTheme(); };
+    $("show-layers").onclick = () => this.toggleLayers();
+    $("show-left-out").onclick = () => this.showLeftOut();
+    new Search(this);
+  }
+
+  // The view and what was chosen stand behind the # of the address: x, y [m], pixels a metre, turn [rad].
+  writeAddress() {
+    const { camera, chosen } = this, [x, y] = this.far([camera.x, camera.y]);
+    const parts = [`at=${x.toFixed(2)},${y.toFixed(2)},${+camera.scale.toPrecision(4)},${+camera.turn.toFixed(3)}`];
+    if (chosen?.kind === "lane") parts.push(`lane=${encodeURIComponent(this.queries.sheet(chosen).title.replace(/^Lane /, ""))}`);
+    else if (chosen) parts.push(`${chosen.kind}=${chosen.row}`);
+    this.address = `#${parts.join("&")}`;
+    try { history.replaceState(null, "", this.address); } catch { /* Some browsers forbid it to files. */ }
+  }
+
+  readAddress() {
+    if (location.hash === this.address) return true;
+    const parts = new URLSearchParams(location.hash.slice(1)), at = (parts.get("at") ?? "").split(",").map(Number);
+    const isPlace = at.length === 4 && at.every(Number.isFinite) && at[2] > 0;
+    if (isPlace) {
+      const [x, y] = this.near(at[0], at[1]);
+      Object.assign(this.camera, { x, y, scale: Math.min(CLOSEST, at[2]), turn: at[3] });
+    }
+    if (parts.get("lane")) {
+      const link = this.queries.find(parts.get("lane")).map(words => words.link).find(one => one.kind === "lane");
+      if (link) this.choose(link, { isFollowed: !isPlace });
+    }
+    const kind = KINDS.find(name => name !== "lane" && parts.has(name));
+    if (kind && /^\d+$/.test(parts.get(kind))) this.choose({ kind, row: Number(parts.get(kind)) }, { isFollowed: !isPlace });
+    this.changed();
+    return isPlace || parts.has("lane") || kind !== undefined;
+  }
+}
+
+async function start() {
+  const begun = performance.now();
+  try {
+    const code = await embedded("module");
+    const queries = await Queries.open(code, await embedded("archive"), 0);
+    $("message").textContent = "";
+    globalThis.viewer = new Viewer(queries);
+    viewer.paint();
+    viewer.ready = performance.now() - begun;
+  } catch (error) {
+    $("message").textContent = `The map cannot be shown: ${error.message}`;
+  }
+}
+
+start();

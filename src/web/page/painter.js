@@ -1,0 +1,205 @@
+// Draws layers with WebGL 2. Every layer lies on the graphics card from the start; a frame is a few calls for each.
+
+// Layers in the order in which they are drawn, and pixels a metre from which they are seen.
+const ORDER = [
+  ["lanes", 0], ["crosswalks", 0.5], ["borders", 0.5], ["reference lines", 0], ["marks", 0.7], ["stop lines", 0.5],
+  ["directions", 1.6], ["conflicts", 0.2], ["objects", 0.4], ["index boxes", 0], ["left out", 0], ["signals", 0.1],
+];
+// Pixels a metre below which roads are drawn as lines, because their lanes are too thin to be seen.
+const FAR = 0.5;
+// Radius of a signal [m], and its least and largest radius on the screen [pixels].
+const SIGN = [0.8, 3.4, 12];
+
+class Painter {
+  constructor(canvas) {
+    const gl = canvas.getContext("webgl2", { antialias: true, alpha: false, powerPreference: "high-performance" });
+    if (!gl) throw new Error("This browser has no WebGL 2, which the map is drawn with.");
+    Object.assign(this, { canvas, gl, layers: new Map(), overlay: null, lowest: 0, frames: 0 });
+    this.area = this.program(AREA_VERTEX, AREA_FRAGMENT);
+    this.stroke = this.program(STROKE_VERTEX, STROKE_FRAGMENT);
+    this.sign = this.program(SIGN_VERTEX, SIGN_FRAGMENT);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LEQUAL);
+  }
+
+  program(vertex, fragment) {
+    const gl = this.gl, program = gl.createProgram();
+    for (const [type, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+      const shader = gl.createShader(type);
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    const count = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS), places = {};
+    for (let i = 0; i < count; i++) {
+      const name = gl.getActiveUniform(program, i).name;
+      places[name.replace("[0]", "")] = gl.getUniformLocation(program, name);
+    }
+    return { program, places };
+  }
+
+  // Hands a drawing to the graphics card.
+  load(drawing) {
+    const gl = this.gl;
+    const buffer = (target, data) => {
+      const made = gl.createBuffer();
+      gl.bindBuffer(target, made);
+      gl.bufferData(target, data, gl.STATIC_DRAW);
+      return made;
+    };
+    const { chunks, ranges } = drawing, made = { chunks, ranges, areas: null, strokes: null };
+    if (drawing.triangles.length) {
+      made.areas = gl.createVertexArray();
+      gl.bindVertexArray(made.areas);
+      made.corners = buffer(gl.ARRAY_BUFFER, drawing.corners);
+      made.triangles = buffer(gl.ELEMENT_ARRAY_BUFFER, drawing.triangles);
+      gl.enableVertexAttribArray(0);
+      gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 16, 0);
+      gl.enableVertexAttribArray(1);
+      gl.vertexAttribIPointer(1, 1, gl.UNSIGNED_INT, 16, 12);
+    }
+    if (drawing.strokes.length) {
+      made.strokes = gl.createVertexArray();
+      gl.bindVertexArray(made.strokes);
+      made.pieces = buffer(gl.ARRAY_BUFFER, drawing.strokes);
+      for (let i = 0; i < 4; i++) {
+        gl.enableVertexAttribArray(i);
+        gl.vertexAttribDivisor(i, 1);
+      }
+    }
+    gl.bindVertexArray(null);
+    return made;
+  }
+
+  unload(made) {
+    for (const buffer of [made?.corners, made?.triangles, made?.pieces]) if (buffer) this.gl.deleteBuffer(buffer);
+    for (const array of [made?.areas, made?.strokes]) if (array) this.gl.deleteVertexArray(array);
+  }
+
+  set(name, drawing) {
+    this.unload(this.layers.get(name));
+    this.layers.set(name, this.load(drawing));
+  }
+
+  setOverlay(drawing) {
+    this.unload(this.overlay);
+    this.overlay = drawing && this.load(drawing);
+  }
+
+  // Lowest level of the lanes, from which depth counts.
+  setLowest(corners) {
+    let lowest = 0xffffff;
+    for (let i = 3; i < corners.length; i += 4) lowest = Math.min(lowest, corners[i] >>> 8);
+    this.lowest = lowest;
+  }
+
+  setColors(names, dark, back) {
+    this.colors = new Float32Array(64 * 4);
+    names.forEach((name, i) => this.colors.set(rgba(name, dark), 4 * i));
+    Object.assign(this, { names, dark, back });
+  }
+
+  // Ranges of what is seen: of triangles (2, 4 of a chunk) or strokes (6), side by side as one.
+  *runs(made, which, [x0, y0, x1, y1]) {
+    let first = 0, count = 0;
+    for (let i = 0; i < made.ranges.length; i += 8) {
+      const [a, b, c, d] = made.chunks.subarray(i, i + 4);
+      const [from, of] = made.ranges.subarray(i + which, i + which + 2);
+      if (!of || a > x1 || c < x0 || b > y1 || d < y0) continue;
+      if (count && first + count === from) { count += of; continue; }
+      if (count) yield [first, count];
+      [first, count] = [from, of];
+    }
+    if (count) yield [first, count];
+  }
+
+  use({ program, places }, camera, ratio) {
+    const gl = this.gl, scale = camera.scale * ratio;
+    gl.useProgram(program);
+    gl.uniform4f(places.view, camera.x, camera.y, Math.cos(camera.turn) * scale, Math.sin(camera.turn) * scale);
+    gl.uniform2f(places.screen, this.canvas.width / 2, this.canvas.height / 2);
+    gl.uniform1f(places.lowest, this.lowest);
+    if (places.colors) gl.uniform4fv(places.colors, this.colors);
+    return places;
+  }
+
+  areas(made, camera, ratio, seen, { alpha = 1, heights = [0, 0] } = {}) {
+    if (!made?.areas) return;
+    const gl = this.gl, places = this.use(this.area, camera, ratio);
+    gl.uniform2f(places.heights, ...heights);
+    gl.uniform1f(places.alpha, alpha);
+    gl.uniform1ui(places.hatched, this.names.indexOf("left out"));
+    gl.uniform1f(places.metre, camera.scale);
+    gl.depthMask(alpha === 1);
+    gl.bindVertexArray(made.areas);
+    for (const [first, count] of this.runs(made, 4, seen)) gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 4 * first);
+  }
+
+  strokes(made, camera, ratio, seen, kind = this.stroke, { thinnest = 1.2, tint = [0, 0, 0, 0], radius = 0 } = {}) {
+    if (!made?.strokes) return;
+    const gl = this.gl, places = this.use(kind, camera, ratio);
+    gl.uniform1f(places.thinnest, thinnest * ratio);
+    gl.uniform4f(places.tint, ...tint);
+    gl.uniform1f(places.radius, radius * ratio);
+    gl.depthMask(false);
+    gl.bindVertexArray(made.strokes);
+    gl.bindBuffer(gl.ARRAY_BUFFER, made.pieces);
+    for (const [first, count] of this.runs(made, 6, seen)) {
+      const at = 36 * first;
+      gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 36, at);
+      gl.vertexAttribPointer(1, 2, gl.FLOAT, false, 36, at + 8);
+      gl.vertexAttribPointer(2, 4, gl.FLOAT, false, 36, at + 16);
+      gl.vertexAttribIPointer(3, 1, gl.UNSIGNED_INT, 36, at + 32);
+      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
+    }
+  }
+
+  // One frame. `shown` are the names of layers; `heights` colours lanes by height.
+  paint(camera, shown, heights) {
+    const gl = this.gl, ratio = Math.min(devicePixelRatio || 1, 2);
+    const [width, height] = [Math.round(camera.width * ratio), Math.round(camera.height * ratio)];
+    if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
+    gl.viewport(0, 0, width, height);
+    gl.depthMask(true);
+    gl.clearColor(...this.back, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    const [x0, y0, x1, y1] = camera.bounds(), room = 20 / camera.scale, seen = [x0 - room, y0 - room, x1 + room, y1 + room];
+    for (const [name, from] of ORDER) {
+      const made = this.layers.get(name);
+      if (name === "lanes" && shown.has("lanes")) this.areas(made, camera, ratio, seen, { heights });
+      const isFar = name === "reference lines" && camera.scale < FAR && shown.has("lanes");
+      if (isFar) this.strokes(made, camera, ratio, seen, this.stroke, { thinnest: 1.6, tint: rgba("driving", this.dark) });
+      if (name === "lanes" || !made || !shown.has(name) || camera.scale < from) continue;
+      if (name === "signals") {
+        const radius = Math.min(SIGN[2], Math.max(SIGN[1], SIGN[0] * camera.scale));
+        this.strokes(made, camera, ratio, seen, this.sign, { radius });
+        continue;
+      }
+      this.areas(made, camera, ratio, seen, { alpha: 0.5 });
+      const thinnest = name === "left out" || name === "conflicts" ? 2 : name === "borders" ? 1 : 1.2;
+      this.strokes(made, camera, ratio, seen, this.stroke, { thinnest });
+    }
+    if (this.overlay) {
+      gl.clear(gl.DEPTH_BUFFER_BIT);
+      this.areas(this.overlay, camera, ratio, seen, { alpha: 0.5 });
+      this.strokes(this.overlay, camera, ratio, seen, this.stroke, { thinnest: 2.5 });
+    }
+    this.frames++;
+  }
+
+  // How many pixels differ from the background: for tests.
+  painted() {
+    const gl = this.gl, pixels = new Uint8Array(4 * this.canvas.width * this.canvas.height);
+    gl.readPixels(0, 0, this.canvas.width, this.canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    const back = this.back.map(value => Math.round(value * 255));
+    let count = 0;
+    for (let i = 0; i < pixels.length; i += 4) {
+      if (back.some((value, k) => Math.abs(pixels[i + k] - value) > 2)) count++;
+    }
+    return count;
+  }
+}

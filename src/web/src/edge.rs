@@ -1,0 +1,163 @@
+//! The functions that the page calls.
+//!
+//! A module has one map, which lives as long as the module: a page that shows another one makes a module of its own for it.
+//! WebAssembly has one thread, so that nothing is locked.
+#![allow(unsafe_code)]
+
+use crate::{Drawing, Kind, Layer, Link, Question};
+use mapd_archive::{Archive, open};
+use mapd_query::Map;
+use std::cell::RefCell;
+
+#[derive(Default)]
+struct Module {
+    archive: Option<&'static Archive<'static>>,
+    /// Room for what the page hands over: the archive, then texts.
+    input: &'static mut [u64],
+    answer: String,
+    drawing: Drawing,
+}
+
+thread_local! {
+    static MODULE: RefCell<Module> = RefCell::default();
+}
+
+/// Room for as many bytes, aligned as an archive must be. What lay there before is lost to the page.
+#[unsafe(no_mangle)]
+extern "C" fn reserve(bytes: usize) -> *mut u64 {
+    MODULE.with_borrow_mut(|module| {
+        let words = bytes.div_ceil(size_of::<u64>());
+        // Room that is there already serves again.
+        if module.input.len() < words {
+            module.input = Box::leak(vec![0; words].into_boxed_slice());
+        }
+        module.input.as_mut_ptr()
+    })
+}
+
+/// Opens the archive of so many bytes in the room that was reserved: whether it could be opened. The answer is what the map
+/// is, or why it could not.
+#[unsafe(no_mangle)]
+extern "C" fn open_archive(bytes: usize, generation: f64) -> bool {
+    MODULE.with_borrow_mut(|module| {
+        let input: &'static mut [u64] = std::mem::take(&mut module.input);
+        let input: &'static [u64] = input;
+        let all = size_of_val(input);
+        // SAFETY: any eight bytes are eight numbers, the slice is no longer than what it is made of, which is never freed and
+        // has no other reference: `reserve` makes room anew.
+        let input =
+            unsafe { std::slice::from_raw_parts(input.as_ptr().cast::<u8>(), bytes.min(all)) };
+        match open(input) {
+            Ok(archive) => {
+                let archive: &'static Archive<'static> = Box::leak(Box::new(archive));
+                module.archive = Some(archive);
+                module.answer = Question::Map.answer(Map::new(archive, generation as u64)).0;
+                true
+            }
+            Err(error) => {
+                module.answer = error.to_string();
+                false
+            }
+        }
+    })
+}
+
+/// Asks: length of the answer, 0 without an open archive.
+fn ask(question: impl FnOnce(&[u8]) -> Option<Question<'_>>) -> usize {
+    MODULE.with_borrow_mut(|module| {
+        let Some(archive) = module.archive else { return 0 };
+        // SAFETY: as in `open_archive`; the slice ends before the module changes its room.
+        let input = unsafe {
+            std::slice::from_raw_parts(
+                module.input.as_ptr().cast::<u8>(),
+                size_of_val(&*module.input),
+            )
+        };
+        let Some(question) = question(input) else { return 0 };
+        let (answer, drawing) = question.answer(Map::new(archive, 0));
+        module.answer = answer;
+        module.drawing = drawing.unwrap_or_default();
+        module.answer.len()
+    })
+}
+
+/// [`Question::Place`].
+#[unsafe(no_mangle)]
+extern "C" fn place(x: f64, y: f64) -> usize {
+    ask(|_| Some(Question::Place([x, y])))
+}
+
+/// [`Question::Pick`].
+#[unsafe(no_mangle)]
+extern "C" fn pick(x: f64, y: f64, radius: f64) -> usize {
+    ask(|_| Some(Question::Pick([x, y], radius)))
+}
+
+/// [`Question::Sheet`] of a [`Kind`] by its number.
+#[unsafe(no_mangle)]
+extern "C" fn sheet(kind: usize, row: u32) -> usize {
+    ask(|_| Some(Question::Sheet(Link { kind: *Kind::ALL.get(kind)?, row })))
+}
+
+/// [`Question::Find`] of the UTF-8 text of so many bytes in the room that was reserved.
+#[unsafe(no_mangle)]
+extern "C" fn find(bytes: usize) -> usize {
+    ask(|input| Some(Question::Find(std::str::from_utf8(input.get(..bytes)?).ok()?)))
+}
+
+/// [`Question::Way`].
+#[unsafe(no_mangle)]
+extern "C" fn way(from_x: f64, from_y: f64, to_x: f64, to_y: f64) -> usize {
+    ask(|_| Some(Question::Way([from_x, from_y], [to_x, to_y])))
+}
+
+/// [`Question::LeftOut`].
+#[unsafe(no_mangle)]
+extern "C" fn left_out() -> usize {
+    ask(|_| Some(Question::LeftOut))
+}
+
+/// Where the last answer lies: UTF-8.
+#[unsafe(no_mangle)]
+extern "C" fn answer() -> *const u8 {
+    MODULE.with_borrow(|module| module.answer.as_ptr())
+}
+
+/// Length of the last answer.
+#[unsafe(no_mangle)]
+extern "C" fn answer_length() -> usize {
+    MODULE.with_borrow(|module| module.answer.len())
+}
+
+/// Draws a [`Layer`] by its number.
+#[unsafe(no_mangle)]
+extern "C" fn draw(layer: usize) {
+    MODULE.with_borrow_mut(|module| {
+        let (Some(archive), Some(layer)) = (module.archive, Layer::ALL.get(layer)) else { return };
+        // What came before need not lie beside it.
+        module.drawing = Drawing::default();
+        module.drawing = layer.draw(Map::new(archive, 0));
+    });
+}
+
+/// Where a part of the drawing lies: 0 corners, 1 triangles, 2 strokes, 3 chunks.
+#[unsafe(no_mangle)]
+extern "C" fn drawn(part: usize) -> *const u8 {
+    MODULE.with_borrow(|module| match part {
+        0 => module.drawing.corners.as_ptr().cast(),
+        1 => module.drawing.triangles.as_ptr().cast(),
+        2 => module.drawing.strokes.as_ptr().cast(),
+        _ => module.drawing.chunks.as_ptr().cast(),
+    })
+}
+
+/// Number of entries of a part of the drawing, as [`drawn`].
+#[unsafe(no_mangle)]
+extern "C" fn drawn_count(part: usize) -> usize {
+    MODULE.with_borrow(|module| match part {
+        0 => module.drawing.corners.len(),
+        1 => module.drawing.triangles.len(),
+        2 => module.drawing.strokes.len(),
+        _ => module.drawing.chunks.len(),
+    })
+}

@@ -1,0 +1,195 @@
+//! A route between two places: its lanes, its room, whom it meets.
+
+use crate::drawing::{Drawing, Pen, level};
+use crate::paint::Paint;
+use crate::place::top_lane;
+use crate::scene::{level_of, middle, object};
+use crate::sheet::{Kind, Link, Words};
+use mapd_query::glam::{DVec2, DVec3};
+use mapd_query::{
+    Corridor, Enter, Lane, LanePlace, Map, Path, PathBuffer, PathOptions, QueryError, RouteScratch,
+    RouteStep, ShortestTime, VehicleClass,
+};
+use serde::Serialize;
+
+/// From station to station of the drawn line and its room `[m]`.
+const STEP: f64 = 1.0;
+/// Width of the driven line `[m]`.
+const LINE: f64 = 0.5;
+
+/// A route.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Way {
+    /// Length `[m]`.
+    pub length: f64,
+    /// Time at the speed limits `[s]`.
+    pub time: f64,
+    /// Number of changes of lane.
+    pub lane_changes: u32,
+    /// Lane by lane.
+    pub steps: Vec<Step>,
+    /// Whom it meets.
+    pub conflicts: Vec<Meeting>,
+}
+
+/// A lane of a route.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Step {
+    /// The lane.
+    pub lane: Words,
+    /// How it is entered.
+    pub enter: &'static str,
+    /// s on its road where it is entered and left `[m]`.
+    pub s: [f64; 2],
+}
+
+/// Where a route meets another lane.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Meeting {
+    /// From and to where on the route `[m]`.
+    pub along: [f64; 2],
+    /// The other lane.
+    pub other: Words,
+    /// Who gives way.
+    pub yields: &'static str,
+    /// Why.
+    pub reason: &'static str,
+}
+
+/// Why there is no route.
+const NO_LANE: &str = "no lane for passenger cars within 10 m of";
+const NO_WAY: &str = "no way for a passenger car leads there";
+
+/// The way of a passenger car that takes the shortest time, from the lane at one place to that at another, as a table and a
+/// drawing.
+///
+/// Errors: a sentence that says why there is none.
+pub fn way(map: Map<'_>, from: [f64; 2], to: [f64; 2]) -> Result<(Way, Drawing), String> {
+    let (from, to) = (place(map, from, "the start")?, place(map, to, "the destination")?);
+    let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
+    let (car, cost) = (VehicleClass::PassengerCar, ShortestTime::default());
+    let route = map
+        .route(from, to, car, &cost, &mut scratch, &mut steps)
+        .map_err(|error| error.to_string())?
+        .ok_or(NO_WAY)?;
+    let mut buffer = PathBuffer::default();
+    let path = map
+        .path(&steps, &PathOptions::default(), &mut buffer)
+        .map_err(|error| error.to_string())?;
+    let mut found = Vec::new();
+    path.conflicts(&mut found);
+    let conflicts = found.iter().filter_map(|conflict| {
+        Some(Meeting {
+            along: conflict.along,
+            other: Words::from(&map.lane(conflict.other).ok()?),
+            yields: conflict.yields.name(),
+            reason: conflict.reason.name(),
+        })
+    });
+    let way = Way {
+        length: route.length,
+        time: route.travel_time,
+        lane_changes: route.lane_changes,
+        steps: steps.iter().filter_map(|step| table_row(map, step)).collect(),
+        conflicts: conflicts.collect(),
+    };
+    let drawing = draw(map, &path).map_err(|error| error.to_string())?;
+    Ok((way, drawing))
+}
+
+fn place(map: Map<'_>, [x, y]: [f64; 2], which: &str) -> Result<LanePlace, String> {
+    let is_open =
+        |lane: &Lane<'_>| lane.nodes().any(|node| node.allows(VehicleClass::PassengerCar));
+    let found = top_lane(map, DVec2::new(x, y), is_open).map_err(|error| error.to_string())?;
+    let found = found.ok_or_else(|| format!("{NO_LANE} {which}"))?;
+    Ok(LanePlace { lane: found.lane, s: found.position.s })
+}
+
+fn table_row(map: Map<'_>, step: &RouteStep) -> Option<Step> {
+    let enter = match step.enter {
+        Enter::Start => "start",
+        Enter::Ahead => "ahead",
+        Enter::Left => "change to the left",
+        Enter::Right => "change to the right",
+    };
+    Some(Step { lane: Words::from(&map.lane(step.lane).ok()?), enter, s: [step.s_from, step.s_to] })
+}
+
+/// The driven line, and the room beside it.
+fn draw(map: Map<'_>, path: &Path<'_, '_>) -> Result<Drawing, QueryError> {
+    let mut drawing = Drawing::new(middle(map));
+    let mut corridor = Corridor::default();
+    path.corridor(0.0, path.length(), STEP, VehicleClass::PassengerCar, &mut corridor)?;
+    drawing.near(DVec2::ZERO);
+    let level = level(map.bounds().1.z - middle(map).z);
+    let points = |line: &[DVec3]| -> Vec<(f64, DVec3)> {
+        corridor.along.iter().copied().zip(line.iter().copied()).collect()
+    };
+    // A change of lane is no room between two lanes.
+    let changes: Vec<usize> =
+        (1..corridor.len()).filter(|i| corridor.lane[*i] != corridor.lane[i - 1]).collect();
+    let (left, right) = (points(&corridor.left), points(&corridor.right));
+    let ends = changes.iter().copied().chain([corridor.len()]);
+    let starts = [0].into_iter().chain(changes.iter().copied());
+    let pen = Pen { paint: Paint::CorridorLine as u8, level, ..Pen::default() };
+    for (start, end) in starts.zip(ends) {
+        let (left, right) = (&left[start..end], &right[start..end]);
+        drawing.strip(left.iter().copied(), right.iter().copied(), (Paint::Corridor as u8, level));
+        drawing.line(left.iter().map(|(_, point)| *point), &pen);
+        drawing.line(right.iter().map(|(_, point)| *point), &pen);
+    }
+    let pen = Pen { paint: Paint::Route as u8, level, width: LINE, dashes: None };
+    let line: Result<Vec<DVec3>, QueryError> =
+        corridor.along.iter().map(|along| Ok(path.at(*along)?.position)).collect();
+    drawing.line(line?.into_iter(), &pen);
+    drawing.finish();
+    Ok(drawing)
+}
+
+/// What is drawn over the map for a thing that was chosen: the thing itself, and of a lane those that it leads to and gives way to.
+pub fn highlight(map: Map<'_>, about: Link) -> Drawing {
+    let mut drawing = Drawing::new(middle(map));
+    drawing.near(DVec2::ZERO);
+    let mut fill = |lane: &Lane<'_>, paint: Paint| {
+        crate::scene::area(lane, paint, level_of(map, lane), &mut drawing);
+    };
+    match about.kind {
+        Kind::Lane => {
+            let Some(lane) = map.lane_by_row(about.row) else { return drawing };
+            let lanes = |ids: &mut dyn Iterator<Item = mapd_query::LaneId>| {
+                ids.filter_map(|id| map.lane(id).ok()).collect::<Vec<_>>()
+            };
+            lanes(&mut lane.predecessors()).iter().for_each(|one| fill(one, Paint::Before));
+            lanes(&mut lane.successors()).iter().for_each(|one| fill(one, Paint::Next));
+            lane.yields_to().for_each(|(one, _)| fill(&one, Paint::Other));
+            fill(&lane, Paint::Chosen);
+        }
+        Kind::Road => {
+            let sections = map.road_by_row(about.row).into_iter().flat_map(|road| road.sections());
+            let lanes = sections.flat_map(|section| section.lanes());
+            lanes.filter(|lane| lane.number() != 0).for_each(|lane| fill(&lane, Paint::Chosen));
+        }
+        Kind::Junction => {
+            let connections = map.junction_by_row(about.row).into_iter();
+            let roads = connections
+                .flat_map(|junction| junction.connections())
+                .filter_map(|connection| connection.connecting_road());
+            let lanes = roads.flat_map(|road| road.sections()).flat_map(|section| section.lanes());
+            lanes.filter(|lane| lane.number() != 0).for_each(|lane| fill(&lane, Paint::Chosen));
+        }
+        Kind::Signal => {
+            let places = map.signals().nth(about.row as usize).into_iter();
+            let lanes = places.flat_map(|signal| signal.places()).flat_map(|place| place.lanes());
+            lanes.filter_map(|one| one.lane()).for_each(|lane| fill(&lane, Paint::Other));
+        }
+        Kind::Object => {
+            let one = map.objects().nth(about.row as usize);
+            for place in one.iter().flat_map(|one| one.placements()) {
+                object(map, &place, [Paint::Chosen; 2], &mut drawing);
+            }
+        }
+        Kind::Quarantine => {}
+    }
+    drawing.finish();
+    drawing
+}
