@@ -53,6 +53,12 @@ pub(crate) fn graph(tables: &Tables<'_>) -> Result<(), VerifyError> {
             return check.fail("lane", format!("at least {}", pair[0].lane()), pair[1].lane());
         }
     }
+    for (row, pair) in tables.speed_signs_at_entry.windows(2).enumerate() {
+        if pair[1].lane() <= pair[0].lane() {
+            let check = Check { table: "speed_signs_at_entry", row: row + 1 };
+            return check.fail("lane", format!("above {}", pair[0].lane()), pair[1].lane());
+        }
+    }
     components(tables)?;
     loops(tables)
 }

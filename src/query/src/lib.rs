@@ -105,8 +105,9 @@ pub use objects::{
     ObjectPlacement, ParkingSpace, PlacementId, Skeleton, SkeletonVertex,
 };
 pub use path::{
-    Corridor, EdgeMark, Path, PathBuffer, PathConflict, PathError, PathJoint, PathLane,
-    PathOptions, PathPoint, PathPosition, Yields, steps_of_lanes,
+    Corridor, EdgeMark, Path, PathBuffer, PathConflict, PathError, PathFact, PathFactKind,
+    PathJoint, PathLane, PathOptions, PathPoint, PathPosition, PathSegment, PathSpeed, Yields,
+    steps_of_lanes,
 };
 pub use polyline::Polyline;
 pub use quarantine::Quarantined;
@@ -125,6 +126,8 @@ pub use signals::{
     SignalAhead, SignalBoard, SignalLink, SignalPlace, SignalSemantics, SignalsAhead, SpeedOrigin,
     SpeedRule, Turn,
 };
+#[doc(hidden)]
+pub use signals::{SpeedSigns, Zone, is_of_speed};
 pub use structures::{ObjectReference, Structure};
 pub use surface::{LaneHeight, Material, Surface};
 pub use types::{Clamped, LaneEdges, LanePosition, Point, Pose, Track, TrackPosition};

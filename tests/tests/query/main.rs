@@ -23,6 +23,7 @@ mod object_positions;
 mod object_queries;
 mod object_shapes;
 mod ontology;
+mod path_ahead;
 mod paths;
 mod polylines;
 mod reference;

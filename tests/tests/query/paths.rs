@@ -27,7 +27,7 @@ const TOLERANCE: f64 = 1e-6;
 const NEAR_JOINT: f64 = 0.5;
 
 /// Random routes of a map.
-fn each_path(check: impl Fn(Map<'_>, &Path<'_, '_>, &[RouteStep], &str, &mut Random)) {
+pub(crate) fn each_path(check: impl Fn(Map<'_>, &Path<'_, '_>, &[RouteStep], &str, &mut Random)) {
     for file in carried_and(&MAPS) {
         let snapshot = open(&file);
         let map = snapshot.map();

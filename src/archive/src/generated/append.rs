@@ -159,6 +159,7 @@ impl Rows {
             signal_places: unused(),
             signal_lanes: unused(),
             lane_signals: unused(),
+            speed_signs_at_entry: unused(),
             signal_dependencies: unused(),
             signal_links: unused(),
             object_signals: unused(),
@@ -450,6 +451,10 @@ impl Rows {
                 .iter()
                 .map(|row| moves.signal_lanes.row(*row)),
         );
+        let before = self.speed_signs_at_entry.len();
+        self.speed_signs_at_entry
+            .extend_from_slice(part.speed_signs_at_entry.get(1..).unwrap_or_default());
+        self.speed_signs_at_entry.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         if moves.signal_dependencies.is_behind() {
             let before = self.signal_dependencies.len();
             self.signal_dependencies

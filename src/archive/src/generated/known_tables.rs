@@ -7,13 +7,13 @@ use crate::directory::{Feature, TableKind};
 pub const FORMAT: u32 = 2;
 /// Identifies what this release writes: numbers and row ids of all its tables.
 pub const LAYOUT_ID: [u8; 16] =
-    [145, 134, 66, 103, 164, 89, 74, 68, 191, 60, 34, 145, 218, 219, 11, 167];
+    [131, 203, 238, 29, 105, 65, 21, 109, 18, 56, 216, 47, 139, 94, 17, 225];
 
 /// What this release knows of what a reader must know of, by bit of the header's `must_understand`.
 pub const FEATURES: [Feature; 0] = [];
 
 /// The tables that this release knows, by number.
-pub(crate) const TABLES: [TableKind; 102] = [
+pub(crate) const TABLES: [TableKind; 103] = [
     TableKind::new(1, "string_bytes", 1, 0xb6f9a5667163132f, true),
     TableKind::new(2, "string_offsets", 4, 0x67743eeea1e68648, true),
     TableKind::new(3, "map", 216, 0x8e54515d07a23d48, true),
@@ -116,4 +116,5 @@ pub(crate) const TABLES: [TableKind; 102] = [
     TableKind::new(100, "junction_group_members", 12, 0x264893d3f0f22877, false),
     TableKind::new(101, "ring_lanes", 4, 0x4a3ba2d95ea39192, false),
     TableKind::new(102, "object_values", 16, 0x3a1f165bf76376b0, false),
+    TableKind::new(103, "speed_signs_at_entry", 16, 0x6f52c57ab421dfd2, false),
 ];

@@ -248,6 +248,15 @@ impl SignalLaneRow {
     }
 }
 
+impl SpeedSignsAtEntryRow {
+    /// Lets the row refer to where what it refers to comes to lie.
+    pub fn move_by(&mut self, moves: &Moves) {
+        self.lane = moves.lanes.row(self.lane);
+        self.limit = moves.signals.row(self.limit);
+        self.zone = moves.signals.row(self.zone);
+    }
+}
+
 impl SignalDependencyRow {
     /// Lets the row refer to where what it refers to comes to lie.
     pub fn move_by(&mut self, moves: &Moves) {

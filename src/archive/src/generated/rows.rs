@@ -217,6 +217,8 @@ pub struct Rows {
     pub ring_lanes: Table<u32>,
     /// Values that objects mean, by object: the limit that the name of a sign states.
     pub object_values: Table<ObjectValueRow>,
+    /// Speed signs that hold where a lane's traffic enters it, by lane; lanes on which none holds have no row. A map with signals of lanes has one row at least, if need be an empty one.
+    pub speed_signs_at_entry: Table<SpeedSignsAtEntryRow>,
 }
 
 impl Rows {
@@ -325,11 +327,12 @@ impl Rows {
             junction_group_members: bytemuck::cast_slice(self.junction_group_members.as_slice()),
             ring_lanes: (self.ring_lanes.as_slice()),
             object_values: bytemuck::cast_slice(self.object_values.as_slice()),
+            speed_signs_at_entry: bytemuck::cast_slice(self.speed_signs_at_entry.as_slice()),
         }
     }
 
     /// The bytes of all tables, as they lie in an archive, in the order of `TABLES`.
-    pub(crate) fn bytes(&self) -> [&[u8]; 102] {
+    pub(crate) fn bytes(&self) -> [&[u8]; 103] {
         [
             bytemuck::cast_slice(self.string_bytes.as_slice()),
             bytemuck::cast_slice(self.string_offsets.as_slice()),
@@ -433,6 +436,7 @@ impl Rows {
             bytemuck::cast_slice(self.junction_group_members.as_slice()),
             bytemuck::cast_slice(self.ring_lanes.as_slice()),
             bytemuck::cast_slice(self.object_values.as_slice()),
+            bytemuck::cast_slice(self.speed_signs_at_entry.as_slice()),
         ]
     }
 }

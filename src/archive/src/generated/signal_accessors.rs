@@ -283,6 +283,29 @@ impl ArchivedSignalLaneRow {
     }
 }
 
+impl ArchivedSpeedSignsAtEntryRow {
+    /// The lane.
+    #[inline]
+    pub fn lane(&self) -> u32 {
+        self.lane.to_native()
+    }
+    /// The sign of a limit, which holds over lanes that lead on alone, not beyond a junction.
+    #[inline]
+    pub fn limit(&self) -> u32 {
+        self.limit.to_native()
+    }
+    /// The sign of a zone, which holds until a sign ends it: that of all lanes that lead here.
+    #[inline]
+    pub fn zone(&self) -> u32 {
+        self.zone.to_native()
+    }
+    /// 1: the lanes that lead here are in different zones, or some in one and some in none.
+    #[inline]
+    pub fn zone_depends(&self) -> u8 {
+        self.zone_depends
+    }
+}
+
 impl ArchivedSignalDependencyRow {
     /// The signal that is named, where the map has it.
     #[inline]

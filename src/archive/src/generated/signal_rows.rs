@@ -144,6 +144,26 @@ pub struct SignalLaneRow {
 }
 const _: () = assert!(size_of::<SignalLaneRow>() == 16 && size_of::<ArchivedSignalLaneRow>() == 16);
 
+/// Speed signs that hold where a lane's traffic enters it, by lane; lanes on which none holds have no row. A map with signals of lanes has one row at least, if need be an empty one.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct SpeedSignsAtEntryRow {
+    /// The lane.
+    pub lane: u32,
+    /// The sign of a limit, which holds over lanes that lead on alone, not beyond a junction.
+    pub limit: u32,
+    /// The sign of a zone, which holds until a sign ends it: that of all lanes that lead here.
+    pub zone: u32,
+    /// 1: the lanes that lead here are in different zones, or some in one and some in none.
+    pub zone_depends: u8,
+    /// 0.
+    pub reserved: [u8; 3],
+}
+const _: () = assert!(
+    size_of::<SpeedSignsAtEntryRow>() == 16 && size_of::<ArchivedSpeedSignsAtEntryRow>() == 16
+);
+
 /// signal/dependency, and those of boards.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]

@@ -221,6 +221,8 @@ pub struct Tables<'a> {
     pub ring_lanes: &'a [u32],
     /// Values that objects mean, by object: the limit that the name of a sign states.
     pub object_values: &'a [ArchivedObjectValueRow],
+    /// Speed signs that hold where a lane's traffic enters it, by lane; lanes on which none holds have no row. A map with signals of lanes has one row at least, if need be an empty one.
+    pub speed_signs_at_entry: &'a [ArchivedSpeedSignsAtEntryRow],
 }
 
 impl<'a> Tables<'a> {
@@ -329,11 +331,12 @@ impl<'a> Tables<'a> {
             junction_group_members: directory.take(&TABLES[99])?,
             ring_lanes: directory.take(&TABLES[100])?,
             object_values: directory.take(&TABLES[101])?,
+            speed_signs_at_entry: directory.take(&TABLES[102])?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 102] {
+    pub fn infos(&self) -> [TableInfo; 103] {
         [
             TableInfo::of(1, "string_bytes", self.string_bytes),
             TableInfo::of(2, "string_offsets", self.string_offsets),
@@ -437,6 +440,7 @@ impl<'a> Tables<'a> {
             TableInfo::of(100, "junction_group_members", self.junction_group_members),
             TableInfo::of(101, "ring_lanes", self.ring_lanes),
             TableInfo::of(102, "object_values", self.object_values),
+            TableInfo::of(103, "speed_signs_at_entry", self.speed_signs_at_entry),
         ]
     }
 }

@@ -386,6 +386,13 @@ impl Tables<'_> {
             let check = Check { table: "lane_signals", row: i };
             check.reference("", *row, self.signal_lanes.len(), false)?;
         }
+        for (i, row) in self.speed_signs_at_entry.iter().enumerate() {
+            let check = Check { table: "speed_signs_at_entry", row: i };
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+            check.reference("limit", row.limit(), self.signals.len(), true)?;
+            check.reference("zone", row.zone(), self.signals.len(), true)?;
+            check.code("zone_depends", row.zone_depends(), 2)?;
+        }
         for (i, row) in self.signal_dependencies.iter().enumerate() {
             let check = Check { table: "signal_dependencies", row: i };
             check.reference("signal", row.signal(), self.signals.len(), true)?;

@@ -4,6 +4,7 @@ mod attach;
 mod objects;
 mod place;
 mod right_of_way;
+mod speed_signs;
 
 use crate::options::CompileOptions;
 use crate::resolve::Resolved;
@@ -20,5 +21,6 @@ pub(crate) fn complete(
     place::place(rows, resolved);
     let findings = attach::attach(rows, resolved, options.lane_reach);
     right_of_way::build(rows);
+    speed_signs::build(rows);
     findings
 }

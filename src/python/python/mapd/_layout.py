@@ -106,4 +106,5 @@ TABLES: dict[str, tuple[int, int, Any]] = {
     "junction_group_members": (100, 0x264893d3f0f22877, [("group", "<u4"), ("junction", "<u4"), ("id", "<u4")]),
     "ring_lanes": (101, 0x4a3ba2d95ea39192, "<u4"),
     "object_values": (102, 0x3a1f165bf76376b0, [("value", "<f8"), ("object", "<u4"), ("unit", "<u4")]),
+    "speed_signs_at_entry": (103, 0x6f52c57ab421dfd2, [("lane", "<u4"), ("limit", "<u4"), ("zone", "<u4"), ("zone_depends", "u1"), ("reserved", "u1", (3,))]),
 }

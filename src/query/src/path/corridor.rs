@@ -1,6 +1,6 @@
 //! The room along a path, station by station.
 
-use super::{Path, Piece};
+use super::Path;
 use crate::error::QueryError;
 use crate::graph::LaneNode;
 use crate::ids::LaneId;
@@ -156,17 +156,10 @@ impl<'a> Path<'a, '_> {
         out.right_mark.push(mark(false));
         Ok(())
     }
-
-    /// The lane that is driven on at S, whether it is driven towards +s, and s.
-    pub(super) fn driven_at(&self, along: f64) -> Option<(&Piece, Lane<'a>, f64)> {
-        let span = self.span_at(along)?;
-        let (piece, lane) = self.piece(span)?;
-        Some((piece, lane, span.s_at(along - span.along)))
-    }
 }
 
 /// Both edges of a lane, the left one of who drives first.
-fn bounds(lane: &Lane<'_>, forward: bool, s: f64) -> Option<[DVec3; 2]> {
+pub(super) fn bounds(lane: &Lane<'_>, forward: bool, s: f64) -> Option<[DVec3; 2]> {
     let [left, right] = lane.bounds_at(s)?;
     Some(if lane.is_forward() == forward { [left, right] } else { [right, left] })
 }

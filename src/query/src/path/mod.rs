@@ -12,7 +12,9 @@ mod build;
 mod conflicts;
 mod corridor;
 mod error;
+mod facts;
 mod project;
+mod segments;
 mod speed;
 
 pub use along::PathPoint;
@@ -20,7 +22,10 @@ pub use build::steps_of_lanes;
 pub use conflicts::{PathConflict, Yields};
 pub use corridor::{Corridor, EdgeMark};
 pub use error::PathError;
+pub use facts::{PathFact, PathFactKind};
 pub use project::PathPosition;
+pub use segments::PathSegment;
+pub use speed::PathSpeed;
 
 use crate::error::QueryError;
 use crate::ids::LaneId;
@@ -214,6 +219,9 @@ impl Span {
     fn along_at(&self, s: f64) -> Option<f64> {
         let [from, to] = self.s;
         let inside = s >= from.min(to) && s <= from.max(to);
+        if s == to && from != to {
+            return Some(self.end());
+        }
         let v = if to == from { 0.0 } else { (s - from) / (to - from) };
         inside.then_some(self.along + self.length * ((1.0 - self.bend) * v + self.bend * v * v))
     }

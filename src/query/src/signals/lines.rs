@@ -64,7 +64,7 @@ impl Map<'_> {
         for (i, step) in steps.iter().enumerate() {
             let lane = self.lane(step.lane)?;
             let last = i + 1 == steps.len();
-            for line in [TO_STOP_AT, CROSSINGS].iter().flat_map(|c| lane.lines(c, step.forward)) {
+            for line in lane.all_lines(step.forward) {
                 if let Some(distance) = met(&lane, step, line.s, last) {
                     out.push(LineAhead { line, distance: passed + distance });
                 }
@@ -88,6 +88,11 @@ impl<'a> Lane<'a> {
     /// Crosswalks and bicycle crossings over the lane: signals first, then objects.
     pub fn crossings(&self) -> impl Iterator<Item = LaneLine> + use<'a> {
         self.lines(CROSSINGS, self.is_forward())
+    }
+
+    /// Lines to stop at and crossings for traffic towards +s, or for that towards −s.
+    pub(crate) fn all_lines(&self, forward: bool) -> impl Iterator<Item = LaneLine> + use<'a> {
+        self.lines(TO_STOP_AT, forward).chain(self.lines(CROSSINGS, forward))
     }
 
     /// Lines of these classes for traffic towards +s, or for that towards −s.

@@ -11,6 +11,7 @@ mod movement;
 mod near;
 mod overtaking;
 mod speed;
+mod speed_signs;
 
 pub use ahead::{SignalAhead, SignalsAhead};
 pub use board::{BoardGroupMember, DisplayArea, SignalBoard};
@@ -22,6 +23,8 @@ pub use movement::{Basis, RightOfWay, Turn};
 pub use near::NearSignal;
 pub use overtaking::OvertakingRule;
 pub use speed::{SpeedOrigin, SpeedRule};
+#[doc(hidden)]
+pub use speed_signs::{SpeedSigns, Zone, is_of_speed};
 
 use crate::error::QueryError;
 use crate::ids::SignalId;

@@ -1,10 +1,9 @@
 //! Which speed limit holds on a lane, and who says so.
 
-use super::lane::LaneSignal;
-use super::last_sign::sign_before;
+use super::speed_signs::{SpeedSigns, Zone};
 use crate::ids::SignalId;
 use crate::lane::Lane;
-use mapd_archive::{Class, SpeedKind};
+use mapd_archive::SpeedKind;
 
 /// Lanes of a junction that are followed back at most; a damaged archive might lead round in a circle.
 const MOST_PIECES: usize = 64;
@@ -24,8 +23,8 @@ pub enum SpeedOrigin {
     Entry,
     /// The header's regulations for the road's type (1.8).
     Default,
-    /// What holds where the junction is entered, which is not the same on all lanes that lead to the place; a path knows
-    /// ([`crate::Path::speed_at`]).
+    /// What came in with the vehicle, into the junction or a zone, which is not the same on all lanes that lead to the place; a path
+    /// knows ([`crate::Path::speed_at`]).
     Depends,
     /// Nothing in the map.
     None,
@@ -56,15 +55,20 @@ pub struct SpeedRule {
     pub signal: Option<SignalId>,
 }
 
+/// Nothing is known.
+const NOTHING: SpeedRule = SpeedRule { max: None, origin: SpeedOrigin::None, signal: None };
+/// Which limit holds depends on the way that one has come.
+const DEPENDS: SpeedRule = SpeedRule { max: None, origin: SpeedOrigin::Depends, signal: None };
+
 impl<'a> Lane<'a> {
     /// The speed limit at s: sign before lane before road type, in a junction then what came in with the vehicle, before the header's
     /// regulations. s outside the lane's section counts as its nearer end; for one that is not finite nothing is known.
     ///
     /// A sign holds from its place on, in driving direction, until another sign ends or replaces it, over lanes that lead
-    /// on alone. In a junction, where the connecting road has no record of its own, what holds on the lane that leads into it goes on
+    /// on alone; that of a zone until a sign ends it, junctions or not, and where lanes of different zones lead to a place the answer
+    /// is [`SpeedOrigin::Depends`]. In a junction, where the connecting road has no record of its own, what holds on the lane that leads into it goes on
     /// holding; where several lead to the place and differ, the answer is [`SpeedOrigin::Depends`].
     pub fn speed_rule_at(&self, s: f64) -> SpeedRule {
-        const NOTHING: SpeedRule = SpeedRule { max: None, origin: SpeedOrigin::None, signal: None };
         if !s.is_finite() {
             return NOTHING;
         }
@@ -77,6 +81,11 @@ impl<'a> Lane<'a> {
         if let Some(entry) = entry {
             return entry;
         }
+        self.default_speed(s)
+    }
+
+    /// What the header's regulations say for the road's type at s; nothing else is looked at.
+    pub(crate) fn default_speed(&self, s: f64) -> SpeedRule {
         let kind = self.road().types().take_while(|record| record.s <= s).last();
         let kind = kind.map(|record| record.kind.code());
         let mut defaults = self.map.tables().default_speeds.iter();
@@ -114,13 +123,7 @@ impl<'a> Lane<'a> {
             let (max, signal) = own.map_or((None, None), |own| (own.max, own.signal));
             match &mut common {
                 None => common = Some(SpeedRule { max, origin: SpeedOrigin::Entry, signal }),
-                Some(known) if known.max != max => {
-                    return Some(SpeedRule {
-                        max: None,
-                        origin: SpeedOrigin::Depends,
-                        signal: None,
-                    });
-                }
+                Some(known) if known.max != max => return Some(DEPENDS),
                 Some(known) if known.signal != signal => known.signal = None,
                 Some(_) => {}
             }
@@ -136,9 +139,19 @@ impl<'a> Lane<'a> {
 
     /// What a sign, the lane's record or the road's type says at s.
     fn written_speed(&self, s: f64) -> Option<SpeedRule> {
-        if let Some(sign) = sign_before(self, s, begins, ends) {
-            let signal = sign.signal();
-            let (max, signal) = (signal.value(), Some(signal.signal_id()));
+        self.speed_with(self.speed_signs_at_entry(), s)
+    }
+
+    /// As `written_speed`, for who has entered the lane with these signs.
+    pub(crate) fn speed_with(&self, entry: SpeedSigns<'_>, s: f64) -> Option<SpeedRule> {
+        let signs = self.speed_signs_after(entry, Some(s));
+        let sign = match (signs.limit, signs.zone) {
+            (Some(sign), _) | (None, Zone::Of(sign)) => Some(sign),
+            (None, Zone::None) => None,
+            (None, Zone::Depends) => return Some(DEPENDS),
+        };
+        if let Some(sign) = sign {
+            let (max, signal) = (sign.value(), Some(sign.signal_id()));
             return Some(SpeedRule { max, origin: SpeedOrigin::Signal, signal });
         }
         let limit = |kind: SpeedKind, value: f64| match kind {
@@ -155,17 +168,4 @@ impl<'a> Lane<'a> {
         let max = of_road.and_then(|record| limit(record.speed_kind, record.speed))?;
         Some(rule(max, SpeedOrigin::RoadType))
     }
-}
-
-fn begins(one: &LaneSignal<'_>) -> bool {
-    let signal = one.signal();
-    let limits = matches!(signal.class(), Class::SpeedLimit | Class::SpeedLimitZone);
-    limits && signal.value().is_some()
-}
-
-fn ends(one: &LaneSignal<'_>) -> bool {
-    matches!(
-        one.signal().class(),
-        Class::EndOfSpeedLimit | Class::EndOfSpeedLimitZone | Class::EndOfRestrictions
-    )
 }

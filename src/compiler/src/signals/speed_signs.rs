@@ -1,0 +1,145 @@
+//! Which signs of speed hold where lanes are entered.
+//!
+//! What leaves a lane follows from what enters it and from its own signs; what enters it, from all lanes that lead to it. That is
+//! solved over the lanes until nothing changes. A ring that nobody enters keeps what its own signs say: unknown states agree with all.
+
+use crate::sample::view;
+use mapd_archive::{NONE, Rows, SpeedSignsAtEntryRow};
+use mapd_query::{Lane, Map, SpeedSigns, Zone, is_of_speed};
+use std::collections::VecDeque;
+
+/// What holds at a place, by rows of signals.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct State {
+    limit: Option<u32>,
+    zone: ZoneState,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum ZoneState {
+    None,
+    Of(u32),
+    Depends,
+}
+
+impl State {
+    const NONE: Self = Self { limit: None, zone: ZoneState::None };
+
+    fn of(signs: &SpeedSigns<'_>) -> Self {
+        let zone = match signs.zone {
+            Zone::None => ZoneState::None,
+            Zone::Of(sign) => ZoneState::Of(sign.signal_id().row()),
+            Zone::Depends => ZoneState::Depends,
+        };
+        Self { limit: signs.limit.map(|sign| sign.signal_id().row()), zone }
+    }
+
+    fn signs<'a>(&self, map: Map<'a>) -> SpeedSigns<'a> {
+        let signal = |row: u32| map.signals().nth(row as usize);
+        let zone = match self.zone {
+            ZoneState::None => Zone::None,
+            ZoneState::Of(row) => signal(row).map_or(Zone::None, Zone::Of),
+            ZoneState::Depends => Zone::Depends,
+        };
+        SpeedSigns { limit: self.limit.and_then(signal), zone }
+    }
+}
+
+/// Fills `speed_signs_at_entry`.
+pub(super) fn build(rows: &mut Rows) {
+    let found: Vec<SpeedSignsAtEntryRow> = {
+        let archive = view(rows);
+        let map = Map::new(&archive, 0);
+        let mut found = solve(map, rows.lanes.len());
+        if found.is_empty() && !rows.signal_lanes.is_empty() {
+            found.push(row(0, &State::NONE));
+        }
+        found
+    };
+    rows.speed_signs_at_entry = found.into();
+}
+
+fn row(lane: u32, state: &State) -> SpeedSignsAtEntryRow {
+    let zone = match state.zone {
+        ZoneState::Of(row) => row,
+        _ => NONE,
+    };
+    let zone_depends = u8::from(state.zone == ZoneState::Depends);
+    SpeedSignsAtEntryRow {
+        lane,
+        limit: state.limit.unwrap_or(NONE),
+        zone,
+        zone_depends,
+        reserved: [0; 3],
+    }
+}
+
+fn solve(map: Map<'_>, lanes: usize) -> Vec<SpeedSignsAtEntryRow> {
+    let (mut entry, mut exit): (Vec<Option<State>>, Vec<Option<State>>) =
+        (vec![None; lanes], vec![None; lanes]);
+    // Only what lies behind a sign can hold anything: the rest is never looked at.
+    let signed = map.lanes().filter(|lane| lane.signals().any(|one| is_of_speed(&one)));
+    let mut open: VecDeque<u32> = signed.map(|lane| lane.lane_id().row()).collect();
+    let mut reached = vec![false; lanes];
+    for first in open.clone() {
+        mark(map, first, &mut reached);
+    }
+    while let Some(number) = open.pop_front() {
+        let Some(lane) = map.lane_by_row(number) else { continue };
+        let at_entry = meet(map, &lane, &exit, &reached);
+        let signs = lane.speed_signs_after(at_entry.unwrap_or(State::NONE).signs(map), None);
+        let at_exit = State::of(&signs);
+        let own = number as usize;
+        entry[own] = at_entry;
+        if exit[own] == Some(at_exit) {
+            continue;
+        }
+        exit[own] = Some(at_exit);
+        open.extend(lane.successors().map(|next| next.row()));
+    }
+    let held = (0u32..).zip(&entry).filter_map(|(lane, state)| Some((lane, state.as_ref()?)));
+    held.filter(|(_, state)| **state != State::NONE).map(|(lane, state)| row(lane, state)).collect()
+}
+
+/// Marks a lane and all that it leads to.
+fn mark(map: Map<'_>, first: u32, reached: &mut [bool]) {
+    let mut open = vec![first];
+    while let Some(number) = open.pop() {
+        if std::mem::replace(&mut reached[number as usize], true) {
+            continue;
+        }
+        let next = map.lane_by_row(number).into_iter().flat_map(|lane| lane.successors());
+        open.extend(next.map(|next| next.row()));
+    }
+}
+
+/// What enters a lane; none where nothing that leads to it is known yet.
+fn meet(map: Map<'_>, lane: &Lane<'_>, exit: &[Option<State>], reached: &[bool]) -> Option<State> {
+    let in_junction = |lane: &Lane<'_>| lane.road().junction().is_some();
+    let mut before = lane.predecessors();
+    let sole = before.next().filter(|_| before.next().is_none());
+    let limit = sole.and_then(|id| {
+        let before = map.lane_by_row(id.row())?;
+        let goes_on = !in_junction(&before) && !in_junction(lane);
+        exit[id.row() as usize].filter(|_| goes_on)?.limit
+    });
+    let value = |row: u32| map.signals().nth(row as usize).and_then(|sign| sign.value());
+    let mut zone: Option<ZoneState> = None;
+    for id in lane.predecessors() {
+        // What no sign leads to has no zone; what one leads to will be known.
+        let own = match exit[id.row() as usize] {
+            Some(state) => state.zone,
+            None if reached[id.row() as usize] => continue,
+            None => ZoneState::None,
+        };
+        zone = Some(match (zone, own) {
+            (None, own) => own,
+            (Some(ZoneState::Of(a)), ZoneState::Of(b)) if value(a) == value(b) => {
+                ZoneState::Of(a.min(b))
+            }
+            (Some(known), own) if known == own => known,
+            _ => ZoneState::Depends,
+        });
+    }
+    zone.map(|zone| State { limit, zone })
+}

@@ -1,0 +1,181 @@
+//! From which lanes the goal is reached along a path's own roads, and until where a change of lane may wait.
+
+use super::{Path, Piece};
+use crate::graph::LaneNode;
+use crate::ids::LaneId;
+use crate::lane::Lane;
+use mapd_archive::VehicleClass;
+
+/// Lanes beside the driven one that are looked at on either side at most; a damaged archive might lead round in a circle.
+const MOST_BESIDE: usize = 64;
+/// No way to the goal.
+const NEVER: u32 = u32::MAX;
+
+/// A lane from which the goal of a path is reached along the path's own roads by allowed changes of lane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PathSegment {
+    /// S of the stretch over which this holds `[m]`.
+    pub along: [f64; 2],
+    /// The lane.
+    pub lane: LaneId,
+    /// Whether it is travelled towards +s.
+    pub forward: bool,
+    /// Whether the path drives on it on this stretch.
+    pub driven: bool,
+    /// Changes of lane that are left to the goal, at least.
+    pub changes: u32,
+    /// The largest S at which one can still be on this lane, with the lanes that it leads on to, and come to the goal: the last place for
+    /// its next change `[m]`. The path's end where no change is needed.
+    pub last_change: f64,
+    /// S at which it leads on along the path no more `[m]`; the path's end where it does to the end.
+    pub lane_end: f64,
+    node: u32,
+    /// Number of the stretch.
+    stretch: u32,
+    /// Whether the path leaves the stretch, and enters it, on this lane.
+    exit: bool,
+    entry: bool,
+}
+
+impl<'a> Path<'a, '_> {
+    /// On every stretch of the path the lanes from which its goal is reached along the same roads, from left to right as the driver sees
+    /// them. Stretches are in ascending S and cover the path; on each it is the same who may go where. `out` is emptied first; it
+    /// grows only if its capacity is too small.
+    pub fn segments(&self, vehicle: VehicleClass, out: &mut Vec<PathSegment>) {
+        out.clear();
+        let mut stretch = 0;
+        for piece in &self.buffer.pieces {
+            let Some(lane) = Lane::new(self.map, piece.lane) else { continue };
+            for node in lane.nodes().filter(|node| node.is_forward() == piece.forward) {
+                self.stretch(piece, &node, (vehicle, &mut stretch), out);
+            }
+        }
+        self.decide(out);
+        out.retain(|own| own.changes != NEVER);
+    }
+
+    /// Adds a stretch for a node that is driven on, or drives on the last one after a change of lane.
+    fn stretch(
+        &self,
+        piece: &Piece,
+        node: &LaneNode<'a>,
+        (vehicle, number): (VehicleClass, &mut u32),
+        out: &mut Vec<PathSegment>,
+    ) {
+        let spans = self.spans_of(piece);
+        let (Some(first), Some(last)) = (spans.first(), spans.last()) else { return };
+        let driven = [first.s[0], last.s[1]];
+        let (low, high) = node.s_range();
+        let (from, to) = (low.max(driven[0].min(driven[1])), high.min(driven[0].max(driven[1])));
+        if from >= to {
+            return;
+        }
+        let [begin, end] = if piece.forward { [from, to] } else { [to, from] };
+        let along = [self.along_in(piece, begin), self.along_in(piece, end)];
+        // After a change of lane the stretch goes on.
+        let known = out.iter().rev().take_while(|own| own.stretch == *number);
+        if known.into_iter().any(|own| own.node == node.number && own.along[1] <= along[0]) {
+            for own in out.iter_mut().rev().take_while(|own| own.stretch == *number) {
+                own.along[1] = along[1];
+                own.exit = own.node == node.number;
+                own.driven |= own.exit;
+            }
+            return;
+        }
+        *number += 1;
+        let open = |next: Option<LaneNode<'a>>| next.filter(|next| next.allows(vehicle));
+        let left = |node: &LaneNode<'a>| open(node.left());
+        let leftmost =
+            std::iter::successors(Some(*node), left).take(MOST_BESIDE + 1).last().unwrap_or(*node);
+        let right = |node: &LaneNode<'a>| open(node.right());
+        for own in std::iter::successors(Some(leftmost), right).take(2 * MOST_BESIDE + 1) {
+            let is_driven = own.number == node.number;
+            out.push(PathSegment {
+                along,
+                lane: LaneId { row: own.row.lane(), content: self.map.content() },
+                forward: own.is_forward(),
+                driven: is_driven,
+                changes: NEVER,
+                last_change: 0.0,
+                lane_end: 0.0,
+                node: own.number,
+                stretch: *number,
+                exit: is_driven,
+                entry: is_driven,
+            });
+        }
+    }
+
+    /// From the goal back: what follows ahead first, then changes of lane within a stretch.
+    fn decide(&self, all: &mut [PathSegment]) {
+        let mut rest = all.len();
+        let mut next = rest..rest;
+        while let Some(last) = rest.checked_sub(1).and_then(|last| all.get(last)).copied() {
+            let first = all.partition_point(|own| own.stretch < last.stretch);
+            for i in first..rest {
+                let (before, behind) = all.split_at_mut(rest);
+                let ahead = behind.get(..next.len()).unwrap_or(&[]);
+                if let Some(own) = before.get_mut(i) {
+                    self.ahead(own, ahead);
+                }
+            }
+            self.beside(all.get_mut(first..rest).unwrap_or(&mut []));
+            next = first..rest;
+            rest = first;
+        }
+    }
+
+    /// What a lane reaches without a change on its stretch.
+    fn ahead(&self, own: &mut PathSegment, next: &[PathSegment]) {
+        own.lane_end = own.along[1];
+        own.last_change = own.along[1];
+        if next.is_empty() {
+            own.changes = if own.exit { 0 } else { NEVER };
+            return;
+        }
+        let Some(node) = LaneNode::new(self.map, own.node) else { return };
+        let leads_to = |to: &PathSegment| {
+            node.edges().any(|e| e.target().is_some_and(|t| t.number == to.node))
+        };
+        // The path is known to lead on, also over lanes too short to be driven.
+        for to in next.iter().filter(|to| (own.exit && to.entry) || leads_to(to)) {
+            own.lane_end = own.lane_end.max(to.lane_end);
+            if to.changes != NEVER {
+                own.changes = own.changes.min(to.changes);
+                own.last_change = own.last_change.max(to.last_change);
+            }
+        }
+    }
+
+    /// Changes of lane within a stretch, whose lanes are given from left to right.
+    fn beside(&self, lanes: &mut [PathSegment]) {
+        for i in (1..lanes.len()).rev() {
+            self.change(lanes, i - 1, i, true);
+        }
+        for i in 1..lanes.len() {
+            self.change(lanes, i, i - 1, false);
+        }
+    }
+
+    fn change(&self, lanes: &mut [PathSegment], from: usize, to: usize, right: bool) {
+        let (Some(own), Some(beside)) = (lanes.get(from), lanes.get(to)) else { return };
+        let way = LaneNode::new(self.map, own.node)
+            .and_then(|node| if right { node.change_right() } else { node.change_left() });
+        let allowed = way.is_some_and(|way| way.number == beside.node);
+        let changes = beside.changes.saturating_add(1);
+        if allowed && changes < own.changes {
+            lanes[from].changes = changes;
+        }
+    }
+
+    /// S of a place on a piece; of one between its lines, or outside, of the nearest behind.
+    pub(super) fn along_in(&self, piece: &Piece, s: f64) -> f64 {
+        let spans = self.spans_of(piece);
+        let behind = |span: &&super::Span| {
+            if piece.forward { span.s[1] >= s } else { span.s[1] <= s }
+        };
+        let Some(span) = spans.iter().find(behind).or(spans.last()) else { return 0.0 };
+        let [a, b] = span.s;
+        span.along_at(mapd_geometry::clamp(s, a.min(b), a.max(b))).unwrap_or(span.along)
+    }
+}
