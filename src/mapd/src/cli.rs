@@ -25,7 +25,7 @@ use std::sync::Arc;
 /// Compile OpenDRIVE maps once and serve them to every process from shared memory.
 ///
 /// `mapd --load map.xodr` compiles and checks the map, publishes it under the name `map` and serves until SIGINT or
-/// SIGTERM. Other processes read it in place: with the crate mapd-client, or here with `mapd query shm:map …`.
+/// SIGTERM. Other processes read it in place: with the crate mapd-client, or with `mapd query shm:map …`.
 #[derive(Parser)]
 #[command(version, args_conflicts_with_subcommands = true, after_help = EXIT_CODES)]
 struct Cli {
@@ -61,35 +61,35 @@ enum Command {
     /// Compile OpenDRIVE files into archives
     #[command(name = COMPILE, after_help = compile::HELP)]
     Compile(Box<CompileCommand>),
-    /// Say everything that is wrong with an OpenDRIVE file, without building the map
+    /// List everything that is wrong with an OpenDRIVE file, without building the map
     #[command(after_help = check::HELP)]
     Check(Box<CheckCommand>),
-    /// Show what a map holds
+    /// Show the contents of a map
     Inspect(Box<InspectCommand>),
     /// Answer questions: CSV with a header row from stdin to stdout
     #[command(after_help = query::HELP)]
     Query(Box<QueryCommand>),
-    /// Say which lanes a recorded trace was driven in: CSV with a header row from stdin to stdout
+    /// Find the lanes of a recorded trace: CSV with a header row from stdin to stdout
     #[command(after_help = trace::HELP)]
     Match(Box<TraceCommand>),
     /// Draw or convert a map
     Export(Box<ExportCommand>),
-    /// List the maps that are served
+    /// List the served maps
     Status(StatusCommand),
-    /// Measure attaching and querying on this machine, beside open and mmap of the same bytes
+    /// Measure attaching and querying on this machine, compared with open and mmap of the same bytes
     Bench(BenchCommand),
-    /// Examine this machine and what is served: memory, limits, stale files, versions, rights, attaching
-    #[command(after_help = "Ends with 0 where nothing is a problem, else with 1.")]
+    /// Examine this machine and the served maps: memory, limits, stale files, versions, permissions, attaching
+    #[command(after_help = "Exit codes: 0 no problems, 1 problems.")]
     Doctor(DoctorCommand),
     /// Sign archives with Ed25519, in minisign's format; --trust then refuses all others
     Sign(SignCommand),
     #[command(name = bench::SUBCOMMAND, hide = true)]
     BenchClient(BenchClientCommand),
-    /// Have the daemon compile a map's file again and serve it; what is served stays if that fails
+    /// Compile a map's file again and serve it; if that fails, the served map stays
     Reload(StagedChange),
-    /// Have the daemon serve the generation before again, under a new number
+    /// Serve the previous generation again, under a new number
     Rollback(StagedChange),
-    /// Have the daemon serve what is staged
+    /// Serve the staged generation
     Activate(ChangeArgs),
 }
 

@@ -17,11 +17,11 @@ pub(crate) struct BuildArgs {
     #[arg(long, value_name = "M", default_value_t = CompileOptions::default().bound_tolerance, value_parser = finite)]
     bound_tolerance: f64,
 
-    /// Largest distance of an object or signal from a lane that it belongs to as the nearest [m]
+    /// Largest distance at which an object or signal is attached to its nearest lane [m]
     #[arg(long, value_name = "M", default_value_t = CompileOptions::default().lane_reach, value_parser = finite)]
     lane_reach: f64,
 
-    /// Landmarks for routing, 0 to 32: more are faster over long ways and larger
+    /// Landmarks for routing, 0 to 32: more make long routes faster and archives larger
     #[arg(long, value_name = "N", default_value_t = CompileOptions::default().landmarks, value_parser = clap::value_parser!(u8).range(0..=32))]
     landmarks: u8,
 
@@ -33,7 +33,7 @@ pub(crate) struct BuildArgs {
     #[arg(long, value_enum, default_value_t = Sign::Auto)]
     offset_sign: Sign,
 
-    /// What is left out of the archive: nothing else in it depends on these
+    /// Data to leave out of the archive; nothing else depends on it
     #[arg(long, value_name = "KIND", value_enum, value_delimiter = ',')]
     without: Vec<WithoutKind>,
 
@@ -70,22 +70,22 @@ impl ValueEnum for WithoutKind {
 /// As [`OffsetSign`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Sign {
-    /// As written, unless the file is known to be, or can only be, one of the other sign
+    /// As written, unless the file is known to have the opposite sign, or is possible only with it
     Auto,
-    /// As written: added, as the standard has it
+    /// As written: added, as in the standard
     Standard,
-    /// Turned: subtracted, as netconvert of Eclipse SUMO writes it
+    /// Negated: subtracted, as netconvert of Eclipse SUMO writes it
     Negated,
 }
 
 /// As [`CyclePolicy`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Cycles {
-    /// Those that no network may have: within a junction, or without length
+    /// Those that no network may have: within a junction, or of at most 1 m
     Illegal,
     /// All
     All,
-    /// None: forbidden ones are warnings, the others information
+    /// None: forbidden cycles are warnings, others information
     Report,
 }
 

@@ -8,7 +8,7 @@ use mapd_client::Domain;
 /// Where daemons and clients meet.
 #[derive(Args)]
 pub(crate) struct DomainArgs {
-    /// Prefix of everything in shared memory; daemons and clients meet where it is equal (letters and digits, one _ at the end) [default: mapd_]
+    /// Prefix of all names in shared memory; daemon and clients need the same one (letters and digits, one _ at the end) [default: mapd_]
     #[arg(long, env = "MAPD_PREFIX", value_name = "PREFIX")]
     prefix: Option<String>,
 

@@ -15,11 +15,11 @@ use std::path::PathBuf;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 enum ProfileName {
-    /// Errors are what makes a part of the map useless
+    /// Only what makes a part of the map unusable is an error
     Default,
-    /// Whatever the standard forbids is an error
+    /// Everything that the standard forbids is an error
     Strict,
-    /// ASAM's rules alone
+    /// Only ASAM's rules
     Asam,
 }
 
@@ -27,7 +27,7 @@ enum ProfileName {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 enum OnErrorName {
-    /// Leave out the smallest part that has it
+    /// Leave out the smallest part that contains it
     Quarantine,
     /// Reject the map
     Reject,
@@ -38,15 +38,15 @@ enum OnErrorName {
 /// Arguments; each stands above what the configuration file says.
 #[derive(Args, Default)]
 pub(crate) struct JudgingArgs {
-    /// Which rules apply, and how bad their findings are [default: default]
+    /// Which rules apply, and the severity of their findings [default: default]
     #[arg(long, value_enum)]
     profile: Option<ProfileName>,
 
-    /// Configuration: profile, on_error, bounds, and single rules switched off or graded otherwise
+    /// Configuration: profile, on_error, limits, and severities of single rules
     #[arg(long, value_name = "RULES.toml")]
     rules: Option<PathBuf>,
 
-    /// What is done about an error [default: quarantine]
+    /// Reaction to an error [default: quarantine]
     #[arg(long, value_enum)]
     on_error: Option<OnErrorName>,
 

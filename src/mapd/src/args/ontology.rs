@@ -10,7 +10,7 @@ use std::path::PathBuf;
 /// Tables of the vocabulary, besides those that mapd has.
 #[derive(Args)]
 pub(crate) struct OntologyArgs {
-    /// Table of what signals and objects mean, read before mapd's own; may be repeated (docs/ontology.md)
+    /// Table with the meaning of signals and objects; takes precedence over mapd's own; may be repeated (docs/ontology.md)
     #[arg(long, value_name = "FILE")]
     ontology: Vec<PathBuf>,
 }

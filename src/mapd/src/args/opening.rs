@@ -34,7 +34,7 @@ pub(crate) struct Opening {
 /// How live maps are attached to.
 #[derive(Args)]
 pub(crate) struct AttachArgs {
-    /// shm:NAME: how to attach; a subscriber takes part in iceoryx2, an observer writes nothing
+    /// For shm:NAME: how to attach
     #[arg(long, value_enum, value_name = "HOW", default_value_t = How::Observer)]
     attach: How,
 }
@@ -45,7 +45,7 @@ pub(crate) struct Live {
     #[command(flatten)]
     domain: DomainArgs,
 
-    /// shm:NAME: longest wait for daemon and map [s]
+    /// For shm:NAME: longest wait for daemon and map [s]
     #[arg(long, value_name = "S", default_value_t = Seconds(source::WAIT))]
     wait: Seconds,
 }
@@ -83,9 +83,9 @@ impl Opening {
 /// How a live map is attached to, as an option.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum How {
-    /// Maps it and writes nothing
+    /// Map the archive and write nothing
     Observer,
-    /// Takes part in iceoryx2, as one of at most 64
+    /// Take part in iceoryx2, as one of at most 64
     Subscriber,
 }
 

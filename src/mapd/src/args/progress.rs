@@ -12,11 +12,11 @@ const INTERVAL: Duration = Duration::from_secs(5);
 /// Options of showing progress.
 #[derive(Args, Clone, Copy, Debug)]
 pub(crate) struct ProgressArgs {
-    /// Say nothing but findings and errors
+    /// Print only findings and errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
 
-    /// Where stderr is no terminal: seconds between two lines of progress
+    /// If stderr is not a terminal: seconds between two lines of progress
     #[arg(long, value_name = "S", default_value_t = Seconds(INTERVAL))]
     progress_interval: Seconds,
 }

@@ -60,7 +60,7 @@ impl FromStr for ThreadCount {
 /// How many threads work; what they yield is the same for any number.
 #[derive(Args, Clone, Copy, Debug, Default)]
 pub(crate) struct ThreadsArg {
-    /// Threads that compile, up to 512; the result is the same for any number [default: as many as there are cores]
+    /// Threads for compiling, up to 512; the result is the same for any number [default: number of cores]
     #[arg(long, value_name = "N")]
     threads: Option<ThreadCount>,
 }

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 /// Whom to trust.
 #[derive(Args, Clone, Debug, Default)]
 pub(crate) struct TrustArgs {
-    /// Refuse every map that is not an archive signed by this minisign public key; its signature lies beside it (FILE.mapd.minisig)
+    /// Accept only archives signed with this minisign key; the signature is in FILE.mapd.minisig
     #[arg(long, value_name = "KEY.pub")]
     trust: Option<PathBuf>,
 }

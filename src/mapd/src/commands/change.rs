@@ -18,7 +18,7 @@ const OUTCOME: Duration = Duration::from_secs(600);
 pub(crate) struct StagedChange {
     #[command(flatten)]
     change: ChangeArgs,
-    /// Leave it for `mapd activate`; clients see it as pending
+    /// Leave it pending, for `mapd activate`
     #[arg(long)]
     stage: bool,
 }
@@ -44,12 +44,12 @@ impl StagedChange {
 /// Which map, and how its outcome is told.
 #[derive(Args)]
 pub(crate) struct ChangeArgs {
-    /// The map
+    /// Name of the map
     name: String,
-    /// Longest wait for the outcome [s]; the daemon goes on also without
+    /// Longest wait for the result [s]; the daemon continues in any case
     #[arg(long, value_name = "S", default_value_t = Seconds(OUTCOME))]
     wait: Seconds,
-    /// The outcome as JSON
+    /// Print the result as JSON
     #[arg(long)]
     json: bool,
     #[command(flatten)]

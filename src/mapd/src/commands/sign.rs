@@ -19,7 +19,7 @@ pub(crate) struct SignCommand {
     /// Archives (.mapd)
     #[arg(required = true)]
     archives: Vec<PathBuf>,
-    /// Secret key, as `minisign -G` writes it; a password is asked for, or taken from MAPD_SIGN_PASSWORD
+    /// Secret key, as `minisign -G` writes it; asks for the password, or takes MAPD_SIGN_PASSWORD
     #[arg(long, value_name = "SECRET")]
     key: PathBuf,
     /// Comment that is signed too [default: time, name of the archive and hash of its content]

@@ -90,7 +90,7 @@ fn daemons(domain: &Domain, maps: &[MapStatus]) -> Vec<DaemonStatus> {
 /// Which maps to list, and how.
 #[derive(Args)]
 pub(crate) struct StatusCommand {
-    /// As JSON: also sources, counts, memory, what is staged, what became of the last reload
+    /// Print JSON: also sources, counts, memory, staged generation, result of the last reload
     #[arg(long)]
     json: bool,
     #[command(flatten)]

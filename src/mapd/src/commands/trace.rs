@@ -14,8 +14,8 @@ use std::io::{self, Read, Write};
 
 /// Said at the end of `mapd help match`.
 pub(crate) const HELP: &str = "\
-In: time [s] and x,y[,z] or lat,lon[,alt], in the order of time; hdg where it is known. Out: lane,s,offset (from the lane's centre, positive to
-the left of the reference line) and the probability of the lane given the whole trace; lane is empty where the trace is on none.
+In: time [s] and x,y[,z] or lat,lon[,alt], in the order of time; hdg if known. Out: lane,s,offset (from the lane's centre, positive to
+the left of the reference line) and the probability of the lane given the whole trace; lane is empty if the trace is on no lane.
 
   mapd match map.xodr --deviation 2 < trace.csv";
 
@@ -53,16 +53,16 @@ struct TraceArgs {
     /// Standard deviation of x and y [m]
     #[arg(long, value_name = "M", default_value_t = TraceOptions::default().deviation, value_parser = not_negative)]
     deviation: f64,
-    /// Standard deviation of hdg [rad], of rows that have it
+    /// Standard deviation of hdg [rad], for rows that have it
     #[arg(long, value_name = "RAD", default_value_t = TraceOptions::default().heading_deviation, value_parser = not_negative)]
     heading_deviation: f64,
-    /// Mean time between changes of lane [s]
+    /// Mean time between lane changes [s]
     #[arg(long, value_name = "S", default_value_t = TraceOptions::default().change_interval, value_parser = not_negative)]
     change_interval: f64,
-    /// Who travels, in the words of access/restriction
+    /// Kind of vehicle, in the words of access/restriction
     #[arg(long, value_name = "CLASS", default_value = VehicleClass::PassengerCar.name(), value_parser = vehicle)]
     vehicle: VehicleClass,
-    /// Lane types that count, separated by commas, or `drivable`
+    /// Lane types to consider, separated by commas, or `drivable`
     #[arg(long, value_name = "TYPES", value_delimiter = ',', default_value = "drivable")]
     types: Vec<String>,
 }

@@ -24,11 +24,11 @@ pub(crate) struct DaemonArgs {
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub(crate) load: Vec<PathBuf>,
 
-    /// Serve under this name instead of the file's stem
+    /// Name to serve the map under, instead of the file's stem
     #[arg(long, requires = "load")]
     name: Option<String>,
 
-    /// Serve what this file says (docs/service.md); arguments stand above it
+    /// Settings and maps to serve (docs/service.md); command-line arguments override it
     #[arg(long, value_name = "FILE.toml")]
     pub(crate) config: Option<PathBuf>,
 
@@ -36,19 +36,19 @@ pub(crate) struct DaemonArgs {
     #[arg(long)]
     watch: bool,
 
-    /// Leave what SIGHUP and --watch reload for `mapd activate`
+    /// Leave reloads by SIGHUP and --watch pending, for `mapd activate`
     #[arg(long)]
     stage: bool,
 
-    /// At the start, serve what was served last, from the cache, where the file yields no map
+    /// If a file cannot be compiled at the start, serve the map that was served last, from the cache
     #[arg(long)]
     last_good: bool,
 
-    /// Folder of compiled archives and of generation numbers [default: $XDG_CACHE_HOME/mapd or ~/.cache/mapd, for root /var/cache/mapd]
+    /// Folder for compiled archives and generation numbers [default: $XDG_CACHE_HOME/mapd or ~/.cache/mapd, for root /var/cache/mapd]
     #[arg(long, env = "MAPD_CACHE", value_name = "DIR")]
     cache: Option<PathBuf>,
 
-    /// Keep no archives; `mapd rollback` is not possible then
+    /// Keep no archives; this disables `mapd rollback`
     #[arg(long)]
     no_cache: bool,
 
@@ -56,14 +56,14 @@ pub(crate) struct DaemonArgs {
     #[arg(long, value_name = "SIZE")]
     cache_size: Option<Size>,
 
-    /// Memory that compiling may take, such as 8GiB [default: three quarters of what is free]
+    /// Memory limit for compiling, such as 8GiB [default: three quarters of what is free]
     #[arg(long, visible_alias = "max-memory", value_name = "SIZE")]
     compile_memory: Option<Size>,
 
     #[command(flatten)]
     threads: ThreadsArg,
 
-    /// Keep what is served in memory, never in swap; needs a limit of locked memory of twice the largest map (ulimit -l)
+    /// Keep served maps in memory, never in swap; the limit of locked memory (ulimit -l) must allow twice the largest map
     #[arg(long)]
     lock_memory: bool,
 

@@ -14,11 +14,11 @@ use tracing_subscriber::registry::LookupSpan;
 /// How a daemon logs.
 #[derive(Args, Clone, Debug, Default)]
 pub(crate) struct LogArgs {
-    /// How the daemon's log is written to stderr
+    /// Format of the daemon's log on stderr
     #[arg(long, value_enum, default_value_t = LogFormat::Text)]
     log: LogFormat,
 
-    /// The least grave events that are logged
+    /// Lowest level to log
     #[arg(long, value_enum, default_value_t = LogLevel::Info)]
     log_level: LogLevel,
 }
@@ -36,14 +36,14 @@ pub(crate) enum LogFormat {
 /// How grave an event is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum LogLevel {
-    /// What fails
+    /// Failures
     Error,
-    /// What works for now
+    /// Problems that may cause failures
     Warn,
-    /// What happens
+    /// Normal events
     #[default]
     Info,
-    /// What happens inside
+    /// Internal events
     Debug,
 }
 

@@ -31,15 +31,15 @@ pub(crate) struct OversightArgs {
     #[command(flatten)]
     pub(crate) log: log::LogArgs,
 
-    /// Answer Prometheus at this address, such as 127.0.0.1:9464
+    /// Serve metrics for Prometheus at this address, such as 127.0.0.1:9464
     #[arg(long, value_name = "ADDRESS:PORT")]
     metrics: Option<SocketAddr>,
 
-    /// Let --metrics listen at an address that other machines can reach
+    /// Allow an address for --metrics that other machines can reach
     #[arg(long)]
     metrics_open: bool,
 
-    /// Prove what is served, every byte of it, at this interval [s]
+    /// Verify every byte of the served maps at this interval [s]
     #[arg(long, value_name = "SECONDS")]
     scrub: Option<NonZeroU32>,
 }

@@ -28,7 +28,7 @@ use std::time::Duration;
 /// What to measure, and how often.
 #[derive(Args)]
 pub(crate) struct BenchCommand {
-    /// .xodr, .mapd or shm:NAME [default: the map that a daemon serves, if it is just one]
+    /// .xodr, .mapd or shm:NAME [default: the served map, if there is only one]
     source: Option<String>,
     /// Fresh client processes, one after the other and then all at once
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u16).range(1..=60))]
@@ -39,7 +39,7 @@ pub(crate) struct BenchCommand {
     /// Routes
     #[arg(long, value_name = "N", default_value_t = 500)]
     routes: u32,
-    /// As JSON
+    /// Print JSON
     #[arg(long)]
     json: bool,
     #[command(flatten)]

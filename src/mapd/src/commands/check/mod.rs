@@ -20,16 +20,18 @@ use std::path::{Path, PathBuf};
 
 /// Said at the end of `mapd help check`.
 pub(crate) const HELP: &str = "\
-An error says that the file violates the standard; parts are left out only for errors that say so, because what they are
-built from is missing or unusable. Ends with 0 where the map would be accepted, with 3 where parts of it would be left
-out, with 4 where it would be rejected.";
+An error means that the file violates the standard. Only errors that say so remove parts of the map, because needed data is
+missing or unusable.
+
+Exit codes: 0 the map would be accepted, 3 parts of it would be left out, 4 it would be rejected, 2 wrong usage, 1 the file
+cannot be read.";
 
 /// What to check, and how.
 #[derive(Args)]
 pub(crate) struct CheckCommand {
     /// OpenDRIVE file (.xodr or .xodrz)
     file: PathBuf,
-    /// How findings are written
+    /// Output format of findings
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
     #[command(flatten)]
@@ -42,7 +44,7 @@ pub(crate) struct CheckCommand {
     progress: ProgressArgs,
 }
 
-/// How findings are written.
+/// Output format of findings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Format {
     /// For people: each finding with its line of the file.
@@ -62,7 +64,7 @@ struct ReadArgs {
     #[arg(long, value_name = "N", default_value_t = Limits::default().depth)]
     max_depth: usize,
 
-    /// Longest tag, which bounds its attributes [bytes]
+    /// Longest tag, including its attributes [bytes]
     #[arg(long, value_name = "BYTES", default_value_t = Limits::default().tag_bytes)]
     max_attribute_length: usize,
 
@@ -74,19 +76,19 @@ struct ReadArgs {
     #[arg(long, value_name = "BYTES", default_value_t = Limits::default().text_bytes)]
     max_text_length: usize,
 
-    /// Largest file with all that it includes, decompressed [bytes]
+    /// Largest file with all its includes, decompressed [bytes]
     #[arg(long, value_name = "BYTES", default_value_t = SourceLimits::default().decoded_bytes)]
     max_bytes: u64,
 
-    /// Largest road, junction or other top-level element, with 256 bytes for each element within [bytes]
+    /// Largest road, junction or other top-level element, plus 256 bytes for each element inside [bytes]
     #[arg(long, value_name = "BYTES", default_value_t = Limits::default().item_bytes)]
     max_road_bytes: usize,
 
-    /// Findings of one kind about one type of element that are told one by one; more are counted
+    /// Findings to list of one kind for one type of element; more are only counted
     #[arg(long, value_name = "N", default_value_t = Limits::default().findings_of_a_kind)]
     max_findings: u32,
 
-    /// Folder that files may be included from [default: that of FILE]
+    /// Folder that files may be included from [default: the folder of FILE]
     #[arg(long, value_name = "FOLDER")]
     include_base: Option<PathBuf>,
 

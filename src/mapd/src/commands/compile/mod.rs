@@ -36,14 +36,13 @@ const TABLE: [&str; 3] = ["output_dir", "jobs", "json"];
 
 /// Said at the end of `mapd help compile`.
 pub(crate) const HELP: &str = "\
-Several files, a folder, --output-dir, --jobs or --json: each file is a tile, compiled in a process of its own, several at once. Beside
-DIR/NAME.mapd lies DIR/NAME.report.json with all findings. Folders are searched with all within them for .xodr and .xodrz, and
-keep their shape in DIR. A tile whose archive is what it would become anyway, by input, included files, options and
-program, is left alone. Jobs share the memory and, unless --threads says
-how many each of them has, the cores. Ends with a table on stdout; docs/tiles.md has more.
+With several files, a folder, --output-dir, --jobs or --json, each file is a tile. Tiles are compiled in processes of their own,
+several at once. Next to DIR/NAME.mapd, DIR/NAME.report.json has all findings. Folders are searched recursively for .xodr and
+.xodrz; DIR gets the same subfolders. A tile is skipped if its archive is up to date with its input, included files, options and
+the program. Jobs share the memory and, without --threads, the cores. The result is a table on stdout; docs/tiles.md has more.
 
 Exit codes: 0 done and accepted, 3 a map was accepted with quarantined parts, 4 a map was rejected, 2 wrong usage, 1 the
-environment failed, which includes that compiling needed more memory than --max-memory. Of several tiles the worst counts:
+environment failed, for example because compiling needed more memory than --max-memory. For several tiles the worst counts:
 1 before 4 before 3.";
 
 /// What to compile, and how.
@@ -53,23 +52,23 @@ pub(crate) struct CompileCommand {
     #[arg(required = true, value_name = "FILE")]
     inputs: Vec<PathBuf>,
 
-    /// Archive to write, of a single file [default: FILE with the ending .mapd]
+    /// For a single file: archive to write [default: FILE with the ending .mapd]
     #[arg(short, long, value_name = "OUT.mapd", conflicts_with_all = TABLE)]
     output: Option<PathBuf>,
 
-    /// Folder for archives and reports; made if it is not there [default: beside each file]
+    /// Folder for archives and reports, created if necessary [default: next to each file]
     #[arg(long, value_name = "DIR")]
     output_dir: Option<PathBuf>,
 
-    /// Write all findings as JSON, of a single file
+    /// For a single file: write all findings as JSON
     #[arg(long, value_name = "R.json", conflicts_with_all = TABLE)]
     report: Option<PathBuf>,
 
-    /// Compile tiles also where they are up to date; a single file is in any case
+    /// Compile tiles even if they are up to date; a single file is always compiled
     #[arg(long)]
     force: bool,
 
-    /// Tiles that are compiled at once [default: as many as there are cores]
+    /// Tiles to compile at once [default: number of cores]
     #[arg(long, value_name = "N")]
     jobs: Option<NonZeroUsize>,
 
@@ -86,8 +85,8 @@ pub(crate) struct CompileCommand {
     #[command(flatten)]
     threads: ThreadsArg,
 
-    /// Memory that compiling may take for its own data, such as 4GiB, of all tiles together [default: of tiles three quarters
-    /// of what is free, of a single file all]
+    /// Limit of memory for the compiler's own data, of all tiles together, such as 4GiB [default: three quarters of what is
+    /// free; for a single file no limit]
     #[arg(long, visible_alias = "memory-limit", value_name = "SIZE")]
     max_memory: Option<Size>,
 

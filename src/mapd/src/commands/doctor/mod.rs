@@ -25,9 +25,9 @@ const CHECK: usize = 24;
 /// What to examine.
 #[derive(Args)]
 pub(crate) struct DoctorCommand {
-    /// Archive (.mapd) that is to be served: is there room for it, twice, as while it is replaced?
+    /// Archive (.mapd) to serve: check that there is room for two copies, as needed during a reload
     archive: Option<PathBuf>,
-    /// As JSON
+    /// Print JSON
     #[arg(long)]
     json: bool,
     #[command(flatten)]

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 pub(crate) struct ExportCommand {
     /// .xodr, .mapd or shm:NAME
     source: String,
-    /// What to write
+    /// Output format
     #[arg(long, value_enum)]
     format: Format,
     /// File to write [default: stdout]
@@ -24,10 +24,10 @@ pub(crate) struct ExportCommand {
     /// svg: also the boxes of the spatial index
     #[arg(long)]
     index_boxes: bool,
-    /// svg: also the driven line of the shortest way of a passenger car
+    /// svg: also the driven line of a passenger car's shortest route
     #[arg(long, value_name = "ROAD,S,LANE:ROAD,S,LANE", allow_hyphen_values = true)]
     route: Option<RouteEnds>,
-    /// geojson, flatgeobuf: layers that are written [default: all]
+    /// geojson, flatgeobuf: layers to write [default: all]
     #[arg(long, value_name = "LAYER,…", value_enum, value_delimiter = ',')]
     layers: Vec<Layer>,
     #[command(flatten)]

@@ -24,10 +24,10 @@ use std::io::Write;
 pub(crate) struct InspectCommand {
     /// .xodr, .mapd or shm:NAME
     source: String,
-    /// As JSON
+    /// Print JSON
     #[arg(long)]
     json: bool,
-    /// Prove the content hash and every row first
+    /// Verify the content hash and every row first
     #[arg(long)]
     verify: bool,
     #[command(flatten)]

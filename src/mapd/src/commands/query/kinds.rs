@@ -34,7 +34,7 @@ pub enum Kind {
     Geodetic,
     /// `lat,lon[,alt]` → x,y,z
     FromGeodetic,
-    /// `road_id,x,y[,z]` → s,t,h, whether s was clamped, and whether s, t, h is the point
+    /// `road_id,x,y[,z]` → s,t,h, whether s was clamped, and whether s, t, h is exactly the point
     Track,
     /// `road_id,s,lane_id` → successors in driving direction
     Successors,
@@ -46,7 +46,7 @@ pub enum Kind {
     Landmarks,
     /// as route → a row for each station: S,x,y,z,hdg,curvature,lane,left,right,speed
     Path,
-    /// as route → a row for each station: S, both edges of the driven lane, their marks, whether one may change lanes over them
+    /// as route → a row for each station: S, both edges of the driven lane, their marks, whether a lane change is allowed there
     Corridor,
     /// as route, and `x,y[,hdg]` → S,d,heading_difference,lane,clamped
     Project,
@@ -56,11 +56,11 @@ pub enum Kind {
     Speed,
     /// `road_id,s,lane_id,distance` → a row for each signal ahead: id,class,distance,road_id,s,t,x,y,z,state_machine,method,value
     Signals,
-    /// `owner[,id]` → a row for each thing that the file says of it besides: kind,path,name,value,text,file,line,column
+    /// `owner[,id]` → a row for each annotation: kind,path,name,value,text,file,line,column
     Annotations,
-    /// `road_id,s,lane_id` → forward,back,left,right: how far one sees
+    /// `road_id,s,lane_id` → forward,back,left,right: visibility range
     Visibility,
-    /// `road_id,s,lane_id` → rule in words
+    /// `road_id,s,lane_id` → rule as text
     LaneRule,
     /// `junction_id` → a row for each group of the junction: group,name,type,junctions,ring
     JunctionGroups,

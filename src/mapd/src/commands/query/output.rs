@@ -9,7 +9,7 @@ pub enum Format {
     /// A header row and a row for each answer.
     #[default]
     Csv,
-    /// An array with an object for each answer: numbers as numbers, what is empty as null.
+    /// An array with an object for each answer: numbers as numbers, empty values as null.
     Json,
 }
 

@@ -23,16 +23,16 @@ pub enum RouteBy {
 /// How routes are found.
 #[derive(Args, Clone, Debug)]
 pub struct RouteArgs {
-    /// route: what to keep small
+    /// route: quantity to minimise
     #[arg(long, value_enum, default_value_t = RouteBy::Length)]
     by: RouteBy,
-    /// route: what a change of lane costs, in metres or seconds [default: 20 m, 2 s]
+    /// route: cost of a lane change, in metres or seconds [default: 20 m, 2 s]
     #[arg(long, value_name = "COST", value_parser = not_negative)]
     lane_change: Option<f64>,
-    /// route, signals: who travels, in the words of access/restriction
+    /// route, signals: kind of vehicle, in the words of access/restriction
     #[arg(long, value_name = "CLASS", default_value = VehicleClass::PassengerCar.name(), value_parser = vehicle)]
     vehicle: VehicleClass,
-    /// path, corridor: metres from station to station
+    /// path, corridor: distance between stations [m]
     #[arg(long, value_name = "M", default_value_t = STEP, value_parser = step)]
     step: f64,
 }

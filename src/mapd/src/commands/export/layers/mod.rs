@@ -22,7 +22,7 @@ pub enum Layer {
     CenterLines,
     /// Borders of lanes, cut where their road mark changes
     Borders,
-    /// Lines at which a lane's traffic stops or gives way, across the lane
+    /// Lines across a lane where its traffic stops or yields
     StopLines,
     /// Crosswalks and bicycle crossings
     Crosswalks,
