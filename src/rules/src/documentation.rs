@@ -12,17 +12,17 @@ const HEAD: &str = "# Rules
 
 Written by `cargo run -p mapd-rules --example rules_doc` from the catalog in `src/rules/src/catalog/`; change that instead.
 
-A finding is an **error** where a part of the map cannot be used for what it says, a **warning** where it is used as described although
-the standard forbids what is written, and **information** where it is lawful and worth knowing. The profile decides:
+This page lists every rule that mapd checks, with its severity in each profile. A finding is an **error** if a part of the map cannot be used, a **warning** if
+it can be used although the standard forbids it, and **information** if it is allowed but worth knowing. The profile decides:
 
 | profile | rules | severity |
 |---|---|---|
 | `default` | all | as below |
-| `strict` | all | as below, in the second column: whatever the standard forbids is an error |
-| `asam` | those with an id of ASAM's, from the version in it on | as below, in the third column: error, recommendations are warnings; what ASAM's checker looks at as it grades it |
+| `strict` | all | as below, in the second column: everything that the standard forbids is an error |
+| `asam` | those with an id of ASAM's, from the version in the id on | as below, in the third column: as in ASAM's checker if it has the rule; otherwise error, and warning for recommendations |
 
-A configuration file switches single rules off or grades them otherwise; see [checks.md](checks.md). Findings of reading and building, the last two groups, say what was
-read and built: they are the same in every profile, and an id stands here with the severity of its worst finding.
+A configuration file turns single rules off or changes their severity; see [checks.md](checks.md#rules). Findings of reading and building, the last two groups, are the same
+in every profile; the tables have the severity of the worst finding.
 ";
 
 fn word(severity: Severity) -> &'static str {
@@ -103,7 +103,7 @@ pub fn documentation() -> Vec<(String, String)> {
             );
             let _ = write!(text, "\n## `{}`\n\n{}\n", rule.id, rule.meaning);
             if rule.fixed {
-                let _ = write!(text, "\nNo configuration grades it: {}.\n", rule.because);
+                let _ = write!(text, "\nIts severity cannot be changed: {}.\n", rule.because);
             }
             if !rule.aliases.is_empty() {
                 let _ = write!(text, "\nAlso `{}`.\n", rule.aliases.join("`, `"));
@@ -121,7 +121,7 @@ pub fn documentation() -> Vec<(String, String)> {
         }
         pages.push((format!("rules/{page}.md"), text));
     }
-    index.push_str("\n## What the schema says\n\nFor these, findings of reading stand.\n\n| rules | finding | about |\n|---|---|---|\n");
+    index.push_str("\n## Rules of the schema\n\nThe schema contains these rules; reading reports them.\n\n| rules | finding | about |\n|---|---|---|\n");
     for entry in STRUCTURAL {
         let _ = writeln!(
             index,
@@ -131,8 +131,12 @@ pub fn documentation() -> Vec<(String, String)> {
             entry.subject
         );
     }
-    for (title, list) in [("What is kept otherwise", KEPT), ("What is left out", LEFT_OUT)] {
-        let _ = write!(index, "\n## {title}\n\n| rule | because of |\n|---|---|\n");
+    let others = [
+        ("Rules that mapd ensures in other ways", "by", KEPT),
+        ("Rules that mapd does not check", "reason", LEFT_OUT),
+    ];
+    for (title, column, list) in others {
+        let _ = write!(index, "\n## {title}\n\n| rule | {column} |\n|---|---|\n");
         for (id, reason) in list {
             let _ = writeln!(index, "| `{id}` | {reason} |");
         }

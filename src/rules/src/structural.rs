@@ -247,21 +247,21 @@ pub static KEPT: &[(&str, &str)] = &[
     ),
     (
         "mapd:xodr:1.4.0:xml.position",
-        "every finding has a span; tests of the reader prove line and column",
+        "every finding has a span; tests of the reader check line and column",
     ),
     ("mapd:xodr:1.4.0:xml.quarantine", "the compiler's verdict"),
     (
         "mapd:xodr:1.4.0:topology.elementtype",
-        "the compiler makes links into junctions from connections alone",
+        "the compiler makes links into junctions only from connections",
     ),
     (
         "mapd:xodr:1.4.0:topology.cycle",
-        "the lane graph, whose `mapd:graph.no_progress` and `mapd:graph.junction_cycle` name each step of the way around \
+        "the lane graph, whose `mapd:graph.no_progress` and `mapd:graph.junction_cycle` name each step of the cycle \
          (graph.md); `mapd:xodr:1.4.0:topology.dependency_cycle`",
     ),
     (
         "mapd:xodr:1.4.0:object.nearest_lane",
-        "the compiler, which says how it found the lanes of an object",
+        "the compiler, which reports how it found the lanes of an object",
     ),
 ];
 
@@ -269,11 +269,11 @@ pub static KEPT: &[(&str, &str)] = &[
 pub static LEFT_OUT: &[(&str, &str)] = &[
     (
         "asam.net:xodr:1.8.0:junctions.direct.overlap_zone_coverage",
-        "where the lanes of a ramp stop overlapping depends on borders that the text leaves open",
+        "the end of the overlap of a ramp's lanes depends on borders that the text does not define",
     ),
     (
         "asam.net:xodr:1.8.0:junctions.elevation_grid.entry_exit_smoothness",
-        "needs the surface of elevation grids, which is not built yet",
+        "needs the surface of elevation grids, which rules do not have",
     ),
     (
         "asam.net:xodr:1.8.0:junctions.elevation_grid.perpendicular_vectors",
@@ -281,7 +281,7 @@ pub static LEFT_OUT: &[(&str, &str)] = &[
     ),
     (
         "asam.net:xodr:1.9.0:road.object.marking.markings_without_outline",
-        "the format cannot break it: markings of an outline stand in the outline",
+        "the format cannot break it: markings of an outline are inside the outline",
     ),
     (
         "asam.net:xodr:1.7.0:road.object.surface.object_reference_on_overlap",

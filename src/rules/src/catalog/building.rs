@@ -33,7 +33,7 @@ const SIGNAL: Example = Signals(
 pub const UNUSABLE: Rule = error(
     "mapd:compile.unusable",
     [
-        "What the map is built from is there and can be read.",
+        "Data that the map is built from is present and can be read.",
         "nothing can be built without it",
     ],
     [
@@ -52,7 +52,7 @@ pub const UNUSABLE: Rule = error(
 /// A parametric cubic without `pRange`.
 pub const P_RANGE: Rule = warning(
     "mapd:compile.p_range",
-    "A parametric cubic says what its parameter runs over; it is read as normalized otherwise.",
+    "A parametric cubic states its parameter range; otherwise it is read as normalized.",
     [
         PlanView(
             r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><paramPoly3 aU="0" bU="100" cU="0" dU="0" aV="0" bV="0" cV="0" dV="0" pRange="normalized"/></geometry>"#,
@@ -66,7 +66,7 @@ pub const P_RANGE: Rule = warning(
 /// A record or link that lacks its place or number, and is left out alone.
 pub const RECORD: Rule = warning(
     "mapd:compile.record",
-    "A record says where it begins, a lane's link which lane it names; it is left out otherwise.",
+    "A record states where it begins, and a lane's link names a lane; otherwise it is left out.",
     [
         Lane(r#"<speed sOffset="0" max="50" unit="km/h"/>"#),
         Lane(r#"<speed max="50" unit="km/h"/>"#),
@@ -76,7 +76,7 @@ pub const RECORD: Rule = warning(
 /// A second layer of one kind.
 pub const LANE_LAYER: Rule = info(
     "mapd:compile.lane_layer",
-    "A road has one layer of lanes of a kind; the others are not built.",
+    "A road has one layer of each kind of lanes; others are not built.",
     [
         SOUND,
         Road(
@@ -96,7 +96,7 @@ pub const NO_ROADS: Rule = warning(
 pub const TOO_LARGE: Rule = error(
     "mapd:compile.too_large",
     [
-        "A map keeps to the limits of its tables, a lane to those of a line; reading.md lists them.",
+        "A map is within the limits of its tables, a lane within those of a line; reading.md lists them.",
         "the archive has no room for it",
     ],
     [
@@ -109,14 +109,14 @@ pub const TOO_LARGE: Rule = error(
 /// So many roads lie over one another that the search for overlaps was cut short.
 pub const OVERLAPS: Rule = warning(
     "mapd:compile.overlaps",
-    "Roads lie beside one another; not all overlaps are looked for otherwise.",
+    "Few roads overlap; otherwise not all overlaps are searched.",
     [SOUND, Words("a map of many copies of the same roads")],
 );
 
 /// Something that is read, and not built.
 pub const UNSUPPORTED: Rule = info(
     "mapd:compile.unsupported",
-    "What a file says is built into the map.",
+    "Everything in a file is built into the map.",
     [
         SOUND,
         Road(
@@ -128,7 +128,7 @@ pub const UNSUPPORTED: Rule = info(
 /// A section for one side that has lanes of both.
 pub const SINGLE_SIDE: Rule = warning(
     "mapd:compile.single_side",
-    "A section for one side has lanes on that side alone, and one for the other side before it.",
+    "A section for one side has lanes only on that side, and follows a section for the other side.",
     [
         SOUND,
         Lanes(
@@ -140,7 +140,7 @@ pub const SINGLE_SIDE: Rule = warning(
 /// No lane 0.
 pub const CENTER_LANE: Rule = warning(
     "mapd:compile.center_lane",
-    "A section has a lane 0; the reference line stands in otherwise.",
+    "A section has a lane 0; otherwise the reference line takes its place.",
     [
         Section(
             r#"<center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right>"#,
@@ -154,7 +154,7 @@ pub const CENTER_LANE: Rule = warning(
 /// An elevation grid that cannot be used.
 pub const ELEVATION_GRID: Rule = warning(
     "mapd:compile.elevation_grid",
-    "An elevation grid lies along one straight reference line of its junction, and its numbers can be read; its roads keep their own heights otherwise.",
+    "An elevation grid has one straight reference line of its junction and readable numbers; otherwise its roads keep their own heights.",
     [
         Junction(r#"<junction id="9" name=""/>"#),
         Junction(
@@ -166,7 +166,7 @@ pub const ELEVATION_GRID: Rule = warning(
 /// A part of an object that is left out.
 pub const OBJECT_PART: Rule = warning(
     "mapd:compile.object_part",
-    "The parts of an object can be built: an outline has two corners or a curve, and no more points than limits allow.",
+    "The parts of an object can be built: an outline has two corners or a curve, and a number of points within the limits.",
     [
         POLE,
         Objects(
@@ -178,7 +178,7 @@ pub const OBJECT_PART: Rule = warning(
 /// An object whose place overflows.
 pub const OBJECT_PLACE: Rule = error(
     "mapd:compile.object_place",
-    ["An object has a place that numbers can hold.", "it is nowhere"],
+    ["An object has a position, within the range of numbers.", "it has no position"],
     [POLE, Words("an object whose place beside its reference line no number can hold")],
 )
 .fixed();
@@ -186,7 +186,7 @@ pub const OBJECT_PLACE: Rule = error(
 /// A repetition that is left out in part.
 pub const OBJECT_REPEAT: Rule = warning(
     "mapd:compile.object_repeat",
-    "A repetition makes no more copies than limits allow, on the road.",
+    "The copies of a repetition are on the road, and their number is within the limits.",
     [
         Objects(
             r#"<object id="1" type="pole" s="10" t="4" zOffset="0" orientation="none"><repeat s="10" length="20" distance="5" tStart="4" tEnd="4" heightStart="1" heightEnd="1" zOffsetStart="0" zOffsetEnd="0"/></object>"#,
@@ -200,7 +200,7 @@ pub const OBJECT_REPEAT: Rule = warning(
 /// A number without its unit.
 pub const ASSUMED_UNIT: Rule = info(
     "mapd:compile.assumed_unit",
-    "A value has a unit; the unit that is usual for it is taken otherwise.",
+    "A value has a unit; otherwise the usual unit is assumed.",
     [
         POLE,
         Objects(
@@ -212,7 +212,7 @@ pub const ASSUMED_UNIT: Rule = info(
 /// An object far from all lanes.
 pub const OBJECT_LANE: Rule = info(
     "mapd:compile.object_lane",
-    "A lane that an object may belong to is near it.",
+    "An object is near a lane that it may belong to.",
     [
         POLE,
         Objects(r#"<object id="1" type="pole" s="10" t="900" zOffset="0" orientation="none"/>"#),
@@ -222,7 +222,7 @@ pub const OBJECT_LANE: Rule = info(
 /// A signal for no lane.
 pub const SIGNAL_LANES: Rule = warning(
     "mapd:compile.signal_lanes",
-    "A signal is for some lane; it is kept on the road otherwise.",
+    "A signal applies to a lane; otherwise it is kept on the road.",
     [
         SIGNAL,
         Signals(
@@ -234,7 +234,7 @@ pub const SIGNAL_LANES: Rule = warning(
 /// A reference to a signal that is not there.
 pub const SIGNAL_REFERENCE: Rule = warning(
     "mapd:compile.signal_reference",
-    "A reference names a signal of the map.",
+    "A reference names a signal that the map has.",
     [
         Signals(
             r#"<signal id="1" s="10" t="-4" zOffset="2" dynamic="no" orientation="+" type="274" subtype="50" country="DE"/><signalReference id="1" s="20" t="0" orientation="+"/>"#,
@@ -248,7 +248,7 @@ pub const SIGNAL_REFERENCE: Rule = warning(
 /// A link between roads without `contactPoint`.
 pub const CONTACT_POINT: Rule = warning(
     "mapd:compile.contact_point",
-    "A link to a road says which end of it is touched; the nearer one is taken otherwise.",
+    "A link to a road has a contact point; otherwise the nearer end is taken.",
     [
         TWO_ROADS,
         Document(
@@ -261,7 +261,7 @@ pub const CONTACT_POINT: Rule = warning(
 /// A georeference that cannot be used, or with doubts.
 pub const GEO_REFERENCE: Rule = warning(
     "mapd:compile.geo_reference",
-    "A georeference can be used, without doubts, and the map lies in its area.",
+    "A georeference can be used without doubts, and the map is in its area.",
     [
         Header("<geoReference>+proj=utm +zone=32 +datum=WGS84</geoReference>"),
         Header("<geoReference>somewhere</geoReference>"),
@@ -283,7 +283,7 @@ pub const OFFSET_SIGN: Rule = warning(
 /// An offset that turns and shifts.
 pub const OFFSET_ORDER: Rule = warning(
     "mapd:compile.offset_order",
-    "An offset shifts or turns, not both: the standard does not say which comes first.",
+    "An offset shifts or rotates, not both: the standard contradicts itself on the order.",
     [
         Header(
             r#"<geoReference>+proj=utm +zone=32 +datum=WGS84</geoReference><offset x="500000" y="5400000" z="0" hdg="0"/>"#,
@@ -297,7 +297,7 @@ pub const OFFSET_ORDER: Rule = warning(
 /// A map beyond the bounds that its header states.
 pub const STATED_BOUNDS: Rule = warning(
     "mapd:compile.stated_bounds",
-    "A map lies within the bounds that its header states.",
+    "A map is within the bounds that its header states.",
     [
         SOUND,
         File(
@@ -326,7 +326,7 @@ pub const QUARANTINE: Rule = error(
     "mapd:compile.quarantine",
     [
         "No more parts are left out than --max-quarantined and --max-quarantined-share allow.",
-        "whoever set the limit does not want a map with larger holes",
+        "the user's limit excludes a map with larger gaps",
     ],
     [SOUND, Words("with --max-quarantined 0: a map with a part that is left out")],
 )
@@ -336,8 +336,8 @@ pub const QUARANTINE: Rule = error(
 pub const JUNCTION_CYCLE: Rule = error(
     "mapd:graph.junction_cycle",
     [
-        "A way through a junction leaves it.",
-        "who follows successors within the junction never ends",
+        "Every route through a junction leaves it.",
+        "following successors within the junction never ends",
     ],
     [
         SOUND,
@@ -351,7 +351,7 @@ pub const JUNCTION_CYCLE: Rule = error(
 /// A cycle without any length.
 pub const NO_PROGRESS: Rule = error(
     "mapd:graph.no_progress",
-    ["A loop is longer than 1 m.", "who follows successors there gets nowhere"],
+    ["A loop is longer than 1 m.", "following successors there makes no progress"],
     [
         SOUND,
         Document(
@@ -364,8 +364,8 @@ pub const NO_PROGRESS: Rule = error(
 pub const CYCLE: Rule = error(
     "mapd:graph.cycle",
     [
-        "With --cycles all, the lane graph has no loop; with --cycles report, each is told as information.",
-        "whoever asks for it cannot use loops",
+        "With --cycles all, the lane graph has no loop; with --cycles report, each is reported as information.",
+        "the user asked for a map without loops",
     ],
     [SOUND, Words("with --cycles all: a road that is its own successor")],
 );
@@ -374,7 +374,7 @@ pub const CYCLE: Rule = error(
 pub const MISSING_LANE: Rule = error(
     "mapd:graph.missing_lane",
     [
-        "A link names a lane that is there.",
+        "A link names an existing lane.",
         "a lane link begins or ends at no lane; a lane's own link is left out (warning)",
     ],
     [
@@ -395,7 +395,7 @@ const TWO_ROADS: Example = Document(
 /// A link into a lane that travels the other way.
 pub const DIRECTION: Rule = warning(
     "mapd:graph.direction",
-    "A link leads into a lane that travels on; it is not linked otherwise.",
+    "A link leads into a lane with the same direction of travel; otherwise it is not used.",
     [
         TWO_ROADS,
         Document(
@@ -408,7 +408,7 @@ pub const DIRECTION: Rule = warning(
 /// A virtual connection or path across that ends nowhere.
 pub const NO_PLACE: Rule = warning(
     "mapd:graph.no_place",
-    "A virtual connection or a path across names a road, place and lane of the map; it is not linked otherwise.",
+    "A virtual connection or a path across names an existing road, place and lane; otherwise it is not used.",
     [
         Junction(r#"<junction id="9" name=""/>"#),
         Words("a virtual junction whose connection touches its main road behind the road's end"),
@@ -421,7 +421,7 @@ pub const JOINT: Tolerance = Tolerance { name: "gap", value: 0.1, unit: "m" };
 /// Linked lanes that do not meet.
 pub const GAP: Rule = warning(
     "mapd:graph.gap",
-    "Linked lanes meet; they are linked as written otherwise.",
+    "Linked lanes meet; otherwise they are linked as written.",
     [
         TWO_ROADS,
         Document(
@@ -435,7 +435,7 @@ pub const GAP: Rule = warning(
 /// A junction with too many lanes to look for conflicts.
 pub const CONFLICTS: Rule = warning(
     "mapd:graph.conflicts",
-    "A junction has no more lanes than conflicts are looked for among.",
+    "The number of lanes in a junction is within the limit of the search for conflicts.",
     [Junction(r#"<junction id="9" name=""/>"#), Words("a junction of more than 512 lanes")],
 );
 

@@ -13,7 +13,7 @@ const SOUND: Example = Header("");
 
 /// What is wrong with the file, so that it cannot be read on.
 const fn unreadable(id: &'static str, meaning: &'static str, invalid: Example) -> Rule {
-    let because = "what follows or is missing cannot be read";
+    let because = "the rest of the document cannot be read";
     Rule::error(id, [meaning, because], Reading, [SOUND, invalid]).fixed()
 }
 
@@ -38,12 +38,12 @@ pub(super) static RULES: &[&[Rule]] = &[&[
     ),
     unreadable(
         ids::LIMIT,
-        "A document keeps to the limits of reading; reading.md lists them.",
+        "A document is within the limits of reading; reading.md lists them.",
         Words("elements nested deeper than --max-depth"),
     ),
     unreadable(
         ids::ENCODING,
-        "A document is in an encoding that is read, and in no other than it says (warning).",
+        "A document is in a supported encoding, and in the one that it states (warning).",
         File(
             r#"<?xml version="1.0" encoding="x-none"?><OpenDRIVE><header revMajor="1" revMinor="8"/></OpenDRIVE>"#,
         ),
@@ -55,70 +55,70 @@ pub(super) static RULES: &[&[Rule]] = &[&[
     ),
     unreadable(
         ids::INCLUDE,
-        "A file that is included can be read, and lies in the folder that files may be included from.",
+        "An included file can be read and is in the folder that files may be included from.",
         Document(r#"<include file="../beside.xodr"/>"#),
     ),
     unreadable(
         ids::ROOT,
-        "The root is OpenDRIVE.",
+        "The root element is OpenDRIVE.",
         File(r#"<Map><header revMajor="1" revMinor="8"/></Map>"#),
     ),
     warning(
         ids::BEFORE_DECLARATION,
-        "Nothing stands before the XML declaration.",
+        "There is nothing before the XML declaration.",
         File(
             " <?xml version=\"1.0\"?><OpenDRIVE><header revMajor=\"1\" revMinor=\"8\"/></OpenDRIVE>",
         ),
     ),
     warning(
         ids::NAMESPACE,
-        "The root stands in no namespace, or in one of OpenDRIVE's.",
+        "The root is in no namespace, or in one of OpenDRIVE's.",
         File(r#"<OpenDRIVE xmlns="urn:another"><header revMajor="1" revMinor="8"/></OpenDRIVE>"#),
     ),
     error(ids::HEADER, "There is a header.", File("<OpenDRIVE></OpenDRIVE>")),
     error(
         ids::VERSION,
-        "The header states a version, which is one that is known (warning).",
+        "The header states a version, and mapd knows it (warning).",
         File(r#"<OpenDRIVE><header revMajor="1" revMinor="x"/></OpenDRIVE>"#),
     ),
     error(
         ids::MISSING,
-        "Required attributes are there.",
+        "Required attributes are present.",
         Lanes(r#"<laneSection><center><lane id="0" type="none"/></center></laneSection>"#),
     ),
-    error(ids::ELEMENT, "Required elements are there.", PlanView("")),
+    error(ids::ELEMENT, "Required elements are present.", PlanView("")),
     error(
         ids::OCCURRENCE,
-        "An element occurs as often as it may.",
+        "An element occurs as often as the schema allows.",
         Header("<geoReference>a</geoReference><geoReference>b</geoReference>"),
     ),
     error(
         ids::CHOICE,
-        "Of elements that exclude each other there is one.",
+        "Of elements that exclude each other, exactly one is present.",
         PlanView(
             r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><line/><arc curvature="0.1"/></geometry>"#,
         ),
     ),
     warning(
         ids::ORDER,
-        "Elements stand in the schema's order.",
+        "Elements are in the schema's order.",
         Document(
             r#"<junction id="7" name=""/><road id="1" length="9" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="9"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0"/></center></laneSection></lanes></road>"#,
         ),
     ),
     warning(
         ids::UNKNOWN_ATTRIBUTE,
-        "Attributes are the standard's; others are kept as text.",
+        "Attributes are defined by the standard; others are kept as text.",
         Lane(r#"<speed sOffset="0" max="50" unit="km/h" least="30"/>"#),
     ),
     warning(
         ids::UNKNOWN_ELEMENT,
-        "Elements are the standard's; others are kept as text.",
+        "Elements are defined by the standard; others are kept as text.",
         Document("<street/>"),
     ),
     warning(
         ids::OTHER_VERSION,
-        "Elements, attributes and words are those of the file's version; what later versions dropped is information.",
+        "Elements, attributes and words belong to the file's version; those that later versions removed are information.",
         File(
             r#"<OpenDRIVE><header revMajor="1" revMinor="4"/><road id="1" length="9" junction="-1" rule="RHT"><planView><geometry s="0" x="0" y="0" hdg="0" length="9"><line/></geometry></planView>
 <lanes><laneSection s="0"><center><lane id="0" type="none"/></center></laneSection></lanes></road></OpenDRIVE>"#,
@@ -126,20 +126,20 @@ pub(super) static RULES: &[&[Rule]] = &[&[
     ),
     info(
         ids::DEPRECATED,
-        "Elements, attributes and words are none that the file's version deprecates.",
+        "Elements, attributes and words are not deprecated in the file's version.",
         PlanView(
             r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><poly3 a="0" b="0" c="0" d="0"/></geometry>"#,
         ),
     ),
     warning(
         ids::VARIANT,
-        "Elements and attributes are those of the kind of junction, connection or segment that they stand in.",
+        "Elements and attributes fit the kind of junction, connection or segment that contains them.",
         Junction(r#"<junction id="9" name="" mainRoad="1"/>"#),
     ),
-    warning(ids::TEXT, "No text stands where only elements may.", Road("<link>1</link>")),
+    warning(ids::TEXT, "There is no text where only elements are allowed.", Road("<link>1</link>")),
     warning(
         ids::NOT_KEPT,
-        "An element beyond the standard's own is small enough to be kept.",
+        "An element outside the standard is small enough to be kept.",
         Words("an element of another vendor's with more text than the limits allow"),
     ),
     error(
@@ -159,7 +159,7 @@ pub(super) static RULES: &[&[Rule]] = &[&[
     ),
     warning(
         ids::LEXICAL,
-        "A value is written as the schema has it.",
+        "A value is written as the schema defines.",
         PlanView(r#"<geometry s="0" x="0,5" y="0" hdg="0" length="100"><line/></geometry>"#),
     ),
     info(
@@ -169,12 +169,12 @@ pub(super) static RULES: &[&[Rule]] = &[&[
     ),
     error(
         ids::EMPTY,
-        "An attribute that is there has a value; of one that need not be there it is a warning.",
+        "An attribute is not empty; for an optional one, this is a warning.",
         PlanView(r#"<geometry s="0" x="" y="0" hdg="0" length="100"><line/></geometry>"#),
     ),
     error(
         ids::ENUMERATION,
-        "A word is one of the standard's.",
+        "A word is one of those that the standard lists.",
         Objects(r#"<object id="1" type="lamppost" s="10" t="4" zOffset="0" orientation="none"/>"#),
     ),
 ]];

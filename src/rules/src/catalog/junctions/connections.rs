@@ -32,7 +32,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "mapd:xodr:1.4.0:junction.connection_roads",
-        "A connection names the road that leads in, the one that is entered, and the end of that which touches.",
+        "A connection names the incoming road, the connecting road, and the contact point on the latter.",
         Junction(roads),
         [
             In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
@@ -41,7 +41,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.8.0:junctions.priority.high_and_low_attr",
-        "A priority names the road that has it and the one that gives way.",
+        "A priority names the road that has priority and the road that yields.",
         Junction(priority),
         [
             In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection><priority high="1" low="3"/></junction>"#),
@@ -50,7 +50,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "mapd:xodr:1.4.0:topology.priority_cycle",
-        "No road gives way to itself through others.",
+        "No road yields to itself through others.",
         Junction(priority_cycle),
         [
             In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection><priority high="1" low="3"/></junction>"#),

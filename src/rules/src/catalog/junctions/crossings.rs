@@ -22,7 +22,7 @@ pub(super) static RULES: &[Rule] = &[
     .since(8),
     Rule::warning(
         "mapd:xodr:1.5.0:junction.stretches",
-        "A stretch of a road that belongs to a junction ends behind its start.",
+        "A range of a road that belongs to a junction ends after its start.",
         Junction(stretches),
         [
             In(r#"<junction id="9" name="" type="crossing"><roadSection id="0" roadId="1" sStart="1" sEnd="2"/><roadSection id="1" roadId="3" sStart="1" sEnd="2"/></junction>"#),

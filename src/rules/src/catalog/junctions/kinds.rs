@@ -18,7 +18,7 @@ pub(super) static RULES: &[Rule] = &[
         "asam.net:xodr:1.7.0:junctions.type_default_no_linked_road",
         [
             "Only connections of direct junctions name a linked road.",
-            "where a connection names a connecting and a linked road, which one is entered is open; with a linked road alone it is used (warning)",
+            "a connection with a connecting and a linked road is ambiguous; one with only a linked road is used (warning)",
         ],
         Junction(linked_road),
         [
@@ -31,7 +31,7 @@ pub(super) static RULES: &[Rule] = &[
         "asam.net:xodr:1.7.0:junctions.type_direct_no_conn_road",
         [
             "Connections of direct junctions name no connecting road.",
-            "where a connection names a connecting and a linked road, which one is entered is open; with a connecting road alone it is used (warning)",
+            "a connection with a connecting and a linked road is ambiguous; one with only a connecting road is used (warning)",
         ],
         Junction(connecting_road),
         [
@@ -54,7 +54,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.5.0:junctions.common.virtual_junction_attributes",
-        "Only virtual junctions have a main road, a stretch of it and an orientation.",
+        "Only virtual junctions have a main road, a range on it and an orientation.",
         Junction(virtual_attributes),
         [
             SOUND,
@@ -110,7 +110,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.8.0:junctions.direct.overlap_zone_exclusivity",
-        "One pair of linked lanes of a direct junction overlaps.",
+        "At least one pair of linked lanes of a direct junction overlaps.",
         Junction(one_zone),
         [
             SOUND,

@@ -12,7 +12,7 @@ const SAME_PLACE: Tolerance =
 
 pub(super) static RULES: &[Rule] = &[Rule::warning(
     "asam.net:xodr:1.7.0:road.lane.access.no_mix_of_deny_or_allow",
-    "Access restrictions of one place either all allow or all deny.",
+    "Access restrictions at one place either all allow or all deny.",
     Lane(no_mix),
     [
         OfLane(

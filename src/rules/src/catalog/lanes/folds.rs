@@ -33,7 +33,7 @@ macro_rules! bend {
 
 pub(super) static RULES: &[Rule] = &[Rule::warning(
     "mapd:xodr:1.4.0:lane.folded",
-    "The center of a lane goes on in its road's direction: it lies before the centre of each bend.",
+    "The center line of a lane runs in its road's direction: the lane does not reach beyond the centre of a bend.",
     Road(folded),
     [bend!("0.2"), bend!("0.5")],
 )

@@ -52,8 +52,8 @@ pub(super) static RULES: &[Rule] = &[
     Rule::error(
         "asam.net:xodr:1.9.0:road.lane.layer.layer_mandatory_permanent",
         [
-            "A road has permanent lanes everywhere.",
-            "a road is built of its permanent lanes",
+            "A road has permanent lanes along its whole length.",
+            "a road is built from its permanent lanes",
         ],
         Road(has_permanent),
         [
@@ -99,7 +99,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.9.0:road.lane.layer.lane_group_width_temporary",
-        "Lanes of the temporary layer are together no wider than the permanent ones.",
+        "The lanes of the temporary layer together are no wider than the permanent ones.",
         Section(not_wider),
         [
             SOUND,
@@ -111,7 +111,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[WIDTH]),
     Rule::warning(
         "asam.net:xodr:1.9.0:road.lane.link.temporary_layer_section_link_permanent",
-        "Temporary lanes for driving link to permanent ones where the layer begins and ends.",
+        "Temporary lanes for driving link to permanent ones at the start and end of the layer.",
         Lane(linked),
         [
             SOUND,
@@ -123,7 +123,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[ROUNDING]),
     Rule::warning(
         "asam.net:xodr:1.9.0:road.lane_section.new_lanesec_link_temp_to_perm",
-        "Where a temporary lane links to a permanent one, a section of the permanent layer begins.",
+        "A temporary lane links to a permanent one only at the start of a permanent section.",
         Lane(breaks),
         [
             SOUND,

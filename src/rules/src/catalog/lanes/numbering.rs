@@ -17,7 +17,7 @@ pub(super) static RULES: &[Rule] = &[
         "asam.net:xodr:1.4.0:ids.id_unique_in_lane_section",
         [
             "A lane id occurs once in a section.",
-            "lanes are known by their ids: widths add up and links lead to one of the two",
+            "lanes are identified by their ids: it is unclear to which lane widths and links belong",
         ],
         Section(unique),
         [
@@ -40,7 +40,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.4.0:road.lane.lane_order_no_gaps",
-        "Lane ids of a side are 1 or -1 beside the center, and count on outwards without a gap.",
+        "Lane ids of a side start with 1 or -1 next to the center and continue outwards without a gap.",
         Section(gaps),
         [
             In(CENTER),
@@ -52,7 +52,7 @@ pub(super) static RULES: &[Rule] = &[
     .also(&["asam.net:xodr:1.4.0:road.lane.lane_order", "mapd:xodr:1.4.0:lane.id_progression"]),
     Rule::info(
         "asam.net:xodr:1.4.0:road.lane.lane_listing",
-        "Lanes are listed from left to right, their ids fall.",
+        "Lanes are listed from left to right, with descending ids.",
         Section(listing),
         [
             In(CENTER),
@@ -83,7 +83,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.9.0:road.lane.center_lane_singular",
-        "A center has one lane.",
+        "A center has exactly one lane.",
         Section(one_center_lane),
         [
             In(r#"<center><lane id="0" type="none"/></center>"#),

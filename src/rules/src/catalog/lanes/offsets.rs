@@ -30,7 +30,7 @@ pub(super) static RULES: &[Rule] = &[
     .also(&["asam.net:xodr:1.9.0:road.lane.width.no_width_with_border"]),
     Rule::warning(
         "asam.net:xodr:1.4.0:road.lane.border.exclusive_offset_border",
-        "Where lanes have borders there is no lane offset.",
+        "A road whose lanes have borders has no lane offset.",
         Road(exclusive_offset),
         [
             Lanes(

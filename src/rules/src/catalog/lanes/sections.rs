@@ -25,7 +25,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[ROUNDING]),
     Rule::warning(
         "asam.net:xodr:1.4.0:road.lane_section.valid_length",
-        "A lane section has a length.",
+        "A lane section is longer than 0.",
         Check::Road(lengths),
         [
             Lanes(
@@ -41,7 +41,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[SHORT]),
     Rule::warning(
         "mapd:xodr:1.4.0:lane.section_boundaries",
-        "Lane sections begin within the road, and what is along their lanes begins within the section.",
+        "Lane sections begin within the road, and records of their lanes begin within the section.",
         Section(boundaries),
         [
             Lanes(
@@ -57,7 +57,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[ROUNDING]),
     Rule::info(
         "asam.net:xodr:1.9.0:road.lane.lane_section_drivable",
-        "Where a road has lanes, each of its sections has some to the left or right.",
+        "If a road has lanes, each of its sections has lanes to the left or right.",
         Section(has_lanes),
         [
             Road(""),

@@ -20,7 +20,7 @@ const LONG: Tolerance = Tolerance { name: "length without width", value: 50.0, u
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.7.0:road.lane.width.width_defined_whole_section",
-        "The widths of a lane begin with the section.",
+        "The first width of a lane begins at the start of the section.",
         Lane(from_the_start),
         [
             OfLane(r#"<width sOffset="0" a="3" b="0" c="0" d="0"/>"#),
@@ -30,7 +30,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[ROUNDING]),
     Rule::warning(
         "asam.net:xodr:1.4.0:road.lane.width.lane_width_validity",
-        "The width of a lane is nowhere below 0.",
+        "The width of a lane is never below 0.",
         Lane(not_negative),
         [
             OfLane(r#"<width sOffset="0" a="3" b="-0.03" c="0" d="0"/>"#),
@@ -40,7 +40,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[NEGATIVE]),
     Rule::info(
         "asam.net:xodr:1.9.0:road.lane_section.lane_long_zero_width",
-        "A lane does not go on for long without a width.",
+        "A lane does not continue for long with a width of 0.",
         Lane(long_without),
         [
             OfLane(r#"<width sOffset="0" a="3" b="0" c="0" d="0"/>"#),

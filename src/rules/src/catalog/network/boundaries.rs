@@ -36,7 +36,7 @@ const SOUND: Example = bounded!(
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.8.0:junctions.boundary.segments_close_boundry",
-        "The segments of a boundary make one closed line.",
+        "The segments of a boundary form one closed line.",
         All(closed),
         [
             SOUND,
@@ -87,7 +87,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[GAP]),
     Rule::warning(
         "asam.net:xodr:1.8.0:junctions.geometry.ref_line_definition",
-        "All of a junction lies beside its reference line.",
+        "The reference line of a junction extends along the whole junction.",
         All(line_spans),
         [
             SOUND,
@@ -100,7 +100,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[GAP]),
     Rule::warning(
         "asam.net:xodr:1.8.0:junctions.elevation_grid.valid_for_entire_boundry",
-        "An elevation grid covers all of the junction.",
+        "An elevation grid covers the whole junction.",
         All(grid_covers),
         [
             bounded!(

@@ -31,7 +31,7 @@ macro_rules! split {
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.7.0:junctions.connection.start_along_linkage",
-        "A connection that touches the start of a road within the junction is that road's predecessor.",
+        "A connection at the start of a connecting road matches that road's predecessor.",
         All(start_along),
         [
             SOUND,
@@ -40,7 +40,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.7.0:junctions.connection.end_opposite_linkage",
-        "A connection that touches the end of a road within the junction is that road's successor.",
+        "A connection at the end of a connecting road matches that road's successor.",
         All(end_opposite),
         [
             SOUND,
@@ -67,7 +67,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.9.0:junctions.connection.smooth_fit",
-        "Linked lanes of an incoming road and a road within the junction have one heading where they meet.",
+        "Linked lanes of an incoming road and a road within the junction meet with the same heading.",
         All(smooth),
         [split!("0", "", ""), split!("0.1", "", "")],
     )
@@ -84,7 +84,7 @@ pub(super) static RULES: &[Rule] = &[
     .advisory(),
     Rule::info(
         "asam.net:xodr:1.4.0:junctions.common.when_to_use",
-        "A junction is where traffic has a choice or merges.",
+        "A junction exists only where traffic can choose or merges.",
         All(has_choice),
         [
             In(r#"<junction id="9" name="" type="crossing"><roadSection id="0" roadId="1" sStart="1" sEnd="2"/><roadSection id="1" roadId="3" sStart="1" sEnd="2"/></junction>"#),
@@ -94,7 +94,7 @@ pub(super) static RULES: &[Rule] = &[
     .advisory(),
     Rule::warning(
         "asam.net:xodr:1.7.0:road.crg.junction",
-        "Where a junction has surface data, the roads within have none.",
+        "If a junction has surface data, the roads within have none.",
         All(surface),
         [
             split!("0", "", r#"<surface><CRG file="a.crg" sStart="0" sEnd="0" orientation="same" mode="global" purpose="elevation"/></surface>"#),

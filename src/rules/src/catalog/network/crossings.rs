@@ -25,7 +25,7 @@ macro_rules! cross {
 
 pub(super) static RULES: &[Rule] = &[Rule::warning(
     "asam.net:xodr:1.8.0:junctions.crossing.s_start_end_coverage",
-    "The stretches of a crossing cover where its roads overlap.",
+    "The road sections of a crossing cover the overlap of its roads.",
     All(cover),
     [cross!("49", "54"), cross!("49", "51")],
 )

@@ -23,7 +23,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.9.0:road.signal.gantry.all_variable_boards_same_gantry",
-        "The boards of a group hang from one gantry: their signals refer to the same object.",
+        "The boards of a group are on one gantry: their signals refer to the same object.",
         All(gantry),
         [
             group(),
@@ -34,7 +34,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.7.0:road.railroad.switch.single_switch_no_partner",
-        "A switch has a partner only where the two form a pair: each names the other.",
+        "A switch has a partner only if each of the two names the other.",
         All(partners),
         [
             InRoad(
@@ -47,7 +47,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.7.0:road.railroad.switch.check_switch_conn",
-        "Two switches that are partners are joined by their side track, not by the main track of one of them.",
+        "Two partner switches are joined by their side track, not by the main track of one of them.",
         All(joined),
         [
             pair(),

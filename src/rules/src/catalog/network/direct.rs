@@ -32,14 +32,14 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[CORNER]),
     Rule::warning(
         "asam.net:xodr:1.7.0:junctions.direct.road_ramp_heading",
-        "Roads that a direct junction joins have one heading there.",
+        "Roads that a direct junction joins have the same heading there.",
         All(heading),
         [split!("-3", "0", "0", ""), split!("-3", "-0.2", "0", "")],
     )
     .within(&[KINK]),
     Rule::warning(
         "asam.net:xodr:1.8.0:junctions.direct.flat_exits_entries",
-        "Roads that a direct junction joins have one height there.",
+        "Roads that a direct junction joins have the same height there.",
         All(height),
         [split!("-3", "0", "0", ""), split!("-3", "0", "2", "")],
     )

@@ -11,7 +11,7 @@ const FAR: Tolerance = Tolerance { name: "coordinate", value: 65_536.0, unit: "m
 
 pub(super) static RULES: &[Rule] = &[Rule::info(
     "asam.net:xodr:1.7.0:header.offset.centered_coords",
-    "Coordinates are near the origin; the header's offset has what is large of them.",
+    "Coordinates are near the origin; the header's offset contains the large part.",
     All(centered),
     [
         PlanView(r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><line/></geometry>"#),

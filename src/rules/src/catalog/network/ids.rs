@@ -23,8 +23,8 @@ pub(super) static RULES: &[Rule] = &[
     Rule::error(
         "asam.net:xodr:1.4.0:ids.id_unique_in_class",
         [
-            "An id occurs once among the elements of a kind.",
-            "of two roads or junctions with one id, neither can be told to be the one that links name; other parts stay (warning)",
+            "An id is unique among the elements of a kind.",
+            "it is unclear which of two roads or junctions a link means; other parts stay (warning)",
         ],
         All(unique),
         [
@@ -34,7 +34,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.4.0:ids.only_ref_defined_ids",
-        "What is referred to by its id is there.",
+        "An id that is referred to exists.",
         All(defined),
         [
             roads!(r#"id="1" junction="-1""#, r#"id="2" junction="-1""#, r#"<junction id="8" name=""/><junctionGroup id="7" type="roundabout" name=""><junctionReference junction="8"/></junctionGroup>"#),

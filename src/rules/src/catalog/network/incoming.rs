@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.4.0:junctions.connection.connect_road_no_incoming_road",
-        "A road within a junction leads into no junction.",
+        "A road within a junction does not lead into another junction.",
         All(within),
         [
             In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),

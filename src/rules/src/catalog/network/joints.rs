@@ -22,7 +22,7 @@ pub(super) const STEP: Tolerance = Tolerance { name: "step of height", value: 0.
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.7.0:lane_smoothness.contact_point_no_horizontal_gaps",
-        "The corners of two linked lanes for driving lie on one another; where a lane goes on as several side by side, the outermost ones.",
+        "The corners of two linked driving lanes coincide; if a lane continues as several, the outermost corners do.",
         All(corners),
         [
             Lanes(
@@ -38,7 +38,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[CORNER]),
     Rule::warning(
         "mapd:xodr:1.4.0:lane_smoothness.height",
-        "Linked roads meet at one height.",
+        "Linked roads meet at the same height.",
         All(heights),
         [
             crate::example::Example::Document(r#"<road id="1" length="50" junction="-1"><link><successor elementType="road" elementId="2" contactPoint="start"/></link><planView><geometry s="0" x="0" y="0" hdg="0" length="50"><line/></geometry></planView><elevationProfile><elevation s="0" a="0" b="0.02" c="0" d="0"/></elevationProfile><lanes><laneSection s="0"><center><lane id="0" type="none"/></center></laneSection></lanes></road>

@@ -30,7 +30,7 @@ macro_rules! sections {
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "mapd:xodr:1.4.0:ref.orphan_lane",
-        "A lane's link names a lane of the section that touches there.",
+        "A lane's link names a lane of the adjacent section.",
         All(orphans),
         [
             sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#),
@@ -39,7 +39,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.4.0:road.lane.link.lanes_across_laneSections",
-        "Of two linked lanes each names the other.",
+        "Two linked lanes each name the other.",
         All(both_ways),
         [
             sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#),
@@ -49,7 +49,7 @@ pub(super) static RULES: &[Rule] = &[
     .also(&["asam.net:xodr:1.4.0:road.lane.link.lanes_across_lane_sections"]),
     Rule::warning(
         "asam.net:xodr:1.4.0:road.lane.link.new_lane_appear",
-        "A lane that opens beside another does not go on from it.",
+        "A lane that opens next to another has no link from it.",
         All(opening),
         [
             sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane><lane id="-2" type="driving"><width sOffset="0" a="0" b="0.06" c="0" d="0"/></lane>"#),
@@ -79,7 +79,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[NONE]),
     Rule::warning(
         "asam.net:xodr:1.4.0:road.lane.link.multiple_connections",
-        "Where a lane splits or lanes merge at a line, each of them has a width there.",
+        "Where a lane splits or lanes merge abruptly, each of them has a width.",
         All(abrupt),
         [
             sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/><successor id="-2"/></link><width sOffset="0" a="6" b="0" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane><lane id="-2" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#),
@@ -89,7 +89,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[NONE]),
     Rule::warning(
         "asam.net:xodr:1.4.0:road.lane.link.no_link",
-        "A lane has no link where its road ends in a junction or has no neighbor.",
+        "A lane has no link at an end of its road that is linked to a junction or not linked.",
         All(without_partner),
         [
             Junction(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="2" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
@@ -98,7 +98,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.4.0:road.lane.link.use_junctions",
-        "Where the lanes of two roads do not link one to one, there is a junction.",
+        "Roads whose lanes do not link one to one are joined by a junction.",
         All(ambiguous),
         [
             roads(),
@@ -108,7 +108,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "mapd:xodr:1.4.0:topology.direction",
-        "Traffic of a lane goes on in the direction of the lane that it leads into.",
+        "Linked lanes have the same direction of traffic.",
         All(directions),
         [
             roads(),

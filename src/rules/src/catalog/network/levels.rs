@@ -10,7 +10,7 @@ use mapd_xodr::{JunctionType as Kind, Severity};
 
 pub(super) static RULES: &[Rule] = &[Rule::warning(
     "asam.net:xodr:1.7.0:road.lane.level_true_one_side",
-    "Once a lane is kept level, so are all lanes farther out on that side, and the lanes that it links to.",
+    "If a lane is level, so are all lanes farther out on that side, and the lanes that it links to.",
     All(level),
     [
         In(r#"<center><lane id="0" type="none"/></center><right>

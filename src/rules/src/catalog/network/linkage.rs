@@ -47,7 +47,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[APART]),
     Rule::warning(
         "asam.net:xodr:1.9.0:road.linkage.both_sides_consistency",
-        "Of two linked roads each names the other, and the end that touches.",
+        "Two linked roads each name the other, with the contact point.",
         All(consistent),
         [
             pair!(
@@ -65,7 +65,7 @@ pub(super) static RULES: &[Rule] = &[
     .also(&["mapd:xodr:1.4.0:topology.asymmetric_link"]),
     Rule::warning(
         "asam.net:xodr:1.4.0:road.linkage.is_junction_needed",
-        "An end of a road is linked to one road; for more there is a junction.",
+        "An end of a road is linked to one road; links to several roads need a junction.",
         All(one_to_one),
         [
             pair!(

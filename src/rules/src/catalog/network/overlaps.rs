@@ -24,7 +24,7 @@ macro_rules! cross {
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.4.0:road.no_overlap_outside_junction",
-        "Roads outside of junctions do not overlap at one height.",
+        "Roads outside junctions do not overlap at the same height.",
         All(outside),
         [cross!("-1", "-1", "6"), cross!("-1", "-1", "0")],
     )
@@ -32,21 +32,21 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[DEPTH, HEIGHT]),
     Rule::warning(
         "asam.net:xodr:1.4.0:road.overlap_inside_junction",
-        "A road within a junction overlaps roads of that junction alone.",
+        "A road within a junction overlaps only roads of that junction.",
         All(inside),
         [cross!("9", "9", "0"), cross!("9", "-1", "0")],
     )
     .within(&[DEPTH, HEIGHT]),
     Rule::warning(
         "asam.net:xodr:1.4.0:junctions.no_overlap",
-        "The roads of two junctions do not overlap at one height.",
+        "The roads of two junctions do not overlap at the same height.",
         All(junctions),
         [cross!("9", "9", "0"), cross!("8", "9", "0")],
     )
     .within(&[DEPTH, HEIGHT]),
     Rule::warning(
         "asam.net:xodr:1.4.0:road.no_overlap_self",
-        "A road does not overlap itself at one height.",
+        "A road does not overlap itself at the same height.",
         All(itself),
         [
             Document(r#"<road id="1" length="200" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="200"><arc curvature="0.01"/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>"#),

@@ -23,7 +23,7 @@ macro_rules! pair {
 pub(super) static RULES: &[Rule] = &[
     Rule::info(
         "mapd:xodr:1.4.0:topology.disconnected",
-        "Lanes for driving hang together.",
+        "Driving lanes form one connected network.",
         All(disconnected),
         [
             pair!(
@@ -37,7 +37,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "mapd:xodr:1.4.0:topology.dead_lane",
-        "A lane for driving leads to another or comes from one, unless it lies at an end of a road that stands alone.",
+        "A driving lane has a predecessor or successor, unless it is at an unconnected end of a road.",
         All(dead),
         [
             pair!(

@@ -27,14 +27,14 @@ macro_rules! leave {
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.9.0:junctions.virtual.connecting_roads_start_end",
-        "Roads within a virtual junction begin or end where it does on the main road.",
+        "Roads within a virtual junction begin or end at the junction's ends on the main road.",
         All(at_ends),
         [leave!("40", "40", "0", "0"), leave!("50", "50", "0", "0")],
     )
     .within(&[PLACE]),
     Rule::warning(
         "asam.net:xodr:1.9.0:junctions.virtual.heading_equal_mainroad",
-        "Roads within a virtual junction leave the main road with its heading.",
+        "Roads within a virtual junction leave the main road in its direction.",
         All(heading),
         [leave!("40", "40", "0", "0"), leave!("40", "40", "0", "-0.3")],
     )

@@ -25,7 +25,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::info(
         "asam.net:xodr:1.7.0:road.object.orientation",
-        "An object says for which direction of travel it is.",
+        "An object states the direction of travel that it applies to.",
         Object(orientation),
         [
             In(r#"<object id="1" type="pole" s="10" t="4" zOffset="0" orientation="none"/>"#),
@@ -45,7 +45,7 @@ pub(super) static RULES: &[Rule] = &[
     .since(5),
     Rule::warning(
         "mapd:xodr:1.4.0:object.on_road",
-        "An object stands along its road.",
+        "An object's s is within its road.",
         Object(on_road),
         [
             In(r#"<object id="1" type="pole" s="10" t="4" zOffset="0" orientation="none"/>"#),
@@ -68,7 +68,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "mapd:xodr:1.4.0:structure.on_road",
-        "A bridge or tunnel lies along its road.",
+        "A bridge or tunnel is within its road.",
         Road(structures),
         [
             In(r#"<bridge id="1" s="10" length="20" type="steel"/>"#),

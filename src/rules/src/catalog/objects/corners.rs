@@ -90,7 +90,7 @@ pub(super) static RULES: &[Rule] = &[
     .since(9),
     Rule::warning(
         "asam.net:xodr:1.x.0:road.corner_local.no_mixing_road_local",
-        "An outline has corners of one kind.",
+        "All corners of an outline are of one kind.",
         Object(one_kind),
         [
             outline!(r#"<cornerLocal id="0" u="-2" v="-2" z="0" height="1"/><cornerLocal id="1" u="2" v="-2" z="0" height="1"/>"#),
@@ -100,7 +100,7 @@ pub(super) static RULES: &[Rule] = &[
     .also(&["asam.net:xodr:1.9.0:road.corner_road.corner_road_local_exclusivity"]),
     Rule::warning(
         "asam.net:xodr:1.9.0:road.curve_local.continuous_curve_local",
-        "The curves of an outline begin where the one before ends.",
+        "Each curve of an outline begins at the end of the one before it.",
         Object(continuous),
         [
             outline!(r#"<curveLocal id="0" u="-2" v="-2" z="0" height="1" length="4" hdg="0"><line/></curveLocal><curveLocal id="1" u="2" v="-2" z="0" height="1" length="4" hdg="1.5707963"><line/></curveLocal>"#),
@@ -110,7 +110,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[GAP]),
     Rule::warning(
         "asam.net:xodr:1.9.0:road.curve_local.length_match",
-        "A curve of an outline is as long as it says.",
+        "A curve of an outline has its stated length.",
         Object(length_match),
         [
             outline!(r#"<curveLocal id="0" u="-2" v="-2" z="0" height="1" length="4" hdg="0"><paramPoly3 aU="0" bU="4" cU="0" dU="0" aV="0" bV="0" cV="0" dV="0" pRange="normalized"/></curveLocal>"#),

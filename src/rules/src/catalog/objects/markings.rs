@@ -37,7 +37,7 @@ macro_rules! marked {
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.7.0:road.object.marking.no_cornerreference_if_no_outline",
-        "A marking refers to corners only where the object has an outline.",
+        "A marking refers to corners only if the object has an outline.",
         Object(corners_need_outline),
         [
             marked!(box r#"side="left""#, ""),
@@ -90,7 +90,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::info(
         "asam.net:xodr:1.8.2:road.object.object_marking.enclosed_outline_marking",
-        "A marking all around an outline ends with the corner that it begins with.",
+        "A marking all around an outline ends at the corner where it begins.",
         Object(enclosed),
         [
             marked!(outline r#"<cornerReference id="0"/><cornerReference id="1"/><cornerReference id="2"/><cornerReference id="0"/>"#),

@@ -62,7 +62,7 @@ pub(super) static RULES: &[Rule] = &[
     ]),
     Rule::info(
         "asam.net:xodr:1.7.0:road.object.outline.points_inside_box",
-        "The corners of an outline lie in the object's box.",
+        "The corners of an outline are inside the object's box.",
         Object(inside_box),
         [
             outlines!(r#"<outlines><outline id="0"><cornerLocal u="-2" v="-2" z="0" height="1"/><cornerLocal u="2" v="-2" z="0" height="1"/></outline></outlines>"#),
@@ -72,7 +72,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[BEYOND]),
     Rule::info(
         "asam.net:xodr:1.9.0:road.object.outline.inner_outline_touches_outer",
-        "Outlines that touch share the very point.",
+        "Outlines that touch share exactly the same point.",
         Object(touching),
         [
             outlines!(r#"<outlines><outline id="0" outer="true"><cornerLocal u="-2" v="-2" z="0" height="1"/><cornerLocal u="2" v="-2" z="0" height="1"/></outline><outline id="1" outer="false"><cornerLocal u="-2" v="-2" z="0" height="1"/><cornerLocal u="1" v="-1" z="0" height="1"/></outline></outlines>"#),
@@ -91,7 +91,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "mapd:xodr:1.5.0:ref.border_outline",
-        "A border names one of the object's outlines.",
+        "A border refers to one of the object's outlines.",
         Object(border_outline),
         [
             outlines!(r#"<outlines><outline id="0"><cornerLocal id="0" u="-2" v="-2" z="0" height="1"/><cornerLocal id="1" u="2" v="-2" z="0" height="1"/></outline></outlines><borders><border outlineId="0" width="0.1" type="concrete" useCompleteOutline="true"/></borders>"#),

@@ -23,7 +23,7 @@ macro_rules! skeleton {
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.8.0:road.object.skeleton.use_radius_or_width_length",
-        "All vertices of a polyline have a radius, or none.",
+        "Either all vertices of a polyline have a radius, or none.",
         Object(radii),
         [
             skeleton!(r#"<vertexLocal id="1" u="0" v="0" z="0" radius="0.1"/><vertexLocal id="2" u="0" v="0" z="3" radius="0.1"/>"#),
@@ -32,7 +32,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::info(
         "asam.net:xodr:1.8.0:road.object.skeleton.points_inside_box",
-        "The vertices of a skeleton lie in the object's box.",
+        "The vertices of a skeleton are inside the object's box.",
         Object(inside),
         [
             skeleton!(r#"<vertexLocal id="1" u="0" v="0" z="0" radius="0.1"/><vertexLocal id="2" u="0" v="0" z="3" radius="0.1"/>"#),
@@ -42,7 +42,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[BEYOND]),
     Rule::info(
         "asam.net:xodr:1.9.0:road.object.skeleton.points_boundary_inside_box",
-        "Some of a skeleton's tubes lies in the object's box.",
+        "A part of a skeleton's tubes is inside the object's box.",
         Object(partly_inside),
         [
             skeleton!(r#"<vertexLocal id="1" u="0" v="0" z="0" radius="0.1"/><vertexLocal id="2" u="0" v="0" z="3" radius="0.1"/>"#),

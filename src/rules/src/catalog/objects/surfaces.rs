@@ -28,7 +28,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.7.0:road.object.surface.crg_hidden_on_object_overlap",
-        "Surface data of an object do not hide those of the road below it, unless these are attached.",
+        "Surface data of an object do not cover surface data of the road below, unless those are attached.",
         Road(hidden),
         [
             InRoad(r#"<objects><object id="1" type="patch" s="10" t="0" zOffset="0" orientation="none" length="2" width="2" height="0"><surface><CRG file="a.crg" hideRoadSurfaceCRG="false" zScale="1"/></surface></object></objects><surface><CRG file="b.crg" sStart="0" sEnd="50" orientation="same" mode="genuine" purpose="elevation"/></surface>"#),
@@ -46,7 +46,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::info(
         "asam.net:xodr:1.9.0:road.object.surface.avoid_skewed_crg_surfacees",
-        "An object that is perpendicular to the road is smaller than the radius of the road's height there.",
+        "An object that is perpendicular to the road is smaller than the vertical radius of the road there.",
         Object(skewed),
         [
             InRoad(r#"<elevationProfile><elevation s="0" a="0" b="0" c="0.01" d="0"/></elevationProfile><objects><object id="1" type="patch" s="10" t="0" zOffset="0" orientation="none" length="2" width="2" height="0" perpToRoad="true"><surface><CRG file="a.crg" hideRoadSurfaceCRG="false" zScale="1"/></surface></object></objects>"#),

@@ -79,7 +79,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "mapd:xodr:1.4.0:ref.validity_lanes",
-        "Lanes for which something holds are lanes of the road.",
+        "A validity names lanes that the road has.",
         Road(known_lanes),
         [object!("none", "-2", "-1"), object!("none", "-9", "-7")],
     ),

@@ -10,7 +10,7 @@ use mapd_xodr::{CrgMode, CrgPurpose, Direction, RoadCrg};
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.7.0:road.crg.attach_vs_friction",
-        "Friction is not read in the mode attached.",
+        "Friction is not used with the mode attached.",
         Road(attached_friction),
         [
             In(r#"<surface><CRG file="a.crg" sStart="0" sEnd="100" orientation="same" mode="genuine" purpose="friction"/></surface>"#),
@@ -28,7 +28,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.9.0:road.crg.h_offset_only_genuine_global",
-        "hOffset is for the modes genuine and global.",
+        "hOffset is only for the modes genuine and global.",
         Road(h_offset),
         [
             In(r#"<surface><CRG file="a.crg" sStart="0" sEnd="100" orientation="same" mode="genuine" purpose="elevation" hOffset="0.1"/></surface>"#),
@@ -37,7 +37,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.7.0:road.crg.no_opposite",
-        "The orientation opposite is for the modes attached and attached0.",
+        "The orientation opposite is only for the modes attached and attached0.",
         Road(opposite),
         [
             In(r#"<surface><CRG file="a.crg" sStart="0" sEnd="100" orientation="opposite" mode="attached" purpose="elevation"/></surface>"#),
@@ -46,7 +46,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.7.0:road.crg.only_on_per_s",
-        "At one place there is one file for one purpose.",
+        "Each place has at most one file for each purpose.",
         Road(one_per_place),
         [
             In(r#"<surface><CRG file="a.crg" sStart="0" sEnd="50" orientation="same" mode="genuine" purpose="elevation"/><CRG file="b.crg" sStart="50" sEnd="100" orientation="same" mode="genuine" purpose="elevation"/></surface>"#),

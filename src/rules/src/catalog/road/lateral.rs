@@ -14,7 +14,7 @@ const COVER: Tolerance = Tolerance { name: "reach beyond the shapes", value: 0.0
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.8.0:road.cross_section_surface.no_shape_superelevation",
-        "A cross-section surface stands for shape and superelevation, not beside them.",
+        "A cross-section surface replaces shape and superelevation; it does not occur together with them.",
         Road(alone),
         [
             In(r#"<lateralProfile><crossSectionSurface><surfaceStrips><strip id="-1"><constant><coefficients s="0" a="0" b="0" c="0" d="0"/></constant></strip></surfaceStrips></crossSectionSurface></lateralProfile>"#),
@@ -24,7 +24,7 @@ pub(super) static RULES: &[Rule] = &[
     .since(8),
     Rule::warning(
         "asam.net:xodr:1.8.0:road.cross_section_surface.start_end_match_with_refline",
-        "The coefficients of a cross-section surface begin with the road.",
+        "The coefficients of a cross-section surface begin at the start of the road.",
         Road(whole_road),
         [
             In(r#"<lateralProfile><crossSectionSurface><surfaceStrips><strip id="-1"><constant><coefficients s="0" a="0" b="0" c="0" d="0"/></constant></strip></surfaceStrips></crossSectionSurface></lateralProfile>"#),
@@ -34,7 +34,7 @@ pub(super) static RULES: &[Rule] = &[
     .since(8),
     Rule::warning(
         "asam.net:xodr:1.8.0:road.cross_section_surface.use_strip",
-        "A strip alone on its side has the id 1 or -1 and no width.",
+        "The only strip on its side has the id 1 or -1 and no width.",
         Road(lone_strip),
         [
             In(r#"<lateralProfile><crossSectionSurface><surfaceStrips><strip id="-1"><constant><coefficients s="0" a="0" b="0" c="0" d="0"/></constant></strip></surfaceStrips></crossSectionSurface></lateralProfile>"#),
@@ -54,7 +54,7 @@ pub(super) static RULES: &[Rule] = &[
     .since(8),
     Rule::warning(
         "asam.net:xodr:1.9.0:road.use_cases.shape_elements_start_right",
-        "Shapes of one place begin at the right, at or beyond the reference line.",
+        "The shapes of one s begin on the right side or at the reference line.",
         Road(starts_right),
         [
             In(r#"<lateralProfile><shape s="0" t="-5" a="0" b="0.01" c="0" d="0"/></lateralProfile>"#),

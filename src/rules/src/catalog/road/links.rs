@@ -25,7 +25,7 @@ macro_rules! pair {
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.4.0:road.linkage.road_link_attribute_usage",
-        "A link to a road says which end of it is touched.",
+        "A link to a road has a contact point.",
         Road(to_road),
         [
             pair!(r#"elementType="road" elementId="2" contactPoint="start""#),
@@ -34,7 +34,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.7.0:road.linkage.junc_link_attribute_usage",
-        "A link to a junction says nothing but its kind and id.",
+        "A link to a junction has only its kind and id.",
         Road(to_junction),
         [
             Junction(

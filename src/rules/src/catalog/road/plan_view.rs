@@ -33,8 +33,8 @@ pub(super) static RULES: &[Rule] = &[
     Rule::error(
         "mapd:xodr:1.4.0:geometry.s_monotonic",
         [
-            "Geometries begin at s = 0, and each where the one before it ends.",
-            "over more than rounding (warning), some s has no point or two",
+            "The first geometry begins at s = 0, each other one at the end of the one before it.",
+            "beyond rounding (warning), some s has no point, or two",
         ],
         Road(s_monotonic),
         [
@@ -67,7 +67,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[LENGTH]),
     Rule::warning(
         "asam.net:xodr:1.9.0:road.length_sum_geometries",
-        "A road is as long as its geometries together.",
+        "The length of a road is the sum of the lengths of its geometries.",
         Road(length_is_sum),
         [
             PlanView(r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><line/></geometry>"#),
@@ -79,8 +79,8 @@ pub(super) static RULES: &[Rule] = &[
     Rule::error(
         "asam.net:xodr:1.4.0:road.geometry.refline_no_gaps",
         [
-            "A geometry begins at the point where the one before it ends.",
-            "beyond 1 m (below: warning) the road is torn; nobody can drive along it",
+            "A geometry begins at the end point of the one before it.",
+            "beyond 1 m (below: warning) the road is interrupted; nobody can drive along it",
         ],
         Road(gaps),
         [
@@ -99,8 +99,8 @@ pub(super) static RULES: &[Rule] = &[
     Rule::error(
         "asam.net:xodr:1.4.0:road.geometry.refline_no_kinks",
         [
-            "A geometry begins with the heading that the one before it ends with.",
-            "beyond 45° (below: warning) lanes fold at the inner side of the turn",
+            "A geometry begins with the end heading of the one before it.",
+            "beyond 45° (below: warning) lanes fold on the inside of the turn",
         ],
         Road(kinks),
         [
@@ -118,7 +118,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[KINK, KINK_BROKEN]),
     Rule::info(
         "mapd:xodr:1.4.0:geometry.g2_curvature",
-        "Curvature has no steps; a line may lawfully meet an arc.",
+        "Curvature has no steps; the standard allows a line to join an arc.",
         Road(curvature_steps),
         [
             PlanView(
@@ -135,7 +135,7 @@ pub(super) static RULES: &[Rule] = &[
     .strict(Severity::Error),
     Rule::warning(
         "asam.net:xodr:1.9.0:road.geometry.arc.no_zero_curvature",
-        "An arc is curved; what is straight is a line.",
+        "An arc has a curvature other than 0; use a line otherwise.",
         Road(straight_arcs),
         [
             PlanView(r#"<geometry s="0" x="0" y="0" hdg="0" length="100"><arc curvature="0.01"/></geometry>"#),
@@ -145,7 +145,7 @@ pub(super) static RULES: &[Rule] = &[
     .advisory(),
     Rule::warning(
         "asam.net:xodr:1.9.0:road.geometry.spiral.curvature_change",
-        "A spiral begins and ends with different curvatures; else it is an arc or line.",
+        "A spiral begins and ends with different curvatures; use an arc or line otherwise.",
         Road(even_spirals),
         [
             PlanView(

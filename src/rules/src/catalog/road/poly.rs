@@ -33,7 +33,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[ZERO]),
     Rule::warning(
         "asam.net:xodr:1.7.0:road.geometry.paramPoly3.length_match",
-        "A parametric cubic over the range from 0 to 1, that of no range included, is as long as it says.",
+        "A parametric cubic over the range from 0 to 1 (the default) has its stated length.",
         Road(length_match),
         [
             PlanView(
@@ -48,7 +48,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[LENGTH]),
     Rule::warning(
         "asam.net:xodr:1.7.0:road.geometry.paramPoly3.arcLength_range",
-        "Over arc length, the parameter of a cubic runs from 0 to the geometry's length: the curve that it yields has that length.",
+        "With the range arcLength, the parameter of a cubic runs from 0 to the geometry's length, and the curve has that length.",
         Road(arc_length_range),
         [
             PlanView(
@@ -64,7 +64,7 @@ pub(super) static RULES: &[Rule] = &[
         COMPUTABLE,
         [
             "A geometry is a curve that can be evaluated.",
-            "there is no curve to lay lanes along",
+            "there is no curve for lanes to follow",
         ],
         Road(computable),
         [

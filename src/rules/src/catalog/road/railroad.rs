@@ -23,7 +23,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::info(
         "asam.net:xodr:1.7.0:road.railroad.rail_refline_centered",
-        "The reference line runs in the middle of a track.",
+        "The reference line is in the middle of a track.",
         Section(centered),
         [
             InSection(r#"<left><lane id="1" type="rail"><width sOffset="0" a="1.5" b="0" c="0" d="0"/></lane></left><center><lane id="0" type="none"/></center><right><lane id="-1" type="rail"><width sOffset="0" a="1.5" b="0" c="0" d="0"/></lane></right>"#),

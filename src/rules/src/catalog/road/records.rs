@@ -85,8 +85,8 @@ pub(super) static RULES: &[Rule] = &[
     Rule::error(
         "asam.net:xodr:1.4.0:road.geometry.elem_asc_order",
         [
-            "Geometries stand in the order of s.",
-            "a geometry goes on from the one before it: which one that is, is open",
+            "Geometries are in the order of s.",
+            "a geometry continues the one before it, and it is unclear which one that is",
         ],
         Order(geometries),
         [
@@ -103,7 +103,7 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[ROUNDING]),
     rule(
         "asam.net:xodr:1.4.0:road.elevation.elem_asc_order",
-        "Elevations stand in the order of s.",
+        "Elevations are in the order of s.",
         Order(elevations),
         records!(
             "<elevationProfile>",
@@ -114,7 +114,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     rule(
         "asam.net:xodr:1.4.0:road.superelevation.elem_asc_order",
-        "Superelevations stand in the order of s.",
+        "Superelevations are in the order of s.",
         Order(superelevations),
         records!(
             "<lateralProfile>",
@@ -125,13 +125,13 @@ pub(super) static RULES: &[Rule] = &[
     ),
     rule(
         "asam.net:xodr:1.4.0:road.type.elem_asc_order",
-        "Types of a road stand in the order of s.",
+        "Types of a road are in the order of s.",
         Order(types),
         records!("", "type", r#"type="town"/>"#, ""),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lanes.lane_offset.elem_asc_order",
-        "Lane offsets stand in the order of s.",
+        "Lane offsets are in the order of s.",
         Order(lane_offsets),
         [
             Example::Lanes(
@@ -146,7 +146,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.4.0:road.shape.elem_asc_order",
-        "Shapes stand in the order of s, and where s is the same in the order of t.",
+        "Shapes are in the order of s; those with the same s are in the order of t.",
         Order(shapes),
         [
             Example::Road(
@@ -160,8 +160,8 @@ pub(super) static RULES: &[Rule] = &[
     Rule::error(
         "asam.net:xodr:1.4.0:road.lane_section.elem_asc_order",
         [
-            "Lane sections stand in the order of s.",
-            "keys of lanes and links between sections count sections in their order",
+            "Lane sections are in the order of s.",
+            "lane keys and links between sections depend on the order of sections",
         ],
         Order(sections),
         [
@@ -178,49 +178,49 @@ pub(super) static RULES: &[Rule] = &[
     .within(&[ROUNDING]),
     rule(
         "asam.net:xodr:1.4.0:road.lane.width.elem_asc_order",
-        "Widths of a lane stand in the order of sOffset.",
+        "Widths of a lane are in the order of sOffset.",
         Order(widths),
         lane_records!("width", r#"a="3" b="0" c="0" d="0"/>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.border.elem_asc_order",
-        "Borders of a lane stand in the order of sOffset.",
+        "Borders of a lane are in the order of sOffset.",
         Order(borders),
         lane_records!("border", r#"a="-3" b="0" c="0" d="0"/>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.height.elem_asc_order",
-        "Heights of a lane stand in the order of sOffset.",
+        "Heights of a lane are in the order of sOffset.",
         Order(heights),
         lane_records!("height", r#"inner="0" outer="0.1"/>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.material.elem_asc_order",
-        "Materials of a lane stand in the order of sOffset.",
+        "Materials of a lane are in the order of sOffset.",
         Order(materials),
         lane_records!("material", r#"friction="0.8"/>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.speed.elem_asc_order",
-        "Speed limits of a lane stand in the order of sOffset.",
+        "Speed limits of a lane are in the order of sOffset.",
         Order(speeds),
         lane_records!("speed", r#"max="50" unit="km/h"/>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.access.elem_asc_order",
-        "Access restrictions of a lane stand in the order of sOffset.",
+        "Access restrictions of a lane are in the order of sOffset.",
         Order(accesses),
         lane_records!("access", r#"rule="deny"><restriction type="bus"/></access>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.rule.elem_asc_order",
-        "Traffic rules of a lane stand in the order of sOffset.",
+        "Traffic rules of a lane are in the order of sOffset.",
         Order(rules),
         lane_records!("rule", r#"value="no stopping at any time"/>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.road_mark.elem_asc_order",
-        "Road marks of a lane stand in the order of sOffset.",
+        "Road marks of a lane are in the order of sOffset.",
         Order(road_marks),
         lane_records!("roadMark", r#"type="solid" color="white"/>"#),
     ),

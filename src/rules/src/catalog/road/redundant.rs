@@ -13,7 +13,7 @@ const SAME: Tolerance = Tolerance { name: "difference of coefficients", value: 1
 
 pub(super) static RULES: &[Rule] = &[Rule::info(
     "asam.net:xodr:1.8.1:performance.avoid_redundant_info",
-    "A record that goes on as the one before it, or a line in line with the one before it, is left out.",
+    "A record that continues the one before it unchanged, or a line that continues the line before it, is omitted.",
     Road(redundant),
     [
         In(r#"<elevationProfile><elevation s="0" a="0" b="0.01" c="0" d="0"/><elevation s="50" a="0.5" b="0.02" c="0" d="0"/></elevationProfile>"#),

@@ -8,7 +8,7 @@ use crate::sink::Sink;
 
 pub(super) static RULES: &[Rule] = &[Rule::warning(
     "asam.net:xodr:1.7.0:road.type.only_alpha_2_country_codes",
-    "A country is a code of two letters of ISO 3166-1.",
+    "A country is a two-letter code of ISO 3166-1.",
     Road(country),
     [
         In(r#"<type s="0" type="town" country="DE"/>"#),

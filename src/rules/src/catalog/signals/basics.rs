@@ -19,7 +19,7 @@ const NO_UNIT: &str = "none; read as the country's catalogue has it, in SI units
 pub(super) static RULES: &[Rule] = &[
     Rule::info(
         "asam.net:xodr:1.7.0:road.signal.use_country_code",
-        "A signal names the country whose catalog its type is from.",
+        "A signal names the country of the catalog that defines its type.",
         Signal(country),
         [
             In(r#"<signal id="1" s="10" t="-4" zOffset="2" dynamic="no" orientation="+" type="274" subtype="50" country="DE" hOffset="0" pitch="0" roll="0"/>"#),
@@ -28,7 +28,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "mapd:xodr:1.4.0:signal.on_road",
-        "A signal stands along its road.",
+        "A signal's s is within its road.",
         Signal(on_road),
         [
             In(r#"<signal id="1" s="10" t="-4" zOffset="2" dynamic="no" orientation="+" type="274" subtype="50" country="DE" hOffset="0" pitch="0" roll="0"/>"#),

@@ -20,7 +20,7 @@ macro_rules! board {
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.8.0:road.signal.boards.multi_board_have_sub_boards",
-        "A multi board has a static board and one with variable messages.",
+        "A multi board has a static board and a variable message board.",
         Signal(sub_boards),
         [
             board!(
@@ -35,7 +35,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.8.0:road.signal.boards.multi_board_use_correct_type",
-        "A signal with a static board and one with variable messages is of the type multiBoard.",
+        "A signal with a static board and a variable message board is of the type multiBoard.",
         Signal(multi_type),
         [
             board!(
@@ -65,7 +65,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.8.0:road.signal.boards.static_board_use_correct_type",
-        "A signal with a static board alone is of the type staticBoard.",
+        "A signal with only a static board is of the type staticBoard.",
         Signal(static_type),
         [
             board!(
@@ -80,7 +80,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.9.0:road.signal.gantry.vmsgroup_at_least_one_reference",
-        "A group of boards refers to at least one.",
+        "A group of boards refers to at least one board.",
         VmsGroup(references),
         [
             Document(
