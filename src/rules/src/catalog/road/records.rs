@@ -226,7 +226,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     rule(
         "mapd:xodr:1.4.0:record.elem_asc_order",
-        "Crossfalls, coefficients of a cross-section surface, visibilities of a lane and the sway of a road mark stand in the order of s.",
+        "Crossfalls, coefficients of a cross-section surface, visibilities of a lane and the sway of a road mark are in the order of s.",
         Order(others),
         [
             Example::Lane(
