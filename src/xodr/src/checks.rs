@@ -180,7 +180,7 @@ impl Cursor<'_> {
             .find(|c| c.order == open.order && c.versions & alike(self.version as u8) != 0);
         let last = last.or_else(|| open.schema.children.iter().find(|c| c.order == open.order));
         let last = last.map_or("", |last| last.name);
-        format!("expected {} before {last}, found it behind", child.name)
+        format!("expected {} before {last}, found it after", child.name)
     }
 
     /// Children that are missing, as bits; counts and choices.

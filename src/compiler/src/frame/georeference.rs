@@ -38,8 +38,8 @@ impl Placed {
             OffsetSign::Auto => {
                 let reason = self.reason_to_turn(middle);
                 if let Some(reason) = &reason {
-                    let message = format!("the offset's sign is turned: {reason}");
-                    let hint = "--offset-sign standard or negated settles it";
+                    let message = format!("the offset's sign is negated: {reason}");
+                    let hint = "set --offset-sign standard or negated to decide";
                     let severity = Severity::Warning;
                     findings.push(self.about_offset(
                         &building::OFFSET_SIGN,

@@ -103,7 +103,7 @@ pub(crate) fn build(
     findings.extend(unattached.iter().filter_map(|number| {
         let object = written.objects.get(*number)?;
         let message = format!(
-            "no lane that it may belong to lies within {} m; it stays with its road alone",
+            "no lane that it may belong to is within {} m; it belongs only to its road",
             options.lane_reach
         );
         let rule = (&building::OBJECT_LANE, Severity::Info);

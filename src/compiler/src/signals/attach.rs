@@ -59,9 +59,10 @@ pub(super) fn attach(rows: &mut Rows, resolved: &Resolved, reach: f64) -> Vec<Fi
                 if place.names_no_lane() && place.has_references {
                     "no validity names a lane that it is for; it is kept on the road".to_owned()
                 } else {
-                    "no lane travels the way that it is for; it is kept on the road".to_owned()
+                    "no lane runs in the direction that it applies to; it is kept on the road"
+                        .to_owned()
                 },
-                "give it the validity and orientation of the lanes that it is for",
+                "give it the validity and orientation of the lanes that it applies to",
             )),
         }
         rows.signal_places.push(SignalPlaceRow {

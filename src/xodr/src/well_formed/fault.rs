@@ -88,9 +88,10 @@ impl Fault {
             Self::SectionEnd => ("]]&gt; in text", "]]>"),
             Self::Hyphens => ("no -- in a comment", "some"),
             Self::ReservedTarget => ("another name than xml for an instruction", "that"),
-            Self::LateDeclaration => {
-                ("the XML declaration at the start of the file", "it after something else; read on")
-            }
+            Self::LateDeclaration => (
+                "the XML declaration at the start of the file",
+                "it after something else, which is skipped",
+            ),
             Self::Declaration => {
                 ("an XML declaration with version, encoding, standalone", "another form")
             }

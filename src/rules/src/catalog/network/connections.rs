@@ -228,7 +228,7 @@ fn lane_links(network: &Network, sink: &mut Sink<'_>) {
                         network.name(road.id)
                     );
                     let span = link.span();
-                    let found = format_args!("lane {id}, which is not there");
+                    let found = format_args!("lane {id}, which does not exist");
                     let junction = (network, joined.junction, joined.connection);
                     add_to_part(junction, ("/laneLink", span), sink, expected, found);
                 }
@@ -307,7 +307,7 @@ fn has_choice(network: &Network, sink: &mut Sink<'_>) {
                 part,
                 junction.span,
                 "a choice or a merge",
-                "one way through from each road to each",
+                "only one route from each road to another",
             );
         }
     }

@@ -163,7 +163,7 @@ fn lanes_there(network: &Network, sink: &mut Sink<'_>) {
                     (end.junction, end.path),
                     sink,
                     expected,
-                    format_args!("lane {id}, which is not there"),
+                    format_args!("lane {id}, which does not exist"),
                 );
             }
         }

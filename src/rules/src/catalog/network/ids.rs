@@ -128,7 +128,7 @@ fn defined(network: &Network, sink: &mut Sink<'_>) {
         }
         let kinds: Vec<&str> = kinds.iter().map(|kind| kind.name()).collect();
         let expected = format!("the id of a {}", kinds.join(" or "));
-        let found = format_args!("{}, which is not there", network.name(reference.id));
+        let found = format_args!("{}, which does not exist", network.name(reference.id));
         let path = || reference.path(network);
         sink.add_at(path, sink.severity, reference.span(), expected, found);
     }

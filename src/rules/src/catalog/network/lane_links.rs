@@ -153,7 +153,7 @@ fn orphans(network: &Network, sink: &mut Sink<'_>) {
                 (network, &joint),
                 sink,
                 expected,
-                format_args!("lane {}, which is not there", joint.link.id),
+                format_args!("lane {}, which does not exist", joint.link.id),
             );
         }
     });

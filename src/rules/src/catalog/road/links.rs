@@ -94,7 +94,7 @@ fn to_junction(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
                 sink.add_within(
                     part,
                     link.span,
-                    format_args!("no {name} beside a junction"),
+                    format_args!("no {name} in a link to a junction"),
                     "one",
                 );
             }
@@ -108,7 +108,7 @@ fn to_middle(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
             continue;
         }
         if link.element_s.is_none() {
-            sink.add_within(part, link.span, "elementS beside elementDir", "none");
+            sink.add_within(part, link.span, "elementS together with elementDir", "none");
         }
         if link.element_dir.is_none() {
             sink.add_within(part, link.span, "elementDir beside elementS", "none");

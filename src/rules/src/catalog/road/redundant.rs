@@ -38,7 +38,7 @@ fn look(part: &str, records: impl Iterator<Item = (Record, Span)>, sink: &mut Si
     let mut before: Option<Record> = None;
     for (record, span) in records {
         if before.is_some_and(|before| goes_on(&before, &record)) {
-            sink.add_within(part, span, "something new", "what the record before it says already");
+            sink.add_within(part, span, "a change", "the values of the record before it");
         }
         before = Some(record);
     }

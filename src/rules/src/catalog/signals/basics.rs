@@ -14,7 +14,8 @@ const BEHIND: Tolerance = Tolerance { name: "reach behind the road's end", value
 const DEEPEST_BOARD: usize = 8;
 
 /// What becomes of a value without unit.
-const NO_UNIT: &str = "none; read as the country's catalogue has it, in SI units without a country";
+const NO_UNIT: &str =
+    "none; read in the unit of the country's catalogue, without a country in SI units";
 
 pub(super) static RULES: &[Rule] = &[
     Rule::info(
