@@ -43,7 +43,7 @@ pub enum ReferenceError {
     #[error("expected at most {LONGEST} bytes, nested at most {DEEPEST} deep")]
     TooLarge,
     /// No such code.
-    #[error("EPSG has no projection {0} that is known here")]
+    #[error("the EPSG projection {0} is not supported")]
     Code(String),
     /// The well-known text is not understood.
     #[error("the well-known text is not understood: {0}")]

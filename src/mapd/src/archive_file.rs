@@ -52,7 +52,7 @@ pub(crate) fn prepare(path: &Path, rows: &Rows, provenance: &Provenance) -> Resu
 /// Errors: the first thing that is wrong.
 fn prove(path: &Path) -> Result<()> {
     let proof = || -> Result<()> { Ok(Snapshot::open(path)?.verify()?) };
-    proof().context("the archive that was made of this map is not sound: a defect of mapd")
+    proof().context("the archive compiled from this map fails verification: a bug in mapd")
 }
 
 /// Writes an archive into a file that is there already and that nobody reads yet: a temporary file, or one without a name

@@ -278,7 +278,7 @@ fn too_little(limit: Option<u64>, asked: Option<u64>, option: &str) -> String {
         None => "the memory that the system gives it".to_owned(),
     };
     let needed = match asked {
-        Some(asked) => format!(": when they were used up, another {} were needed", Size(asked)),
+        Some(asked) => format!("; allocating another {} failed", Size(asked)),
         None => String::new(),
     };
     format!("compiling needs more than {limit}{needed}")

@@ -89,13 +89,13 @@ pub(crate) enum Wrong {
     #[error("light `{0}` is not in lights.toml")]
     Light(String),
     /// A unit that OpenDRIVE does not have.
-    #[error("unit `{0}` is none of OpenDRIVE's")]
+    #[error("unit `{0}` is not one of OpenDRIVE's")]
     Unit(String),
     /// A table of values that the file does not have.
     #[error("the file has no `[tables.{0}]`")]
     Table(String),
     /// A word that is none of those allowed.
-    #[error("`{0}` is not a word that is known here")]
+    #[error("`{0}` is not a known word")]
     Word(String),
     /// An entry that fits everything.
     #[error("needs type, subtype or name")]

@@ -83,7 +83,7 @@ pub enum AttachError {
         map: String,
     },
     /// This subscription keeps as many generations as it can.
-    #[error("map {map:?}: {MAX_PINNED} generations are held already; drop old ones")]
+    #[error("map {map:?}: {MAX_PINNED} generations are already held; drop old ones")]
     TooManyPinned {
         /// The map.
         map: String,

@@ -94,7 +94,7 @@ fn a_trace_is_matched_row_by_row() {
         rows[3][4].is_empty() && text.contains("expected a finite number in column time"),
         "{text}"
     );
-    assert!(rows[4][4].is_empty() && text.contains("time must not fall"), "{text}");
+    assert!(rows[4][4].is_empty() && text.contains("time must not decrease"), "{text}");
     assert!(rows[5][4].is_empty() && !rows[5][7].is_empty() && rows[5][8].is_empty(), "{text}");
     let output = run(&["match", &one_road()], "time,x\n0,1\n");
     assert_eq!(output.status.code(), Some(2));
@@ -384,7 +384,7 @@ fn what_files_say_besides_is_a_row_each() {
     let text = inspected(&[]);
     assert!(text.contains("annotations   1: 1 of road"), "{text}");
     assert!(text.contains("user-data            1: 1 \"vendor\""), "{text}");
-    assert!(text.contains("lane records  1 of visibility, 1 rules in words"), "{text}");
+    assert!(text.contains("lane records  1 of visibility, 1 rules as text"), "{text}");
     let json: serde_json::Value = serde_json::from_str(&inspected(&["--json"])).expect("JSON");
     assert_eq!(json["besides"]["by_kind"]["user-data"]["vendor"], 1);
     let archive = folder.path().join("bare.mapd").display().to_string();
@@ -393,7 +393,7 @@ fn what_files_say_besides_is_a_row_each() {
     let output = run(&["inspect", &archive], "");
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(!text.contains("vendor"), "{text}");
-    assert!(text.contains("lane records  0 of visibility, 1 rules in words"), "{text}");
+    assert!(text.contains("lane records  0 of visibility, 1 rules as text"), "{text}");
     let group = r#"<junctionGroup id="g" name="" type="roundabout"><junctionReference junction="A"/><junctionReference junction="B"/></junctionGroup>"#;
     std::fs::write(&path, roundabout(group)).expect("written");
     check(

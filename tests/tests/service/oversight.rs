@@ -290,7 +290,7 @@ fn a_scrub_finds_a_changed_byte_and_the_watchdog_falls_silent() {
     let file = std::fs::OpenOptions::new().write(true).open(&data).expect("opens");
     std::os::unix::fs::FileExt::write_all_at(&file, &bytes[middle..=middle], middle as u64)
         .expect("written");
-    let event = daemon.event("does not prove");
+    let event = daemon.event("fails verification");
     assert_eq!((&event["level"], &event["map"]), (&"ERROR".into(), &"town".into()));
     until("the count", || (count("failed") >= 1.0).then_some(()));
     let status = place.command().args(["status", "--json"]).output().expect("runs");

@@ -119,7 +119,7 @@ fn answer(
 fn fix(row: &Row<'_>, earth: &Earth, last: f64) -> Result<TraceFix, String> {
     let time = row.number("time")?;
     if time < last {
-        return Err(format!("time must not fall, found {time:?} after {last:?}"));
+        return Err(format!("time must not decrease, found {time:?} after {last:?}"));
     }
     Ok(TraceFix { time, position: point_in(row, earth)?, heading: row.optional("hdg")? })
 }

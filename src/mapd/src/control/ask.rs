@@ -37,7 +37,7 @@ pub enum AskError {
         map: String,
     },
     /// The socket cannot be used, or the answer not be understood.
-    #[error("map {map:?}: asking the daemon: {error}")]
+    #[error("map {map:?}: request to the daemon: {error}")]
     Io {
         /// The map.
         map: String,

@@ -131,7 +131,7 @@ fn connect(stream: UnixStream, busy: &Arc<AtomicUsize>, answer: &Arc<Answer>) {
     let refused = busy.fetch_add(1, Ordering::Relaxed) >= MOST_CONNECTIONS;
     let (busy, answer) = (Busy(busy.clone()), answer.clone());
     if refused {
-        let reason = format!("{MOST_CONNECTIONS} requests are being answered already");
+        let reason = format!("the daemon is already answering {MOST_CONNECTIONS} requests");
         // Who is refused and has gone needs no answer.
         let _ = prepare(&stream).and_then(|()| reply(&stream, &Response::Refused { reason }));
         return;

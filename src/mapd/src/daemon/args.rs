@@ -165,7 +165,7 @@ impl DaemonArgs {
         match Cache::open(&folder, limit) {
             Ok(cache) => Ok(Some(cache)),
             Err(error) => {
-                say(&format!("going on without a cache: {}: {error}", folder.display()));
+                say(&format!("continuing without a cache: {}: {error}", folder.display()));
                 Ok(None)
             }
         }

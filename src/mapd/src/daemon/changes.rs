@@ -160,7 +160,7 @@ impl Maps {
         let proof = self.server.meanwhile(|| prove(&self.domain, &self.board, map));
         match proof {
             Ok(Proof::Damaged(reason)) => {
-                tracing::error!(map = %map, error = %reason, "map {map}: what is served does not prove, and is published anew: {reason}");
+                tracing::error!(map = %map, error = %reason, "map {map}: the served archive fails verification, and is published anew: {reason}");
                 None
             }
             // What nobody could look at is not known to be bad.

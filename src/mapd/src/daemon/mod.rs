@@ -90,7 +90,7 @@ pub(crate) fn run(
                 child::tell(&map.name, &refusal);
                 match preparer.last_served(&domain, map) {
                     Some(prepared) => {
-                        say(&format!("map {}: going on with what was published last", map.name));
+                        say(&format!("map {}: serving the map that was served last", map.name));
                         watch(&watched, map, &prepared, before);
                         watch::watch_more(&watched, &map.name, &refusal);
                         ready.push((map.clone(), prepared));
@@ -150,7 +150,7 @@ pub(crate) fn run(
     let control = answer_with(board.clone(), orders.clone());
     // Maps are served without control rather than not at all.
     let control = ControlListener::start(&domain, &names, control)
-        .inspect_err(|error| say(&format!("going on without `mapd reload`: {error}")));
+        .inspect_err(|error| say(&format!("continuing without `mapd reload`: {error}")));
     let worker =
         Worker::start(preparer, maps.clone(), board, orders.clone()).context("a thread")?;
     let watcher = match maps.iter().any(|map| map.watch) {

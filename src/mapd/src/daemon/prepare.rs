@@ -192,7 +192,7 @@ impl Preparer {
             |output: &Path| child::compile(map, output.as_os_str(), self.means, &self.cancelled);
         // A cache that cannot be written any more is done without.
         let without = |why: &dyn std::fmt::Display| {
-            say(&format!("map {}: going on without the cache: {why}", map.name));
+            say(&format!("map {}: continuing without the cache: {why}", map.name));
         };
         let begun = self.cache.as_ref().and_then(|cache| {
             let begun = cache.begin().inspect_err(|error| without(error));

@@ -19,7 +19,7 @@ pub(crate) fn expand(files: &[PathBuf]) -> Result<Vec<PathBuf>> {
             .filter(|path| is_map(path))
             .collect();
         if maps.is_empty() {
-            let message = format!("{} holds no .xodr, .xodrz or .mapd file", file.display());
+            let message = format!("{} contains no .xodr, .xodrz or .mapd file", file.display());
             bail!(UsageError(message));
         }
         maps.sort();

@@ -34,7 +34,7 @@ pub(super) fn start(
         }
         let status = format!("serving {}", maps.names());
         tell(&[NotifyState::Ready, NotifyState::Status(&status)]);
-        tracing::debug!("ready: every map has answered a query of the daemon's own");
+        tracing::debug!("ready: every map has answered a self-query");
         let Some(interval) = sd_notify::watchdog_enabled() else { return };
         maps.attend(interval, &served);
     })
@@ -52,7 +52,7 @@ pub(super) fn stopping() {
 
 fn tell(states: &[NotifyState<'_>]) {
     if let Err(error) = sd_notify::notify(states) {
-        tracing::warn!(%error, "the service manager cannot be told: {error}");
+        tracing::warn!(%error, "the service manager cannot be notified: {error}");
     }
 }
 

@@ -126,11 +126,7 @@ pub(crate) fn text(status: &DaemonStatus) -> Result<String, std::fmt::Error> {
             }
         }
     }
-    registry.register(
-        "checks",
-        "Queries of the daemon's own, and proofs of what is served",
-        counts,
-    );
+    registry.register("checks", "Self-queries, and verifications of the served archives", counts);
     registry.register("check_seconds", "How long the last one took that succeeded", seconds);
     let mut out = String::new();
     encode(&mut out, &registry)?;

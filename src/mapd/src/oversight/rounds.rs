@@ -147,20 +147,20 @@ impl Asked {
             }
             Err(error) if error.is_no_verdict() => {
                 let text = error.to_string();
-                tracing::warn!(map = %map, error = %text, "map {map}: no room for a query of the daemon's own: {text}");
+                tracing::warn!(map = %map, error = %text, "map {map}: no room for a self-query: {text}");
                 board.map(map, |state| state.self_queries.skipped(text));
                 Answer::NoRoom
             }
             Err(error) if left < wait && error.may_be_late() => {
                 let text = error.to_string();
-                tracing::debug!(map = %map, error = %text, "map {map}: no time left for a query of the daemon's own: {text}");
+                tracing::debug!(map = %map, error = %text, "map {map}: no time left for a self-query: {text}");
                 board.map(map, |state| state.self_queries.skipped(text));
                 // Nothing new: what was wrong stays so until it has answered.
                 if self.last == Some(Answer::Wrong) { Answer::Wrong } else { Answer::Late }
             }
             Err(error) => {
                 let text = error.to_string();
-                tracing::error!(map = %map, error = %text, "map {map}: a query of the daemon's own failed: {text}");
+                tracing::error!(map = %map, error = %text, "map {map}: a self-query failed: {text}");
                 board.map(map, |state| state.self_queries.failed(text));
                 Answer::Wrong
             }

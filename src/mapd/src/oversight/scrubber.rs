@@ -38,11 +38,11 @@ fn one(domain: &Domain, board: &Board, map: &str) {
         }
         Proof::Damaged(text) => {
             board.map(map, |state| state.scrubs.failed(text.clone()));
-            tracing::error!(map = %map, error = %text, "map {map}: what is served does not prove: {text}");
+            tracing::error!(map = %map, error = %text, "map {map}: the served archive fails verification: {text}");
         }
         Proof::NotExamined(text) => {
             board.map(map, |state| state.scrubs.skipped(text.clone()));
-            tracing::warn!(map = %map, error = %text, "map {map}: nothing is proved, for the daemon cannot attach: {text}");
+            tracing::warn!(map = %map, error = %text, "map {map}: no verification, because the daemon cannot attach: {text}");
         }
     }
 }

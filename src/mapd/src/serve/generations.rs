@@ -60,7 +60,7 @@ impl Generations {
         let last = here.max(known);
         let before = if last == 0 { unix_ms() } else { last };
         if before >= LARGEST_GENERATION {
-            let message = format!("generation {before} is the last that there can be");
+            let message = format!("generation {before} is the highest possible number");
             return Err(ServeError::io(path())(io::Error::other(message)));
         }
         let next = before + 1;

@@ -19,7 +19,7 @@ pub enum PathError {
         source: QueryError,
     },
     /// A step goes against its own direction.
-    #[error("step {step} ends behind its beginning")]
+    #[error("step {step} ends before its beginning")]
     Backwards {
         /// The step.
         step: usize,

@@ -91,7 +91,7 @@ pub struct Refusal {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum RefusalKind {
     /// Bytes that are no character in the encoding.
-    #[error("expected text in {0}, found bytes that are none")]
+    #[error("expected text in {0}, found invalid bytes")]
     InvalidBytes(&'static str),
     /// The declared encoding is not known, or one that hides markup.
     #[error("expected an encoding that is read, found {0:?}")]

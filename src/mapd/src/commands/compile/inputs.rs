@@ -30,7 +30,7 @@ pub(super) fn tiles(inputs: &[PathBuf], output_dir: Option<&Path>) -> Result<Vec
         let mut files = Vec::new();
         search(input, &mut files)?;
         if files.is_empty() {
-            let message = format!("{} holds no .xodr or .xodrz file", input.display());
+            let message = format!("{} contains no .xodr or .xodrz file", input.display());
             bail!(UsageError(message));
         }
         for file in files {

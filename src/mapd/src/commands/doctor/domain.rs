@@ -36,7 +36,7 @@ pub(super) fn examine(domain: &Domain, out: &mut Vec<Finding>) -> bool {
         Err(AttachError::Io { error, .. }) if error.kind() == std::io::ErrorKind::NotFound => {
             out.push(Finding::ok(
                 check,
-                format!("{root} is not there: no daemon has been started"),
+                format!("{root} does not exist: no daemon has been started"),
             ));
             leftovers(domain, true, out);
             return false;

@@ -80,7 +80,7 @@ impl AnnotationFacts {
         }
         if self.lane_visibilities + self.lane_rules > 0 {
             let (seen, rules) = (self.lane_visibilities, self.lane_rules);
-            writeln!(out, "lane records  {seen} of visibility, {rules} rules in words")?;
+            writeln!(out, "lane records  {seen} of visibility, {rules} rules as text")?;
         }
         for group in &self.junction_groups {
             let GroupFacts { id, name, kind, junctions, ring_lanes } = group;
