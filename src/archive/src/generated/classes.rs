@@ -4,12 +4,12 @@
 use crate::classes::classes;
 
 classes! {
-    /// What has no meaning of its own.
+    /// No meaning.
     Other {
         /// Stated to have no meaning.
         None = 0, "none", false;
     }
-    /// Traffic lights, by whom they are for.
+    /// Traffic lights, by road user.
     Light {
         /// Light for vehicles.
         TrafficLight = 10, "traffic_light", true;
@@ -26,7 +26,7 @@ classes! {
         /// Light of a level crossing.
         LevelCrossingLight = 16, "level_crossing_light", true;
     }
-    /// Signs that say who goes first.
+    /// Signs about right of way.
     RightOfWay {
         /// Stop and give way.
         Stop = 20, "stop", true;
@@ -70,7 +70,7 @@ classes! {
         /// End of all limits of speed and bans on overtaking.
         EndOfRestrictions = 38, "end_of_restrictions", true;
     }
-    /// Signs that forbid.
+    /// Prohibitory signs.
     Ban {
         /// No overtaking.
         NoOvertaking = 40, "no_overtaking", true;
@@ -113,7 +113,7 @@ classes! {
         /// Distance to the vehicle ahead; the value is a length.
         MinimumDistance = 65, "minimum_distance", true;
     }
-    /// Signs that say where to go, and for whom a way is.
+    /// Signs about directions and reserved ways.
     Direction {
         /// Direction that must be taken.
         MandatoryDirection = 70, "mandatory_direction", true;
@@ -156,7 +156,7 @@ classes! {
         /// Sign of a pedestrian crossing.
         PedestrianCrossing = 89, "pedestrian_crossing", true;
     }
-    /// Signs that warn.
+    /// Warning signs.
     Warning {
         /// Danger without a class of its own.
         Warning = 100, "warning", true;
@@ -189,7 +189,7 @@ classes! {
         /// Congestion.
         WarningCongestion = 114, "warning_congestion", true;
     }
-    /// Signs that inform, and what carries them.
+    /// Informative signs and their carriers.
     Information {
         /// Destinations, exits, road numbers, distances.
         GuideSign = 120, "guide_sign", true;
@@ -229,7 +229,7 @@ classes! {
         /// Line along or between lanes.
         LaneLine = 148, "lane_line", false;
     }
-    /// Things beside, on and above the road.
+    /// Objects next to, on and above the road.
     Object {
         /// Parking space.
         ParkingSpace = 200, "parking_space", false;

@@ -20,7 +20,7 @@ pub(super) struct Target {
 
 /// The map is compiled; the place for its archive is what failed.
 #[derive(Debug, thiserror::Error)]
-#[error("the archive finds no place")]
+#[error("the archive cannot be written")]
 pub(super) struct Unwritten;
 
 /// Compiles a file, prints what was found, and writes the report, then the archive. Of a rejected map there is none; what was
