@@ -57,15 +57,17 @@ impl Mapping {
         unsafe { std::slice::from_raw_parts(self.start.as_ptr(), self.length) }
     }
 
-    /// Leaves it out of core dumps. A system that cannot is no reason to have no map.
-    pub(crate) fn leave_out_of_core_dumps(&self) {
-        // SAFETY: the range is this mapping's; the advice changes nothing that anybody sees in it.
-        let _ = unsafe { rustix::mm::madvise(self.raw(), self.length, Advice::LinuxDontDump) };
-    }
-
     fn raw(&self) -> *mut c_void {
         self.start.as_ptr().cast()
     }
+}
+
+/// Has core dumps leave out the pages of these bytes: an unlinked map would be among them. A system that cannot is no reason to have no map.
+pub(crate) fn leave_out_of_core_dumps(bytes: &[u8]) {
+    let before = bytes.as_ptr().addr() % rustix::param::page_size();
+    let start = bytes.as_ptr().wrapping_sub(before).cast_mut().cast();
+    // SAFETY: the pages hold these bytes, so they are mapped; the advice changes nothing that anybody sees in them.
+    let _ = unsafe { rustix::mm::madvise(start, bytes.len() + before, Advice::LinuxDontDump) };
 }
 
 impl Drop for Mapping {

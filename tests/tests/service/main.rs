@@ -3,6 +3,7 @@
 mod doctor;
 mod events;
 mod first_screen;
+mod held;
 mod hostile_files;
 mod killed_writers;
 mod limits;

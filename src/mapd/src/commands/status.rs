@@ -151,6 +151,13 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<()> {
         if let Some(staged) = state.staged {
             writeln!(out, "    staged: generation {}, {} bytes", staged.generation, staged.bytes)?;
         }
+        for held in state.held {
+            writeln!(
+                out,
+                "    held by readers: generation {}, {} bytes",
+                held.generation, held.bytes
+            )?;
+        }
         for (what, check) in [("query of its own", state.self_queries), ("scrub", state.scrubs)] {
             if check.last_failed == Some(true) {
                 writeln!(out, "    {what} failed: {}", check.last_error)?;

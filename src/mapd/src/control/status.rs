@@ -2,6 +2,7 @@
 
 use crate::cache::Cache;
 use crate::clock::unix_ns;
+use crate::serve::HeldGeneration;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -58,8 +59,11 @@ pub struct MapState {
     pub rollbacks: usize,
     /// Subscriptions when last looked, at most about a second ago.
     pub subscribers: usize,
-    /// Shared memory of the served and the staged generation \[bytes\]; older ones that readers hold are not counted.
+    /// Shared memory of the served and the staged generation \[bytes\]; older ones are in `held`.
     pub memory_bytes: u64,
+    /// Generations that are not served any more, and that readers hold, when last looked.
+    #[serde(default)]
+    pub held: Vec<HeldGeneration>,
     /// Whether the source is watched.
     pub watched: bool,
     /// Whether the map is being compiled or published just now.

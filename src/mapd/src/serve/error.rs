@@ -1,5 +1,6 @@
 //! Why a map cannot be served.
 
+use super::held::HeldGenerations;
 use mapd_transport::{ATTACH_DESCRIPTORS, AttachError, ClaimError};
 use std::error::Error;
 use std::path::PathBuf;
@@ -41,7 +42,7 @@ pub enum ServeError {
     },
     /// The map does not fit.
     #[error(
-        "map {map:?} needs {needed} bytes of shared memory, {available} are left by {limit}; {hint}"
+        "map {map:?} needs {needed} bytes of shared memory, {available} are left by {limit}; {hint}{held}"
     )]
     NotEnoughMemory {
         /// The map.
@@ -54,6 +55,8 @@ pub enum ServeError {
         limit: &'static str,
         /// How to get more.
         hint: &'static str,
+        /// What readers hold of it.
+        held: HeldGenerations,
     },
     /// The map's pages cannot be locked.
     #[error(

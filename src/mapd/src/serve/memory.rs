@@ -3,6 +3,7 @@
 
 use super::control_group;
 use super::error::ServeError;
+use super::held::HeldGenerations;
 use mapd_transport::{
     ATTACH_DESCRIPTORS, ATTACH_ROOM, AttachError, ClaimError, SHARED_MEMORY_FOLDER,
     descriptors_left, free_bytes,
@@ -26,7 +27,14 @@ pub(crate) fn check(map: &str, length: u64) -> Result<(), ServeError> {
     let needed = length.saturating_add(OVERHEAD);
     match tightest() {
         Some(Room { available, limit, hint }) if available < needed => {
-            Err(ServeError::NotEnoughMemory { map: map.to_owned(), needed, available, limit, hint })
+            Err(ServeError::NotEnoughMemory {
+                map: map.to_owned(),
+                needed,
+                available,
+                limit,
+                hint,
+                held: HeldGenerations::default(),
+            })
         }
         _ => Ok(()),
     }
@@ -103,6 +111,7 @@ pub(crate) fn refused(map: &str, length: u64, error: &std::io::Error) -> ServeEr
                 available,
                 limit,
                 hint: "free memory, or enlarge /dev/shm",
+                held: HeldGenerations::default(),
             }
         }
         _ => ServeError::io(SHARED_MEMORY_FOLDER)(std::io::Error::new(

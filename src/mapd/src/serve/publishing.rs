@@ -8,7 +8,7 @@ use super::memory;
 use super::notice::Notice;
 use super::reserve::reserving;
 use super::segment::Segment;
-use super::served_map::MapPublisher;
+use super::served_map::{Current, MapPublisher};
 use super::server::Server;
 use crate::clock::unix_ns;
 use mapd_transport::{
@@ -16,6 +16,7 @@ use mapd_transport::{
     write_staged,
 };
 use std::error::Error;
+use std::fs::File;
 use std::io;
 
 /// A generation that is filled and has not been sent. Fields are dropped in the order they are written; dropped under the
@@ -24,7 +25,16 @@ pub(crate) struct Staged {
     sample: Filled,
     place: Place,
     locked: Option<LockedPages>,
+    kept: Option<File>,
     publisher: MapPublisher,
+}
+
+/// A generation that is filled, without its publisher.
+struct FilledSegment {
+    sample: Filled,
+    place: Place,
+    locked: Option<LockedPages>,
+    kept: Option<File>,
 }
 
 impl Staged {
@@ -53,7 +63,7 @@ impl Server {
         let published = self
             .fill_next(map, length, fill)
             .and_then(|staged| self.send(map, staged))
-            .map_err(memory::or_shortage);
+            .map_err(|error| self.naming_held(memory::or_shortage(error)));
         if published.is_err() && !known {
             self.withdraw(map);
         }
@@ -71,7 +81,8 @@ impl Server {
         fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
     ) -> Result<u64, ServeError> {
         let known = self.maps.contains_key(map);
-        let staged = match self.fill_next(map, length, fill).map_err(memory::or_shortage) {
+        let filled = self.fill_next(map, length, fill);
+        let staged = match filled.map_err(|error| self.naming_held(memory::or_shortage(error))) {
             Ok(staged) => staged,
             Err(error) => {
                 if !known {
@@ -136,6 +147,7 @@ impl Server {
             let exclusive = self.exclusive();
             self.unstage(map, exclusive.as_ref());
         }
+        self.let_go();
         memory::check(map, length as u64)?;
         self.claim(map)?;
         let Some(ports) = self.maps.get(map) else {
@@ -150,7 +162,9 @@ impl Server {
         let filled =
             greeting_meanwhile(&self.maps, &self.lock, || self.fill(map, length, &publisher, fill));
         match filled {
-            Ok((sample, place, locked)) => Ok(Staged { sample, place, locked, publisher }),
+            Ok(FilledSegment { sample, place, locked, kept }) => {
+                Ok(Staged { sample, place, locked, kept, publisher })
+            }
             Err(error) => {
                 let exclusive = self.exclusive();
                 // Unlinks the segment, under the lock.
@@ -168,7 +182,7 @@ impl Server {
         length: usize,
         publisher: &MapPublisher,
         fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
-    ) -> Result<(Filled, Place, Option<LockedPages>), ServeError> {
+    ) -> Result<FilledSegment, ServeError> {
         let segment = Segment::of(&self.domain, publisher, &self.segment_type)
             .map_err(ServeError::io(SHARED_MEMORY_FOLDER))?;
         segment.reserve().map_err(|error| memory::refused(map, length as u64, &error))?;
@@ -180,20 +194,21 @@ impl Server {
         let place = locate_loan(&mut loan, |mark| segment.place_of(mark))
             .unwrap_or_else(|| Err(io::ErrorKind::UnexpectedEof.into()))
             .map_err(ServeError::io(SHARED_MEMORY_FOLDER))?;
-        let filled = fill_loan(map, loan, length, fill, |meta| {
+        let sample = fill_loan(map, loan, length, fill, |meta| {
             let notify = |notice: &Notice| (self.notify)(notice);
             let generation = self.generations.next(&self.domain, map, &notify)?;
             Ok(info(generation, length, &meta))
         })?;
         // Nobody has written through it meanwhile, and nobody will.
         self.tell_if_failed("making the data segment read-only", segment.protect(self.share));
-        Ok((filled, place, locked))
+        // Without it, nobody learns who holds the generation later.
+        Ok(FilledSegment { sample, place, locked, kept: segment.keep().ok() })
     }
 
     /// Serves a generation instead of the one before.
     fn send(&mut self, map: &str, staged: Staged) -> Result<u64, ServeError> {
         let exclusive = self.exclusive();
-        let Staged { mut sample, place, locked, publisher } = staged;
+        let Staged { mut sample, place, locked, kept, publisher } = staged;
         sample.user_header_mut().published_unix_ns = unix_ns();
         let info = *sample.user_header();
         // Newcomers since it was made cost a queue each.
@@ -206,7 +221,7 @@ impl Server {
             ports.record.prepare(&info, &place).map_err(ServeError::io(self.domain.root()))?;
         reserving(|| sample.send()).map_err(ServeError::iceoryx("sending"))?;
         ports.record.hold(prepared);
-        ports.replace((publisher, info), locked, exclusive.as_ref());
+        ports.replace(Current { publisher, info, kept }, locked, exclusive.as_ref());
         drop(exclusive);
         if let Some(ports) = self.maps.get(map) {
             self.tell_if_failed("announcing a generation", ports.announce());

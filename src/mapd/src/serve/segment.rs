@@ -109,6 +109,13 @@ impl Segment {
         LockedPages::of(&self.file)
     }
 
+    /// Another descriptor, to look after it with once its publisher is gone.
+    ///
+    /// Errors: what the system says.
+    pub(crate) fn keep(&self) -> io::Result<File> {
+        File::open(Path::new(SHARED_MEMORY_FOLDER).join(&self.name))
+    }
+
     /// Makes it read-only for good, for whom the daemon shares with. Existing mappings stay what they are; iceoryx2 maps readers read-only anyway, but
     /// would give any process of the user a writable one.
     ///

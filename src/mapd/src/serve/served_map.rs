@@ -1,6 +1,7 @@
 //! One map of a server: its services, its publisher, its claim.
 
 use super::error::ServeError;
+use super::held::{Dropped, HeldGeneration, MOST};
 use super::locked::LockedPages;
 use super::memory;
 use super::notice::Notice;
@@ -15,8 +16,18 @@ use iceoryx2::service::port_factory::PortFactory as _;
 use mapd_transport::{
     AttachGuard, Chunk64, Claim, Domain, GenerationInfo, RecordWriter, Share, TransportService,
 };
+use std::fs::File;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 pub(crate) type MapPublisher = Publisher<TransportService, [Chunk64], GenerationInfo>;
+
+/// What is served.
+pub(crate) struct Current {
+    pub(crate) publisher: MapPublisher,
+    pub(crate) info: GenerationInfo,
+    /// To look after its segment once it is not served any more.
+    pub(crate) kept: Option<File>,
+}
 
 /// Which map is served, and to whom.
 pub(crate) struct MapOf<'a> {
@@ -27,7 +38,9 @@ pub(crate) struct MapOf<'a> {
 
 /// The services and ports of a map. Fields are dropped in the order they are written.
 pub(crate) struct MapPorts {
-    current: Option<(MapPublisher, GenerationInfo)>,
+    current: Option<Current>,
+    /// Generations before that readers hold.
+    dropped: Mutex<Vec<Dropped>>,
     /// Pages of the current generation, where they are to stay in memory.
     locked: Option<LockedPages>,
     pub(crate) woken: Listener<TransportService>,
@@ -71,9 +84,16 @@ impl MapPorts {
                 Ok((services, woken, changed))
             });
         match ports {
-            Ok((services, woken, changed)) => {
-                Ok(Self { current: None, locked: None, woken, changed, services, record, claim })
-            }
+            Ok((services, woken, changed)) => Ok(Self {
+                current: None,
+                dropped: Mutex::default(),
+                locked: None,
+                woken,
+                changed,
+                services,
+                record,
+                claim,
+            }),
             Err(error) => {
                 // It has served nothing; what cannot be removed is the next daemon's.
                 let _ = record.close();
@@ -107,12 +127,39 @@ impl MapPorts {
     /// Makes a publisher whose sample was sent the current one and drops the one before: readers keep what they hold.
     pub(crate) fn replace(
         &mut self,
-        current: (MapPublisher, GenerationInfo),
+        current: Current,
         locked: Option<LockedPages>,
         _exclusive: Option<&AttachGuard>,
     ) {
-        self.current = Some(current);
+        let before = self.current.replace(current);
         self.locked = locked;
+        // Its publisher goes here.
+        let dropped = before.and_then(|Current { info, kept, .. }| Some((kept?, info.generation)));
+        if let Some((kept, generation)) = dropped
+            && self.dropped().len() < MOST
+        {
+            self.dropped().push(Dropped::new(kept, generation));
+        }
+        self.let_go();
+    }
+
+    /// Gives the memory back of generations that nobody holds any more.
+    pub(crate) fn let_go(&self) {
+        self.dropped().retain(Dropped::is_held);
+    }
+
+    fn dropped(&self) -> MutexGuard<'_, Vec<Dropped>> {
+        self.dropped.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Generations before that readers hold, as when last looked.
+    pub(crate) fn held(&self, map: &str) -> Vec<HeldGeneration> {
+        let held = |dropped: &Dropped| HeldGeneration {
+            map: map.to_owned(),
+            generation: dropped.generation,
+            bytes: dropped.bytes(),
+        };
+        self.dropped().iter().map(held).collect()
     }
 
     /// Tells those who wait.
@@ -124,7 +171,7 @@ impl MapPorts {
 
     /// What is served.
     pub(crate) fn info(&self) -> Option<&GenerationInfo> {
-        self.current.as_ref().map(|(_, info)| info)
+        self.current.as_ref().map(|current| &current.info)
     }
 
     /// Subscriptions now.
@@ -140,7 +187,7 @@ impl MapPorts {
 
     /// Gives the generation to newcomers.
     pub(crate) fn greet(&self, map: &str, notify: &dyn Fn(&Notice)) {
-        let Some((publisher, _)) = &self.current else { return };
+        let Some(Current { publisher, .. }) = &self.current else { return };
         // A newcomer costs a queue.
         let greeted = memory::check_queue().map_err(|error| error.to_string()).and_then(|()| {
             reserving(|| publisher.update_connections()).map_err(|error| format!("{error:?}"))
@@ -154,9 +201,9 @@ impl MapPorts {
     ///
     /// Errors: the record cannot be removed; it says that nothing is served.
     pub(crate) fn close(self) -> std::io::Result<()> {
-        let Self { current, locked, woken, changed, services, record, claim } = self;
+        let Self { current, dropped, locked, woken, changed, services, record, claim } = self;
         let closed = record.close();
-        drop((current, locked, woken, changed, services));
+        drop((current, dropped, locked, woken, changed, services));
         claim.release();
         closed
     }

@@ -13,7 +13,7 @@ use super::reserve::reserving;
 use super::rights;
 use super::segment::SegmentType;
 use super::served_map::{MapOf, MapPorts};
-use super::sharing::{check_owner_is_us, share_root};
+use super::sharing::check_owner_is_us;
 use super::stop::StopSignal;
 use iceoryx2::prelude::{Node, NodeBuilder, NodeName, SignalHandlingMode};
 use mapd_transport::{
@@ -75,7 +75,7 @@ pub struct Server {
     pub(super) lock_memory: bool,
     pub(super) share: Share,
     /// Whether it found the domain deserted.
-    alone: bool,
+    pub(super) alone: bool,
     pub(super) segment_type: SegmentType,
     patience: Cell<Duration>,
     next_round: Instant,
@@ -161,15 +161,6 @@ impl Server {
     /// generation whose pages cannot be locked is refused with [`ServeError::NotLocked`].
     pub fn lock_memory(&mut self, lock: bool) {
         self.lock_memory = lock;
-    }
-
-    /// Lets a group read what is published from now on, or nobody, which is the default. Before the first map is claimed.
-    ///
-    /// Errors: this user is not in the group; the domain is shared with another group already; what the system says.
-    pub fn share(&mut self, share: Share) -> Result<(), ServeError> {
-        share_root(&self.domain, share, self.alone)?;
-        self.share = share;
-        Ok(())
     }
 
     /// Claims a map before its first generation is ready, so that a second daemon fails at once and clients know that the
@@ -263,6 +254,7 @@ impl Server {
 
     /// Cleans up and greets, if nobody is attaching just now.
     fn round(&self, missed: &mut u32) -> Result<(), ServeError> {
+        self.let_go();
         // A process that is stopped while it holds the lock costs newcomers little: once it is known, hardly any wait.
         let patience = if *missed == 0 { ROUND_PATIENCE } else { PATIENCE_LOST };
         let Some(exclusive) = self.lock.exclusive(Instant::now() + patience)? else {

@@ -1,12 +1,24 @@
 //! Who may read what is served.
 
 use super::error::ServeError;
+use super::server::Server;
 use mapd_transport::{AttachError, Domain, Share};
 use rustix::fs::{Mode, OFlags};
 use std::io;
 
 /// Rights of a group.
 const OF_GROUP: Mode = Mode::RWXG;
+
+impl Server {
+    /// Lets a group read what is published from now on, or nobody, which is the default. Before the first map is claimed.
+    ///
+    /// Errors: this user is not in the group; the domain is shared with another group already; what the system says.
+    pub fn share(&mut self, share: Share) -> Result<(), ServeError> {
+        share_root(&self.domain, share, self.alone)?;
+        self.share = share;
+        Ok(())
+    }
+}
 
 /// A daemon serves as its own user, whoever is trusted in its environment.
 ///
@@ -24,7 +36,7 @@ pub(super) fn check_owner_is_us(domain: &Domain) -> Result<(), ServeError> {
 /// there is its user's alone all the same.
 ///
 /// Errors: this user is not in the group; the domain is shared with another group already; what the system says.
-pub(super) fn share_root(domain: &Domain, share: Share, alone: bool) -> Result<(), ServeError> {
+fn share_root(domain: &Domain, share: Share, alone: bool) -> Result<(), ServeError> {
     let failed = |error: rustix::io::Errno| ServeError::io(domain.root())(error.into());
     let flags = OFlags::RDONLY | OFlags::DIRECTORY | OFlags::NOFOLLOW | OFlags::CLOEXEC;
     let folder = rustix::fs::open(domain.root(), flags, Mode::empty()).map_err(failed)?;

@@ -2,7 +2,7 @@
 #![allow(unsafe_code)]
 
 use super::page::{PAGE_BYTES, Page};
-use crate::mapping::Mapping;
+use crate::mapping::{Mapping, leave_out_of_core_dumps};
 use crate::share::Share;
 use crate::user::trusts;
 use rustix::fd::OwnedFd;
@@ -135,6 +135,6 @@ pub(super) fn map_segment(
     // is trusted not to; lengths are read once when an archive is opened, so that a changed byte gives a wrong answer, not an access outside. It is not
     // shortened: iceoryx2 sizes a segment once, before it is sent, and unlinks it afterwards. It has no holes, so that reading never needs a new page.
     let map = unsafe { Mapping::read_only(&file, length)? };
-    map.leave_out_of_core_dumps();
+    leave_out_of_core_dumps(map.bytes());
     Ok(map)
 }

@@ -4,6 +4,7 @@
 use super::config::TransportService;
 use crate::error::AttachError;
 use crate::limits::TRANSPORT_REVISION;
+use crate::mapping::leave_out_of_core_dumps;
 use crate::payload::{Chunk64, GenerationInfo};
 use crate::presence::Presence;
 use iceoryx2::sample::Sample;
@@ -51,6 +52,7 @@ impl PinnedSample {
         //   and sends no other, and the daemon makes the file read-only afterwards.
         let bytes: &'static [u8] =
             unsafe { std::slice::from_raw_parts(chunks.as_ptr().cast::<u8>(), length) };
+        leave_out_of_core_dumps(bytes);
         let pinned = Self { bytes, _sample: Mutex::new(sample), _presence: presence.clone() };
         Ok((info, pinned))
     }
