@@ -9,6 +9,7 @@ use crate::commands::doctor::DoctorCommand;
 use crate::commands::export::ExportCommand;
 use crate::commands::inspect::InspectCommand;
 use crate::commands::query::{self, QueryCommand};
+use crate::commands::shell::{CompletionsCommand, ManCommand};
 use crate::commands::sign::SignCommand;
 use crate::commands::status::StatusCommand;
 use crate::commands::trace::{self, TraceCommand};
@@ -29,22 +30,22 @@ use std::sync::Arc;
 #[derive(Parser)]
 #[command(version, args_conflicts_with_subcommands = true, after_help = EXIT_CODES)]
 struct Cli {
-    #[command(flatten)]
+    #[command(flatten, next_help_heading = "Serving")]
     daemon: DaemonArgs,
 
-    #[command(flatten)]
+    #[command(flatten, next_help_heading = "Compiling")]
     options: BuildArgs,
 
-    #[command(flatten)]
+    #[command(flatten, next_help_heading = "Findings")]
     judging: JudgingArgs,
 
-    #[command(flatten)]
+    #[command(flatten, next_help_heading = "Trust")]
     trust: TrustArgs,
 
-    #[command(flatten)]
+    #[command(flatten, next_help_heading = "Operating")]
     oversight: OversightArgs,
 
-    #[command(flatten)]
+    #[command(flatten, next_help_heading = "Shared memory")]
     domain: DomainArgs,
 
     #[command(subcommand)]
@@ -91,11 +92,24 @@ enum Command {
     Rollback(StagedChange),
     /// Serve the staged generation
     Activate(ChangeArgs),
+    /// Write the script with which a shell completes commands and options
+    #[command(
+        after_help = "bash: mapd completions bash > ~/.local/share/bash-completion/completions/mapd"
+    )]
+    Completions(CompletionsCommand),
+    /// Write the man pages
+    Man(ManCommand),
 }
+
+/// Options of the daemon that `mapd -h` tells, so that it fits a screen; `mapd --help` tells all.
+const TOLD_FIRST: [&str; 7] = ["load", "name", "config", "watch", "cache", "metrics", "prefix"];
 
 /// The command line itself: commands, options and their help, to be looked at or completed.
 pub fn command() -> clap::Command {
-    Cli::command()
+    Cli::command().mut_args(|arg| {
+        let told = TOLD_FIRST.contains(&arg.get_id().as_str());
+        arg.hide_short_help(!told)
+    })
 }
 
 /// Runs the program with the process's arguments.
@@ -157,8 +171,8 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
     let cli = Cli::from_arg_matches(matches)?;
     check_room()?;
     let out = &mut BufWriter::new(io::stdout().lock());
-    let Some(command) = cli.command else { return serve(&cli, matches) };
-    let exit = match command {
+    let Some(wanted) = cli.command else { return serve(&cli, matches) };
+    let exit = match wanted {
         Command::Compile(command) => {
             let matches = matches.subcommand_matches(COMPILE).unwrap_or(matches);
             compile::run(*command, matches, out)
@@ -176,6 +190,8 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
         Command::Reload(change) => change.reload(out),
         Command::Rollback(change) => change.rollback(out),
         Command::Activate(change) => change.activate(out),
+        Command::Completions(completions) => completions.run(command(), out),
+        Command::Man(man) => man.run(command()),
     }?;
     out.flush()?;
     Ok(exit)
@@ -184,7 +200,7 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
 /// What mapd does without a command: it is the daemon, or says how it is used.
 fn serve(cli: &Cli, matches: &ArgMatches) -> Result<Exit> {
     if !cli.daemon.is_wanted() {
-        Cli::command().print_help()?;
+        command().print_help()?;
         return Ok(Exit::Usage);
     }
     let domain = cli.domain.named()?;

@@ -5,10 +5,29 @@ pub use mapd_transport::hex;
 use mapd_xodr::source::Places;
 use mapd_xodr::{Severity, rule_ids};
 use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
 use std::io::Write as _;
 
 /// Findings of each severity that are printed; the JSON report has all that were kept.
 const PRINTED: usize = 20;
+
+/// Findings of a rule that are told to people one by one; those that take something out of the map always are.
+const TOLD_OF_A_RULE: usize = 3;
+
+/// Which findings are told one by one: the first few of each rule.
+#[derive(Default)]
+pub(crate) struct Folding {
+    told: HashMap<&'static str, usize>,
+}
+
+impl Folding {
+    /// Whether the next finding is told.
+    pub(crate) fn tells(&mut self, diagnostic: &Diagnostic) -> bool {
+        let told = self.told.entry(diagnostic.finding.rule).or_default();
+        *told += 1;
+        diagnostic.rejects || *told <= TOLD_OF_A_RULE
+    }
+}
 
 /// The JSON report.
 #[derive(Serialize)]
@@ -167,8 +186,8 @@ pub fn report<'a>(file: &'a str, compiled: &'a Compilation) -> Report<'a> {
     }
 }
 
-/// Prints findings to stderr: what the map is rejected for, other errors, warnings, the first of each; information only as a
-/// count.
+/// Prints findings to stderr: what the map is rejected for, other errors, warnings, the first of each and of each rule;
+/// information is not printed.
 pub fn print(file: &str, compiled: &Compilation) {
     let mut err = std::io::stderr().lock();
     let counts = counts(compiled);
@@ -178,7 +197,10 @@ pub fn print(file: &str, compiled: &Compilation) {
         (Severity::Error, counts.errors, errors(true).chain(errors(false)).collect::<Vec<_>>()),
         (Severity::Warning, counts.warnings, of(compiled, Severity::Warning).collect()),
     ] {
-        for d in printed.into_iter().take(PRINTED) {
+        let mut folding = Folding::default();
+        let told: Vec<&Diagnostic> =
+            printed.into_iter().filter(|d| folding.tells(d)).take(PRINTED).collect();
+        for d in &told {
             let f = &d.finding;
             let name = severity_name(severity);
             let (file, line, column) = (place(file, d), d.line, d.column);
@@ -190,11 +212,11 @@ pub fn print(file: &str, compiled: &Compilation) {
                 let _ = writeln!(err, "    hint: {}", f.hint);
             }
         }
-        if count > PRINTED {
+        if count > told.len() {
             let _ = writeln!(
                 err,
                 "{file}: {} more {}s; `--report` writes all",
-                count - PRINTED,
+                count - told.len(),
                 severity_name(severity)
             );
         }

@@ -12,6 +12,7 @@ mod page;
 mod path_queries;
 mod progress;
 mod readme;
+mod shell;
 mod tiles;
 mod tiles_page;
 mod units;

@@ -89,7 +89,7 @@ fn what_is_left_out_is_told_by_every_command() {
         assert_eq!(run(&["compile", &path, "-o", &archive], "").2, Some(3), "{name}");
         let (out, err, code) = run(&["inspect", &archive, "--verify"], "");
         assert_eq!(code, Some(0), "{err}");
-        assert!(out.contains(&format!("quarantined   {name}, by line ")), "{out}");
+        assert!(out.contains(&format!("quarantine    1 part\n  {name}: line ")), "{out}");
         let (out, ..) = run(&["inspect", &archive, "--json"], "");
         assert!(out.contains("\"owner_kind\": \"road\""), "{out}");
         // Near the hole and far from it.

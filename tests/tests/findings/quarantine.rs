@@ -30,7 +30,7 @@ type Case = (&'static str, &'static str, &'static str, &'static [(&'static str, 
 
 const ROAD: &[(&str, &str)] = &[("road", "2")];
 
-const CASES: [Case; 20] = [
+const CASES: [Case; 19] = [
     ("length", r#"<road id="2" length="100""#, r#"<road id="2" length="long""#, ROAD),
     ("length not finite", r#"<road id="2" length="100""#, r#"<road id="2" length="INF""#, ROAD),
     ("x", r#"x="100" y="0""#, r#"x="NaN" y="0""#, ROAD),
@@ -64,12 +64,6 @@ const CASES: [Case; 20] = [
     ("road id twice", r#"<road id="6""#, r#"<road id="2""#, &[("road", "2"), ("road", "2")]),
     ("place of an object", r#"s="50" t="4""#, r#"s="50" t="4+2i""#, &[("object", "o1")]),
     ("signal without s", r#"<signal id="s1" s="40""#, r#"<signal id="s1""#, &[("signal", "s1")]),
-    (
-        "signals that depend on each other",
-        r#"subtype="50" country="DE"/>"#,
-        r#"subtype="50" country="DE"><dependency id="s2"/></signal>"#,
-        &[("signal", "s1")],
-    ),
     ("lane link", r#"<laneLink from="-1""#, r#"<laneLink from="one""#, &[("connection", "c0")]),
 ];
 

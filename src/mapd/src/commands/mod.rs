@@ -8,6 +8,7 @@ pub(crate) mod doctor;
 pub mod export;
 pub(crate) mod inspect;
 pub mod query;
+pub(crate) mod shell;
 pub(crate) mod sign;
 pub(crate) mod status;
 pub(crate) mod trace;

@@ -34,6 +34,9 @@ pub(crate) struct CheckCommand {
     /// Output format of findings
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    /// text: tell every finding, not only the first three of each rule
+    #[arg(long)]
+    all: bool,
     #[command(flatten)]
     frame: FrameArgs,
     #[command(flatten)]
@@ -131,7 +134,7 @@ impl CheckCommand {
             .with_context(|| format!("reading {}", file.display()))?;
         bar.finish();
         match self.format {
-            Format::Text => text::write(file, &checked, out)?,
+            Format::Text => text::write(file, &checked, self.all, out)?,
             Format::Json => json::write(file, &checked, out)?,
             Format::Sarif => sarif::write(file, &checked, out)?,
             Format::Xqar => xqar::write(file, &checked, out)?,

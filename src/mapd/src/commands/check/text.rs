@@ -1,17 +1,27 @@
 //! Findings for people.
 
 use super::excerpt::excerpts;
-use crate::report::{counts, severity_name, verdict_name};
+use crate::report::{Folding, counts, severity_name, verdict_name};
 use anyhow::Result;
 use mapd_compiler::{Compilation, Verdict};
 use std::io::Write;
 use std::path::Path;
 
-/// Writes each finding in file order, then how many there are of each rule, then the verdict.
-pub(super) fn write(file: &Path, checked: &Compilation, out: &mut dyn Write) -> Result<()> {
+/// Writes the findings in file order, of each rule the first few or `all`, then how many there are of each rule, then the verdict.
+pub(super) fn write(
+    file: &Path,
+    checked: &Compilation,
+    all: bool,
+    out: &mut dyn Write,
+) -> Result<()> {
     let name = file.display().to_string();
     let excerpts = excerpts(file, &checked.diagnostics);
+    let (mut folding, mut folded) = (Folding::default(), 0);
     for (d, excerpt) in checked.diagnostics.iter().zip(excerpts) {
+        if !folding.tells(d) && !all {
+            folded += 1;
+            continue;
+        }
         let f = &d.finding;
         let place = if d.file.is_empty() { name.as_str() } else { &d.file };
         let severity = severity_name(f.severity);
@@ -43,6 +53,9 @@ pub(super) fn write(file: &Path, checked: &Compilation, out: &mut dyn Write) -> 
         if !f.hint.is_empty() {
             writeln!(out, "    hint: {}", f.hint)?;
         }
+    }
+    if folded > 0 {
+        writeln!(out, "{folded} more findings of these rules; --all tells each")?;
     }
     for (rule, count) in super::by_rule(checked) {
         writeln!(out, "{count:7} {rule}")?;

@@ -1,0 +1,99 @@
+//! What the program says of itself: help, completions and man pages; and how much it says to people.
+
+use mapd_tests::command::run;
+use mapd_tests::workspace;
+
+const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
+
+/// What a command writes to stdout.
+fn text(args: &[&str]) -> String {
+    let output = run(MAPD, args, "");
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{args:?}: {errors}");
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+/// Names of the commands that are not hidden.
+fn commands() -> Vec<String> {
+    let shown = |command: &&clap::Command| !command.is_hide_set();
+    let command = mapd::cli::command();
+    command.get_subcommands().filter(shown).map(|one| one.get_name().to_owned()).collect()
+}
+
+/// Lines of a terminal that people have.
+const SCREEN: usize = 50;
+
+#[test]
+fn short_help_fits_a_screen_and_long_help_has_all_under_headings() {
+    let short = text(&["-h"]);
+    assert!(short.lines().count() <= SCREEN, "{short}");
+    let long = text(&["--help"]);
+    for heading in ["Serving:", "Compiling:", "Findings:", "Trust:", "Operating:", "Shared memory:"]
+    {
+        assert!(long.contains(heading), "{heading} in {long}");
+    }
+    let options = mapd::cli::command();
+    for option in options.get_arguments().filter_map(clap::Arg::get_long) {
+        assert!(long.contains(&format!("--{option}")), "{option} in {long}");
+    }
+    for command in commands() {
+        assert!(short.contains(&format!("\n  {command}")), "{command} in {short}");
+    }
+}
+
+#[test]
+fn every_shell_and_man_have_every_command() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = text(&["completions", shell]);
+        for command in commands() {
+            assert!(script.contains(&command), "{command} for {shell}");
+        }
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let pages = folder.path().join("man1");
+    text(&["man", pages.to_str().expect("text")]);
+    for command in commands() {
+        let page = std::fs::read_to_string(pages.join(format!("mapd-{command}.1")));
+        assert!(page.is_ok_and(|page| page.starts_with(".ie")), "a page for {command}");
+    }
+    assert!(pages.join("mapd.1").exists());
+}
+
+#[test]
+fn inspect_shows_tables_where_they_are_asked_for() {
+    let town = workspace().join("examples/maps/town.xodr").display().to_string();
+    let page = text(&["inspect", &town]);
+    assert!(page.contains("extent        211.0 m × 211.0 m, 0.0 m high\n"), "{page}");
+    assert!(page.contains("quarantine    empty: nothing was left out\n"), "{page}");
+    assert!(!page.contains("lane_nodes"), "{page}");
+    let with_tables = text(&["inspect", &town, "--tables"]);
+    assert!(with_tables.starts_with(page.trim_end()), "{with_tables}");
+    assert!(with_tables.contains("\nlane_nodes "), "{with_tables}");
+    assert!(!with_tables.contains("\nlane_rules "), "no empty tables: {with_tables}");
+}
+
+#[test]
+fn findings_of_one_rule_fold_after_three() {
+    const COUNT: usize = 10;
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("map.xodr");
+    let town = std::fs::read_to_string(workspace().join("examples/maps/town.xodr")).expect("read");
+    // An attribute that no version knows, on the first roads.
+    std::fs::write(&path, town.replacen("<road ", "<road odd=\"1\" ", COUNT)).expect("written");
+    let map = path.to_str().expect("text");
+    let told = |text: &str| text.lines().filter(|line| line.contains(": warning[")).count();
+    let folded = text(&["check", map]);
+    assert_eq!(told(&folded), 3, "{folded}");
+    assert!(folded.contains("\n9 more findings of these rules; --all tells each\n"), "{folded}");
+    let all = text(&["check", map, "--all"]);
+    assert_eq!(told(&all), COUNT, "{all}");
+    assert!(!all.contains("--all"), "{all}");
+    let compiled = run(
+        MAPD,
+        &["compile", map, "-o", folder.path().join("m.mapd").to_str().expect("text")],
+        "",
+    );
+    let errors = String::from_utf8_lossy(&compiled.stderr).into_owned();
+    assert_eq!(told(&errors), 3, "{errors}");
+    assert!(errors.contains(": 7 more warnings; `--report` writes all\n"), "{errors}");
+}
