@@ -23,7 +23,7 @@ def main(arguments: list[str]) -> None:
         print("no lane within 10 m")
         return
     print(f"on {hit.lane} at s = {hit.s:.2f} m, {hit.offset:+.2f} m beside its centre")
-    limit = hit.lane.speed_limit_at(hit.s)
+    limit = hit.lane.speed_rule_at(hit.s).max
     print("speed limit", "unknown" if limit is None else f"{limit * 3.6:.0f} km/h")
 
     for lanes in map.lane_sequences_ahead(hit, 150.0):

@@ -150,6 +150,74 @@ int main(int argc, char **argv) {
   steps[0].enter = 200;
   EXPECT(MAPD_CODE_ARGUMENT, mapd_lines_along(map, steps, count, scratch, lines, 4, &length, &error));
 
+  /* Paths. */
+  mapd_path *path = NULL;
+  mapd_path_point at[2];
+  mapd_path_position foot;
+  mapd_corridor_station station;
+  mapd_path_conflict conflict;
+  const double places_along[] = {0.5, NAN};
+  const mapd_vec2 nan_place = {NAN, 0.0};
+  steps[0].enter = MAPD_ENTER_START;
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_path_new(map, steps, 0, &path, &error));
+  EXPECT(MAPD_CODE_FOREIGN_ID, mapd_path_new(other, steps, count, &path, &error));
+  EXPECT(MAPD_CODE_OK, mapd_path_new(map, steps, count, &path, &error));
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_path_at(path, NAN, at, &error));
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_path_at_batch(path, places_along, 2, at, &error));
+  if (strncmp(error.message, "entry 1:", 8) != 0 || at[0].along != 0.5) ++failures;
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_path_at_batch(path, NULL, 2, at, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_path_at_batch(path, places_along, 2, NULL, &error));
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_path_project(path, nan_place, NULL, &foot, &error));
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_path_project_batch(path, &nan_place, 1, &foot, &error));
+  EXPECT(MAPD_CODE_NONE, mapd_path_along_of(path, wrong, 1.0, &number, &error));
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_path_corridor(path, 0.0, 1.0, 0.0, 0, scratch, &station, 1, &count, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_path_corridor(path, 0.0, 1.0, 0.5, 200, scratch, &station, 1, &count, &error));
+  EXPECT(MAPD_CODE_TOO_SMALL, mapd_path_corridor(path, 0.0, 1.0, 0.5, 0, scratch, &station, 1, &count, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_path_conflicts(path, NULL, &conflict, 1, &count, &error));
+  EXPECT(MAPD_CODE_OK, mapd_path_conflicts(path, scratch, &conflict, 1, &count, &error));
+  mapd_path_close(&path);
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_path_length(path, &number, &error));
+
+  /* Ground, marks and matches. */
+  mapd_ground ground[2];
+  mapd_near_mark mark;
+  mapd_mark_filter filter;
+  mapd_lane_match match;
+  mapd_match_options match_options;
+  mapd_trace_match traced[2];
+  const mapd_point two[] = {point, nan_point};
+  const mapd_vec2 here = {50.0, -1.75};
+  const mapd_vehicle_pose pose = {point, 0.0}, nan_pose = {point, NAN};
+  const double covariance[9] = {0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1}, skew[9] = {0.1, 1, 0, 0, 0.1, 0, 0, 0, 0.1};
+  const mapd_trace_fix fixes[] = {{1.0, point, 0.0, 0}, {0.0, point, 0.0, 0}};
+  EXPECT(MAPD_CODE_OK, mapd_ground_at(map, point, scratch, ground, &error));
+  EXPECT(MAPD_CODE_NONE, mapd_ground_at(map, far_off, scratch, ground, &error));
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_ground_at_batch(map, two, 2, scratch, ground, &error));
+  if (strncmp(error.message, "entry 1:", 8) != 0 || ground[0].lane.row != hit.lane.row) ++failures;
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_ground_at_batch(map, two, 2, NULL, ground, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_mark_filter_init(&filter, 1, &error));
+  EXPECT(MAPD_CODE_OK, mapd_mark_filter_init(&filter, sizeof filter, &error));
+  filter.kinds = 0;
+  EXPECT(MAPD_CODE_NONE, mapd_nearest_mark(map, here, &filter, &mark, &error));
+  filter.size = 8;
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_nearest_mark(map, here, &filter, &mark, &error));
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_nearest_mark_batch(map, &nan_place, 1, NULL, &mark, &error));
+  EXPECT(MAPD_CODE_TOO_SMALL, mapd_match_pose(map, pose, covariance, NULL, scratch, &match, 1, &count, NULL, &error));
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_match_pose(map, nan_pose, covariance, NULL, scratch, &match, 1, &count, NULL, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_match_pose(map, pose, skew, NULL, scratch, &match, 1, &count, NULL, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_match_pose(map, pose, NULL, NULL, scratch, &match, 1, &count, NULL, &error));
+  EXPECT(MAPD_CODE_OK, mapd_match_options_init(&match_options, sizeof match_options, &error));
+  match_options.expected_count = 2;
+  EXPECT(MAPD_CODE_NULL_POINTER,
+         mapd_match_pose(map, pose, covariance, &match_options, scratch, &match, 1, &count, NULL, &error));
+  match_options.expected_count = 0;
+  match_options.none = 0.0;
+  EXPECT(MAPD_CODE_ARGUMENT,
+         mapd_match_pose(map, pose, covariance, &match_options, scratch, &match, 1, &count, NULL, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_match_trace(map, fixes, 2, NULL, scratch, traced, &error));
+  EXPECT(MAPD_CODE_OK, mapd_match_trace(map, fixes, 1, NULL, scratch, traced, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_match_trace(map, fixes, 1, NULL, scratch, NULL, &error));
+
   /* Words. */
   mapd_text text;
   EXPECT(MAPD_CODE_ARGUMENT, mapd_word(99, 0, &text, &error));

@@ -1,12 +1,14 @@
 //! Batches: columns that are filled without the interpreter's lock.
 
 use crate::errors::query_in_row;
-use crate::held::id;
+use crate::held::{Held, id};
 use crate::input::NONE_ID;
-use mapd_client::{Clamped, LanePosition, Pose, QueryError, TrackPosition};
+use crate::signal::Signal;
+use mapd_client::{Clamped, LanePosition, Pose, QueryError, SpeedRule, TrackPosition};
 use numpy::{IntoPyArray, ndarray::Array2};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
+use std::sync::Arc;
 
 /// A column of any type.
 pub(crate) enum Column {
@@ -126,6 +128,44 @@ impl Positions {
         columns.push(Column::Codes(self.clamped));
         columns
     }
+}
+
+/// Words of speed limits' origins; columns hold their places.
+pub(crate) const SPEED_ORIGINS: [&str; 6] =
+    ["written", "sign", "entry", "default", "depends", "unknown"];
+
+/// Columns of speed limits.
+pub(crate) struct Speeds {
+    max: Vec<f64>,
+    origin: Vec<i8>,
+}
+
+impl Speeds {
+    pub(crate) fn with_capacity(rows: usize) -> Self {
+        Self { max: Vec::with_capacity(rows), origin: Vec::with_capacity(rows) }
+    }
+
+    pub(crate) fn push(&mut self, rule: &SpeedRule) {
+        let name = rule.origin.name();
+        self.max.push(rule.max.unwrap_or(f64::NAN));
+        let place = SPEED_ORIGINS.iter().position(|one| *one == name);
+        self.origin.push(place.map_or(-1, |place| place as i8));
+    }
+
+    pub(crate) fn columns(self) -> Vec<Column> {
+        vec![Column::Numbers(self.max), Column::Codes(self.origin)]
+    }
+}
+
+/// A speed limit as a result.
+pub(crate) fn speed_rule<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    rule: &SpeedRule,
+) -> PyResult<Bound<'py, PyAny>> {
+    let signal = rule.signal.map(|signal| Signal::new(held, signal));
+    let fields = fields!(py, max = rule.max, origin = rule.origin.name(), signal = signal);
+    result(py, "SpeedRule", &fields)
 }
 
 /// Columns of poses.

@@ -1,7 +1,8 @@
 //! Errors: a class per kind, in `mapd._errors`.
 
-use mapd_client::{AttachError, ClientError, QueryError};
+use mapd_client::{AttachError, ClientError, MatchError, QueryError};
 use pyo3::IntoPyObject;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
@@ -18,26 +19,44 @@ fn with<'py>(py: Python<'py>, class: &str, args: PyResult<Bound<'py, PyTuple>>) 
     made().unwrap_or_else(|error| error)
 }
 
-/// Why a query has no answer, as Python has it.
-pub(crate) fn query(error: QueryError) -> PyErr {
-    let class = match error {
+fn query_class(error: &QueryError) -> &'static str {
+    match error {
         QueryError::ForeignId => "ForeignIdError",
         QueryError::Corrupt => "CorruptError",
-        QueryError::NotFinite => "NotFiniteError",
+        QueryError::NotFinite | QueryError::NotFiniteAt(_) => "NotFiniteError",
         _ => "QueryError",
-    };
-    raise(class, error.to_string())
+    }
+}
+
+/// Why a query has no answer, as Python has it.
+pub(crate) fn query(error: QueryError) -> PyErr {
+    raise(query_class(&error), error.to_string())
 }
 
 /// As [`query`], of a row of a batch.
 pub(crate) fn query_in_row((row, error): (usize, QueryError)) -> PyErr {
-    let class = match error {
-        QueryError::ForeignId => "ForeignIdError",
-        QueryError::Corrupt => "CorruptError",
-        QueryError::NotFinite => "NotFiniteError",
-        _ => "QueryError",
-    };
-    raise(class, format!("row {row}: {error}"))
+    raise(query_class(&error), format!("row {row}: {error}"))
+}
+
+/// Why a pose or trace has no match; what was given wrongly is Python's own error.
+fn match_error(row: &str, error: MatchError) -> PyErr {
+    match &error {
+        MatchError::Query(query) => raise(query_class(query), format!("{row}{error}")),
+        MatchError::Pose(_) | MatchError::NotFinite(..) | MatchError::Fix(_) => {
+            raise("NotFiniteError", format!("{row}{error}"))
+        }
+        _ => PyValueError::new_err(format!("{row}{error}")),
+    }
+}
+
+/// As [`query`], of a match.
+pub(crate) fn matching(error: MatchError) -> PyErr {
+    match_error("", error)
+}
+
+/// As [`query_in_row`], of a match.
+pub(crate) fn match_in_row((row, error): (usize, MatchError)) -> PyErr {
+    match_error(&format!("row {row}: "), error)
 }
 
 /// Why a map cannot be had, as Python has it.

@@ -121,6 +121,23 @@ pub(crate) fn column_of_any(what: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec
     }
 }
 
+/// Matrices of three by three, row by row: one for all rows, or one for each.
+pub(crate) fn matrices(what: &Bound<'_, PyAny>, name: &str, rows: usize) -> PyResult<Vec<f64>> {
+    let array = floats(what, name, "(3, 3) or (N, 3, 3)")?;
+    match array.shape() {
+        [3, 3] => numbers(&array),
+        [count, 3, 3] if *count == rows => numbers(&array),
+        shape => Err(PyValueError::new_err(format!(
+            "{name}: expected an array of shape (3, 3) or ({rows}, 3, 3), found {shape:?}"
+        ))),
+    }
+}
+
+/// A number that has to be finite.
+pub(crate) fn finite(number: f64) -> Result<f64, QueryError> {
+    if number.is_finite() { Ok(number) } else { Err(QueryError::NotFinite) }
+}
+
 /// An array of ids, one for each row.
 pub(crate) fn ids(what: &Bound<'_, PyAny>, name: &str, rows: Option<usize>) -> PyResult<Vec<u64>> {
     let Ok(array) = what.cast::<PyArrayDyn<u64>>() else {

@@ -1,6 +1,6 @@
 //! Lanes, and many lanes' lines at once.
 
-use crate::batch::{Column, clamped_code, columns, fields, pose, result, triples};
+use crate::batch::{Column, clamped_code, columns, fields, pose, result, speed_rule, triples};
 use crate::errors::query;
 use crate::held::{Held, content, id};
 use crate::input::{one_point, vehicle_of};
@@ -127,8 +127,9 @@ impl Lane {
         Ok(self.lane()?.width_at(s))
     }
 
-    fn speed_limit_at(&self, s: f64) -> PyResult<Option<f64>> {
-        Ok(self.lane()?.speed_rule_at(s).max)
+    fn speed_rule_at<'py>(&self, py: Python<'py>, s: f64) -> PyResult<Bound<'py, PyAny>> {
+        let rule = self.lane()?.speed_rule_at(crate::input::finite(s).map_err(query)?);
+        speed_rule(py, &self.held, &rule)
     }
 
     #[pyo3(signature = (s, vehicle = "passengerCar"))]

@@ -11,10 +11,12 @@ mod batch;
 mod client;
 mod compile;
 mod errors;
+mod ground;
 mod held;
 mod input;
 mod lane;
 mod map;
+mod matching;
 mod object;
 mod path;
 mod raw;
@@ -23,6 +25,14 @@ mod route;
 mod signal;
 
 use pyo3::prelude::*;
+
+/// Words by their codes.
+fn words<T>(
+    all: &[T],
+    of: impl Fn(&T) -> (u8, &'static str),
+) -> std::collections::BTreeMap<u8, &'static str> {
+    all.iter().map(of).collect()
+}
 
 /// The compiled part of `mapd`.
 #[pymodule]
@@ -38,5 +48,9 @@ fn _mapd(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_function(wrap_pyfunction!(map::open_archive, m)?)?;
     m.add_function(wrap_pyfunction!(compile::read_file, m)?)?;
     m.add("NONE", input::NONE_ID)?;
+    m.add("LANE_TYPES", words(mapd_client::LaneType::ALL, |one| (one.code(), one.name())))?;
+    m.add("MARK_KINDS", words(mapd_client::RoadMarkKind::ALL, |one| (one.code(), one.name())))?;
+    m.add("MARK_COLORS", words(mapd_client::RoadMarkColor::ALL, |one| (one.code(), one.name())))?;
+    m.add("SPEED_ORIGINS", batch::SPEED_ORIGINS)?;
     m.add("__version__", env!("CARGO_PKG_VERSION"))
 }

@@ -1,15 +1,19 @@
 //! A map: one pinned generation and what is asked of all of it.
 
-use crate::batch::{Column, Positions, answer, columns, fields, result};
+use crate::batch::{Column, Positions, Speeds, answer, columns, fields, result};
 use crate::errors::{client, query, raise};
-use crate::held::{Held, content, id};
-use crate::input::{Rows, column, lane_of, lane_of_id, one_point, region_of, triple, types_of};
+use crate::held::{Held, content};
+use crate::input::{
+    Rows, column, finite, lane_of, lane_of_id, one_point, region_of, triple, types_of, vehicle_of,
+};
 use crate::lane::{self, Lane};
 use crate::object::Object;
 use crate::road::Road;
 use crate::signal::Signal;
 use mapd_client::glam::{DVec2, DVec3};
-use mapd_client::{Geodetic, LaneTypes, Nearest, NearestOptions, Snapshot};
+use mapd_client::{
+    Geodetic, LaneTypes, MatchOptions, Nearest, NearestOptions, Snapshot, TraceOptions,
+};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::path::PathBuf;
@@ -312,51 +316,110 @@ impl Map {
         columns(py, "Poses", found.columns(), out)
     }
 
-    #[pyo3(signature = (points, *, z_tolerance = None, types = None, out = None))]
-    fn height<'py>(
+    #[pyo3(signature = (lanes, s, *, out = None))]
+    fn speed_rule_at<'py>(
+        &self,
+        py: Python<'py>,
+        lanes: &Bound<'py, PyAny>,
+        s: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let lanes = crate::input::ids(lanes, "lanes", None)?;
+        let s = column(s, "s", lanes.len())?;
+        let found = answer(py, || {
+            let mut found = Speeds::with_capacity(lanes.len());
+            for (row, id) in lanes.iter().enumerate() {
+                let lane = lane_of_id(self.map(), *id).map_err(|error| (row, error))?;
+                let s = finite(s[row]).map_err(|error| (row, error))?;
+                found.push(&lane.speed_rule_at(s));
+            }
+            Ok(found)
+        })?;
+        columns(py, "SpeedRules", found.columns(), out)
+    }
+
+    #[pyo3(signature = (points, *, out = None))]
+    fn ground_at<'py>(
         &self,
         py: Python<'py>,
         points: &Bound<'py, PyAny>,
-        z_tolerance: Option<f64>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Option<Bound<'py, PyAny>>> {
+        crate::ground::ground_at(py, &self.0, points, out)
+    }
+
+    #[pyo3(signature = (points, *, radius = 5.0, kinds = None, types = None, out = None))]
+    fn nearest_mark<'py>(
+        &self,
+        py: Python<'py>,
+        points: &Bound<'py, PyAny>,
+        radius: f64,
+        kinds: Option<Vec<String>>,
         types: Option<&Bound<'py, PyAny>>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Option<Bound<'py, PyAny>>> {
-        let options = options(0.0, types, z_tolerance, None)?;
-        if let Some(point) = one_point(points, "points")? {
-            let map = self.map();
-            let Some(hit) = map.nearest_lane(point, &options).map_err(query)? else {
-                return Ok(None);
-            };
-            let (z, normal) = surface(map, &hit).map_err(query)?;
-            let lane = Lane::new(&self.0, hit.lane.row());
-            let fields =
-                fields!(py, z = z, nx = normal.x, ny = normal.y, nz = normal.z, lane = lane);
-            return result(py, "Height", &fields).map(Some);
-        }
-        let points = Rows::of(points, "points", &[2, 3])?;
-        let (numbers, lanes) = answer(py, || {
-            let map = self.map();
-            let content = content(map);
-            let mut numbers: [Vec<f64>; 4] =
-                std::array::from_fn(|_| Vec::with_capacity(points.len()));
-            let mut lanes = Vec::with_capacity(points.len());
-            for (row, point) in points.points().enumerate() {
-                let hit = map.nearest_lane(point, &options).map_err(|error| (row, error))?;
-                let (values, lane) = match hit {
-                    Some(hit) => {
-                        let (z, n) = surface(map, &hit).map_err(|error| (row, error))?;
-                        ([z, n.x, n.y, n.z], id(content, hit.lane.row()))
-                    }
-                    None => ([f64::NAN; 4], crate::input::NONE_ID),
-                };
-                numbers.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
-                lanes.push(lane);
-            }
-            Ok((numbers, lanes))
-        })?;
-        let mut all: Vec<_> = numbers.into_iter().map(Column::Numbers).collect();
-        all.push(Column::Ids(lanes));
-        columns(py, "Heights", all, out).map(Some)
+        let filter = crate::ground::filter(radius, kinds, types)?;
+        crate::ground::nearest_mark(py, &self.0, points, &filter, out)
+    }
+
+    #[pyo3(signature = (points, heading, covariance, *, types = None, z_tolerance = None,
+        drive_deviation = 0.1, none = 0.01, vehicle = None, closed = 0.05, expected = None, unexpected = 0.05))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
+    fn match_pose<'py>(
+        &self,
+        py: Python<'py>,
+        points: &Bound<'py, PyAny>,
+        heading: &Bound<'py, PyAny>,
+        covariance: &Bound<'py, PyAny>,
+        types: Option<&Bound<'py, PyAny>>,
+        z_tolerance: Option<f64>,
+        drive_deviation: f64,
+        none: f64,
+        vehicle: Option<&str>,
+        closed: f64,
+        expected: Option<Vec<Bound<'py, PyAny>>>,
+        unexpected: f64,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let expected = expected.iter().flatten().map(|lane| lane_of(self.map(), lane));
+        let expected: Vec<_> =
+            expected.map(|lane| lane.map(|lane| lane.lane_id())).collect::<PyResult<_>>()?;
+        let options = MatchOptions {
+            types: types.map_or(Ok(LaneTypes::ALL), types_of)?,
+            z_tolerance,
+            drive_deviation,
+            none,
+            vehicle: vehicle.map(vehicle_of).transpose()?,
+            closed,
+            expected: &expected,
+            unexpected,
+        };
+        crate::matching::match_pose(py, &self.0, points, heading, covariance, &options)
+    }
+
+    #[pyo3(signature = (time, points, *, heading = None, deviation = 1.0, heading_deviation = 0.1,
+        change_interval = 30.0, vehicle = "passengerCar", types = None, out = None))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
+    fn match_trace<'py>(
+        &self,
+        py: Python<'py>,
+        time: &Bound<'py, PyAny>,
+        points: &Bound<'py, PyAny>,
+        heading: Option<&Bound<'py, PyAny>>,
+        deviation: f64,
+        heading_deviation: f64,
+        change_interval: f64,
+        vehicle: &str,
+        types: Option<&Bound<'py, PyAny>>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let options = TraceOptions {
+            deviation,
+            heading_deviation,
+            vehicle: vehicle_of(vehicle)?,
+            change_interval,
+            types: types.map_or(Ok(LaneTypes::drivable()), types_of)?,
+        };
+        crate::matching::match_trace(py, &self.0, time, points, heading, &options, out)
     }
 
     #[pyo3(signature = (region, *, types = None))]
@@ -502,16 +565,6 @@ impl Map {
             map.road_length() / 1000.0
         )
     }
-}
-
-/// Height and unit normal of the surface at a place on a lane.
-fn surface(
-    map: mapd_client::Map<'_>,
-    hit: &Nearest,
-) -> Result<(f64, DVec3), mapd_client::QueryError> {
-    let road = map.lane(hit.lane)?.road();
-    let surface = road.surface_at(hit.position.s, hit.position.t)?;
-    Ok((surface.position.z, surface.normal))
 }
 
 /// Three numbers for each row of two or three.

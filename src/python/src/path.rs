@@ -1,14 +1,14 @@
 //! A route as one line.
 
-use crate::batch::{Column, answer, clamped_code, columns, fields, result};
+use crate::batch::{Column, Speeds, answer, clamped_code, columns, fields, result, speed_rule};
 use crate::errors::{query, raise};
 use crate::held::{Held, content, id};
-use crate::input::{Rows, lane_of, one_point, vehicle_of};
+use crate::input::{Rows, finite, lane_of, one_point, vehicle_of};
 use crate::lane::Lane;
 use mapd_client::glam::DVec3;
 use mapd_client::{
     Corridor, EdgeMark, Enter, LanePlace, PathBuffer, PathConflict, PathOptions, PathPoint,
-    PathPosition, RouteStep,
+    PathPosition, QueryError, RouteStep,
 };
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -215,11 +215,31 @@ impl Path {
         columns(py, "PathPositions", found.columns(), out)
     }
 
-    fn speed_limit_at(&self, along: f64) -> PyResult<Option<f64>> {
-        Ok(self.path().map_err(query)?.speed_at(along).and_then(|rule| rule.max))
+    #[pyo3(signature = (along, *, out = None))]
+    fn speed_at<'py>(
+        &self,
+        py: Python<'py>,
+        along: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let path = self.path().map_err(query)?;
+        // Of a finite S there is always a rule; a damaged archive has none.
+        let rule = |along: f64| path.speed_at(finite(along)?).ok_or(QueryError::Corrupt);
+        if let Ok(along) = along.extract::<f64>() {
+            return speed_rule(py, &self.held, &rule(along).map_err(query)?);
+        }
+        let along = crate::input::column_of_any(along, "along")?;
+        let found = answer(py, || {
+            let mut found = Speeds::with_capacity(along.len());
+            for (row, along) in along.iter().enumerate() {
+                found.push(&rule(*along).map_err(|error| (row, error))?);
+            }
+            Ok(found)
+        })?;
+        columns(py, "SpeedRules", found.columns(), out)
     }
 
-    #[pyo3(signature = (step = 1.0, *, start = 0.0, length = None, vehicle = "passengerCar"))]
+    #[pyo3(signature = (step = 1.0, *, start = 0.0, length = None, vehicle = "passengerCar", out = None))]
     fn corridor<'py>(
         &self,
         py: Python<'py>,
@@ -227,6 +247,7 @@ impl Path {
         start: f64,
         length: Option<f64>,
         vehicle: &str,
+        out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let path = self.path().map_err(query)?;
         let vehicle = vehicle_of(vehicle)?;
@@ -241,15 +262,19 @@ impl Path {
         let parts = |points: &[DVec3], part: fn(&DVec3) -> f64| {
             Column::Numbers(points.iter().map(part).collect())
         };
-        let crossed =
-            |marks: &[EdgeMark]| Column::Flags(marks.iter().map(|mark| mark.may_cross).collect());
         let lanes = found.lane.iter().map(|lane| id(content, lane.row())).collect();
         let mut all = vec![Column::Numbers(found.along.clone()), Column::Ids(lanes)];
         for points in [&found.left, &found.right, &found.outer_left, &found.outer_right] {
             all.extend([parts(points, |p| p.x), parts(points, |p| p.y), parts(points, |p| p.z)]);
         }
-        all.extend([crossed(&found.left_mark), crossed(&found.right_mark)]);
-        columns(py, "Corridor", all, None)
+        for marks in [&found.left_mark, &found.right_mark] {
+            let codes = |code: fn(&EdgeMark) -> u8| {
+                Column::Codes(marks.iter().map(|mark| code(mark) as i8).collect())
+            };
+            all.extend([codes(|mark| mark.kind.code()), codes(|mark| mark.color.code())]);
+            all.push(Column::Flags(marks.iter().map(|mark| mark.may_cross).collect()));
+        }
+        columns(py, "Corridor", all, out)
     }
 
     fn conflicts<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {

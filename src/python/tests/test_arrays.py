@@ -35,7 +35,7 @@ POINTS = np.array([[50.0, -1.75], [12.5, 3.0], [1e4, 1e4]])
     ],
 )
 def test_points_that_are_none(town: mapd.Map, points: Any, kind: type[Exception], says: str) -> None:
-    for call in (town.nearest_lane, town.lanes_near, town.height, town.road("1").to_track):
+    for call in (town.nearest_lane, town.lanes_near, town.ground_at, town.nearest_mark, town.road("1").to_track):
         with pytest.raises(kind) as error:
             call(points)
         assert says in str(error.value)

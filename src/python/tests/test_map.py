@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import pickle
+import re
 from pathlib import Path
 
 import numpy as np
@@ -24,7 +25,7 @@ def test_parts_say_what_they_are(town: mapd.Map) -> None:
     assert lane != town.lane("1:0:1") and lane != "1:0:-1"
     assert lane.opposite() == town.lane("1:0:1")
     assert [one.predecessors()[0] for one in lane.successors()] == [lane] * len(lane.successors())
-    assert lane.speed_limit_at(1.0) == pytest.approx(50 / 3.6)
+    assert lane.speed_rule_at(1.0).max == pytest.approx(50 / 3.6)
     assert set(town.lanes()) == {lane for road in town.roads() for lane in road.lanes()}
 
 
@@ -56,15 +57,54 @@ def test_positions_and_poses_of_lanes(town: mapd.Map) -> None:
     assert np.allclose(back.s, starts + 0.5, atol=1e-6) and np.allclose(back.offset, 0.25, atol=1e-6)
 
 
-def test_height_is_that_of_the_surface() -> None:
+def test_ground_is_the_surface() -> None:
     surfaces = mapd.open(MAPS / "surfaces.xodr")
     lane = surfaces.lanes()[0]
     middle = lane.pose_at(sum(lane.s_range) / 2)
-    height = surfaces.height((middle.x, middle.y))
-    assert height is not None and np.hypot(np.hypot(height.nx, height.ny), height.nz) == pytest.approx(1)
-    many = surfaces.height(np.array([[middle.x, middle.y], [1e5, 1e5]]))
-    assert many.z[0] == height.z and np.isnan(many.z[1]) and many.lane[1] == mapd.NONE
+    ground = surfaces.ground_at((middle.x, middle.y))
+    assert ground is not None and np.hypot(np.hypot(ground.nx, ground.ny), ground.nz) == pytest.approx(1)
+    many = surfaces.ground_at(np.array([[middle.x, middle.y], [1e5, 1e5]]))
+    assert many.z[0] == ground.z and np.isnan(many.z[1]) and many.lane[1] == mapd.NONE
 
+
+def test_matches_add_up_to_one(town: mapd.Map) -> None:
+    points = np.array([[50.0, -1.75], [1e5, 1e5]])
+    covariance = np.diag([0.3, 0.3, 0.1]) ** 2
+    found = town.match_pose(points, 0.0, covariance)
+    assert found.lane[0] == town.lane("1:0:-1").id and found.probability[0] > 0.9
+    assert np.bincount(found.point, found.probability) == pytest.approx(np.ones(2), abs=1e-6)
+    assert found.lane[-1] == mapd.NONE and found.probability[-1] == pytest.approx(1.0)
+    one = town.match_pose((50.0, -1.75), 0.0, covariance, expected=["1:0:1"])
+    assert one.lanes[0].lane == town.lane("1:0:-1") and one.none > 0.0
+    for wrong, says in ((-covariance, "negative"), (np.zeros((2, 2)), "(3, 3)"), (np.zeros((3, 3, 3)), "(2, 3, 3)")):
+        with pytest.raises(ValueError, match=re.escape(says)):
+            town.match_pose(points, 0.0, wrong)
+    with pytest.raises(mapd.NotFiniteError, match=r"row 1.*covariance\[0\]\[0\]"):
+        town.match_pose(points, 0.0, np.stack([covariance, covariance * np.nan]))
+    with pytest.raises(ValueError, match="none"):
+        town.match_pose(points, 0.0, covariance, none=0.0)
+
+
+def test_traces_follow_the_lane(town: mapd.Map) -> None:
+    time, points = np.arange(5.0), np.column_stack([np.linspace(20.0, 60.0, 5), np.full(5, -1.75)])
+    out = mapd.TraceMatches(5)
+    assert town.match_trace(time, points, out=out) is out
+    assert (out.lane == town.lane("1:0:-1").id).all() and (out.probability > 0.5).all()
+    with pytest.raises(ValueError, match="fix 1 is earlier"):
+        town.match_trace(time[::-1].copy(), points)
+
+
+def test_marks_have_words() -> None:
+    marks = mapd.open(MAPS / "marks.xodr")
+    lane = marks.lanes()[0]
+    pose = lane.pose_at(sum(lane.s_range) / 2)
+    one = marks.nearest_mark((pose.x, pose.y))
+    assert one is not None and one.kind in mapd.MARK_KINDS.values()
+    many = marks.nearest_mark(np.array([[pose.x, pose.y], [1e5, 1e5]]))
+    assert mapd.MARK_KINDS[int(many.kind[0])] == one.kind and many.lane[1] == mapd.NONE
+    assert marks.nearest_mark((pose.x, pose.y), radius=1e-6) is None
+    with pytest.raises(ValueError, match="kinds"):
+        marks.nearest_mark((0.0, 0.0), kinds=["nonsense"])
 
 def test_routes_and_what_can_be_reached(town: mapd.Map) -> None:
     start, goal = town.nearest_lane((50.0, -1.75)), town.nearest_lane((150.0, 101.75))

@@ -147,16 +147,20 @@ struct NearestOptions {
     out.size = sizeof out;
     out.radius = radius;
     out.types = types;
-    out.z_tolerance = z_tolerance.value_or(0.0);
-    out.heading = heading.value_or(0.0);
-    out.heading_tolerance = heading_tolerance.value_or(0.0);
-    out.has_z_tolerance = z_tolerance.has_value() ? 1 : 0;
-    out.has_heading = heading.has_value() ? 1 : 0;
-    out.has_heading_tolerance = heading_tolerance.has_value() ? 1 : 0;
-    out.has_vehicle = vehicle.has_value() ? 1 : 0;
-    out.vehicle = vehicle.value_or(std::uint8_t{0});
+    set(z_tolerance, out.z_tolerance, out.has_z_tolerance);
+    set(heading, out.heading, out.has_heading);
+    set(heading_tolerance, out.heading_tolerance, out.has_heading_tolerance);
+    set(vehicle, out.vehicle, out.has_vehicle);
     out.hint = hint;
     return out;
+  }
+
+ private:
+  template <class T>
+  static void set(const std::optional<T>& from, T& to, std::uint8_t& has) noexcept {
+    if (!from) return;
+    to = *from;
+    has = 1;
   }
 };
 

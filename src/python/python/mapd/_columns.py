@@ -16,6 +16,19 @@ _Self = TypeVar("_Self", bound="Columns")
 
 _ROWS_SHOWN = 5
 
+Numbers = NDArray[np.float64]
+Ids = NDArray[np.uint64]
+Codes = NDArray[np.int8]
+Counts = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+_DTYPES: dict[str, type[np.generic]] = {
+    "Numbers": np.float64,
+    "Ids": np.uint64,
+    "Codes": np.int8,
+    "Counts": np.int64,
+    "Flags": np.bool_,
+}
+
 
 class Columns:
     """Named columns of one length: attributes, ``columns["s"]``, ``dict(columns)``, ``to_pandas()``, ``to_polars()``.
@@ -26,6 +39,11 @@ class Columns:
     _dtypes: ClassVar[dict[str, type[np.generic]]] = {}
     __slots__ = ("_arrays",)
     _arrays: dict[str, NDArray[Any]]
+
+    def __init_subclass__(cls) -> None:
+        """A class is its annotations: its own columns, then those that it inherits."""
+        own = {name: _DTYPES[kind] for name, kind in cls.__annotations__.items()}
+        cls._dtypes = {**own, **cls._dtypes}
 
     def __init__(self, rows: int) -> None:
         self._arrays = {name: np.empty(rows, dtype) for name, dtype in self._dtypes.items()}
@@ -100,204 +118,223 @@ class Columns:
         return f"<table>{''.join(rows)}</table><p>{len(self)} rows</p>"
 
 
-_NUMBER, _ID, _CODE = np.float64, np.uint64, np.int8
+class _Positions(Columns):
+    __slots__ = ()
+    lane: Ids
+    s: Numbers
+    t: Numbers
+    offset: Numbers
+    distance: Numbers
+    z: Numbers
+    heading: Numbers
+    clamped: Codes
 
 
-class NearestLanes(Columns):
+class NearestLanes(_Positions):
     """Lanes and the points in their coordinates; columns as of :class:`mapd.Nearest`.
 
     Where no lane is near enough, ``lane`` is :data:`mapd.NONE`, ``distance`` infinite, the rest NaN.
     """
 
-    _dtypes = {
-        "lane": _ID, "s": _NUMBER, "t": _NUMBER, "offset": _NUMBER, "distance": _NUMBER, "z": _NUMBER, "heading": _NUMBER, "clamped": _CODE,
-    }  # fmt: skip
     __slots__ = ()
-    if TYPE_CHECKING:
-        lane: NDArray[np.uint64]
-        s: NDArray[np.float64]
-        t: NDArray[np.float64]
-        offset: NDArray[np.float64]
-        distance: NDArray[np.float64]
-        z: NDArray[np.float64]
-        heading: NDArray[np.float64]
-        clamped: NDArray[np.int8]
 
 
-class LanesNear(Columns):
+class LanesNear(_Positions):
     """All lanes near points: a row for each lane of each point, nearest first; ``point`` is the point's row."""
 
-    _dtypes = {"point": np.int64, **NearestLanes._dtypes}
     __slots__ = ()
-    if TYPE_CHECKING:
-        point: NDArray[np.int64]
-        lane: NDArray[np.uint64]
-        s: NDArray[np.float64]
-        t: NDArray[np.float64]
-        offset: NDArray[np.float64]
-        distance: NDArray[np.float64]
-        z: NDArray[np.float64]
-        heading: NDArray[np.float64]
-        clamped: NDArray[np.int8]
+    point: Counts
+
+
+class LaneMatches(_Positions):
+    """Lanes that vehicles may be in: a row for each lane of each pose, the most probable first, then one for none with the lane :data:`mapd.NONE`.
+
+    ``point`` is the pose's row; other columns as of :class:`mapd.LaneMatch`.
+    """
+
+    __slots__ = ()
+    point: Counts
+    forward: Flags
+    probability: Numbers
+    mahalanobis: Numbers
+    heading_difference: Numbers
+
+
+class TraceMatches(_Positions):
+    """Where the fixes of a trace were, each with its probability given the whole trace; ``lane`` is :data:`mapd.NONE` on no lane."""
+
+    __slots__ = ()
+    forward: Flags
+    probability: Numbers
 
 
 class Poses(Columns):
     """Places with the frame there; columns as of :class:`mapd.Pose`."""
 
-    _dtypes = {
-        "x": _NUMBER, "y": _NUMBER, "z": _NUMBER, "heading": _NUMBER, "curvature": _NUMBER, "slope": _NUMBER,
-        "superelevation": _NUMBER, "clamped": _CODE,
-    }  # fmt: skip
     __slots__ = ()
-    if TYPE_CHECKING:
-        x: NDArray[np.float64]
-        y: NDArray[np.float64]
-        z: NDArray[np.float64]
-        heading: NDArray[np.float64]
-        curvature: NDArray[np.float64]
-        slope: NDArray[np.float64]
-        superelevation: NDArray[np.float64]
-        clamped: NDArray[np.int8]
+    x: Numbers
+    y: Numbers
+    z: Numbers
+    heading: Numbers
+    curvature: Numbers
+    slope: Numbers
+    superelevation: Numbers
+    clamped: Codes
 
 
 class Tracks(Columns):
     """Feet on a road's reference line; columns as of :class:`mapd.TrackPosition`. ``h`` is NaN for points without z."""
 
-    _dtypes = {"s": _NUMBER, "t": _NUMBER, "h": _NUMBER, "distance": _NUMBER, "clamped": _CODE, "exact": np.bool_}
     __slots__ = ()
-    if TYPE_CHECKING:
-        s: NDArray[np.float64]
-        t: NDArray[np.float64]
-        h: NDArray[np.float64]
-        distance: NDArray[np.float64]
-        clamped: NDArray[np.int8]
-        exact: NDArray[np.bool_]
+    s: Numbers
+    t: Numbers
+    h: Numbers
+    distance: Numbers
+    clamped: Codes
+    exact: Flags
 
 
-class Heights(Columns):
-    """The road's surface; columns as of :class:`mapd.Height`. Beside all lanes NaN, and ``lane`` is :data:`mapd.NONE`."""
+class Grounds(Columns):
+    """The ground below places; columns as of :class:`mapd.Ground`. Beside all lanes NaN, and ``lane`` is :data:`mapd.NONE`."""
 
-    _dtypes = {"z": _NUMBER, "nx": _NUMBER, "ny": _NUMBER, "nz": _NUMBER, "lane": _ID}
     __slots__ = ()
-    if TYPE_CHECKING:
-        z: NDArray[np.float64]
-        nx: NDArray[np.float64]
-        ny: NDArray[np.float64]
-        nz: NDArray[np.float64]
-        lane: NDArray[np.uint64]
+    z: Numbers
+    nx: Numbers
+    ny: Numbers
+    nz: Numbers
+    s: Numbers
+    t: Numbers
+    lane: Ids
+    level: Counts
+    levels: Counts
+
+
+class NearMarks(Columns):
+    """Road marks; columns as of :class:`mapd.NearMark`. Where none is near enough, ``lane`` is :data:`mapd.NONE`, ``distance`` infinite, the rest NaN.
+
+    ``side`` is 1 to the left, -1 to the right; ``kind`` and ``color`` are codes (:data:`mapd.MARK_KINDS`, :data:`mapd.MARK_COLORS`);
+    ``painted`` is 1, in a gap 0, and -1 where the file does not say.
+    """
+
+    __slots__ = ()
+    lane: Ids
+    s: Numbers
+    x: Numbers
+    y: Numbers
+    distance: Numbers
+    width: Numbers
+    side: Codes
+    kind: Codes
+    color: Codes
+    painted: Codes
+
+
+class SpeedRules(Columns):
+    """Speed limits: ``max`` [m/s] is infinite where there is none, NaN where the map says nothing; ``origin`` counts in :data:`mapd.SPEED_ORIGINS`."""
+
+    __slots__ = ()
+    max: Numbers
+    origin: Codes
 
 
 class Waypoints(Columns):
     """Places on a lane's centre line in driving direction; ``heading`` is that of the centre line, ``width`` the lane's [m]."""
 
-    _dtypes = {"s": _NUMBER, "x": _NUMBER, "y": _NUMBER, "z": _NUMBER, "heading": _NUMBER, "width": _NUMBER}
     __slots__ = ()
-    if TYPE_CHECKING:
-        s: NDArray[np.float64]
-        x: NDArray[np.float64]
-        y: NDArray[np.float64]
-        z: NDArray[np.float64]
-        heading: NDArray[np.float64]
-        width: NDArray[np.float64]
+    s: Numbers
+    x: Numbers
+    y: Numbers
+    z: Numbers
+    heading: Numbers
+    width: Numbers
 
 
 class Reached(Columns):
     """Pieces of lanes that can be reached, nearest first: ``cost`` up to their beginning, [m] by length or [s] by time."""
 
-    _dtypes = {"lane": _ID, "forward": np.bool_, "s_from": _NUMBER, "s_to": _NUMBER, "cost": _NUMBER}
     __slots__ = ()
-    if TYPE_CHECKING:
-        lane: NDArray[np.uint64]
-        forward: NDArray[np.bool_]
-        s_from: NDArray[np.float64]
-        s_to: NDArray[np.float64]
-        cost: NDArray[np.float64]
+    lane: Ids
+    forward: Flags
+    s_from: Numbers
+    s_to: Numbers
+    cost: Numbers
 
 
 class Geodetics(Columns):
     """Places on WGS 84: latitude and longitude [deg], altitude [m]."""
 
-    _dtypes = {"latitude": _NUMBER, "longitude": _NUMBER, "altitude": _NUMBER}
     __slots__ = ()
-    if TYPE_CHECKING:
-        latitude: NDArray[np.float64]
-        longitude: NDArray[np.float64]
-        altitude: NDArray[np.float64]
+    latitude: Numbers
+    longitude: Numbers
+    altitude: Numbers
 
 
 class Inertials(Columns):
     """Inertial points [m]."""
 
-    _dtypes = {"x": _NUMBER, "y": _NUMBER, "z": _NUMBER}
     __slots__ = ()
-    if TYPE_CHECKING:
-        x: NDArray[np.float64]
-        y: NDArray[np.float64]
-        z: NDArray[np.float64]
+    x: Numbers
+    y: Numbers
+    z: Numbers
 
 
 class PathPoints(Columns):
     """Places on a path; columns as of :class:`mapd.PathPoint`."""
 
-    _dtypes = {
-        "along": _NUMBER, "x": _NUMBER, "y": _NUMBER, "z": _NUMBER, "heading": _NUMBER, "curvature": _NUMBER, "curvature_rate": _NUMBER, "grade": _NUMBER, "superelevation": _NUMBER, "left": _NUMBER, "right": _NUMBER, "s": _NUMBER, "lane": _ID, "clamped": _CODE,
-    }  # fmt: skip
     __slots__ = ()
-    if TYPE_CHECKING:
-        along: NDArray[np.float64]
-        x: NDArray[np.float64]
-        y: NDArray[np.float64]
-        z: NDArray[np.float64]
-        heading: NDArray[np.float64]
-        curvature: NDArray[np.float64]
-        curvature_rate: NDArray[np.float64]
-        grade: NDArray[np.float64]
-        superelevation: NDArray[np.float64]
-        left: NDArray[np.float64]
-        right: NDArray[np.float64]
-        s: NDArray[np.float64]
-        lane: NDArray[np.uint64]
-        clamped: NDArray[np.int8]
+    along: Numbers
+    x: Numbers
+    y: Numbers
+    z: Numbers
+    heading: Numbers
+    curvature: Numbers
+    curvature_rate: Numbers
+    grade: Numbers
+    superelevation: Numbers
+    left: Numbers
+    right: Numbers
+    s: Numbers
+    lane: Ids
+    clamped: Codes
 
 
 class PathPositions(Columns):
     """Points in a path's coordinates; columns as of :class:`mapd.PathPosition`."""
 
-    _dtypes = {
-        "along": _NUMBER, "d": _NUMBER, "distance": _NUMBER, "heading": _NUMBER, "s": _NUMBER, "lane": _ID, "clamped": _CODE,
-    }  # fmt: skip
     __slots__ = ()
-    if TYPE_CHECKING:
-        along: NDArray[np.float64]
-        d: NDArray[np.float64]
-        distance: NDArray[np.float64]
-        heading: NDArray[np.float64]
-        s: NDArray[np.float64]
-        lane: NDArray[np.uint64]
-        clamped: NDArray[np.int8]
+    along: Numbers
+    d: Numbers
+    distance: Numbers
+    heading: Numbers
+    s: Numbers
+    lane: Ids
+    clamped: Codes
 
 
 class Corridor(Columns):
-    """The room along a path: edges of the driven lane, and of all lanes beside it that have its direction and are open [m]."""
+    """The room along a path: edges of the driven lane, and of all lanes beside it that have its direction and are open [m].
 
-    _dtypes = {
-        "along": _NUMBER, "lane": _ID, "left_x": _NUMBER, "left_y": _NUMBER, "left_z": _NUMBER, "right_x": _NUMBER, "right_y": _NUMBER, "right_z": _NUMBER, "outer_left_x": _NUMBER, "outer_left_y": _NUMBER, "outer_left_z": _NUMBER, "outer_right_x": _NUMBER, "outer_right_y": _NUMBER, "outer_right_z": _NUMBER, "left_may_cross": np.bool_, "right_may_cross": np.bool_,
-    }  # fmt: skip
+    Marks are codes (:data:`mapd.MARK_KINDS`, :data:`mapd.MARK_COLORS`), -1 where there is none; ``may_cross`` says whether a change over the edge is allowed.
+    """
+
     __slots__ = ()
-    if TYPE_CHECKING:
-        along: NDArray[np.float64]
-        lane: NDArray[np.uint64]
-        left_x: NDArray[np.float64]
-        left_y: NDArray[np.float64]
-        left_z: NDArray[np.float64]
-        right_x: NDArray[np.float64]
-        right_y: NDArray[np.float64]
-        right_z: NDArray[np.float64]
-        outer_left_x: NDArray[np.float64]
-        outer_left_y: NDArray[np.float64]
-        outer_left_z: NDArray[np.float64]
-        outer_right_x: NDArray[np.float64]
-        outer_right_y: NDArray[np.float64]
-        outer_right_z: NDArray[np.float64]
-        left_may_cross: NDArray[np.bool_]
-        right_may_cross: NDArray[np.bool_]
+    along: Numbers
+    lane: Ids
+    left_x: Numbers
+    left_y: Numbers
+    left_z: Numbers
+    right_x: Numbers
+    right_y: Numbers
+    right_z: Numbers
+    outer_left_x: Numbers
+    outer_left_y: Numbers
+    outer_left_z: Numbers
+    outer_right_x: Numbers
+    outer_right_y: Numbers
+    outer_right_z: Numbers
+    left_mark: Codes
+    left_color: Codes
+    left_may_cross: Flags
+    right_mark: Codes
+    right_color: Codes
+    right_may_cross: Flags

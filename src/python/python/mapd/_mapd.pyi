@@ -11,31 +11,38 @@ from numpy.typing import NDArray
 from ._columns import (
     Corridor,
     Geodetics,
-    Heights,
+    Grounds,
     Inertials,
+    LaneMatches,
     LanesNear,
     NearestLanes,
+    NearMarks,
     PathPoints,
     PathPositions,
     Poses,
     Reached,
+    SpeedRules,
+    TraceMatches,
     Tracks,
     Waypoints,
 )
 from ._results import (
     Event,
-    Height,
+    Ground,
     LanePosition,
     Lines,
     Nearest,
+    NearMark,
     PathConflict,
     PathPoint,
     PathPosition,
     Pose,
+    PoseMatch,
     Report,
     Route,
     RouteStep,
     SignalAhead,
+    SpeedRule,
     TrackPosition,
 )
 
@@ -60,12 +67,24 @@ __all__ = [
     "open_archive",
     "read_file",
     "NONE",
+    "LANE_TYPES",
+    "MARK_KINDS",
+    "MARK_COLORS",
+    "SPEED_ORIGINS",
     "__version__",
 ]
 
 __version__: str
 NONE: int
 """Stands for "no lane" in columns of ids."""
+LANE_TYPES: dict[int, str]
+"""Lane types in the words of OpenDRIVE, by their codes."""
+MARK_KINDS: dict[int, str]
+"""Words of road marks' kinds by the codes in columns."""
+MARK_COLORS: dict[int, str]
+"""Words of road marks' colours by the codes in columns."""
+SPEED_ORIGINS: list[str]
+"""Words of speed limits' origins, in the order of the codes in columns."""
 
 def open_archive(path: str | os.PathLike[str]) -> Map: ...
 def read_file(
@@ -245,20 +264,92 @@ class Map:
         out: Poses | None = None,
     ) -> Poses:
         """Poses on lanes as their traffic has them, at s [m], `offset` [m] to the left of the lane's centre."""
+    def speed_rule_at(
+        self, lanes: NDArray[np.uint64], s: float | NDArray[np.float64], *, out: SpeedRules | None = None
+    ) -> SpeedRules:
+        """Speed limits on lanes at s [m], signs included."""
     @overload
-    def height(
-        self, points: _Point, *, z_tolerance: float | None = None, types: _Types | None = None
-    ) -> Height | None: ...
+    def ground_at(self, points: _Point) -> Ground | None: ...
     @overload
-    def height(
+    def ground_at(self, points: _Points, *, out: Grounds | None = None) -> Grounds:
+        """The surface below points [m], on the level whose height is nearest to z; on the lowest one of points without z.
+
+        Heights more than 2 m apart are levels of their own. Nothing beside all lanes.
+        """
+    @overload
+    def nearest_mark(
+        self, points: _Point, *, radius: float = 5.0, kinds: Sequence[str] | None = None, types: _Types | None = None
+    ) -> NearMark | None: ...
+    @overload
+    def nearest_mark(
         self,
         points: _Points,
         *,
-        z_tolerance: float | None = None,
+        radius: float = 5.0,
+        kinds: Sequence[str] | None = None,
         types: _Types | None = None,
-        out: Heights | None = None,
-    ) -> Heights:
-        """Height [m] and unit normal of the road's surface at points that lie on lanes. `z_tolerance` [m] tells levels apart."""
+        out: NearMarks | None = None,
+    ) -> NearMarks:
+        """The nearest road mark on its exact course, at most `radius` [m] away; lines count along their whole length, gaps included.
+
+        `kinds` are the kinds that count, `types` the types of the lanes beside them.
+        """
+    @overload
+    def match_pose(
+        self,
+        points: _Point,
+        heading: float,
+        covariance: NDArray[np.float64],
+        *,
+        types: _Types | None = None,
+        z_tolerance: float | None = None,
+        drive_deviation: float = 0.1,
+        none: float = 0.01,
+        vehicle: str | None = None,
+        closed: float = 0.05,
+        expected: Sequence[_LaneRef] | None = None,
+        unexpected: float = 0.05,
+    ) -> PoseMatch: ...
+    @overload
+    def match_pose(
+        self,
+        points: _Points,
+        heading: float | NDArray[np.float64],
+        covariance: NDArray[np.float64],
+        *,
+        types: _Types | None = None,
+        z_tolerance: float | None = None,
+        drive_deviation: float = 0.1,
+        none: float = 0.01,
+        vehicle: str | None = None,
+        closed: float = 0.05,
+        expected: Sequence[_LaneRef] | None = None,
+        unexpected: float = 0.05,
+    ) -> LaneMatches:
+        """The lanes that vehicles may be in, and the probability that they are in none (docs/localisation.md).
+
+        `heading` [rad]; `covariance` of (x, y, heading) [m^2, m rad, rad^2], one (3, 3) for all or (N, 3, 3). `drive_deviation` [rad] is
+        how drivers deviate from their lane's direction, `none` the prior of no lane; `closed` and `unexpected` are the shares of the
+        prior that lanes have which `vehicle` may not use, and which are not among `expected`.
+        """
+    def match_trace(
+        self,
+        time: NDArray[np.float64],
+        points: _Points,
+        *,
+        heading: float | NDArray[np.float64] | None = None,
+        deviation: float = 1.0,
+        heading_deviation: float = 0.1,
+        change_interval: float = 30.0,
+        vehicle: str = "passengerCar",
+        types: _Types | None = None,
+        out: TraceMatches | None = None,
+    ) -> TraceMatches:
+        """The most probable way through a trace, a place for each fix.
+
+        `time` [s] does not fall; `heading` [rad] is NaN where it is not known; `deviation` [m] is that of x and y, `heading_deviation` [rad] that of headings, `change_interval` [s]
+        the mean time between changes of lane.
+        """
     def lanes_in(self, region: _Region, *, types: _Types | None = None) -> list[Lane]:
         """Lanes whose area meets a rectangle (x_min, y_min, x_max, y_max) [m]."""
     def signals_near(self, point: tuple[float, float], radius: float) -> list[tuple[Signal, float]]:
@@ -366,8 +457,8 @@ class Lane:
         """The nearest lane beside it that is travelled the other way."""
     def width_at(self, s: float) -> float:
         """Width at s [m]."""
-    def speed_limit_at(self, s: float) -> float | None:
-        """Speed limit at s [m/s], signs included; infinite where there is none, None where the map says nothing."""
+    def speed_rule_at(self, s: float) -> SpeedRule:
+        """Speed limit at s, signs included, and who says so."""
     def allows_at(self, s: float, vehicle: str = "passengerCar") -> bool:
         """Whether a class of vehicles may use it at s."""
     def pose_at(self, s: float, offset: float = 0.0) -> Pose:
@@ -534,10 +625,19 @@ class Path:
         self, points: _Points, *, hint: float | None = None, out: PathPositions | None = None
     ) -> PathPositions:
         """Points in the path's coordinates. `hint` is an S [m] near which to look first."""
-    def speed_limit_at(self, along: float) -> float | None:
-        """Speed limit at S [m/s]; infinite where there is none, None where the map says nothing."""
+    @overload
+    def speed_at(self, along: float) -> SpeedRule: ...
+    @overload
+    def speed_at(self, along: NDArray[np.float64], *, out: SpeedRules | None = None) -> SpeedRules:
+        """Speed limits at S [m]; in a junction those that come in on the path."""
     def corridor(
-        self, step: float = 1.0, *, start: float = 0.0, length: float | None = None, vehicle: str = "passengerCar"
+        self,
+        step: float = 1.0,
+        *,
+        start: float = 0.0,
+        length: float | None = None,
+        vehicle: str = "passengerCar",
+        out: Corridor | None = None,
     ) -> Corridor:
         """The room along the path, a station every `step` [m] from `start` [m] on, `length` [m] far."""
     def conflicts(self) -> list[PathConflict]:

@@ -79,16 +79,86 @@ class TrackPosition(NamedTuple):
     """Whether (s, t, h) is the point: not beyond an end, nor in the wedge beside a kink."""
 
 
-class Height(NamedTuple):
-    """The road's surface at a point on a lane."""
+class Ground(NamedTuple):
+    """The ground at a place."""
 
     z: float
-    """[m]"""
+    """Height of the surface [m]."""
     nx: float
     ny: float
     nz: float
     """The surface's unit normal is (nx, ny, nz)."""
+    s: float
+    """Along the lane's road [m]."""
+    t: float
+    """Lateral on its road [m]."""
     lane: Lane
+    level: int
+    """Which level this is, the lowest one 0."""
+    levels: int
+    """How many levels of lanes there are at the place."""
+
+
+class NearMark(NamedTuple):
+    """The place of a road mark that is nearest to a point."""
+
+    lane: Lane
+    """The lane on whose outer border the mark lies; lane 0 for marks of the centre."""
+    s: float
+    """On the road [m]."""
+    x: float
+    y: float
+    """The nearest place of the middle of the mark's line [m]."""
+    distance: float
+    """In plan view [m]."""
+    width: float
+    """Of the line [m]."""
+    side: Literal["left", "right"]
+    """Where the mark lies for one at the point who looks along the road's reference line."""
+    kind: str
+    color: str
+    painted: bool | None
+    """Whether there is paint or a gap at this s; None where the file does not say."""
+
+
+class LaneMatch(NamedTuple):
+    """A lane that a vehicle may be in, in one of its directions."""
+
+    lane: Lane
+    forward: bool
+    """Whether the vehicle travels towards +s."""
+    probability: float
+    """Among all hypotheses."""
+    mahalanobis: float
+    """Distance of the pose from the lane's centre line and direction, by the covariance of the model."""
+    heading_difference: float
+    """The given heading less the driving direction [rad], in (-pi, pi]."""
+    s: float
+    t: float
+    offset: float
+    distance: float
+    z: float
+    heading: float
+    """The place with respect to the lane is as of :class:`Nearest`."""
+
+
+class PoseMatch(NamedTuple):
+    """The lanes that a vehicle may be in, the most probable first."""
+
+    none: float
+    """Probability that it is in none."""
+    lanes: tuple[LaneMatch, ...]
+
+
+class SpeedRule(NamedTuple):
+    """The speed limit at a place."""
+
+    max: float | None
+    """[m/s]; infinite where there is none, None where the map says nothing."""
+    origin: Literal["written", "sign", "entry", "default", "depends", "unknown"]
+    """Who says so."""
+    signal: Signal | None
+    """The sign, if one does."""
 
 
 class RouteStep(NamedTuple):

@@ -1,0 +1,74 @@
+// A client of a daemon in C++: 10,000 times attached and let go, moved, copied and shared by threads. `attach MAP [COUNT]`.
+#include <mapd.hpp>
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+constexpr double patience = 60.0;
+
+std::size_t files() {
+  std::size_t count = 0;
+  for ([[maybe_unused]] const auto& one : std::filesystem::directory_iterator("/proc/self/fd")) ++count;
+  return count;
+}
+
+/// Mappings of the domain's shared memory.
+std::size_t mappings() {
+  const std::string prefix = std::getenv("MAPD_PREFIX");
+  std::ifstream file("/proc/self/maps");
+  std::size_t count = 0;
+  for (std::string line; std::getline(file, line);) count += line.find(prefix) != std::string::npos ? 1 : 0;
+  return count;
+}
+
+bool answers(const mapd::Snapshot& map) {
+  const auto hit = map.nearest_lane({50.0, -1.75});
+  return hit && hit->position.distance == 0.0;
+}
+
+bool attach(const std::string& name) {
+  auto client = mapd::Client::connect(name, patience);
+  mapd::Snapshot map = client.snapshot();
+  const mapd::Snapshot copy = map;
+  auto events = client.events();
+  const mapd::Client moved = std::move(client);
+  const mapd::Snapshot last = std::move(map);
+  return answers(copy) && answers(last) && !events.next(0.0);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  if (argc < 2) return 1;
+  const std::string name = argv[1];
+  const int count = argc > 2 ? std::atoi(argv[2]) : 10000;
+  bool good = attach(name);
+  const std::size_t before = files();
+  for (int i = 0; i < count && good; ++i) good = attach(name);
+  good = good && files() == before && mappings() == 0;
+
+  const auto client = mapd::Client::connect(name, patience);
+  const auto map = client.snapshot();
+  std::atomic<int> wrong{0};
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 8; ++i) {
+    threads.emplace_back([&] {
+      for (int k = 0; k < 200; ++k) wrong += answers(map) && answers(client.refresh()) ? 0 : 1;
+    });
+  }
+  for (auto& thread : threads) thread.join();
+  good = good && wrong == 0;
+  std::printf("attach: %d times, %s\n", count, good ? "nothing left" : "failed");
+  return good ? 0 : 1;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
+}

@@ -1,0 +1,154 @@
+//! Which lanes vehicles may be in, by poses or by a trace.
+
+use crate::batch::{Column, Positions, columns, fields, result};
+use crate::errors::{match_in_row, matching};
+use crate::held::{Held, content};
+use crate::input::{Rows, column, matrices, one_point};
+use crate::lane::Lane;
+use mapd_client::glam::DMat3;
+use mapd_client::{
+    LaneMatch, MatchError, MatchOptions, TraceFix, TraceOptions, TraceScratch, VehiclePose,
+};
+use pyo3::prelude::*;
+use std::sync::Arc;
+
+/// A covariance for each of `rows` poses: one matrix for all, or as many.
+struct Covariances {
+    all: Vec<DMat3>,
+}
+
+impl Covariances {
+    fn of(what: &Bound<'_, PyAny>, rows: usize) -> PyResult<Self> {
+        let numbers = matrices(what, "covariance", rows)?;
+        let matrix = |nine: &[f64]| {
+            let mut own = [0.0; 9];
+            own.copy_from_slice(nine);
+            DMat3::from_cols_array(&own).transpose()
+        };
+        Ok(Self { all: numbers.chunks_exact(9).map(matrix).collect() })
+    }
+
+    fn of_row(&self, row: usize) -> &DMat3 {
+        &self.all[if self.all.len() == 1 { 0 } else { row }]
+    }
+}
+
+fn lane_match<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    found: &LaneMatch,
+) -> PyResult<Bound<'py, PyAny>> {
+    let at = &found.position;
+    let fields = fields!(
+        py,
+        lane = Lane::new(held, found.lane.row()),
+        forward = found.forward,
+        probability = found.probability,
+        mahalanobis = found.mahalanobis,
+        heading_difference = found.heading_difference,
+        s = at.s,
+        t = at.t,
+        offset = at.offset,
+        distance = at.distance,
+        z = at.z,
+        heading = at.heading,
+    );
+    result(py, "LaneMatch", &fields)
+}
+
+/// The lanes that a vehicle may be in, or each of many.
+pub(crate) fn match_pose<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    points: &Bound<'py, PyAny>,
+    heading: &Bound<'py, PyAny>,
+    covariance: &Bound<'py, PyAny>,
+    options: &MatchOptions<'_>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let map = held.map();
+    let mut near = Vec::new();
+    if let Some(position) = one_point(points, "points")? {
+        let pose = VehiclePose { position, heading: heading.extract()? };
+        let covariance = Covariances::of(covariance, 1)?;
+        let none = map.match_pose(&pose, covariance.of_row(0), options, &mut near);
+        let none = none.map_err(matching)?;
+        let lanes = near.iter().map(|found| lane_match(py, held, found));
+        let lanes = pyo3::types::PyTuple::new(py, lanes.collect::<PyResult<Vec<_>>>()?)?;
+        return result(py, "PoseMatch", &fields!(py, none = none, lanes = lanes));
+    }
+    let points = Rows::of(points, "points", &[2, 3])?;
+    let headings = column(heading, "heading", points.len())?;
+    let covariance = Covariances::of(covariance, points.len())?;
+    let all = py.detach(|| {
+        let content = content(map);
+        let (mut of, mut forward) = (Vec::new(), Vec::new());
+        let mut numbers: [Vec<f64>; 3] = Default::default();
+        let mut found = Positions::default();
+        for (row, position) in points.points().enumerate() {
+            let pose = VehiclePose { position, heading: headings[row] };
+            let none = map.match_pose(&pose, covariance.of_row(row), options, &mut near);
+            let none = none.map_err(|error| (row, error))?;
+            let mut push = |is_forward: bool, values: [f64; 3]| {
+                of.push(row as i64);
+                forward.push(is_forward);
+                numbers.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
+            };
+            for one in &near {
+                push(one.forward, [one.probability, one.mahalanobis, one.heading_difference]);
+                found.push(content, one.lane.row(), &one.position);
+            }
+            push(false, [none, f64::NAN, f64::NAN]);
+            found.push_none();
+        }
+        let mut all = vec![Column::Counts(of), Column::Flags(forward)];
+        all.extend(numbers.into_iter().map(Column::Numbers));
+        all.extend(found.columns());
+        Ok(all)
+    });
+    columns(py, "LaneMatches", all.map_err(match_in_row)?, None)
+}
+
+/// Where each fix of a trace was.
+#[expect(clippy::too_many_arguments, reason = "columns and options of one call")]
+pub(crate) fn match_trace<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    time: &Bound<'py, PyAny>,
+    points: &Bound<'py, PyAny>,
+    heading: Option<&Bound<'py, PyAny>>,
+    options: &TraceOptions,
+    out: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let points = Rows::of(points, "points", &[2, 3])?;
+    let time = column(time, "time", points.len())?;
+    let headings = heading.map(|heading| column(heading, "heading", points.len())).transpose()?;
+    let fixes: Vec<_> = points
+        .points()
+        .enumerate()
+        .map(|(row, position)| TraceFix {
+            time: time[row],
+            position,
+            heading: headings.as_ref().map(|all| all[row]).filter(|heading| !heading.is_nan()),
+        })
+        .collect();
+    let all = py
+        .detach(|| {
+            let (mut scratch, mut found) = (TraceScratch::default(), Vec::new());
+            held.map().match_trace(&fixes, options, &mut scratch, &mut found)?;
+            let content = content(held.map());
+            let mut places = Positions::with_capacity(found.len());
+            for one in &found {
+                match &one.place {
+                    Some((lane, position)) => places.push(content, lane.row(), position),
+                    None => places.push_none(),
+                }
+            }
+            let forward = found.iter().map(|one| one.forward).collect();
+            let probability = found.iter().map(|one| one.probability).collect();
+            let mut all = vec![Column::Flags(forward), Column::Numbers(probability)];
+            all.extend(places.columns());
+            Ok::<_, MatchError>(all)
+        })
+        .map_err(matching)?;
+    columns(py, "TraceMatches", all, out)
+}
