@@ -3746,11 +3746,11 @@ mapd_code mapd_ground_at(const struct mapd_snapshot *snapshot,
  Errors: as `mapd_ground_at`; the answers before the point that has one are written.
  */
 mapd_code mapd_ground_at_batch(const struct mapd_snapshot *snapshot,
-                            const struct mapd_point *points,
-                            size_t count,
-                            struct mapd_scratch *scratch,
-                            struct mapd_ground *out,
-                            struct mapd_error *error);
+                               const struct mapd_point *points,
+                               size_t count,
+                               struct mapd_scratch *scratch,
+                               struct mapd_ground *out,
+                               struct mapd_error *error);
 
 /*
  Sets a filter to its defaults. `size` is `sizeof(mapd_mark_filter)`.
