@@ -1,14 +1,35 @@
-// A planner's cycle: where am I, how fast may I go, what is ahead within 100 m?
+// A node with a timer, as ROS 2 has them, without ROS: where am I, how fast may I go, what is ahead within 100 m?
 //
-// what_is_ahead MAP X Y HEADING
+// what_is_ahead MAP X Y HEADING [CYCLES]: a cycle each 100 ms, one by default.
 #include <mapd.hpp>
 
+#include <chrono>
 #include <cstdio>
 #include <string>
+#include <thread>
 
 namespace {
 
-/// What a node with a timer would be: made once, asked in each cycle.
+/// Calls back once a period, as `create_wall_timer` does: a cycle that takes longer puts none off for ever.
+class Timer {
+ public:
+  explicit Timer(std::chrono::milliseconds period) : period_(period), next_(std::chrono::steady_clock::now()) {}
+
+  template <class Callback>
+  void spin(int cycles, Callback callback) {
+    for (int cycle = 0; cycle < cycles; ++cycle) {
+      std::this_thread::sleep_until(next_);
+      next_ += period_;
+      callback();
+    }
+  }
+
+ private:
+  std::chrono::milliseconds period_;
+  std::chrono::steady_clock::time_point next_;
+};
+
+/// The node: made once, asked in each cycle.
 class Planner {
  public:
   explicit Planner(const std::string& map) : client_(mapd::Client::connect(map, 30.0)), map_(client_.snapshot()) {}
@@ -52,12 +73,13 @@ class Planner {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (argc != 5) {
-    std::fprintf(stderr, "usage: what_is_ahead MAP X Y HEADING\n");
+  if (argc != 5 && argc != 6) {
+    std::fprintf(stderr, "usage: what_is_ahead MAP X Y HEADING [CYCLES]\n");
     return 1;
   }
   Planner planner(argv[1]);
-  planner.cycle(std::stod(argv[2]), std::stod(argv[3]), std::stod(argv[4]));
+  const double x = std::stod(argv[2]), y = std::stod(argv[3]), heading = std::stod(argv[4]);
+  Timer(std::chrono::milliseconds(100)).spin(argc == 6 ? std::stoi(argv[5]) : 1, [&] { planner.cycle(x, y, heading); });
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 1;

@@ -194,6 +194,10 @@ impl Lane {
         self.id()
     }
 
+    fn _repr_html_<'py>(this: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        this.py().import("mapd._pictures")?.call_method1("lane_html", (this,))
+    }
+
     fn __repr__(&self) -> PyResult<String> {
         let (lane, (from, to)) = (self.lane()?, self.s_range()?);
         Ok(format!("<mapd.Lane {} {} s {from:.2} to {to:.2} m>", lane.key(), lane.kind().name()))

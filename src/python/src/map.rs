@@ -555,6 +555,10 @@ impl Map {
         crate::raw::tables(self)
     }
 
+    fn _repr_html_<'py>(this: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        this.py().import("mapd._pictures")?.call_method1("map_html", (this,))
+    }
+
     fn __repr__(&self) -> String {
         let map = self.map();
         let (roads, lanes) = (map.tables().roads.len(), map.lanes().count());

@@ -21,5 +21,12 @@ def test_example(example: object, daemon: Daemon) -> None:
     assert ran.stdout.strip()
 
 
+def test_the_page_begins_with_a_program_that_runs() -> None:
+    page = (WORKSPACE / "docs" / "python.md").read_text()
+    program = page.split("```python\n")[1].split("```")[0]
+    ran = subprocess.run([sys.executable, "-W", "error", "-c", program], capture_output=True, text=True, timeout=120, cwd=WORKSPACE)
+    assert ran.returncode == 0, ran.stderr
+
+
 def test_there_are_examples() -> None:
     assert len(EXAMPLES) >= 3

@@ -156,6 +156,20 @@ def test_all_lines_at_once(town: mapd.Map) -> None:
         lines[len(lines)]
 
 
+def test_lines_become_a_geodataframe(town: mapd.Map) -> None:
+    geopandas = pytest.importorskip("geopandas")
+    lines = town.lines()
+    frame = lines.to_geopandas()
+    assert isinstance(frame, geopandas.GeoDataFrame) and len(frame) == len(lines)
+    assert np.array_equal(np.array(frame.geometry.iloc[3].coords), lines[3]) and frame.lane[3] == lines.lane[3]
+
+
+def test_notebooks_get_pictures(town: mapd.Map) -> None:
+    for one, says in ((town, "56 roads"), (town.lanes()[0], town.lanes()[0].key)):
+        html = one._repr_html_()
+        assert says in html and html.count("<polyline") >= 3 and html.endswith("</svg>")
+
+
 def test_raw_views_are_read_only_and_keep_the_memory(tmp_path: Path) -> None:
     compiled = mapd.compile(MAPS / "town.xodr")
     compiled.save(tmp_path / "town.mapd")

@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
+    import geopandas
+
     from ._mapd import Lane, Map, Signal
 
 
@@ -290,6 +292,15 @@ class Lines:
     def __getitem__(self, line: int) -> NDArray[np.float64]:
         k = range(len(self))[line]
         return self.points[self.offsets[k] : self.offsets[k + 1]]
+
+    def to_geopandas(self, crs: str | None = None) -> geopandas.GeoDataFrame:
+        """A frame with a line in each row and its lane's id; ``crs`` is the map's, such as ``map.projection``. Needs geopandas."""
+        import geopandas
+        import shapely
+
+        of = np.repeat(np.arange(len(self)), np.diff(self.offsets))
+        geometry = shapely.linestrings(self.points, indices=of)
+        return geopandas.GeoDataFrame({"lane": self.lane}, geometry=geometry, crs=crs or None)
 
     def __repr__(self) -> str:
         return f"<mapd.Lines {len(self)} lines, {len(self.points)} points>"
