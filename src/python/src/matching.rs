@@ -109,7 +109,6 @@ pub(crate) fn match_pose<'py>(
 }
 
 /// Where each fix of a trace was.
-#[expect(clippy::too_many_arguments, reason = "columns and options of one call")]
 pub(crate) fn match_trace<'py>(
     py: Python<'py>,
     held: &Arc<Held>,
