@@ -6,7 +6,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
+/// What they export is the client's.
 const LIBRARIES: [&str; 2] = ["client", "query"];
+/// Where that may lie.
+const SOURCES: [&str; 3] = ["client", "query", "transport"];
 
 fn source(of: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(of).join("src")
@@ -66,7 +69,7 @@ fn functions() -> BTreeSet<(String, String)> {
     let exported = exported();
     let mut all = BTreeSet::new();
     let mut sources = Vec::new();
-    LIBRARIES.iter().for_each(|library| files(&source(library), &mut sources));
+    SOURCES.iter().for_each(|folder| files(&source(folder), &mut sources));
     for path in sources {
         let mut of = None;
         for line in read(&path).lines().take_while(|line| *line != "#[cfg(test)]") {
