@@ -71,7 +71,7 @@ pub use domain::{
 pub use error::AttachError;
 pub use limits::*;
 pub use mapping::Mapping;
-pub use observer::{Observer, Place, RecordWriter, heartbeat_age, revision_of};
+pub use observer::{Observer, OverlayPlace, Place, RecordWriter, heartbeat_age, revision_of};
 pub use payload::{Chunk64, GenerationInfo, chunks_for};
 pub use pinned::Pinned;
 pub use presence::Presence;

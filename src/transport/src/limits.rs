@@ -7,7 +7,7 @@ use crate::error::AttachError;
 
 /// Revision of everything that both sides must agree on: limits, user header, records, lock protocol. Part of
 /// service names.
-pub const TRANSPORT_REVISION: u32 = 3;
+pub const TRANSPORT_REVISION: u32 = 4;
 
 /// Subscriptions that clients of one map can have at a time.
 pub const MAX_SUBSCRIBERS: usize = 64;

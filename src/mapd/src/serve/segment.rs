@@ -83,6 +83,7 @@ impl Segment {
                 segment: self.name.clone(),
                 inode: self.file.metadata()?.ino(),
                 offset: (chunk * mark.len()) as u64,
+                overlay: None,
             }),
             _ => Err(io::Error::new(
                 io::ErrorKind::NotFound,

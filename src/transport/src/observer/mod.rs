@@ -5,7 +5,7 @@
 //! /dev/shm/mapd_root/{map}.published   one page, made before the map is served, never resized, removed after it was closed
 //!
 //!   header     magic, revision, sequence (of the slot that holds, and futex word), heartbeat
-//!   slot 0     checksum, sequence, what is said of the generation, name and inode of its segment, offset
+//!   slot 0     checksum, sequence, what is said of the generation, name and inode of its segment, offset, its overlay
 //!   slot 1     the same; a slot's sequence is even or odd as its number is
 //! ```
 //!
@@ -34,7 +34,7 @@ mod slot;
 mod writer;
 
 pub use reader::Observer;
-pub use slot::Place;
+pub use slot::{OverlayPlace, Place};
 pub use writer::RecordWriter;
 
 pub(crate) use reader::{daemon_heard, published};
@@ -43,4 +43,4 @@ pub use reader::{heartbeat_age, revision_of};
 use std::sync::atomic;
 
 /// Words of a slot, checksum and sequence among them.
-const WORDS: usize = 48;
+const WORDS: usize = 55;

@@ -314,7 +314,7 @@ mod tests {
 
     fn served(generation: u64) -> (GenerationInfo, Place) {
         let info = GenerationInfo { generation, length: 1, ..GenerationInfo::default() };
-        (info, Place { segment: "mapd_x".to_owned(), inode: 1, offset: 0 })
+        (info, Place { segment: "mapd_x".to_owned(), inode: 1, offset: 0, overlay: None })
     }
 
     /// A domain with a root folder, which is removed at the end.

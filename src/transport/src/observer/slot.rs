@@ -5,7 +5,7 @@ use super::page::Words;
 use crate::payload::{Chunk64, GenerationInfo};
 
 /// Longest name of a segment \[bytes\].
-const NAME_BYTES: usize = 8 * (WORDS - NAME);
+const NAME_BYTES: usize = 8 * (OVERLAY - NAME);
 
 const CHECKSUM: usize = 0;
 const SEQUENCE: usize = 1;
@@ -20,6 +20,11 @@ const OFFSET: usize = 18;
 const INODE: usize = 19;
 const NAME_LENGTH: usize = 20;
 const NAME: usize = 21;
+/// The overlay's revision, or 0; then its length, inode and content hash.
+const OVERLAY: usize = 48;
+const OVERLAY_LENGTH: usize = OVERLAY + 1;
+const OVERLAY_INODE: usize = OVERLAY + 2;
+const OVERLAY_CONTENT: usize = OVERLAY + 3;
 
 /// Where the bytes of a generation lie.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -30,10 +35,26 @@ pub struct Place {
     pub inode: u64,
     /// Where the bytes begin in it; a multiple of 64 \[bytes\].
     pub offset: u64,
+    /// The overlay that was made for this generation; `None` if nothing is laid over it.
+    pub overlay: Option<OverlayPlace>,
+}
+
+/// Where the bytes of an overlay lie: in a file of the root folder that is named after map and revision, from its start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OverlayPlace {
+    /// Rises with every overlay of a map that is published, also with one that says the same for another generation. At least 1.
+    pub revision: u64,
+    /// Exact length \[bytes\].
+    pub length: u64,
+    /// The file's inode.
+    pub inode: u64,
+    /// Hash of the overlay's content; opaque here.
+    pub content_hash: [u8; 32],
 }
 
 /// What a slot says.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[expect(clippy::large_enum_variant, reason = "taken apart as soon as it is read")]
 pub(super) enum Said {
     /// Nothing is served.
     Nothing,
@@ -61,7 +82,13 @@ pub(super) fn encode(sequence: u32, said: &Said) -> Result<Words, &'static str> 
         if place.segment.len() > NAME_BYTES {
             return Err("the segment's name is too long");
         }
-        put(&mut words[NAME..], place.segment.as_bytes());
+        put(&mut words[NAME..OVERLAY], place.segment.as_bytes());
+        if let Some(overlay) = &place.overlay {
+            words[OVERLAY] = overlay.revision;
+            words[OVERLAY_LENGTH] = overlay.length;
+            words[OVERLAY_INODE] = overlay.inode;
+            put(&mut words[OVERLAY_CONTENT..], &overlay.content_hash);
+        }
     }
     words[CHECKSUM] = checksum(&words);
     // Whatever readers would refuse is not published.
@@ -93,7 +120,7 @@ pub(super) fn decode(sequence: u32, words: &Words, prefix: &str) -> Result<Said,
         return Err("longer than any file");
     }
     let name_length = usize::try_from(words[NAME_LENGTH]).unwrap_or(usize::MAX);
-    let name = get::<NAME_BYTES>(&words[NAME..]);
+    let name = get::<NAME_BYTES>(&words[NAME..OVERLAY]);
     let name = name.get(..name_length).ok_or("the segment's name is too long")?;
     let plain = |byte: &u8| byte.is_ascii_alphanumeric() || matches!(byte, b'.' | b'_' | b'-');
     if name.is_empty() || name[0] == b'.' || !name.iter().all(plain) {
@@ -112,7 +139,25 @@ pub(super) fn decode(sequence: u32, words: &Words, prefix: &str) -> Result<Said,
         content_hash: get(&words[CONTENT..INPUT]),
         input_hash: get(&words[INPUT..OFFSET]),
     };
-    Ok(Said::Served(info, Place { segment, inode: words[INODE], offset }))
+    let overlay = overlay(words)?;
+    Ok(Said::Served(info, Place { segment, inode: words[INODE], offset, overlay }))
+}
+
+/// What the words of a slot say of an overlay.
+fn overlay(words: &Words) -> Result<Option<OverlayPlace>, &'static str> {
+    if words[OVERLAY] == 0 {
+        return Ok(None);
+    }
+    let length = words[OVERLAY_LENGTH];
+    if length == 0 || length > i64::MAX as u64 / 2 {
+        return Err("an overlay of no length, or longer than any file");
+    }
+    Ok(Some(OverlayPlace {
+        revision: words[OVERLAY],
+        length,
+        inode: words[OVERLAY_INODE],
+        content_hash: get(&words[OVERLAY_CONTENT..]),
+    }))
 }
 
 /// Whether a slot says that nothing is served.
@@ -159,12 +204,19 @@ mod tests {
             input_hash: [0xa0; 32],
         };
         let segment = "mapd_1f_42.data".to_owned();
-        Said::Served(info, Place { segment, inode: 7, offset: 384 })
+        let overlay =
+            OverlayPlace { revision: 9, length: 10, inode: 11, content_hash: [0x5a; 32] };
+        Said::Served(info, Place { segment, inode: 7, offset: 384, overlay: Some(overlay) })
+    }
+
+    fn with_overlay(overlay: Option<OverlayPlace>) -> Said {
+        let Said::Served(info, place) = said() else { unreachable!() };
+        Said::Served(info, Place { overlay, ..place })
     }
 
     #[test]
     fn what_is_written_is_read() {
-        for (sequence, said) in [(1, said()), (u32::MAX, said()), (2, Said::Nothing)] {
+        for (sequence, said) in [(1, said()), (u32::MAX, said()), (2, Said::Nothing), (3, with_overlay(None))] {
             let words = encode(sequence, &said).expect("can be said");
             assert_eq!(decode(sequence, &words, "mapd_"), Ok(said));
         }
@@ -204,6 +256,10 @@ mod tests {
             let Said::Served(info, place) = said() else { unreachable!() };
             let said = Said::Served(GenerationInfo { length, ..info }, Place { offset, ..place });
             assert!(encode(1, &said).is_err(), "{length} bytes at {offset}");
+        }
+        for length in [0, u64::MAX] {
+            let overlay = OverlayPlace { revision: 1, length, inode: 1, content_hash: [0; 32] };
+            assert!(encode(1, &with_overlay(Some(overlay))).is_err(), "overlay of {length} bytes");
         }
     }
 }
