@@ -33,15 +33,15 @@ pub(crate) fn parts(layout: &Layout) -> Vec<(&'static str, &'static str, &[Table
 pub(crate) fn row_files(layout: &Layout) -> Vec<(String, String)> {
     let parts = parts(layout).into_iter();
     let files = parts.flat_map(|(name, what, tables)| {
-        let rows = rows_of(&format!("Row types of the tables of {what}."), tables);
-        let accessors = accessors_of(&format!("Reading the rows of {what}."), name, tables);
+        let rows = rows_of(&format!("Row types of the tables of {what}."), NOTE, tables);
+        let accessors = accessors_of(&format!("Reading the rows of {what}."), (name, NOTE), tables);
         [(format!("{name}_rows.rs"), rows), (format!("{name}_accessors.rs"), accessors)]
     });
     files.collect()
 }
 
-fn rows_of(title: &str, tables: &[Table]) -> String {
-    let mut out = format!("//! {title}\n{NOTE}");
+pub(crate) fn rows_of(title: &str, note: &str, tables: &[Table]) -> String {
+    let mut out = format!("//! {title}\n{note}");
     if tables.iter().flat_map(|table| &table.fields).any(|field| field.kind == "range") {
         out += "use crate::table::Range;\n";
     }
@@ -77,7 +77,7 @@ pub(crate) fn ident(field: &Field) -> &str {
     if field.name == "type" { "r#type" } else { &field.name }
 }
 
-fn accessors_of(title: &str, part: &str, tables: &[Table]) -> String {
+pub(crate) fn accessors_of(title: &str, (part, note): (&str, &str), tables: &[Table]) -> String {
     let mut out = String::new();
     for table in tables {
         let Some(row) = table.row.as_ref().filter(|_| table.fields_of.is_none()) else { continue };
@@ -88,7 +88,7 @@ fn accessors_of(title: &str, part: &str, tables: &[Table]) -> String {
         }
         out += "}\n";
     }
-    let mut head = format!("//! {title}\n{NOTE}");
+    let mut head = format!("//! {title}\n{note}");
     let _ = writeln!(head, "use super::{part}_rows::*;");
     for (used, import) in [("-> Range", "crate::table::Range"), ("rend::", "rkyv::rend")] {
         if out.contains(used) {
@@ -121,7 +121,12 @@ fn getter(field: &Field) -> String {
 
 /// Imports of all row types.
 fn row_imports() -> String {
-    PARTS.iter().map(|(part, ..)| format!("use super::{part}_rows::*;\n")).collect()
+    PARTS.iter().map(|(part, ..)| row_imports_of(part)).collect()
+}
+
+/// Imports of a part's row types.
+pub(crate) fn row_imports_of(part: &str) -> String {
+    format!("use super::{part}_rows::*;\n")
 }
 
 /// What this release writes and knows: its format, features and the directory's entries.
@@ -256,11 +261,11 @@ fn note(t: &Table, f: &Field) -> String {
     )
 }
 
-fn element(t: &Table) -> &str {
+pub(crate) fn element(t: &Table) -> &str {
     t.row.as_deref().or(t.scalar.as_deref()).unwrap_or_default()
 }
 
-fn view(t: &Table) -> String {
+pub(crate) fn view(t: &Table) -> String {
     match &t.row {
         Some(row) => format!("Archived{row}"),
         None => t.scalar.clone().unwrap_or_default(),
@@ -271,7 +276,7 @@ fn count(to: &str) -> String {
     if to == "strings" { "strings".into() } else { format!("self.{to}.len()") }
 }
 
-fn verify_table(t: &Table) -> String {
+pub(crate) fn verify_table(t: &Table) -> String {
     let mut checks = String::new();
     if t.scalar.as_deref() == Some("f64") {
         checks += "check.finite(\"\", *row)?;\n";

@@ -19,6 +19,7 @@ mod archive_doc;
 pub mod decode;
 mod ontology;
 pub mod opendrive;
+mod overlay_code;
 mod python_code;
 
 use anyhow::{Context, Result};
@@ -48,6 +49,9 @@ pub fn outputs(root: &Path) -> Result<Vec<Output>> {
         ("docs/format.md".to_owned(), archive_doc::splice(&page, &layout)?),
     ];
     let rows = archive_code::row_files(&layout).into_iter();
+    outputs.extend(rows.map(|(name, code)| (format!("{folder}/{name}"), code)));
+    let overlay = archive::Layout::read(&root.join("schemas/overlay.toml"))?;
+    let rows = overlay_code::files(&overlay).into_iter();
     outputs.extend(rows.map(|(name, code)| (format!("{folder}/{name}"), code)));
     outputs.extend(ontology::outputs(root)?);
     let table = opendrive::Table::read(&root.join("schemas/opendrive"))?;

@@ -20,6 +20,7 @@ pub mod manager;
 pub mod maps;
 pub mod object_maps;
 pub mod other_user;
+pub mod overlays;
 pub mod place;
 pub mod plain_route;
 pub mod releases;

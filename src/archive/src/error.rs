@@ -52,6 +52,12 @@ pub enum OpenError {
         /// The first eight bytes.
         found: [u8; 8],
     },
+    /// An overlay where a map is wanted.
+    #[error("an overlay, not a map: it lies over a map that a daemon serves (`mapd overlay`)")]
+    Overlay,
+    /// A map where an overlay is wanted.
+    #[error("a map, not an overlay")]
+    NotAnOverlay,
     /// Written on a machine of the other byte order.
     #[error("the archive's byte order is not little-endian; compile the map again on this machine")]
     Endianness,

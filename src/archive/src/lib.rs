@@ -42,6 +42,8 @@ mod mark_codes;
 mod moves;
 mod object_codes;
 mod open;
+mod overlay;
+mod overlay_codes;
 pub mod packed_index;
 mod points;
 mod signal_codes;
@@ -71,6 +73,8 @@ pub use generated::{
     known_tables::{FEATURES, FORMAT, LAYOUT_ID},
     network_rows::*,
     object_rows::*,
+    overlay_rows::*,
+    overlay_tables::{OverlayRows, OverlayTables},
     rows::Rows,
     signal_rows::*,
     tables::Tables,
@@ -85,6 +89,8 @@ pub use object_codes::{
     object_flags, outline_flags,
 };
 pub use open::{Archive, open, string};
+pub use overlay::{Overlay, open_overlay, overlay_string, verify_overlay};
+pub use overlay_codes::OverlayKind;
 pub use points::{PointCode, PointReader};
 pub use signal_codes::{
     LaneMethod, NO_RELATION, Orientation, Relation, RelationReason, SignalPosition, signal_flags,
@@ -94,4 +100,4 @@ pub use strings::StringTable;
 pub use table::{ArchivedRange, Range, Table, TableInfo};
 pub use unknown::{Unknown, unknown};
 pub use verify::verify;
-pub use write::{AlignedBytes, encode, encode_into, encode_to, encoded_length};
+pub use write::{AlignedBytes, encode, encode_into, encode_overlay, encode_to, encoded_length};

@@ -4,6 +4,7 @@ use crate::Tables;
 use crate::directory::{Reader, understood};
 use crate::error::OpenError;
 use crate::header::{HEADER_LENGTH, Header};
+use crate::overlay::OVERLAY_BIT;
 
 /// Alignment of an archive's first byte, and of each table in it.
 pub(crate) const ALIGNMENT: usize = 8;
@@ -26,6 +27,9 @@ pub struct Archive<'a> {
 /// Errors: [`OpenError`], each with what was expected, what was found and the way out.
 pub fn open(bytes: &[u8]) -> Result<Archive<'_>, OpenError> {
     let header = whole(bytes)?;
+    if header.must_understand & OVERLAY_BIT != 0 {
+        return Err(OpenError::Overlay);
+    }
     understood(bytes, &header)?;
     let mut directory = Reader::new(bytes, &header)?;
     let tables = Tables::read(&mut directory)?;
@@ -50,14 +54,18 @@ pub(crate) fn whole(bytes: &[u8]) -> Result<Header, OpenError> {
 /// The string of a number; empty if there is none or it is not UTF-8 (a corrupt archive).
 #[inline]
 pub fn string<'a>(tables: &Tables<'a>, number: u32) -> &'a str {
-    let offset = |i: usize| tables.string_offsets.get(i).map(|o| *o as usize);
+    string_of(tables.string_bytes, tables.string_offsets, number)
+}
+
+pub(crate) fn string_of<'a>(
+    string_bytes: &'a [u8],
+    string_offsets: &[u32],
+    number: u32,
+) -> &'a str {
+    let offset = |i: usize| string_offsets.get(i).map(|o| *o as usize);
     let number = number as usize;
     let (Some(start), Some(end)) = (offset(number), offset(number.saturating_add(1))) else {
         return "";
     };
-    tables
-        .string_bytes
-        .get(start..end)
-        .and_then(|bytes| std::str::from_utf8(bytes).ok())
-        .unwrap_or("")
+    string_bytes.get(start..end).and_then(|bytes| std::str::from_utf8(bytes).ok()).unwrap_or("")
 }

@@ -29,7 +29,7 @@ pub fn verify(bytes: &[u8]) -> Result<Archive<'_>, VerifyError> {
     }
     let tables = &archive.tables;
     features(&archive)?;
-    strings(tables)?;
+    strings(tables.string_bytes, tables.string_offsets)?;
     tables.verify_rows()?;
     exactly_one_map(tables)?;
     ascending(tables)?;
@@ -133,18 +133,18 @@ fn features(archive: &Archive<'_>) -> Result<(), VerifyError> {
     }
 }
 
-fn strings(tables: &Tables<'_>) -> Result<(), VerifyError> {
+pub(crate) fn strings(text: &[u8], offsets: &[u32]) -> Result<(), VerifyError> {
     let at = |row| Check { table: "string_offsets", row };
-    let (first, last) = (tables.string_offsets.first(), tables.string_offsets.last());
-    if first != Some(&0) || last.map(|l| *l as usize) != Some(tables.string_bytes.len()) {
+    let (first, last) = (offsets.first(), offsets.last());
+    if first != Some(&0) || last.map(|l| *l as usize) != Some(text.len()) {
         return at(0).fail(
             "",
             "offsets from 0 to the number of bytes",
             format!("{first:?} to {last:?}"),
         );
     }
-    for (row, pair) in tables.string_offsets.windows(2).enumerate() {
-        let bytes = tables.string_bytes.get(pair[0] as usize..pair[1] as usize);
+    for (row, pair) in offsets.windows(2).enumerate() {
+        let bytes = text.get(pair[0] as usize..pair[1] as usize);
         match bytes.map(std::str::from_utf8) {
             None => return at(row).fail("", "ascending offsets", format!("{pair:?}")),
             Some(Err(error)) => return at(row).fail("", "UTF-8 text", error),

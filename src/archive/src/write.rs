@@ -1,11 +1,13 @@
 //! Writing: the exact size first, then straight into the destination.
 
-use crate::Rows;
 use crate::directory::{ENTRY_LENGTH, TableEntry, TableKind, feature_bit};
 use crate::error::WriteError;
 use crate::generated::known_tables::TABLES;
+use crate::generated::overlay_tables::OVERLAY_TABLES;
 use crate::header::{HEADER_LENGTH, Header, Provenance};
 use crate::open::ALIGNMENT;
+use crate::overlay::OVERLAY_BIT;
+use crate::{OverlayRows, Rows};
 use rkyv::rancor::{Failure, Fallible};
 use rkyv::ser::writer::Buffer;
 use rkyv::ser::{Positional, Writer, WriterExt};
@@ -41,17 +43,34 @@ struct Plan {
     length: usize,
 }
 
-/// The tables that an archive gets: those that every archive has, and those that have rows.
-fn tables(rows: &Rows) -> impl Iterator<Item = (&'static TableKind, &[u8])> {
-    let tables = TABLES.iter().zip(rows.bytes());
-    tables.filter(|(kind, bytes)| kind.required || !bytes.is_empty())
+/// The tables that an archive gets, those that every archive has and those that have rows, and what a reader must understand.
+struct Content<'a> {
+    tables: Vec<(&'static TableKind, &'a [u8])>,
+    must_understand: u64,
+}
+
+impl<'a> Content<'a> {
+    fn new(
+        kinds: &'static [TableKind],
+        bytes: impl IntoIterator<Item = &'a [u8]>,
+        must_understand: u64,
+    ) -> Self {
+        let tables = kinds.iter().zip(bytes);
+        let tables = tables.filter(|(kind, bytes)| kind.required || !bytes.is_empty()).collect();
+        Self { tables, must_understand }
+    }
+
+    fn of_map(rows: &'a Rows) -> Self {
+        let bits = rows.features.iter().map(|feature| feature_bit(feature.bit));
+        Self::new(&TABLES, rows.bytes(), bits.fold(0, |all, bit| all | bit))
+    }
 }
 
 impl Plan {
-    fn of(rows: &Rows) -> Result<Self, Failure> {
-        let mut counter = Counter(HEADER_LENGTH + tables(rows).count() * ENTRY_LENGTH);
-        let mut directory = Vec::with_capacity(TABLES.len());
-        for (kind, bytes) in tables(rows) {
+    fn of(content: &Content<'_>) -> Result<Self, Failure> {
+        let mut counter = Counter(HEADER_LENGTH + content.tables.len() * ENTRY_LENGTH);
+        let mut directory = Vec::with_capacity(content.tables.len());
+        for (kind, bytes) in &content.tables {
             directory.push(TableEntry {
                 number: kind.number,
                 row_bytes: kind.row_bytes,
@@ -66,22 +85,26 @@ impl Plan {
 
     /// Writes directory and tables behind a header. Rows have no padding and the machine is little-endian: their bytes are
     /// the archived bytes.
-    fn write(&self, rows: &Rows, out: &mut impl Writer<Failure>) -> Result<(), Failure> {
+    fn write(&self, content: &Content<'_>, out: &mut impl Writer<Failure>) -> Result<(), Failure> {
         out.write(bytemuck::cast_slice(&self.directory))?;
-        for (_, bytes) in tables(rows) {
+        for (_, bytes) in &content.tables {
             out.align(ALIGNMENT)?;
             out.write(bytes)?;
         }
         Ok(())
     }
 
-    fn header(&self, rows: &Rows, provenance: &Provenance, content: &blake3::Hasher) -> Header {
-        let bits = rows.features.iter().map(|feature| feature_bit(feature.bit));
+    fn header(
+        &self,
+        content: &Content<'_>,
+        provenance: &Provenance,
+        hasher: &blake3::Hasher,
+    ) -> Header {
         Header {
-            must_understand: bits.fold(0, |all, bit| all | bit),
+            must_understand: content.must_understand,
             tables: self.directory.len() as u32,
             body_length: (self.length - HEADER_LENGTH) as u64,
-            content_hash: *content.finalize().as_bytes(),
+            content_hash: *hasher.finalize().as_bytes(),
             provenance: *provenance,
         }
     }
@@ -93,7 +116,7 @@ fn failed(error: Failure) -> WriteError {
 
 /// Exact length in bytes of the archive that [`encode_into`] will write.
 pub fn encoded_length(rows: &Rows) -> Result<usize, WriteError> {
-    Ok(Plan::of(rows).map_err(failed)?.length)
+    Ok(Plan::of(&Content::of_map(rows)).map_err(failed)?.length)
 }
 
 /// Writes an archive into a destination of exactly [`encoded_length`] bytes, aligned to 8. Whatever the destination
@@ -105,25 +128,48 @@ pub fn encode_into(
     provenance: &Provenance,
     out: &mut [u8],
 ) -> Result<Header, WriteError> {
-    let plan = Plan::of(rows).map_err(failed)?;
-    if out.len() != plan.length {
-        return Err(WriteError::Length { expected: plan.length, found: out.len() });
+    let content = Content::of_map(rows);
+    let plan = Plan::of(&content).map_err(failed)?;
+    plan.fill(&content, provenance, out)
+}
+
+impl Plan {
+    fn fill(
+        &self,
+        content: &Content<'_>,
+        provenance: &Provenance,
+        out: &mut [u8],
+    ) -> Result<Header, WriteError> {
+        if out.len() != self.length {
+            return Err(WriteError::Length { expected: self.length, found: out.len() });
+        }
+        if !(out.as_ptr() as usize).is_multiple_of(ALIGNMENT) {
+            return Err(WriteError::Alignment { expected: ALIGNMENT });
+        }
+        // Gaps between tables are written as zeros: with the right length, nothing is left of what was there.
+        let mut writer = Buffer::from(&mut *out);
+        Writer::<Failure>::write(&mut writer, &[0; HEADER_LENGTH]).map_err(failed)?;
+        self.write(content, &mut writer).map_err(failed)?;
+        let found = writer.len();
+        if found != self.length {
+            return Err(WriteError::Length { expected: self.length, found });
+        }
+        let (head, body) = out.split_at_mut(HEADER_LENGTH);
+        let header = self.header(content, provenance, blake3::Hasher::new().update(body));
+        head.copy_from_slice(&header.encode());
+        Ok(header)
     }
-    if !(out.as_ptr() as usize).is_multiple_of(ALIGNMENT) {
-        return Err(WriteError::Alignment { expected: ALIGNMENT });
+
+    fn in_memory(
+        &self,
+        content: &Content<'_>,
+        provenance: &Provenance,
+    ) -> Result<AlignedBytes, WriteError> {
+        let mut bytes = AlignedBytes::with_capacity(self.length);
+        bytes.resize(self.length, 0);
+        self.fill(content, provenance, &mut bytes)?;
+        Ok(bytes)
     }
-    // Gaps between tables are written as zeros: with the right length, nothing is left of what was there.
-    let mut writer = Buffer::from(&mut *out);
-    Writer::<Failure>::write(&mut writer, &[0; HEADER_LENGTH]).map_err(failed)?;
-    plan.write(rows, &mut writer).map_err(failed)?;
-    let found = writer.len();
-    if found != plan.length {
-        return Err(WriteError::Length { expected: plan.length, found });
-    }
-    let (head, body) = out.split_at_mut(HEADER_LENGTH);
-    let header = plan.header(rows, provenance, blake3::Hasher::new().update(body));
-    head.copy_from_slice(&header.encode());
-    Ok(header)
 }
 
 /// Bytes that are hashed and written at a time: they are in the processor's cache for both.
@@ -171,16 +217,17 @@ pub fn encode_to(
     provenance: &Provenance,
     out: &mut (impl Write + Seek),
 ) -> io::Result<Header> {
-    let plan = Plan::of(rows).map_err(|error| io::Error::other(error.to_string()))?;
+    let content = Content::of_map(rows);
+    let plan = Plan::of(&content).map_err(|error| io::Error::other(error.to_string()))?;
     out.seek(SeekFrom::Start(HEADER_LENGTH as u64))?;
     let (hasher, position) = (blake3::Hasher::new(), HEADER_LENGTH);
     let mut stream = Streamed { out, position, hasher, failed: None };
-    let done = plan.write(rows, &mut stream);
+    let done = plan.write(&content, &mut stream);
     if let Some(error) = stream.failed {
         return Err(error);
     }
     done.map_err(|error| io::Error::other(error.to_string()))?;
-    let header = plan.header(rows, provenance, &stream.hasher);
+    let header = plan.header(&content, provenance, &stream.hasher);
     stream.out.seek(SeekFrom::Start(0))?;
     stream.out.write_all(&header.encode())?;
     Ok(header)
@@ -188,11 +235,15 @@ pub fn encode_to(
 
 /// An archive in memory.
 pub fn encode(rows: &Rows, provenance: &Provenance) -> Result<AlignedBytes, WriteError> {
-    let length = encoded_length(rows)?;
-    let mut bytes = AlignedBytes::with_capacity(length);
-    bytes.resize(length, 0);
-    encode_into(rows, provenance, &mut bytes)?;
-    Ok(bytes)
+    let content = Content::of_map(rows);
+    Plan::of(&content).map_err(failed)?.in_memory(&content, provenance)
+}
+
+/// An overlay in memory, for the map of this content hash.
+pub fn encode_overlay(rows: &OverlayRows, map: [u8; 32]) -> Result<AlignedBytes, WriteError> {
+    let content = Content::new(&OVERLAY_TABLES, rows.bytes(), OVERLAY_BIT);
+    let provenance = Provenance { input_hash: map, ..Provenance::default() };
+    Plan::of(&content).map_err(failed)?.in_memory(&content, &provenance)
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use crate::error::ClientError;
 use crate::snapshot::Snapshot;
-use mapd_transport::{AttachError, Domain, GenerationInfo, Observer, Pinned, after};
+use mapd_transport::{AttachError, Domain, GenerationInfo, Laid, Observer, Pinned, after};
 #[cfg(feature = "subscriber")]
 use mapd_transport::{AttachTiming, Subscription};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -54,6 +54,9 @@ pub struct Client {
     name: String,
     domain: Domain,
     source: Source,
+    /// Where a subscriber looks for overlays, which are in no sample.
+    #[cfg(feature = "subscriber")]
+    beside: Observer,
     current: Mutex<Snapshot>,
     populate: AtomicBool,
 }
@@ -115,10 +118,45 @@ impl Client {
         map: &str,
         until: Instant,
     ) -> Result<Self, ClientError> {
-        let pinned = source.wait_newer(0, until)?;
-        let current = Mutex::new(Snapshot::from_pinned(pinned, map)?);
-        let populate = AtomicBool::new(false);
-        Ok(Self { name: map.to_owned(), domain: domain.clone(), source, current, populate })
+        #[cfg(feature = "subscriber")]
+        let beside = Observer::idle(domain, map);
+        let observer = match &source {
+            Source::Observer(observer) => observer,
+            #[cfg(feature = "subscriber")]
+            Source::Subscriber(_) => &beside,
+        };
+        let current = loop {
+            let pinned = source.wait_newer(0, until)?;
+            let snapshot = Snapshot::from_pinned(pinned, map)?;
+            if let Some(pair) = lay(observer, &snapshot)? {
+                break pair;
+            }
+            // A generation is being sent at this moment, or its daemon was killed then.
+            if Instant::now() >= until {
+                let (map, newer_than, daemon_alive) = (map.to_owned(), 0, false);
+                return Err(AttachError::NoGeneration { map, newer_than, daemon_alive }.into());
+            }
+            observer.sleep(until);
+        };
+        let (current, populate) = (Mutex::new(current), AtomicBool::new(false));
+        Ok(Self {
+            name: map.to_owned(),
+            domain: domain.clone(),
+            source,
+            #[cfg(feature = "subscriber")]
+            beside,
+            current,
+            populate,
+        })
+    }
+
+    /// Where overlays are looked for.
+    fn observer(&self) -> &Observer {
+        match &self.source {
+            Source::Observer(observer) => observer,
+            #[cfg(feature = "subscriber")]
+            Source::Subscriber(_) => &self.beside,
+        }
     }
 
     /// How this client is attached.
@@ -158,14 +196,33 @@ impl Client {
         self.current.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// Looks for a newer generation without waiting and returns the newest.
+    /// Looks for a newer generation, and for another overlay, without waiting, and returns the newest of both, which always belong together.
     ///
-    /// Errors: the transport failed, or the new archive cannot be read; the old snapshot stays what it was.
+    /// Errors: the transport failed, or the new archive or overlay cannot be read; the old snapshot stays what it was.
     pub fn refresh(&self) -> Result<Snapshot, ClientError> {
         // One that could not be opened is no better the next time, and told each time.
         match self.source.newer_than(self.snapshot().generation())? {
-            Some(pinned) => self.keep(self.open(pinned)?),
-            None => Ok(self.snapshot()),
+            Some(pinned) => Ok(self.keep(&self.open(pinned)?)?.unwrap_or_else(|| self.snapshot())),
+            None => Ok(self.keep(&self.snapshot())?.unwrap_or_else(|| self.snapshot())),
+        }
+    }
+
+    /// Waits until a newer generation or another overlay than those of the newest snapshot seen so far is there, at most `deadline`; whether one is. The
+    /// newest is then [`Client::snapshot`].
+    ///
+    /// Errors: as [`Client::refresh`].
+    pub fn wait_change(&self, deadline: Duration) -> Result<bool, ClientError> {
+        let until = after(deadline);
+        let pair = |snapshot: &Snapshot| (snapshot.generation(), snapshot.overlay_revision());
+        let before = pair(&self.snapshot());
+        loop {
+            if pair(&self.refresh()?) != before {
+                return Ok(true);
+            }
+            if Instant::now() >= until {
+                return Ok(false);
+            }
+            self.observer().sleep(until);
         }
     }
 
@@ -182,8 +239,19 @@ impl Client {
         than: u64,
         deadline: Duration,
     ) -> Result<Snapshot, ClientError> {
-        let pinned = self.source.wait_newer(than, after(deadline))?;
-        self.keep(self.open(pinned)?)
+        let until = after(deadline);
+        loop {
+            let pinned = self.source.wait_newer(than, until)?;
+            if let Some(kept) = self.keep(&self.open(pinned)?)? {
+                return Ok(kept);
+            }
+            if Instant::now() < until {
+                self.observer().sleep(until);
+                continue;
+            }
+            let (map, newer_than) = (self.name.clone(), than);
+            return Err(AttachError::NoGeneration { map, newer_than, daemon_alive: false }.into());
+        }
     }
 
     /// Whether generations are mapped page by page before they are handed out, beginning with the one that is held now, so
@@ -227,8 +295,19 @@ impl Client {
             return Err(AttachError::Superseded { map, wanted: generation, newest }.into());
         }
         let wanted = self.open(pinned)?;
-        self.keep(wanted.clone())?;
-        Ok(wanted)
+        let until = after(deadline);
+        loop {
+            let kept = self.keep(&wanted)?;
+            match kept {
+                Some(kept) if kept.generation() == generation => return Ok(kept),
+                None if Instant::now() < until => self.observer().sleep(until),
+                kept => {
+                    let newest = kept.map_or(generation, |kept| kept.generation());
+                    let map = self.name.clone();
+                    return Err(AttachError::Superseded { map, wanted: generation, newest }.into());
+                }
+            }
+        }
     }
 
     /// The generation that is staged: verified, in shared memory, and served once `mapd activate` is called; `None` if there
@@ -237,12 +316,30 @@ impl Client {
         mapd_transport::pending(&self.domain, &self.name)
     }
 
-    /// Keeps the newer of two generations: threads may race here.
-    fn keep(&self, new: Snapshot) -> Result<Snapshot, ClientError> {
+    /// Keeps the newer of two generations, under the overlay that the record names with it; `None`, and nothing changes, as long as the record is about
+    /// another generation. Threads may race here.
+    fn keep(&self, new: &Snapshot) -> Result<Option<Snapshot>, ClientError> {
         let mut current = self.current.lock().unwrap_or_else(PoisonError::into_inner);
-        if new.generation() > current.generation() {
-            *current = new;
+        let is_newer = new.generation() > current.generation();
+        let observer = self.observer();
+        if !is_newer && observer.is_unchanged() {
+            return Ok(Some(current.clone()));
         }
-        Ok(current.clone())
+        let pair = lay(observer, if is_newer { new } else { &current })?;
+        if let Some(pair) = &pair {
+            *current = pair.clone();
+        }
+        Ok(pair)
     }
+}
+
+/// A generation under what the record names with it; `None` where the record is about another one.
+fn lay(observer: &Observer, snapshot: &Snapshot) -> Result<Option<Snapshot>, ClientError> {
+    let laid = observer.laid_over(snapshot.generation(), snapshot.overlay_revision())?;
+    Ok(match laid {
+        Laid::Known => Some(snapshot.clone()),
+        Laid::Nothing => Some(snapshot.bare()),
+        Laid::New(pinned) => Some(snapshot.under(pinned)?),
+        Laid::Other => None,
+    })
 }

@@ -1,13 +1,14 @@
-//! One generation, pinned.
+//! One generation, pinned, with what is laid over it.
 #![allow(unsafe_code)]
 
 use crate::error::ClientError;
 use crate::file;
-use mapd_archive::{AlignedBytes, Archive, open, verify};
-use mapd_query::Map;
-use mapd_transport::{AttachError, Mapping, Pinned};
+use mapd_archive::{AlignedBytes, Archive, Overlay, open, open_overlay, verify};
+use mapd_query::{Map, View};
+use mapd_transport::{AttachError, Mapping, Pinned, PinnedOverlay};
 use std::path::Path;
 use std::sync::Arc;
+use std::time::SystemTime;
 
 /// What keeps the bytes where they are.
 enum Memory {
@@ -35,9 +36,40 @@ struct Inner {
     source_name: Box<str>,
 }
 
-/// One generation of a map, pinned: cheap to clone, shared by threads without locks, readable as long as any clone lives.
+/// What keeps an overlay's bytes where they are.
+enum OverlayMemory {
+    Shared(PinnedOverlay),
+    Owned(AlignedBytes),
+}
+
+impl OverlayMemory {
+    fn bytes(&self) -> &[u8] {
+        match self {
+            Self::Shared(pinned) => pinned.bytes(),
+            Self::Owned(bytes) => bytes,
+        }
+    }
+
+    fn revision(&self) -> u64 {
+        match self {
+            Self::Shared(pinned) => pinned.revision(),
+            Self::Owned(_) => 0,
+        }
+    }
+}
+
+struct Over {
+    /// Borrows from `memory`; declared first, dropped first.
+    overlay: Overlay<'static>,
+    memory: OverlayMemory,
+}
+
+/// One generation of a map, pinned, with what is laid over it: cheap to clone, shared by threads without locks, readable as long as any clone lives.
 #[derive(Clone)]
-pub struct Snapshot(Arc<Inner>);
+pub struct Snapshot {
+    inner: Arc<Inner>,
+    over: Option<Arc<Over>>,
+}
 
 impl Snapshot {
     /// Opens a `.mapd` file in place.
@@ -76,12 +108,64 @@ impl Snapshot {
             unsafe { std::slice::from_raw_parts(bytes.as_ptr(), bytes.len()) };
         let archive = open(bytes)
             .map_err(|error| ClientError::Open { source_name: name.to_owned(), error })?;
-        Ok(Self(Arc::new(Inner { archive, memory, generation, source_name: name.into() })))
+        let inner = Arc::new(Inner { archive, memory, generation, source_name: name.into() });
+        Ok(Self { inner, over: None })
+    }
+
+    /// The same map under an overlay that was made in this process.
+    ///
+    /// Errors: the bytes are no overlay of this map.
+    pub fn with_overlay(&self, bytes: AlignedBytes) -> Result<Self, ClientError> {
+        self.over(OverlayMemory::Owned(bytes))
+    }
+
+    /// The same map with nothing laid over it.
+    pub(crate) fn bare(&self) -> Self {
+        Self { inner: self.inner.clone(), over: None }
+    }
+
+    /// Errors: the bytes are no overlay of this map, or another one than was announced.
+    pub(crate) fn under(&self, pinned: PinnedOverlay) -> Result<Self, ClientError> {
+        let announced = pinned.content_hash();
+        let under = self.over(OverlayMemory::Shared(pinned))?;
+        match &under.over {
+            Some(over) if over.overlay.header.content_hash == announced => Ok(under),
+            _ => Err(self.other_content()),
+        }
+    }
+
+    fn over(&self, memory: OverlayMemory) -> Result<Self, ClientError> {
+        let bytes = memory.bytes();
+        // SAFETY: as in `new`: the bytes live in `memory`, which moves into the same `Over`, neither moves nor frees them before it is dropped, and is
+        // dropped after `overlay`, which is handed out only with the lifetime of a borrow of the snapshot (`view`).
+        let bytes: &'static [u8] =
+            unsafe { std::slice::from_raw_parts(bytes.as_ptr(), bytes.len()) };
+        let source_name = || self.inner.source_name.to_string();
+        let overlay = open_overlay(bytes)
+            .map_err(|error| ClientError::Open { source_name: source_name(), error })?;
+        if overlay.header.provenance.input_hash != self.header().content_hash {
+            return Err(self.other_content());
+        }
+        Ok(Self { inner: self.inner.clone(), over: Some(Arc::new(Over { overlay, memory })) })
+    }
+
+    fn other_content(&self) -> ClientError {
+        AttachError::OtherContent { map: self.inner.source_name.to_string() }.into()
     }
 
     /// The map.
     pub fn map(&self) -> Map<'_> {
-        Map::new(&self.0.archive, self.0.generation)
+        Map::new(&self.inner.archive, self.inner.generation)
+    }
+
+    /// The map under what is laid over it, at a moment; where nothing is, the map.
+    pub fn view(&self, at: SystemTime) -> View<'_> {
+        View::of(self.map(), self.over.as_ref().map(|over| &over.overlay), at)
+    }
+
+    /// Revision of what is laid over it, which rises with each change; 0 where nothing is, or it was made in this process.
+    pub fn overlay_revision(&self) -> u64 {
+        self.over.as_ref().map_or(0, |over| over.memory.revision())
     }
 
     /// Has every page of the archive mapped in this process now, so that no query waits for the kernel: page tables are per
@@ -100,30 +184,30 @@ impl Snapshot {
 
     /// What the map was published as; 0 for a file.
     pub fn generation(&self) -> u64 {
-        self.0.generation
+        self.inner.generation
     }
 
     /// The archive's header.
     pub fn header(&self) -> &mapd_archive::Header {
-        &self.0.archive.header
+        &self.inner.archive.header
     }
 
     /// The archive's bytes.
     pub fn bytes(&self) -> &[u8] {
-        self.0.memory.bytes()
+        self.inner.memory.bytes()
     }
 
     /// File or map name, for errors.
     #[cfg(feature = "trust")]
     pub(crate) fn source_name(&self) -> &str {
-        &self.0.source_name
+        &self.inner.source_name
     }
 
     /// Proves the whole archive, content hash included. Linear in its size; attaching does not do this.
     ///
     /// Errors: the first thing that is wrong.
     pub fn verify(&self) -> Result<(), ClientError> {
-        let source_name = || self.0.source_name.to_string();
+        let source_name = || self.inner.source_name.to_string();
         verify(self.bytes())
             .map(|_| ())
             .map_err(|error| ClientError::Verify { source_name: source_name(), error })

@@ -9,12 +9,26 @@ use mapd_archive::{
     RelationReason, VehicleClass, beside_row, edge_flags, node_flags, section_step,
 };
 
-/// A node of the lane graph: a lane, or a piece of one, travelled in one direction.
+/// A node of the lane graph: a lane, or a piece of one, travelled in one direction. Under an overlay ([`crate::View`]) a [`crate::RouteCost`] is also asked
+/// for pieces of nodes, whose length, time and permissions are those of the piece.
 #[derive(Clone, Copy)]
 pub struct LaneNode<'a> {
     pub(crate) map: Map<'a>,
     pub(crate) number: u32,
     pub(crate) row: &'a ArchivedLaneNodeRow,
+    /// What holds instead on a piece of the node, under an overlay.
+    pub(crate) piece: Option<NodePiece>,
+}
+
+/// A piece of a node, as an overlay has it at a moment, for a class of vehicles.
+#[derive(Clone, Copy)]
+pub(crate) struct NodePiece {
+    pub(crate) s_range: (f64, f64),
+    /// Share of the node's length before it.
+    pub(crate) before: f64,
+    pub(crate) length: f64,
+    pub(crate) time: f64,
+    pub(crate) access: u16,
 }
 
 /// An edge of the lane graph: from one node into the next, in driving direction.
@@ -38,7 +52,8 @@ pub struct Conflict<'a> {
 impl<'a> LaneNode<'a> {
     #[inline]
     pub(crate) fn new(map: Map<'a>, number: u32) -> Option<Self> {
-        Some(Self { map, number, row: map.tables().lane_nodes.get(number as usize)? })
+        let row = map.tables().lane_nodes.get(number as usize)?;
+        Some(Self { map, number, row, piece: None })
     }
 
     /// Dense id.
@@ -58,6 +73,9 @@ impl<'a> LaneNode<'a> {
 
     /// Both ends of the piece on the road `[m]`, the smaller s first.
     pub fn s_range(&self) -> (f64, f64) {
+        if let Some(piece) = &self.piece {
+            return piece.s_range;
+        }
         let Some(lane) = self.lane() else { return (0.0, 0.0) };
         let section = lane.section();
         let start = section.s_start();
@@ -71,23 +89,39 @@ impl<'a> LaneNode<'a> {
     }
 
     /// Length of the centre line in plan view `[m]`.
+    #[inline]
     pub fn length(&self) -> f64 {
-        f64::from(self.row.length())
+        match &self.piece {
+            None => f64::from(self.row.length()),
+            Some(piece) => piece.length,
+        }
     }
 
     /// Time to pass it at the speed limit `[s]`.
+    #[inline]
     pub fn travel_time(&self) -> f64 {
-        f64::from(self.row.time())
+        match &self.piece {
+            None => f64::from(self.row.time()),
+            Some(piece) => piece.time,
+        }
     }
 
     /// Whether a class of vehicles may use it, by lane type and access records.
     pub fn allows(&self, class: VehicleClass) -> bool {
-        self.row.access() & class.bit() != 0
+        self.access() & class.bit() != 0
+    }
+
+    #[inline]
+    fn access(&self) -> u16 {
+        match &self.piece {
+            None => self.row.access(),
+            Some(piece) => piece.access,
+        }
     }
 
     /// Whether any class of vehicles may use it.
     pub fn is_open(&self) -> bool {
-        self.row.access() != 0
+        self.access() != 0
     }
 
     /// The node beside it, in driving direction to the left, that travels the same way.
@@ -243,11 +277,16 @@ impl<'a> Map<'a> {
         LaneNode::new(*self, id.row).ok_or(QueryError::Corrupt)
     }
 
+    /// The node of a row of the archive's table.
+    pub fn lane_node_by_row(&self, row: u32) -> Option<LaneNode<'a>> {
+        LaneNode::new(*self, row)
+    }
+
     /// All nodes of the lane graph.
     pub fn lane_nodes(&self) -> impl ExactSizeIterator<Item = LaneNode<'a>> + use<'a> {
         let map = *self;
         let rows = map.tables().lane_nodes.iter().enumerate();
-        rows.map(move |(number, row)| LaneNode { map, number: number as u32, row })
+        rows.map(move |(number, row)| LaneNode { map, number: number as u32, row, piece: None })
     }
 }
 

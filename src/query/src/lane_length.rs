@@ -5,6 +5,18 @@ use crate::profile::{At, Slope};
 use crate::road::{Piece, Road};
 use mapd_archive::{ArchivedCubicRow, SpeedKind};
 
+/// Speed assumed where the file states none `[m/s]`: 50 km/h, the usual limit in towns.
+const ASSUMED_SPEED: f64 = 50.0 / 3.6;
+/// Speed assumed where there is no limit `[m/s]`: 130 km/h, the recommended one on motorways.
+const UNLIMITED_SPEED: f64 = 130.0 / 3.6;
+/// Lowest speed counted `[m/s]`: a limit of 0 must not make a lane take for ever.
+const LOWEST_SPEED: f64 = 0.1;
+
+/// The speed that travel times count for a limit `[m/s]`.
+pub fn travel_speed(limit: f64) -> f64 {
+    mapd_geometry::clamp(limit, LOWEST_SPEED, UNLIMITED_SPEED)
+}
+
 /// Places of the two-point Gauss–Legendre rule on −1 to 1, one over the square root of 3.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
 
@@ -115,6 +127,28 @@ impl<'a> Lane<'a> {
         let turned = if sin == 0.0 { 0.0 } else { self.road.superelevation_slope(at) };
         let across = center.derivative * cos - center.value * sin * turned;
         (along * along + across * across).sqrt()
+    }
+
+    /// Time to travel the centre line between two places on the road at the speed limit of [`Lane::speed_limit_at`] `[s]`: 50 km/h where there is none
+    /// written, 130 km/h where there is no limit, and never less than 0.1 m/s. s outside the lane's section counts as its nearer end; with one that is
+    /// not finite: NaN.
+    pub fn time_between(&self, a: f64, b: f64) -> f64 {
+        if !(a.is_finite() && b.is_finite()) {
+            return f64::NAN;
+        }
+        let (from, to) = (a.min(b), a.max(b));
+        let (mut time, mut last) = (0.0, from);
+        loop {
+            let changes = self.speeds().map(|record| record.s);
+            let changes = changes.chain(self.road.types().map(|record| record.s));
+            let next = changes.filter(|s| *s > last && *s < to).fold(to, f64::min);
+            let speed = self.speed_limit_at(0.5 * (last + next)).unwrap_or(ASSUMED_SPEED);
+            time += self.length_between(last, next) / travel_speed(speed);
+            if next >= to {
+                return time;
+            }
+            last = next;
+        }
     }
 
     /// Speed limit at s `[m/s]`: the lane's own record, else that of the road's type (OpenDRIVE 1.8.1, 11.8.2, 10.4).

@@ -62,6 +62,7 @@ mod signals;
 mod structures;
 mod surface;
 mod types;
+mod view;
 mod waypoints;
 
 pub use annotation::{Annotated, Annotation, IncludedFile};
@@ -83,14 +84,15 @@ pub use junction_group::{JunctionGroup, JunctionGroupMember};
 pub use key::{LaneKey, LaneLayer, ParseLaneKeyError};
 pub use landmark::{Landmark, LandmarkSource};
 pub use lane::{Lane, LaneSpeed};
+pub use lane_length::travel_speed;
 pub use lane_words::{LaneRule, LaneVisibility};
 pub use map::Map;
 pub use mapd_archive::{
     AnnotationKind, AnnotationOwner, Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind,
     GeoReferenceForm, JunctionGroupKind, LaneMethod, LaneType, MarkLaneChange, ObjectShape,
-    ObjectSide, Orientation, OutlineFill, PlatformSide, QuarantinedKind, Relation, RelationReason,
-    RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight, RoadType, SignalPosition, SpeedKind,
-    StructureKind, SwitchPosition, VehicleClass,
+    ObjectSide, Orientation, OutlineFill, Overlay, OverlayKind, PlatformSide, QuarantinedKind,
+    Relation, RelationReason, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight, RoadType,
+    SignalPosition, SpeedKind, StructureKind, SwitchPosition, VehicleClass,
 };
 #[cfg(feature = "geodesy")]
 pub use mapd_geodesy::{DefinitionError, Geodetic, Offset, ProjectionError, Projector};
@@ -131,4 +133,7 @@ pub use signals::{SpeedSigns, Zone, is_of_speed};
 pub use structures::{ObjectReference, Structure};
 pub use surface::{LaneHeight, Material, Surface};
 pub use types::{Clamped, LaneEdges, LanePosition, Point, Pose, Track, TrackPosition};
+pub use view::{
+    ForeignOverlay, OverlayEntry, Permission, ReachedPiece, Restriction, SpeedToday, View,
+};
 pub use waypoints::Waypoint;

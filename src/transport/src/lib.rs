@@ -13,6 +13,7 @@
 //! /dev/shm/mapd_root/{map}.lock       flock, exclusive while a daemon serves the map; holds its process id
 //! /dev/shm/mapd_root/{map}.generation the last generation number handed out
 //! /dev/shm/mapd_root/{map}.published  record of what is served now: one page, on which readers wait
+//! /dev/shm/mapd_root/{map}.overlay-…  what is laid over it today, where something is; named by the record
 //! /dev/shm/mapd_root/{map}.staged     what waits to be served
 //! /dev/shm/mapd_root/control-…        the daemon's socket for `mapd status`, `reload`, `rollback`, `activate`
 //! /dev/shm/mapd_root/{nodes,services} iceoryx2's own files
@@ -71,7 +72,10 @@ pub use domain::{
 pub use error::AttachError;
 pub use limits::*;
 pub use mapping::Mapping;
-pub use observer::{Observer, OverlayPlace, Place, RecordWriter, heartbeat_age, revision_of};
+pub use observer::{
+    Laid, Observer, OverlayPlace, PinnedOverlay, Place, RecordWriter, heartbeat_age, overlay_file,
+    revision_of,
+};
 pub use payload::{Chunk64, GenerationInfo, chunks_for};
 pub use pinned::Pinned;
 pub use presence::Presence;

@@ -23,6 +23,8 @@ mod object_positions;
 mod object_queries;
 mod object_shapes;
 mod ontology;
+mod overlays;
+mod overlays_oracle;
 mod path_ahead;
 mod paths;
 mod polylines;

@@ -15,7 +15,7 @@ const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 
 /// Bytes of a record, and of one of its two slots.
 const PAGE: usize = 4096;
-const SLOT: usize = 48 * 8;
+const SLOT: usize = 55 * 8;
 
 /// Where the parts of a record lie.
 const HEARTBEAT: Range<usize> = 16..24;

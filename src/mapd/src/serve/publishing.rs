@@ -6,6 +6,7 @@ use super::loan::{Filled, PublishMeta, fill_loan, locate_loan};
 use super::locked::LockedPages;
 use super::memory;
 use super::notice::Notice;
+use super::overlays::{OverlayBytes, OverlayFile};
 use super::reserve::reserving;
 use super::segment::Segment;
 use super::served_map::{Current, MapPublisher};
@@ -59,10 +60,23 @@ impl Server {
         length: usize,
         fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
     ) -> Result<u64, ServeError> {
+        self.publish_under(map, length, fill, None)
+    }
+
+    /// As [`Server::publish`], with the overlay that was made for this generation: readers get both at once. Without one, nothing is laid over it.
+    ///
+    /// Errors: as [`Server::publish`].
+    pub fn publish_under(
+        &mut self,
+        map: &str,
+        length: usize,
+        fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
+        overlay: Option<&OverlayBytes>,
+    ) -> Result<u64, ServeError> {
         let known = self.maps.contains_key(map);
         let published = self
             .fill_next(map, length, fill)
-            .and_then(|staged| self.send(map, staged))
+            .and_then(|staged| self.send(map, staged, overlay))
             .map_err(|error| self.naming_held(memory::or_shortage(error)));
         if published.is_err() && !known {
             self.withdraw(map);
@@ -104,6 +118,17 @@ impl Server {
     ///
     /// Errors: [`ServeError::NothingStaged`]; iceoryx2 refuses, and what was served before is still served.
     pub fn activate(&mut self, map: &str) -> Result<u64, ServeError> {
+        self.activate_under(map, None)
+    }
+
+    /// As [`Server::activate`], with the overlay that was made for it.
+    ///
+    /// Errors: as [`Server::activate`].
+    pub fn activate_under(
+        &mut self,
+        map: &str,
+        overlay: Option<&OverlayBytes>,
+    ) -> Result<u64, ServeError> {
         if !self.staged.contains_key(map) {
             return Err(ServeError::NothingStaged { map: map.to_owned() });
         }
@@ -112,7 +137,7 @@ impl Server {
         let Some(staged) = self.staged.remove(map) else {
             return Err(ServeError::NothingStaged { map: map.to_owned() });
         };
-        let sent = self.send(map, staged).map_err(memory::or_shortage);
+        let sent = self.send(map, staged, overlay).map_err(memory::or_shortage);
         self.tell_if_failed("removing the record", remove_staged(&self.domain, map));
         sent
     }
@@ -206,9 +231,19 @@ impl Server {
     }
 
     /// Serves a generation instead of the one before.
-    fn send(&mut self, map: &str, staged: Staged) -> Result<u64, ServeError> {
+    fn send(
+        &mut self,
+        map: &str,
+        staged: Staged,
+        overlay: Option<&OverlayBytes>,
+    ) -> Result<u64, ServeError> {
+        let io = ServeError::io(self.domain.root());
+        let overlay =
+            overlay.map(|overlay| OverlayFile::write(&self.domain, map, overlay, self.share));
+        let overlay = overlay.transpose().map_err(io)?;
         let exclusive = self.exclusive();
-        let Staged { mut sample, place, locked, kept, publisher } = staged;
+        let Staged { mut sample, mut place, locked, kept, publisher } = staged;
+        place.overlay = overlay.as_ref().map(|file| file.place);
         sample.user_header_mut().published_unix_ns = unix_ns();
         let info = *sample.user_header();
         // Newcomers since it was made cost a queue each.
@@ -221,7 +256,11 @@ impl Server {
             ports.record.prepare(&info, &place).map_err(ServeError::io(self.domain.root()))?;
         reserving(|| sample.send()).map_err(ServeError::iceoryx("sending"))?;
         ports.record.hold(prepared);
-        ports.replace(Current { publisher, info, kept }, locked, exclusive.as_ref());
+        ports.replace(
+            Current { publisher, info, kept, place, overlay },
+            locked,
+            exclusive.as_ref(),
+        );
         drop(exclusive);
         if let Some(ports) = self.maps.get(map) {
             self.tell_if_failed("announcing a generation", ports.announce());

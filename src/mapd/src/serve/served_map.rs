@@ -5,6 +5,7 @@ use super::held::{Dropped, HeldGeneration, MOST};
 use super::locked::LockedPages;
 use super::memory;
 use super::notice::Notice;
+use super::overlays::{OverlayFile, remove_left};
 use super::reserve::reserving;
 use super::services::MapServices;
 use iceoryx2::port::listener::Listener;
@@ -14,7 +15,8 @@ use iceoryx2::port::update_connections::UpdateConnections;
 use iceoryx2::prelude::{AllocationStrategy, Node};
 use iceoryx2::service::port_factory::PortFactory as _;
 use mapd_transport::{
-    AttachGuard, Chunk64, Claim, Domain, GenerationInfo, RecordWriter, Share, TransportService,
+    AttachGuard, Chunk64, Claim, Domain, GenerationInfo, Place, RecordWriter, Share,
+    TransportService,
 };
 use std::fs::File;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -27,6 +29,10 @@ pub(crate) struct Current {
     pub(crate) info: GenerationInfo,
     /// To look after its segment once it is not served any more.
     pub(crate) kept: Option<File>,
+    /// Where its bytes lie.
+    pub(crate) place: Place,
+    /// What is laid over it.
+    pub(crate) overlay: Option<OverlayFile>,
 }
 
 /// Which map is served, and to whom.
@@ -62,6 +68,7 @@ impl MapPorts {
         exclusive: Option<&AttachGuard>,
     ) -> Result<Self, ServeError> {
         let MapOf { domain, map, share } = of;
+        remove_left(domain, map);
         let record = match RecordWriter::open(domain, map, *share) {
             Ok(record) => record,
             Err(error) => {
@@ -160,6 +167,20 @@ impl MapPorts {
             bytes: dropped.bytes(),
         };
         self.dropped().iter().map(held).collect()
+    }
+
+    /// Has the record name another overlay with what is served, and then removes the one before.
+    ///
+    /// Errors: nothing is served; what cannot be said.
+    pub(crate) fn lay(&mut self, overlay: Option<OverlayFile>) -> std::io::Result<()> {
+        let Some(current) = &mut self.current else {
+            return Err(std::io::Error::other("nothing is served"));
+        };
+        let overlay_place = overlay.as_ref().map(|file| file.place);
+        let laid = Place { overlay: overlay_place, ..current.place.clone() };
+        self.record.hold(self.record.prepare(&current.info, &laid)?);
+        (current.place, current.overlay) = (laid, overlay);
+        Ok(())
     }
 
     /// Tells those who wait.

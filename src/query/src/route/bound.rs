@@ -20,7 +20,7 @@ const MOST: usize = 32;
 const SAFE: f64 = 1.0 - 1e-9;
 
 /// Bounds towards one target.
-pub(super) struct Bounds<'a> {
+pub(crate) struct Bounds<'a> {
     distances: &'a [u16],
     /// Entries per node: from each landmark, then to each.
     width: usize,
@@ -29,7 +29,9 @@ pub(super) struct Bounds<'a> {
     /// Cost per unit of a difference; 0 where there are no bounds.
     step: f64,
     /// Whether distances are times.
-    times: bool,
+    pub(crate) times: bool,
+    /// Least cost of a metre or second.
+    pub(crate) per_unit: f64,
 }
 
 impl<'a> Bounds<'a> {
@@ -37,7 +39,13 @@ impl<'a> Bounds<'a> {
     pub(super) fn new(map: Map<'a>, bound: CostBound, target: &LaneNode<'a>) -> Self {
         let tables = map.tables();
         let times = matches!(bound, CostBound::PerSecond { .. });
-        let none = Self { distances: &[], width: 0, target: [0; 2 * MOST], step: 0.0, times };
+        let per_unit = match bound {
+            CostBound::None => 0.0,
+            CostBound::PerMetre { metre, .. } => metre,
+            CostBound::PerSecond { second, .. } => second,
+        };
+        let none =
+            Self { distances: &[], width: 0, target: [0; 2 * MOST], step: 0.0, times, per_unit };
         let Some(graph) = tables.graph.first() else { return none };
         let (distances, step, cost, change, stored) = match bound {
             CostBound::None => return none,
@@ -88,12 +96,12 @@ impl<'a> Bounds<'a> {
                 *own = (*own).min(stored.saturating_add(way));
             }
         }
-        Self { distances, width, target, step: step * SAFE, times }
+        Self { distances, width, target, step: step * SAFE, times, per_unit }
     }
 
     /// Least cost from the beginning of a node to that of the target.
     #[inline]
-    pub(super) fn least(&self, node: &ArchivedLaneNodeRow) -> f64 {
+    pub(crate) fn least(&self, node: &ArchivedLaneNodeRow) -> f64 {
         let place = node.bound();
         if self.step == 0.0 || place == NONE {
             return 0.0;

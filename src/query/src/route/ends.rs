@@ -2,6 +2,7 @@
 
 use super::LanePlace;
 use super::cost::RouteCost;
+use super::ways::Ways;
 use crate::graph::LaneNode;
 use crate::lane::Lane;
 use crate::map::Map;
@@ -40,61 +41,63 @@ pub(super) fn lane_of<'a>(map: Map<'a>, place: LanePlace) -> Option<(Lane<'a>, f
 
 /// Nodes from which a route may start: the one at the place in each direction of travel, then those that lane changes
 /// lead to from it.
-pub(super) fn start_chain(
-    map: Map<'_>,
+pub(super) fn start_chain<'a>(
+    ways: impl Ways<'a>,
     (place, forward): (LanePlace, Option<bool>),
     vehicle: VehicleClass,
     cost: &impl RouteCost,
     out: &mut Vec<ChainNode>,
 ) {
-    let Some((lane, s)) = lane_of(map, place) else { return };
+    let Some((lane, s)) = lane_of(ways.map(), place) else { return };
     for way in [true, false].into_iter().filter(|way| forward.is_none_or(|f| f == *way)) {
-        let Some(first) = lane.node_at(s, way) else { continue };
-        let root = push(out, first.number, 0.0, None);
+        let first = ways.at(&lane, s, way).and_then(|number| Some((number, ways.node(number)?)));
+        let Some(first) = first else { continue };
+        let root = push(out, first.0, 0.0, None);
         for left in [true, false] {
-            let (mut at, mut link, mut changes) = (first, root, 0.0);
+            let ((mut number, mut at), mut link, mut changes) = (first, root, 0.0);
             for _ in 0..MOST_BESIDE {
-                let next = if left { at.change_left() } else { at.change_right() };
-                let Some(next) = next.filter(|next| next.allows(vehicle)) else { break };
+                let Some(beside) = ways.change(number, &at, left) else { break };
+                let next = ways.node(beside).filter(|next| next.allows(vehicle));
+                let Some(next) = next else { break };
                 changes += price(cost.change(&at, &next));
                 if changes == f64::INFINITY {
                     break;
                 }
-                link = push(out, next.number, changes, Some(link));
-                at = next;
+                link = push(out, beside, changes, Some(link));
+                (number, at) = (beside, next);
             }
         }
     }
 }
 
 /// Nodes from which lane changes lead to the target, itself first.
-pub(super) fn target_chain(
-    map: Map<'_>,
+pub(super) fn target_chain<'a>(
+    ways: impl Ways<'a>,
     place: LanePlace,
     vehicle: VehicleClass,
     cost: &impl RouteCost,
     out: &mut Vec<ChainNode>,
 ) {
-    let Some((lane, s)) = lane_of(map, place) else { return };
+    let Some((lane, s)) = lane_of(ways.map(), place) else { return };
     for way in [true, false] {
-        let target = lane.node_at(s, way).filter(|node| node.allows(vehicle));
-        let Some(first) = target else { continue };
-        let root = push(out, first.number, 0.0, None);
+        let target = ways.at(&lane, s, way).and_then(|number| Some((number, ways.node(number)?)));
+        let Some(first) = target.filter(|(_, node)| node.allows(vehicle)) else { continue };
+        let root = push(out, first.0, 0.0, None);
         for from_left in [true, false] {
-            let (mut at, mut link, mut changes) = (first, root, 0.0);
+            let ((mut number, mut at), mut link, mut changes) = (first, root, 0.0);
             for _ in 0..MOST_BESIDE {
-                let before = if from_left { at.left() } else { at.right() };
-                let Some(before) = before.filter(|before| before.allows(vehicle)) else { break };
-                let change = if from_left { before.change_right() } else { before.change_left() };
-                if change.is_none_or(|to| to.number != at.number) {
+                let Some(beside) = ways.beside(number, &at, from_left) else { break };
+                let before = ways.node(beside).filter(|before| before.allows(vehicle));
+                let Some(before) = before else { break };
+                if ways.change(beside, &before, !from_left) != Some(number) {
                     break;
                 }
                 changes += price(cost.change(&before, &at));
                 if changes == f64::INFINITY {
                     break;
                 }
-                link = push(out, before.number, changes, Some(link));
-                at = before;
+                link = push(out, beside, changes, Some(link));
+                (number, at) = (beside, before);
             }
         }
     }

@@ -16,13 +16,17 @@ mod scratch;
 mod search;
 mod sequences;
 mod steps;
+mod ways;
 
+pub(crate) use bound::Bounds;
 pub use cost::{CostBound, RouteCost, ShortestLength, ShortestTime};
 pub(crate) use ends::share_before;
 pub use reach::Reached;
+pub(crate) use reach::reach;
 pub use scratch::RouteScratch;
 pub use sequences::{LaneSequences, NextJunction};
 pub use steps::{Enter, LaneChangeAhead, RouteStep, next_lane_change};
+pub(crate) use ways::Ways;
 
 use crate::error::QueryError;
 use crate::ids::LaneId;
@@ -83,28 +87,42 @@ impl<'a> Map<'a> {
         scratch: &mut RouteScratch,
         steps: &mut Vec<RouteStep>,
     ) -> Result<Option<Route>, QueryError> {
-        steps.clear();
-        for place in places {
-            self.lane(place.lane)?;
-            if !place.s.is_finite() {
-                return Err(QueryError::NotFinite);
-            }
-        }
-        let mut whole: Option<Route> = None;
-        let mut forward = None;
-        for leg in places.windows(2) {
-            let search = search::Search::new(*self, vehicle, cost, scratch);
-            let Some(route) = search.run((leg[0], forward), leg[1], steps)? else {
-                steps.clear();
-                return Ok(None);
-            };
-            forward = steps.last().map(|step| step.forward);
-            let sum = whole.get_or_insert_default();
-            sum.cost += route.cost;
-            sum.length += route.length;
-            sum.travel_time += route.travel_time;
-            sum.lane_changes += route.lane_changes;
-        }
-        Ok(whole)
+        find(*self, places, vehicle, cost, scratch, steps)
     }
+}
+
+/// The cheapest way through places, on a map or under an overlay.
+///
+/// Errors: as [`Map::route_via`].
+pub(crate) fn find<'a>(
+    ways: impl Ways<'a>,
+    places: &[LanePlace],
+    vehicle: VehicleClass,
+    cost: &impl RouteCost,
+    scratch: &mut RouteScratch,
+    steps: &mut Vec<RouteStep>,
+) -> Result<Option<Route>, QueryError> {
+    steps.clear();
+    for place in places {
+        ways.map().lane(place.lane)?;
+        if !place.s.is_finite() {
+            return Err(QueryError::NotFinite);
+        }
+    }
+    let mut whole: Option<Route> = None;
+    let mut forward = None;
+    for leg in places.windows(2) {
+        let search = search::Search::new(ways, vehicle, cost, scratch);
+        let Some(route) = search.run((leg[0], forward), leg[1], steps)? else {
+            steps.clear();
+            return Ok(None);
+        };
+        forward = steps.last().map(|step| step.forward);
+        let sum = whole.get_or_insert_default();
+        sum.cost += route.cost;
+        sum.length += route.length;
+        sum.travel_time += route.travel_time;
+        sum.lane_changes += route.lane_changes;
+    }
+    Ok(whole)
 }

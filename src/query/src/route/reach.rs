@@ -4,10 +4,9 @@ use super::LanePlace;
 use super::cost::RouteCost;
 use super::ends::{lane_of, price, share_before, start_chain};
 use super::scratch::{Open, RouteScratch};
+use super::ways::Ways;
 use crate::error::QueryError;
-use crate::graph::LaneNode;
 use crate::ids::NodeId;
-use crate::lane::edges_of;
 use crate::map::Map;
 use mapd_archive::VehicleClass;
 
@@ -35,64 +34,60 @@ impl<'a> Map<'a> {
         out: &mut Vec<Reached>,
     ) -> Result<(), QueryError> {
         out.clear();
-        self.lane(from.lane)?;
-        if !from.s.is_finite() {
-            return Err(QueryError::NotFinite);
-        }
-        let map = *self;
-        let content = map.content();
-        scratch.begin(map.tables().lane_nodes.len());
-        start_chain(map, (from, None), vehicle, cost, &mut scratch.start);
-        let Some((_, s)) = lane_of(map, from) else { return Ok(()) };
-        for i in 0..scratch.start.len() {
-            let Some(start) = scratch.start.get(i).copied() else { continue };
-            let Some(node) = LaneNode::new(map, start.node) else { continue };
-            if start.changes > limit {
-                continue;
-            }
-            out.push(Reached { node: NodeId { row: start.node, content }, cost: start.changes });
-            let passed = start.changes + price(cost.pass(&node)) * (1.0 - share_before(&node, s));
-            ahead(map, &node, passed, limit, vehicle, scratch);
-        }
-        while let Some(open) = scratch.heap.pop() {
-            if open.key() > scratch.cost(open.node) {
-                continue;
-            }
-            let Some(node) = LaneNode::new(map, open.node) else { continue };
-            out.push(Reached { node: NodeId { row: open.node, content }, cost: open.key() });
-            ahead(map, &node, open.key() + price(cost.pass(&node)), limit, vehicle, scratch);
-            for to in [node.change_left(), node.change_right()].into_iter().flatten() {
-                enter(&to, open.key() + price(cost.change(&node, &to)), limit, vehicle, scratch);
-            }
-        }
-        Ok(())
+        let content = self.content();
+        reach(*self, from, (limit, vehicle), cost, scratch, |row, cost| {
+            out.push(Reached { node: NodeId { row, content }, cost });
+        })
     }
 }
 
-fn ahead(
-    map: Map<'_>,
-    node: &LaneNode<'_>,
-    passed: f64,
-    limit: f64,
-    vehicle: VehicleClass,
+/// Tells of everything whose beginning can be reached within a limit, nearest first.
+///
+/// Errors: as [`Map::reachable`].
+pub(crate) fn reach<'a>(
+    ways: impl Ways<'a>,
+    from: LanePlace,
+    (limit, vehicle): (f64, VehicleClass),
+    cost: &impl RouteCost,
     scratch: &mut RouteScratch,
-) {
-    let tables = map.tables();
-    for next in edges_of(tables.successor_offsets, tables.successors, node.number) {
-        if let Some(to) = LaneNode::new(map, *next) {
-            enter(&to, passed, limit, vehicle, scratch);
+    mut found: impl FnMut(u32, f64),
+) -> Result<(), QueryError> {
+    ways.map().lane(from.lane)?;
+    if !from.s.is_finite() {
+        return Err(QueryError::NotFinite);
+    }
+    scratch.begin(ways.count());
+    start_chain(ways, (from, None), vehicle, cost, &mut scratch.start);
+    let Some((_, s)) = lane_of(ways.map(), from) else { return Ok(()) };
+    let enter = |scratch: &mut RouteScratch, number: u32, cost: f64| {
+        let is_open = cost <= limit && ways.node(number).is_some_and(|to| to.allows(vehicle));
+        if is_open && scratch.improve(number, cost, 0) {
+            scratch.heap.push(Open::new(cost, cost, number));
+        }
+    };
+    for i in 0..scratch.start.len() {
+        let Some(start) = scratch.start.get(i).copied() else { continue };
+        let Some(node) = ways.node(start.node) else { continue };
+        if start.changes > limit {
+            continue;
+        }
+        found(start.node, start.changes);
+        let passed = start.changes + price(cost.pass(&node)) * (1.0 - share_before(&node, s));
+        ways.ahead(start.node, |next| enter(scratch, next, passed));
+    }
+    while let Some(open) = scratch.heap.pop() {
+        if open.key() > scratch.cost(open.node) {
+            continue;
+        }
+        let Some(node) = ways.node(open.node) else { continue };
+        found(open.node, open.key());
+        let passed = open.key() + price(cost.pass(&node));
+        ways.ahead(open.node, |next| enter(scratch, next, passed));
+        for left in [true, false] {
+            let Some(beside) = ways.change(open.node, &node, left) else { continue };
+            let Some(to) = ways.node(beside) else { continue };
+            enter(scratch, beside, open.key() + price(cost.change(&node, &to)));
         }
     }
-}
-
-fn enter(
-    to: &LaneNode<'_>,
-    cost: f64,
-    limit: f64,
-    vehicle: VehicleClass,
-    scratch: &mut RouteScratch,
-) {
-    if cost <= limit && to.allows(vehicle) && scratch.improve(to.number, cost, 0) {
-        scratch.heap.push(Open::new(cost, cost, to.number));
-    }
+    Ok(())
 }

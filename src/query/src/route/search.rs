@@ -10,15 +10,14 @@ use super::bound::Bounds;
 use super::cost::{CostBound, RouteCost};
 use super::ends::{price, share_before, start_chain, target_chain};
 use super::scratch::{FROM_SIDE, FROM_START, Open, PathNode, RouteScratch};
+use super::ways::Ways;
 use super::{Enter, LanePlace, Route, RouteStep, ends, steps};
 use crate::error::QueryError;
 use crate::graph::LaneNode;
-use crate::lane::edges_of;
-use crate::map::Map;
-use mapd_archive::{NONE, VehicleClass, beside_row, node_flags};
+use mapd_archive::VehicleClass;
 
-pub(super) struct Search<'a, 's, C> {
-    map: Map<'a>,
+pub(super) struct Search<'s, W, C> {
+    ways: W,
     vehicle: VehicleClass,
     cost: &'s C,
     scratch: &'s mut RouteScratch,
@@ -35,15 +34,15 @@ struct Best {
     entered: u32,
 }
 
-impl<'a, 's, C: RouteCost> Search<'a, 's, C> {
+impl<'a, 's, W: Ways<'a>, C: RouteCost> Search<'s, W, C> {
     pub(super) fn new(
-        map: Map<'a>,
+        ways: W,
         vehicle: VehicleClass,
         cost: &'s C,
         scratch: &'s mut RouteScratch,
     ) -> Self {
-        scratch.begin(map.tables().lane_nodes.len());
-        Self { map, vehicle, cost, scratch, best: None }
+        scratch.begin(ways.count());
+        Self { ways, vehicle, cost, scratch, best: None }
     }
 
     /// Appends the way's steps; `None` if there is no way.
@@ -53,12 +52,12 @@ impl<'a, 's, C: RouteCost> Search<'a, 's, C> {
         to: LanePlace,
         out: &mut Vec<RouteStep>,
     ) -> Result<Option<Route>, QueryError> {
-        let nodes = self.map.tables().lane_nodes.len();
-        if nodes >= FROM_SIDE as usize {
+        let map = self.ways.map();
+        if self.ways.count() >= FROM_SIDE as usize {
             return Err(QueryError::Corrupt);
         }
-        start_chain(self.map, from, self.vehicle, self.cost, &mut self.scratch.start);
-        target_chain(self.map, to, self.vehicle, self.cost, &mut self.scratch.target);
+        start_chain(self.ways, from, self.vehicle, self.cost, &mut self.scratch.start);
+        target_chain(self.ways, to, self.vehicle, self.cost, &mut self.scratch.target);
         let target = self.scratch.target.first().and_then(|t| self.node(t.node));
         let (Some(target), false) = (target, self.scratch.start.is_empty()) else {
             return Ok(None);
@@ -67,20 +66,22 @@ impl<'a, 's, C: RouteCost> Search<'a, 's, C> {
         let one_way =
             self.scratch.target.iter().enumerate().filter(|t| ends::is_root(*t)).count() == 1;
         // A target that may be reached in two directions is two nodes: no bound for one holds for both.
-        let bound = if motor && one_way { self.cost.bound() } else { CostBound::None };
-        let bounds = Bounds::new(self.map, bound, &target);
-        let (_, s_from) = ends::lane_of(self.map, from.0).ok_or(QueryError::Corrupt)?;
-        let (_, s_to) = ends::lane_of(self.map, to).ok_or(QueryError::Corrupt)?;
+        let bounded = motor && one_way && self.ways.has_bounds();
+        let bound = if bounded { self.cost.bound() } else { CostBound::None };
+        let whole = LaneNode::new(map, target.number).unwrap_or(target);
+        let bounds = Bounds::new(map, bound, &whole);
+        let (_, s_from) = ends::lane_of(map, from.0).ok_or(QueryError::Corrupt)?;
+        let (_, s_to) = ends::lane_of(map, to).ok_or(QueryError::Corrupt)?;
         self.on_one_piece(s_from, s_to);
         self.seed(s_from, s_to, &bounds);
         self.expand(s_to, &bounds);
         Ok(self.best.map(|best| {
-            steps::write(self.map, self.scratch_path(best), s_from, s_to, best.cost, out)
+            steps::write(self.ways, self.scratch_path(best), s_from, s_to, best.cost, out)
         }))
     }
 
     fn node(&self, number: u32) -> Option<LaneNode<'a>> {
-        LaneNode::new(self.map, number)
+        self.ways.node(number)
     }
 
     /// Start and target on pieces beside each other, the target ahead.
@@ -92,7 +93,7 @@ impl<'a, 's, C: RouteCost> Search<'a, 's, C> {
             if !targets.any(|(_, target)| target.node == start.node) {
                 continue;
             }
-            let Some(node) = LaneNode::new(self.map, start.node) else { continue };
+            let Some(node) = self.ways.node(start.node) else { continue };
             let ahead = if node.is_forward() { s_to >= s_from } else { s_to <= s_from };
             if ahead {
                 let share = share_before(&node, s_to) - share_before(&node, s_from);
@@ -128,17 +129,12 @@ impl<'a, 's, C: RouteCost> Search<'a, 's, C> {
             let Some(node) = self.node(open.node) else { continue };
             let passed = cost + price(self.cost.pass(&node));
             self.leave(open.node, passed, open.node, s_to, bounds);
-            for (flag, beside) in [
-                (node_flags::CHANGE_LEFT, node.row.left()),
-                (node_flags::CHANGE_RIGHT, node.row.right()),
-            ] {
-                if node.row.flags() & flag != 0
-                    && let Some(to) = self
-                        .node(beside_row(open.node, beside))
-                        .filter(|to| to.allows(self.vehicle))
+            for left in [true, false] {
+                if let Some(beside) = self.ways.change(open.node, &node, left)
+                    && let Some(to) = self.node(beside).filter(|to| to.allows(self.vehicle))
                 {
                     let changed = cost + price(self.cost.change(&node, &to));
-                    self.enter(&to, changed, FROM_SIDE | open.node, bounds);
+                    self.enter((beside, &to), changed, FROM_SIDE | open.node, bounds);
                 }
             }
         }
@@ -150,20 +146,20 @@ impl<'a, 's, C: RouteCost> Search<'a, 's, C> {
         if cost == f64::INFINITY {
             return;
         }
-        let tables = self.map.tables();
-        for next in edges_of(tables.successor_offsets, tables.successors, node) {
-            let Some(to) = self.node(*next).filter(|to| to.allows(self.vehicle)) else { continue };
-            self.finish(&to, cost, parent, s_to);
-            self.enter(&to, cost, parent, bounds);
-        }
+        let ways = self.ways;
+        ways.ahead(node, |next| {
+            let Some(to) = ways.node(next).filter(|to| to.allows(self.vehicle)) else { return };
+            self.finish(next, cost, parent, s_to);
+            self.enter((next, &to), cost, parent, bounds);
+        });
     }
 
     /// Ends the way if the node that is entered from behind is beside the target.
     #[inline]
-    fn finish(&mut self, entered: &LaneNode<'a>, cost: f64, parent: u32, s_to: f64) {
+    fn finish(&mut self, entered: u32, cost: f64, parent: u32, s_to: f64) {
         // The target's nodes are few and lie near each other in the archive: most nodes are told apart at once.
         let chain = &self.scratch.target;
-        let Some(place) = chain.iter().position(|t| t.node == entered.number) else { return };
+        let Some(place) = chain.iter().position(|t| t.node == entered) else { return };
         let Some(own) = chain.get(place).copied() else { return };
         let mut last = place as u32;
         while let Some(link) = chain.get(last as usize).map(|t| t.link).filter(|l| *l != last) {
@@ -178,23 +174,29 @@ impl<'a, 's, C: RouteCost> Search<'a, 's, C> {
     }
 
     #[inline]
-    fn enter(&mut self, to: &LaneNode<'a>, cost: f64, parent: u32, bounds: &Bounds<'a>) {
-        if cost < f64::INFINITY && self.scratch.improve(to.number, cost, parent) {
-            let key = cost + bounds.least(to.row);
-            self.scratch.heap.push(Open::new(key, cost, to.number));
+    fn enter(
+        &mut self,
+        (number, to): (u32, &LaneNode<'a>),
+        cost: f64,
+        parent: u32,
+        bounds: &Bounds<'a>,
+    ) {
+        if cost < f64::INFINITY && self.scratch.improve(number, cost, parent) {
+            let key = cost + self.ways.least(bounds, to, self.cost);
+            self.scratch.heap.push(Open::new(key, cost, number));
         }
     }
 
     /// The nodes of a way in driving order, with how each is entered.
     fn scratch_path(&mut self, best: Best) -> &[PathNode] {
-        let map = self.map;
+        let ways = self.ways;
         let scratch = &mut *self.scratch;
         scratch.path.clear();
         let start_of = |scratch: &mut RouteScratch, mut place: u32| {
             while let Some(own) = scratch.start.get(place as usize).copied() {
                 let before = scratch.start.get(own.link as usize).filter(|_| own.link != place);
                 let enter = match before {
-                    Some(before) => side(map, before.node, own.node),
+                    Some(before) => side(ways, before.node, own.node),
                     None => Enter::Start,
                 };
                 scratch.path.push(PathNode { node: own.node, enter });
@@ -223,18 +225,18 @@ impl<'a, 's, C: RouteCost> Search<'a, 's, C> {
         }
         for i in 1..tail {
             let (before, own) = (scratch.path[i - 1].node, scratch.path[i].node);
-            scratch.path[i].enter = side(map, before, own);
+            scratch.path[i].enter = side(ways, before, own);
         }
         scratch.path.reverse();
         // The number of labels bounds the walk, whatever a damaged archive has led to.
-        for _ in 0..map.tables().lane_nodes.len() {
+        for _ in 0..ways.count() {
             if parent & FROM_START != 0 {
                 break;
             }
             let Some(before) = scratch.parent(parent) else { break };
             let from_side = before & (FROM_START | FROM_SIDE) == FROM_SIDE;
             let enter =
-                if from_side { side(map, before & !FROM_SIDE, parent) } else { Enter::Ahead };
+                if from_side { side(ways, before & !FROM_SIDE, parent) } else { Enter::Ahead };
             scratch.path.push(PathNode { node: parent, enter });
             parent = if from_side { before & !FROM_SIDE } else { before };
         }
@@ -245,9 +247,9 @@ impl<'a, 's, C: RouteCost> Search<'a, 's, C> {
 }
 
 /// The side to which a change from one node to one beside it goes.
-fn side(map: Map<'_>, from: u32, to: u32) -> Enter {
-    match map.tables().lane_nodes.get(from as usize) {
-        Some(row) if beside_row(from, row.left()) == to && to != NONE => Enter::Left,
+fn side<'a>(ways: impl Ways<'a>, from: u32, to: u32) -> Enter {
+    match ways.node(from).and_then(|node| ways.beside(from, &node, true)) {
+        Some(left) if left == to => Enter::Left,
         _ => Enter::Right,
     }
 }

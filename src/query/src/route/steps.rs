@@ -1,9 +1,9 @@
 //! A found way, lane by lane.
 
 use super::scratch::PathNode;
+use super::ways::Ways;
 use super::{LanePlace, Route, ends};
 use crate::error::QueryError;
-use crate::graph::LaneNode;
 use crate::ids::LaneId;
 use crate::map::Map;
 
@@ -51,20 +51,21 @@ pub struct LaneChangeAhead {
 }
 
 /// Appends a way's steps and adds up what they measure.
-pub(super) fn write(
-    map: Map<'_>,
+pub(super) fn write<'a>(
+    ways: impl Ways<'a>,
     path: &[PathNode],
     s_from: f64,
     s_to: f64,
     cost: f64,
     out: &mut Vec<RouteStep>,
 ) -> Route {
+    let map = ways.map();
     let mut route = Route { cost, ..Route::default() };
     let first_step = out.len();
     let mut entry = s_from;
     let mut last: Option<u32> = None;
     for (i, step) in path.iter().enumerate() {
-        let Some(node) = LaneNode::new(map, step.node) else { continue };
+        let Some(node) = ways.node(step.node) else { continue };
         let (low, high) = node.s_range();
         let (begin, end) = if node.is_forward() { (low, high) } else { (high, low) };
         if step.enter == Enter::Ahead {
@@ -88,7 +89,7 @@ pub(super) fn write(
         let lane = LaneId { row: node.row.lane(), content: map.content() };
         let goes_on = out.len() > first_step
             && step.enter == Enter::Ahead
-            && last.is_some_and(|last| last + 1 == step.node);
+            && last.is_some_and(|last| ways.follows(last, step.node));
         match out.last_mut().filter(|before| goes_on && before.lane == lane) {
             Some(before) => before.s_to = exit,
             None => out.push(RouteStep {

@@ -27,12 +27,14 @@ mod memory;
 #[cfg(test)]
 #[allow(clippy::duplicate_mod)]
 mod model;
+mod overlay;
 #[allow(clippy::duplicate_mod)]
 mod page;
 mod reader;
 mod slot;
 mod writer;
 
+pub use overlay::{Laid, PinnedOverlay, overlay_file};
 pub use reader::Observer;
 pub use slot::{OverlayPlace, Place};
 pub use writer::RecordWriter;

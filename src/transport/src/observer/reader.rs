@@ -18,12 +18,12 @@ use rustix::time::{ClockId, Timespec};
 use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::Ordering;
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Longest sleep on a record: whoever waits looks this often even if a wake-up was lost, or held up by another process.
-const LOOK: Duration = Duration::from_millis(100);
+pub(super) const LOOK: Duration = Duration::from_millis(100);
 
 /// First pause before another attempt where there is nothing to sleep on; doubles up to [`LONGEST_PAUSE`].
 const FIRST_PAUSE: Duration = Duration::from_micros(50);
@@ -40,13 +40,15 @@ const SILENCE: Duration = Duration::from_secs(3);
 /// Follows one map without writing anything anywhere. `Send` and `Sync`; its methods take a lock for nanoseconds, queries on a
 /// [`Pinned`] take none. It survives the daemon: what is held stays readable, and generations of a restarted daemon arrive here.
 pub struct Observer {
-    map: String,
-    domain: Domain,
-    path: PathBuf,
+    pub(super) map: String,
+    pub(super) domain: Domain,
+    pub(super) path: PathBuf,
     /// Whose files are trusted.
-    owner: u32,
-    record: Mutex<Option<Arc<Record>>>,
+    pub(super) owner: u32,
+    pub(super) record: Mutex<Option<Arc<Record>>>,
     current: Mutex<Option<Pinned>>,
+    /// Sequence of the record when it was last looked at for an overlay; 0 for never.
+    pub(super) looked: AtomicU32,
 }
 
 /// What one look at the record found.
@@ -66,16 +68,22 @@ impl Observer {
     /// Errors: what was missing at the deadline; at once, what no waiting helps against: wrong names, another user's daemon, another release's daemon.
     pub fn connect(domain: &Domain, map: &str, deadline: Instant) -> Result<Self, AttachError> {
         check_map_name(map)?;
-        let observer = Self {
+        let observer = Self::idle(domain, map);
+        observer.wait_newer(0, deadline)?;
+        Ok(observer)
+    }
+
+    /// One that has not looked yet, of a map whose name is known to be one.
+    pub fn idle(domain: &Domain, map: &str) -> Self {
+        Self {
             map: map.to_owned(),
             domain: domain.clone(),
             path: domain.map_file(map, RECORD_SUFFIX),
             owner: domain.owner(),
             record: Mutex::default(),
             current: Mutex::default(),
-        };
-        observer.wait_newer(0, deadline)?;
-        Ok(observer)
+            looked: AtomicU32::new(0),
+        }
     }
 
     /// A generation newer than `than`, if there is one; never waits.
@@ -141,7 +149,7 @@ impl Observer {
     }
 
     /// The record under its name: the one that is mapped, unless there is reason to think that another has taken its place.
-    fn record(&self) -> Result<Arc<Record>, AttachError> {
+    pub(super) fn record(&self) -> Result<Arc<Record>, AttachError> {
         let mut mapped = self.record.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(record) = mapped.as_ref()
             && (!is_left(record.page()) || is_named(record, &self.path))
@@ -180,7 +188,7 @@ fn open(info: &GenerationInfo, place: &Place, owner: u32) -> Result<Option<Pinne
     }
 }
 
-fn refused(path: &Path, refusal: Refusal, owner: u32) -> AttachError {
+pub(super) fn refused(path: &Path, refusal: Refusal, owner: u32) -> AttachError {
     match refusal {
         Refusal::OtherOwner(found) => not_owned(path, found, owner),
         Refusal::Io(error) if error.kind() == io::ErrorKind::PermissionDenied => {
@@ -202,7 +210,7 @@ fn open_record(domain: &Domain, path: &Path, owner: u32) -> Result<Record, Attac
 /// What a record says now, and its sequence.
 ///
 /// Errors: it is none, or damaged.
-fn read(
+pub(super) fn read(
     record: &Record,
     domain: &Domain,
     map: &str,
@@ -242,7 +250,7 @@ fn is_missing(error: &AttachError) -> bool {
 }
 
 /// Sleeps until the record has another sequence, at most `longest`.
-fn sleep_on(page: &Page, sequence: u32, longest: Duration) {
+pub(super) fn sleep_on(page: &Page, sequence: u32, longest: Duration) {
     let longest = Timespec {
         tv_sec: longest.as_secs().try_into().unwrap_or(i64::MAX),
         tv_nsec: longest.subsec_nanos().into(),

@@ -204,8 +204,7 @@ mod tests {
             input_hash: [0xa0; 32],
         };
         let segment = "mapd_1f_42.data".to_owned();
-        let overlay =
-            OverlayPlace { revision: 9, length: 10, inode: 11, content_hash: [0x5a; 32] };
+        let overlay = OverlayPlace { revision: 9, length: 10, inode: 11, content_hash: [0x5a; 32] };
         Said::Served(info, Place { segment, inode: 7, offset: 384, overlay: Some(overlay) })
     }
 
@@ -216,7 +215,9 @@ mod tests {
 
     #[test]
     fn what_is_written_is_read() {
-        for (sequence, said) in [(1, said()), (u32::MAX, said()), (2, Said::Nothing), (3, with_overlay(None))] {
+        for (sequence, said) in
+            [(1, said()), (u32::MAX, said()), (2, Said::Nothing), (3, with_overlay(None))]
+        {
             let words = encode(sequence, &said).expect("can be said");
             assert_eq!(decode(sequence, &words, "mapd_"), Ok(said));
         }

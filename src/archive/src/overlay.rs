@@ -1,0 +1,127 @@
+//! Overlays: what is said about a map's lanes today, as a small archive of its own.
+//!
+//! An overlay has the header and directory of an archive and tables of its own (`schemas/overlay.toml`). A bit of the header's `must_understand` tells
+//! it from a map, and in the place of the input's hash it has the content hash of the map that it was resolved for: its
+//! rows name rows of that map and mean nothing with another.
+
+use crate::OverlayTables;
+use crate::directory::Reader;
+use crate::error::{OpenError, VerifyError};
+use crate::header::{HEADER_LENGTH, Header};
+use crate::open::{string_of, whole};
+use crate::verify::{Check, strings};
+
+/// Tells an overlay from a map, among the features that a reader must know of.
+pub(crate) const OVERLAY_BIT: u64 = 1 << 63;
+
+/// Seconds of a week.
+const WEEK: u32 = 7 * 24 * 3600;
+
+/// An opened overlay.
+#[derive(Clone, Copy)]
+pub struct Overlay<'a> {
+    /// The decoded header; its input hash is the content hash of the map.
+    pub header: Header,
+    /// All tables.
+    pub tables: OverlayTables<'a>,
+}
+
+/// Opens an overlay in place, as [`crate::open`] does a map.
+///
+/// Errors: as [`crate::open`]; [`OpenError::NotAnOverlay`].
+pub fn open_overlay(bytes: &[u8]) -> Result<Overlay<'_>, OpenError> {
+    let header = whole(bytes)?;
+    match header.must_understand {
+        OVERLAY_BIT => {}
+        bits if bits & OVERLAY_BIT == 0 => return Err(OpenError::NotAnOverlay),
+        bits => {
+            let bit = (bits & !OVERLAY_BIT).trailing_zeros();
+            return Err(OpenError::NotUnderstood { bit, name: String::new(), release: [0; 3] });
+        }
+    }
+    let mut directory = Reader::new(bytes, &header)?;
+    let tables = OverlayTables::read(&mut directory)?;
+    directory.finish()?;
+    Ok(Overlay { header, tables })
+}
+
+/// Opens an overlay and proves it: content hash, rows, and what its tables say of each other.
+///
+/// Errors: the first thing that is wrong, with table, row and field.
+pub fn verify_overlay(bytes: &[u8]) -> Result<Overlay<'_>, VerifyError> {
+    let overlay = open_overlay(bytes)?;
+    let found = *blake3::hash(&bytes[HEADER_LENGTH..]).as_bytes();
+    if found != overlay.header.content_hash {
+        return Err(VerifyError::ContentHash { expected: overlay.header.content_hash, found });
+    }
+    let tables = &overlay.tables;
+    strings(tables.string_bytes, tables.string_offsets)?;
+    tables.verify_rows()?;
+    let at = |table, row| Check { table, row };
+    if tables.overlay.len() != 1 {
+        at("overlay", 0).fail("", "exactly one row", tables.overlay.len())?;
+    }
+    for (i, row) in tables.weekly.iter().enumerate() {
+        if row.from() >= row.until() || row.until() > WEEK {
+            at("weekly", i).fail("until", "a time of the week, after the begin", row.until())?;
+        }
+    }
+    let mut rank = 0;
+    for (i, row) in tables.touched.iter().enumerate() {
+        if row.rank() != rank {
+            at("touched", i).fail("rank", rank.to_string(), row.rank())?;
+        }
+        rank += row.bits().count_ones();
+    }
+    if rank as usize != tables.nodes.len() {
+        at("touched", 0).fail("bits", format!("{} nodes", tables.nodes.len()), rank)?;
+    }
+    nodes(tables)?;
+    Ok(overlay)
+}
+
+/// Nodes stand where `touched` says, and each piece is that of its node.
+fn nodes(tables: &OverlayTables<'_>) -> Result<(), VerifyError> {
+    let bits = tables.touched.iter().enumerate().flat_map(|(word, row)| {
+        (0..64).filter(|bit| row.bits() >> bit & 1 != 0).map(move |bit| 64 * word as u64 + bit)
+    });
+    let mut first = 0;
+    for (i, (row, node)) in tables.nodes.iter().zip(bits).enumerate() {
+        let check = Check { table: "nodes", row: i };
+        if u64::from(row.node()) != node {
+            check.fail("node", node.to_string(), row.node())?;
+        }
+        let pieces = row.pieces();
+        if pieces.first != first || pieces.count == 0 {
+            check.fail(
+                "pieces",
+                format!("at least one, from {first} on"),
+                format!("{pieces:?}"),
+            )?;
+        }
+        for (k, piece) in pieces.of(tables.pieces).iter().enumerate() {
+            let check = Check { table: "pieces", row: first as usize + k };
+            if piece.node() as usize != i {
+                check.fail("node", i.to_string(), piece.node())?;
+            }
+            if piece.s_from() > piece.s_to() {
+                check.fail("s_to", "no less than s_from", piece.s_to())?;
+            }
+        }
+        first += pieces.count;
+    }
+    if first as usize != tables.pieces.len() {
+        Check { table: "pieces", row: first as usize }.fail(
+            "node",
+            "a node's piece",
+            "nobody's",
+        )?;
+    }
+    Ok(())
+}
+
+/// The string of a number; empty if there is none or it is not UTF-8 (a corrupt overlay).
+#[inline]
+pub fn overlay_string<'a>(tables: &OverlayTables<'a>, number: u32) -> &'a str {
+    string_of(tables.string_bytes, tables.string_offsets, number)
+}

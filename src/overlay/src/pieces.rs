@@ -1,0 +1,124 @@
+//! Cutting nodes of the lane graph where what is said of them changes.
+//!
+//! All lanes of a section are cut at the same places, so that a change of lane leads from each piece to the one beside it. As in the map itself, what
+//! holds in the middle of a piece holds for all of it, and no piece is shorter than [`SHORTEST_PIECE`].
+
+use mapd_archive::{OverlayNodeRow, OverlayRows, PieceRow, Range, TouchedRow};
+use mapd_query::{LaneNode, Map};
+use std::collections::BTreeMap;
+
+/// Shortest piece `[m]`: a cut nearer than this to an end or to another cut is left out, as when a map is compiled.
+const SHORTEST_PIECE: f64 = 0.1;
+
+/// Where an entry holds on a node.
+#[derive(Clone, Copy)]
+pub(crate) struct Mark {
+    pub(crate) s_from: f64,
+    pub(crate) s_to: f64,
+    pub(crate) entry: u32,
+}
+
+/// Marks by row of the map's nodes.
+pub(crate) type Marks = BTreeMap<u32, Vec<Mark>>;
+
+/// Fills the tables of nodes and pieces.
+pub(crate) fn fill(map: Map<'_>, marks: &Marks, rows: &mut OverlayRows) {
+    let cuts = cuts(map, marks);
+    let mut touched: BTreeMap<u32, &[f64]> = marks.keys().map(|node| (*node, &[][..])).collect();
+    for (first, cuts) in cuts.iter().filter(|(_, cuts)| !cuts.is_empty()) {
+        for node in map.lane_node_by_row(*first).iter().flat_map(beside) {
+            touched.insert(row(&node), cuts);
+        }
+    }
+    for (number, cuts) in touched {
+        let Some(node) = map.lane_node_by_row(number) else { continue };
+        let first = rows.pieces.len() as u32;
+        cut(&node, cuts, marks.get(&number).map_or(&[][..], Vec::as_slice), rows);
+        let pieces = Range { first, count: rows.pieces.len() as u32 - first };
+        rows.nodes.push(OverlayNodeRow { node: number, pieces });
+    }
+    let words = rows.nodes.last().map_or(0, |node| node.node as usize / 64 + 1);
+    let mut bits = vec![0_u64; words];
+    for node in rows.nodes.iter() {
+        bits[node.node as usize / 64] |= 1 << (node.node % 64);
+    }
+    let mut rank = 0;
+    for bits in bits {
+        rows.touched.push(TouchedRow { bits, rank, reserved: 0 });
+        rank += bits.count_ones();
+    }
+}
+
+/// Places at which the nodes beside each other are cut, by the first row of them, ascending.
+fn cuts(map: Map<'_>, marks: &Marks) -> BTreeMap<u32, Vec<f64>> {
+    let mut wanted: BTreeMap<u32, Vec<f64>> = BTreeMap::new();
+    for (number, own) in marks {
+        let Some(node) = map.lane_node_by_row(*number) else { continue };
+        let Some(first) = beside(&node).map(|node| row(&node)).min() else { continue };
+        let places = wanted.entry(first).or_default();
+        places.extend(own.iter().flat_map(|mark| [mark.s_from, mark.s_to]));
+    }
+    for (number, places) in &mut wanted {
+        places.sort_by(f64::total_cmp);
+        let (mut last, end) =
+            map.lane_node_by_row(*number).map_or((0.0, 0.0), |node| node.s_range());
+        places.retain(|s| {
+            let keeps = s - last >= SHORTEST_PIECE && end - s >= SHORTEST_PIECE;
+            if keeps {
+                last = *s;
+            }
+            keeps
+        });
+    }
+    wanted
+}
+
+/// Cuts a node into pieces, in driving order.
+fn cut(node: &LaneNode<'_>, cuts: &[f64], marks: &[Mark], rows: &mut OverlayRows) {
+    let (start, end) = node.s_range();
+    let mut ends: Vec<f64> = cuts.to_vec();
+    ends.insert(0, start);
+    ends.push(end);
+    let mut spans: Vec<[f64; 2]> = ends.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+    if !node.is_forward() {
+        spans.reverse();
+    }
+    let Some(lane) = node.lane() else { return };
+    let whole = node.length();
+    let own = rows.nodes.len() as u32;
+    let mut passed = 0.0;
+    for [s_from, s_to] in spans {
+        let middle = 0.5 * (s_from + s_to);
+        let first = rows.piece_entries.len() as u32;
+        let here = marks.iter().filter(|mark| mark.s_from <= middle && middle <= mark.s_to);
+        let mut entries: Vec<u32> = here.map(|mark| mark.entry).collect();
+        entries.sort_unstable();
+        entries.dedup();
+        rows.piece_entries.extend_from_slice(&entries);
+        let is_whole = cuts.is_empty();
+        let length = if is_whole { whole } else { lane.length_between(s_from, s_to) };
+        let time = if is_whole { node.travel_time() } else { lane.time_between(s_from, s_to) };
+        rows.pieces.push(PieceRow {
+            s_from,
+            s_to,
+            node: own,
+            entries: Range { first, count: entries.len() as u32 },
+            before: if whole > 0.0 { (passed / whole).min(1.0) as f32 } else { 0.0 },
+            length: length as f32,
+            time: time as f32,
+        });
+        passed += length;
+    }
+}
+
+fn row(node: &LaneNode<'_>) -> u32 {
+    node.node_id().row()
+}
+
+/// The nodes that a node is cut together with: those of all the section's lanes over the same stretch, as when a map is compiled. It is among them.
+fn beside<'a>(node: &LaneNode<'a>) -> impl Iterator<Item = LaneNode<'a>> + use<'a> {
+    let (start, _) = node.s_range();
+    let lanes = node.lane().into_iter().flat_map(|lane| lane.section().lanes());
+    let nodes = lanes.flat_map(|lane| lane.nodes());
+    nodes.filter(move |other| other.s_range().0 == start)
+}

@@ -1,0 +1,102 @@
+//! Where an entry holds on a map: stretches of lanes.
+
+use crate::entry::{Entry, LanePlace};
+use mapd_query::{Lane, LaneKey, Map, Road};
+
+/// Shortest stretch `[m]`: of a shorter one nothing might be left where lanes are cut.
+const SHORTEST: f64 = 0.1;
+
+/// How far beyond a road's end an s may lie `[m]`: lengths are written rounded.
+const ROUNDED: f64 = 0.01;
+
+/// A stretch of a lane.
+pub(crate) struct Stretch<'a> {
+    pub(crate) lane: Lane<'a>,
+    pub(crate) s_from: f64,
+    pub(crate) s_to: f64,
+}
+
+/// What cannot be placed: field and reason.
+pub(crate) type Unfit = (String, String);
+
+/// All stretches of an entry.
+///
+/// Errors: the first place that the map does not have.
+pub(crate) fn stretches<'a>(map: Map<'a>, entry: &Entry) -> Result<Vec<Stretch<'a>>, Unfit> {
+    let mut found = Vec::new();
+    for (i, place) in entry.lanes.iter().enumerate() {
+        of_lanes(map, place, &mut found)
+            .map_err(|(field, why)| (format!("lanes[{i}].{field}"), why))?;
+    }
+    for (i, id) in entry.objects.iter().enumerate() {
+        let unfit = |why: &str| (format!("objects[{i}]"), why.to_owned());
+        let object = map.object_by_id(id).ok_or_else(|| unfit("the map has no such object"))?;
+        let before = found.len();
+        for on in object.lanes() {
+            if let Some(lane) = on.lane().filter(|lane| lane.nodes().next().is_some()) {
+                let (s_from, s_to) = on.s_range();
+                let middle = 0.5 * (s_from + s_to);
+                let half = (0.5 * (s_to - s_from)).max(0.5 * SHORTEST);
+                found.push(Stretch { lane, s_from: middle - half, s_to: middle + half });
+            }
+        }
+        if found.len() == before {
+            return Err(unfit("the object lies on no lane"));
+        }
+    }
+    Ok(found)
+}
+
+fn of_lanes<'a>(
+    map: Map<'a>,
+    place: &LanePlace,
+    found: &mut Vec<Stretch<'a>>,
+) -> Result<(), (&'static str, String)> {
+    if let Some(text) = &place.key {
+        let key: LaneKey<'_> = text.parse().map_err(|error| ("key", format!("{error}")))?;
+        let lane = map.lane_by_key(&key).filter(|lane| lane.nodes().next().is_some());
+        let lane =
+            lane.ok_or_else(|| ("key", "the map has no such lane to drive on".to_owned()))?;
+        let (start, end) = (lane.section().s_start(), lane.section().s_end());
+        let (s_from, s_to) = range(place, &lane.road())?;
+        if s_from >= end || s_to <= start {
+            return Err(("s", format!("the lane reaches from {start} m to {end} m")));
+        }
+        found.push(Stretch { lane, s_from: s_from.max(start), s_to: s_to.min(end) });
+        return Ok(());
+    }
+    let id = place.road.as_ref().map(ToString::to_string).unwrap_or_default();
+    let road =
+        map.road_by_id(&id).ok_or_else(|| ("road", format!("the map has no road {id:?}")))?;
+    let (s_from, s_to) = range(place, &road)?;
+    let before = found.len();
+    for section in road.sections() {
+        let (from, to) = (section.s_start().max(s_from), section.s_end().min(s_to));
+        if from >= to {
+            continue;
+        }
+        let wanted = |lane: &Lane<'a>| place.lane.is_none_or(|number| lane.number() == number);
+        let driven = |lane: &Lane<'a>| lane.nodes().next().is_some();
+        for lane in section.lanes().filter(wanted).filter(driven) {
+            found.push(Stretch { lane, s_from: from, s_to: to });
+        }
+    }
+    if found.len() == before {
+        let lane = place.lane.map_or_else(|| "lanes".to_owned(), |number| format!("lane {number}"));
+        return Err(("lane", format!("road {id} has no {lane} from {s_from} m to {s_to} m")));
+    }
+    Ok(())
+}
+
+/// From where to where, on the road.
+fn range(place: &LanePlace, road: &Road<'_>) -> Result<(f64, f64), (&'static str, String)> {
+    let length = road.length();
+    let Some([from, to]) = place.s else { return Ok((0.0, length)) };
+    if from < -ROUNDED || to > length + ROUNDED {
+        return Err(("s", format!("road {} reaches from 0 m to {length} m", road.id())));
+    }
+    if to - from < SHORTEST {
+        return Err(("s", format!("shorter than {SHORTEST} m")));
+    }
+    Ok((from.max(0.0), to.min(length)))
+}

@@ -1,0 +1,179 @@
+//! Entries on a map: which lanes, cut where.
+
+use crate::document::Document;
+use crate::entry::{Entry, Kind};
+use crate::pieces::{self, Mark, Marks};
+use crate::places::{Stretch, Unfit, stretches};
+use mapd_archive::{
+    OverlayEntryRow, OverlayKind, OverlayRow, OverlayRows, Range, SignalEntryRow, StringTable,
+    VehicleClass, WeeklyRow,
+};
+use mapd_query::{Map, travel_speed};
+
+/// What is taken.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Policy {
+    /// Whether entries may allow more than the map: open lanes, raise speed limits.
+    pub may_loosen: bool,
+}
+
+/// An entry that does not fit the map.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unplaced {
+    /// Its name.
+    pub id: String,
+    /// Its place in the document, from 0.
+    pub number: usize,
+    /// The field that does not fit, such as `lanes[0].road`.
+    pub field: String,
+    /// Why.
+    pub why: String,
+}
+
+/// Entries, resolved.
+pub struct Resolved {
+    /// What can be published for this map.
+    pub rows: OverlayRows,
+    /// Entries that are left out, in their order.
+    pub unplaced: Vec<Unplaced>,
+}
+
+/// Resolves a document against a map. An entry that does not fit is left out whole.
+pub fn resolve(map: Map<'_>, document: &Document, policy: Policy) -> Resolved {
+    let mut rows = OverlayRows::default();
+    let mut strings = StringTable::default();
+    let (mut marks, mut unplaced) = (Marks::new(), Vec::new());
+    for (number, entry) in document.entries.iter().enumerate() {
+        match place(map, entry, policy) {
+            Err((field, why)) => {
+                unplaced.push(Unplaced { id: entry.id.clone(), number, field, why });
+            }
+            Ok(found) => {
+                let own = add(entry, &mut strings, &mut rows);
+                mark(&found.stretches, own, &mut marks);
+                let of_signal = |signal| SignalEntryRow { signal, entry: own };
+                rows.signal_entries.extend(found.signals.into_iter().map(of_signal));
+            }
+        }
+    }
+    rows.signal_entries.sort_by_key(|row| (row.signal, row.entry));
+    pieces::fill(map, &marks, &mut rows);
+    let row = raised(map, &rows);
+    rows.overlay.push(row);
+    let (bytes, offsets) = strings.into_tables();
+    (rows.string_bytes, rows.string_offsets) = (bytes.into(), offsets.into());
+    Resolved { rows, unplaced }
+}
+
+/// Where an entry holds.
+struct Found<'a> {
+    stretches: Vec<Stretch<'a>>,
+    signals: Vec<u32>,
+}
+
+fn place<'a>(map: Map<'a>, entry: &Entry, policy: Policy) -> Result<Found<'a>, Unfit> {
+    let stretches = stretches(map, entry)?;
+    let mut signals = Vec::new();
+    for (i, id) in entry.signals.iter().enumerate() {
+        let known = map.signal_by_id(id);
+        let unfit = || (format!("signals[{i}]"), "the map has no such signal".to_owned());
+        signals.push(known.ok_or_else(unfit)?.signal_id().row());
+    }
+    if !policy.may_loosen {
+        loosens(entry, &stretches).map_or(Ok(()), Err)?;
+    }
+    Ok(Found { stretches, signals })
+}
+
+/// What an entry allows that the map does not.
+fn loosens(entry: &Entry, stretches: &[Stretch<'_>]) -> Option<Unfit> {
+    const OPERATOR: &str = "; the daemon takes only what restricts (--overlay-may-loosen)";
+    if entry.kind == Kind::Open {
+        return Some(("kind".to_owned(), format!("opens lanes{OPERATOR}")));
+    }
+    let value = entry.value.filter(|_| entry.kind == Kind::Speed)?;
+    for Stretch { lane, s_from, s_to } in stretches {
+        let changes = lane.speeds().map(|record| record.s);
+        let changes = changes.chain(lane.road().types().map(|record| record.s));
+        let inside = changes.filter(|s| s > s_from && s < s_to);
+        for s in inside.chain([*s_from, 0.5 * (s_from + s_to), *s_to]) {
+            if let Some(limit) = lane.speed_rule_at(s).max.filter(|limit| value > limit + ROUNDED) {
+                let why = format!(
+                    "raises the limit of {limit:.2} m/s on {} at {s:.1} m{OPERATOR}",
+                    lane.key()
+                );
+                return Some(("value".to_owned(), why));
+            }
+        }
+    }
+    None
+}
+
+/// A limit above the map's by no more than this `[m/s]` is the same, written in other units.
+const ROUNDED: f64 = 0.01;
+
+fn add(entry: &Entry, strings: &mut StringTable, rows: &mut OverlayRows) -> u32 {
+    let first = rows.weekly.len() as u32;
+    let ranges = entry.weekly.iter().flat_map(|weekly| weekly.ranges());
+    rows.weekly.extend(ranges.map(|[from, until]| WeeklyRow { from, until }));
+    let weekly = Range { first, count: rows.weekly.len() as u32 - first };
+    rows.entries.push(OverlayEntryRow {
+        from: entry.from.map_or(f64::MIN, |moment| moment.unix_seconds),
+        until: entry.until.map_or(f64::MAX, |moment| moment.unix_seconds),
+        value: entry.value.unwrap_or(0.0),
+        weekly,
+        id: strings.add(&entry.id),
+        source: strings.add(&entry.source),
+        text: strings.add(&entry.text),
+        confidence: entry.confidence as f32,
+        vehicles: entry.concerned(),
+        kind: entry.kind.stored().code(),
+        reserved: [0; 5],
+    });
+    rows.entries.len() as u32 - 1
+}
+
+/// Marks the nodes that stretches of lanes touch.
+fn mark(stretches: &[Stretch<'_>], entry: u32, marks: &mut Marks) {
+    for Stretch { lane, s_from, s_to } in stretches {
+        for node in lane.nodes() {
+            let (start, end) = node.s_range();
+            if start.max(*s_from) < end.min(*s_to) {
+                let mark = Mark { s_from: *s_from, s_to: *s_to, entry };
+                marks.entry(node.node_id().row()).or_default().push(mark);
+            }
+        }
+    }
+}
+
+/// What raised speeds and opened lanes do to the map's bounds, whenever they hold.
+fn raised(map: Map<'_>, rows: &OverlayRows) -> OverlayRow {
+    let mut row = OverlayRow { time_saved: 0.0, time_factor: 1.0, opens: 0, reserved: 0 };
+    for piece in rows.pieces.iter() {
+        let numbers = piece.entries.of(&rows.piece_entries);
+        let entries = numbers.iter().filter_map(|number| rows.entries.get(*number as usize));
+        let (time, length) = (f64::from(piece.time), f64::from(piece.length));
+        for entry in entries {
+            match OverlayKind::from_code(entry.kind) {
+                OverlayKind::Speed => {
+                    let today = length / travel_speed(entry.value);
+                    if today < time {
+                        row.time_saved += time - today;
+                        row.time_factor = row.time_factor.min(today / time);
+                    }
+                }
+                OverlayKind::Open if entry.vehicles & VehicleClass::MOTOR != 0 => {
+                    let node = rows.nodes.get(piece.node as usize);
+                    let node = node.and_then(|row| map.lane_node_by_row(row.node));
+                    let motor = |class: &&VehicleClass| class.bit() & VehicleClass::MOTOR != 0;
+                    let driven = |class: &VehicleClass| node.is_some_and(|n| n.allows(*class));
+                    if !VehicleClass::ALL.iter().filter(motor).any(driven) {
+                        row.opens = 1;
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+    row
+}

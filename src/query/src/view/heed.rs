@@ -1,0 +1,131 @@
+//! The lane graph under an overlay, as searches travel on it.
+
+use super::{View, node_of};
+use crate::graph::LaneNode;
+use crate::lane::Lane;
+use crate::map::Map;
+use crate::route::{Bounds, RouteCost, Ways};
+use mapd_archive::VehicleClass;
+
+/// A view, for a class of vehicles.
+///
+/// Numbers below the map's number of nodes are nodes of which the overlay says nothing; from there on they are rows of its pieces.
+#[derive(Clone, Copy)]
+pub(super) struct Heeded<'a> {
+    view: View<'a>,
+    vehicle: VehicleClass,
+    nodes: u32,
+    /// What raised speeds make of a time: at least this share of it is left, and all but so many seconds.
+    time_factor: f64,
+    time_saved: f64,
+    has_bounds: bool,
+}
+
+impl<'a> Heeded<'a> {
+    pub(super) fn new(view: View<'a>, vehicle: VehicleClass) -> Self {
+        let row = view.tables().and_then(|tables| tables.overlay.first());
+        Self {
+            view,
+            vehicle,
+            nodes: view.map.tables().lane_nodes.len() as u32,
+            time_factor: row.map_or(1.0, |row| row.time_factor()),
+            time_saved: row.map_or(0.0, |row| row.time_saved()),
+            has_bounds: row.is_none_or(|row| row.opens() == 0),
+        }
+    }
+
+    /// The piece that a number stands for.
+    #[inline]
+    fn piece(&self, number: u32) -> Option<u32> {
+        number.checked_sub(self.nodes)
+    }
+
+    /// The number by which a node of the map is entered.
+    #[inline]
+    fn entered(&self, node: u32) -> u32 {
+        let pieces = self.view.pieces_of(node);
+        if pieces.is_empty() { node } else { self.nodes + pieces.start }
+    }
+
+    /// The node of the map, and which of its pieces this is.
+    #[inline]
+    fn base(&self, number: u32) -> (u32, u32, u32) {
+        let (Some(piece), Some(tables)) = (self.piece(number), self.view.tables()) else {
+            return (number, 0, 1);
+        };
+        let node = node_of(tables, piece);
+        let pieces = self.view.pieces_of(node);
+        (node, piece.saturating_sub(pieces.start), pieces.end - pieces.start)
+    }
+}
+
+impl<'a> Ways<'a> for Heeded<'a> {
+    fn map(&self) -> Map<'a> {
+        self.view.map
+    }
+
+    fn count(&self) -> usize {
+        self.nodes as usize + self.view.tables().map_or(0, |tables| tables.pieces.len())
+    }
+
+    #[inline]
+    fn node(&self, number: u32) -> Option<LaneNode<'a>> {
+        match self.piece(number) {
+            Some(piece) => self.view.piece(piece, self.vehicle),
+            None => LaneNode::new(self.view.map, number),
+        }
+    }
+
+    fn at(&self, lane: &Lane<'a>, s: f64, forward: bool) -> Option<u32> {
+        match self.view.piece_at(lane, s, forward) {
+            Some(piece) => Some(self.nodes + piece),
+            None => self.view.map.at(lane, s, forward),
+        }
+    }
+
+    #[inline]
+    fn ahead(&self, number: u32, mut enter: impl FnMut(u32)) {
+        let (node, index, count) = self.base(number);
+        if index + 1 < count {
+            return enter(number + 1);
+        }
+        self.view.map.ahead(node, |next| enter(self.entered(next)));
+    }
+
+    #[inline]
+    fn beside(&self, number: u32, node: &LaneNode<'a>, left: bool) -> Option<u32> {
+        let (own, index, _) = self.base(number);
+        let beside = self.view.map.beside(own, node, left)?;
+        let pieces = self.view.pieces_of(beside);
+        Some(if pieces.is_empty() { beside } else { self.nodes + pieces.start + index })
+    }
+
+    fn follows(&self, before: u32, number: u32) -> bool {
+        let ((own, index, count), (next, first, _)) = (self.base(before), self.base(number));
+        (own == next && index + 1 == first) || (index + 1 == count && first == 0 && own + 1 == next)
+    }
+
+    /// A bound of the map's from a node's beginning holds from a piece of it on less the way to there. Raised speeds leave at least a share of a time,
+    /// and save at most so much in all.
+    #[inline]
+    fn least(&self, bounds: &Bounds<'a>, node: &LaneNode<'a>, cost: &impl RouteCost) -> f64 {
+        let mut least = bounds.least(node.row);
+        if least == 0.0 {
+            return least;
+        }
+        if node.piece.is_some_and(|piece| piece.before > 0.0) {
+            // By time the node's parts need not count as their lengths do: all of it is taken off.
+            least -= cost.pass(&LaneNode { piece: None, ..*node });
+        }
+        if bounds.times && self.time_saved > 0.0 {
+            // Seconds of the map cost what the bound says of them.
+            let saved = self.time_saved * bounds.per_unit;
+            least = (least * self.time_factor).max(least - saved);
+        }
+        least.max(0.0)
+    }
+
+    fn has_bounds(&self) -> bool {
+        self.has_bounds
+    }
+}

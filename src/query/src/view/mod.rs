@@ -1,0 +1,185 @@
+//! A map under today's overlay: what is closed, slower or told of, at one moment.
+//!
+//! An overlay says of nodes of the lane graph which entries hold on which pieces of them. A [`View`] answers as the map does where nothing is said,
+//! and heeds the entries that hold at its moment elsewhere; each answer names the entry that decides. The moment is the caller's: nothing here reads a clock.
+//! Without an overlay a view is the map.
+
+mod entry;
+mod heed;
+mod queries;
+
+pub use entry::{OverlayEntry, Restriction};
+pub use queries::{Permission, ReachedPiece, SpeedToday};
+
+use crate::graph::{LaneNode, NodePiece};
+use crate::lane::Lane;
+use crate::map::Map;
+use mapd_archive::{
+    ArchivedOverlayEntryRow, ArchivedPieceRow, NONE, Overlay, OverlayKind, OverlayTables,
+    VehicleClass,
+};
+use std::time::{SystemTime, UNIX_EPOCH};
+use thiserror::Error;
+
+/// Seconds of a week.
+const WEEK: i64 = 7 * 24 * 3600;
+/// Seconds from the Monday before the Unix epoch, a Thursday, to the epoch.
+const EPOCH_IN_WEEK: i64 = 3 * 24 * 3600;
+
+/// An overlay that was resolved for another map.
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[error("the overlay was made for another map content")]
+pub struct ForeignOverlay;
+
+/// A map under an overlay, at a moment. `Copy`, valid as long as both are borrowed.
+#[derive(Clone, Copy)]
+pub struct View<'a> {
+    map: Map<'a>,
+    overlay: Option<&'a Overlay<'a>>,
+    /// Seconds since the Unix epoch.
+    at: f64,
+    /// Seconds since Monday 00:00 UTC.
+    in_week: u32,
+}
+
+impl<'a> View<'a> {
+    /// What holds on a map at a moment under an overlay; without one the map itself.
+    ///
+    /// Errors: the overlay was made for another map content.
+    pub fn new(
+        map: Map<'a>,
+        overlay: Option<&'a Overlay<'a>>,
+        at: SystemTime,
+    ) -> Result<Self, ForeignOverlay> {
+        if overlay.is_some_and(|over| over.header.provenance.input_hash != map.content_hash()) {
+            return Err(ForeignOverlay);
+        }
+        Ok(Self::of(map, overlay, at))
+    }
+
+    /// As [`View::new`], of an overlay that is known to be this map's; with another's, answers mean nothing.
+    #[doc(hidden)]
+    pub fn of(map: Map<'a>, overlay: Option<&'a Overlay<'a>>, at: SystemTime) -> Self {
+        let seconds = match at.duration_since(UNIX_EPOCH) {
+            Ok(after) => after.as_secs_f64(),
+            Err(before) => -before.duration().as_secs_f64(),
+        };
+        let in_week = (seconds.floor() as i64).wrapping_add(EPOCH_IN_WEEK).rem_euclid(WEEK);
+        Self { map, overlay, at: seconds, in_week: in_week as u32 }
+    }
+
+    /// The map below.
+    pub fn map(&self) -> Map<'a> {
+        self.map
+    }
+
+    /// Everything that the overlay says, whether it holds now or not, in the order in which it was given.
+    pub fn entries(&self) -> impl Iterator<Item = OverlayEntry<'a>> + use<'a> {
+        let overlay = self.overlay;
+        let count = overlay.map_or(0, |overlay| overlay.tables.entries.len());
+        (0..count as u32).filter_map(move |row| OverlayEntry::new(overlay?, row))
+    }
+
+    fn tables(&self) -> Option<&'a OverlayTables<'a>> {
+        self.overlay.map(|overlay| &overlay.tables)
+    }
+
+    /// Whether an entry holds at the view's moment.
+    pub fn holds(&self, entry: &OverlayEntry<'a>) -> bool {
+        self.is_active(entry.tables, entry.row)
+    }
+
+    #[inline]
+    fn is_active(&self, tables: &OverlayTables<'a>, row: &ArchivedOverlayEntryRow) -> bool {
+        if !(self.at >= row.from() && self.at < row.until()) {
+            return false;
+        }
+        let weekly = row.weekly();
+        weekly.count == 0
+            || weekly
+                .of(tables.weekly)
+                .iter()
+                .any(|time| self.in_week >= time.from() && self.in_week < time.until())
+    }
+
+    /// Rows of the pieces of a node of the map; empty where the overlay says nothing of it.
+    #[inline]
+    fn pieces_of(&self, node: u32) -> std::ops::Range<u32> {
+        let Some(tables) = self.tables() else { return 0..0 };
+        let Some(word) = tables.touched.get(node as usize / 64) else { return 0..0 };
+        let (bit, bits) = (node % 64, word.bits());
+        if bits >> bit & 1 == 0 {
+            return 0..0;
+        }
+        let before = (bits & ((1 << bit) - 1)).count_ones();
+        match tables.nodes.get(word.rank().wrapping_add(before) as usize) {
+            Some(row) => row.pieces().rows(tables.pieces.len()),
+            None => 0..0,
+        }
+    }
+
+    /// A piece as a node: with what it has at the view's moment for a class of vehicles.
+    fn piece(&self, number: u32, vehicle: VehicleClass) -> Option<LaneNode<'a>> {
+        let tables = self.tables()?;
+        let row = tables.pieces.get(number as usize)?;
+        let mut node = LaneNode::new(self.map, tables.nodes.get(row.node() as usize)?.node())?;
+        let (mut closed, mut opened, mut speed) = (0, 0, f64::INFINITY);
+        for (_, entry) in self.active_on(tables, row) {
+            match OverlayKind::from_code(entry.kind()) {
+                OverlayKind::Closed => closed |= entry.vehicles(),
+                OverlayKind::Open => opened |= entry.vehicles(),
+                OverlayKind::Speed if entry.vehicles() & vehicle.bit() != 0 => {
+                    speed = speed.min(entry.value());
+                }
+                _ => {}
+            }
+        }
+        let length = f64::from(row.length());
+        let time = match speed < f64::INFINITY {
+            true => length / crate::lane_length::travel_speed(speed),
+            false => f64::from(row.time()),
+        };
+        node.piece = Some(NodePiece {
+            s_range: (row.s_from(), row.s_to()),
+            before: row.before().into(),
+            length,
+            time,
+            access: (node.row.access() | opened) & !closed,
+        });
+        Some(node)
+    }
+
+    /// Entries that hold on a piece at the view's moment, by number.
+    #[inline]
+    fn active_on(
+        &self,
+        tables: &'a OverlayTables<'a>,
+        piece: &'a ArchivedPieceRow,
+    ) -> impl Iterator<Item = (u32, &'a ArchivedOverlayEntryRow)> + use<'a> {
+        let view = *self;
+        let numbers = piece.entries().of(tables.piece_entries).iter();
+        numbers
+            .filter_map(move |number| Some((*number, tables.entries.get(*number as usize)?)))
+            .filter(move |(_, row)| view.is_active(tables, row))
+    }
+
+    /// The piece that holds s of a lane in a direction of travel, at a cut the later one; none where the overlay says nothing.
+    fn piece_at(&self, lane: &Lane<'a>, s: f64, forward: bool) -> Option<u32> {
+        self.tables()?;
+        let node = lane.node_at(s, forward)?;
+        let pieces = self.pieces_of(node.number);
+        let rows = self.tables()?.pieces.get(pieces.start as usize..pieces.end as usize)?;
+        let reached = |row: &&ArchivedPieceRow| {
+            if forward { s >= row.s_from() } else { s <= row.s_to() }
+        };
+        let at = rows.iter().take_while(reached).count().saturating_sub(1);
+        (!rows.is_empty()).then_some(pieces.start + at as u32)
+    }
+}
+
+/// Row of the node that an overlay's piece is of.
+fn node_of(tables: &OverlayTables<'_>, piece: u32) -> u32 {
+    let row =
+        tables.pieces.get(piece as usize).and_then(|row| tables.nodes.get(row.node() as usize));
+    row.map_or(NONE, |row| row.node())
+}

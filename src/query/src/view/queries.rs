@@ -1,0 +1,230 @@
+//! What a view answers.
+
+use super::heed::Heeded;
+use super::{OverlayEntry, Restriction, View};
+use crate::error::QueryError;
+use crate::graph::LaneNode;
+use crate::ids::{LaneId, SignalId};
+use crate::route::{LanePlace, Route, RouteCost, RouteScratch, RouteStep, Ways as _, find, reach};
+use crate::signals::SpeedRule;
+use mapd_archive::{OverlayKind, VehicleClass};
+
+/// Whether a class of vehicles may use a lane at a place.
+#[derive(Clone, Copy, Debug)]
+pub struct Permission<'a> {
+    /// Whether it may.
+    pub is_allowed: bool,
+    /// The entry that decides so; none where the map does.
+    pub restriction: Option<Restriction<'a>>,
+}
+
+/// The speed limit at a place, with what is said of it today.
+#[derive(Clone, Copy, Debug)]
+pub struct SpeedToday<'a> {
+    /// Limit `[m/s]`; infinite where there is none; `None` where nobody says anything.
+    pub max: Option<f64>,
+    /// What the map says.
+    pub map: SpeedRule,
+    /// The entry that says otherwise.
+    pub restriction: Option<Restriction<'a>>,
+}
+
+/// A node, or a piece of one where an overlay cuts it, that can be reached.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReachedPiece {
+    /// The lane.
+    pub lane: LaneId,
+    /// Whether it is travelled towards +s.
+    pub forward: bool,
+    /// Smaller end on the road `[m]`.
+    pub s_from: f64,
+    /// Larger end on the road `[m]`.
+    pub s_to: f64,
+    /// Least cost up to its beginning; of those beside the start, of the lane changes to them.
+    pub cost: f64,
+}
+
+impl<'a> View<'a> {
+    /// Entries that hold now at s of a lane, in its own direction, whoever they concern, in the order in which they were given.
+    ///
+    /// Errors: an id of another map; an s that is no finite number.
+    pub fn restrictions_at(
+        &self,
+        lane: LaneId,
+        s: f64,
+    ) -> Result<impl Iterator<Item = Restriction<'a>> + use<'a>, QueryError> {
+        let own = self.map.lane(lane)?;
+        if !s.is_finite() {
+            return Err(QueryError::NotFinite);
+        }
+        let section = own.section();
+        let s = mapd_geometry::clamp(s, section.s_start(), section.s_end());
+        let piece = self.piece_at(&own, s, own.is_forward());
+        Ok(self.restrictions_on(piece))
+    }
+
+    /// Entries that hold now on a piece.
+    fn restrictions_on(
+        &self,
+        piece: Option<u32>,
+    ) -> impl Iterator<Item = Restriction<'a>> + use<'a> {
+        let view = *self;
+        let row = piece.and_then(|piece| view.tables()?.pieces.get(piece as usize));
+        let content = self.map.content();
+        let found = row.zip(self.overlay).map(move |(row, overlay)| {
+            let tables = &overlay.tables;
+            let node = piece.map_or(u32::MAX, |piece| super::node_of(tables, piece));
+            let lane = LaneNode::new(view.map, node).map(|node| node.row.lane());
+            view.active_on(tables, row).filter_map(move |(number, _)| {
+                let entry = OverlayEntry::new(overlay, number)?;
+                let lane = LaneId { row: lane?, content };
+                Some(Restriction { entry, lane, s_from: row.s_from(), s_to: row.s_to() })
+            })
+        });
+        found.into_iter().flatten()
+    }
+
+    /// Whether a class of vehicles may use a lane at s, in its own direction: as [`crate::Lane::allows_at`], unless an entry closes or opens it. What one
+    /// entry closes no other opens.
+    ///
+    /// Errors: as [`View::restrictions_at`].
+    pub fn allows(
+        &self,
+        lane: LaneId,
+        s: f64,
+        vehicle: VehicleClass,
+    ) -> Result<Permission<'a>, QueryError> {
+        let is_open = self.map.lane(lane)?.allows_at(s, vehicle);
+        let mut opens = None;
+        for one in self.restrictions_at(lane, s)?.filter(|one| one.entry.concerns(vehicle)) {
+            match one.entry.kind() {
+                OverlayKind::Closed => {
+                    return Ok(Permission { is_allowed: false, restriction: Some(one) });
+                }
+                OverlayKind::Open if !is_open => opens = opens.or(Some(one)),
+                _ => {}
+            }
+        }
+        Ok(Permission { is_allowed: is_open || opens.is_some(), restriction: opens })
+    }
+
+    /// The speed limit at s for a class of vehicles: the lowest that an entry states, else the map's ([`crate::Lane::speed_rule_at`]).
+    ///
+    /// Errors: as [`View::restrictions_at`].
+    pub fn speed_rule_at(
+        &self,
+        lane: LaneId,
+        s: f64,
+        vehicle: VehicleClass,
+    ) -> Result<SpeedToday<'a>, QueryError> {
+        let map = self.map.lane(lane)?.speed_rule_at(s);
+        let mut today = SpeedToday { max: map.max, map, restriction: None };
+        let mut lowest = f64::INFINITY;
+        for one in self.restrictions_at(lane, s)?.filter(|one| one.entry.concerns(vehicle)) {
+            if let Some(value) = one.entry.value().filter(|value| *value < lowest) {
+                lowest = value;
+                (today.max, today.restriction) = (Some(value), Some(one));
+            }
+        }
+        Ok(today)
+    }
+
+    /// The entry by which a signal is out of service now, if one says so.
+    ///
+    /// Errors: an id of another map.
+    pub fn signal_out_of_service(
+        &self,
+        signal: SignalId,
+    ) -> Result<Option<OverlayEntry<'a>>, QueryError> {
+        self.map.signal(signal)?;
+        let Some(overlay) = self.overlay else { return Ok(None) };
+        let rows = overlay.tables.signal_entries;
+        let from = rows.partition_point(|row| row.signal() < signal.row());
+        let own = rows.get(from..).unwrap_or(&[]).iter();
+        let mut own = own.take_while(|row| row.signal() == signal.row());
+        Ok(own.find_map(|row| {
+            let entry = OverlayEntry::new(overlay, row.entry())?;
+            self.holds(&entry).then_some(entry)
+        }))
+    }
+
+    /// As [`crate::Map::route`], heeding what holds now: closed stretches are not entered, opened ones may be, and times are those of today's speeds. The
+    /// lane of the start may be closed.
+    ///
+    /// Errors: as [`crate::Map::route`].
+    pub fn route(
+        &self,
+        from: LanePlace,
+        to: LanePlace,
+        vehicle: VehicleClass,
+        cost: &impl RouteCost,
+        scratch: &mut RouteScratch,
+        steps: &mut Vec<RouteStep>,
+    ) -> Result<Option<Route>, QueryError> {
+        self.route_via(&[from, to], vehicle, cost, scratch, steps)
+    }
+
+    /// As [`crate::Map::route_via`], heeding what holds now.
+    ///
+    /// Errors: as [`crate::Map::route_via`].
+    pub fn route_via(
+        &self,
+        places: &[LanePlace],
+        vehicle: VehicleClass,
+        cost: &impl RouteCost,
+        scratch: &mut RouteScratch,
+        steps: &mut Vec<RouteStep>,
+    ) -> Result<Option<Route>, QueryError> {
+        if self.overlay.is_none() {
+            return self.map.route_via(places, vehicle, cost, scratch, steps);
+        }
+        find(Heeded::new(*self, vehicle), places, vehicle, cost, scratch, steps)
+    }
+
+    /// As [`crate::Map::reachable`], heeding what holds now. Where the overlay cuts a node, each piece is told of by itself.
+    ///
+    /// Errors: as [`crate::Map::reachable`].
+    pub fn reachable(
+        &self,
+        from: LanePlace,
+        limit: f64,
+        vehicle: VehicleClass,
+        cost: &impl RouteCost,
+        scratch: &mut RouteScratch,
+        out: &mut Vec<ReachedPiece>,
+    ) -> Result<(), QueryError> {
+        out.clear();
+        let (ways, content) = (Heeded::new(*self, vehicle), self.map.content());
+        reach(ways, from, (limit, vehicle), cost, scratch, |number, cost| {
+            let Some(node) = ways.node(number) else { return };
+            let (s_from, s_to) = node.s_range();
+            let lane = LaneId { row: node.row.lane(), content };
+            out.push(ReachedPiece { lane, forward: node.is_forward(), s_from, s_to, cost });
+        })
+    }
+
+    /// What holds now along a route or any list of steps, in its order: each entry once for each stretch on which it holds that a step drives over.
+    ///
+    /// Errors: ids of another map.
+    pub fn restrictions_along(
+        &self,
+        steps: &[RouteStep],
+        vehicle: VehicleClass,
+        out: &mut Vec<Restriction<'a>>,
+    ) -> Result<(), QueryError> {
+        out.clear();
+        for step in steps {
+            let lane = self.map.lane(step.lane)?;
+            let (low, high) = (step.s_from.min(step.s_to), step.s_from.max(step.s_to));
+            for node in lane.nodes().filter(|node| node.is_forward() == step.forward) {
+                for piece in self.pieces_of(node.number) {
+                    let met = |one: &Restriction<'a>| {
+                        one.s_from <= high && one.s_to >= low && one.entry.concerns(vehicle)
+                    };
+                    out.extend(self.restrictions_on(Some(piece)).filter(met));
+                }
+            }
+        }
+        Ok(())
+    }
+}

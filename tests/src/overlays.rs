@@ -1,0 +1,86 @@
+//! Overlays in tests: made in this process, and the same written into the OpenDRIVE text.
+
+use mapd_archive::{AlignedBytes, encode_overlay, verify_overlay};
+use mapd_overlay::{Document, Limits, Policy, Resolved, resolve};
+use mapd_query::Map;
+
+/// A stretch of a lane of a road.
+#[derive(Clone, Debug)]
+pub struct Stretch {
+    /// OpenDRIVE's id of the road.
+    pub road: String,
+    /// Section in its road.
+    pub section: usize,
+    /// Number of the lane.
+    pub lane: i32,
+    /// From where to where on the road.
+    pub s: [f64; 2],
+    /// Where the section begins.
+    pub start: f64,
+    /// The limit \[m/s\]; none: closed for passenger cars.
+    pub speed: Option<f64>,
+}
+
+/// The bytes of a document's overlay over a map, proved, and what does not fit.
+pub fn over(map: Map<'_>, text: &str, may_loosen: bool) -> (AlignedBytes, Resolved) {
+    let document = Document::read(text.as_bytes(), &Limits::default()).expect("a document");
+    let resolved = resolve(map, &document, Policy { may_loosen });
+    let bytes = encode_overlay(&resolved.rows, map.content_hash()).expect("encodes");
+    verify_overlay(&bytes).expect("proves");
+    (bytes, resolved)
+}
+
+impl Stretch {
+    /// As an entry of a document.
+    pub fn entry(&self, id: usize) -> String {
+        let Self { road, section, lane, s: [from, to], .. } = self;
+        let what = match self.speed {
+            Some(speed) => format!(r#""kind":"speed","value":{speed}"#),
+            None => r#""kind":"closed","vehicles":["passengerCar"]"#.to_owned(),
+        };
+        let key = format!("{road}:{section}:{lane}");
+        format!(r#"{{"id":"{id}",{what},"lanes":[{{"key":"{key}","s":[{from},{to}]}}]}}"#)
+    }
+
+    /// Writes it into the text of the map: `None` where the lane has no body, or has such records already.
+    pub fn write_into(&self, text: &str) -> Option<String> {
+        let road = element(text, 0, "road", &self.road)?;
+        let end = road + text[road..].find("</road>")?;
+        let mut at = road;
+        for _ in 0..=self.section {
+            at += text[at..end].find("<laneSection")? + 1;
+        }
+        let lane = element(&text[..end], at, "lane", &self.lane.to_string())?;
+        let close = lane + text[lane..end].find("</lane>")?;
+        let body = &text[lane..close];
+        if body.contains("<access") || body.contains("<speed") {
+            return None;
+        }
+        let place = ["<userData", "<height", "<rule"].iter().filter_map(|tag| body.find(tag)).min();
+        let place = lane + place.unwrap_or(body.len());
+        let [from, to] = self.s.map(|s| s - self.start);
+        let records = match self.speed {
+            Some(speed) => format!(
+                r#"<speed sOffset="{from}" max="{speed}"/><speed sOffset="{to}" max="undefined"/>"#
+            ),
+            None => format!(
+                r#"<access sOffset="{from}" rule="deny" restriction="passengerCar"/><access sOffset="{to}" rule="allow" restriction="none"/>"#
+            ),
+        };
+        Some(format!("{}{records}{}", &text[..place], &text[place..]))
+    }
+}
+
+/// Where an element of this name and id begins.
+fn element(text: &str, from: usize, name: &str, id: &str) -> Option<usize> {
+    let (open, id) = (format!("<{name} "), format!(" id=\"{id}\""));
+    let mut at = from;
+    loop {
+        at += text[at..].find(&open)?;
+        let end = at + text[at..].find('>')?;
+        if text[at..end].contains(&id) && !text[at..end].ends_with('/') {
+            return Some(at);
+        }
+        at = end;
+    }
+}

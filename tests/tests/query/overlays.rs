@@ -1,0 +1,289 @@
+//! Overlays: what is refused, when entries hold, what a view says.
+
+use mapd_archive::{OpenError, open_overlay, verify_overlay};
+use mapd_client::{Map, OverlayKind, Snapshot};
+use mapd_overlay::{Document, DocumentError, Limits, Policy, resolve};
+use mapd_query::{LaneId, LanePlace, RouteScratch, ShortestLength, VehicleClass, View};
+use mapd_tests::graph_maps::{Line, document, lane, road, section};
+use mapd_tests::maps::{Random, open_text};
+use mapd_tests::overlays::over;
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
+
+const CAR: VehicleClass = VehicleClass::PassengerCar;
+
+/// Road A, 100 m, of two lanes each way and a hard shoulder.
+fn two_lanes() -> Snapshot {
+    let right = lane(-1, "") + &lane(-2, "") + &lane(-3, "").replace("driving", "shoulder");
+    let left = lane(2, "") + &lane(1, "");
+    let line = Line(0.0, 0.0, 0.0, 100.0, 0.0);
+    open_text(&document(&road("A", "", line, "", &section(0.0, &left, &right))))
+}
+
+fn lane_id(map: Map<'_>, number: i32) -> LaneId {
+    let section = map.road_by_id("A").expect("a road").section(0).expect("a section");
+    section.lane(number).expect("a lane").lane_id()
+}
+
+fn at(seconds: f64) -> SystemTime {
+    UNIX_EPOCH + Duration::from_secs_f64(seconds)
+}
+
+/// Runs with the view of a document over the road, at a moment.
+fn with(text: &str, moment: SystemTime, test: impl FnOnce(View<'_>)) {
+    let snapshot = two_lanes();
+    let (bytes, resolved) = over(snapshot.map(), text, true);
+    assert_eq!(resolved.unplaced, []);
+    let overlay = open_overlay(&bytes).expect("opens");
+    test(View::new(snapshot.map(), Some(&overlay), moment).expect("its own"));
+}
+
+/// An entry about lane −1 from 40 m to 60 m.
+fn entry(id: &str, more: &str) -> String {
+    format!(r#"{{"id":"{id}",{more},"lanes":[{{"road":"A","s":[40,60],"lane":-1}}]}}"#)
+}
+
+fn entries(all: &[String]) -> String {
+    format!(r#"{{"entries":[{}]}}"#, all.join(","))
+}
+
+#[test]
+fn a_closed_stretch_is_named() {
+    let text = entries(&[entry("works", r#""kind":"closed","source":"city","text":"cable""#)]);
+    with(&text, at(0.0), |view| {
+        let lane = lane_id(view.map(), -1);
+        for (s, allowed) in [(39.9, true), (40.0, false), (59.9, false), (60.0, true)] {
+            let answer = view.allows(lane, s, CAR).expect("an answer");
+            assert_eq!(answer.is_allowed, allowed, "at {s}");
+            let named = answer.restriction.map(|one| (one.entry.id(), one.s_from, one.s_to));
+            assert_eq!(named, (!allowed).then_some(("works", 40.0, 60.0)), "at {s}");
+        }
+        let one = view.restrictions_at(lane, 50.0).expect("an answer").next().expect("one");
+        assert_eq!((one.entry.source(), one.entry.text(), one.lane), ("city", "cable", lane));
+        assert_eq!(view.restrictions_at(lane_id(view.map(), -2), 50.0).expect("none").count(), 0);
+        let nan = view.allows(lane, f64::NAN, CAR);
+        assert!(nan.is_err());
+    });
+}
+
+/// Changes of lane lead round a closed stretch, also back behind it.
+#[test]
+fn routes_lead_round_it() {
+    let text = entries(&[entry("works", r#""kind":"closed""#)]);
+    with(&text, at(0.0), |view| {
+        let lane = lane_id(view.map(), -1);
+        let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
+        let mut cost = |from: f64, to: f64| {
+            let [from, to] = [from, to].map(|s| LanePlace { lane, s });
+            let cost = ShortestLength::default();
+            let route =
+                view.route(from, to, CAR, &cost, &mut scratch, &mut steps).expect("an answer");
+            route.map(|route| (route.length, route.lane_changes))
+        };
+        assert_eq!(cost(10.0, 90.0), Some((80.0, 2)));
+        assert_eq!(cost(50.0, 90.0), Some((40.0, 0)), "the start may be closed");
+        assert_eq!(cost(10.0, 50.0), None, "the target may not");
+        let mut met = Vec::new();
+        view.restrictions_along(&steps, CAR, &mut met).expect("an answer");
+        assert!(met.is_empty());
+        let from = LanePlace { lane, s: 10.0 };
+        let mut reached = Vec::new();
+        let cost = ShortestLength::default();
+        view.reachable(from, 1e3, CAR, &cost, &mut scratch, &mut reached).expect("an answer");
+        let own = reached.iter().filter(|piece| piece.lane == lane);
+        let pieces: Vec<_> = own.map(|piece| (piece.s_from, piece.s_to)).collect();
+        assert_eq!(pieces, [(0.0, 40.0), (60.0, 100.0)]);
+    });
+}
+
+/// When an entry holds, for whom, and what wins.
+#[test]
+fn moments_vehicles_and_what_wins() {
+    // 1970-01-01 was a Thursday.
+    const DAY: f64 = 86_400.0;
+    let lane = -1;
+    let check = |more: &[&str], moment: f64, vehicle: VehicleClass, number: i32, open: bool| {
+        let all: Vec<_> = more
+            .iter()
+            .enumerate()
+            .map(|(i, more)| {
+                entry(&i.to_string(), more).replace(r#""lane":-1"#, &format!(r#""lane":{number}"#))
+            })
+            .collect();
+        with(&entries(&all), at(moment), |view| {
+            let answer =
+                view.allows(lane_id(view.map(), number), 50.0, vehicle).expect("an answer");
+            assert_eq!(answer.is_allowed, open, "{more:?} at {moment} for {}", vehicle.name());
+        });
+    };
+    let truck = VehicleClass::Truck;
+    let closed = r#""kind":"closed""#;
+    check(&[], 0.0, CAR, lane, true);
+    check(&[closed], 0.0, CAR, lane, false);
+    let times = r#""kind":"closed","from":100,"until":"1970-01-01T00:03:20Z""#;
+    for (moment, open) in [(99.9, true), (100.0, false), (199.9, false), (200.0, true)] {
+        check(&[times], moment, CAR, lane, open);
+    }
+    let night =
+        r#""kind":"closed","weekly":[{"days":["thu","sun"],"from":"22:00","until":"06:00"}]"#;
+    for (hours, open) in [(21.9, true), (22.0, false), (29.9, false), (30.0, true), (46.0, true)] {
+        check(&[night], hours * 3600.0, CAR, lane, open);
+    }
+    // From Sunday to Monday the week begins anew.
+    check(&[night], 4.0 * DAY + 5.0 * 3600.0, CAR, lane, false);
+    check(&[night], 4.0 * DAY + 6.0 * 3600.0, CAR, lane, true);
+    check(&[r#""kind":"closed","vehicles":["truck"]"#], 0.0, CAR, lane, true);
+    check(&[r#""kind":"closed","vehicles":["truck"]"#], 0.0, truck, lane, false);
+    check(&[r#""kind":"only","vehicles":["truck"]"#], 0.0, CAR, lane, false);
+    check(&[r#""kind":"only","vehicles":["truck"]"#], 0.0, truck, lane, true);
+    let open = r#""kind":"open","vehicles":["passengerCar"]"#;
+    check(&[], 0.0, CAR, -3, false);
+    check(&[open], 0.0, CAR, -3, true);
+    check(&[open], 0.0, truck, -3, false);
+    check(&[open, closed], 0.0, CAR, -3, false);
+    for other in ["no-overtaking", "wet", "icy", "snow", "rough", "warning"] {
+        check(&[&format!(r#""kind":"{other}""#)], 0.0, CAR, lane, true);
+    }
+}
+
+#[test]
+fn the_lowest_speed_holds() {
+    let speed = |id: &str, value: f64| entry(id, &format!(r#""kind":"speed","value":{value}"#));
+    let text = entries(&[speed("a", 9.0), speed("b", 7.0), entry("c", r#""kind":"icy""#)]);
+    with(&text, at(0.0), |view| {
+        let lane = lane_id(view.map(), -1);
+        let today = view.speed_rule_at(lane, 50.0, CAR).expect("an answer");
+        assert_eq!((today.max, today.map.max), (Some(7.0), None));
+        assert_eq!(today.restriction.map(|one| one.entry.id()), Some("b"));
+        assert_eq!(view.speed_rule_at(lane, 30.0, CAR).expect("an answer").max, None);
+        let kinds: Vec<_> = view.entries().map(|entry| entry.kind()).collect();
+        assert_eq!(kinds, [OverlayKind::Speed, OverlayKind::Speed, OverlayKind::Icy]);
+    });
+}
+
+/// Where nothing is laid over it, a view is the map.
+#[test]
+fn without_an_overlay() {
+    let snapshot = two_lanes();
+    let view = View::new(snapshot.map(), None, at(0.0)).expect("a view");
+    assert_eq!(view.entries().count(), 0);
+    assert!(view.allows(lane_id(view.map(), -1), 50.0, CAR).expect("an answer").is_allowed);
+    let (bytes, _) =
+        over(open_text(&mapd_tests::town::town(2, 2)).map(), r#"{"entries":[]}"#, false);
+    let overlay = open_overlay(&bytes).expect("opens");
+    assert!(View::new(snapshot.map(), Some(&overlay), at(0.0)).is_err(), "another map's");
+    assert_eq!(open_overlay(snapshot.bytes()).err(), Some(OpenError::NotAnOverlay));
+    assert_eq!(
+        Snapshot::from_bytes(bytes).err().map(|error| error.to_string().contains("overlay")),
+        Some(true)
+    );
+}
+
+/// Refused whole, with entry and field.
+#[test]
+fn bad_documents() {
+    let check = |text: &str, place: &str| {
+        let error = Document::read(text.as_bytes(), &Limits::default()).expect_err(text);
+        let found = match &error {
+            DocumentError::Entry { id, field, .. } => format!("{id} {field}"),
+            DocumentError::Json { place, .. } => place.clone(),
+            other => other.to_string(),
+        };
+        assert_eq!(found, place, "{error}");
+    };
+    let one = |more: &str| entries(&[entry("a", more)]);
+    check("", "document");
+    check("[]", "document");
+    check(r#"{"entries":[]} {}"#, "document");
+    check(r#"{"entries":[{"id":5}]}"#, "entries[0].id");
+    check(&one(r#""kind":"shut""#), "entries[0].kind");
+    check(&one(r#""kind":"closed","speed":3"#), "entries[0].speed");
+    check(&one(r#""kind":"speed","value":"fast""#), "entries[0].value");
+    check(&one(r#""kind":"speed""#), "a value");
+    check(&one(r#""kind":"speed","value":-1"#), "a value");
+    check(&one(r#""kind":"closed","value":1"#), "a value");
+    check(&one(r#""kind":"closed","from":"soon""#), "entries[0].from");
+    check(&one(r#""kind":"closed","from":20,"until":10"#), "a until");
+    check(&one(r#""kind":"closed","confidence":2"#), "a confidence");
+    check(&one(r#""kind":"closed","vehicles":["spaceship"]"#), "a vehicles[0]");
+    check(&one(r#""kind":"only""#), "a vehicles");
+    check(&one(r#""kind":"closed","signals":["1"]"#), "a signals");
+    check(
+        &one(r#""kind":"closed","weekly":[{"days":[],"from":"07:00","until":"08:00"}]"#),
+        "a weekly[0].days",
+    );
+    check(
+        &one(r#""kind":"closed","weekly":[{"days":["mon"],"from":"7","until":"08:00"}]"#),
+        "entries[0].weekly[0].from",
+    );
+    check(&entries(&[r#"{"id":"a","kind":"closed"}"#.into()]), "a lanes");
+    check(&entries(&[r#"{"id":"a","kind":"closed","lanes":[{}]}"#.into()]), "a lanes[0].road");
+    check(&one(r#""kind":"closed""#).replace("[40,60]", "[60,40]"), "a lanes[0].s");
+    check(&one(r#""kind":"closed""#).replace("[40,60]", "[40]"), "entries[0].lanes[0].s");
+    check(&one(r#""kind":"closed""#).replace("-1", "0"), "a lanes[0].lane");
+    check(&one(r#""kind":"closed""#).replace("-1", "1.5"), "entries[0].lanes[0].lane");
+    let twice = [entry("a", r#""kind":"closed""#), entry("a", r#""kind":"icy""#)];
+    check(&entries(&twice), "a id");
+    let many: Vec<_> = (0..10_001).map(|i| entry(&i.to_string(), r#""kind":"wet""#)).collect();
+    check(&entries(&many), "10001 entries; at most 10000 are taken (--overlay-entries)");
+    let long = " ".repeat(Limits::default().bytes) + "x";
+    check(&long, "4194305 bytes; at most 4194304 are taken (--overlay-bytes)");
+}
+
+/// What the map does not have, and what would allow more than it does.
+#[test]
+fn what_does_not_fit() {
+    let snapshot = two_lanes();
+    let check = |place: &str, more: &str, field: &str| {
+        let text = format!(r#"{{"entries":[{{"id":"a",{more}{place}}}]}}"#);
+        let document = Document::read(text.as_bytes(), &Limits::default()).expect(&text);
+        let resolved = resolve(snapshot.map(), &document, Policy::default());
+        let fields: Vec<_> = resolved.unplaced.iter().map(|unfit| unfit.field.as_str()).collect();
+        assert_eq!(fields, [field], "{text}: {:?}", resolved.unplaced);
+    };
+    let closed = |place: &str, field: &str| {
+        check(&format!(r#","lanes":[{place}]"#), r#""kind":"closed""#, field);
+    };
+    closed(r#"{"road":"B"}"#, "lanes[0].road");
+    closed(r#"{"road":"A","lane":-4}"#, "lanes[0].lane");
+    closed(r#"{"road":"A","s":[90,110]}"#, "lanes[0].s");
+    closed(r#"{"road":"A","s":[-1,10]}"#, "lanes[0].s");
+    closed(r#"{"road":"A","s":[10,10.05]}"#, "lanes[0].s");
+    closed(r#"{"key":"A:1:-1"}"#, "lanes[0].key");
+    closed(r#"{"key":"A"}"#, "lanes[0].key");
+    closed(r#"{"road":"A"},{"road":"C"}"#, "lanes[1].road");
+    check(r#","objects":["tree"]"#, r#""kind":"closed""#, "objects[0]");
+    check(r#","signals":["9"]"#, r#""kind":"signal-off""#, "signals[0]");
+    check(r#","lanes":[{"road":"A","lane":-3}]"#, r#""kind":"open""#, "kind");
+}
+
+/// Whatever a damaged overlay says, nothing panics, and no search runs for ever.
+#[test]
+fn damaged_overlays() {
+    let snapshot = two_lanes();
+    let text =
+        entries(&[entry("a", r#""kind":"closed""#), entry("b", r#""kind":"speed","value":3"#)]);
+    let (bytes, _) = over(snapshot.map(), &text, true);
+    let mut random = Random(3);
+    let (mut scratch, mut steps, mut opened) = (RouteScratch::default(), Vec::new(), 0);
+    for _ in 0..2000 {
+        let mut bad = bytes.clone();
+        for _ in 0..4 {
+            let place = 128 + (random.unit() * (bad.len() - 128) as f64) as usize;
+            bad[place] = (random.unit() * 256.0) as u8;
+        }
+        assert!(verify_overlay(&bad).is_err() || bad[..] == bytes[..]);
+        let Ok(overlay) = open_overlay(&bad) else { continue };
+        opened += 1;
+        let view = View::new(snapshot.map(), Some(&overlay), at(0.0)).expect("the header is whole");
+        let lane = lane_id(view.map(), -1);
+        for s in [10.0, 50.0] {
+            let _ = view.allows(lane, s, CAR);
+            let _ = view.speed_rule_at(lane, s, CAR);
+        }
+        let [from, to] = [10.0, 90.0].map(|s| LanePlace { lane, s });
+        let cost = ShortestLength::default();
+        let _ = view.route(from, to, CAR, &cost, &mut scratch, &mut steps);
+        view.entries().for_each(|entry| assert!(entry.id().len() < 10_000));
+    }
+    assert!(opened > 100, "{opened}");
+}

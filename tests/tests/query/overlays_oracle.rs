@@ -1,0 +1,240 @@
+//! A view over a plain map answers as a map with the same written into its OpenDRIVE.
+
+use mapd_archive::open_overlay;
+use mapd_client::Snapshot;
+use mapd_query::{
+    Lane, LanePlace, Map, RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime,
+    SpeedOrigin, VehicleClass, View,
+};
+use mapd_tests::maps::{Random, open};
+use mapd_tests::overlays::{Stretch, over};
+use mapd_tests::town::town;
+use mapd_tests::{say, shared};
+use std::time::UNIX_EPOCH;
+
+const CAR: VehicleClass = VehicleClass::PassengerCar;
+
+/// Maps of the shared corpus, beside a generated town: of several lanes, motorways, roundabouts.
+const MAPS: [&str; 5] = [
+    "carla/Town05.xodr",
+    "SMARTS/od_newmarket_map.xodr",
+    "carla/Town03.xodr",
+    "Scenic/Town10HD.xodr",
+    "esmini/multi_intersections.xodr",
+];
+
+/// Stretches that are restricted on each map.
+const STRETCHES: usize = 170;
+/// Pairs of places on each map.
+const PAIRS: usize = 400;
+/// Costs may differ by what single precision leaves of lengths and times of pieces, in proportion.
+const ROUNDING: f64 = 2e-5;
+
+fn stretches(map: Map<'_>, speeds: [f64; 2], random: &mut Random) -> Vec<Stretch> {
+    let driven = |lane: &Lane<'_>| {
+        let section = lane.section();
+        lane.nodes().any(|node| node.allows(CAR)) && section.s_end() - section.s_start() > 3.0
+    };
+    let lanes: Vec<Lane<'_>> = map.lanes().filter(driven).collect();
+    let mut found: Vec<Stretch> = Vec::new();
+    for _ in 0..10 * STRETCHES {
+        let lane = &lanes[(random.unit() * lanes.len() as f64) as usize];
+        let (section, road) = (lane.section(), lane.road());
+        let (start, end) = (section.s_start(), section.s_end());
+        let from = random.between(start, end - 1.0);
+        let to = if random.unit() < 0.3 { end } else { random.between(from + 0.5, end) };
+        let from = if random.unit() < 0.3 { start } else { from };
+        let key = lane.key();
+        let known = |other: &Stretch| {
+            (other.road.as_str(), other.section, other.lane)
+                == (road.id(), key.section as usize, key.lane)
+        };
+        // A record in the text would hold on in pieces beside sections of one side.
+        if found.iter().any(known) || lane.continues() || found.len() >= STRETCHES {
+            continue;
+        }
+        let speed = (random.unit() < 0.4).then(|| random.between(speeds[0], speeds[1]));
+        // A record of speed does not cut a compiled lane: its first and last piece cost in proportion to their lengths.
+        let (from, to) = if speed.is_some() { (start, end) } else { (from, to) };
+        found.push(Stretch {
+            road: road.id().to_owned(),
+            section: key.section as usize,
+            lane: key.lane,
+            s: [from, to],
+            start,
+            speed,
+        });
+    }
+    found
+}
+
+/// A map that is written out, with parts in quarantine if need be.
+fn open_text(text: &str) -> Snapshot {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("map.xodr");
+    std::fs::write(&path, text).expect("written");
+    open(&path)
+}
+
+/// The same lane in a map with other content.
+fn there<'a>(map: Map<'a>, lane: &Lane<'_>) -> Lane<'a> {
+    map.lane_by_key(&lane.key()).expect("the same lanes")
+}
+
+/// Compares a map with these stretches written into it; speeds from one limit to another `[m/s]`.
+fn check(name: &str, text: &str, speeds: [f64; 2]) {
+    let plain = open_text(text);
+    let map = plain.map();
+    let mut random = Random(5);
+    let mut written = text.to_owned();
+    let mut kept = Vec::new();
+    for stretch in stretches(map, speeds, &mut random) {
+        if let Some(text) = stretch.write_into(&written) {
+            (written, _) = (text, kept.push(stretch));
+        }
+    }
+    let entries: Vec<String> = kept.iter().enumerate().map(|(i, s)| s.entry(i)).collect();
+    let document = format!(r#"{{"entries":[{}]}}"#, entries.join(","));
+    let (bytes, resolved) = over(map, &document, true);
+    assert_eq!(resolved.unplaced, [], "{name}");
+    let overlay = open_overlay(&bytes).expect("opens");
+    let view = View::new(map, Some(&overlay), UNIX_EPOCH).expect("its own");
+    let compiled = open_text(&written);
+    let closed = kept.iter().filter(|stretch| stretch.speed.is_none()).count();
+    say(&format!("{name}: {} stretches, {closed} of them closed", kept.len()));
+    assert!(kept.len() > 10, "{name}: nothing to compare");
+    places(view, &compiled, &kept, &mut random);
+    let found = routes(view, &compiled, &ShortestLength::default(), &kept, &mut random)
+        + routes(view, &compiled, &ShortestTime::default(), &kept, &mut random);
+    assert!(found > PAIRS / 80, "{name}: {found} pairs have a way");
+}
+
+/// Permissions and limits, at places of restricted lanes that are not at a cut.
+fn places(view: View<'_>, compiled: &Snapshot, kept: &[Stretch], random: &mut Random) {
+    let other = compiled.map();
+    for stretch in kept {
+        let road = view.map().road_by_id(&stretch.road).expect("the road");
+        let section = road.section(stretch.section as u32).expect("the section");
+        let lane = section.lane(stretch.lane).expect("the lane");
+        for _ in 0..10 {
+            let s = random.between(section.s_start(), section.s_end());
+            let near = |end: f64| (s - end).abs() < 0.11;
+            if stretch.s.iter().any(|end| near(*end))
+                || near(section.s_start())
+                || near(section.s_end())
+            {
+                continue;
+            }
+            let today = view.allows(lane.lane_id(), s, CAR).expect("an answer");
+            let expected = there(other, &lane).allows_at(s, CAR);
+            assert_eq!(today.is_allowed, expected, "{stretch:?} at {s}: {today:?}");
+            let today = view.speed_rule_at(lane.lane_id(), s, CAR).expect("an answer");
+            let expected = there(other, &lane).speed_rule_at(s);
+            // A sign stands above a record in the file, and what is written on the lane that leads into a junction goes on holding there.
+            let beyond = [SpeedOrigin::Signal, SpeedOrigin::Entry, SpeedOrigin::Depends];
+            if !beyond.contains(&expected.origin) {
+                assert_eq!(today.max, expected.max, "{stretch:?} at {s}: {today:?} {expected:?}");
+            }
+        }
+    }
+}
+
+/// Compares routes between random places and places beside restricted stretches; how many have a way.
+fn routes(
+    view: View<'_>,
+    compiled: &Snapshot,
+    cost: &impl RouteCost,
+    kept: &[Stretch],
+    random: &mut Random,
+) -> usize {
+    let (map, other) = (view.map(), compiled.map());
+    let lanes: Vec<Lane<'_>> =
+        map.lanes().filter(|lane| lane.nodes().any(|node| node.allows(CAR))).collect();
+    let place = |random: &mut Random| {
+        if random.unit() < 0.4 {
+            let stretch = &kept[(random.unit() * kept.len() as f64) as usize];
+            let road = map.road_by_id(&stretch.road).expect("the road");
+            let section = road.section(stretch.section as u32).expect("the section");
+            let lane = section.lane(stretch.lane).expect("the lane");
+            return (lane, random.between(section.s_start(), section.s_end()));
+        }
+        let lane = lanes[(random.unit() * lanes.len() as f64) as usize];
+        (lane, random.between(lane.section().s_start(), lane.section().s_end()))
+    };
+    let mut scratch = RouteScratch::default();
+    let (mut steps, mut expected_steps, mut found) = (Vec::new(), Vec::new(), 0);
+    for _ in 0..PAIRS {
+        let ((a, s_a), (b, s_b)) = (place(random), place(random));
+        let at = |lane: &Lane<'_>, s| LanePlace { lane: lane.lane_id(), s };
+        let route = view
+            .route(at(&a, s_a), at(&b, s_b), CAR, cost, &mut scratch, &mut steps)
+            .expect("an answer");
+        let (a2, b2) = (there(other, &a), there(other, &b));
+        let expected = other
+            .route(at(&a2, s_a), at(&b2, s_b), CAR, cost, &mut scratch, &mut expected_steps)
+            .expect("an answer");
+        let what = format!("{} {s_a} to {} {s_b}", a.key(), b.key());
+        match (route, expected) {
+            (Some(route), Some(expected)) => {
+                let off = (route.cost - expected.cost).abs();
+                assert!(
+                    off <= ROUNDING * (1.0 + expected.cost),
+                    "{what}: {route:?} {expected:?}\n{:?}\n{:?}",
+                    named(map, &steps),
+                    named(other, &expected_steps)
+                );
+                assert!((route.length - expected.length).abs() < 0.5 || off > 0.0, "{what}");
+                found += 1;
+            }
+            (None, None) => {}
+            (route, expected) => panic!(
+                "{what}: {route:?}, expected {expected:?}\n{:?}\n{kept:?}",
+                named(map, &steps)
+            ),
+        }
+        // Nothing closed is entered: what is driven, behind the start's own piece, is open.
+        for step in steps.iter().skip(1) {
+            let middle = 0.5 * (step.s_from + step.s_to);
+            let lane = map.lane(step.lane).expect("a lane");
+            if lane.is_forward() == step.forward && step.s_from != step.s_to {
+                assert!(
+                    view.allows(step.lane, middle, CAR).expect("an answer").is_allowed,
+                    "{what}: {step:?}"
+                );
+            }
+        }
+    }
+    found
+}
+
+/// Closed, and slower than any road.
+const SLOWER: [f64; 2] = [1.0, 4.0];
+/// Closed, and slower or faster.
+const FASTER: [f64; 2] = [4.0, 40.0];
+
+/// Steps by the names of their lanes.
+fn named(map: Map<'_>, steps: &[RouteStep]) -> Vec<String> {
+    let name = |step: &RouteStep| {
+        let key = map.lane(step.lane).expect("a lane").key();
+        format!("{key} {:?} {:.3} {:.3}", step.enter, step.s_from, step.s_to)
+    };
+    steps.iter().map(name).collect()
+}
+
+#[test]
+fn a_generated_town() {
+    check("town", &town(7, 6), SLOWER);
+    check("town", &town(7, 6), FASTER);
+}
+
+#[test]
+fn maps_of_the_corpus() {
+    let Some(folder) = shared("maps") else {
+        return say("SKIPPED: no shared corpus beside the workspace");
+    };
+    for name in MAPS {
+        let text = std::fs::read_to_string(folder.join(name)).expect("a map");
+        check(name, &text, SLOWER);
+        check(name, &text, FASTER);
+    }
+}
