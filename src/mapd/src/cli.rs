@@ -8,6 +8,7 @@ use crate::commands::compile::{self, CompileCommand};
 use crate::commands::doctor::DoctorCommand;
 use crate::commands::export::ExportCommand;
 use crate::commands::inspect::InspectCommand;
+use crate::commands::overlay::OverlayCommand;
 use crate::commands::query::{self, QueryCommand};
 use crate::commands::shell::{CompletionsCommand, ManCommand};
 use crate::commands::sign::SignCommand;
@@ -92,6 +93,8 @@ enum Command {
     Rollback(StagedChange),
     /// Serve the staged generation
     Activate(ChangeArgs),
+    /// Say what is so on the road today: closed, slower, opened, slippery, out of service (docs/overlay.md)
+    Overlay(OverlayCommand),
     /// Write the script with which a shell completes commands and options
     #[command(
         after_help = "bash: mapd completions bash > ~/.local/share/bash-completion/completions/mapd"
@@ -190,6 +193,7 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
         Command::Reload(change) => change.reload(out),
         Command::Rollback(change) => change.rollback(out),
         Command::Activate(change) => change.activate(out),
+        Command::Overlay(command) => command.run(out),
         Command::Completions(completions) => completions.run(command(), out),
         Command::Man(man) => man.run(command()),
     }?;

@@ -168,6 +168,8 @@ pub struct Weekly {
 /// Seconds of a day and of a week.
 const DAY: u32 = 24 * 3600;
 const WEEK: u32 = 7 * DAY;
+/// Seconds from the Monday before the Unix epoch, a Thursday, to the epoch.
+const EPOCH_IN_WEEK: i64 = 3 * DAY as i64;
 
 impl Weekly {
     /// Begins and ends in seconds since Monday 00:00, none beyond the week's end.
@@ -183,6 +185,19 @@ impl Weekly {
 }
 
 impl Entry {
+    /// Whether it holds at a moment.
+    pub fn holds(&self, at: Moment) -> bool {
+        let in_week = (at.unix_seconds.floor() as i64 + EPOCH_IN_WEEK).rem_euclid(WEEK.into());
+        let weekly = |weekly: &Weekly| {
+            weekly
+                .ranges()
+                .any(|[from, until]| (i64::from(from)..i64::from(until)).contains(&in_week))
+        };
+        self.from.is_none_or(|from| at >= from)
+            && self.until.is_none_or(|until| at < until)
+            && (self.weekly.is_empty() || self.weekly.iter().any(weekly))
+    }
+
     /// Bits of the vehicles that the stored entry concerns.
     pub(crate) fn concerned(&self) -> u16 {
         let named = self.vehicles.iter().map(|name| VehicleClass::from_name(name).bit());

@@ -12,6 +12,7 @@ mod manners;
 mod many_maps;
 mod observers;
 mod observers_hostile;
+mod overlays;
 mod oversight;
 mod processes;
 mod releases;

@@ -81,7 +81,7 @@ impl ChangeArgs {
                 Ok(if report.result == ReloadResult::Failed { Exit::Rejected } else { Exit::Done })
             }
             Response::Refused { reason } => bail!("map {:?}: {reason}", self.name),
-            Response::Status(_) => bail!("map {:?}: the daemon answers something else", self.name),
+            _ => bail!("map {:?}: the daemon answers something else", self.name),
         }
     }
 }

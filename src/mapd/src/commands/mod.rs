@@ -7,6 +7,7 @@ pub(crate) mod compile;
 pub(crate) mod doctor;
 pub mod export;
 pub(crate) mod inspect;
+pub(crate) mod overlay;
 pub mod query;
 pub(crate) mod shell;
 pub(crate) mod sign;

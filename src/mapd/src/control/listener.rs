@@ -21,8 +21,8 @@ const SOCKET_MODE: u32 = 0o600;
 /// How long who asks may take in all to say what, and then to take the answer.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-/// Longest request: a command and a name \[bytes\].
-const LONGEST_REQUEST: usize = 4 << 10;
+/// Longest request: a document of overlay entries as text in JSON \[bytes\].
+const LONGEST_REQUEST: usize = 16 << 20;
 
 /// Pause where connections cannot be taken, as without descriptors that are left.
 const PAUSE: Duration = Duration::from_millis(100);
@@ -170,8 +170,9 @@ fn serve(stream: &UnixStream, answer: &Answer) -> io::Result<()> {
 fn read_request(mut stream: &UnixStream) -> io::Result<Vec<u8>> {
     let until = Instant::now() + PATIENCE;
     let mut line = Vec::new();
-    let mut buffer = [0; 512];
-    while !line.contains(&b'\n') {
+    let mut buffer = [0; 16 << 10];
+    let mut is_whole = false;
+    while !is_whole {
         let left = until.saturating_duration_since(Instant::now());
         if left.is_zero() || line.len() > LONGEST_REQUEST {
             return Err(io::ErrorKind::InvalidData.into());
@@ -179,7 +180,11 @@ fn read_request(mut stream: &UnixStream) -> io::Result<Vec<u8>> {
         stream.set_read_timeout(Some(left))?;
         match stream.read(&mut buffer)? {
             0 => break,
-            count => line.extend_from_slice(buffer.get(..count).unwrap_or_default()),
+            count => {
+                let read = buffer.get(..count).unwrap_or_default();
+                is_whole = read.contains(&b'\n');
+                line.extend_from_slice(read);
+            }
         }
     }
     Ok(line)

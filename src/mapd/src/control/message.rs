@@ -1,6 +1,7 @@
 //! What is asked and answered.
 
 use super::status::{DaemonStatus, ReloadReport};
+use mapd_overlay::Entry;
 use serde::{Deserialize, Serialize};
 
 /// What is asked of a daemon.
@@ -28,6 +29,51 @@ pub enum Request {
         /// The map.
         map: String,
     },
+    /// Look at what is laid over a map, or change it.
+    Overlay {
+        /// The map.
+        map: String,
+        /// What to do.
+        action: OverlayAction,
+    },
+}
+
+/// What is to be done with what is laid over a map.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum OverlayAction {
+    /// Take over the entries of a document; those of the same name are replaced.
+    Apply {
+        /// The document, as JSON.
+        document: String,
+    },
+    /// Change nothing.
+    List,
+    /// Remove entries.
+    Remove {
+        /// Their names.
+        ids: Vec<String>,
+    },
+    /// Remove all.
+    Clear,
+}
+
+/// What is laid over a map.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct OverlayReport {
+    /// Rises with each change that readers see.
+    pub revision: u64,
+    /// All entries, in the order in which they were given.
+    pub entries: Vec<ListedEntry>,
+}
+
+/// An entry of an overlay.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ListedEntry {
+    /// As it was given.
+    pub entry: Entry,
+    /// Why it does not fit the map that is served, and is left out; `None` where it does.
+    pub unplaced: Option<String>,
 }
 
 /// What a daemon answers.
@@ -38,6 +84,13 @@ pub enum Response {
     Status(Box<DaemonStatus>),
     /// To everything else: how it ended.
     Done(ReloadReport),
+    /// To [`Request::Overlay`]: what is so afterwards.
+    Overlay(OverlayReport),
+    /// What was sent is wrong; nothing was changed.
+    Wrong {
+        /// What is wrong with it.
+        reason: String,
+    },
     /// The request cannot be understood, or names a map that this daemon does not serve.
     Refused {
         /// Why.

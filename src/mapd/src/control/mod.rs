@@ -21,7 +21,7 @@ mod status;
 pub use ask::{AskError, ask};
 pub use board::Board;
 pub use listener::ControlListener;
-pub use message::{Request, Response};
+pub use message::{ListedEntry, OverlayAction, OverlayReport, Request, Response};
 pub use status::{
     CacheStatus, CheckStatus, DaemonStatus, GenerationStatus, MapCounts, MapState, ReloadReport,
     ReloadResult, Trigger,
@@ -30,8 +30,8 @@ pub use status::{
 use mapd_client::Domain;
 use std::path::PathBuf;
 
-/// Longest line in either direction \[bytes\].
-const LONGEST_LINE: u64 = 1 << 20;
+/// Longest answer \[bytes\]: a list of overlay entries.
+const LONGEST_LINE: u64 = 64 << 20;
 
 /// The socket of a map. Its name holds a hash instead of the map's name: the path of a socket has 107 bytes.
 fn socket_path(domain: &Domain, map: &str) -> PathBuf {

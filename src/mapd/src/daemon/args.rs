@@ -3,6 +3,7 @@
 use super::child::Means;
 use super::config::Configuration;
 use super::log::say;
+use super::overlays::OverlayRules;
 use super::settings::{MapSettings, Settings};
 use super::sources;
 use crate::args::CompileArguments;
@@ -13,9 +14,13 @@ use crate::exit::UsageError;
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use mapd_client::Domain;
+use mapd_overlay::{Limits, Policy};
 use mapd_transport::{Share, check_map_name};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
+
+/// Longest document of overlay entries that a daemon can be told to take \[bytes\]: as text in a request it is up to three times as long.
+const LONGEST_OVERLAY: u64 = 5 << 20;
 
 /// What a daemon is to do.
 #[derive(Args)]
@@ -62,6 +67,18 @@ pub(crate) struct DaemonArgs {
 
     #[command(flatten)]
     threads: ThreadsArg,
+
+    /// Let overlays allow more than the map: open lanes, raise speed limits (docs/overlay.md)
+    #[arg(long)]
+    overlay_may_loosen: bool,
+
+    /// Most entries of an overlay [default: 10000]
+    #[arg(long, value_name = "N")]
+    overlay_entries: Option<usize>,
+
+    /// Longest document of overlay entries, at most 5MiB [default: 4MiB]
+    #[arg(long, value_name = "SIZE")]
+    overlay_bytes: Option<Size>,
 
     /// Keep served maps in memory, never in swap; the limit of locked memory (ulimit -l) must allow twice the largest map
     #[arg(long)]
@@ -147,8 +164,24 @@ impl DaemonArgs {
         let cache = self.cache(&file)?;
         let lock_memory = self.lock_memory || file.lock_memory;
         let share = self.share.or(file.share).map_or(Share::Private, |with| with.0);
+        let overlay = self.overlay(&file)?;
         let (trust, oversight) = (file.trust, file.oversight);
-        Ok(Settings { domain, cache, means, trust, oversight, lock_memory, share, maps })
+        Ok(Settings { domain, cache, means, trust, oversight, lock_memory, share, overlay, maps })
+    }
+
+    fn overlay(&self, file: &Configuration) -> Result<OverlayRules> {
+        let default = Limits::default();
+        let bytes = self.overlay_bytes.or(file.overlay_bytes).map_or(default.bytes as u64, |s| s.0);
+        if bytes > LONGEST_OVERLAY {
+            bail!(UsageError(format!(
+                "--overlay-bytes: expected at most {}",
+                Size(LONGEST_OVERLAY)
+            )));
+        }
+        let entries = self.overlay_entries.or(file.overlay_entries).unwrap_or(default.entries);
+        let may_loosen = self.overlay_may_loosen || file.overlay_may_loosen;
+        let limits = Limits { entries, bytes: bytes as usize };
+        Ok(OverlayRules { limits, policy: Policy { may_loosen } })
     }
 
     /// The cache. One that was asked for must be usable; the default one is done without if it is not.

@@ -27,6 +27,9 @@ pub(crate) struct Configuration {
     pub(crate) compile_memory: Option<Size>,
     pub(crate) threads: Option<ThreadCount>,
     pub(crate) lock_memory: bool,
+    pub(crate) overlay_may_loosen: bool,
+    pub(crate) overlay_entries: Option<usize>,
+    pub(crate) overlay_bytes: Option<Size>,
     pub(crate) share: Option<ShareWith>,
     pub(crate) trust: Option<PathBuf>,
     pub(crate) oversight: OversightSettings,
@@ -50,6 +53,10 @@ struct File {
     threads: Option<ThreadCount>,
     #[serde(default)]
     lock_memory: bool,
+    #[serde(default)]
+    overlay_may_loosen: bool,
+    overlay_entries: Option<usize>,
+    overlay_bytes: Option<Size>,
     share: Option<ShareWith>,
     trust: Option<PathBuf>,
     metrics: Option<SocketAddr>,
@@ -132,6 +139,9 @@ impl Configuration {
             compile_memory: file.compile_memory,
             threads: file.threads,
             lock_memory: file.lock_memory,
+            overlay_may_loosen: file.overlay_may_loosen,
+            overlay_entries: file.overlay_entries,
+            overlay_bytes: file.overlay_bytes,
             share: file.share,
             trust: file.trust.map(|key| folder.join(key)),
             oversight: OversightSettings {

@@ -1,6 +1,7 @@
 //! What the daemon serves: each map's generations, and those to go back to.
 
 use super::ByName;
+use super::overlays::Overlays;
 use super::prepare::{Prepared, Preparer};
 use super::settings::MapSettings;
 use super::watch::WatchList;
@@ -56,6 +57,7 @@ pub(super) enum Begun {
 pub(super) struct Maps {
     pub(super) server: Server,
     pub(super) domain: Domain,
+    pub(super) overlays: Overlays,
     pub(super) entries: ByName<MapEntry>,
     pub(super) board: Arc<Board>,
     pub(super) preparer: Preparer,
@@ -65,12 +67,13 @@ pub(super) struct Maps {
 impl Maps {
     pub(super) fn new(
         server: Server,
-        domain: Domain,
+        overlays: Overlays,
         board: Arc<Board>,
         preparer: Preparer,
         watched: WatchList,
     ) -> Self {
-        Self { server, domain, entries: ByName::new(), board, preparer, watched }
+        let domain = overlays.domain.clone();
+        Self { server, domain, overlays, entries: ByName::new(), board, preparer, watched }
     }
 
     /// Serves all maps for the first time. Several are filled and proved before the first is sent: either all are served or
@@ -87,6 +90,9 @@ impl Maps {
         let is_stopped = || cancelled.load(Ordering::SeqCst);
         let names = maps.iter().map(|(map, _)| map.name.as_str());
         self.server.claim_all(names.take_while(|_| !is_stopped()))?;
+        for (map, _) in &maps {
+            self.overlays.load(&map.name)?;
+        }
         let mut filled = Vec::new();
         for (map, prepared) in maps {
             if is_stopped() {
@@ -104,7 +110,8 @@ impl Maps {
                 if is_stopped() {
                     return Ok(Begun::Stopped { served });
                 }
-                self.server.activate(&map.name)?;
+                let overlay = self.overlays.for_next(&map.name, &kept.archive)?;
+                self.server.activate_under(&map.name, overlay.as_ref())?;
                 kept.status.published_unix_ns = unix_ns();
             }
             self.began(map, kept);
@@ -211,7 +218,10 @@ impl Maps {
         };
         let generation = match stage {
             true => self.server.stage(map, length, fill),
-            false => self.server.publish(map, length, fill),
+            false => {
+                let overlay = self.overlays.for_next(map, archive)?;
+                self.server.publish_under(map, length, fill, overlay.as_ref())
+            }
         }?;
         Ok(GenerationStatus {
             generation,

@@ -18,6 +18,7 @@ mod config;
 mod log;
 mod maps;
 mod orders;
+mod overlays;
 mod prepare;
 mod settings;
 mod sources;
@@ -37,6 +38,7 @@ use mapd_client::TrustedKey;
 use mapd_transport::Share;
 use maps::{Begun, Maps};
 use orders::{Change, Order, Orders};
+use overlays::{OverlayOrder, Overlays};
 use prepare::{Prepared, Preparer};
 use rustix::fs::Mode;
 use settings::Settings;
@@ -73,7 +75,7 @@ pub(crate) fn run(
         .context("installing the handler of SIGHUP")?;
     let metrics = oversight.open_metrics()?;
     let cancelled = stop.flag();
-    let Settings { domain, cache, means, lock_memory, share, maps, .. } = settings;
+    let Settings { domain, cache, means, lock_memory, share, overlay, maps, .. } = settings;
     let preparer = Preparer { cache, means, trust, cancelled };
     let watched: WatchList = Arc::default();
     let (mut ready, mut fallbacks) = (Vec::new(), Vec::new());
@@ -120,10 +122,11 @@ pub(crate) fn run(
     if let Some(cache) = &preparer.cache {
         server.keep_generations_in(cache.folder());
     }
+    let folder = preparer.cache.as_ref().map(|cache| cache.folder().to_owned());
+    let overlays = Overlays::new(overlay, domain.clone(), folder);
     let board = Arc::new(Board::new(&domain, preparer.cache.as_ref().map(CacheStatus::of)));
     let names: Vec<String> = maps.iter().map(|map| map.name.clone()).collect();
-    let mut state =
-        Maps::new(server, domain.clone(), board.clone(), preparer.clone(), watched.clone());
+    let mut state = Maps::new(server, overlays, board.clone(), preparer.clone(), watched.clone());
     match state.begin_all(ready) {
         Ok(Begun::All) => {}
         Ok(Begun::Stopped { served: 0 }) => {
@@ -195,6 +198,7 @@ fn obey(received: &Receiver<Order>, state: &mut Maps, worker: &Worker, stop: &St
                 let _ = done.send(());
             }
             Order::Change(change) => state.change(change, worker),
+            Order::Overlay(order) => state.overlay(order),
             Order::Prepared(job, result) => state.prepared(*job, result, worker),
         }
     }
@@ -238,14 +242,21 @@ fn answer_with(board: Arc<Board>, orders: Orders) -> impl Fn(Request) -> Respons
             Request::Reload { map, stage } => (map, Trigger::Reload, stage),
             Request::Rollback { map, stage } => (map, Trigger::Rollback, stage),
             Request::Activate { map } => (map, Trigger::Activate, false),
+            Request::Overlay { map, action } => {
+                let (reply, outcome) = channel();
+                orders.give(Order::Overlay(OverlayOrder { map, action, reply }));
+                return outcome.recv().unwrap_or_else(|_| ended());
+            }
         };
         let (reply, outcome) = channel();
         let change = Change { map, trigger, stage, begun, reply: Some(reply) };
         orders.give(Order::Change(change));
-        outcome
-            .recv()
-            .unwrap_or_else(|_| Response::Refused { reason: "the daemon ends".to_owned() })
+        outcome.recv().unwrap_or_else(|_| ended())
     }
+}
+
+fn ended() -> Response {
+    Response::Refused { reason: "the daemon ends".to_owned() }
 }
 
 /// What is said about several maps, by name.

@@ -1,6 +1,7 @@
 //! What the thread that serves is told to do.
 
 use super::child::Refusal;
+use super::overlays::OverlayOrder;
 use super::prepare::Prepared;
 use crate::control::{Response, Trigger};
 use crate::serve::Ringer;
@@ -13,6 +14,8 @@ pub(crate) enum Order {
     Look(Sender<()>),
     /// Change what is served.
     Change(Change),
+    /// Look at what is laid over a map, or change it.
+    Overlay(OverlayOrder),
     /// A map has been prepared, or not.
     Prepared(Box<Job>, Result<Prepared, Refusal>),
 }

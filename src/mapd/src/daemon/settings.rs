@@ -1,6 +1,7 @@
 //! What a daemon is to do.
 
 use super::child::Means;
+use super::overlays::OverlayRules;
 use crate::args::CompileArguments;
 use crate::cache::Cache;
 use crate::oversight::OversightSettings;
@@ -24,6 +25,8 @@ pub(crate) struct Settings {
     pub(crate) lock_memory: bool,
     /// Who may read what is served.
     pub(crate) share: Share,
+    /// What may be laid over maps.
+    pub(crate) overlay: OverlayRules,
     pub(crate) maps: Vec<MapSettings>,
 }
 

@@ -1,13 +1,15 @@
 //! `mapd query` on the command line.
 
-use super::{Format, Kind, QueryRunError, RouteArgs, run};
+use super::{Format, Kind, QueryRunError, RouteArgs, run_under};
 use crate::args::{Opening, lane_types, not_negative};
+use crate::clock::since_epoch;
 use crate::exit::{Exit, UsageError};
 use crate::source;
-use anyhow::Result;
+use anyhow::{Result, bail};
 use clap::Args;
-use mapd_client::NearestOptions;
+use mapd_client::{NearestOptions, Snapshot, View};
 use std::io::{self, Write};
+use std::time::{Duration, UNIX_EPOCH};
 
 /// Said at the end of `mapd help query`.
 pub(crate) const HELP: &str = "\
@@ -102,10 +104,30 @@ impl QueryCommand {
         let is_compiled = source::is_compiled(&self.source);
         let document = if is_compiled { "the document" } else { &*self.source };
         let how = (&options, &self.route, self.format);
-        run((snapshot.map(), document), self.kind, how, io::stdin().lock(), out)
-            .map_err(usage_of)?;
+        let view = self.view(&snapshot)?;
+        run_under((view, document), self.kind, how, io::stdin().lock(), out).map_err(usage_of)?;
         Ok(Exit::Done)
     }
+}
+
+impl QueryCommand {
+    /// What is asked: the map, or with `--overlay` the map under what is laid over it.
+    fn view<'a>(&self, snapshot: &'a Snapshot) -> Result<View<'a>> {
+        if !self.route.overlay {
+            return Ok(View::of(snapshot.map(), None, UNIX_EPOCH));
+        }
+        if !self.source.starts_with(source::SHARED) {
+            bail!(UsageError("--overlay goes with a map that is served, shm:NAME".to_owned()));
+        }
+        let at = self.route.at.map_or_else(since_epoch_signed, |at| at.unix_seconds);
+        let from_epoch = Duration::try_from_secs_f64(at.abs()).unwrap_or_default();
+        let at = if at < 0.0 { UNIX_EPOCH - from_epoch } else { UNIX_EPOCH + from_epoch };
+        Ok(snapshot.view(at))
+    }
+}
+
+fn since_epoch_signed() -> f64 {
+    since_epoch().as_secs_f64()
 }
 
 /// What is wrong with how a query is asked is wrong usage.

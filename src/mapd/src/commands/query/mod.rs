@@ -22,11 +22,12 @@ mod signals;
 pub(crate) use command::{HELP, QueryCommand};
 pub use kinds::Kind;
 use mapd_client::Map;
-use mapd_query::NearestOptions;
+use mapd_query::{NearestOptions, View};
 pub use output::Format;
 pub use route::{RouteArgs, RouteBy};
 use row::Row;
 use std::io::{Read, Write};
+use std::time::UNIX_EPOCH;
 use thiserror::Error;
 
 /// Column of the parts in quarantine that are near.
@@ -62,10 +63,24 @@ pub enum QueryRunError {
 pub fn run(
     (map, document): (Map<'_>, &str),
     kind: Kind,
+    how: (&NearestOptions, &RouteArgs, Format),
+    input: impl Read,
+    output: impl Write,
+) -> Result<(), QueryRunError> {
+    run_under((View::of(map, None, UNIX_EPOCH), document), kind, how, input, output)
+}
+
+/// As [`run`], heeding what is laid over the map where routes are asked for.
+///
+/// Errors: as [`run`].
+pub fn run_under(
+    (view, document): (View<'_>, &str),
+    kind: Kind,
     (options, route, format): (&NearestOptions, &RouteArgs, Format),
     input: impl Read,
     output: impl Write,
 ) -> Result<(), QueryRunError> {
+    let map = view.map();
     let mut reader =
         csv::ReaderBuilder::new().trim(csv::Trim::Headers).flexible(true).from_reader(input);
     let mut writer = output::Output::new(format, output);
@@ -97,7 +112,7 @@ pub fn run(
     writer.head(head)?;
     let mut record = csv::StringRecord::new();
     let mut answer = Vec::new();
-    let mut router = route::Router::new(route);
+    let mut router = route::Router::new(route, view);
     let mut paths = path::Paths::default();
     let earth = earth::Earth::new(map);
     while reader.read_record(&mut record)? {

@@ -6,9 +6,11 @@ use super::row::Row;
 use crate::args::{not_negative, vehicle};
 use clap::{Args, ValueEnum};
 use mapd_client::Map;
+use mapd_overlay::Moment;
 use mapd_query::glam::DVec2;
 use mapd_query::{
     Enter, LanePlace, Route, RouteScratch, RouteStep, ShortestLength, ShortestTime, VehicleClass,
+    View,
 };
 
 /// What a route is to keep small.
@@ -32,6 +34,12 @@ pub struct RouteArgs {
     /// route, signals: kind of vehicle, in the words of access/restriction
     #[arg(long, value_name = "CLASS", default_value = VehicleClass::PassengerCar.name(), value_parser = vehicle)]
     vehicle: VehicleClass,
+    /// shm:NAME: heed what is laid over the map (route, and all that goes along one)
+    #[arg(long)]
+    pub(super) overlay: bool,
+    /// --overlay: as it is at this moment, as 2026-05-04T07:00:00Z or seconds since 1970 [default: now]
+    #[arg(long, value_name = "TIME", requires = "overlay")]
+    pub(super) at: Option<Moment>,
     /// path, corridor: distance between stations [m]
     #[arg(long, value_name = "M", default_value_t = STEP, value_parser = step)]
     step: f64,
@@ -51,6 +59,8 @@ impl Default for RouteArgs {
             by: RouteBy::Length,
             lane_change: None,
             vehicle: VehicleClass::PassengerCar,
+            overlay: false,
+            at: None,
             step: STEP,
         }
     }
@@ -59,13 +69,14 @@ impl Default for RouteArgs {
 /// Finds routes one after the other.
 pub(crate) struct Router<'a> {
     args: &'a RouteArgs,
+    view: View<'a>,
     scratch: RouteScratch,
     steps: Vec<RouteStep>,
 }
 
 impl<'a> Router<'a> {
-    pub(crate) fn new(args: &'a RouteArgs) -> Self {
-        Self { args, scratch: RouteScratch::default(), steps: Vec::new() }
+    pub(crate) fn new(args: &'a RouteArgs, view: View<'a>) -> Self {
+        Self { args, view, scratch: RouteScratch::default(), steps: Vec::new() }
     }
 
     /// Who travels.
@@ -102,17 +113,17 @@ impl<'a> Router<'a> {
         };
         let from = place("from_road", "from_s", "from_lane")?;
         let to = place("to_road", "to_s", "to_lane")?;
-        let Self { args, scratch, steps } = self;
+        let Self { args, view, scratch, steps } = self;
         let found = match args.by {
             RouteBy::Length => {
                 let default = ShortestLength::default().lane_change;
                 let cost = ShortestLength { lane_change: args.lane_change.unwrap_or(default) };
-                map.route(from, to, args.vehicle, &cost, scratch, steps)
+                view.route(from, to, args.vehicle, &cost, scratch, steps)
             }
             RouteBy::Time => {
                 let default = ShortestTime::default().lane_change;
                 let cost = ShortestTime { lane_change: args.lane_change.unwrap_or(default) };
-                map.route(from, to, args.vehicle, &cost, scratch, steps)
+                view.route(from, to, args.vehicle, &cost, scratch, steps)
             }
         };
         let route = found.map_err(text)?;

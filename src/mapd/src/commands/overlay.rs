@@ -1,0 +1,200 @@
+//! `mapd overlay`: what is laid over a map that is served.
+
+use crate::args::{DomainArgs, Seconds};
+use crate::clock::since_epoch;
+use crate::control::{ListedEntry, OverlayAction, OverlayReport, Request, Response, ask};
+use crate::exit::{Exit, UsageError};
+use anyhow::{Context, Result, bail};
+use clap::{Args, Subcommand};
+use mapd_overlay::Moment;
+use serde_json::{Value, json};
+use std::fs::File;
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Longest wait for the daemon, where nothing else is said.
+const ANSWER: Duration = Duration::from_secs(60);
+
+/// Longest document that is read \[bytes\]: longer ones no daemon takes.
+const LONGEST: u64 = 5 << 20;
+
+/// What is laid over which map.
+#[derive(Args)]
+pub(crate) struct OverlayCommand {
+    /// The map
+    name: String,
+    #[command(subcommand)]
+    action: Action,
+    /// Longest wait for the daemon [s]
+    #[arg(long, value_name = "S", default_value_t = Seconds(ANSWER), global = true)]
+    wait: Seconds,
+    #[command(flatten)]
+    domain: DomainArgs,
+}
+
+#[derive(Subcommand)]
+enum Action {
+    /// Take over the entries of a JSON file, or of stdin (-); those of the same id are replaced. All of them, or none
+    Apply {
+        /// The file (schemas/overlay.schema.json), or - for stdin
+        file: PathBuf,
+    },
+    /// List the entries, and which of them hold
+    List {
+        #[command(flatten)]
+        how: How,
+    },
+    /// Show an entry
+    Show {
+        /// Its id
+        id: String,
+        #[command(flatten)]
+        how: How,
+    },
+    /// Remove entries: all of these, or none
+    Remove {
+        /// Their ids
+        #[arg(required = true)]
+        ids: Vec<String>,
+    },
+    /// Remove all entries
+    Clear,
+}
+
+#[derive(Args)]
+struct How {
+    /// As JSON
+    #[arg(long)]
+    json: bool,
+    /// Which hold at this moment, as 2026-05-04T07:00:00Z or seconds since 1970 [default: now]
+    #[arg(long, value_name = "TIME")]
+    at: Option<Moment>,
+}
+
+impl How {
+    fn moment(&self) -> Moment {
+        self.at.unwrap_or_else(|| Moment { unix_seconds: since_epoch().as_secs_f64() })
+    }
+}
+
+impl OverlayCommand {
+    /// Asks the daemon.
+    ///
+    /// Errors: what was given is wrong (usage); no daemon, no answer, no such map.
+    pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
+        match &self.action {
+            Action::Apply { file } => {
+                let document = read(file)?;
+                let report = self.ask(OverlayAction::Apply { document })?;
+                writeln!(out, "{}: {} entries", self.name, report.entries.len())?;
+            }
+            Action::List { how } => {
+                let report = self.ask(OverlayAction::List)?;
+                if how.json {
+                    serde_json::to_writer_pretty(&mut *out, &as_json(&report, how.moment()))?;
+                    writeln!(out)?;
+                } else {
+                    for one in &report.entries {
+                        line(one, how.moment(), out)?;
+                    }
+                }
+            }
+            Action::Show { id, how } => {
+                let mut report = self.ask(OverlayAction::List)?;
+                report.entries.retain(|one| one.entry.id == *id);
+                let Some(one) = report.entries.first() else {
+                    bail!(UsageError(format!("there is no entry {id:?}")));
+                };
+                serde_json::to_writer_pretty(&mut *out, &entry_as_json(one, how.moment()))?;
+                writeln!(out)?;
+            }
+            Action::Remove { ids } => {
+                let report = self.ask(OverlayAction::Remove { ids: ids.clone() })?;
+                writeln!(out, "{}: {} entries", self.name, report.entries.len())?;
+            }
+            Action::Clear => {
+                self.ask(OverlayAction::Clear)?;
+                writeln!(out, "{}: no entries", self.name)?;
+            }
+        }
+        Ok(Exit::Done)
+    }
+
+    fn ask(&self, action: OverlayAction) -> Result<OverlayReport> {
+        let domain = self.domain.domain()?;
+        mapd_transport::check_map_name(&self.name)?;
+        let request = Request::Overlay { map: self.name.clone(), action };
+        match ask(&domain, &self.name, &request, self.wait.0)? {
+            Response::Overlay(report) => Ok(report),
+            Response::Wrong { reason } => {
+                bail!(UsageError(format!("map {:?}: {reason}; nothing is changed", self.name)))
+            }
+            Response::Refused { reason } => bail!("map {:?}: {reason}", self.name),
+            _ => bail!("map {:?}: the daemon answers something else", self.name),
+        }
+    }
+}
+
+/// The document: UTF-8, not longer than any daemon takes.
+fn read(file: &Path) -> Result<String> {
+    let mut text = String::new();
+    let reading = || format!("reading {}", file.display());
+    let read = if file == Path::new("-") {
+        io::stdin().lock().take(LONGEST + 1).read_to_string(&mut text)
+    } else {
+        File::open(file).and_then(|file| file.take(LONGEST + 1).read_to_string(&mut text))
+    };
+    match read {
+        Err(error) if error.kind() == io::ErrorKind::InvalidData => {
+            bail!(UsageError(format!("{}: not UTF-8 text", file.display())))
+        }
+        Ok(length) if length as u64 > LONGEST => {
+            bail!(UsageError(format!("{}: longer than {LONGEST} bytes", file.display())))
+        }
+        read => read.with_context(reading)?,
+    };
+    Ok(text)
+}
+
+/// Whether an entry holds at a moment, in a word.
+fn state(one: &ListedEntry, at: Moment) -> &'static str {
+    match one.entry.until {
+        Some(until) if until <= at => "ended",
+        _ if one.unplaced.is_some() => "unplaced",
+        _ if one.entry.holds(at) => "active",
+        _ => "waiting",
+    }
+}
+
+fn entry_as_json(one: &ListedEntry, at: Moment) -> Value {
+    let mut value = json!(one.entry);
+    value["state"] = json!(state(one, at));
+    if let Some(why) = &one.unplaced {
+        value["why"] = json!(why);
+    }
+    value
+}
+
+fn as_json(report: &OverlayReport, at: Moment) -> Value {
+    let entries: Vec<Value> = report.entries.iter().map(|one| entry_as_json(one, at)).collect();
+    json!({ "revision": report.revision, "entries": entries })
+}
+
+fn line(one: &ListedEntry, at: Moment, out: &mut dyn Write) -> io::Result<()> {
+    let entry = &one.entry;
+    let value = entry.value.map(|value| format!(" {value} m/s")).unwrap_or_default();
+    write!(out, "{:10} {:9} {}{value}", state(one, at), entry.kind.name(), entry.id)?;
+    if let Some(until) = entry.until {
+        write!(out, ", until {until}")?;
+    }
+    for (what, said) in [("from", &entry.source), ("says", &entry.text)] {
+        if !said.is_empty() {
+            write!(out, ", {what} {said:?}")?;
+        }
+    }
+    match &one.unplaced {
+        Some(why) => writeln!(out, ": {why}"),
+        None => writeln!(out),
+    }
+}

@@ -1,0 +1,243 @@
+//! What is laid over the maps: kept as it was given, in a file that outlives the daemon, and resolved anew for each generation before it is served.
+
+use super::ByName;
+use super::maps::Maps;
+use super::prepare::Prepared;
+use crate::clock::{since_epoch, unix_ns};
+use crate::control::{ListedEntry, OverlayAction, OverlayReport, Response};
+use crate::serve::{OverlayBytes, ServeError};
+use anyhow::{Context, Result, bail};
+use mapd_archive::{AlignedBytes, HEADER_LENGTH, Header, encode_overlay};
+use mapd_client::{Attach, Client, Map};
+use mapd_overlay::{Document, Limits, Moment, Policy, Unplaced, resolve};
+use mapd_transport::{Domain, read_regular, replace_text_durably};
+use std::io;
+use std::os::unix::fs::FileExt;
+use std::path::PathBuf;
+use std::sync::mpsc::Sender;
+use std::time::Duration;
+
+/// Suffix of the file that keeps a map's entries.
+const SUFFIX: &str = ".overlay.json";
+
+/// Longest such file that is read, for each byte that a document may have: it is written anew, in the longest form.
+const STATE_PER_BYTE: u64 = 4;
+
+/// How long the daemon waits for its own map: it is there.
+const OWN_MAP: Duration = Duration::from_secs(2);
+
+/// What may be laid over maps.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct OverlayRules {
+    pub(crate) limits: Limits,
+    pub(crate) policy: Policy,
+}
+
+/// Something to be done with an overlay, and who waits for what comes of it.
+pub(crate) struct OverlayOrder {
+    pub(crate) map: String,
+    pub(crate) action: OverlayAction,
+    pub(crate) reply: Sender<Response>,
+}
+
+/// What is laid over one map.
+#[derive(Clone, Default)]
+struct Kept {
+    document: Document,
+    unplaced: Vec<Unplaced>,
+    revision: u64,
+}
+
+/// What is laid over all maps.
+pub(super) struct Overlays {
+    rules: OverlayRules,
+    pub(super) domain: Domain,
+    /// Where entries are kept; without it they end with the daemon.
+    folder: Option<PathBuf>,
+    maps: ByName<Kept>,
+}
+
+fn now() -> Moment {
+    Moment { unix_seconds: since_epoch().as_secs_f64() }
+}
+
+impl Overlays {
+    pub(super) fn new(rules: OverlayRules, domain: Domain, folder: Option<PathBuf>) -> Self {
+        Self { rules, domain, folder, maps: ByName::new() }
+    }
+
+    fn file(&self, map: &str) -> Option<PathBuf> {
+        let name = format!("{}{map}{SUFFIX}", self.domain.prefix());
+        self.folder.as_ref().map(|folder| folder.join(name))
+    }
+
+    /// Reads what was laid over a map when a daemon served it last.
+    ///
+    /// Errors: the file is there and cannot be read. A closure must not be forgotten in silence.
+    pub(super) fn load(&mut self, map: &str) -> Result<()> {
+        let mut kept = Kept { revision: unix_ns() / 1_000_000, ..Kept::default() };
+        if let Some(path) = self.file(map) {
+            let limits = Limits { bytes: usize::MAX, entries: usize::MAX };
+            let longest = STATE_PER_BYTE.saturating_mul(self.rules.limits.bytes as u64);
+            match read_regular(&path, longest) {
+                Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+                text => {
+                    let read = || {
+                        format!(
+                            "reading {}, which keeps what is laid over the map; remove it to go on without",
+                            path.display()
+                        )
+                    };
+                    kept.document = Document::read(text.with_context(read)?.as_bytes(), &limits)
+                        .with_context(read)?;
+                }
+            }
+        }
+        self.maps.insert(map.to_owned(), kept);
+        Ok(())
+    }
+
+    fn save(&self, map: &str, document: &Document) -> io::Result<()> {
+        match self.file(map) {
+            Some(path) => replace_text_durably(&path, &document.to_json()),
+            None => Ok(()),
+        }
+    }
+
+    /// The overlay of a generation that is about to be served; none where nothing is said.
+    ///
+    /// Errors: the archive cannot be read.
+    pub(super) fn for_next(
+        &mut self,
+        map: &str,
+        archive: &Prepared,
+    ) -> Result<Option<OverlayBytes>, ServeError> {
+        let Some(kept) = self.maps.get_mut(map) else { return Ok(None) };
+        kept.document.forget_ended(now());
+        if kept.document.entries.is_empty() {
+            kept.unplaced.clear();
+            return Ok(None);
+        }
+        let length = usize::try_from(archive.length).unwrap_or(usize::MAX);
+        let mut bytes = AlignedBytes::with_capacity(length);
+        bytes.resize(length, 0);
+        let fail = |error| ServeError::iceoryx("laying the overlay over the map")(error);
+        archive.file.read_exact_at(&mut bytes, 0).map_err(|error| fail(error.to_string()))?;
+        let opened = mapd_archive::open(&bytes).map_err(|error| fail(error.to_string()))?;
+        let (overlay, unplaced) = make(Map::new(&opened, 0), kept, self.rules.policy);
+        for unfit in &unplaced {
+            tracing::warn!(
+                map,
+                entry = unfit.id,
+                "map {map}: overlay entry {:?} does not fit the new map and is left out: {}: {}",
+                unfit.id,
+                unfit.field,
+                unfit.why
+            );
+        }
+        kept.unplaced = unplaced;
+        Ok(overlay)
+    }
+}
+
+/// Resolves what is kept under its next revision; none where no entry is left.
+fn make(map: Map<'_>, kept: &mut Kept, policy: Policy) -> (Option<OverlayBytes>, Vec<Unplaced>) {
+    let resolved = resolve(map, &kept.document, policy);
+    kept.revision += 1;
+    let none_left = resolved.rows.entries.is_empty();
+    let bytes = encode_overlay(&resolved.rows, map.content_hash()).ok().filter(|_| !none_left);
+    let overlay = bytes.and_then(|bytes| {
+        let content_hash = Header::decode(bytes.get(..HEADER_LENGTH)?).ok()?.content_hash;
+        Some(OverlayBytes { revision: kept.revision, content_hash, bytes: bytes.to_vec() })
+    });
+    (overlay, resolved.unplaced)
+}
+
+impl Maps {
+    /// Does what is asked, and answers.
+    pub(super) fn overlay(&mut self, order: OverlayOrder) {
+        let OverlayOrder { map, action, reply } = order;
+        let response = match self.overlays.maps.contains_key(&map) {
+            true => self.overlaid(&map, action),
+            false => {
+                Response::Refused { reason: format!("this daemon does not serve a map {map:?}") }
+            }
+        };
+        // Who does not wait any more finds it by `mapd overlay … list`.
+        let _ = reply.send(response);
+    }
+
+    fn overlaid(&mut self, map: &str, action: OverlayAction) -> Response {
+        let Some(before) = self.overlays.maps.get(map).cloned() else {
+            return Response::Refused { reason: "nothing is served".to_owned() };
+        };
+        let mut next = before.clone();
+        next.document.forget_ended(now());
+        let limits = &self.overlays.rules.limits;
+        let (what, applied) = match action {
+            OverlayAction::List => return self.listed(map),
+            OverlayAction::Apply { document } => {
+                let read = Document::read(document.as_bytes(), limits);
+                let applied = read.and_then(|document| {
+                    let ids: Vec<String> = document.entries.iter().map(|e| e.id.clone()).collect();
+                    next.document.apply(document, limits).map(|()| ids)
+                });
+                match applied {
+                    Ok(ids) => ("applied", ids),
+                    Err(error) => return Response::Wrong { reason: error.to_string() },
+                }
+            }
+            OverlayAction::Remove { ids } => match next.document.remove(&ids) {
+                Ok(()) => ("removed", Vec::new()),
+                Err(id) => return Response::Wrong { reason: format!("there is no entry {id:?}") },
+            },
+            OverlayAction::Clear => {
+                next.document.entries.clear();
+                ("cleared", Vec::new())
+            }
+        };
+        match self.lay(map, next, &applied) {
+            Ok(None) => {
+                let entries = self.overlays.maps.get(map).map_or(0, |k| k.document.entries.len());
+                tracing::info!(map, entries, "map {map}: overlay {what}, {entries} entries");
+                self.listed(map)
+            }
+            Ok(Some(reason)) => Response::Wrong { reason },
+            Err(error) => Response::Refused { reason: format!("{error:#}") },
+        }
+    }
+
+    /// Has readers see what is to be kept; a reason where an entry that is new does not fit, and then nothing is changed.
+    fn lay(&mut self, map: &str, mut next: Kept, applied: &[String]) -> Result<Option<String>> {
+        let served = Client::connect_as(Attach::Observer, &self.domain, map, OWN_MAP)?;
+        let snapshot = served.snapshot();
+        let (overlay, unplaced) = make(snapshot.map(), &mut next, self.overlays.rules.policy);
+        if let Some(unfit) = unplaced.iter().find(|unfit| applied.contains(&unfit.id)) {
+            return Ok(Some(format!("entry {:?}, {}: {}", unfit.id, unfit.field, unfit.why)));
+        }
+        next.unplaced = unplaced;
+        let Some(before) = self.overlays.maps.get(map).cloned() else { bail!("nothing is served") };
+        self.overlays.save(map, &next.document).context("keeping what is laid over the map")?;
+        if let Err(error) = self.server.lay(map, overlay.as_ref()) {
+            // What readers see is what is kept.
+            self.overlays
+                .save(map, &before.document)
+                .context("keeping what is laid over the map")?;
+            return Err(error.into());
+        }
+        self.overlays.maps.insert(map.to_owned(), next);
+        Ok(None)
+    }
+
+    fn listed(&self, map: &str) -> Response {
+        let Some(kept) = self.overlays.maps.get(map) else {
+            return Response::Refused { reason: "nothing is served".to_owned() };
+        };
+        let entries = kept.document.entries.iter().map(|entry| {
+            let unfit = kept.unplaced.iter().find(|unfit| unfit.id == entry.id);
+            let unplaced = unfit.map(|unfit| format!("{}: {}", unfit.field, unfit.why));
+            ListedEntry { entry: entry.clone(), unplaced }
+        });
+        Response::Overlay(OverlayReport { revision: kept.revision, entries: entries.collect() })
+    }
+}

@@ -1,0 +1,262 @@
+//! What is laid over a served map: readers see it, it outlives the daemon, and comes with each new generation at once.
+
+use mapd_client::{Attach, Client, OverlayKind, Snapshot, VehicleClass};
+use mapd_tests::place::{PATIENCE, Place};
+use mapd_tests::town::town;
+use serde_json::Value;
+use std::fs;
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::{Output, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, UNIX_EPOCH};
+
+const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
+
+/// A place with a town in a file.
+struct Scene {
+    place: Place,
+    folder: tempfile::TempDir,
+    map: PathBuf,
+}
+
+impl Scene {
+    fn new() -> Self {
+        let folder = tempfile::tempdir().expect("a folder");
+        let map = folder.path().join("town.xodr");
+        fs::write(&map, town(3, 3)).expect("written");
+        Self { place: Place::new(MAPD), folder, map }
+    }
+
+    fn args(&self) -> [&str; 1] {
+        [self.map.to_str().expect("a name")]
+    }
+
+    /// `mapd overlay town …` with this on stdin.
+    fn overlay(&self, args: &[&str], stdin: &str) -> Output {
+        let mut command = self.place.command();
+        command.args(["overlay", "town"]).args(args).stdin(Stdio::piped());
+        let mut child = command.spawn().expect("starts");
+        let _ = child.stdin.take().expect("stdin").write_all(stdin.as_bytes());
+        child.wait_with_output().expect("ends")
+    }
+
+    /// As [`Scene::overlay`], which must end with this code; what it says.
+    fn ends(&self, args: &[&str], stdin: &str, code: i32) -> String {
+        let output = self.overlay(args, stdin);
+        let said = String::from_utf8_lossy(&output.stdout).into_owned()
+            + &String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(code), "{args:?}: {said}");
+        said
+    }
+
+    fn list(&self) -> Value {
+        let output = self.overlay(&["list", "--json"], "");
+        assert!(output.status.success(), "{output:?}");
+        serde_json::from_slice(&output.stdout).expect("JSON")
+    }
+
+    fn client(&self, attach: Attach) -> Client {
+        Client::connect_as(attach, &self.place.domain(), "town", PATIENCE).expect("attaches")
+    }
+}
+
+/// Closes a lane of road 1.
+fn closed(id: &str, lane: i32) -> String {
+    format!(
+        r#"{{"entries":[{{"id":"{id}","kind":"closed","lanes":[{{"road":"1","s":[10,20],"lane":{lane}}}]}}]}}"#
+    )
+}
+
+/// The entry that closes lane −1 of road 1 at 15 m.
+fn closes(snapshot: &Snapshot) -> Option<String> {
+    let view = snapshot.view(UNIX_EPOCH);
+    let road = snapshot.map().road_by_id("1").expect("a road");
+    let lane = road.section(0).and_then(|section| section.lane(-1)).expect("a lane").lane_id();
+    let answer = view.allows(lane, 15.0, VehicleClass::PassengerCar).expect("an answer");
+    answer.restriction.map(|one| {
+        assert_eq!(one.entry.kind(), OverlayKind::Closed);
+        one.entry.id().to_owned()
+    })
+}
+
+/// Applied, seen by readers of both kinds, listed, replaced, removed, cleared.
+#[test]
+fn readers_see_it() {
+    let scene = Scene::new();
+    let daemon = scene.place.serve(&scene.args());
+    let clients = [Attach::Observer, Attach::Subscriber].map(|attach| scene.client(attach));
+    let seen = |expected: Option<&str>| {
+        for client in &clients {
+            let snapshot = client.refresh().expect("the newest");
+            assert_eq!(closes(&snapshot).as_deref(), expected, "{:?}", client.attachment());
+        }
+        assert_eq!(closes(&scene.client(Attach::Observer).snapshot()).as_deref(), expected);
+    };
+    seen(None);
+    let held = clients[0].snapshot();
+    scene.ends(&["apply", "-"], &closed("works", -1), 0);
+    seen(Some("works"));
+    assert_eq!(closes(&held), None, "what is held stays what it was");
+    let first = clients[0].snapshot().overlay_revision();
+    scene.ends(&["apply", "-"], &closed("works", 1), 0);
+    seen(None);
+    let file = scene.folder.path().join("overlay.json");
+    fs::write(&file, closed("more", -1)).expect("written");
+    scene.ends(&["apply", file.to_str().expect("a name")], "", 0);
+    seen(Some("more"));
+    assert!(clients[0].snapshot().overlay_revision() > first);
+    let list = scene.list();
+    let ids: Vec<_> =
+        list["entries"].as_array().expect("a list").iter().map(|e| &e["id"]).collect();
+    assert_eq!(ids, ["works", "more"]);
+    assert_eq!(list["entries"][1]["state"], "active");
+    assert!(scene.ends(&["show", "more"], "", 0).contains("\"kind\": \"closed\""));
+    assert!(scene.ends(&["list"], "", 0).contains("works"));
+    scene.ends(&["remove", "more"], "", 0);
+    seen(None);
+    scene.ends(&["clear"], "", 0);
+    assert_eq!(scene.list()["entries"], Value::Array(Vec::new()));
+    assert_eq!(clients[0].refresh().expect("the newest").overlay_revision(), 0);
+    drop((held, clients));
+    assert_eq!(daemon.stop(), 0);
+    assert!(!scene.place.domain().root().exists());
+}
+
+/// Whoever waits is woken by a change, and by nothing else.
+#[test]
+fn who_waits_is_woken() {
+    let scene = Scene::new();
+    let _daemon = scene.place.serve(&scene.args());
+    let client = scene.client(Attach::Observer);
+    assert!(!client.wait_change(Duration::from_millis(1)).expect("an answer"));
+    std::thread::scope(|scope| {
+        let waits = scope.spawn(|| client.wait_change(PATIENCE).expect("an answer"));
+        scene.ends(&["apply", "-"], &closed("works", -1), 0);
+        assert!(waits.join().expect("ends"));
+    });
+    assert_eq!(closes(&client.snapshot()).as_deref(), Some("works"));
+}
+
+/// Routes of the command line heed it, at a moment.
+#[test]
+fn routes_heed_it() {
+    let scene = Scene::new();
+    let _daemon = scene.place.serve(&scene.args());
+    let text = closed("works", -1).replace(r#""kind""#, r#""until":"2030-01-01T00:00:00Z","kind""#);
+    let route = |more: &[&str]| {
+        let mut command = scene.place.command();
+        command.args(["query", "shm:town", "route"]).args(more).stdin(Stdio::piped());
+        let mut child = command.spawn().expect("starts");
+        let row = "from_road,from_s,from_lane,to_road,to_s,to_lane\n1,5,-1,1,25,-1\n";
+        child.stdin.take().expect("stdin").write_all(row.as_bytes()).expect("written");
+        let output = child.wait_with_output().expect("ends");
+        assert!(output.status.success(), "{output:?}");
+        String::from_utf8(output.stdout).expect("text").lines().nth(1).expect("a row").to_owned()
+    };
+    let plain = route(&[]);
+    assert_eq!(route(&["--overlay"]), plain);
+    scene.ends(&["apply", "-"], &text, 0);
+    assert_eq!(route(&[]), plain);
+    let moment = |at: &str| route(&["--overlay", "--at", at]);
+    assert_ne!(moment("2029-12-31T23:59:59Z"), plain);
+    assert_eq!(moment("2030-01-01T00:00:00Z"), plain);
+    assert_eq!(moment("1893456000"), plain, "in seconds");
+    let query = scene.place.command().args(["query", "town.xodr", "route", "--at", "5"]).output();
+    assert_eq!(query.expect("ends").status.code(), Some(2));
+}
+
+/// What is wrong is refused whole: by 2; where there is no daemon, by 1.
+#[test]
+fn what_is_wrong() {
+    let scene = Scene::new();
+    let refused = |daemon: bool| {
+        let none = if daemon { 2 } else { 1 };
+        scene.ends(&["apply", "-"], "{", none);
+        scene.ends(&["remove", "x"], "", none);
+        scene.ends(&["show", "x"], "", none);
+        scene.ends(&["list", "--at", "soon"], "", 2);
+        scene.ends(&["apply", "/no/such/file"], "", 1);
+    };
+    refused(false);
+    let _daemon = scene.place.serve(&scene.args());
+    scene.ends(&["apply", "-"], &closed("works", -1), 0);
+    refused(true);
+    let mut half = closed("more", -1).replace("]}]}", "]},");
+    half += r#"{"id":"far","kind":"closed","lanes":[{"road":"99999"}]}]}"#;
+    let said = scene.ends(&["apply", "-"], &half, 2);
+    assert!(said.contains("\"far\"") && said.contains("lanes[0].road"), "{said}");
+    let opens = closed("opens", -1).replace("closed", "open");
+    assert!(scene.ends(&["apply", "-"], &opens, 2).contains("--overlay-may-loosen"));
+    let long = closed("long", -1).replace("works", &"x".repeat(5 << 20)) + &" ".repeat(5 << 20);
+    assert!(scene.ends(&["apply", "-"], &long, 2).contains("bytes"));
+    let list = scene.list();
+    assert_eq!(list["entries"].as_array().map(Vec::len), Some(1));
+    assert_eq!(list["entries"][0]["id"], "works");
+}
+
+/// It outlives a daemon that ends, and one that is killed, and is there with the first generation of the next.
+#[test]
+fn it_outlives_the_daemon() {
+    let scene = Scene::new();
+    let daemon = scene.place.serve(&scene.args());
+    scene.ends(&["apply", "-"], &closed("works", -1), 0);
+    assert_eq!(daemon.stop(), 0);
+    let daemon = scene.place.serve(&scene.args());
+    let client = scene.client(Attach::Observer);
+    assert_eq!(closes(&client.snapshot()).as_deref(), Some("works"));
+    daemon.kill();
+    assert_eq!(closes(&client.snapshot()).as_deref(), Some("works"));
+    let fresh = scene.client(Attach::Observer);
+    assert_eq!(closes(&fresh.snapshot()).as_deref(), Some("works"), "what a killed daemon left");
+    let _daemon = scene.place.serve(&scene.args());
+    let next = client.wait_next(PATIENCE).expect("the next generation");
+    assert_eq!(closes(&next).as_deref(), Some("works"));
+    // A file that cannot be read is told, and no closure forgotten in silence.
+    let state =
+        scene.place.cache().join(format!("{}town.overlay.json", scene.place.domain().prefix()));
+    assert!(state.exists());
+}
+
+/// No reader sees a generation without what is laid over it; what does not fit a new map is told, and comes back with the old one.
+#[test]
+fn swaps_never_open_what_is_closed() {
+    let scene = Scene::new();
+    let _daemon = scene.place.serve(&scene.args());
+    scene.ends(&["apply", "-"], &closed("works", -1), 0);
+    let (done, texts) = (AtomicBool::new(false), [town(3, 3), town(3, 2)]);
+    std::thread::scope(|scope| {
+        for attach in [Attach::Observer, Attach::Observer, Attach::Subscriber] {
+            let client = scene.client(attach);
+            let done = &done;
+            scope.spawn(move || {
+                let (mut last, mut seen) = (0, 0);
+                while !done.load(Ordering::Relaxed) {
+                    let snapshot = client.refresh().expect("the newest");
+                    assert_eq!(closes(&snapshot).as_deref(), Some("works"), "{attach:?}");
+                    assert!(snapshot.generation() >= last);
+                    seen += u32::from(snapshot.generation() > last);
+                    last = snapshot.generation();
+                }
+                assert!(seen > 1, "{seen} generations");
+            });
+        }
+        for round in 1..=10 {
+            fs::write(&scene.map, &texts[round % 2]).expect("written");
+            scene.place.reload("town");
+            scene.ends(&["apply", "-"], &closed("works", -1), 0);
+        }
+        done.store(true, Ordering::Relaxed);
+    });
+    // A map without road 1's lane −1 at 10 m.
+    let other = town(3, 3).replace(r#"id="1""#, r#"id="one""#);
+    fs::write(&scene.map, other).expect("written");
+    scene.place.reload("town");
+    let list = scene.list();
+    assert_eq!(list["entries"][0]["state"], "unplaced");
+    assert!(list["entries"][0]["why"].as_str().is_some_and(|why| why.contains("road")), "{list}");
+    fs::write(&scene.map, &texts[0]).expect("written");
+    scene.place.reload("town");
+    assert_eq!(scene.list()["entries"][0]["state"], "active");
+    assert_eq!(closes(&scene.client(Attach::Observer).snapshot()).as_deref(), Some("works"));
+}
