@@ -1,13 +1,13 @@
 //! `mapd export` on the command line.
 
-use super::{Format, Layer, Options, RouteEnds, write};
+use super::{Format, Layer, Options, Origin, RouteEnds, write};
 use crate::args::Opening;
 use crate::exit::{Exit, UsageError};
 use crate::same_file::is_same_file;
 use crate::source::SHARED;
 use anyhow::{Result, bail};
 use clap::Args;
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// What to write of which map.
@@ -30,6 +30,15 @@ pub(crate) struct ExportCommand {
     /// geojson, flatgeobuf: layers to write [default: all]
     #[arg(long, value_name = "LAYER,…", value_enum, value_delimiter = ',')]
     layers: Vec<Layer>,
+    /// geojson, lanelet2: where the point 0, 0 of a map without a georeference is to lie [deg]
+    #[arg(long, value_name = "LAT,LON", allow_hyphen_values = true)]
+    origin: Option<Origin>,
+    /// lanelet2: also what Autoware reads and Lanelet2's own loader refuses
+    #[arg(long)]
+    autoware: bool,
+    /// lanelet2: CSV file that lists what is not in OUT as it is in the map
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
     #[command(flatten)]
     opening: Opening,
 }
@@ -45,16 +54,10 @@ impl ExportCommand {
         }
         let Some(snapshot) = self.opening.open(&self.source)? else { return Ok(Exit::Rejected) };
         let title = title(&self.source);
-        let Self { index_boxes, route, layers, .. } = self;
-        let options = Options { index_boxes, route, layers, title };
+        let Self { index_boxes, route, layers, origin, autoware, .. } = self;
+        let options = Options { index_boxes, route, layers, origin, autoware, title };
         let left_out = write(&snapshot, self.format, &options, self.output.as_deref(), out)?;
-        if left_out > 0 {
-            // A closed stderr is nobody's loss.
-            let _ = writeln!(
-                io::stderr(),
-                "mapd: {left_out} features without a place are left out: this format cannot hold them"
-            );
-        }
+        left_out.tell(self.report.as_deref())?;
         Ok(Exit::Done)
     }
 }

@@ -1,8 +1,10 @@
 //! Where the shapes of files for other programs lie.
 
 use super::layers::Shape;
-use anyhow::{Context, Result};
-use mapd_client::{Map, Projector};
+use anyhow::{Context, Result, ensure};
+use mapd_client::glam::DVec3;
+use mapd_client::{Geodetic, Map, Offset, Projector};
+use std::str::FromStr;
 
 /// A point of a file: x or longitude, y or latitude, z.
 pub(super) type Place = [f64; 3];
@@ -14,13 +16,59 @@ const METRE_DIGITS: f64 = 1e4;
 
 /// What to add to a map without a georeference.
 const NO_GEOREFERENCE: &str = "this format needs latitudes and longitudes: add the map's projection as \
-    PROJ parameters, such as +proj=utm +zone=32 +datum=WGS84, to header/geoReference of the OpenDRIVE file";
+    PROJ parameters, such as +proj=utm +zone=32 +datum=WGS84, to header/geoReference of the OpenDRIVE file, or say \
+    with --origin LAT,LON where the map's point 0, 0 is to lie";
+
+/// Where a map without a georeference is to lie: the place on WGS 84 of its point x = 0, y = 0, with x to the east and y to the north.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Origin {
+    /// `[deg]`, positive to the north.
+    latitude: f64,
+    /// `[deg]`, positive to the east.
+    longitude: f64,
+}
+
+impl FromStr for Origin {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wanted = || format!("expected LAT,LON in degrees, such as 49.01,8.43, found {text:?}");
+        let (latitude, longitude) = text.split_once(',').ok_or_else(wanted)?;
+        let number = |text: &str| text.trim().parse::<f64>().map_err(|_| wanted());
+        let (latitude, longitude) = (number(latitude)?, number(longitude)?);
+        if latitude.abs() < 90.0 && longitude.abs() <= 180.0 {
+            Ok(Self { latitude, longitude })
+        } else {
+            Err("expected a latitude between −90 and 90 and a longitude of −180 to 180 degrees"
+                .into())
+        }
+    }
+}
 
 /// The projector of a map, for a format that has latitudes and longitudes.
 ///
-/// Errors: the map has none, with what to add.
-pub(super) fn projector(map: Map<'_>) -> Result<Projector> {
-    map.projector().context(NO_GEOREFERENCE)
+/// Errors: the map has none, with what to add; it has one, and an origin is given, too.
+pub(super) fn projector(map: Map<'_>, origin: Option<Origin>) -> Result<Projector> {
+    let Some(Origin { latitude, longitude }) = origin else {
+        return map.projector().context(NO_GEOREFERENCE);
+    };
+    ensure!(
+        map.projection().is_empty(),
+        "the map has a georeference ({}): --origin is for maps without one",
+        map.projection()
+    );
+    let plane =
+        format!("+proj=tmerc +lat_0={latitude} +lon_0={longitude} +k=1 +datum=WGS84 +units=m");
+    Ok(Projector::new(&plane, Offset::default())?)
+}
+
+/// Where a point of the map lies on Earth.
+///
+/// Errors: it lies outside the projection's area.
+pub(super) fn place(projector: &Projector, point: DVec3) -> Result<Geodetic> {
+    projector.to_geodetic(point).with_context(|| {
+        format!("the point x {} m, y {} m has no latitude and longitude", point.x, point.y)
+    })
 }
 
 /// The points of a shape as longitude, latitude `[deg]` and altitude `[m]`. Of a shape across the antimeridian the longitudes
@@ -29,10 +77,8 @@ pub(super) fn projector(map: Map<'_>) -> Result<Projector> {
 /// Errors: a point outside the projection's area.
 pub(super) fn on_earth(shape: &Shape, projector: &Projector) -> Result<Vec<Place>> {
     let mut first = None;
-    let place = |point: &mapd_client::glam::DVec3| {
-        let place = projector.to_geodetic(*point).with_context(|| {
-            format!("the point x {} m, y {} m has no latitude and longitude", point.x, point.y)
-        })?;
+    let place = |point: &DVec3| {
+        let place = place(projector, *point)?;
         let first = *first.get_or_insert(place.longitude);
         let turns = ((first - place.longitude) / 360.0).round();
         let rounded = |value: f64, digits: f64| (value * digits).round() / digits;

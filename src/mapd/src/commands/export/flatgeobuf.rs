@@ -49,7 +49,7 @@ impl Frame {
             }
             None => {
                 let crs = Crs { code: WGS_84, text: None };
-                (Self::Earth(Box::new(earth::projector(map)?)), crs)
+                (Self::Earth(Box::new(earth::projector(map, None)?)), crs)
             }
         })
     }

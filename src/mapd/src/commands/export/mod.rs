@@ -5,6 +5,7 @@ mod earth;
 mod flatgeobuf;
 mod geojson;
 mod index_boxes;
+mod lanelet2;
 mod layers;
 mod marks;
 mod objects;
@@ -16,10 +17,12 @@ use crate::draft;
 use anyhow::Result;
 use clap::ValueEnum;
 pub(crate) use command::ExportCommand;
+pub use earth::Origin;
+pub(crate) use lanelet2::Report;
 pub use layers::Layer;
 use mapd_client::Snapshot;
 pub use route::RouteEnds;
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::Path;
 
 /// What a map is written as.
@@ -35,6 +38,8 @@ pub enum Format {
     FlatGeobuf,
     /// One page for a browser, which draws the map and answers questions, without a network.
     Html,
+    /// Lanelets and regulatory elements with latitudes and longitudes (.osm).
+    Lanelet2,
 }
 
 /// What is written besides what every map has.
@@ -48,10 +53,44 @@ pub struct Options {
     pub layers: Vec<Layer>,
     /// Of a page, its title.
     pub title: String,
+    /// Of formats with latitudes and longitudes, where a map without a georeference is to lie.
+    pub origin: Option<Origin>,
+    /// Of Lanelet2's, what Autoware reads and Lanelet2's own loader refuses.
+    pub autoware: bool,
 }
 
-/// Writes a map to a file, which is there as a whole or not, or to `out` where there is none. Returns how many features were
-/// left out for want of a place, in a format that cannot do without.
+/// What a format cannot hold.
+#[derive(Default)]
+pub(crate) struct LeftOut {
+    /// Features without a place, in a format that cannot do without.
+    pub(crate) features: usize,
+    /// What is not in a Lanelet2 file as it is in the map.
+    pub(crate) report: Option<Report>,
+}
+
+impl LeftOut {
+    /// Says on stderr what it is, and writes Lanelet2's report to a file where there is one.
+    ///
+    /// Errors: the file cannot be written.
+    pub(crate) fn tell(&self, file: Option<&Path>) -> Result<()> {
+        // A closed stderr is nobody's loss.
+        if self.features > 0 {
+            let _ = writeln!(
+                io::stderr(),
+                "mapd: {} features without a place are left out: this format cannot hold them",
+                self.features
+            );
+        }
+        let Some(report) = &self.report else { return Ok(()) };
+        let _ = report.summary(&mut io::stderr());
+        match file {
+            Some(path) => draft::write_by(path, |out| report.write(out)),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Writes a map to a file, which is there as a whole or not, or to `out` where there is none. Returns what the format cannot hold.
 ///
 /// Errors: the file cannot be written; the format needs a georeference and the map has none.
 pub(crate) fn write(
@@ -60,7 +99,7 @@ pub(crate) fn write(
     options: &Options,
     file: Option<&Path>,
     out: &mut dyn Write,
-) -> Result<usize> {
+) -> Result<LeftOut> {
     let map = snapshot.map();
     let line = options.route.as_ref().map(|ends| route::line(map, ends)).transpose()?;
     let mut layers = options.layers.clone();
@@ -69,12 +108,17 @@ pub(crate) fn write(
     if layers.is_empty() {
         layers = Layer::ALL.to_vec();
     }
-    let mut left_out = 0;
+    let mut left_out = LeftOut::default();
+    let projector = || earth::projector(map, options.origin);
     let mut write_to = |out: &mut dyn Write| -> Result<()> {
         match format {
             Format::Svg => svg::write(map, options, line.as_deref(), out)?,
-            Format::GeoJson => geojson::write(map, &layers, out)?,
-            Format::FlatGeobuf => left_out = flatgeobuf::write(map, &layers, out)?,
+            Format::GeoJson => geojson::write(map, &layers, &projector()?, out)?,
+            Format::FlatGeobuf => left_out.features = flatgeobuf::write(map, &layers, out)?,
+            Format::Lanelet2 => {
+                let report = lanelet2::write(map, &projector()?, options.autoware, out)?;
+                left_out.report = Some(report);
+            }
             Format::Html => mapd_web::page::write(snapshot.bytes(), &options.title, out)?,
         }
         Ok(())

@@ -1,0 +1,405 @@
+//! `mapd export --format lanelet2`: a file that is whole, lies where the map lies, and links what the map links.
+
+use mapd_client::glam::DVec3;
+use mapd_client::{Geodetic, Lane, LaneNode, Map, Projector, Track};
+use mapd_tests::carried;
+use mapd_tests::maps::{carried_and, open};
+use quick_xml::Reader;
+use quick_xml::events::{BytesStart, Event};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
+/// Maps of many kinds: short sections and roads, gaps, narrow turns, left-hand traffic, lights, signs, crosswalks.
+const MAPS: [&str; 10] = [
+    "carla/Town01",
+    "carla/Town05",
+    "drone_dataset/rdb5",
+    "esmini/fabriksgatan_traffic_lights",
+    "esmini/highway_example_with_merge_and_split",
+    "esmini/parking_demo",
+    "gdal/5g_living_lab_A39_Wolfsburg-West",
+    "qc-opendrive/positive18",
+    "sumo/lefthand_netconvert",
+    "maliput_malidrive/onramp",
+];
+/// A point lies at most this far from its lane's edge `[m]`: half of what ends are put together over.
+const NEAR: f64 = 0.05 + 1e-3;
+/// A latitude and longitude is the place that the map's coordinates beside it say, to this `[m]`.
+const SAME: f64 = 1e-3;
+
+type Tags = BTreeMap<String, String>;
+
+#[derive(Default)]
+struct Element {
+    tags: Tags,
+    /// Role (empty for points of a way) and id.
+    members: Vec<(String, u64)>,
+    place: Option<[f64; 2]>,
+}
+
+#[derive(Default)]
+struct Osm {
+    nodes: HashMap<u64, Element>,
+    ways: HashMap<u64, Element>,
+    relations: BTreeMap<u64, Element>,
+}
+
+fn attributes(start: &BytesStart<'_>) -> Tags {
+    let pair = |attribute: quick_xml::events::attributes::Attribute<'_>| {
+        let name = attribute.key.as_ref().to_owned();
+        let value = quick_xml::escape::unescape(&attribute.value).expect("text").into_owned();
+        (name, value)
+    };
+    start.attributes().map(|attribute| pair(attribute.expect("an attribute"))).collect()
+}
+
+fn read(path: &Path) -> Osm {
+    let text = fs::read_to_string(path).expect("written");
+    let (mut reader, mut osm) = (Reader::from_str(&text), Osm::default());
+    let mut open: Option<(String, u64, Element)> = None;
+    let mut ids = BTreeSet::new();
+    loop {
+        let (start, is_empty) = match reader.read_event().expect("XML") {
+            Event::Eof => return osm,
+            Event::Start(start) => (start.into_owned(), false),
+            Event::Empty(start) => (start.into_owned(), true),
+            Event::End(end) => {
+                let name = end.name().as_ref().to_owned();
+                if let Some((_, id, element)) = open.take_if(|(own, ..)| *own == name) {
+                    match name.as_str() {
+                        "node" => drop(osm.nodes.insert(id, element)),
+                        "way" => drop(osm.ways.insert(id, element)),
+                        _ => drop(osm.relations.insert(id, element)),
+                    }
+                }
+                continue;
+            }
+            _ => continue,
+        };
+        let name = start.name().as_ref().to_owned();
+        let values = attributes(&start);
+        let number = |name: &str| values[name].parse::<f64>().expect("a number");
+        match (name.as_str(), &mut open) {
+            ("node" | "way" | "relation", _) => {
+                assert!(!is_empty, "{values:?}");
+                let id = values["id"].parse().expect("an id");
+                assert!(ids.insert(id), "{id} twice");
+                let place = (name == "node").then(|| [number("lat"), number("lon")]);
+                open = Some((name, id, Element { place, ..Element::default() }));
+            }
+            ("tag", Some((_, _, element))) => {
+                let before = element.tags.insert(values["k"].clone(), values["v"].clone());
+                assert_eq!(before, None, "{values:?} twice");
+            }
+            ("nd", Some((_, _, element))) => {
+                element.members.push((String::new(), values["ref"].parse().expect("an id")));
+            }
+            ("member", Some((_, _, element))) => {
+                let id = values["ref"].parse().expect("an id");
+                element.members.push((values["role"].clone(), id));
+            }
+            ("osm" | "MetaInfo", _) => {}
+            _ => panic!("{name} {values:?}"),
+        }
+    }
+}
+
+impl Osm {
+    fn place(&self, node: u64) -> DVec3 {
+        let tags = &self.nodes[&node].tags;
+        let [x, y, z] =
+            ["local_x", "local_y", "ele"].map(|name| tags[name].parse().expect("a number"));
+        DVec3::new(x, y, z)
+    }
+
+    /// Points of a lanelet's border as they stand in its way.
+    fn border(&self, lanelet: &Element, role: &str) -> Vec<u64> {
+        let mut ways = lanelet.members.iter().filter(|(own, _)| own == role);
+        let (Some((_, way)), None) = (ways.next(), ways.next()) else { panic!("{role}") };
+        self.ways[way].members.iter().map(|(_, node)| *node).collect()
+    }
+}
+
+fn run(arguments: &[&str], folder: &Path) -> Output {
+    let mut command = Command::new(MAPD);
+    command.args(["export", "--format", "lanelet2"]).args(arguments);
+    command.current_dir(folder).output().expect("runs")
+}
+
+/// Exports a map; one without a georeference lies at 49° N, 8.4° E.
+fn export(map: Map<'_>, path: &Path) -> (Osm, Vec<csv::StringRecord>, Projector) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut arguments =
+        vec![path.to_str().expect("a path"), "-o", "out.osm", "--report", "out.csv"];
+    let projector = map.projector().unwrap_or_else(|_| {
+        arguments.extend(["--origin", "49,8.4"]);
+        let plane = "+proj=tmerc +lat_0=49 +lon_0=8.4 +datum=WGS84";
+        Projector::new(plane, mapd_client::Offset::default()).expect("a projector")
+    });
+    let output = run(&arguments, folder.path());
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let mut report = csv::Reader::from_path(folder.path().join("out.csv")).expect("a report");
+    let report = report.records().map(|record| record.expect("a record")).collect();
+    (read(&folder.path().join("out.osm")), report, projector)
+}
+
+/// One lanelet with its points in the direction of travel towards +s.
+struct Lanelet<'a> {
+    lane: Lane<'a>,
+    s: [f64; 2],
+    /// Left and right of the reference line's direction.
+    borders: [Vec<u64>; 2],
+}
+
+fn lanelets<'a>(map: Map<'a>, osm: &Osm) -> Vec<Lanelet<'a>> {
+    let of_lanes = |element: &&Element| element.tags.contains_key("lane_key");
+    let all = osm.relations.values().filter(of_lanes).map(|element| {
+        let s = ["s_from", "s_to"].map(|name| element.tags[name].parse::<f64>().expect("a number"));
+        let key = element.tags["lane_key"].parse().expect("a key");
+        let lane = map.lane_by_key(&key).expect("a lane");
+        // A key may stand for several sections in a row.
+        let road = lane.road();
+        let sections = road
+            .sections()
+            .filter(|one| one.s_start() <= s[0] + 1e-5 && s[1] <= one.s_end() + 1e-5);
+        let lane = sections.last().and_then(|one| one.lane(lane.number())).expect("a lane");
+        let (left, right) = if lane.is_forward() { ("left", "right") } else { ("right", "left") };
+        Lanelet { lane, s, borders: [left, right].map(|role| osm.border(element, role)) }
+    });
+    all.collect()
+}
+
+/// Points on the left and right of travel where a lanelet is entered or left.
+fn ends(lanelet: &Lanelet<'_>, forward: bool, at_end: bool) -> [u64; 2] {
+    let [left, right] = &lanelet.borders;
+    let end = |border: &Vec<u64>| {
+        let end = if forward == at_end { border.last() } else { border.first() };
+        *end.expect("points")
+    };
+    if forward { [end(left), end(right)] } else { [end(right), end(left)] }
+}
+
+#[test]
+fn every_reference_has_its_element_and_every_element_its_tags() {
+    for path in carried_and(&MAPS) {
+        let snapshot = open(&path);
+        let (osm, ..) = export(snapshot.map(), &path);
+        let name = path.display();
+        for way in osm.ways.values() {
+            assert!(way.members.len() > 1, "{name}");
+            assert!(way.members.iter().all(|(_, node)| osm.nodes.contains_key(node)), "{name}");
+            assert!(way.tags.contains_key("type"), "{name} {:?}", way.tags);
+        }
+        for (id, relation) in &osm.relations {
+            let is_there = |id: &u64| osm.ways.contains_key(id) || osm.relations.contains_key(id);
+            assert!(relation.members.iter().all(|(_, id)| is_there(id)), "{name}: {id}");
+            match relation.tags["type"].as_str() {
+                "lanelet" => {
+                    for tag in ["subtype", "location", "one_way"] {
+                        assert!(relation.tags.contains_key(tag), "{name}: {id} has no {tag}");
+                    }
+                    let mut tags = relation.tags.keys();
+                    assert!(tags.any(|tag| tag.starts_with("participant:")), "{name}: {id}");
+                }
+                "regulatory_element" => {
+                    let refers = |other: &Element| {
+                        other
+                            .members
+                            .iter()
+                            .any(|(role, own)| role == "regulatory_element" && own == id)
+                    };
+                    assert!(osm.relations.values().any(refers), "{name}: nobody heeds {id}");
+                }
+                other => panic!("{name}: {other}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn every_point_lies_at_the_edge_of_its_lane() {
+    for path in carried_and(&MAPS) {
+        let snapshot = open(&path);
+        let map = snapshot.map();
+        let (osm, report, projector) = export(map, &path);
+        for node in osm.nodes.values() {
+            let [latitude, longitude] = node.place.expect("a place");
+            let number = |name: &str| node.tags[name].parse::<f64>().expect("a number");
+            let altitude = number("ele");
+            let point = projector
+                .from_geodetic(Geodetic { latitude, longitude, altitude })
+                .expect("a place");
+            let local = DVec3::new(number("local_x"), number("local_y"), point.z);
+            assert!(point.distance(local) < SAME, "{}: {point} {local}", path.display());
+        }
+        let trimmed: BTreeSet<&str> = report
+            .iter()
+            .filter(|one| &one[0] == "trimmed")
+            .map(|one| one.get(1).unwrap_or(""))
+            .collect();
+        let shift = map.header_offset().0.z;
+        for lanelet in lanelets(map, &osm) {
+            if trimmed.contains(lanelet.lane.key().to_string().as_str()) {
+                continue;
+            }
+            let middle = 0.5 * (lanelet.s[0] + lanelet.s[1]);
+            for (number, border) in lanelet.borders.iter().enumerate() {
+                for node in border {
+                    let point = osm.place(*node)
+                        - DVec3::Z * if map.projection().is_empty() { 0.0 } else { shift };
+                    let is_near = |s: f64| {
+                        let edges = lanelet.lane.edges_at(s);
+                        let t = if (number == 0) == (lanelet.lane.number() > 0) {
+                            edges.outer
+                        } else {
+                            edges.inner
+                        };
+                        let edge = lanelet.lane.road().to_inertial(Track { s, t, h: 0.0 });
+                        edge.is_ok_and(|edge| edge.position.distance(point) < NEAR)
+                    };
+                    let (from, to) = (lanelet.s[0], lanelet.s[1]);
+                    let steps = (((to - from) / 0.02) as u32).max(1);
+                    let on_road =
+                        lanelet.lane.road().to_track(point).map_or(middle, |track| track.s);
+                    let places =
+                        (0..=steps).map(|i| from + (to - from) * f64::from(i) / f64::from(steps));
+                    assert!(
+                        is_near(mapd_geometry::clamp(on_road, from, to))
+                            || places.into_iter().any(is_near),
+                        "{}: {} {point}",
+                        path.display(),
+                        lanelet.lane.key()
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// What the report says became of pairs of lanes.
+fn told<'r>(report: &'r [csv::StringRecord], what: &str) -> BTreeSet<(&'r str, &'r str)> {
+    let of_kind = report.iter().filter(|one| &one[0] == what);
+    of_kind.map(|one| (one.get(1).unwrap_or(""), one.get(2).unwrap_or(""))).collect()
+}
+
+#[test]
+fn lanelets_follow_each_other_as_lanes_do_or_the_report_says_so() {
+    for path in carried_and(&MAPS) {
+        let snapshot = open(&path);
+        let map = snapshot.map();
+        let (osm, report, _) = export(map, &path);
+        let all = lanelets(map, &osm);
+        let (lost, extra) = (told(&report, "lost"), told(&report, "extra"));
+        let find = |node: &LaneNode<'_>, at_end: bool| {
+            let (from, to) = node.s_range();
+            let s = if node.is_forward() == at_end { to } else { from };
+            let lane = node.lane()?.lane_id();
+            all.iter().find(|one| {
+                let end = one.s[usize::from(node.is_forward() == at_end)];
+                one.lane.lane_id() == lane && (end - s).abs() < 1e-5
+            })
+        };
+        // What the map says: from every way to every way.
+        let mut expected = BTreeSet::new();
+        for node in map.lane_nodes().filter(LaneNode::is_open) {
+            let Some(own) = find(&node, true) else { continue };
+            let end = ends(own, node.is_forward(), true);
+            let (mut open, mut seen) = (vec![node], BTreeSet::new());
+            while let Some(node) = open.pop() {
+                for target in
+                    node.edges().filter_map(|edge| edge.target()).filter(LaneNode::is_open)
+                {
+                    if let Some(next) = find(&target, false) {
+                        let start = ends(next, target.is_forward(), false);
+                        let from = own.lane.key().to_string();
+                        let to = next.lane.key().to_string();
+                        let is_lost = lost.contains(&(from.as_str(), to.as_str()));
+                        assert!(start == end || is_lost, "{}: {from} {to}", path.display());
+                        expected.insert((from, to));
+                    } else if seen.insert(target.node_id()) {
+                        open.push(target);
+                    }
+                }
+            }
+        }
+        let mut starts: HashMap<[u64; 2], Vec<&Lanelet<'_>>> = HashMap::new();
+        let ways = |one: &Lanelet<'_>| {
+            let both = one.lane.nodes().any(|node| node.is_forward() != one.lane.is_forward());
+            let own = one.lane.is_forward();
+            [Some(own), both.then_some(!own)].into_iter().flatten().collect::<Vec<bool>>()
+        };
+        for one in &all {
+            for forward in ways(one) {
+                starts.entry(ends(one, forward, false)).or_default().push(one);
+            }
+        }
+        for one in &all {
+            for forward in ways(one) {
+                for next in starts.get(&ends(one, forward, true)).into_iter().flatten() {
+                    let (from, to) = (one.lane.key().to_string(), next.lane.key().to_string());
+                    let shares = one.lane.nodes().any(|a| {
+                        let mut classes = mapd_client::VehicleClass::ALL.iter();
+                        classes.any(|class| {
+                            a.allows(*class) && next.lane.nodes().any(|b| b.allows(*class))
+                        })
+                    });
+                    let is_told = extra.contains(&(from.as_str(), to.as_str()));
+                    let is_known = from == to || expected.contains(&(from.clone(), to.clone()));
+                    assert!(is_known || is_told || !shares, "{}: {from} {to}", path.display());
+                }
+            }
+        }
+    }
+}
+
+/// What an element says in its tags.
+fn says(element: &Element, name: &str, value: &str) -> bool {
+    element.tags.get(name).is_some_and(|own| own == value)
+}
+
+#[test]
+fn text_of_the_map_is_text_and_a_sign_is_a_rule_where_it_holds() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let hostile = "</script><tag k=\"a\" v='1'/>&quot;\\";
+    let id = hostile.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
+    let sign = format!(
+        "</lanes><signals><signal s=\"20\" t=\"-5\" id=\"{id}\" name=\"\" dynamic=\"no\" orientation=\"+\" zOffset=\"2\" country=\"DE\" \
+         type=\"274\" subtype=\"-1\" value=\"50\" unit=\"km/h\"/></signals>"
+    );
+    let text = fs::read_to_string(carried("one_road.xodr")).expect("a map");
+    let path = folder.path().join("map.xodr");
+    fs::write(&path, text.replace("</lanes>", &sign)).expect("written");
+    let snapshot = open(&path);
+    let (osm, ..) = export(snapshot.map(), &path);
+    let (line, way) =
+        osm.ways.iter().find(|(_, way)| way.tags.contains_key("signal_id")).expect("the sign");
+    assert!(says(way, "signal_id", hostile) && says(way, "subtype", "de274-50"), "{:?}", way.tags);
+    let refers = |rule: &&Element| rule.members.contains(&("refers".to_owned(), *line));
+    let rules: Vec<&Element> = osm.relations.values().filter(refers).collect();
+    assert!(matches!(rules[..], [rule] if says(rule, "subtype", "speed_limit")));
+    let mut limited = osm.relations.values().filter(|one| says(one, "speed_limit", "50"));
+    assert!(limited.any(|one| one.tags["s_from"].parse::<f64>().is_ok_and(|s| s >= 20.0)));
+}
+
+#[test]
+fn a_map_without_a_georeference_wants_an_origin_and_only_such_a_map() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [town, road] = ["town.xodr", "one_road.xodr"].map(carried);
+    let [town, road] = [&town, &road].map(|path| path.to_str().expect("a path"));
+    let check = |arguments: &[&str], code: i32, words: &[&str]| {
+        let output = run(arguments, folder.path());
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}: {said}");
+        assert!(words.iter().all(|word| said.contains(word)), "{arguments:?}: {said}");
+    };
+    check(&[town], 1, &["header/geoReference", "+proj=", "--origin"]);
+    check(&[town, "--origin", "49.01,8.43", "-o", "town.osm"], 0, &[]);
+    check(&[town, "--origin", "-33.9,-151.2", "-o", "town.osm"], 0, &[]);
+    check(&[road, "--origin", "49.01,8.43"], 1, &["has a georeference", "--origin"]);
+    for wrong in ["49.01", "49.01;8.43", "91,8", "49,181", "nan,8", ",", ""] {
+        check(&[town, "--origin", wrong], 2, &["--origin"]);
+    }
+}
