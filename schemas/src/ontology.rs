@@ -43,6 +43,48 @@ struct Class {
     landmark: Option<bool>,
 }
 
+/// Rules of the road by country.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Rules {
+    rules: Vec<CountryRules>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct CountryRules {
+    country: String,
+    from_side: Option<String>,
+    turn: bool,
+    source: String,
+}
+
+impl Rules {
+    fn code(&self) -> Result<String> {
+        let mut out = format!(
+            "//! Rules of the road by country.\n{NOTE}use crate::road_rules::{{FromSide, RoadRules}};\n\n"
+        );
+        out += "/// By country.\npub(crate) const RULES: &[RoadRules] = &[\n";
+        let mut countries = HashSet::new();
+        for CountryRules { country, from_side, turn, source } in &self.rules {
+            let letters = country.len() == 2 && country.chars().all(|c| c.is_ascii_uppercase());
+            ensure!(letters, "a country has two capital letters, found {country}");
+            ensure!(countries.insert(country), "country {country} stands twice");
+            let from_side = match from_side.as_deref() {
+                None => "None",
+                Some("right") => "Some(FromSide::Right)",
+                Some("left") => "Some(FromSide::Left)",
+                Some(other) => anyhow::bail!("from_side is right or left, found {other}"),
+            };
+            let _ = writeln!(
+                out,
+                "RoadRules {{ country: {country:?}, from_side: {from_side}, turn: {turn}, source: {source:?} }},"
+            );
+        }
+        Ok(out + "];\n")
+    }
+}
+
 /// Everything that follows from `schemas/ontology`.
 pub(crate) fn outputs(root: &Path) -> Result<Vec<Output>> {
     let folder = root.join("schemas/ontology");
@@ -55,7 +97,7 @@ pub(crate) fn outputs(root: &Path) -> Result<Vec<Output>> {
     let mut names = Vec::new();
     for entry in std::fs::read_dir(&folder)? {
         let name = entry?.file_name().to_string_lossy().into_owned();
-        if name.ends_with(".toml") && name != "classes.toml" {
+        if name.ends_with(".toml") && name != "classes.toml" && name != "rules.toml" {
             names.push(name);
         }
     }
@@ -80,6 +122,8 @@ pub(crate) fn outputs(root: &Path) -> Result<Vec<Output>> {
         std::fs::read_to_string(root.join("docs/ontology.md")).context("docs/ontology.md")?;
     outputs.push(("src/archive/src/generated/classes.rs".to_owned(), vocabulary.code()));
     outputs.push(("docs/ontology.md".to_owned(), vocabulary.splice(&page)?));
+    let rules: Rules = toml::from_str(&read("rules.toml")?)?;
+    outputs.push(("src/archive/src/generated/road_rules.rs".to_owned(), rules.code()?));
     Ok(outputs)
 }
 

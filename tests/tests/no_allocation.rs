@@ -229,6 +229,8 @@ fn paths_do_not_allocate_after_the_first_call() {
         (RouteScratch::default(), Vec::new(), PathBuffer::default());
     let (mut room, mut conflicts, mut places, mut feet) =
         (Corridor::default(), Vec::new(), Vec::new(), Vec::new());
+    let (mut segments, mut facts, mut speeds, mut part) =
+        (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let stations = [0.0, 5.0, 10.0, 1e9];
     let mut round = || {
         let mut seen = 0;
@@ -245,6 +247,11 @@ fn paths_do_not_allocate_after_the_first_call() {
             path.at_batch(&stations, &mut places).expect("places");
             path.corridor(0.0, 150.0, 1.0, car, &mut room).expect("a corridor");
             path.conflicts(&mut conflicts);
+            path.segments(car, &mut segments);
+            path.facts(&mut facts);
+            path.speeds(&mut speeds);
+            path.steps_between(&steps, [0.0, at.along], &mut part).expect("steps");
+            seen += segments.len() + facts.len() + speeds.len() + part.len();
             let speed = path.speed_at(at.along).is_some();
             seen += room.len() + conflicts.len() + usize::from(speed) + path.joints().len();
         }

@@ -46,6 +46,7 @@ mod overlay;
 mod overlay_codes;
 pub mod packed_index;
 mod points;
+mod road_rules;
 mod signal_codes;
 mod strings;
 mod table;
@@ -92,6 +93,7 @@ pub use open::{Archive, open, string};
 pub use overlay::{Overlay, open_overlay, overlay_string, verify_overlay};
 pub use overlay_codes::OverlayKind;
 pub use points::{PointCode, PointReader};
+pub use road_rules::{FromSide, RoadRules};
 pub use signal_codes::{
     LaneMethod, NO_RELATION, Orientation, Relation, RelationReason, SignalPosition, signal_flags,
     signal_values,

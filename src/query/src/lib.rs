@@ -89,10 +89,11 @@ pub use lane_words::{LaneRule, LaneVisibility};
 pub use map::Map;
 pub use mapd_archive::{
     AnnotationKind, AnnotationOwner, Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind,
-    GeoReferenceForm, JunctionGroupKind, LaneMethod, LaneType, MarkLaneChange, ObjectShape,
-    ObjectSide, Orientation, OutlineFill, Overlay, OverlayKind, PlatformSide, QuarantinedKind,
-    Relation, RelationReason, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight, RoadType,
-    SignalPosition, SpeedKind, StructureKind, SwitchPosition, VehicleClass,
+    FromSide, GeoReferenceForm, JunctionGroupKind, LaneMethod, LaneType, MarkLaneChange,
+    ObjectShape, ObjectSide, Orientation, OutlineFill, Overlay, OverlayKind, PlatformSide,
+    QuarantinedKind, Relation, RelationReason, RoadMarkColor, RoadMarkKind, RoadMarkRule,
+    RoadMarkWeight, RoadRules, RoadType, SignalPosition, SpeedKind, StructureKind, SwitchPosition,
+    VehicleClass,
 };
 #[cfg(feature = "geodesy")]
 pub use mapd_geodesy::{DefinitionError, Geodetic, Offset, ProjectionError, Projector};
@@ -107,9 +108,9 @@ pub use objects::{
     ObjectPlacement, ParkingSpace, PlacementId, Skeleton, SkeletonVertex,
 };
 pub use path::{
-    Corridor, EdgeMark, Path, PathBuffer, PathConflict, PathError, PathFact, PathFactKind,
-    PathJoint, PathLane, PathOptions, PathPoint, PathPosition, PathSegment, PathSpeed, Yields,
-    steps_of_lanes,
+    Corridor, EdgeMark, Path, PathBuffer, PathChange, PathChangeKind, PathConflict, PathError,
+    PathFact, PathFactKind, PathJoint, PathLane, PathOptions, PathPoint, PathPosition, PathSegment,
+    PathSpeed, Yields, steps_of_lanes,
 };
 pub use polyline::Polyline;
 pub use quarantine::Quarantined;
@@ -119,7 +120,8 @@ pub use road::{Road, RoadLink, RoadTypeRecord};
 pub use road_mark::{RoadMark, RoadMarkLine, RoadMarkSegment};
 pub use route::{
     CostBound, Enter, LaneChangeAhead, LanePlace, LaneSequences, NextJunction, Reached, Route,
-    RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime, next_lane_change,
+    RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime, WithFactors,
+    next_lane_change,
 };
 pub use section::LaneSection;
 pub use signals::{

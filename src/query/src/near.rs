@@ -31,6 +31,13 @@ impl Map<'_> {
                 if lower[k] > bound {
                     continue;
                 }
+                // A stretch that is farther than one already found of its lane changes nothing.
+                let is_farther = |known: &Nearest| {
+                    known.lane.row() == lanes[k] && f64::from(lower[k]) > known.position.distance
+                };
+                if out.iter().any(is_farther) {
+                    continue;
+                }
                 let found = self.candidate((lanes[k], segments[k]), point, local, options);
                 let Some(found) = found.filter(|found| found.distance() <= options.radius) else {
                     continue;

@@ -1,10 +1,12 @@
 //! What lies along a path: lanes that reach the goal, speed limits, signals, lines, junctions.
 
 use crate::paths::each_path;
-use mapd_client::{Lane, LanePlace, Map, RouteScratch, ShortestLength, VehicleClass};
+use mapd_client::{
+    Lane, LanePlace, Map, Relation, RelationReason, RouteScratch, ShortestLength, VehicleClass,
+};
 use mapd_query::{
-    PathBuffer, PathFactKind, PathOptions, PathSegment, PathSpeed, SignalsAhead, SpeedOrigin,
-    steps_of_lanes,
+    Basis, PathBuffer, PathChange, PathChangeKind, PathError, PathFactKind, PathOptions,
+    PathSegment, PathSpeed, RoadRules, SignalsAhead, SpeedOrigin, Yields, steps_of_lanes,
 };
 use mapd_tests::crossroads::{ARMS, crossroads, signal};
 use mapd_tests::graph_maps::{Line, document, lane, road, section, wide};
@@ -219,4 +221,141 @@ fn a_zone_lasts_beyond_junctions_until_it_ends() {
     assert_eq!(rule("0:0:1", 40.0), Some(30.0 * KMH));
     assert_eq!(rule("0:0:1", 10.0), Some(50.0 * KMH));
     assert_eq!(rule("1:0:-1", 50.0), Some(30.0 * KMH));
+}
+
+/// What is left of a path, and what is driven until a place, are paths of their own.
+#[test]
+fn a_part_of_a_path_is_a_path() {
+    each_path(|map, path, steps, name, random| {
+        let (mut part, mut buffer) = (Vec::new(), PathBuffer::default());
+        for _ in 0..4 {
+            let a = random.between(0.0, path.length());
+            let b = random.between(0.0, path.length());
+            let [from, to] = [a.min(b), a.max(b)];
+            if to - from < 1e-3 {
+                continue;
+            }
+            path.steps_between(steps, [from, to], &mut part).expect("steps");
+            let own = map.path(&part, &PathOptions::default(), &mut buffer);
+            let own = own.unwrap_or_else(|error| panic!("{name}: {error}: {part:?}"));
+            // Lengths are those of a quadrature, which a cut makes anew.
+            let off = (own.length() - (to - from)).abs();
+            assert!(off < 1e-3 * (1.0 + to - from), "{name}: {off} of {from} to {to}");
+            let places = [(0.0, from), (own.length(), to)];
+            for (mine, along) in places {
+                let (p, q) = (own.at(mine).expect("a place"), path.at(along).expect("a place"));
+                let jumps = path.joints().iter().any(|joint| (joint.along - along).abs() < 1e-6);
+                assert!(jumps || p.position.distance(q.position) < 1e-6, "{name}: {p:?}, {q:?}");
+            }
+        }
+        let mut part = |along| path.steps_between(steps, along, &mut part).err();
+        assert_eq!(part([2.0, 1.0]), Some(PathError::NotInOrder));
+        assert_eq!(part([f64::NAN, 1.0]), Some(PathError::NotInOrder));
+        assert_eq!(
+            path.steps_between(&[], [0.0, 1.0], &mut Vec::new()).err(),
+            Some(PathError::OtherSteps)
+        );
+    });
+}
+
+/// Right before left holds where the caller says so, among equal roads; in Japan it is the left one, in Great Britain neither.
+#[test]
+fn who_yields_by_rule_is_for_the_caller_to_say() {
+    let rules = |country: &str| RoadRules::of(country).expect("its rules");
+    assert_eq!(RoadRules::of("XX"), None);
+    let check = |arm: usize, kind: &str, expected: [Option<Relation>; 3]| {
+        let text = crossroads(Default::default(), "", "");
+        let road = format!("<road id=\"{arm}\"");
+        let (before, behind) = text.split_once(&road).expect("the road");
+        let behind = behind.replacen("<planView>", &format!("{kind}<planView>"), 1);
+        let snapshot = open_text(&format!("{before}{road}{behind}"));
+        let map = snapshot.map();
+        // Both straight on; arm 3 is to the right of who comes in on arm 0... seen from the middle.
+        let own = lane_by(map, "02:0:-1");
+        let other =
+            own.right_of_way().find(|one| one.other().is_some_and(|lane| lane.road().id() == "13"));
+        let other = other.expect("they cross");
+        assert_eq!((other.basis(), other.reason()), (Basis::Rule, RelationReason::FromTheRight));
+        let found = ["DE", "JP", "GB"].map(|country| other.relation_by(rules(country)));
+        assert_eq!(found, expected, "{kind}");
+    };
+    // Who comes from arm 1 drives south, from the right of who drives west.
+    let (yields, priority) = (Some(Relation::Yields), Some(Relation::Priority));
+    check(0, "", [yields, priority, None]);
+    check(0, "<type s=\"0\" type=\"motorway\"/>", [None; 3]);
+    check(0, "<type s=\"0\" type=\"town\"><speed max=\"50\" unit=\"km/h\"/></type>", [None; 3]);
+    let snapshot = open_text(&crossroads(Default::default(), "", ""));
+    let map = snapshot.map();
+    along(map, ("0:0:1", 70.0), ("2:0:-1", 70.0), |path| {
+        let mut found = Vec::new();
+        path.conflicts(&mut found);
+        assert!(
+            found.iter().all(|one| one.yields == Yields::Unknown && one.equal_roads),
+            "{found:?}"
+        );
+        for one in &found {
+            let (yields, basis) = one.yields_by(rules("DE"));
+            let known = yields != Yields::Unknown;
+            assert_eq!(known, basis == Basis::Rule, "{one:?}");
+            assert_eq!(known, one.reason != RelationReason::None, "{one:?}");
+        }
+        assert!(found.iter().any(|one| one.yields_by(rules("DE")).0 == Yields::Yields));
+    });
+}
+
+/// On the map that it is of, nothing of a path changes.
+#[test]
+fn a_path_on_its_own_map_is_the_same() {
+    each_path(|map, path, _, name, _| {
+        let (mut scratch, mut steps, mut changes) =
+            (RouteScratch::default(), Vec::new(), Vec::new());
+        let cost = ShortestLength::default();
+        let found = path.rebase(map, CAR, &cost, &mut scratch, &mut steps, &mut changes);
+        // A start may lie on a lane that is closed to the vehicle.
+        let is_open = |own: &mapd_query::PathLane| {
+            let lane = map.lane(own.lane).expect("a lane");
+            own.s.iter().all(|s| lane.node_at(*s, own.forward).is_some_and(|n| n.allows(CAR)))
+        };
+        if !path.lanes().all(|own| is_open(&own)) {
+            return;
+        }
+        assert_eq!(changes, [], "{name}");
+        let mut buffer = PathBuffer::default();
+        found.expect("an answer").unwrap_or_else(|| panic!("{name}: no way"));
+        let own = map.path(&steps, &PathOptions::default(), &mut buffer);
+        let own = own.unwrap_or_else(|error| panic!("{name}: {error}: {steps:?}"));
+        // Changes of lane may lie elsewhere on their stretch.
+        let off = (own.length() - path.length()).abs();
+        assert!(off < 0.05 * path.length() + 5.0, "{name}: {off} of {}", path.length());
+    });
+}
+
+/// A road of another id in the old one's place, one that has moved, and none at all.
+#[test]
+fn a_path_is_found_again_by_key_then_by_place() {
+    let text = |id: &str, y: f64| {
+        let line = Line(0.0, y, 0.0, 100.0, 0.0);
+        document(&road(id, "junction=\"-1\"", line, "", &section(0.0, "", &lane(-1, ""))))
+    };
+    let (old, mut steps, mut buffer) =
+        (open_text(&text("1", 0.0)), Vec::new(), PathBuffer::default());
+    let lane = lane_by(old.map(), "1:0:-1").lane_id();
+    steps_of_lanes(old.map(), &[lane], [10.0, 90.0], &mut steps).expect("steps");
+    let path = old.map().path(&steps, &PathOptions::default(), &mut buffer).expect("a path");
+    let check = |text: &str, expected: Option<PathChangeKind>, length: Option<f64>| {
+        let new = open_text(text);
+        let (mut scratch, mut steps, mut changes) =
+            (RouteScratch::default(), Vec::new(), Vec::new());
+        let cost = ShortestLength::default();
+        let found = path.rebase(new.map(), CAR, &cost, &mut scratch, &mut steps, &mut changes);
+        assert_eq!(found.expect("an answer").map(|route| route.length), length);
+        let kinds: Vec<PathChange> = changes;
+        let expected = expected.map(|kind| PathChange { along: [0.0, 80.0], kind });
+        assert_eq!(kinds, expected.into_iter().collect::<Vec<_>>());
+        assert_eq!(steps.len(), usize::from(length.is_some()), "{steps:?}");
+    };
+    check(&text("1", 0.0), None, Some(80.0));
+    check(&text("1", 0.5), Some(PathChangeKind::Moved(0.5)), Some(80.0));
+    check(&text("7", 0.0), Some(PathChangeKind::Replaced(0.0)), Some(80.0));
+    check(&text("1", 40.0), Some(PathChangeKind::Gone), None);
 }

@@ -3,7 +3,7 @@
 use mapd_client::{Map, Snapshot};
 use mapd_query::{
     CostBound, Enter, LaneNode, LanePlace, LaneType, Reached, RouteCost, RouteScratch, RouteStep,
-    ShortestLength, ShortestTime, VehicleClass,
+    ShortestLength, ShortestTime, VehicleClass, WithFactors,
 };
 use mapd_tests::maps::{Random, open};
 use mapd_tests::plain_route::PlainGraph;
@@ -228,4 +228,75 @@ fn reachable_is_what_routes_reach() {
             }
         }
     }
+}
+
+/// Who can reach a place: compared with the routes from the beginning of every node.
+#[test]
+fn reachable_to_is_what_routes_come_from() {
+    let snapshot = open(&carried("town.xodr"));
+    let map = snapshot.map();
+    let car = VehicleClass::PassengerCar;
+    let cost = ShortestLength::default();
+    let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
+    let mut reached: Vec<Reached> = Vec::new();
+    let limit = 250.0;
+    for (to, _) in places(map, car, 20 * PER_START) {
+        map.reachable_to(to, limit, car, &cost, &mut scratch, &mut reached).expect("an answer");
+        assert!(reached.is_sorted_by(|a, b| a.cost <= b.cost), "nearest first");
+        for lane in map.lanes() {
+            let Some(node) = lane.nodes().find(|node| node.allows(car)) else { continue };
+            let (low, high) = node.s_range();
+            let s = if node.is_forward() { low } else { high };
+            let from = LanePlace { lane: lane.lane_id(), s };
+            let route = map.route(from, to, car, &cost, &mut scratch, &mut steps);
+            let route = route.expect("an answer").filter(|route| route.cost <= limit);
+            let own = reached.iter().find(|reached| reached.node == node.node_id());
+            match (route, own) {
+                (Some(route), Some(own)) => {
+                    assert!((route.cost - own.cost).abs() < 1e-6, "{}: {route:?}", lane.key());
+                }
+                (None, None) => {}
+                other => panic!("{}: {other:?}", lane.key()),
+            }
+        }
+    }
+}
+
+/// Factors by lane: those of 1 change nothing, an infinite one closes its lane, and what is found is what a search without bounds finds.
+#[test]
+fn factors_make_lanes_dearer_or_close_them() {
+    let snapshot = open(&carried("town.xodr"));
+    let map = snapshot.map();
+    let car = VehicleClass::PassengerCar;
+    let base = ShortestLength::default();
+    let (mut scratch, mut steps, mut other) = (RouteScratch::default(), Vec::new(), Vec::new());
+    let rows = map.lanes().map(|lane| lane.lane_id().row() as usize + 1).max().expect("lanes");
+    let mut closed = 0;
+    for (from, targets) in places(map, car, 8 * PER_START) {
+        for to in targets {
+            let mut find = |factors: &[f64], steps: &mut Vec<RouteStep>| {
+                let cost = WithFactors { base, factors };
+                map.route(from, to, car, &cost, &mut scratch, steps).expect("an answer")
+            };
+            let mut factors = vec![1.0; rows];
+            let plain = find(&[], &mut steps);
+            assert_eq!(find(&factors, &mut other), plain);
+            assert_eq!(steps, other);
+            let Some(middle) = steps.get(steps.len() / 2).filter(|_| steps.len() > 2) else {
+                continue;
+            };
+            for factor in [3.0, f64::INFINITY, -1.0, f64::NAN, 0.25] {
+                factors[middle.lane.row() as usize] = factor;
+                let found = find(&factors, &mut other);
+                if factor == 3.0 {
+                    let (found, plain) = (found.expect("a way"), plain.expect("a way"));
+                    assert!(found.cost >= plain.cost - ROUNDING, "{found:?}, {plain:?}");
+                } else if factor != 0.25 {
+                    assert!(other.iter().all(|step| step.lane != middle.lane), "{factor}");
+                    closed += 1;
+                }
+            }
+        }
+    }
+    assert!(closed > 100, "{closed}");
 }

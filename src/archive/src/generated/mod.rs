@@ -17,6 +17,7 @@ pub(crate) mod object_rows;
 mod overlay_accessors;
 pub(crate) mod overlay_rows;
 pub(crate) mod overlay_tables;
+pub(crate) mod road_rules;
 pub(crate) mod rows;
 mod signal_accessors;
 pub(crate) mod signal_rows;

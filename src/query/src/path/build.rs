@@ -93,6 +93,51 @@ pub fn steps_of_lanes(
     Ok(())
 }
 
+impl Path<'_, '_> {
+    /// The steps of the part of the path between two S, of the steps that it was built on: what is left to drive (`[S, length]`), or what is driven
+    /// until a place (`[0, S]`). S outside is moved to the nearer end. `out` is emptied first.
+    ///
+    /// Errors: two S that are not finite or not in order; steps that are not the path's.
+    pub fn steps_between(
+        &self,
+        steps: &[RouteStep],
+        [from, to]: [f64; 2],
+        out: &mut Vec<RouteStep>,
+    ) -> Result<(), PathError> {
+        out.clear();
+        if !(from <= to && (to - from).is_finite()) {
+            return Err(PathError::NotInOrder);
+        }
+        let place = |along: f64, later: bool| {
+            let along = mapd_geometry::clamp(along, 0.0, self.length());
+            let mut span = self.span_at(along)?;
+            if !later && along <= span.along {
+                // At a joint the part that is driven ends with the lane before.
+                span = self.buffer.spans.iter().rfind(|own| own.along < along).unwrap_or(span);
+            }
+            let piece = self.buffer.pieces.get(span.piece as usize)?;
+            Some((piece.step as usize, span.s_at(along - span.along)))
+        };
+        let ends = place(from, true).zip(place(to, from == to));
+        let ((first, s_from), (last, s_to)) = ends.ok_or(PathError::Empty)?;
+        if self.lanes().any(|lane| steps.get(lane.step).is_none_or(|step| step.lane != lane.lane)) {
+            return Err(PathError::OtherSteps);
+        }
+        out.extend_from_slice(steps.get(first..=last).ok_or(PathError::OtherSteps)?);
+        if let Some(begin) = out.first_mut() {
+            *begin = RouteStep { enter: Enter::Start, s_from, s_latest: s_from, ..*begin };
+        }
+        if let Some(end) = out.last_mut() {
+            end.s_to = s_to;
+            let behind = if end.forward { end.s_latest > s_to } else { end.s_latest < s_to };
+            if behind {
+                end.s_latest = s_to;
+            }
+        }
+        Ok(())
+    }
+}
+
 fn sign(forward: bool) -> f64 {
     if forward { 1.0 } else { -1.0 }
 }

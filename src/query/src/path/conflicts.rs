@@ -3,8 +3,8 @@
 use super::{Path, Piece};
 use crate::graph::Conflict;
 use crate::ids::LaneId;
-use crate::signals::Basis;
-use mapd_archive::{ConflictKind, Relation, RelationReason};
+use crate::signals::{Basis, by_rules};
+use mapd_archive::{ConflictKind, Relation, RelationReason, RoadRules};
 
 /// Who goes first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -37,6 +37,12 @@ impl Yields {
     fn of(relation: Relation, reason: RelationReason) -> Self {
         match relation {
             _ if Basis::of(reason) == Basis::Rule => Self::Unknown,
+            relation => Self::known(relation),
+        }
+    }
+
+    fn known(relation: Relation) -> Self {
+        match relation {
             Relation::Yields => Self::Yields,
             Relation::Priority => Self::Priority,
             Relation::Lights => Self::Lights,
@@ -61,8 +67,26 @@ pub struct PathConflict {
     pub yields: Yields,
     /// Why; what a rule of the road would say where `yields` is [`Yields::Unknown`].
     pub reason: RelationReason,
+    /// Who goes first in the map's own terms: as `yields`, and where a rule of the road would have to say, what right-before-left and the
+    /// rule of turns say.
+    pub relation: Relation,
+    /// Whether both come by equal roads, as far as the file says: of one type, with one speed limit, and no motorway.
+    pub equal_roads: bool,
     /// S at which to wait `[m]`: the line to stop at on the path, else the last place before the common one.
     pub wait: f64,
+}
+
+impl PathConflict {
+    /// Who goes first by what the file says, else by a country's rules ([`RoadRules::of`]), and what that rests on.
+    pub fn yields_by(&self, rules: &RoadRules) -> (Yields, Basis) {
+        match Basis::of(self.reason) {
+            Basis::Rule => match by_rules(rules, self.relation, self.reason, self.equal_roads) {
+                Some(relation) => (Yields::known(relation), Basis::Rule),
+                None => (Yields::Unknown, Basis::Unknown),
+            },
+            basis => (self.yields, basis),
+        }
+    }
 }
 
 impl Path<'_, '_> {
@@ -89,6 +113,8 @@ impl Path<'_, '_> {
                     kind: conflict.kind(),
                     yields: Yields::of(relation, reason),
                     reason,
+                    relation,
+                    equal_roads: lane.comes_by_equal_road(&other),
                     wait: line.unwrap_or(along[0]),
                 });
             }

@@ -42,4 +42,10 @@ pub enum PathError {
         /// The step.
         step: usize,
     },
+    /// Two S that should be finite and in order are not.
+    #[error("a part of a path begins and ends at finite S, the smaller one first")]
+    NotInOrder,
+    /// The steps are not those that the path was built on.
+    #[error("the steps are not those that the path was built on")]
+    OtherSteps,
 }

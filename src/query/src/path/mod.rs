@@ -14,6 +14,7 @@ mod corridor;
 mod error;
 mod facts;
 mod project;
+mod rebase;
 mod segments;
 mod speed;
 
@@ -24,6 +25,7 @@ pub use corridor::{Corridor, EdgeMark};
 pub use error::PathError;
 pub use facts::{PathFact, PathFactKind};
 pub use project::PathPosition;
+pub use rebase::{PathChange, PathChangeKind};
 pub use segments::PathSegment;
 pub use speed::PathSpeed;
 

@@ -52,6 +52,49 @@ pub struct ShortestTime {
     pub lane_change: f64,
 }
 
+/// Another cost, times a factor for each lane: what bindings and configuration give instead of code.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WithFactors<'f, C> {
+    /// The cost without factors.
+    pub base: C,
+    /// A factor for each lane by its row ([`crate::Map::lanes`] in their order): 1 changes nothing, infinity closes the lane, as does what is negative or
+    /// no number. Lanes beyond the slice have the factor 1.
+    pub factors: &'f [f64],
+}
+
+impl<C> WithFactors<'_, C> {
+    /// The factor of a node's lane; none where it closes the lane: nothing times infinity is closed, too.
+    #[inline]
+    fn factor(&self, node: &LaneNode<'_>) -> Option<f64> {
+        let factor = self.factors.get(node.row.lane() as usize).copied().unwrap_or(1.0);
+        (0.0..f64::INFINITY).contains(&factor).then_some(factor)
+    }
+}
+
+impl<C: RouteCost> RouteCost for WithFactors<'_, C> {
+    #[inline]
+    fn pass(&self, node: &LaneNode<'_>) -> f64 {
+        match self.factor(node) {
+            Some(factor) => self.base.pass(node) * factor,
+            None => f64::INFINITY,
+        }
+    }
+
+    #[inline]
+    fn change(&self, from: &LaneNode<'_>, to: &LaneNode<'_>) -> f64 {
+        if self.factor(to).is_some() { self.base.change(from, to) } else { f64::INFINITY }
+    }
+
+    /// Landmarks are bounds as long as no factor is below 1; with one that is, the search goes without.
+    fn bound(&self) -> CostBound {
+        if self.factors.iter().any(|factor| *factor < 1.0) {
+            CostBound::None
+        } else {
+            self.base.bound()
+        }
+    }
+}
+
 impl Default for ShortestLength {
     fn default() -> Self {
         Self { lane_change: 20.0 }

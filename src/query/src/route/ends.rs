@@ -26,6 +26,20 @@ pub(super) fn is_root((place, own): (usize, &ChainNode)) -> bool {
     own.link as usize == place
 }
 
+/// The start or target that a place of a chain belongs to.
+pub(super) fn root_of(chain: &[ChainNode], place: usize) -> Option<ChainNode> {
+    let mut own = chain.get(place).copied()?;
+    let mut at = place;
+    for _ in 0..=MOST_BESIDE {
+        if own.link as usize == at {
+            return Some(own);
+        }
+        at = own.link as usize;
+        own = chain.get(at).copied()?;
+    }
+    None
+}
+
 /// s of a place within its lane's section.
 pub(super) fn inside(lane: &Lane<'_>, s: f64) -> f64 {
     let (start, end) = (lane.section().s_start(), lane.section().s_end());

@@ -12,6 +12,7 @@ mod bound;
 mod cost;
 mod ends;
 mod reach;
+mod reach_to;
 mod scratch;
 mod search;
 mod sequences;
@@ -19,7 +20,7 @@ mod steps;
 mod ways;
 
 pub(crate) use bound::Bounds;
-pub use cost::{CostBound, RouteCost, ShortestLength, ShortestTime};
+pub use cost::{CostBound, RouteCost, ShortestLength, ShortestTime, WithFactors};
 pub(crate) use ends::share_before;
 pub use reach::Reached;
 pub(crate) use reach::reach;

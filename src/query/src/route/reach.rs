@@ -15,7 +15,7 @@ use mapd_archive::VehicleClass;
 pub struct Reached {
     /// The node.
     pub node: NodeId,
-    /// Least cost up to its beginning; of the nodes beside the start, of the lane changes to them.
+    /// Least cost between its beginning and the place that was asked for; of nodes beside the start, of the lane changes to them.
     pub cost: f64,
 }
 

@@ -10,6 +10,7 @@ mod link;
 mod movement;
 mod near;
 mod overtaking;
+mod rules;
 mod speed;
 mod speed_signs;
 
@@ -22,6 +23,7 @@ pub use link::SignalLink;
 pub use movement::{Basis, RightOfWay, Turn};
 pub use near::NearSignal;
 pub use overtaking::OvertakingRule;
+pub(crate) use rules::by_rules;
 pub use speed::{SpeedOrigin, SpeedRule};
 #[doc(hidden)]
 pub use speed_signs::{SpeedSigns, Zone, is_of_speed};

@@ -5,7 +5,8 @@ use super::lane::LaneSignal;
 use crate::ids::LaneId;
 use crate::lane::Lane;
 use crate::map::Map;
-use mapd_archive::{ArchivedConflictRow, Class, NO_RELATION, Relation, RelationReason};
+use crate::signals::rules::by_rules;
+use mapd_archive::{ArchivedConflictRow, Class, NO_RELATION, Relation, RelationReason, RoadRules};
 use std::cell::OnceCell;
 use std::f64::consts::{FRAC_PI_4, PI};
 
@@ -64,6 +65,15 @@ pub enum Basis {
 }
 
 impl Basis {
+    /// `written`, `rule` or `unknown`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Written => "written",
+            Self::Rule => "rule",
+            Self::Unknown => "unknown",
+        }
+    }
+
     /// What a reason rests on.
     pub fn of(reason: RelationReason) -> Self {
         match reason {
@@ -83,6 +93,20 @@ impl<'a> RightOfWay<'a> {
     /// Who goes first.
     pub fn relation(&self) -> Relation {
         Relation::from_code(self.row.relation())
+    }
+
+    /// Who goes first by what the file says, else by a country's rules; none where neither says. The side from which the other comes
+    /// counts only where both come by equal roads, as far as the file says: of one type, with one speed limit, and no motorway.
+    pub fn relation_by(&self, rules: &RoadRules) -> Option<Relation> {
+        match self.basis() {
+            Basis::Written => Some(self.relation()),
+            Basis::Unknown => None,
+            Basis::Rule => {
+                let own = Lane::new(self.map, self.row.lane())?;
+                let alike = own.comes_by_equal_road(&self.other()?);
+                by_rules(rules, self.relation(), self.reason(), alike)
+            }
+        }
     }
 
     /// What that rests on.

@@ -50,7 +50,7 @@ pub enum Kind {
     Corridor,
     /// as route, and `x,y[,hdg]` → S,d,heading_difference,lane,clamped
     Project,
-    /// as route → a row for each lane that meets the path: S_from,S_to, the other lane and its s, kind, who yields, why, where to wait
+    /// as route → a row for each lane that meets the path: S_from,S_to, the other lane and its s, kind, who yields, why, where to wait, what that rests on
     Conflicts,
     /// `road_id,s,lane_id` → speed limit and its origin
     Speed,
@@ -162,6 +162,7 @@ impl Kind {
                 "yields",
                 "reason",
                 "wait_S",
+                "basis",
             ],
             Self::Speed => &["speed", "origin"],
             Self::Landmarks => landmarks::COLUMNS,

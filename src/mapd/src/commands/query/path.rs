@@ -6,7 +6,7 @@ use super::route::Router;
 use super::row::Row;
 use mapd_client::Map;
 use mapd_query::glam::DVec2;
-use mapd_query::{Corridor, Path, PathBuffer, PathOptions};
+use mapd_query::{Basis, Corridor, Path, PathBuffer, PathOptions};
 
 /// Columns that a route is found by.
 pub(super) const ROUTE: [&str; 6] =
@@ -129,16 +129,22 @@ impl Paths {
         row: &Row<'_>,
         out: &mut Vec<String>,
     ) -> Result<(), String> {
-        let mut found = Vec::new();
+        let (mut found, rules) = (Vec::new(), router.rules());
         self.path((router, holes), map, row)?.conflicts(&mut found);
         for one in found {
             numbers(out, &one.along);
             out.push(map.lane(one.other).map_err(text)?.key().to_string());
             numbers(out, &one.other_s);
             out.push(one.kind.name().to_owned());
-            out.push(one.yields.name().to_owned());
+            let (yields, basis) = match rules {
+                Some(rules) => one.yields_by(rules),
+                None if Basis::of(one.reason) == Basis::Rule => (one.yields, Basis::Unknown),
+                None => (one.yields, Basis::of(one.reason)),
+            };
+            out.push(yields.name().to_owned());
             out.push(one.reason.name().to_owned());
             numbers(out, &[one.wait]);
+            out.push(basis.name().to_owned());
         }
         Ok(())
     }

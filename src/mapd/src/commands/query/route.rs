@@ -9,8 +9,8 @@ use mapd_client::Map;
 use mapd_overlay::Moment;
 use mapd_query::glam::DVec2;
 use mapd_query::{
-    Enter, LanePlace, Route, RouteScratch, RouteStep, ShortestLength, ShortestTime, VehicleClass,
-    View,
+    Enter, LanePlace, RoadRules, Route, RouteScratch, RouteStep, ShortestLength, ShortestTime,
+    VehicleClass, View,
 };
 
 /// What a route is to keep small.
@@ -40,6 +40,9 @@ pub struct RouteArgs {
     /// --overlay: as it is at this moment, as 2026-05-04T07:00:00Z or seconds since 1970 [default: now]
     #[arg(long, value_name = "TIME", requires = "overlay")]
     pub(super) at: Option<Moment>,
+    /// conflicts: country whose traffic rules decide who yields if the file does not, such as DE
+    #[arg(long, value_name = "COUNTRY", value_parser = rules)]
+    rules: Option<&'static RoadRules>,
     /// path, corridor: distance between stations [m]
     #[arg(long, value_name = "M", default_value_t = STEP, value_parser = step)]
     step: f64,
@@ -53,6 +56,13 @@ fn step(text: &str) -> Result<f64, String> {
     step.ok_or_else(|| "expected a positive finite number of metres".to_owned())
 }
 
+fn rules(country: &str) -> Result<&'static RoadRules, String> {
+    RoadRules::of(country).ok_or_else(|| {
+        let known: Vec<&str> = RoadRules::ALL.iter().map(|own| own.country).collect();
+        format!("no rules of this country are known; expected one of {}", known.join(", "))
+    })
+}
+
 impl Default for RouteArgs {
     fn default() -> Self {
         Self {
@@ -61,6 +71,7 @@ impl Default for RouteArgs {
             vehicle: VehicleClass::PassengerCar,
             overlay: false,
             at: None,
+            rules: None,
             step: STEP,
         }
     }
@@ -82,6 +93,11 @@ impl<'a> Router<'a> {
     /// Who travels.
     pub(crate) fn vehicle(&self) -> VehicleClass {
         self.args.vehicle
+    }
+
+    /// By whose rules of the road to say who yields.
+    pub(super) fn rules(&self) -> Option<&'static RoadRules> {
+        self.args.rules
     }
 
     /// Where the steps of the last answer end.
