@@ -9,6 +9,7 @@
 //! ```
 
 pub mod annotated;
+pub mod browser;
 pub mod command;
 pub mod coverage;
 pub mod crossroads;

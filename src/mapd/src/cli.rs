@@ -14,6 +14,7 @@ use crate::commands::shell::{CompletionsCommand, ManCommand};
 use crate::commands::sign::SignCommand;
 use crate::commands::status::StatusCommand;
 use crate::commands::trace::{self, TraceCommand};
+use crate::commands::view::{self, ViewCommand};
 use crate::daemon::{self, DaemonArgs};
 use crate::exit::{Exit, UsageError};
 use crate::oversight::OversightArgs;
@@ -76,6 +77,9 @@ enum Command {
     Match(Box<TraceCommand>),
     /// Draw or convert a map
     Export(Box<ExportCommand>),
+    /// Show maps in a browser, and follow live ones
+    #[command(after_help = view::HELP)]
+    View(Box<ViewCommand>),
     /// List the served maps
     Status(StatusCommand),
     /// Measure attaching and querying on this machine, compared with open and mmap of the same bytes
@@ -185,6 +189,7 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
         Command::Query(command) => command.run(out),
         Command::Match(command) => command.run(out),
         Command::Export(command) => command.run(out),
+        Command::View(command) => command.run(out),
         Command::Status(command) => command.run(out),
         Command::Bench(command) => command.run(out),
         Command::Doctor(command) => command.run(out),

@@ -32,11 +32,13 @@ class Camera {
     return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
   }
 
-  // So that a box is seen, but no closer than `closest` pixels a metre.
-  fit([x0, y0, x1, y1], closest = CLOSEST) {
-    const scale = MARGIN * Math.min(this.width / Math.max(x1 - x0, 1e-3), (this.height - 90) / Math.max(y1 - y0, 1e-3));
+  // So that a box is seen in what the panels leave free (pixels at the left, top, right and bottom), but no closer than `closest`
+  // pixels a metre.
+  fit([x0, y0, x1, y1], [left, top, right, bottom], closest = CLOSEST) {
+    const [width, height] = [Math.max(this.width - left - right, 50), Math.max(this.height - top - bottom, 50)];
+    const scale = MARGIN * Math.min(width / Math.max(x1 - x0, 1e-3), height / Math.max(y1 - y0, 1e-3));
     Object.assign(this, { x: (x0 + x1) / 2, y: (y0 + y1) / 2, scale: Math.min(scale, closest), turn: 0 });
-    this.changed();
+    this.hold(this.x, this.y, left + width / 2, top + height / 2);
   }
 
   // Zooms so that what lies under a pixel stays there.

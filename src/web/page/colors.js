@@ -12,7 +12,7 @@ const COLORS = {
   "bus": ["#a597b8", "#5d5075", 1],
   "road works": ["#e0a93f", "#94701f", 1],
   "driving": ["#868c94", "#4d555d", 1],
-  "border": ["#474c53", "#99a3ac", 0.75],
+  "border": ["#474c53", "#99a3ac", 0.5],
   "border in junction": ["#5d636b", "#8b949c", 0.28],
   "reference line": ["#c8650a", "#ff9f43", 0.9],
   "direction": ["#ffffff", "#cfd6dc", 0.55],

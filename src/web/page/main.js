@@ -32,7 +32,7 @@ class Viewer {
     if (!this.readAddress()) this.fit();
   }
 
-  // Shows a map; the view stays where it is.
+  // Takes a map.
   open(queries) {
     const { map } = queries;
     Object.assign(this, { queries, map });
@@ -43,12 +43,20 @@ class Viewer {
       this.painter.set(name, drawing);
     });
     const count = (number, one, many) => `${number.toLocaleString("en")} ${number === 1 ? one : many}`;
-    $("about").textContent = [map.name, count(map.lanes, "lane", "lanes"), count(map.signals, "signal", "signals"), count(map.objects, "object", "objects"),
+    $("about").textContent = [map.name, map.generation ? `generation ${map.generation}` : "", count(map.lanes, "lane", "lanes"), count(map.signals, "signal", "signals"), count(map.objects, "object", "objects"),
       `${(map.road_length / 1000).toFixed(1)} km of roads`].filter(Boolean).join(" · ");
     $("show-left-out").hidden = !map.left_out;
     $("show-left-out").textContent = `${map.left_out} left out`;
     this.clear();
     this.legend();
+  }
+
+  // Shows another generation of the same map: the view stays where it is.
+  swap(queries) {
+    const at = this.far([this.camera.x, this.camera.y]);
+    this.open(queries);
+    [this.camera.x, this.camera.y] = this.near(...at);
+    this.changed();
   }
 
   // From the map's coordinates to those of drawings and back.
@@ -57,7 +65,14 @@ class Viewer {
 
   fit() {
     const [low, high] = this.map.bounds;
-    this.camera.fit([...this.near(low[0], low[1]), ...this.near(high[0], high[1])]);
+    this.show([...this.near(low[0], low[1]), ...this.near(high[0], high[1])]);
+  }
+
+  // Fits a box into what the panels leave free.
+  show(box, closest) {
+    const isOpen = !$("panel").hidden, isNarrow = innerWidth <= 720;
+    const [left, bottom] = isOpen ? (isNarrow ? [0, innerHeight * 0.48] : [385, 44]) : [0, 44];
+    this.camera.fit(box, [left, isNarrow ? 92 : 50, 0, bottom], closest);
   }
 
   changed() {
@@ -120,7 +135,7 @@ class Viewer {
       const box = [...this.near(x0, y0), ...this.near(x1, y1)], [a, b, c, d] = this.camera.bounds();
       const isSeen = box[0] >= a && box[1] >= b && box[2] <= c && box[3] <= d;
       const room = isPoint ? 25 : 10;
-      if (isWhole || !isSeen) this.camera.fit([box[0] - room, box[1] - room, box[2] + room, box[3] + room], 20);
+      if (isWhole || !isSeen) this.show([box[0] - room, box[1] - room, box[2] + room, box[3] + room], 20);
     }
     this.changed();
   }
@@ -228,12 +243,10 @@ class Viewer {
     const parts = [`at=${x.toFixed(2)},${y.toFixed(2)},${+camera.scale.toPrecision(4)},${+camera.turn.toFixed(3)}`];
     if (chosen?.kind === "lane") parts.push(`lane=${encodeURIComponent(this.queries.sheet(chosen).title.replace(/^Lane /, ""))}`);
     else if (chosen) parts.push(`${chosen.kind}=${chosen.row}`);
-    this.address = `#${parts.join("&")}`;
-    try { history.replaceState(null, "", this.address); } catch { /* Some browsers forbid it to files. */ }
+    try { history.replaceState(null, "", `#${parts.join("&")}`); } catch { /* Some browsers forbid it to files. */ }
   }
 
   readAddress() {
-    if (location.hash === this.address) return true;
     const parts = new URLSearchParams(location.hash.slice(1)), at = (parts.get("at") ?? "").split(",").map(Number);
     const isPlace = at.length === 4 && at.every(Number.isFinite) && at[2] > 0;
     if (isPlace) {
@@ -254,10 +267,12 @@ class Viewer {
 async function start() {
   const begun = performance.now();
   try {
-    const code = await embedded("module");
-    const queries = await Queries.open(code, await embedded("archive"), 0);
+    const code = await embedded("module"), served = JSON.parse($("served").textContent);
+    const live = served && new Live(served, code);
+    const queries = live ? await live.load(0) : await Queries.open(code, await embedded("archive"), 0);
     $("message").textContent = "";
-    globalThis.viewer = new Viewer(queries);
+    const viewer = globalThis.viewer = new Viewer(queries);
+    live?.show(viewer);
     viewer.paint();
     viewer.ready = performance.now() - begun;
   } catch (error) {

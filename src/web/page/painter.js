@@ -2,7 +2,7 @@
 
 // Layers in the order in which they are drawn, and pixels a metre from which they are seen.
 const ORDER = [
-  ["lanes", 0], ["crosswalks", 0.5], ["borders", 0.5], ["reference lines", 0], ["marks", 0.7], ["stop lines", 0.5],
+  ["lanes", 0], ["crosswalks", 0.5], ["borders", 1.5], ["reference lines", 0], ["marks", 0.7], ["stop lines", 0.5],
   ["directions", 1.6], ["conflicts", 0.2], ["objects", 0.4], ["index boxes", 0], ["left out", 0], ["signals", 0.1],
 ];
 // Pixels a metre below which roads are drawn as lines, because their lanes are too thin to be seen.

@@ -19,6 +19,7 @@ class Panel {
   }
 
   hide() {
+    this.root.replaceChildren();
     this.root.hidden = true;
   }
 

@@ -41,6 +41,6 @@ class Search {
     const [x, y] = viewer.near(...one.place);
     viewer.clear();
     viewer.labels.mark = [x, y];
-    viewer.camera.fit([x - 40, y - 40, x + 40, y + 40]);
+    viewer.show([x - 40, y - 40, x + 40, y + 40]);
   }
 }

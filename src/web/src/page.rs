@@ -16,7 +16,7 @@ pub const MODULE: &[u8] = include_bytes!("../module/mapd_web.wasm.gz");
 const TEMPLATE: &str = include_str!("../page/page.html");
 const STYLE: &str = include_str!("../page/page.css");
 /// What names come from others first.
-const SCRIPTS: [&str; 10] = [
+const SCRIPTS: [&str; 11] = [
     "\"use strict\";\n",
     include_str!("../page/colors.js"),
     include_str!("../page/shaders.js"),
@@ -26,19 +26,27 @@ const SCRIPTS: [&str; 10] = [
     include_str!("../page/labels.js"),
     include_str!("../page/panel.js"),
     include_str!("../page/search.js"),
+    include_str!("../page/live.js"),
     include_str!("../page/main.js"),
 ];
 
 /// Bytes that are written as base64 at a time: a multiple of three, so that no piece but the last is padded.
 const PIECE: usize = 3 << 16;
 
-/// Writes the page of an archive.
+/// Where a page has its map from.
+#[derive(Clone, Copy, Debug)]
+pub enum Content<'a> {
+    /// An archive, which lies in the page.
+    Archive(&'a [u8]),
+    /// Maps of these names, which whoever serves the page serves, too: the archive of the first at `map/0`, its events at
+    /// `events/0`, and so on.
+    Served(&'a [String]),
+}
+
+/// Writes a page.
 ///
 /// Errors: what writing gives.
-pub fn write(archive: &[u8], title: &str, out: &mut dyn Write) -> io::Result<()> {
-    let mut packer = GzEncoder::new(Vec::new(), Compression::best());
-    packer.write_all(archive)?;
-    let packed = packer.finish()?;
+pub fn write(content: Content<'_>, title: &str, out: &mut dyn Write) -> io::Result<()> {
     let script = SCRIPTS.concat();
     let mut rest = TEMPLATE;
     // The template's own words between braces are these and no others.
@@ -46,26 +54,45 @@ pub fn write(archive: &[u8], title: &str, out: &mut dyn Write) -> io::Result<()>
         let (name, after) = after.split_once('}').unwrap_or((after, ""));
         out.write_all(before.as_bytes())?;
         match name {
-            "policy" => out.write_all(policy(&script).as_bytes())?,
+            "policy" => out.write_all(policy(&script, content).as_bytes())?,
             "title" => out.write_all(escaped(title).as_bytes())?,
             "style" => out.write_all(STYLE.as_bytes())?,
             "script" => out.write_all(script.as_bytes())?,
             "module" => base64(MODULE, out)?,
-            _ => base64(&packed, out)?,
+            "served" => out.write_all(served(content).as_bytes())?,
+            _ => archive(content, out)?,
         }
         rest = after;
     }
     out.write_all(rest.as_bytes())
 }
 
-/// What a browser lets the page do.
-fn policy(script: &str) -> String {
+/// What a browser lets the page do: of a page that is served, also to ask who serves it.
+fn policy(script: &str, content: Content<'_>) -> String {
     let hash = |text: &str| encoded(&Sha256::digest(text));
+    let (script, style) = (hash(script), hash(STYLE));
+    let connect = match content {
+        Content::Archive(_) => "",
+        Content::Served(_) => "connect-src 'self'; ",
+    };
     format!(
-        "default-src 'none'; script-src 'sha256-{}' 'wasm-unsafe-eval'; style-src 'sha256-{}'; base-uri 'none'; form-action 'none'",
-        hash(script),
-        hash(STYLE)
+        "default-src 'none'; script-src 'sha256-{script}' 'wasm-unsafe-eval'; style-src 'sha256-{style}'; {connect}base-uri 'none'; form-action 'none'"
     )
+}
+
+/// The names of the maps that are served as JSON, `null` for a page of its own.
+fn served(content: Content<'_>) -> String {
+    let Content::Served(names) = content else { return "null".to_owned() };
+    // Within a string only, where this stands for the same; nothing else ends the element.
+    serde_json::to_string(names).unwrap_or_default().replace('<', "\\u003c")
+}
+
+/// The archive, packed; nothing for a page that fetches it.
+fn archive(content: Content<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let Content::Archive(archive) = content else { return Ok(()) };
+    let mut packer = GzEncoder::new(Vec::new(), Compression::best());
+    packer.write_all(archive)?;
+    base64(&packer.finish()?, out)
 }
 
 fn encoded(bytes: &[u8]) -> String {

@@ -23,3 +23,4 @@ mod service_trouble;
 mod shared;
 mod threads;
 mod trust;
+mod view;

@@ -7,7 +7,7 @@ use crate::source::{self, Opened, SHARED};
 use crate::trust::{NotSignable, signable};
 use anyhow::Result;
 use clap::{Args, ValueEnum};
-use mapd_client::{Attach, Domain, Snapshot, TrustedKey};
+use mapd_client::{Attach, Client, Domain, Snapshot, TrustedKey};
 use mapd_compiler::{CompileOptions, ReadOptions};
 use std::path::Path;
 use std::time::Duration;
@@ -77,6 +77,19 @@ impl Opening {
         let options = self.frame.source(source)?;
         let compiling = (&reading, &options);
         open_or_report(source, compiling, self.trust.key()?, (&domain, self.attach.get(), wait))
+    }
+}
+
+impl Opening {
+    /// Attaches to a live map, to follow it.
+    ///
+    /// Errors: no such live map; a key, which no live map can be proved with.
+    pub(crate) fn connect(&self, name: &str) -> Result<Client> {
+        if self.trust.key()?.is_some() {
+            return Err(NotSignable::Live { name: format!("{SHARED}{name}") }.into());
+        }
+        let (domain, wait) = self.live.get()?;
+        Ok(Client::connect_as(self.attach.get(), &domain, name, wait)?)
     }
 }
 

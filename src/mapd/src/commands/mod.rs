@@ -13,3 +13,4 @@ pub(crate) mod shell;
 pub(crate) mod sign;
 pub(crate) mod status;
 pub(crate) mod trace;
+pub(crate) mod view;

@@ -21,6 +21,7 @@ pub use earth::Origin;
 pub(crate) use lanelet2::Report;
 pub use layers::Layer;
 use mapd_client::Snapshot;
+use mapd_web::page;
 pub use route::RouteEnds;
 use std::io::{self, Write};
 use std::path::Path;
@@ -119,7 +120,9 @@ pub(crate) fn write(
                 let report = lanelet2::write(map, &projector()?, options.autoware, out)?;
                 left_out.report = Some(report);
             }
-            Format::Html => mapd_web::page::write(snapshot.bytes(), &options.title, out)?,
+            Format::Html => {
+                page::write(page::Content::Archive(snapshot.bytes()), &options.title, out)?
+            }
         }
         Ok(())
     };

@@ -1,0 +1,214 @@
+//! The page of `mapd export --format html` in a browser: what it draws, says and answers. Needs Chromium, with which `.ci/run page`
+//! runs it.
+
+use mapd_client::{Lane, Map, Snapshot};
+use mapd_tests::browser::Browser;
+use mapd_tests::maps::{Random, carried_and, open, open_text};
+use mapd_web::page::Content;
+use mapd_web::{Kind, Layer, Link, Question};
+use serde_json::{Value, json};
+
+/// Size of the page.
+const SIZE: (u32, u32) = (1000, 700);
+/// Places that are asked about in each map, once for each kind of question about places.
+const PLACES: usize = 700;
+/// Of these, pairs between which a way is looked for.
+const WAYS: usize = 60;
+/// Things of each kind whose sheets are compared.
+const SHEETS: u32 = 60;
+/// Share by which the area that is seen may differ from the lanes' own: what overlaps counts once, edges are pixels.
+const AREA: f64 = 0.1;
+
+/// A browser with the page of a map; none, said aloud, where there is no browser.
+fn browser(map: &Snapshot) -> Option<Browser> {
+    let Some(mut browser) = Browser::start(SIZE) else {
+        mapd_tests::say("SKIPPED: there is no Chromium");
+        return None;
+    };
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("map.html");
+    let mut page = std::fs::File::create(&file).expect("a file");
+    mapd_web::page::write(Content::Archive(map.bytes()), "map", &mut page).expect("written");
+    browser.open(&file, "globalThis.viewer?.ready || document.querySelector('#message')?.textContent.includes('cannot')");
+    assert_eq!(browser.evaluate("document.querySelector('#message').textContent"), json!(""));
+    Some(browser)
+}
+
+fn questions(map: Map<'_>) -> Vec<Question<'static>> {
+    let mut random = Random(11);
+    let mut questions = vec![Question::LeftOut, Question::Find("1"), Question::Find("Straße <b>")];
+    for i in 0..PLACES {
+        let (from, to) = (random.point(map).to_array(), random.point(map).to_array());
+        questions.extend([Question::Place(from), Question::Pick(from, 2.0)]);
+        if i < WAYS {
+            questions.push(Question::Way(from, to));
+        }
+    }
+    for row in 0..SHEETS {
+        questions.extend(
+            Kind::ALL.iter().map(|kind| Question::Sheet(Link { kind: *kind, row: 7 * row })),
+        );
+    }
+    questions
+}
+
+/// The question as the page asks it: the module's function and its numbers.
+fn asked(question: &Question<'_>) -> Value {
+    match question {
+        Question::Place([x, y]) => json!(["place", x, y]),
+        Question::Pick([x, y], radius) => json!(["pick", x, y, radius]),
+        Question::Way([a, b], [c, d]) => json!(["way", a, b, c, d]),
+        Question::Sheet(link) => json!(["sheet", link.kind as usize, link.row]),
+        Question::Find(text) => json!(["find", text]),
+        Question::LeftOut => json!(["left_out"]),
+        Question::Map => json!([]),
+    }
+}
+
+/// Asks all at once.
+const ASK: &str = "(questions => questions.map(([name, ...of]) => {
+    const { queries } = viewer;
+    queries.module[name](...of.map(one => typeof one === 'string' ? queries.put(new TextEncoder().encode(one)) : one));
+    return queries.text();
+}))";
+
+/// The same answers as the native build, to the last bit: numbers are written so that they are read back exactly.
+#[test]
+fn the_page_answers_as_the_native_build() {
+    for path in carried_and(&["carla/Town05", "esmini/soderleden"]) {
+        let snapshot = open(&path);
+        let Some(mut browser) = browser(&snapshot) else { return };
+        let questions = questions(snapshot.map());
+        let list = Value::from(questions.iter().map(asked).collect::<Vec<_>>());
+        let answers = browser.evaluate(&format!("{ASK}({list})"));
+        let answers = answers.as_array().expect("answers");
+        assert_eq!(answers.len(), questions.len());
+        for (question, answer) in questions.iter().zip(answers) {
+            let (expected, _) = question.answer(snapshot.map());
+            assert_eq!(
+                answer.as_str(),
+                Some(expected.as_str()),
+                "{question:?} of {}",
+                path.display()
+            );
+        }
+        assert_eq!(browser.complaints, [""; 0], "{}", path.display());
+    }
+}
+
+/// Pixels that differ from the background with only these layers shown.
+fn painted(browser: &mut Browser, layers: &[&str]) -> f64 {
+    let shown = json!(layers);
+    let painted =
+        format!("viewer.shown = new Set({shown}); viewer.paint(); viewer.painter.painted()");
+    browser.evaluate(&painted).as_f64().expect("a number")
+}
+
+/// Each layer that has something is seen, one that has nothing is not; lanes cover as many pixels as they have area.
+#[test]
+fn every_layer_is_seen() {
+    for path in carried_and(&["esmini/soderleden"]) {
+        let snapshot = open(&path);
+        let Some(mut browser) = browser(&snapshot) else { return };
+        let names = browser.evaluate("LAYERS");
+        for (layer, name) in Layer::ALL.iter().zip(names.as_array().expect("names")) {
+            let drawing = layer.draw(snapshot.map());
+            // So near that each layer is drawn.
+            let corner = drawing.corners.first().map(|corner| corner.place);
+            if let Some([x, y]) = drawing.strokes.first().map(|stroke| stroke.from).or(corner) {
+                let fit = format!("viewer.show([{x} - 20, {y} - 20, {x} + 20, {y} + 20])");
+                browser.evaluate(&fit);
+            }
+            let is_there = !drawing.triangles.is_empty() || !drawing.strokes.is_empty();
+            let count = painted(&mut browser, &[name.as_str().expect("a name")]);
+            assert_eq!(count > 0.0, is_there, "{layer:?} of {}: {count} pixels", path.display());
+        }
+        assert_eq!(browser.complaints, [""; 0]);
+    }
+}
+
+#[test]
+fn lanes_cover_their_area() {
+    let snapshot = open(&mapd_tests::carried("one_road.xodr"));
+    let Some(mut browser) = browser(&snapshot) else { return };
+    browser.evaluate("viewer.fit()");
+    let scale = browser.evaluate("viewer.camera.scale").as_f64().expect("a number");
+    let area: f64 = snapshot
+        .map()
+        .lanes()
+        .map(|lane| {
+            let (from, to) = (lane.section().s_start(), lane.section().s_end());
+            lane.length_between(from, to) * lane.width_at(0.5 * (from + to))
+        })
+        .sum();
+    let count = painted(&mut browser, &["lanes"]);
+    let expected = area * scale * scale;
+    assert!((count / expected - 1.0).abs() < AREA, "{count} pixels, expected {expected}");
+}
+
+/// A click on a lane's middle opens its sheet; two clicks in the other mode find a way; keys work; the address leads back.
+#[test]
+fn clicks_and_keys_do_what_they_say() {
+    let snapshot = open(&mapd_tests::carried("town.xodr"));
+    let Some(mut browser) = browser(&snapshot) else { return };
+    let is_plain = |lane: &Lane<'_>| lane.kind().is_drivable() && lane.road().junction().is_none();
+    let lane = snapshot.map().lanes().find(is_plain).expect("a lane");
+    let place = |share: f64| {
+        let (from, to) = (lane.section().s_start(), lane.section().s_end());
+        let share = if lane.is_forward() { share } else { 1.0 - share };
+        let at = lane.pose_at(from + share * (to - from), 0.0).expect("a place").position;
+        [at.x, at.y]
+    };
+    let click = |browser: &mut Browser, [x, y]: [f64; 2]| {
+        let page = browser.evaluate(&format!("viewer.camera.toPage(...viewer.near({x}, {y}))"));
+        let [x, y] = [0, 1].map(|i| page[i].as_f64().expect("a number"));
+        browser.click(x, y);
+        // Pixels are whole: what the page was told is what counts.
+        browser.evaluate(&format!("viewer.far(viewer.camera.toGround({x}, {y}))"))
+    };
+    let title = "document.querySelector('#panel h1')?.textContent ?? null";
+    let key = lane.key().to_string();
+    click(&mut browser, place(0.4));
+    assert_eq!(browser.evaluate(title), json!(format!("Lane {key}")));
+    browser.evaluate("viewer.writeAddress()");
+    let address = browser.evaluate("location.hash");
+    assert!(address.as_str().is_some_and(|address| address.contains("lane=")), "{address}");
+    browser.key("Escape");
+    assert_eq!(browser.evaluate(title), Value::Null);
+    browser.key("r");
+    click(&mut browser, place(0.3));
+    click(&mut browser, place(0.7));
+    let shown = browser.evaluate(title).to_string();
+    let length = 0.4 * (lane.section().s_end() - lane.section().s_start());
+    let said = shown.trim_start_matches("\"Route ").split(' ').next().and_then(|n| n.parse().ok());
+    // A pixel is less than a metre.
+    assert!(said.is_some_and(|said: f64| (said - length).abs() < 1.0), "{shown}, not {length} m");
+    browser.key("Escape");
+    browser.evaluate("viewer.writeAddress()");
+    browser.evaluate(&format!("location.hash = {address}"));
+    let later = format!("new Promise(done => setTimeout(() => done({title}), 200))");
+    assert_eq!(browser.evaluate(&later), json!(format!("Lane {key}")));
+    assert_eq!(browser.complaints, [""; 0]);
+}
+
+/// Names that would be markup are shown as they are.
+#[test]
+fn hostile_names_do_nothing() {
+    let hostile = "</script><script>document.title='run'</script><img src=x onerror=\"document.title='run'\">'&<!--";
+    let escaped = hostile.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
+    let text = std::fs::read_to_string(mapd_tests::carried("one_road.xodr")).expect("a map");
+    let text = text.replacen("<road name=\"", &format!("<road name=\"{escaped}"), 1);
+    let snapshot = open_text(&text);
+    let Some(mut browser) = browser(&snapshot) else { return };
+    browser.evaluate("viewer.choose({ kind: 'road', row: 0 })");
+    let panel = browser.evaluate("document.querySelector('#panel').textContent");
+    assert!(panel.as_str().is_some_and(|text| text.contains(hostile)), "{panel}");
+    browser.evaluate("document.querySelector('#text').value = 'script'; document.querySelector('#text').dispatchEvent(new Event('input'))");
+    let found = browser.evaluate("document.querySelector('#found').textContent");
+    assert!(found.as_str().is_some_and(|text| text.contains(hostile)), "{found}");
+    assert_eq!(
+        browser.evaluate("[document.title, document.images.length, document.scripts.length]"),
+        json!(["map", 0, 4])
+    );
+    assert_eq!(browser.complaints, [""; 0]);
+}

@@ -1,0 +1,119 @@
+//! `mapd view`: who is answered what.
+
+use mapd_client::Client;
+use mapd_tests::maps::open;
+use mapd_tests::place::{PATIENCE, Place};
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::process::{Child, Stdio};
+
+fn place() -> Place {
+    Place::new(env!("CARGO_BIN_EXE_mapd_under_test"))
+}
+
+struct View {
+    child: Child,
+    port: u16,
+}
+
+impl View {
+    fn start(place: &Place, source: &str) -> Self {
+        let mut command = place.command();
+        let mut child =
+            command.args(["view", source]).stdout(Stdio::piped()).spawn().expect("runs");
+        let mut line = String::new();
+        let out = child.stdout.take().expect("a pipe");
+        BufReader::new(out).read_line(&mut line).expect("an address");
+        let port = line.trim().trim_end_matches('/').rsplit(':').next().expect("a port");
+        Self { port: port.parse().unwrap_or_else(|_| panic!("{line}")), child }
+    }
+
+    /// Sends a request as it is written, with the port in the place of `PORT`.
+    fn send(&self, request: &str) -> BufReader<TcpStream> {
+        let mut stream = TcpStream::connect(("127.0.0.1", self.port)).expect("connects");
+        stream.set_read_timeout(Some(PATIENCE)).expect("a timeout");
+        let request = request.replace("PORT", &self.port.to_string());
+        stream.write_all(request.as_bytes()).expect("sent");
+        BufReader::new(stream)
+    }
+
+    /// Status and body.
+    fn ask(&self, request: &str) -> (u16, Vec<u8>) {
+        let mut answer = Vec::new();
+        self.send(request).read_to_end(&mut answer).expect("an answer");
+        let end = answer.windows(4).position(|end| end == b"\r\n\r\n").expect("a head");
+        let head = String::from_utf8_lossy(&answer[..end]).into_owned();
+        let status = head.split(' ').nth(1).and_then(|status| status.parse().ok());
+        (status.unwrap_or_else(|| panic!("{head}")), answer.split_off(end + 4))
+    }
+}
+
+impl Drop for View {
+    fn drop(&mut self) {
+        // It may have ended.
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+#[test]
+fn only_this_machine_is_answered() {
+    let (place, file) = (place(), mapd_tests::carried("one_road.xodr"));
+    let view = View::start(&place, file.to_str().expect("a path"));
+    let get = |path: &str, host: &str| view.ask(&format!("GET {path} HTTP/1.1\r\n{host}\r\n\r\n"));
+    for host in ["Host: 127.0.0.1:PORT", "host: localhost:PORT", "Host: [::1]:PORT"] {
+        assert_eq!(get("/", host).0, 200, "{host}");
+    }
+    for host in [
+        "Host: evil.example:PORT",
+        "Host: 127.0.0.1.evil.example:PORT",
+        "Host: 192.0.2.1:PORT",
+        "Host: 127.0.0.1:1",
+        "Host: 127.0.0.1",
+        "Accept: */*",
+        "Host: 127.0.0.1:PORT\r\nHost: evil.example:PORT",
+    ] {
+        assert_eq!(get("/map/0", host).0, 403, "{host}");
+    }
+    let us = "Host: 127.0.0.1:PORT";
+    assert_eq!(get("/map/0?x", us), (200, open(&file).bytes().to_vec()));
+    for path in ["/map/1", "/map/", "/map/-1", "/../etc/passwd", "/map/0/"] {
+        assert_eq!(get(path, us).0, 404, "{path}");
+    }
+    assert_eq!(view.ask("POST / HTTP/1.1\r\nHost: 127.0.0.1:PORT\r\n\r\n").0, 405);
+    let long = format!("Host: 127.0.0.1:PORT\r\nCookie: {}", "x".repeat(20_000));
+    let mut answer = Vec::new();
+    // Who says too much is hung up on.
+    let _ = view.send(&format!("GET / HTTP/1.1\r\n{long}")).read_to_end(&mut answer);
+    assert!(answer.is_empty(), "{}", String::from_utf8_lossy(&answer));
+    let page = String::from_utf8(get("/", us).1).expect("UTF-8");
+    assert!(page.contains("connect-src 'self'; ") && page.contains(">[\"one_road\"]<"));
+}
+
+#[test]
+fn who_listens_hears_of_every_generation() {
+    let place = place();
+    let folder = tempfile::tempdir().expect("a folder");
+    let map = folder.path().join("town.xodr");
+    let put =
+        |name: &str| std::fs::copy(mapd_tests::carried(name), &map).map(drop).expect("copied");
+    put("town.xodr");
+    let _daemon = place.serve(&[&map.display().to_string()]);
+    let view = View::start(&place, "shm:town");
+    let mut events = view.send("GET /events/0 HTTP/1.1\r\nHost: 127.0.0.1:PORT\r\n\r\n");
+    let mut next = || loop {
+        let mut line = String::new();
+        assert_ne!(events.read_line(&mut line).expect("an event"), 0, "the events ended");
+        if let Some(generation) = line.strip_prefix("data: ") {
+            return generation.trim().parse::<u64>().expect("a generation");
+        }
+    };
+    let client = Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
+    assert_eq!(next(), client.snapshot().generation());
+    put("one_road.xodr");
+    place.reload("town");
+    let newest = client.wait_next(PATIENCE).expect("a generation");
+    assert_eq!(next(), newest.generation());
+    let answer = view.ask("GET /map/0 HTTP/1.1\r\nHost: 127.0.0.1:PORT\r\n\r\n");
+    assert_eq!(answer, (200, newest.bytes().to_vec()));
+}
