@@ -1,6 +1,7 @@
 //! Nearest lane and (s, t) → (x, y, z), against rstar and the crate `xodr`, in one run.
 
 use mapd_benches::{maps, percentiles, places, print};
+use mapd_client::compiling::ByRow as _;
 use mapd_client::{NearestOptions, Snapshot, Track, glam::DVec2};
 use mapd_compiler::{CompileOptions, compile};
 use rstar::RTree;

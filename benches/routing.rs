@@ -5,9 +5,10 @@
 //! town that the project's own generator makes.
 
 use mapd_benches::{Random, maps, percentiles, print};
-use mapd_client::{
-    LanePlace, Map, RouteScratch, ShortestLength, ShortestTime, Snapshot, VehicleClass,
-};
+use mapd_client::compiling::ByRow as _;
+use mapd_client::route::{LanePlace, RouteScratch, ShortestLength, ShortestTime};
+use mapd_client::vocabulary::VehicleClass;
+use mapd_client::{Map, Snapshot};
 use mapd_compiler::{CompileOptions, compile};
 use std::hint::black_box;
 use std::path::{Path, PathBuf};

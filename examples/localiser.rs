@@ -4,9 +4,8 @@
 
 use anyhow::{Context, Result, bail};
 use mapd_client::glam::{DMat3, DVec2, DVec3};
-use mapd_client::{
-    Client, GroundScratch, LaneMatch, Map, MarkFilter, MatchOptions, Point, VehiclePose,
-};
+use mapd_client::localisation::{GroundScratch, LaneMatch, MarkFilter, MatchOptions, VehiclePose};
+use mapd_client::{Client, Map, Point};
 use std::io::Write;
 use std::time::Duration;
 

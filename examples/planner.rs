@@ -5,10 +5,10 @@
 
 use anyhow::{Context, Result, bail};
 use mapd_client::glam::DVec2;
-use mapd_client::{
-    Client, Corridor, LanePlace, LaneTypes, Map, NearestOptions, PathBuffer, PathOptions,
-    RouteScratch, ShortestTime, VehicleClass, Yields,
-};
+use mapd_client::path::{Corridor, PathBuffer, PathOptions, Yields};
+use mapd_client::route::{LanePlace, RouteScratch, ShortestTime};
+use mapd_client::vocabulary::VehicleClass;
+use mapd_client::{Client, LaneTypes, Map, NearestOptions};
 use std::io::Write;
 use std::time::Duration;
 
@@ -21,10 +21,10 @@ const HORIZON: f64 = 150.0;
 #[derive(Default)]
 struct Buffers {
     scratch: RouteScratch,
-    steps: Vec<mapd_client::RouteStep>,
+    steps: Vec<mapd_client::route::RouteStep>,
     path: PathBuffer,
     room: Corridor,
-    conflicts: Vec<mapd_client::PathConflict>,
+    conflicts: Vec<mapd_client::path::PathConflict>,
 }
 
 fn main() -> Result<()> {

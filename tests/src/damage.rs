@@ -2,10 +2,11 @@
 
 use mapd_archive::{AlignedBytes, HEADER_LENGTH};
 use mapd_client::{LaneTypes, Map, NearestOptions, Region, Snapshot, Track, glam::DVec2};
-use mapd_query::{
-    ClassSet, LanePlace, LaneSequences, RouteScratch, ShortestLength, ShortestTime, SignalsAhead,
-    VehicleClass, next_lane_change,
+use mapd_query::route::{
+    LanePlace, LaneSequences, RouteScratch, ShortestLength, ShortestTime, next_lane_change,
 };
+use mapd_query::signals::SignalsAhead;
+use mapd_query::vocabulary::{ClassSet, VehicleClass};
 
 /// Lanes for questions that take long.
 const FEW: usize = 3;
@@ -20,10 +21,10 @@ pub fn ask_everything(bytes: AlignedBytes) {
     let _ = (map.geodetic_bounds(), map.header_offset(), map.projection());
     if let Some(frame) = map.file_frame() {
         let _ = (frame.target(), frame.projection(), frame.offset(), frame.bounds());
-        let _ = (frame.scale(), frame.error(), frame.height_shift(), frame.height_error());
+        let _ = (frame.scale_min(), frame.error(), frame.height_shift(), frame.height_error());
     }
     for projector in [map.projector(), map.file_projector()].into_iter().flatten() {
-        let _ = projector.to_geodetic(map.bounds().0);
+        let _ = projector.to_geodetic(map.bounds().low);
     }
     for road in map.roads() {
         let _ = (

@@ -1,11 +1,12 @@
 //! Drives along the lane graph that nobody drove: where the vehicle is, and what a receiver with noise says of it.
 
 use crate::maps::Random;
+use mapd_client::SRange;
 use mapd_client::glam::DVec2;
-use mapd_client::{
-    LaneId, LaneNode, LaneTypes, Map, NearestOptions, NodeId, TraceFix, TraceOptions, TraceScratch,
-    VehicleClass,
-};
+use mapd_client::graph::LaneNode;
+use mapd_client::localisation::{TraceFix, TraceOptions, TraceScratch};
+use mapd_client::vocabulary::VehicleClass;
+use mapd_client::{LaneId, LaneTypes, Map, NearestOptions, NodeId};
 use std::f64::consts::TAU;
 
 /// Speed `[m/s]`.
@@ -44,7 +45,7 @@ fn is_driven(node: &LaneNode<'_>) -> bool {
 
 /// Metres of s along a node.
 fn length(node: &LaneNode<'_>) -> f64 {
-    let (low, high) = node.s_range();
+    let SRange { low, high } = node.s_range();
     high - low
 }
 
@@ -65,7 +66,7 @@ pub fn drive(map: Map<'_>, seconds: f64, random: &mut Random) -> Vec<Truth> {
     };
     let (mut gone, mut from, mut truth) = (0.0, None::<(LaneNode<'_>, f64)>, Vec::new());
     for i in 0..(seconds / STEP) as usize {
-        let (low, high) = node.s_range();
+        let SRange { low, high } = node.s_range();
         let s = if node.is_forward() { low + gone } else { high - gone };
         let Some((mut position, heading)) = place(&node, s) else { break };
         let mut lane = node.lane().expect("a lane").lane_id();
@@ -131,7 +132,7 @@ pub fn accuracy(map: Map<'_>, noise: f64, every: usize, drives: u64) -> [f64; 2]
         map.match_trace(&fixes, &options, &mut scratch, &mut out).expect("an answer");
         for ((fix, found), truth) in fixes.iter().zip(&out).zip(truth.iter().step_by(every)) {
             let plain = map.nearest_lane(fix.position, &nearest).expect("an answer");
-            let lanes = [found.place.map(|(lane, _)| lane), plain.map(|plain| plain.lane)];
+            let lanes = [found.place.map(|place| place.lane), plain.map(|plain| plain.lane)];
             for (right, lane) in right.iter_mut().zip(lanes) {
                 *right += f64::from(u8::from(lane == Some(truth.lane)));
             }

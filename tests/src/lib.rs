@@ -34,6 +34,11 @@ pub mod two_maps;
 
 use std::path::{Path, PathBuf};
 
+/// Both ends of a stretch, the lower one first.
+pub fn ends(range: mapd_query::SRange) -> (f64, f64) {
+    (range.low, range.high)
+}
+
 /// Says something aloud: on stderr itself, which the test harness does not swallow.
 pub fn say(message: &str) {
     use std::io::Write as _;

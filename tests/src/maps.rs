@@ -2,6 +2,7 @@
 
 use crate::{carried, say, shared};
 use mapd_archive::{encode, verify};
+use mapd_client::Bounds;
 use mapd_client::{Map, Snapshot, glam::DVec2};
 use mapd_compiler::{CompileOptions, ReadOptions, compile, compile_from};
 use std::path::{Path, PathBuf};
@@ -55,7 +56,7 @@ impl Random {
 
     /// A point in the map's bounds, widened by ten metres.
     pub fn point(&mut self, map: Map<'_>) -> DVec2 {
-        let (low, high) = map.bounds();
+        let Bounds { low, high } = map.bounds();
         let (low, size) = (low.truncate() - 10.0, (high - low).truncate() + 20.0);
         low + DVec2::new(self.unit() * size.x, self.unit() * size.y)
     }

@@ -1,6 +1,10 @@
 //! Dijkstra's algorithm over states written out in full, as the oracle of routing.
 
-use mapd_query::{LaneNode, LanePlace, Map, RouteCost, VehicleClass};
+use mapd_query::Map;
+use mapd_query::SRange;
+use mapd_query::graph::LaneNode;
+use mapd_query::route::{LanePlace, RouteCost};
+use mapd_query::vocabulary::VehicleClass;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -39,7 +43,7 @@ impl PlainGraph {
     pub fn costs(&self, map: Map<'_>, from: LanePlace, to: &[LanePlace]) -> Vec<Option<f64>> {
         let all: Vec<LaneNode<'_>> = map.lane_nodes().collect();
         let share = |node: usize, s: f64| {
-            let (low, high) = all[node].s_range();
+            let SRange { low, high } = all[node].s_range();
             let lane = all[node].lane().expect("a lane");
             let share = lane.length_between(low, s) / lane.length_between(low, high);
             // max takes the number where the other is none: a lane without length.

@@ -3,7 +3,9 @@
 use crate::damage::seal;
 use mapd_archive::{AlignedBytes, HEADER_LENGTH, TableEntry, directory};
 use mapd_client::{Map, NearestOptions, glam::DVec2};
-use mapd_query::{LanePlace, RouteScratch, ShortestLength, VehicleClass};
+use mapd_query::Bounds;
+use mapd_query::route::{LanePlace, RouteScratch, ShortestLength};
+use mapd_query::vocabulary::VehicleClass;
 use std::fmt::{self, Write as _};
 use std::path::PathBuf;
 
@@ -101,7 +103,7 @@ pub fn answers(map: Map<'_>) -> Result<String, fmt::Error> {
     for info in map.tables().infos().iter().filter(|info| info.count > 0) {
         writeln!(out, "table {} {}", info.name, info.count)?;
     }
-    let (low, high) = map.bounds();
+    let Bounds { low, high } = map.bounds();
     for i in 0..POINTS * POINTS {
         let share = DVec2::new((i % POINTS) as f64, (i / POINTS) as f64) / (POINTS - 1) as f64;
         let point = low.truncate() + (high - low).truncate() * share;

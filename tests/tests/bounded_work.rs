@@ -2,7 +2,9 @@
 
 use mapd_archive::{NO_RELATION, RelationReason, Rows};
 use mapd_compiler::{Compilation, CompileOptions, ReadOptions, compile_from};
-use mapd_query::{Map, Relation};
+use mapd_query::Map;
+use mapd_query::SRange;
+use mapd_query::vocabulary::Relation;
 use mapd_tests::object_maps::{PLAIN, compile, document, open};
 use std::fmt::Write as _;
 use std::time::{Duration, Instant};
@@ -86,8 +88,8 @@ fn outline(corners: impl Iterator<Item = (f64, f64)>) -> String {
 fn lanes(map: Map<'_>) -> Vec<(i32, [i64; 2])> {
     let object = map.objects().next().expect("an object");
     let round = |s: f64| (s * 10.0).round() as i64;
-    let row = |at: mapd_query::ObjectLane<'_>| {
-        let (from, to) = at.s_range();
+    let row = |at: mapd_query::objects::ObjectLane<'_>| {
+        let SRange { low: from, high: to } = at.s_range();
         (at.lane().expect("a lane").number(), [round(from), round(to)])
     };
     let mut lanes: Vec<_> = object.lanes().map(row).collect();

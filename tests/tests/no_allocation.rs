@@ -2,17 +2,17 @@
 #![allow(unsafe_code)]
 
 use mapd_archive::encode;
+use mapd_client::localisation::{GroundScratch, MarkFilter, MatchOptions, VehiclePose};
+use mapd_client::route::{LanePlace, LaneSequences, RouteScratch, ShortestTime, next_lane_change};
+use mapd_client::signals::SignalsAhead;
+use mapd_client::vocabulary::ClassSet;
+use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{
-    ClassSet, GroundScratch, LaneKey, LaneTypes, MarkFilter, MatchOptions, NearestOptions, Point,
-    Region, Snapshot, Track, VehiclePose,
+    LaneKey, LaneTypes, NearestOptions, Point, Region, Snapshot, Track,
     glam::{DMat3, DVec2},
 };
-use mapd_client::{
-    LanePlace, LaneSequences, RouteScratch, ShortestTime, SignalsAhead, VehicleClass,
-    next_lane_change,
-};
 use mapd_compiler::{CompileOptions, compile};
-use mapd_query::{Corridor, PathBuffer, PathOptions};
+use mapd_query::path::{Corridor, PathBuffer, PathOptions};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
@@ -136,9 +136,9 @@ fn queries_do_not_allocate() {
         Vec::with_capacity(ROOM),
         Vec::with_capacity(ROOM),
     );
-    let projector = mapd_client::Projector::new(
+    let projector = mapd_client::geodesy::Projector::new(
         "+proj=tmerc +lat_0=48 +lon_0=11 +ellps=bessel +towgs84=598.1,73.7,418.2,0.202,0.045,-2.455,6.7",
-        mapd_client::Offset::default(),
+        mapd_client::geodesy::Offset::default(),
     )
     .expect("a projector");
     let before = COUNT.with(Cell::get);

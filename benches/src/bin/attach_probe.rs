@@ -4,7 +4,7 @@
 //! With `file` it is the floor: the same archive by plain open and mmap. Behind the byte, `subscriber` says how long each phase of
 //! the attach took: microseconds, separated by blanks.
 
-use mapd_client::{Attach, Client, ClientError, Domain, NearestOptions, Snapshot, glam::DVec2};
+use mapd_client::{Attach, Client, ClientError, Domain, NearestOptions, Snapshot};
 use std::io::Write;
 use std::process::ExitCode;
 use std::time::Duration;
@@ -30,8 +30,8 @@ fn main() -> ExitCode {
         None => Snapshot::open(what).ok(),
     };
     let answered = snapshot.is_some_and(|snapshot| {
-        let middle = snapshot.map().bounds();
-        let point = DVec2::new(middle.0.x + middle.1.x, middle.0.y + middle.1.y) * 0.5;
+        let bounds = snapshot.map().bounds();
+        let point = bounds.low.midpoint(bounds.high).truncate();
         snapshot.map().nearest_lane(point, &NearestOptions::default()).is_ok()
     });
     if !answered {

@@ -4,10 +4,9 @@
 //! places that have one), `border` (all points of a lane's border), `none`.
 
 use mapd_benches::{Random, places};
-use mapd_client::{
-    Lane, LanePlace, Map, NearestOptions, RouteScratch, ShortestLength, Snapshot, Track,
-    VehicleClass, glam::DVec2,
-};
+use mapd_client::route::{LanePlace, RouteScratch, ShortestLength};
+use mapd_client::vocabulary::VehicleClass;
+use mapd_client::{Lane, Map, NearestOptions, Snapshot, Track, glam::DVec2};
 use std::hint::black_box;
 use std::process::ExitCode;
 

@@ -9,7 +9,8 @@ use crate::point::{mapd_vec2, mapd_vec3};
 use crate::route::mapd_route_step;
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
-use mapd_client::{EdgeMark, LaneId, PathConflict, PathLane, Yields, steps_of_lanes};
+use mapd_client::LaneId;
+use mapd_client::path::{EdgeMark, PathConflict, PathLane, Yields, steps_of_lanes};
 
 /// A lane of a path and what of it is driven.
 #[repr(C)]

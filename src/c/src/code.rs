@@ -1,9 +1,8 @@
 //! What a call came to.
 
 use crate::list::put_raw;
-use mapd_client::{
-    AttachError, ClientError, DefinitionError, GeodeticError, ProjectionError, QueryError,
-};
+use mapd_client::geodesy::{DefinitionError, GeodeticError, ProjectionError};
+use mapd_client::{AttachError, ClientError, QueryError};
 use std::borrow::Cow;
 use std::ffi::c_char;
 use std::panic::{AssertUnwindSafe, catch_unwind};

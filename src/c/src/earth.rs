@@ -5,7 +5,7 @@ use crate::list::{close, entries, fill, get, hand_out, put, put_some};
 use crate::nearest::{mapd_nearest, mapd_nearest_options, options_of};
 use crate::point::mapd_vec3;
 use crate::snapshot::{map_of, mapd_snapshot};
-use mapd_client::{Geodetic, Projector};
+use mapd_client::geodesy::{Geodetic, Projector};
 
 /// Converts between a map's inertial frame and WGS 84. Several threads may use it at once. It is made from a snapshot and needs it no longer.
 pub struct mapd_projector(Projector);

@@ -5,7 +5,10 @@ use crate::ids::{mapd_lane_id, mapd_node_id};
 use crate::list::{List, finite, put, put_some};
 use crate::lookup::lane_of;
 use crate::snapshot::{map_of, mapd_snapshot};
-use mapd_client::{Lane, LaneEdge, LaneNode, Map, NodeId, VehicleClass};
+use mapd_client::SRange;
+use mapd_client::graph::{LaneEdge, LaneNode};
+use mapd_client::vocabulary::VehicleClass;
+use mapd_client::{Lane, Map, NodeId};
 
 /// A node of the lane graph.
 #[repr(C)]
@@ -90,7 +93,7 @@ fn node_id(node: Option<LaneNode<'_>>) -> mapd_node_id {
 }
 
 fn facts(node: &LaneNode<'_>) -> mapd_node_facts {
-    let (s_low, s_high) = node.s_range();
+    let SRange { low: s_low, high: s_high } = node.s_range();
     let classes = VehicleClass::ALL.iter().filter(|class| node.allows(**class));
     mapd_node_facts {
         node: node.node_id().into(),
@@ -110,7 +113,8 @@ fn facts(node: &LaneNode<'_>) -> mapd_node_facts {
 }
 
 fn edge(edge: LaneEdge<'_>) -> mapd_edge {
-    let (line, column) = edge.source_position().unwrap_or((0, 0));
+    let place = edge.source_position();
+    let (line, column) = place.map_or((0, 0), |place| (place.line, place.column));
     mapd_edge {
         target: node_id(edge.target()),
         kind: edge.kind().code(),
@@ -238,7 +242,8 @@ pub unsafe extern "C" fn mapd_lane_allows_at(
 
 fn conflicts<'a>(lane: &Lane<'a>) -> impl Iterator<Item = mapd_conflict> + use<'a> {
     lane.conflicts().map(|one| {
-        let ((s_low, s_high), (other_low, other_high)) = (one.s_range(), one.other_range());
+        let SRange { low: s_low, high: s_high } = one.s_range();
+        let SRange { low: other_low, high: other_high } = one.other_range();
         let (other, kind) = (one.other().map(|lane| lane.lane_id()).into(), one.kind().code());
         mapd_conflict { other, s_low, s_high, other_low, other_high, kind }
     })

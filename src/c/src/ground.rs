@@ -8,7 +8,8 @@ use crate::point::{mapd_point, mapd_vec2, mapd_vec3};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
 use crate::surface::{mapd_material, material_or_none};
-use mapd_client::{Ground, LaneTypes, MarkFilter, MarkKinds, NearMark, Side};
+use mapd_client::LaneTypes;
+use mapd_client::localisation::{Ground, MarkFilter, MarkKinds, NearMark, Side};
 
 /// The ground at a place.
 #[repr(C)]

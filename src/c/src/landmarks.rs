@@ -7,7 +7,8 @@ use crate::objects::mapd_placement_id;
 use crate::point::{mapd_region, mapd_vec2, mapd_vec3};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
-use mapd_client::{ClassSet, Landmark, LandmarkSource};
+use mapd_client::localisation::{Landmark, LandmarkSource};
+use mapd_client::vocabulary::ClassSet;
 
 /// A set of classes of signals and objects: the bit of each is that of its code.
 #[repr(C)]

@@ -6,7 +6,8 @@ use crate::list::{List, finite, put, put_some};
 use crate::lookup::lane_of;
 use crate::point::{clamped_code, mapd_lane_position, mapd_point, mapd_pose, mapd_vec3};
 use crate::snapshot::mapd_snapshot;
-use mapd_client::{Lane, QueryError, Waypoint};
+use mapd_client::roads::Waypoint;
+use mapd_client::{Lane, QueryError};
 
 /// A lane.
 #[repr(C)]

@@ -7,7 +7,8 @@ use crate::lookup::lane_of;
 use crate::point::{mapd_region, mapd_vec3};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
-use mapd_client::{BoundarySegment, LaneTypes, RoadMark, RoadMarkSegment};
+use mapd_client::LaneTypes;
+use mapd_client::roads::{BoundarySegment, RoadMark, RoadMarkSegment};
 
 /// A road mark on a lane's outer border, for lane 0 on its own line.
 #[repr(C)]

@@ -9,10 +9,10 @@ use crate::point::{mapd_lane_position, mapd_point};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
 use mapd_client::glam::DMat3;
-use mapd_client::{
-    LaneId, LaneMatch, LaneTypes, MatchError, MatchOptions, TraceFix, TraceMatch, TraceOptions,
-    VehiclePose,
+use mapd_client::localisation::{
+    LaneMatch, MatchError, MatchOptions, TraceFix, TraceMatch, TraceOptions, VehiclePose,
 };
+use mapd_client::{LaneId, LaneTypes};
 
 /// What somebody measured: where a vehicle is and which way it heads.
 #[repr(C)]
@@ -155,9 +155,9 @@ impl From<&LaneMatch> for mapd_lane_match {
 
 impl From<&TraceMatch> for mapd_trace_match {
     fn from(found: &TraceMatch) -> Self {
-        let position = found.place.map(|(_, position)| position.into());
+        let position = found.place.map(|place| place.position.into());
         Self {
-            lane: found.place.map(|(lane, _)| lane).into(),
+            lane: found.place.map(|place| place.lane).into(),
             position: position.unwrap_or(mapd_lane_position::NOWHERE),
             probability: found.probability,
             forward: found.forward.into(),

@@ -7,7 +7,7 @@ use crate::lookup::lane_of;
 use crate::signals::{lane_signal, mapd_lane_signal};
 use crate::signals_ahead::{lane_line, mapd_lane_line_at};
 use crate::snapshot::{map_of, mapd_snapshot};
-use mapd_client::{Basis, RightOfWay, Turn};
+use mapd_client::rules::{Basis, RightOfWay, Turn};
 
 /// `turn` of a movement: to the left.
 pub const MAPD_TURN_LEFT: u8 = 1;

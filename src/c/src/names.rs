@@ -3,7 +3,7 @@
 use crate::code::{Failure, answer, mapd_code, mapd_error};
 use crate::list::put;
 use crate::text::mapd_text;
-use mapd_client::{
+use mapd_client::vocabulary::{
     Class, ConflictKind, ContactPoint, EdgeKind, LaneMethod, LaneType, MarkLaneChange, ObjectShape,
     Orientation, Relation, RelationReason, RoadMarkColor, RoadMarkKind, RoadMarkWeight,
     SignalPosition, VehicleClass,

@@ -8,7 +8,8 @@ use crate::point::{mapd_region, mapd_vec2, mapd_vec3};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
 use crate::text::mapd_text;
-use mapd_client::{Object, ObjectLane, ObjectPlacement, PlacementId};
+use mapd_client::SRange;
+use mapd_client::objects::{Object, ObjectLane, ObjectPlacement, PlacementId};
 
 /// A place of an object.
 #[repr(C)]
@@ -177,7 +178,7 @@ fn placement(place: &ObjectPlacement<'_>) -> mapd_placement_facts {
 }
 
 fn object_lane(one: ObjectLane<'_>) -> mapd_object_lane {
-    let (s_low, s_high) = one.s_range();
+    let SRange { low: s_low, high: s_high } = one.s_range();
     mapd_object_lane {
         object: one.object().map(|object| object.object_id()).into(),
         lane: one.lane().map(|lane| lane.lane_id()).into(),

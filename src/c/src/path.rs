@@ -7,7 +7,8 @@ use crate::point::{clamped_code, mapd_vec2, mapd_vec3};
 use crate::route::{mapd_route_step, take_steps};
 use crate::signals::{mapd_speed_rule, speed_rule};
 use crate::snapshot::mapd_snapshot;
-use mapd_client::{Path, PathBuffer, PathError, PathOptions, PathPoint, PathPosition, Snapshot};
+use mapd_client::Snapshot;
+use mapd_client::path::{Path, PathBuffer, PathError, PathOptions, PathPoint, PathPosition};
 
 /// A route as one line. It keeps its snapshot; several threads may use it at once.
 pub struct mapd_path {

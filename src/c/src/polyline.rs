@@ -51,7 +51,7 @@ pub unsafe extern "C" fn mapd_lane_line(
                 _ => return Err(Failure::argument(format!("{line} is no line"))),
             };
             let points = line.points();
-            let points = points.map(|(s, at)| mapd_line_point { s, position: at.into() });
+            let points = points.map(|at| mapd_line_point { s: at.s, position: at.position.into() });
             List { out, capacity, count }.write(points)
         })
     }

@@ -7,7 +7,9 @@ use crate::lookup::road_of;
 use crate::point::{mapd_point, mapd_pose, mapd_track, mapd_track_position};
 use crate::snapshot::mapd_snapshot;
 use crate::text::mapd_text;
-use mapd_client::{Road, RoadLink};
+use mapd_client::Road;
+use mapd_client::document::SourcePosition;
+use mapd_client::roads::RoadLink;
 
 /// `kind` of a road link: nothing is written.
 pub const MAPD_ROAD_LINK_NONE: u8 = 0;
@@ -87,7 +89,7 @@ fn link(link: Option<RoadLink<'_>>) -> mapd_road_link {
 }
 
 fn facts(road: &Road<'_>) -> mapd_road_facts {
-    let (line, column) = road.source_position();
+    let SourcePosition { line, column } = road.source_position();
     mapd_road_facts {
         road: road.road_id().into(),
         junction: road.junction().map(|junction| junction.junction_id()).into(),

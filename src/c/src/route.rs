@@ -6,9 +6,9 @@ use crate::ids::{mapd_junction_id, mapd_lane_id, mapd_node_id};
 use crate::list::{List, entries, get_mut, put, put_raw, put_some};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
-use mapd_client::{
-    Enter, LanePlace, QueryError, Route, RouteStep, ShortestLength, ShortestTime, VehicleClass,
-};
+use mapd_client::QueryError;
+use mapd_client::route::{Enter, LanePlace, Route, RouteStep, ShortestLength, ShortestTime};
+use mapd_client::vocabulary::VehicleClass;
 
 /// A place on a lane.
 #[repr(C)]
@@ -369,7 +369,8 @@ pub unsafe extern "C" fn mapd_next_lane_change(
         answer(error, || {
             let own = &mut get_mut(scratch, "a scratch")?.steps;
             take_steps(steps, step_count, own)?;
-            let next = mapd_client::next_lane_change(map_of(snapshot)?, own, at, place.into())?;
+            let next =
+                mapd_client::route::next_lane_change(map_of(snapshot)?, own, at, place.into())?;
             let next = next.map(|next| mapd_lane_change {
                 step: next.step,
                 from: next.from,

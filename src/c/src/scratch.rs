@@ -3,12 +3,16 @@
 use crate::code::{answer, mapd_code, mapd_error};
 use crate::list::{close, hand_out};
 use mapd_client::glam::DVec3;
-use mapd_client::{
-    BoundarySegment, Corridor, GroundScratch, Landmark, LaneId, LaneMatch, LanePlace,
-    LaneSequences, LineAhead, NearObject, NearSignal, Nearest, PathConflict, PlacementId, Reached,
-    RoadMarkSegment, RouteScratch, RouteStep, SignalId, SignalsAhead, TraceFix, TraceMatch,
-    TraceScratch,
+use mapd_client::localisation::{
+    GroundScratch, Landmark, LaneMatch, TraceFix, TraceMatch, TraceScratch,
 };
+use mapd_client::objects::{NearObject, PlacementId};
+use mapd_client::path::{Corridor, PathConflict};
+use mapd_client::roads::{BoundarySegment, RoadMarkSegment};
+use mapd_client::route::{LanePlace, LaneSequences, Reached, RouteScratch, RouteStep};
+use mapd_client::rules::LineAhead;
+use mapd_client::signals::{NearSignal, SignalsAhead};
+use mapd_client::{LaneId, Nearest, SignalId};
 
 /// Memory of searches and lists, to be used again: it grows with the largest answer and is then enough. It belongs to one thread
 /// at a time and to no map.

@@ -8,7 +8,8 @@ use crate::point::{mapd_region, mapd_vec2, mapd_vec3};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
 use crate::text::mapd_text;
-use mapd_client::{LaneSignal, LightStates, Signal, SpeedOrigin, SpeedRule};
+use mapd_client::rules::{SpeedOrigin, SpeedRule};
+use mapd_client::signals::{LaneSignal, LightStates, Signal};
 
 /// A traffic sign, light or marking.
 #[repr(C)]
@@ -156,8 +157,7 @@ pub const MAPD_LANE_SIGNALS_CROSSWALKS: u32 = 3;
 
 fn facts(signal: &Signal<'_>) -> mapd_signal_facts {
     let [country, country_revision, kind, subtype] = signal.code();
-    let (written_value, unit) = signal.written_value().unwrap_or((0.0, ""));
-    let (pitch, roll) = signal.pitch_roll();
+    let written = signal.written_value();
     let [s, t, ..] = signal.track();
     let [width, height, length] = signal.size().map(|size| size.unwrap_or(-1.0));
     let light = signal.light().unwrap_or(LightStates { bulbs: 0, phases: 0, arrows: 0 });
@@ -172,13 +172,13 @@ fn facts(signal: &Signal<'_>) -> mapd_signal_facts {
         kind: kind.into(),
         subtype: subtype.into(),
         text: signal.shown_text().into(),
-        unit: unit.into(),
-        written_value,
+        unit: written.map_or("", |written| written.unit).into(),
+        written_value: written.map_or(0.0, |written| written.value),
         value: signal.value().unwrap_or(0.0),
         position: signal.position().into(),
         facing: signal.facing(),
-        pitch,
-        roll,
+        pitch: signal.pitch(),
+        roll: signal.roll(),
         s,
         t,
         width,
@@ -187,7 +187,7 @@ fn facts(signal: &Signal<'_>) -> mapd_signal_facts {
         class_code: signal.class().code(),
         orientation: signal.orientation().code(),
         position_source: signal.position_source().code(),
-        has_written_value: signal.written_value().is_some().into(),
+        has_written_value: written.is_some().into(),
         has_value: signal.value().is_some().into(),
         is_dynamic: signal.is_dynamic().into(),
         is_temporary: signal.is_temporary().into(),
@@ -227,6 +227,8 @@ pub(crate) fn speed_rule(rule: SpeedRule) -> mapd_speed_rule {
             SpeedOrigin::None => MAPD_SPEED_ORIGIN_NONE,
             SpeedOrigin::Entry => MAPD_SPEED_ORIGIN_ENTRY,
             SpeedOrigin::Depends => MAPD_SPEED_ORIGIN_DEPENDS,
+            // One that has no name in C yet.
+            _ => MAPD_SPEED_ORIGIN_NONE,
         },
     }
 }

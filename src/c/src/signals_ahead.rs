@@ -7,7 +7,8 @@ use crate::list::{List, get_mut};
 use crate::route::{mapd_lane_place, mapd_route_step, take_steps};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
-use mapd_client::{LaneLine, LineAhead, LineSource, SignalAhead};
+use mapd_client::rules::{LaneLine, LineAhead, LineSource};
+use mapd_client::signals::SignalAhead;
 
 /// A signal ahead.
 #[repr(C)]

@@ -4,7 +4,8 @@ use crate::code::{Failure, answer, mapd_code, mapd_error};
 use crate::list::{close, get, hand_out, put, put_some};
 use crate::point::mapd_vec3;
 use crate::text::{given, mapd_text};
-use mapd_client::{ClientError, Map, Snapshot, TrustedKey};
+use mapd_client::document::{HeaderOffset, Revision};
+use mapd_client::{Bounds, ClientError, Map, Snapshot, TrustedKey};
 use std::ffi::c_char;
 
 /// One generation of a map, pinned: readable as long as the handle is open, whatever becomes of daemon, client and file. Several threads may
@@ -172,9 +173,10 @@ pub unsafe extern "C" fn mapd_map_facts_of(
     unsafe {
         answer(error, || {
             let map = map_of(snapshot)?;
-            let ((low, high), (shift, turn)) = (map.bounds(), map.header_offset());
+            let Bounds { low, high } = map.bounds();
+            let HeaderOffset { shift, heading } = map.header_offset();
             let (tables, hash) = (map.tables(), map.content_hash());
-            let (major, minor) = map.revision();
+            let Revision { major, minor } = map.revision();
             put(
                 out,
                 mapd_map_facts {
@@ -185,7 +187,7 @@ pub unsafe extern "C" fn mapd_map_facts_of(
                     geo_reference: map.geo_reference().into(),
                     projection: map.projection().into(),
                     header_offset: shift.into(),
-                    header_heading: turn,
+                    header_heading: heading,
                     low: low.into(),
                     high: high.into(),
                     road_length: map.road_length(),

@@ -7,7 +7,9 @@ use crate::lookup::{junction_of, lane_of, road_of};
 use crate::point::{clamped_code, mapd_vec2, mapd_vec3};
 use crate::snapshot::mapd_snapshot;
 use crate::text::mapd_text;
-use mapd_client::{Material, QueryError};
+use mapd_client::QueryError;
+use mapd_client::junctions::GridHeight;
+use mapd_client::roads::Material;
 
 /// What a lane is made of.
 #[repr(C)]
@@ -162,10 +164,10 @@ pub unsafe extern "C" fn mapd_junction_grid_height_at(
                 return Err(QueryError::NotFinite.into());
             }
             let height = junction_of(snapshot, junction)?.grid_height_at(point.into());
-            let of = |(z, by): (f64, mapd_client::glam::DVec2)| mapd_grid_height {
-                z,
-                by_x: by.x,
-                by_y: by.y,
+            let of = |grid: GridHeight| mapd_grid_height {
+                z: grid.height,
+                by_x: grid.slope.x,
+                by_y: grid.slope.y,
             };
             put_some(out, height.map(of))
         })

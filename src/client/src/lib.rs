@@ -35,7 +35,6 @@ mod trust;
 pub use client::{Attach, Client};
 pub use error::ClientError;
 pub use events::{Events, MapEvent};
-pub use mapd_archive as archive;
 pub use mapd_query::*;
 pub use mapd_transport::{AttachError, Domain, DomainError, GenerationInfo};
 pub use snapshot::Snapshot;

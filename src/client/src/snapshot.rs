@@ -4,7 +4,8 @@
 use crate::error::ClientError;
 use crate::file;
 use mapd_archive::{AlignedBytes, Archive, Overlay, open, open_overlay, verify};
-use mapd_query::{Map, View};
+use mapd_query::Map;
+use mapd_query::view::View;
 use mapd_transport::{AttachError, Mapping, Pinned, PinnedOverlay};
 use std::path::Path;
 use std::sync::Arc;

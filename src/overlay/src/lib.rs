@@ -1,7 +1,7 @@
 //! Today's road over a compiled map: what is said about lanes, read from JSON and resolved against the map that is served.
 //!
 //! ```text
-//!  JSON ── read ──► Document ── resolve ──► OverlayRows ── encode ──► an overlay: mapd_query::View
+//!  JSON ── read ──► Document ── resolve ──► OverlayRows ── encode ──► an overlay: mapd_query::view::View
 //!          refused whole,       against one map; what does not fit is named
 //!          with its place
 //! ```

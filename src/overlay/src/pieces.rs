@@ -4,7 +4,9 @@
 //! holds in the middle of a piece holds for all of it, and no piece is shorter than [`SHORTEST_PIECE`].
 
 use mapd_archive::{OverlayNodeRow, OverlayRows, PieceRow, Range, TouchedRow};
-use mapd_query::{LaneNode, Map};
+use mapd_query::Map;
+use mapd_query::SRange;
+use mapd_query::graph::LaneNode;
 use std::collections::BTreeMap;
 
 /// Shortest piece `[m]`: a cut nearer than this to an end or to another cut is left out, as when a map is compiled.
@@ -60,8 +62,9 @@ fn cuts(map: Map<'_>, marks: &Marks) -> BTreeMap<u32, Vec<f64>> {
     }
     for (number, places) in &mut wanted {
         places.sort_by(f64::total_cmp);
-        let (mut last, end) =
-            map.lane_node_by_row(*number).map_or((0.0, 0.0), |node| node.s_range());
+        let node = map.lane_node_by_row(*number);
+        let SRange { low: mut last, high: end } =
+            node.map(|node| node.s_range()).unwrap_or_default();
         places.retain(|s| {
             let keeps = s - last >= SHORTEST_PIECE && end - s >= SHORTEST_PIECE;
             if keeps {
@@ -75,7 +78,7 @@ fn cuts(map: Map<'_>, marks: &Marks) -> BTreeMap<u32, Vec<f64>> {
 
 /// Cuts a node into pieces, in driving order.
 fn cut(node: &LaneNode<'_>, cuts: &[f64], marks: &[Mark], rows: &mut OverlayRows) {
-    let (start, end) = node.s_range();
+    let SRange { low: start, high: end } = node.s_range();
     let mut ends: Vec<f64> = cuts.to_vec();
     ends.insert(0, start);
     ends.push(end);
@@ -117,8 +120,8 @@ fn row(node: &LaneNode<'_>) -> u32 {
 
 /// The nodes that a node is cut together with: those of all the section's lanes over the same stretch, as when a map is compiled. It is among them.
 fn beside<'a>(node: &LaneNode<'a>) -> impl Iterator<Item = LaneNode<'a>> + use<'a> {
-    let (start, _) = node.s_range();
+    let SRange { low: start, high: _ } = node.s_range();
     let lanes = node.lane().into_iter().flat_map(|lane| lane.section().lanes());
     let nodes = lanes.flat_map(|lane| lane.nodes());
-    nodes.filter(move |other| other.s_range().0 == start)
+    nodes.filter(move |other| other.s_range().low == start)
 }

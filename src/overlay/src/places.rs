@@ -1,6 +1,7 @@
 //! Where an entry holds on a map: stretches of lanes.
 
 use crate::entry::{Entry, LanePlace};
+use mapd_query::SRange;
 use mapd_query::{Lane, LaneKey, Map, Road};
 
 /// Shortest stretch `[m]`: of a shorter one nothing might be left where lanes are cut.
@@ -34,7 +35,7 @@ pub(crate) fn stretches<'a>(map: Map<'a>, entry: &Entry) -> Result<Vec<Stretch<'
         let before = found.len();
         for on in object.lanes() {
             if let Some(lane) = on.lane().filter(|lane| lane.nodes().next().is_some()) {
-                let (s_from, s_to) = on.s_range();
+                let SRange { low: s_from, high: s_to } = on.s_range();
                 let middle = 0.5 * (s_from + s_to);
                 let half = (0.5 * (s_to - s_from)).max(0.5 * SHORTEST);
                 found.push(Stretch { lane, s_from: middle - half, s_to: middle + half });

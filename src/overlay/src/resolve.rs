@@ -8,7 +8,9 @@ use mapd_archive::{
     OverlayEntryRow, OverlayKind, OverlayRow, OverlayRows, Range, SignalEntryRow, StringTable,
     VehicleClass, WeeklyRow,
 };
-use mapd_query::{Map, travel_speed};
+use mapd_query::Map;
+use mapd_query::SRange;
+use mapd_query::roads::travel_speed;
 
 /// What is taken.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -137,7 +139,7 @@ fn add(entry: &Entry, strings: &mut StringTable, rows: &mut OverlayRows) -> u32 
 fn mark(stretches: &[Stretch<'_>], entry: u32, marks: &mut Marks) {
     for Stretch { lane, s_from, s_to } in stretches {
         for node in lane.nodes() {
-            let (start, end) = node.s_range();
+            let SRange { low: start, high: end } = node.s_range();
             if start.max(*s_from) < end.min(*s_to) {
                 let mark = Mark { s_from: *s_from, s_to: *s_to, entry };
                 marks.entry(node.node_id().row()).or_default().push(mark);

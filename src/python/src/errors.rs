@@ -1,6 +1,7 @@
 //! Errors: a class per kind, in `mapd._errors`.
 
-use mapd_client::{AttachError, ClientError, MatchError, QueryError};
+use mapd_client::localisation::MatchError;
+use mapd_client::{AttachError, ClientError, QueryError};
 use pyo3::IntoPyObject;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;

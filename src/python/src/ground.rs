@@ -5,7 +5,8 @@ use crate::errors::query;
 use crate::held::{Held, content, id};
 use crate::input::{NONE_ID, Rows, one_point, types_of};
 use crate::lane::Lane;
-use mapd_client::{Ground, GroundScratch, LaneTypes, MarkFilter, MarkKinds, NearMark, Side};
+use mapd_client::LaneTypes;
+use mapd_client::localisation::{Ground, GroundScratch, MarkFilter, MarkKinds, NearMark, Side};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::sync::Arc;
@@ -73,10 +74,13 @@ pub(crate) fn filter(
 ) -> PyResult<MarkFilter> {
     let kinds = kinds.map_or(Ok(MarkKinds::ALL), |names| {
         names.iter().try_fold(MarkKinds::NONE, |kinds, name| {
-            let known = mapd_client::RoadMarkKind::ALL.iter().find(|kind| kind.name() == name);
+            let known =
+                mapd_client::vocabulary::RoadMarkKind::ALL.iter().find(|kind| kind.name() == name);
             known.map(|kind| kinds.with(*kind)).ok_or_else(|| {
-                let all: Vec<_> =
-                    mapd_client::RoadMarkKind::ALL.iter().map(|kind| kind.name()).collect();
+                let all: Vec<_> = mapd_client::vocabulary::RoadMarkKind::ALL
+                    .iter()
+                    .map(|kind| kind.name())
+                    .collect();
                 PyValueError::new_err(format!("kinds: expected some of {all:?}, found {name:?}"))
             })
         })

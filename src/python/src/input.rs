@@ -3,10 +3,11 @@
 use crate::errors::{query, raise};
 use crate::held::content;
 use crate::lane::Lane;
+use mapd_client::compiling::ByRow as _;
 use mapd_client::glam::{DVec2, DVec3};
-use mapd_client::{
-    LaneKey, LanePlace, LaneType, LaneTypes, Map, Point, QueryError, Region, VehicleClass,
-};
+use mapd_client::route::LanePlace;
+use mapd_client::vocabulary::{LaneType, VehicleClass};
+use mapd_client::{LaneKey, LaneTypes, Map, Point, QueryError, Region};
 use numpy::{PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;

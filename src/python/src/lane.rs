@@ -5,7 +5,9 @@ use crate::errors::query;
 use crate::held::{Held, content, id};
 use crate::input::{one_point, vehicle_of};
 use crate::road::Road;
-use mapd_client::{LaneTypes, Polyline, QueryError, Region};
+use mapd_client::compiling::ByRow as _;
+use mapd_client::roads::{LinePoint, Polyline};
+use mapd_client::{LaneTypes, QueryError, Region};
 use numpy::IntoPyArray;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -256,7 +258,7 @@ pub(crate) fn lines<'py>(
                 Line::Left => lane.left_bound(),
                 Line::Right => lane.right_bound(),
             };
-            for (s, p) in line.points() {
+            for LinePoint { s, position: p } in line.points() {
                 stations.push(s);
                 points.extend([p.x, p.y, p.z]);
             }

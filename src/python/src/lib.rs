@@ -48,9 +48,18 @@ fn _mapd(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_function(wrap_pyfunction!(map::open_archive, m)?)?;
     m.add_function(wrap_pyfunction!(compile::read_file, m)?)?;
     m.add("NONE", input::NONE_ID)?;
-    m.add("LANE_TYPES", words(mapd_client::LaneType::ALL, |one| (one.code(), one.name())))?;
-    m.add("MARK_KINDS", words(mapd_client::RoadMarkKind::ALL, |one| (one.code(), one.name())))?;
-    m.add("MARK_COLORS", words(mapd_client::RoadMarkColor::ALL, |one| (one.code(), one.name())))?;
+    m.add(
+        "LANE_TYPES",
+        words(mapd_client::vocabulary::LaneType::ALL, |one| (one.code(), one.name())),
+    )?;
+    m.add(
+        "MARK_KINDS",
+        words(mapd_client::vocabulary::RoadMarkKind::ALL, |one| (one.code(), one.name())),
+    )?;
+    m.add(
+        "MARK_COLORS",
+        words(mapd_client::vocabulary::RoadMarkColor::ALL, |one| (one.code(), one.name())),
+    )?;
     m.add("SPEED_ORIGINS", batch::SPEED_ORIGINS)?;
     m.add("__version__", env!("CARGO_PKG_VERSION"))
 }

@@ -10,10 +10,12 @@ use crate::lane::{self, Lane};
 use crate::object::Object;
 use crate::road::Road;
 use crate::signal::Signal;
+use mapd_client::Bounds;
+use mapd_client::document::Revision;
+use mapd_client::geodesy::Geodetic;
 use mapd_client::glam::{DVec2, DVec3};
-use mapd_client::{
-    Geodetic, LaneTypes, MatchOptions, Nearest, NearestOptions, Snapshot, TraceOptions,
-};
+use mapd_client::localisation::{MatchOptions, TraceOptions};
+use mapd_client::{LaneTypes, Nearest, NearestOptions, Snapshot};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::path::PathBuf;
@@ -106,12 +108,13 @@ impl Map {
 
     #[getter]
     fn revision(&self) -> (u16, u16) {
-        self.map().revision()
+        let Revision { major, minor } = self.map().revision();
+        (major, minor)
     }
 
     #[getter]
     fn bounds(&self) -> ((f64, f64, f64), (f64, f64, f64)) {
-        let (low, high) = self.map().bounds();
+        let Bounds { low, high } = self.map().bounds();
         (triple(low), triple(high))
     }
 
@@ -441,7 +444,8 @@ impl Map {
         let mut found = Vec::new();
         let point = DVec2::new(point.0, point.1);
         self.map().objects_near(point, radius, &mut found).map_err(query)?;
-        let object = |near: &mapd_client::NearObject| Object::new(&self.0, near.place.object);
+        let object =
+            |near: &mapd_client::objects::NearObject| Object::new(&self.0, near.place.object);
         Ok(found.iter().map(|near| (object(near), near.distance)).collect())
     }
 
@@ -577,9 +581,9 @@ fn converted<'py>(
     what: &Bound<'py, PyAny>,
     name: &str,
     class: &str,
-    ask: impl Fn(&[f64]) -> Result<[f64; 3], mapd_client::ProjectionError> + Sync,
+    ask: impl Fn(&[f64]) -> Result<[f64; 3], mapd_client::geodesy::ProjectionError> + Sync,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let said = |row: usize, error: mapd_client::ProjectionError| {
+    let said = |row: usize, error: mapd_client::geodesy::ProjectionError| {
         raise("ProjectionError", format!("row {row}: {error}"))
     };
     if let Some(one) = crate::input::one(what, name, &[2, 3])? {

@@ -6,7 +6,7 @@ use crate::held::{Held, content};
 use crate::input::{Rows, column, matrices, one_point};
 use crate::lane::Lane;
 use mapd_client::glam::DMat3;
-use mapd_client::{
+use mapd_client::localisation::{
     LaneMatch, MatchError, MatchOptions, TraceFix, TraceOptions, TraceScratch, VehiclePose,
 };
 use pyo3::prelude::*;
@@ -138,7 +138,7 @@ pub(crate) fn match_trace<'py>(
             let mut places = Positions::with_capacity(found.len());
             for one in &found {
                 match &one.place {
-                    Some((lane, position)) => places.push(content, lane.row(), position),
+                    Some(place) => places.push(content, place.lane.row(), &place.position),
                     None => places.push_none(),
                 }
             }

@@ -21,7 +21,7 @@ impl Object {
         Self { held: Arc::clone(held), object }
     }
 
-    fn object(&self) -> PyResult<mapd_client::Object<'_>> {
+    fn object(&self) -> PyResult<mapd_client::objects::Object<'_>> {
         self.held.map().object(self.object).map_err(query)
     }
 

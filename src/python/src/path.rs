@@ -5,11 +5,12 @@ use crate::errors::{query, raise};
 use crate::held::{Held, content, id};
 use crate::input::{Rows, finite, lane_of, one_point, vehicle_of};
 use crate::lane::Lane;
+use mapd_client::QueryError;
 use mapd_client::glam::DVec3;
-use mapd_client::{
-    Corridor, EdgeMark, Enter, LanePlace, PathBuffer, PathConflict, PathOptions, PathPoint,
-    PathPosition, QueryError, RouteStep,
+use mapd_client::path::{
+    Corridor, EdgeMark, PathBuffer, PathConflict, PathOptions, PathPoint, PathPosition,
 };
+use mapd_client::route::{Enter, LanePlace, RouteStep};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::sync::Arc;
@@ -52,8 +53,8 @@ pub(crate) fn path(held: &Arc<Held>, steps: &Bound<'_, PyAny>) -> PyResult<Path>
 }
 
 impl Path {
-    fn path(&self) -> Result<mapd_client::Path<'_, '_>, mapd_client::QueryError> {
-        mapd_client::Path::of(self.held.map(), &self.buffer)
+    fn path(&self) -> Result<mapd_client::path::Path<'_, '_>, mapd_client::QueryError> {
+        mapd_client::path::Path::of(self.held.map(), &self.buffer)
     }
 
     fn lane(&self, lane: mapd_client::LaneId) -> Lane {

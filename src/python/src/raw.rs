@@ -4,7 +4,7 @@
 use crate::errors::client;
 use crate::map::Map;
 use mapd_client::ClientError;
-use mapd_client::archive::directory;
+use mapd_client::raw::directory;
 use numpy::ndarray::ArrayView1;
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;

@@ -5,6 +5,7 @@ use crate::errors::query;
 use crate::held::{Held, content, id};
 use crate::input::{Rows, one, one_point};
 use crate::lane::Lane;
+use mapd_client::compiling::ByRow as _;
 use mapd_client::{QueryError, Track};
 use pyo3::prelude::*;
 use std::sync::Arc;

@@ -6,10 +6,12 @@ use crate::held::{Held, content, id};
 use crate::input::{place_of, vehicle_of};
 use crate::lane::Lane;
 use crate::signal::Signal;
-use mapd_client::{
-    CostBound, Enter, LaneNode, LaneSequences, RouteCost, RouteScratch, ShortestLength,
-    ShortestTime, SignalsAhead,
+use mapd_client::SRange;
+use mapd_client::graph::LaneNode;
+use mapd_client::route::{
+    CostBound, Enter, LaneSequences, RouteCost, RouteScratch, ShortestLength, ShortestTime,
 };
+use mapd_client::signals::SignalsAhead;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::sync::Arc;
@@ -139,7 +141,7 @@ pub(crate) fn reachable<'py>(
                 let Some((node, lane)) = node.and_then(|node| Some((node, node.lane()?))) else {
                     return Err(mapd_client::QueryError::Corrupt);
                 };
-                let (from, to) = node.s_range();
+                let SRange { low: from, high: to } = node.s_range();
                 ids.push(id(content, lane.lane_id().row()));
                 forward.push(node.is_forward());
                 let values = [from, to, reached.cost];
@@ -182,7 +184,7 @@ pub(crate) fn signals_ahead<'py>(
     let (start, vehicle) = (place_of(map, start)?, vehicle_of(vehicle)?);
     let mut found = SignalsAhead::default();
     map.signals_ahead(start, distance, vehicle, &mut found).map_err(query)?;
-    let one = |ahead: &mapd_client::SignalAhead| {
+    let one = |ahead: &mapd_client::signals::SignalAhead| {
         let fields = fields!(
             py,
             signal = Signal::new(held, ahead.signal),

@@ -20,7 +20,7 @@ impl Signal {
         Self { held: Arc::clone(held), signal }
     }
 
-    fn signal(&self) -> PyResult<mapd_client::Signal<'_>> {
+    fn signal(&self) -> PyResult<mapd_client::signals::Signal<'_>> {
         self.held.map().signal(self.signal).map_err(query)
     }
 

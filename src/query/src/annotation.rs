@@ -1,6 +1,7 @@
 //! What files say of their parts beyond what has a query of its own: data of applications, quality of data, elements that the
 //! standard does not have, attributes that nothing is built from, and which file a part came from.
 
+use crate::extents::SourcePosition;
 use crate::ids::{ControllerId, JunctionId, LaneId, LaneSectionId, ObjectId, RoadId, SignalId};
 use crate::junction::{Connection, Junction};
 use crate::junction_group::JunctionGroup;
@@ -102,8 +103,8 @@ impl<'a> Annotation<'a> {
     }
 
     /// Line and column of the element's start tag, from 1, in [`Annotation::file`].
-    pub fn source_position(&self) -> (u32, u32) {
-        (self.row.line(), self.row.column())
+    pub fn source_position(&self) -> SourcePosition {
+        SourcePosition { line: self.row.line(), column: self.row.column() }
     }
 
     /// The included file that it stands in; none for the document itself.
@@ -128,8 +129,8 @@ impl<'a> IncludedFile<'a> {
     }
 
     /// Line and column of the include, from 1, in [`IncludedFile::included_by`].
-    pub fn source_position(&self) -> (u32, u32) {
-        (self.row.line(), self.row.column())
+    pub fn source_position(&self) -> SourcePosition {
+        SourcePosition { line: self.row.line(), column: self.row.column() }
     }
 
     /// The file that includes it; none for the document itself.

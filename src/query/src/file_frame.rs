@@ -1,5 +1,6 @@
 //! The file's own frame, of a map that was compiled into another.
 
+use crate::extents::{Bounds, HeaderOffset};
 use crate::map::Map;
 use glam::DVec3;
 use mapd_archive::{ArchivedFileFrameRow, string};
@@ -38,19 +39,23 @@ impl<'a> FileFrame<'a> {
     }
 
     /// The header's offset as it was applied before the transformation: shift `[m]` and turn `[rad]`.
-    pub fn offset(&self) -> (DVec3, f64) {
+    pub fn offset(&self) -> HeaderOffset {
         let r = self.row;
-        (DVec3::new(r.offset_x(), r.offset_y(), r.offset_z()), r.offset_hdg())
+        let shift = DVec3::new(r.offset_x(), r.offset_y(), r.offset_z());
+        HeaderOffset { shift, heading: r.offset_hdg() }
     }
 
     /// Smallest and largest coordinates of all lanes in the file's frame `[m]`.
-    pub fn bounds(&self) -> (DVec3, DVec3) {
+    pub fn bounds(&self) -> Bounds {
         let r = self.row;
-        (DVec3::new(r.min_x(), r.min_y(), r.min_z()), DVec3::new(r.max_x(), r.max_y(), r.max_z()))
+        Bounds {
+            low: DVec3::new(r.min_x(), r.min_y(), r.min_z()),
+            high: DVec3::new(r.max_x(), r.max_y(), r.max_z()),
+        }
     }
 
     /// Bound on the distance of a point of a reference line from the exact image of that point of the file `[m]`. A point
-    /// beside the line at t lies farther off by t times what [`Self::scale`] differs from 1, as widths stay as written.
+    /// beside the line at t lies farther off by t times what [`Self::scale_min`] and [`Self::scale_max`] differ from 1, as widths stay as written.
     pub fn error(&self) -> f64 {
         self.row.error()
     }
@@ -67,8 +72,13 @@ impl<'a> FileFrame<'a> {
         self.row.height_error()
     }
 
-    /// Smallest and largest distance in the map per distance in the file, along any direction at any reference line.
-    pub fn scale(&self) -> (f64, f64) {
-        (self.row.scale_min(), self.row.scale_max())
+    /// Smallest distance in the map per distance in the file, along any direction at any reference line.
+    pub fn scale_min(&self) -> f64 {
+        self.row.scale_min()
+    }
+
+    /// Largest distance in the map per distance in the file, along any direction at any reference line.
+    pub fn scale_max(&self) -> f64 {
+        self.row.scale_max()
     }
 }

@@ -1,6 +1,7 @@
 //! Places on Earth (feature `geodesy`).
 
 use crate::error::QueryError;
+use crate::extents::HeaderOffset;
 use crate::map::Map;
 use crate::nearest::{Nearest, NearestOptions};
 use crate::types::Point;
@@ -23,7 +24,8 @@ impl<'a> Map<'a> {
     /// What converts between this map's inertial frame and WGS 84. Building it allocates; converting does not.
     ///
     /// ```
-    /// # use mapd_query::{Map, Geodetic};
+    /// # use mapd_query::Map;
+    /// # use mapd_query::geodesy::Geodetic;
     /// fn place(map: Map<'_>, x: f64, y: f64) -> Result<Geodetic, Box<dyn std::error::Error>> {
     ///     let projector = map.projector()?; // once
     ///     Ok(projector.to_geodetic([x, y, 0.0].into())?)
@@ -32,7 +34,7 @@ impl<'a> Map<'a> {
     ///
     /// Errors: the map has no georeference that can be used.
     pub fn projector(&self) -> Result<Projector, DefinitionError> {
-        let (shift, heading) = self.header_offset();
+        let HeaderOffset { shift, heading } = self.header_offset();
         Projector::new(self.projection(), Offset { shift, heading })
     }
 
@@ -43,7 +45,7 @@ impl<'a> Map<'a> {
     /// Errors: the map has no georeference that can be used.
     pub fn file_projector(&self) -> Result<Projector, DefinitionError> {
         let Some(frame) = self.file_frame() else { return self.projector() };
-        let (shift, heading) = frame.offset();
+        let HeaderOffset { shift, heading } = frame.offset();
         Projector::new(frame.projection(), Offset { shift, heading })
     }
 

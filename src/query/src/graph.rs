@@ -1,6 +1,7 @@
 //! The lane graph: nodes, edges, conflicts.
 
 use crate::error::QueryError;
+use crate::extents::{SRange, SourcePosition};
 use crate::ids::NodeId;
 use crate::lane::{Lane, edges_of};
 use crate::map::Map;
@@ -72,11 +73,12 @@ impl<'a> LaneNode<'a> {
     }
 
     /// Both ends of the piece on the road `[m]`, the smaller s first.
-    pub fn s_range(&self) -> (f64, f64) {
+    pub fn s_range(&self) -> SRange {
         if let Some(piece) = &self.piece {
-            return piece.s_range;
+            let (low, high) = piece.s_range;
+            return SRange { low, high };
         }
-        let Some(lane) = self.lane() else { return (0.0, 0.0) };
+        let Some(lane) = self.lane() else { return SRange::default() };
         let section = lane.section();
         let start = section.s_start();
         let beyond =
@@ -84,8 +86,8 @@ impl<'a> LaneNode<'a> {
         let neighbour = beyond.and_then(|number| Self::new(self.map, number)).filter(|other| {
             other.row.lane() == self.row.lane() && other.is_forward() == self.is_forward()
         });
-        let end = neighbour.map_or(section.s_end(), |n| start + f64::from(n.row.s_from()));
-        (start + f64::from(self.row.s_from()), end)
+        let high = neighbour.map_or(section.s_end(), |n| start + f64::from(n.row.s_from()));
+        SRange { low: start + f64::from(self.row.s_from()), high }
     }
 
     /// Length of the centre line in plan view `[m]`.
@@ -187,7 +189,7 @@ impl<'a> LaneEdge<'a> {
     /// Speed limit where the edge is passed `[m/s]`: at the end of the node that is left. As [`Lane::speed_limit_at`].
     pub fn speed_limit(&self) -> Option<f64> {
         let node = self.source()?;
-        let (from, to) = node.s_range();
+        let SRange { low: from, high: to } = node.s_range();
         node.lane()?.speed_limit_at(if node.is_forward() { to } else { from })
     }
 
@@ -208,8 +210,9 @@ impl<'a> LaneEdge<'a> {
     }
 
     /// Line and column of the link in the file, from 1; none where no link is needed.
-    pub fn source_position(&self) -> Option<(u32, u32)> {
-        self.row().map(|row| (row.line(), row.column())).filter(|(line, _)| *line > 0)
+    pub fn source_position(&self) -> Option<SourcePosition> {
+        let place = self.row().map(|row| SourcePosition { line: row.line(), column: row.column() });
+        place.filter(|place| place.line > 0)
     }
 
     /// Which file the link stands in: 0 for the document itself, else the number of the included file, in the order in which
@@ -251,20 +254,23 @@ impl<'a> Conflict<'a> {
     }
 
     /// The common area on the lane itself: both ends on its road `[m]`, the smaller s first.
-    pub fn s_range(&self) -> (f64, f64) {
+    pub fn s_range(&self) -> SRange {
         self.on(self.row.lane(), [self.row.from(), self.row.to()])
     }
 
     /// The common area on the other lane: both ends on its road `[m]`, the smaller s first.
-    pub fn other_range(&self) -> (f64, f64) {
+    pub fn other_range(&self) -> SRange {
         self.on(self.row.other(), [self.row.other_from(), self.row.other_to()])
     }
 
-    fn on(&self, lane: u32, [from, to]: [u16; 2]) -> (f64, f64) {
+    fn on(&self, lane: u32, [from, to]: [u16; 2]) -> SRange {
         let section = Lane::new(self.map, lane).map(|lane| lane.section());
         let (start, end) = section.map_or((0.0, 0.0), |s| (s.s_start(), s.s_end()));
         let step = section_step(end - start);
-        (start + f64::from(from) * step, (start + f64::from(to) * step).min(end))
+        SRange {
+            low: start + f64::from(from) * step,
+            high: (start + f64::from(to) * step).min(end),
+        }
     }
 }
 
@@ -309,7 +315,7 @@ impl<'a> Lane<'a> {
         let way = |node: &LaneNode<'a>| node.is_forward() == forward;
         let mut found = None;
         for node in self.nodes().filter(way) {
-            let (from, to) = node.s_range();
+            let SRange { low: from, high: to } = node.s_range();
             if found.is_none() || (if forward { s >= from } else { s <= to }) {
                 found = Some(node);
             }

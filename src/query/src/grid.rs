@@ -117,13 +117,23 @@ pub(crate) fn of_junction<'a>(
     rows.get(at).filter(|grid| grid.junction() == junction)
 }
 
+/// An elevation grid at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GridHeight {
+    /// Height `[m]`.
+    pub height: f64,
+    /// Metres upwards per metre of x and of y.
+    pub slope: DVec2,
+}
+
 impl Junction<'_> {
-    /// Height of the junction's elevation grid at a point in plan view `[m]` and its slopes by x and y, its edge held beyond it
+    /// The junction's elevation grid at a point in plan view, its edge held beyond it
     /// (OpenDRIVE 1.8.1, 12.8); none without a grid. What a road of the junction looks like there, joints with their transitions
     /// included, is [`crate::Road::surface_at`].
-    pub fn grid_height_at(&self, point: DVec2) -> Option<(f64, DVec2)> {
+    pub fn grid_height_at(&self, point: DVec2) -> Option<GridHeight> {
         let row = of_junction(&self.map, self.junction_id().row())?;
-        at(&self.map, row, point - self.map.origin())
+        let (height, slope) = at(&self.map, row, point - self.map.origin())?;
+        Some(GridHeight { height, slope })
     }
 
     /// Places along the junction's reference line where rows of its elevation grid lie `[m]`, ascending; none without a grid.

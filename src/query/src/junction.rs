@@ -52,6 +52,15 @@ pub struct Connection<'a> {
     row: &'a ArchivedConnectionRow,
 }
 
+/// A link of lanes by their numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ConnectedLanes {
+    /// Number of the lane of the incoming road.
+    pub from: i32,
+    /// Number of the lane of the connecting road.
+    pub to: i32,
+}
+
 impl<'a> Connection<'a> {
     /// OpenDRIVE's id, verbatim.
     pub fn id(&self) -> &'a str {
@@ -73,9 +82,9 @@ impl<'a> Connection<'a> {
         ContactPoint::from_code(self.row.contact())
     }
 
-    /// Lane links as written: (lane of the incoming road, lane of the connecting road).
-    pub fn lane_links(&self) -> impl ExactSizeIterator<Item = (i32, i32)> + use<'a> {
+    /// Lane links as written.
+    pub fn lane_links(&self) -> impl ExactSizeIterator<Item = ConnectedLanes> + use<'a> {
         let links = self.row.lane_links().of(self.map.tables().connection_lane_links);
-        links.iter().map(|link| (link.from(), link.to()))
+        links.iter().map(|link| ConnectedLanes { from: link.from(), to: link.to() })
     }
 }

@@ -1,5 +1,6 @@
 //! Groups of junctions: roundabouts and interchanges.
 
+use crate::extents::SourcePosition;
 use crate::ids::LaneId;
 use crate::junction::Junction;
 use crate::map::Map;
@@ -59,8 +60,8 @@ impl<'a> JunctionGroup<'a> {
     }
 
     /// Line and column of the start tag, from 1.
-    pub fn source_position(&self) -> (u32, u32) {
-        (self.row.line(), self.row.column())
+    pub fn source_position(&self) -> SourcePosition {
+        SourcePosition { line: self.row.line(), column: self.row.column() }
     }
 }
 

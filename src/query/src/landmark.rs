@@ -46,14 +46,13 @@ pub struct Landmark {
 impl Landmark {
     fn of_signal(signal: &Signal<'_>) -> Self {
         let [width, height, length] = signal.size().map(|size| size.unwrap_or(0.0));
-        let (pitch, roll) = signal.pitch_roll();
         Self {
             source: LandmarkSource::Signal(signal.signal_id()),
             class: signal.class(),
             position: signal.position(),
             heading: signal.facing(),
-            pitch,
-            roll,
+            pitch: signal.pitch(),
+            roll: signal.roll(),
             size: [length, width, height],
             distance: 0.0,
         }

@@ -10,7 +10,7 @@ use crate::profile::{self, At, Slope};
 use crate::road::{JOINT, Road};
 use crate::section::LaneSection;
 use crate::types::{Clamped, LaneEdges, LanePosition, Point, Pose};
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use mapd_archive::{ArchivedLaneRow, LaneType, Range, SpeedKind, lane_flags};
 use std::borrow::Cow;
 
@@ -278,18 +278,6 @@ impl<'a> Lane<'a> {
         area::position_in(self, point.xy - self.map.origin()).ok_or(QueryError::Corrupt)
     }
 
-    /// As [`Lane::position_of`], within the stretch of one segment of the centre line; for who has found the segment. None
-    /// for a segment without area, or where the point is farther than `limit` `[m]` and that is cheap to tell.
-    pub fn position_along(&self, segment: usize, point: DVec2, limit: f64) -> Option<LanePosition> {
-        let slab = area::slab(self, segment)?;
-        let local = point - self.map.origin();
-        let place = match limit {
-            0.0 => area::place_inside(self, &slab, local)?,
-            _ => area::place(self, &slab, local),
-        };
-        Some(place.position(self))
-    }
-
     /// Whether a point lies in the lane's area, edges included, in plan view.
     ///
     /// Errors: as [`Lane::position_of`].
@@ -365,7 +353,7 @@ impl<'a> Lane<'a> {
     }
 
     /// The next lane to the left of this lane's traffic, whichever way it is travelled itself; lane 0 is skipped. One that
-    /// shares the direction and may be changed to is [`crate::LaneNode::change_left`].
+    /// shares the direction and may be changed to is [`LaneNode::change_left`](crate::graph::LaneNode::change_left).
     pub fn left(&self) -> Option<Lane<'a>> {
         self.beside(if self.is_forward() { -1 } else { 1 })
     }

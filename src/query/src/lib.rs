@@ -1,6 +1,6 @@
 //! What planners and localisers ask of an HD map, answered in place on a borrowed mapd archive.
 //!
-//! [`Map`] is a small `Copy` view; [`Road`], [`LaneSection`], [`Lane`], [`Junction`] and [`Object`] are cursors into it.
+//! [`Map`] is a small `Copy` view; [`Road`], [`LaneSection`], [`Lane`], [`Junction`] and [`Object`](objects::Object) are cursors into it.
 //!
 //! Invariants: a query never allocates, locks, prints, panics or does I/O, also on a damaged archive; there is no global
 //! state; the compiler evaluates geometry through the same functions, bit for bit. Deliberately absent: how the bytes
@@ -10,6 +10,32 @@
 //! reference line. An s that is no finite number has no answer: [`QueryError::NotFinite`], `None`, or NaN where the answer is a bare
 //! number. One that lies outside is moved to the nearer end of the road, or of the lane's section: answers that say where they are
 //! tell so ([`Clamped`]), bare numbers are those of the end.
+//!
+//! # By task
+//!
+//! Where am I?
+//! - The nearest lane to a point: [`Map::nearest_lane`]. The lanes that an uncertain pose may be in: [`Map::match_pose`]. The lanes of a
+//!   recorded trace: [`Map::match_trace`]. See [`localisation`].
+//! - What sensors see there: [`Map::ground_at`], [`Map::nearest_mark`], [`Map::landmarks_near`].
+//! - Frenet coordinates: [`Road::to_track`] and [`Road::to_inertial`] on a road, [`Lane::position_of`] on a lane. Latitudes and longitudes: `geodesy`, with
+//!   the feature of that name.
+//!
+//! What is ahead?
+//! - Lane by lane: [`Lane::successors`], [`graph`]. A way through lanes: [`Map::route`], [`route`].
+//! - Along the way: [`Map::path`] has the driven line, its corridor, speeds and conflicts; [`path`]. Signals: [`Map::signals_ahead`].
+//!
+//! What may I do here?
+//! - Speed: [`Lane::speed_rule_at`]. Overtaking: [`Lane::overtaking_rule_at`]. Where to stop: [`Lane::lines_to_stop_at`]. Who goes first:
+//!   [`Lane::right_of_way`]. See [`rules`].
+//! - Who may use a lane, and change to the next one: [`graph::LaneNode::allows`], [`graph::LaneNode::change_left`].
+//!
+//! What is around me?
+//! - Lanes beside and borders: [`Lane::left`], [`Lane::opposite`], [`Lane::left_bound`]; in a [`Region`]: [`Map::lanes_in`], [`Map::boundary_segments`].
+//! - [`Map::objects_near`] and [`objects`]; [`Map::signals_near`] and [`signals`].
+//!
+//! What does the file say?
+//! - The network in detail: [`roads`], [`junctions`], [`railway`]; its words: [`vocabulary`]; what stands beside it, and what was left out:
+//!   [`document`]; the archive's tables and rows: [`raw`].
 //!
 //! ```
 //! use mapd_query::{Map, NearestOptions, glam::DVec2};
@@ -22,16 +48,19 @@
 
 mod annotation;
 mod area;
+mod by_row;
 mod class_set;
 mod cross_section;
 mod error;
+mod extents;
 mod fetch;
 mod file_frame;
 #[cfg(feature = "geodesy")]
 mod geodetic;
-mod graph;
+pub mod graph;
 mod grid;
 mod ground;
+mod groups;
 mod ids;
 mod index;
 mod junction;
@@ -46,96 +75,45 @@ mod marks;
 mod matching;
 mod near;
 mod nearest;
-mod objects;
+pub mod objects;
 mod packed;
-mod path;
+pub mod path;
 mod polyline;
 mod profile;
 mod quarantine;
-mod railway;
+pub mod railway;
 mod region;
 mod road;
 mod road_mark;
-mod route;
+pub mod route;
+pub mod rules;
 mod section;
-mod signals;
+pub mod signals;
 mod structures;
 mod surface;
 mod types;
-mod view;
+pub mod view;
 mod waypoints;
 
-pub use annotation::{Annotated, Annotation, IncludedFile};
-pub use class_set::ClassSet;
-pub use cross_section::{CrossSection, SectionCutter};
 pub use error::QueryError;
-pub use file_frame::FileFrame;
-#[cfg(feature = "geodesy")]
-pub use geodetic::GeodeticError;
+pub use extents::{Bounds, SRange};
 pub use glam;
-pub use graph::{Conflict, LaneEdge, LaneNode};
-pub use ground::{Ground, GroundScratch};
+#[doc(hidden)]
+pub use groups::compiling;
+#[cfg(feature = "geodesy")]
+pub use groups::geodesy;
+pub use groups::{document, junctions, localisation, roads, vocabulary};
 pub use ids::{
     ControllerId, JunctionId, LaneId, LaneSectionId, NodeId, ObjectId, RoadId, SignalId,
 };
-pub use index::{SegmentHit, nearest_segment};
-pub use junction::{Connection, Junction};
-pub use junction_group::{JunctionGroup, JunctionGroupMember};
+pub use junction::Junction;
 pub use key::{LaneKey, LaneLayer, ParseLaneKeyError};
-pub use landmark::{Landmark, LandmarkSource};
-pub use lane::{Lane, LaneSpeed};
-pub use lane_length::travel_speed;
-pub use lane_words::{LaneRule, LaneVisibility};
+pub use lane::Lane;
 pub use map::Map;
-pub use mapd_archive::{
-    AnnotationKind, AnnotationOwner, Class, ClassGroup, ConflictKind, ContactPoint, EdgeKind,
-    FromSide, GeoReferenceForm, JunctionGroupKind, LaneMethod, LaneType, MarkLaneChange,
-    ObjectShape, ObjectSide, Orientation, OutlineFill, Overlay, OverlayKind, PlatformSide,
-    QuarantinedKind, Relation, RelationReason, RoadMarkColor, RoadMarkKind, RoadMarkRule,
-    RoadMarkWeight, RoadRules, RoadType, SignalPosition, SpeedKind, StructureKind, SwitchPosition,
-    VehicleClass,
-};
-#[cfg(feature = "geodesy")]
-pub use mapd_geodesy::{DefinitionError, Geodetic, Offset, ProjectionError, Projector};
-pub use marks::{MarkFilter, MarkKinds, NearMark, Side};
-pub use matching::{
-    LaneMatch, MatchError, MatchOptions, TraceFix, TraceMatch, TraceOptions, TraceScratch,
-    VehiclePose,
-};
+/// The archive itself: tables, rows, opening and verifying.
+pub use mapd_archive as raw;
 pub use nearest::{LaneTypes, Nearest, NearestOptions};
-pub use objects::{
-    NearObject, Object, ObjectBorder, ObjectLane, ObjectMarking, ObjectMaterial, ObjectOutline,
-    ObjectPlacement, ParkingSpace, PlacementId, Skeleton, SkeletonVertex,
-};
-pub use path::{
-    Corridor, EdgeMark, Path, PathBuffer, PathChange, PathChangeKind, PathConflict, PathError,
-    PathFact, PathFactKind, PathJoint, PathLane, PathOptions, PathPoint, PathPosition, PathSegment,
-    PathSpeed, Yields, steps_of_lanes,
-};
-pub use polyline::Polyline;
-pub use quarantine::Quarantined;
-pub use railway::{Platform, PlatformSegment, Station, Switch, SwitchTrack};
-pub use region::{BoundarySegment, Region};
-pub use road::{Road, RoadLink, RoadTypeRecord};
-pub use road_mark::{RoadMark, RoadMarkLine, RoadMarkSegment};
-pub use route::{
-    CostBound, Enter, LaneChangeAhead, LanePlace, LaneSequences, NextJunction, Reached, Route,
-    RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime, WithFactors,
-    next_lane_change,
-};
+pub use region::Region;
+pub use road::Road;
 pub use section::LaneSection;
-pub use signals::{
-    Basis, BoardGroupMember, Controller, DisplayArea, JunctionController, LaneLine, LaneSignal,
-    LightStates, LineAhead, LineSource, NearSignal, OvertakingRule, RightOfWay, Signal,
-    SignalAhead, SignalBoard, SignalLink, SignalPlace, SignalSemantics, SignalsAhead, SpeedOrigin,
-    SpeedRule, Turn,
-};
-#[doc(hidden)]
-pub use signals::{SpeedSigns, Zone, is_of_speed};
-pub use structures::{ObjectReference, Structure};
-pub use surface::{LaneHeight, Material, Surface};
 pub use types::{Clamped, LaneEdges, LanePosition, Point, Pose, Track, TrackPosition};
-pub use view::{
-    ForeignOverlay, OverlayEntry, Permission, ReachedPiece, Restriction, SpeedToday, View,
-};
-pub use waypoints::Waypoint;

@@ -1,6 +1,7 @@
 //! The borrowed map.
 
 use crate::error::QueryError;
+use crate::extents::{Bounds, HeaderOffset, Revision};
 use crate::ids::{JunctionId, LaneId, LaneSectionId, RoadId};
 use crate::junction::Junction;
 use crate::key::{LaneKey, LaneLayer};
@@ -60,9 +61,11 @@ impl<'a> Map<'a> {
         self.row().map_or("", |row| string(self.tables(), row.name()))
     }
 
-    /// OpenDRIVE version (revMajor, revMinor); 0 where the file has none.
-    pub fn revision(&self) -> (u16, u16) {
-        self.row().map_or((0, 0), |row| (row.rev_major(), row.rev_minor()))
+    /// The version of OpenDRIVE that the file states.
+    pub fn revision(&self) -> Revision {
+        let revision =
+            |row: &ArchivedMapRow| Revision { major: row.rev_major(), minor: row.rev_minor() };
+        self.row().map(revision).unwrap_or_default()
     }
 
     /// Text of `geoReference` as written; empty if there is none.
@@ -82,11 +85,11 @@ impl<'a> Map<'a> {
         self.row().map_or("", |row| string(self.tables(), row.projection()))
     }
 
-    /// The header's offset as it is applied: shift `[m]` and turn `[rad]` (ASAM OpenDRIVE 1.8.1, 8.4.3). A point p of the map
-    /// lies at R(turn)·p + shift in the plane of [`Map::projection`].
-    pub fn header_offset(&self) -> (DVec3, f64) {
-        self.row().map_or((DVec3::ZERO, 0.0), |row| {
-            (DVec3::new(row.offset_x(), row.offset_y(), row.offset_z()), row.offset_hdg())
+    /// The header's offset as it is applied: where a point of the map lies in the plane of [`Map::projection`].
+    pub fn header_offset(&self) -> HeaderOffset {
+        self.row().map_or_else(HeaderOffset::default, |row| HeaderOffset {
+            shift: DVec3::new(row.offset_x(), row.offset_y(), row.offset_z()),
+            heading: row.offset_hdg(),
         })
     }
 
@@ -95,13 +98,11 @@ impl<'a> Map<'a> {
         self.row().is_some_and(|row| row.offset_sign() == 1)
     }
 
-    /// Smallest and largest inertial coordinates of all lanes `[m]`, each within the polylines' tolerance.
-    pub fn bounds(&self) -> (DVec3, DVec3) {
-        self.row().map_or((DVec3::ZERO, DVec3::ZERO), |r| {
-            (
-                DVec3::new(r.min_x(), r.min_y(), r.min_z()),
-                DVec3::new(r.max_x(), r.max_y(), r.max_z()),
-            )
+    /// The box around all lanes, within the polylines' tolerance.
+    pub fn bounds(&self) -> Bounds {
+        self.row().map_or_else(Bounds::default, |r| Bounds {
+            low: DVec3::new(r.min_x(), r.min_y(), r.min_z()),
+            high: DVec3::new(r.max_x(), r.max_y(), r.max_z()),
         })
     }
 
@@ -113,26 +114,6 @@ impl<'a> Map<'a> {
     /// Local origin `[m]`: what stored geometry is relative to.
     pub fn local_origin(&self) -> DVec2 {
         self.origin()
-    }
-
-    /// The lane in a row of the archive's table, lane 0 included.
-    pub fn lane_by_row(&self, row: u32) -> Option<Lane<'a>> {
-        Lane::new(*self, row)
-    }
-
-    /// The lane section in a row of the archive's table.
-    pub fn section_by_row(&self, row: u32) -> Option<LaneSection<'a>> {
-        LaneSection::new(*self, row)
-    }
-
-    /// The road in a row of the archive's table.
-    pub fn road_by_row(&self, row: u32) -> Option<Road<'a>> {
-        Road::new(*self, row)
-    }
-
-    /// The junction in a row of the archive's table.
-    pub fn junction_by_row(&self, row: u32) -> Option<Junction<'a>> {
-        Junction::new(*self, row)
     }
 
     #[inline]

@@ -112,6 +112,15 @@ pub struct Polyline<'a> {
     points: Points<'a>,
 }
 
+/// A point of a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinePoint {
+    /// s on the road `[m]`.
+    pub s: f64,
+    /// Inertial position `[m]`.
+    pub position: DVec3,
+}
+
 impl<'a> Polyline<'a> {
     pub(crate) fn new(origin: DVec3, section: &ArchivedSectionRow, points: Points<'a>) -> Self {
         let frame = DVec3::new(section.x().into(), section.y().into(), section.z().into());
@@ -152,16 +161,19 @@ impl<'a> Polyline<'a> {
         (0..self.len()).map(move |i| line.position(i).unwrap_or_default())
     }
 
-    /// Every point's s `[m]` and inertial position `[m]`, in ascending s: as [`Self::stations`] and [`Self::positions`] have
+    /// Every point in ascending s: s and position as [`Self::stations`] and [`Self::positions`] have
     /// them, for who needs all.
     #[inline]
-    pub fn points(&self) -> impl ExactSizeIterator<Item = (f64, DVec3)> + use<'a> {
+    pub fn points(&self) -> impl ExactSizeIterator<Item = LinePoint> + use<'a> {
         let Self { origin, s_start, points } = *self;
         let (reader, bytes) = (points.code.reader(), points.code.bytes());
         (0..points.count).map(move |i| {
             let (station, offset) = reader.read(points.bytes.get(i * bytes..).unwrap_or(&[]));
             let station = points.stations.get(station as usize).copied().unwrap_or_default();
-            (s_start + f64::from(station), origin + DVec3::from_array(offset))
+            LinePoint {
+                s: s_start + f64::from(station),
+                position: origin + DVec3::from_array(offset),
+            }
         })
     }
 

@@ -1,6 +1,8 @@
 //! Where the map has holes: parts of the document with errors, which are not in the map as written.
 
+use crate::extents::SourcePosition;
 use crate::map::Map;
+use crate::region::Region;
 use glam::DVec2;
 use mapd_archive::{ArchivedQuarantinedRow, QuarantinedKind, string};
 use std::fmt;
@@ -39,16 +41,18 @@ impl<'a> Quarantined<'a> {
         self.row.treatment() == 1
     }
 
-    /// Corner with the smallest and with the largest coordinates, inertial `[m]`; none where its place is not known.
-    pub fn extent(&self) -> Option<(DVec2, DVec2)> {
+    /// The rectangle around it; none where its place is not known.
+    pub fn extent(&self) -> Option<Region> {
         let row = self.row;
-        (row.has_extent() == 1)
-            .then(|| (DVec2::new(row.min_x(), row.min_y()), DVec2::new(row.max_x(), row.max_y())))
+        (row.has_extent() == 1).then(|| Region {
+            low: DVec2::new(row.min_x(), row.min_y()),
+            high: DVec2::new(row.max_x(), row.max_y()),
+        })
     }
 
     /// Distance of a point from the extent in plan view `[m]`, 0 inside; none where its place is not known.
     pub fn distance(&self, point: DVec2) -> Option<f64> {
-        let (min, max) = self.extent()?;
+        let Region { low: min, high: max } = self.extent()?;
         let outside = (min - point).max(point - max).max(DVec2::ZERO);
         Some(outside.length())
     }
@@ -69,8 +73,8 @@ impl<'a> Quarantined<'a> {
     }
 
     /// Place of the finding in its file: line and column, from 1.
-    pub fn source_position(&self) -> (u32, u32) {
-        (self.row.line(), self.row.column())
+    pub fn source_position(&self) -> SourcePosition {
+        SourcePosition { line: self.row.line(), column: self.row.column() }
     }
 
     /// Name of the included file that the finding stands in, without its folder; none for the document itself.
@@ -107,8 +111,8 @@ impl fmt::Display for Explained<'_, '_> {
         let Self { part, document } = *self;
         let kept =
             if part.is_reference_line() { "has its reference line alone" } else { "is left out" };
-        let (file, (line, column)) =
-            (part.source_file().unwrap_or(document), part.source_position());
+        let file = part.source_file().unwrap_or(document);
+        let SourcePosition { line, column } = part.source_position();
         let (rule, message) = (part.rule(), part.message());
         write!(f, "{part} {kept}: {rule} in {file}, line {line}, column {column}: {message}")
     }

@@ -1,6 +1,7 @@
 //! Roads: the reference line and what lies along it.
 
 use crate::error::QueryError;
+use crate::extents::SourcePosition;
 use crate::ids::RoadId;
 use crate::junction::Junction;
 use crate::map::Map;
@@ -133,8 +134,8 @@ impl<'a> Road<'a> {
     }
 
     /// Place of the road in its file: line and column of the start tag, from 1.
-    pub fn source_position(&self) -> (u32, u32) {
-        (self.row.line(), self.row.column())
+    pub fn source_position(&self) -> SourcePosition {
+        SourcePosition { line: self.row.line(), column: self.row.column() }
     }
 
     /// `road/type` records in ascending s.

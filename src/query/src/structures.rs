@@ -1,5 +1,6 @@
 //! Bridges, tunnels and references to objects of other roads.
 
+use crate::extents::{LaneRange, SRange, SourcePosition};
 use crate::map::Map;
 use crate::objects::Object;
 use crate::road::Road;
@@ -18,8 +19,11 @@ pub struct Structure<'a> {
 pub(crate) fn validities<'a>(
     map: Map<'a>,
     range: Range,
-) -> impl ExactSizeIterator<Item = (i32, i32)> + use<'a> {
-    range.of(map.tables().lane_ranges).iter().map(|range| (range.from(), range.to()))
+) -> impl ExactSizeIterator<Item = LaneRange> + use<'a> {
+    range
+        .of(map.tables().lane_ranges)
+        .iter()
+        .map(|range| LaneRange { from: range.from(), to: range.to() })
 }
 
 impl<'a> Structure<'a> {
@@ -49,12 +53,12 @@ impl<'a> Structure<'a> {
     }
 
     /// From where to where on the road `[m]`: s, ascending, as written.
-    pub fn s_range(&self) -> (f64, f64) {
-        (self.row.s(), self.row.s() + self.row.length())
+    pub fn s_range(&self) -> SRange {
+        SRange { low: self.row.s(), high: self.row.s() + self.row.length() }
     }
 
     /// Lane numbers that it is written to hold for; none: for all lanes.
-    pub fn validities(&self) -> impl ExactSizeIterator<Item = (i32, i32)> + use<'a> {
+    pub fn validities(&self) -> impl ExactSizeIterator<Item = LaneRange> + use<'a> {
         validities(self.map, self.row.validities())
     }
 
@@ -69,8 +73,8 @@ impl<'a> Structure<'a> {
     }
 
     /// Place in its file: line and column of the start tag, from 1.
-    pub fn source_position(&self) -> (u32, u32) {
-        (self.row.line(), self.row.column())
+    pub fn source_position(&self) -> SourcePosition {
+        SourcePosition { line: self.row.line(), column: self.row.column() }
     }
 }
 
@@ -84,7 +88,7 @@ pub struct ObjectReference<'a> {
 impl<'a> ObjectReference<'a> {
     /// The object; none where the map has none of this id.
     pub fn object(&self) -> Option<Object<'a>> {
-        self.map.object_by_row(self.row.object())
+        Object::new(self.map, self.row.object())
     }
 
     /// Id of the object as written.
@@ -123,7 +127,7 @@ impl<'a> ObjectReference<'a> {
     }
 
     /// Lane numbers of the referring road that it holds for; none: for all lanes.
-    pub fn validities(&self) -> impl ExactSizeIterator<Item = (i32, i32)> + use<'a> {
+    pub fn validities(&self) -> impl ExactSizeIterator<Item = LaneRange> + use<'a> {
         validities(self.map, self.row.validities())
     }
 }
@@ -157,7 +161,7 @@ impl<'a> Road<'a> {
     /// Bridges and tunnels that s lies in, ends included.
     pub fn structures_at(&self, s: f64) -> impl Iterator<Item = Structure<'a>> + use<'a> {
         self.structures().filter(move |structure| {
-            let (from, to) = structure.s_range();
+            let SRange { low: from, high: to } = structure.s_range();
             from <= s && s <= to
         })
     }

@@ -1,7 +1,8 @@
 //! Looking for things by their names.
 
 use crate::sheet::{Kind, Link, Words};
-use mapd_query::{LaneKey, Map, QuarantinedKind};
+use mapd_query::vocabulary::QuarantinedKind;
+use mapd_query::{LaneKey, Map};
 
 /// Things that are found at most.
 pub const MOST_FOUND: usize = 30;

@@ -1,6 +1,6 @@
 //! What stands out by its colour. The page has the colours, by these names.
 
-use mapd_query::{LaneType, RoadMarkColor};
+use mapd_query::vocabulary::{LaneType, RoadMarkColor};
 
 macro_rules! paints {
     ($($(#[$doc:meta])* $name:ident = $text:literal,)*) => {

@@ -5,7 +5,9 @@ use crate::paint::Paint;
 use crate::place::{Place, pick};
 use crate::sheet::{Kind, Link, Sheet, Words};
 use crate::{find, scene, way};
+use mapd_query::Bounds;
 use mapd_query::Map;
+use mapd_query::document::SourcePosition;
 use serde::Serialize;
 
 /// Parts that are left out and listed at most.
@@ -98,7 +100,7 @@ fn result<T: Serialize, E: ToString>(answer: Result<T, E>) -> String {
 }
 
 fn overview(map: Map<'_>) -> Overview<'_> {
-    let (low, high) = map.bounds();
+    let Bounds { low, high } = map.bounds();
     Overview {
         name: map.name(),
         generation: map.generation(),
@@ -120,7 +122,7 @@ fn overview(map: Map<'_>) -> Overview<'_> {
 fn left_out(map: Map<'_>) -> Vec<LeftOut<'_>> {
     let parts = map.quarantined().enumerate().take(MOST_LISTED);
     let listed = parts.map(|(number, part)| {
-        let (line, column) = part.source_position();
+        let SourcePosition { line, column } = part.source_position();
         let link = Link { kind: Kind::Quarantine, row: number as u32 };
         LeftOut {
             name: Words { text: format!("{} {}", part.kind().name(), part.id()), link: Some(link) },

@@ -7,6 +7,7 @@ pub(crate) use lanes::area;
 pub(crate) use things::{level_of, object};
 
 use crate::drawing::{Drawing, level};
+use mapd_query::Bounds;
 use mapd_query::glam::DVec3;
 use mapd_query::{LaneSection, Map};
 
@@ -83,7 +84,7 @@ impl Layer {
 
 /// What drawings are relative to: the middle of the map in plan view, at its lowest height.
 pub(crate) fn middle(map: Map<'_>) -> DVec3 {
-    let (low, high) = map.bounds();
+    let Bounds { low, high } = map.bounds();
     (0.5 * (low + high)).truncate().extend(low.z)
 }
 

@@ -3,7 +3,11 @@
 mod lane;
 mod other;
 
-use mapd_query::{Junction, Lane, Map, Object, QuarantinedKind, Road, Signal};
+use mapd_query::compiling::ByRow as _;
+use mapd_query::objects::Object;
+use mapd_query::signals::Signal;
+use mapd_query::vocabulary::QuarantinedKind;
+use mapd_query::{Junction, Lane, Map, Road};
 use serde::Serialize;
 
 /// What a sheet can be about.

@@ -1,6 +1,7 @@
 //! What a signal looks like on a map.
 
-use mapd_query::{Class, ClassGroup, Signal};
+use mapd_query::signals::Signal;
+use mapd_query::vocabulary::{Class, ClassGroup};
 
 /// Kinds of pictures. The page draws them by number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

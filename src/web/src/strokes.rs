@@ -1,7 +1,9 @@
 //! Road marks as strokes along a lane's border, each broken as the file says.
 
 use mapd_query::glam::DVec3;
-use mapd_query::{Lane, RoadMark, RoadMarkColor, RoadMarkKind, Track};
+use mapd_query::roads::RoadMark;
+use mapd_query::vocabulary::{RoadMarkColor, RoadMarkKind};
+use mapd_query::{Lane, Track};
 
 /// Length and gap of a broken line for which the file gives none `[m]`.
 const BROKEN: [f64; 2] = [3.0, 6.0];

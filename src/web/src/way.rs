@@ -5,11 +5,12 @@ use crate::paint::Paint;
 use crate::place::top_lane;
 use crate::scene::{level_of, middle, object};
 use crate::sheet::{Kind, Link, Words};
+use mapd_query::compiling::ByRow as _;
 use mapd_query::glam::{DVec2, DVec3};
-use mapd_query::{
-    Corridor, Enter, Lane, LanePlace, Map, Path, PathBuffer, PathOptions, QueryError, RouteScratch,
-    RouteStep, ShortestTime, VehicleClass,
-};
+use mapd_query::path::{Corridor, Path, PathBuffer, PathOptions};
+use mapd_query::route::{Enter, LanePlace, RouteScratch, RouteStep, ShortestTime};
+use mapd_query::vocabulary::VehicleClass;
+use mapd_query::{Lane, Map, QueryError};
 use serde::Serialize;
 
 /// From station to station of the drawn line and its room `[m]`.
@@ -121,7 +122,7 @@ fn draw(map: Map<'_>, path: &Path<'_, '_>) -> Result<Drawing, QueryError> {
     let mut corridor = Corridor::default();
     path.corridor(0.0, path.length(), STEP, VehicleClass::PassengerCar, &mut corridor)?;
     drawing.near(DVec2::ZERO);
-    let level = level(map.bounds().1.z - middle(map).z);
+    let level = level(map.bounds().high.z - middle(map).z);
     let points = |line: &[DVec3]| -> Vec<(f64, DVec3)> {
         corridor.along.iter().copied().zip(line.iter().copied()).collect()
     };
@@ -161,7 +162,7 @@ pub fn highlight(map: Map<'_>, about: Link) -> Drawing {
             };
             lanes(&mut lane.predecessors()).iter().for_each(|one| fill(one, Paint::Before));
             lanes(&mut lane.successors()).iter().for_each(|one| fill(one, Paint::Next));
-            lane.yields_to().for_each(|(one, _)| fill(&one, Paint::Other));
+            lane.yields_to().for_each(|one| fill(&one.lane, Paint::Other));
             fill(&lane, Paint::Chosen);
         }
         Kind::Road => {

@@ -22,7 +22,7 @@
 
 use iceoryx2::prelude::{NodeBuilder, SignalHandlingMode};
 use mapd_client::{
-    Attach, Client, ClientError, Domain, NearestOptions, Snapshot, archive, glam::DVec2,
+    Attach, Client, ClientError, Domain, NearestOptions, Snapshot, glam::DVec2, raw,
 };
 use mapd_transport::{Subscription, TransportService, iceoryx2_config, silence_iceoryx2};
 use std::collections::BTreeMap;
@@ -281,14 +281,14 @@ fn faults(map: &str) -> Outcome {
     let subscription = Subscription::connect(&domain, map, Instant::now() + WAIT)?;
     let pinned = subscription.current();
     // The program's own pages are not meant: open something else first.
-    let small = archive::encode(&archive::Rows::default(), &archive::Provenance::default())?;
+    let small = raw::encode(&raw::Rows::default(), &raw::Provenance::default())?;
     let mut faults = Faults::new()?;
     for _ in 0..3 {
-        std::hint::black_box(archive::open(std::hint::black_box(&small))?);
+        std::hint::black_box(raw::open(std::hint::black_box(&small))?);
         faults.count()?;
     }
     let before = faults.count()?;
-    let opened = archive::open(std::hint::black_box(pinned.bytes()))?;
+    let opened = raw::open(std::hint::black_box(pinned.bytes()))?;
     let after = faults.count()?;
     println!("faults {}", after - before);
     println!("bytes {}", pinned.bytes().len());

@@ -1,7 +1,10 @@
 //! `mapd export --format lanelet2`: a file that is whole, lies where the map lies, and links what the map links.
 
+use mapd_client::SRange;
+use mapd_client::geodesy::{Geodetic, Projector};
 use mapd_client::glam::DVec3;
-use mapd_client::{Geodetic, Lane, LaneNode, Map, Projector, Track};
+use mapd_client::graph::LaneNode;
+use mapd_client::{Lane, Map, Track};
 use mapd_tests::carried;
 use mapd_tests::maps::{carried_and, open};
 use quick_xml::Reader;
@@ -137,7 +140,7 @@ fn export(map: Map<'_>, path: &Path) -> (Osm, Vec<csv::StringRecord>, Projector)
     let projector = map.projector().unwrap_or_else(|_| {
         arguments.extend(["--origin", "49,8.4"]);
         let plane = "+proj=tmerc +lat_0=49 +lon_0=8.4 +datum=WGS84";
-        Projector::new(plane, mapd_client::Offset::default()).expect("a projector")
+        Projector::new(plane, mapd_client::geodesy::Offset::default()).expect("a projector")
     });
     let output = run(&arguments, folder.path());
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
@@ -240,7 +243,7 @@ fn every_point_lies_at_the_edge_of_its_lane() {
             .filter(|one| &one[0] == "trimmed")
             .map(|one| one.get(1).unwrap_or(""))
             .collect();
-        let shift = map.header_offset().0.z;
+        let shift = map.header_offset().shift.z;
         for lanelet in lanelets(map, &osm) {
             if trimmed.contains(lanelet.lane.key().to_string().as_str()) {
                 continue;
@@ -294,7 +297,7 @@ fn lanelets_follow_each_other_as_lanes_do_or_the_report_says_so() {
         let all = lanelets(map, &osm);
         let (lost, extra) = (told(&report, "lost"), told(&report, "extra"));
         let find = |node: &LaneNode<'_>, at_end: bool| {
-            let (from, to) = node.s_range();
+            let SRange { low: from, high: to } = node.s_range();
             let s = if node.is_forward() == at_end { to } else { from };
             let lane = node.lane()?.lane_id();
             all.iter().find(|one| {
@@ -341,7 +344,7 @@ fn lanelets_follow_each_other_as_lanes_do_or_the_report_says_so() {
                 for next in starts.get(&ends(one, forward, true)).into_iter().flatten() {
                     let (from, to) = (one.lane.key().to_string(), next.lane.key().to_string());
                     let shares = one.lane.nodes().any(|a| {
-                        let mut classes = mapd_client::VehicleClass::ALL.iter();
+                        let mut classes = mapd_client::vocabulary::VehicleClass::ALL.iter();
                         classes.any(|class| {
                             a.allows(*class) && next.lane.nodes().any(|b| b.allows(*class))
                         })

@@ -1,5 +1,6 @@
 //! `mapd export --format geojson` and `flatgeobuf`: every feature arrives, where the map has it, as text, and read by GDAL.
 
+use mapd_client::Bounds;
 use mapd_client::{Lane, Map, Snapshot};
 use mapd_tests::maps::open;
 use mapd_tests::{carried, say};
@@ -131,7 +132,7 @@ fn geojson_has_every_feature_at_its_place() {
             assert_eq!(of_layer.count(), expected, "{layer} of {name}");
         }
         let projector = map.projector().expect("a projector");
-        let (low, high) = map.bounds();
+        let Bounds { low, high } = map.bounds();
         for feature in features {
             let mut places = Vec::new();
             positions(&feature["geometry"]["coordinates"], &mut places);
@@ -143,7 +144,7 @@ fn geojson_has_every_feature_at_its_place() {
             let lane = map.lane_by_key(&key).expect("a lane");
             for place in places {
                 let [longitude, latitude, altitude] = place[..] else { panic!("{place:?}") };
-                let geodetic = mapd_client::Geodetic { latitude, longitude, altitude };
+                let geodetic = mapd_client::geodesy::Geodetic { latitude, longitude, altitude };
                 let point = projector.from_geodetic(geodetic).expect("a point");
                 assert!((low.x - 1.0..high.x + 1.0).contains(&point.x), "{point}");
                 let near = |p: mapd_client::glam::DVec3| (p - point).length() < 1e-3;

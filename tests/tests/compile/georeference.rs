@@ -98,7 +98,7 @@ fn the_sign_of_the_offset_can_be_said() {
     ] {
         let (compilation, snapshot) = compiled(header, (0.0, 0.0), sign);
         let map = snapshot.map();
-        assert_eq!((map.header_offset().0.x, map.offset_is_negated()), (shift, negated));
+        assert_eq!((map.header_offset().shift.x, map.offset_is_negated()), (shift, negated));
         assert_eq!(rules(&compilation).contains(&"offset_sign"), sign == OffsetSign::Auto);
         if negated {
             let place =
@@ -117,7 +117,7 @@ fn nothing_happens_where_zones_meet() {
     // 12° E lies 200 to 250 km east of the central meridian of zone 32 at this latitude.
     let header = "><geoReference>+proj=utm +zone=32 +datum=WGS84</geoReference>";
     let bare = compiled(header, (7e5, 5.3e6), OffsetSign::Auto).1;
-    let at = mapd_client::Geodetic { latitude: 48.0, longitude: 12.0, altitude: 0.0 };
+    let at = mapd_client::geodesy::Geodetic { latitude: 48.0, longitude: 12.0, altitude: 0.0 };
     let border = bare.map().projector().expect("a projector").from_geodetic(at).expect("a point");
     let (_, snapshot) = compiled(header, (border.x - 250.0, border.y), OffsetSign::Auto);
     let map = snapshot.map();

@@ -4,6 +4,8 @@ use glam::DVec3;
 use mapd_client::{Map, Snapshot, Track};
 use mapd_compiler::{Compilation, CompileOptions, Target, Verdict, compile};
 use mapd_geodesy::Geodetic;
+use mapd_query::Bounds;
+use mapd_query::document::HeaderOffset;
 use mapd_tests::{corpus, say};
 
 /// Coordinates of millions of metres, on their way through degrees and back `[m]`.
@@ -110,7 +112,7 @@ fn compare(name: &str, (file, map): (Map<'_>, Map<'_>), is_simple: bool) -> [f64
     assert_eq!(frame.offset(), file.header_offset());
     let from = map.file_projector().expect("a projector");
     let to = map.projector().expect("a projector");
-    let (low, high) = frame.scale();
+    let (low, high) = (frame.scale_min(), frame.scale_max());
     let off_scale = (low - 1.0).abs().max((high - 1.0).abs());
     let mut worst = [0.0_f64; 2];
     for (road, other) in file.roads().zip(map.roads()) {
@@ -144,7 +146,8 @@ fn compare(name: &str, (file, map): (Map<'_>, Map<'_>), is_simple: bool) -> [f64
             }
         }
     }
-    let ((low, high), (own_low, own_high)) = (frame.bounds(), file.bounds());
+    let Bounds { low, high } = frame.bounds();
+    let Bounds { low: own_low, high: own_high } = file.bounds();
     // Polylines are not the same on both sides, and widths stay as written on either.
     let slack = 2.0 * file.tables().map[0].bound_tolerance() + 100.0 * off_scale + frame.error();
     let off = (low - own_low).abs().max((high - own_high).abs()).max_element();
@@ -169,8 +172,8 @@ fn check(header: &str, (x, y): (f64, f64), crs: &str) -> (Compilation, Snapshot)
         worst[0],
         frame.error(),
         worst[1],
-        frame.scale().0,
-        frame.scale().1
+        frame.scale_min(),
+        frame.scale_max()
     ));
     (compilation, snapshot)
 }
@@ -196,7 +199,8 @@ fn a_road_across_a_zone_boundary_stays_in_one_piece() {
         let map = snapshot.map();
         let zone_33 = map.projection().contains("zone=33");
         assert_eq!(zone_33, crs.ends_with("33"), "{}", map.projection());
-        let (low, high) = map.file_frame().expect("a transformed map").scale();
+        let frame = map.file_frame().expect("a transformed map");
+        let (low, high) = (frame.scale_min(), frame.scale_max());
         let projector = map.projector().expect("a projector");
         let mut before: Option<DVec3> = None;
         let mut sides = [false; 2];
@@ -283,7 +287,7 @@ fn frames_of_all_sorts_meet() {
     let (_, snapshot) = check(&header, (120.0, 40.0), "epsg:25832");
     let frame = snapshot.map().file_frame().expect("a transformed map");
     assert_eq!((frame.height_shift(), frame.height_error()), (512.5, 0.0));
-    assert_eq!(snapshot.map().header_offset(), (DVec3::ZERO, 0.0));
+    assert_eq!(snapshot.map().header_offset(), HeaderOffset::default());
     let (_, snapshot) = check(&header, (120.0, 40.0), "enu:48.0,9.0,500");
     let frame = snapshot.map().file_frame().expect("a transformed map");
     assert_eq!(frame.height_shift(), 12.5);
@@ -481,7 +485,7 @@ fn maps_of_the_corpus_move() {
         say(&format!(
             "{name}: {worst:.1e} m (stated {:.1e}), {up:.1e} m in height, scale {:?}",
             frame.error(),
-            frame.scale()
+            (frame.scale_min(), frame.scale_max())
         ));
         moved += 1;
     }

@@ -156,7 +156,7 @@ fn the_map_knows_why_an_id_is_missing() {
     let file = broken(folder.path(), "x=\"0\" y=\"20\" hdg=\"0\"", "x=\"0\" y=\"20\" hdg=\"east\"");
     let snapshot = mapd_tests::maps::open(&file);
     let map = snapshot.map();
-    use mapd_query::QuarantinedKind::{Junction, Object, Road, Signal};
+    use mapd_query::vocabulary::QuarantinedKind::{Junction, Object, Road, Signal};
     for (kind, id, lost) in [
         (Road, "2", true),
         (Object, "o1", true),

@@ -1,6 +1,7 @@
 //! Seeded mutations of good maps: none is accepted silently with another answer, unless what it changes is lawful either way.
 
 use mapd_archive::encode;
+use mapd_client::compiling::ByRow as _;
 use mapd_compiler::{Compilation, CompileOptions, ReadOptions, Verdict, compile_from};
 use std::collections::BTreeMap;
 

@@ -6,6 +6,7 @@ use mapd_client::{Map, NearestOptions, Snapshot};
 use mapd_compiler::{
     Compilation, CompileOptions, OnError, Policy, ReadOptions, Treatment, Verdict, compile_from,
 };
+use mapd_query::Region;
 use mapd_query::glam::DVec2;
 
 /// Roads 1, 2 and 3 in a row along x, each 100 m long; 3 leads into junction 9, within which road 5 leads on to road 6.
@@ -122,7 +123,7 @@ fn one_broken_part_of_each_kind() {
         assert_eq!(into.successors().count(), usize::from(has_connection), "{name}");
         // Who asks near the hole is told, where its place can be known.
         if let Some(part) = map.quarantined().find(|part| part.extent().is_some()) {
-            let (min, max) = part.extent().expect("known");
+            let Region { low: min, high: max } = part.extent().expect("known");
             let told =
                 map.quarantined_near((min + max) / 2.0, 1.0).any(|near| near.id() == part.id());
             assert!(told, "{name}");

@@ -4,7 +4,8 @@
 use mapd_archive::encode;
 use mapd_client::Snapshot;
 use mapd_compiler::{Compilation, CompileOptions, ReadOptions, Verdict, compile, compile_from};
-use mapd_query::{Class, Signal};
+use mapd_query::signals::Signal;
+use mapd_query::vocabulary::Class;
 use mapd_tests::object_maps::{ObjectRoad, PLAIN, document};
 use mapd_xodr::Severity;
 

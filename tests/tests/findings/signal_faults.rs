@@ -3,7 +3,7 @@
 use mapd_archive::encode;
 use mapd_client::Snapshot;
 use mapd_compiler::{Compilation, CompileOptions, ReadOptions, compile_from};
-use mapd_query::LaneMethod;
+use mapd_query::vocabulary::LaneMethod;
 use mapd_tests::crossroads::signal;
 use mapd_tests::graph_maps::{Line, document, lane, road, section};
 

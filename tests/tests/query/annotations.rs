@@ -1,7 +1,7 @@
 //! What files say of their parts beyond what anything is built from: each arrives with its owner, its place and its text.
 
 use mapd_compiler::{CompileOptions, Extra, ReadOptions, compile_from};
-use mapd_query::{AnnotationKind, JunctionGroupKind};
+use mapd_query::vocabulary::{AnnotationKind, JunctionGroupKind};
 use mapd_tests::annotated::{NESTED, document, road, roundabout};
 use mapd_tests::object_maps::open;
 

@@ -2,6 +2,7 @@
 
 use mapd_client::glam::DVec2;
 use mapd_client::{Lane, Map, NearestOptions};
+use mapd_query::SRange;
 use mapd_tests::maps::{Random, carried_and, open};
 
 /// Points on each map.
@@ -85,7 +86,7 @@ fn where_two_lanes_cover_a_point_they_conflict() {
                         )
                     });
                     // Cells end at chords: a little beyond counts too.
-                    let within = |s: f64, (from, to): (f64, f64)| s >= from - 0.1 && s <= to + 0.1;
+                    let within = |s: f64, on: SRange| s >= on.low - 0.1 && s <= on.high + 0.1;
                     assert!(
                         within(*s_a, conflict.s_range()) && within(*s_b, conflict.other_range()),
                         "{} at {s_a} of {:?}, {} at {s_b} of {:?}",

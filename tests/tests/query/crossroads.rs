@@ -4,10 +4,11 @@
 use mapd_archive::encode;
 use mapd_client::Snapshot;
 use mapd_compiler::{CompileOptions, ReadOptions, compile_from};
-use mapd_query::{
-    Class, Lane, LaneLine, LanePlace, LineAhead, LineSource, Map, Relation, RouteScratch,
-    ShortestLength, SignalsAhead, SpeedOrigin, Turn, VehicleClass,
-};
+use mapd_query::route::{LanePlace, RouteScratch, ShortestLength};
+use mapd_query::rules::{LaneLine, LineAhead, LineSource, SpeedOrigin, Turn};
+use mapd_query::signals::SignalsAhead;
+use mapd_query::vocabulary::{Class, Relation, VehicleClass};
+use mapd_query::{Lane, Map};
 use mapd_tests::crossroads::{ARMS, crossroads, left_hand_crossroads, light, signal};
 use mapd_tests::graph_maps::{lane as graph_lane, section};
 use std::f64::consts::FRAC_PI_2;
@@ -358,7 +359,8 @@ fn with_left_hand_traffic_turns_to_the_right_yield() {
 /// What is met, with distances rounded to a centimetre.
 fn met(map: Map<'_>, ahead: &SignalsAhead) -> Vec<(String, f64)> {
     let rounded = |x: f64| (x * 100.0).round() / 100.0;
-    let name = |one: &mapd_query::SignalAhead| map.signal_of(one).expect("known").id().to_owned();
+    let name =
+        |one: &mapd_query::signals::SignalAhead| map.signal_of(one).expect("known").id().to_owned();
     ahead.iter().map(|one| (name(one), rounded(one.distance))).collect()
 }
 

@@ -57,7 +57,7 @@ fn bounds_offsets_and_headings_are_those_of_the_traffic() {
         let middle = pose.position.truncate();
         assert!((left_edge.truncate() - middle).dot(left) > 0.0, "lane {}", lane.key());
         assert!((right_edge.truncate() - middle).dot(left) < 0.0, "lane {}", lane.key());
-        let is_left = |line: mapd_query::Polyline<'_>, edge: DVec2| {
+        let is_left = |line: mapd_query::roads::Polyline<'_>, edge: DVec2| {
             let points: Vec<DVec2> = line.positions().map(|p| p.truncate()).collect();
             points.windows(2).any(|w| {
                 let along = w[1] - w[0];

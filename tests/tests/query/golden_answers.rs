@@ -6,10 +6,11 @@
 use glam::DVec2;
 use mapd_archive::{encode, verify};
 use mapd_compiler::{CompileOptions, compile};
-use mapd_query::{
-    ClassSet, LanePlace, LaneTypes, Map, NearestOptions, Region, RouteScratch, ShortestTime, Track,
-    VehicleClass,
-};
+use mapd_query::Bounds;
+use mapd_query::route::{LanePlace, RouteScratch, ShortestTime};
+use mapd_query::vocabulary::{ClassSet, VehicleClass};
+use mapd_query::{LaneTypes, Map, NearestOptions, Region, Track};
+use mapd_tests::ends;
 use std::fmt::Write as _;
 
 /// Map, kind, and the first bytes of the BLAKE3 of its answers.
@@ -88,7 +89,7 @@ const KINDS: [Kind; 6] = [
 const GRID: u32 = 24;
 
 fn places(map: Map<'_>) -> impl Iterator<Item = DVec2> {
-    let (low, high) = map.bounds();
+    let Bounds { low, high } = map.bounds();
     let (low, size) = (low.truncate() - 5.0, (high - low).truncate() + 10.0);
     let share = |i: u32| f64::from(i) / f64::from(GRID);
     (0..=GRID)
@@ -129,7 +130,11 @@ fn roads(map: Map<'_>) -> String {
     }
     for junction in map.junctions() {
         for place in places(map).step_by(11) {
-            let _ = writeln!(out, "{:?}", junction.grid_height_at(place));
+            let _ = writeln!(
+                out,
+                "{:?}",
+                junction.grid_height_at(place).map(|at| (at.height, at.slope))
+            );
         }
     }
     out
@@ -153,7 +158,12 @@ fn lanes(map: Map<'_>) -> String {
                 let _ = writeln!(out, "{:?} {:?}", mark.s(), mark.t_at(mark.s()));
             }
             for conflict in lane.conflicts() {
-                let _ = writeln!(out, "{:?} {:?}", conflict.s_range(), conflict.other_range());
+                let _ = writeln!(
+                    out,
+                    "{:?} {:?}",
+                    ends(conflict.s_range()),
+                    ends(conflict.other_range())
+                );
             }
         }
     }
@@ -161,7 +171,7 @@ fn lanes(map: Map<'_>) -> String {
 }
 
 fn bounds(map: Map<'_>) -> String {
-    let mut out = format!("{:?}", map.bounds());
+    let mut out = format!("{:?}", (map.bounds().low, map.bounds().high));
     for lane in map.lanes() {
         for bound in [lane.left_bound(), lane.right_bound()] {
             bound.positions().for_each(|position| {

@@ -2,10 +2,11 @@
 
 use mapd_client::{Map, Snapshot};
 use mapd_compiler::{Compilation, CompileOptions, CyclePolicy, Verdict, compile};
-use mapd_query::{
-    ConflictKind, EdgeKind, LaneNode, LanePlace, LaneSequences, RouteScratch, ShortestLength,
-    VehicleClass, next_lane_change,
-};
+use mapd_query::SRange;
+use mapd_query::graph::LaneNode;
+use mapd_query::route::{LanePlace, LaneSequences, RouteScratch, ShortestLength, next_lane_change};
+use mapd_query::vocabulary::{ConflictKind, EdgeKind, VehicleClass};
+use mapd_tests::ends;
 use mapd_tests::graph_maps::*;
 use mapd_xodr::Severity;
 use std::collections::{BTreeMap, BTreeSet};
@@ -61,7 +62,7 @@ fn a_virtual_junction_cuts_nodes_but_no_lane() {
     let snapshot = open(map.name, &map.text);
     let map = snapshot.map();
     let main = map.lane_by_key(&"1:0:-1".parse().expect("a key")).expect("a lane");
-    let ranges: Vec<_> = main.nodes().map(|node| node.s_range()).collect();
+    let ranges: Vec<_> = main.nodes().map(|node| ends(node.s_range())).collect();
     assert_eq!(ranges, [(0.0, 45.0), (45.0, 75.0), (75.0, 120.0)]);
     assert_eq!(map.road_by_id("1").expect("a road").sections().count(), 1);
     // Past the side road, into it, and out of it again.
@@ -111,7 +112,7 @@ fn virtual_connections_cut_nodes_where_they_attach() {
     let map = snapshot.map();
     let ranges = |key: &str| {
         let lane = map.lane_by_key(&key.parse().expect("a key")).expect("a lane");
-        lane.nodes().map(|node| node.s_range()).collect::<Vec<_>>()
+        lane.nodes().map(|node| ends(node.s_range())).collect::<Vec<_>>()
     };
     assert_eq!(ranges("1:0:-1"), [(0.0, 60.0), (60.0, 120.0)]);
     assert_eq!(ranges("2:0:-1"), [(0.0, 50.0)]);
@@ -156,7 +157,9 @@ fn paths_across_roads_are_for_those_who_walk_or_cycle() {
         let main = map.lane_by_key(&"1:0:-1".parse().expect("a key")).expect("a lane");
         let crossed: Vec<_> = main
             .conflicts()
-            .map(|c| (c.kind(), c.other().expect("a lane").key().to_string(), c.other_range()))
+            .map(|c| {
+                (c.kind(), c.other().expect("a lane").key().to_string(), ends(c.other_range()))
+            })
             .collect();
         assert_eq!(crossed, [(ConflictKind::Cross, "2:0:-1".to_owned(), (1.0, 4.5))], "{kind}");
     }
@@ -176,7 +179,7 @@ fn lanes_of_a_direct_junction_overlap_until_they_part() {
         let [conflict] = found.as_slice() else { panic!("{zone}: {}", found.len()) };
         assert_eq!(conflict.kind(), ConflictKind::Overlap);
         assert_eq!(conflict.other().expect("a lane").key().to_string(), "3:0:-1");
-        let (from, to) = conflict.s_range();
+        let SRange { low: from, high: to } = conflict.s_range();
         assert!(from == 0.0 && (to - end).abs() < 1.5, "{zone}: {from} to {to}, not {end}");
     }
 }
@@ -434,7 +437,8 @@ fn lane_changes_follow_the_marks() {
             let to = if left { node.change_left() } else { node.change_right() };
             to.is_some()
         };
-        let found: Vec<_> = lane_of.nodes().filter(allowed).map(|node| node.s_range()).collect();
+        let found: Vec<_> =
+            lane_of.nodes().filter(allowed).map(|node| ends(node.s_range())).collect();
         assert_eq!(found, expected, "{lane} {} {own} {rule}", if left { "left" } else { "right" });
     }
 }
@@ -508,8 +512,8 @@ fn lanes_that_cross_know_where() {
                 (
                     c.other().expect("a lane").key().to_string(),
                     c.kind(),
-                    c.s_range(),
-                    c.other_range(),
+                    ends(c.s_range()),
+                    ends(c.other_range()),
                 )
             })
             .collect::<Vec<_>>()
@@ -628,6 +632,7 @@ fn roads_that_cross_at_a_crossing_conflict() {
     let map = snapshot.map();
     assert!(map.tables().successors.is_empty(), "a crossing links nothing");
     let own = map.lane_by_key(&"1:0:-1".parse().expect("a key")).expect("a lane");
-    let found: Vec<_> = own.conflicts().map(|c| (c.kind(), c.s_range(), c.other_range())).collect();
+    let found: Vec<_> =
+        own.conflicts().map(|c| (c.kind(), ends(c.s_range()), ends(c.other_range()))).collect();
     assert_eq!(found, [(ConflictKind::Crossing, (50.0, 53.5), (46.5, 50.0))]);
 }

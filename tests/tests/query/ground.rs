@@ -1,7 +1,8 @@
 //! The ground below a place: that of the road's surface, on the level that z says.
 
 use mapd_client::glam::DVec2;
-use mapd_client::{GroundScratch, Map, Point, QueryError};
+use mapd_client::localisation::GroundScratch;
+use mapd_client::{Map, Point, QueryError};
 use mapd_tests::carried;
 use mapd_tests::maps::{self, Random};
 

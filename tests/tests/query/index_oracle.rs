@@ -1,6 +1,8 @@
 //! The packed index against rstar, and the nearest lane against looking at every lane.
 
-use mapd_client::{NearestOptions, nearest_segment};
+use mapd_client::Bounds;
+use mapd_client::NearestOptions;
+use mapd_client::compiling::nearest_segment;
 use mapd_tests::maps::{Random, carried_and, open};
 use rstar::primitives::{GeomWithData, Line};
 use rstar::{PointDistance, RTree};
@@ -37,7 +39,7 @@ fn the_packed_index_finds_what_rstar_finds() {
             }
         }
         let tree = RTree::bulk_load(segments);
-        let (low, high) = map.bounds();
+        let Bounds { low, high } = map.bounds();
         let size = (high - low).truncate().length()
             + low.truncate().abs().max(high.truncate().abs()).max_element();
         // Single precision: the distance in the leaf's frame, and the point on the map. And both ends of a segment are off by

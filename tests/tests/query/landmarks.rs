@@ -4,7 +4,9 @@
 use mapd::commands::query::{Kind, RouteArgs};
 use mapd_client::glam::DVec2;
 use mapd_client::{Map, NearestOptions, Region};
-use mapd_query::{Class, ClassSet, Landmark, LandmarkSource, SignalId};
+use mapd_query::SignalId;
+use mapd_query::localisation::{Landmark, LandmarkSource};
+use mapd_query::vocabulary::{Class, ClassSet};
 use mapd_tests::maps::{self, Random};
 use mapd_tests::object_maps::{PLAIN, document, open};
 

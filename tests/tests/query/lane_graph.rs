@@ -3,7 +3,10 @@
 use mapd_client::glam::DVec3;
 use mapd_client::{Map, Snapshot};
 use mapd_compiler::{CompileOptions, Diagnostic, compile};
-use mapd_query::{EdgeKind, LaneNode, NodeId, Track, VehicleClass};
+use mapd_query::graph::LaneNode;
+use mapd_query::vocabulary::{EdgeKind, VehicleClass};
+use mapd_query::{NodeId, Track};
+use mapd_tests::ends;
 use mapd_tests::literal::{Element, Node, successors};
 use mapd_tests::maps::Random;
 use std::collections::{BTreeMap, BTreeSet};
@@ -33,7 +36,7 @@ fn name(node: &LaneNode<'_>) -> Node {
 }
 
 /// Whether an edge joins two pieces of one lane.
-fn is_within(edge: &mapd_query::LaneEdge<'_>) -> bool {
+fn is_within(edge: &mapd_query::graph::LaneEdge<'_>) -> bool {
     edge.kind() == EdgeKind::Within
 }
 
@@ -123,7 +126,7 @@ fn check_order_of_travel(what: &str, map: Map<'_>) {
 /// What an edge says of itself is what its node and lane say.
 fn check_edges(what: &str, map: Map<'_>) {
     for node in map.lane_nodes() {
-        let (lane, (from, to)) = (node.lane().expect("a lane"), node.s_range());
+        let (lane, (from, to)) = (node.lane().expect("a lane"), ends(node.s_range()));
         let end = if node.is_forward() { to } else { from };
         for edge in node.edges() {
             let target = edge.target().expect("a node");
@@ -160,7 +163,7 @@ fn check_gaps(what: &str, map: Map<'_>, findings: &[Diagnostic]) {
         .map(|d| (d.line, d.column))
         .collect();
     let end = |node: &LaneNode<'_>, exit: bool| {
-        let (lane, (from, to)) = (node.lane()?, node.s_range());
+        let (lane, (from, to)) = (node.lane()?, ends(node.s_range()));
         let s = if node.is_forward() == exit { to } else { from };
         let edges = lane.edges_at(s);
         let at = |t| Some(lane.road().to_inertial(Track { s, t, h: 0.0 }).ok()?.position);
@@ -181,6 +184,7 @@ fn check_gaps(what: &str, map: Map<'_>, findings: &[Diagnostic]) {
                 continue;
             }
             let place = edge.source_position().expect("a place");
+            let place = (place.line, place.column);
             assert!(told.contains(&place), "{what}: {:?} to {:?}", name(&node), name(&target));
         }
     }

@@ -2,10 +2,9 @@
 //! refused by name where pose, covariance or options are wrong.
 
 use mapd_client::glam::{DMat3, DVec2, DVec3};
-use mapd_client::{
-    LaneId, LaneMatch, LaneTypes, Map, MatchError, MatchOptions, Nearest, NearestOptions, Point,
-    VehicleClass, VehiclePose,
-};
+use mapd_client::localisation::{LaneMatch, MatchError, MatchOptions, VehiclePose};
+use mapd_client::vocabulary::VehicleClass;
+use mapd_client::{LaneId, LaneTypes, Map, Nearest, NearestOptions, Point};
 use mapd_tests::maps::{self, Random};
 use mapd_tests::{carried, crossroads};
 use std::collections::BTreeMap;

@@ -1,9 +1,10 @@
 //! The nearest road mark: worked out by hand on marks of every form, and against places all along all marks.
 
+use mapd_client::compiling::ByRow as _;
 use mapd_client::glam::DVec2;
-use mapd_client::{
-    Map, MarkFilter, MarkKinds, QueryError, RoadMarkColor, RoadMarkKind, Side, Track,
-};
+use mapd_client::localisation::{MarkFilter, MarkKinds, Side};
+use mapd_client::vocabulary::{RoadMarkColor, RoadMarkKind};
+use mapd_client::{Map, QueryError, Track};
 use mapd_tests::carried;
 use mapd_tests::maps::{self, Random};
 

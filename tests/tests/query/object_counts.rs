@@ -3,7 +3,7 @@
 use mapd_archive::{encode, verify};
 use mapd_client::Snapshot;
 use mapd_compiler::{CompileOptions, PartKind, ReadOptions, compile_from};
-use mapd_query::StructureKind;
+use mapd_query::vocabulary::StructureKind;
 use std::collections::HashMap;
 
 /// Counts of each map of the corpus as its manifest has them: column by column.

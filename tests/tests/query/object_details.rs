@@ -3,10 +3,12 @@
 
 use mapd_client::glam::DVec3;
 use mapd_compiler::{Compilation, Verdict};
-use mapd_query::{
-    LaneMethod, Object, ObjectShape, ObjectSide, Orientation, PlatformSide, StructureKind,
-    SwitchPosition,
+use mapd_query::objects::Object;
+use mapd_query::roads::LaneRange;
+use mapd_query::vocabulary::{
+    LaneMethod, ObjectShape, ObjectSide, Orientation, PlatformSide, StructureKind, SwitchPosition,
 };
+use mapd_tests::ends;
 use mapd_tests::object_maps::{ObjectRoad, PLAIN, compile, document, open};
 
 /// Corners lie in single precision `[m]`.
@@ -33,7 +35,7 @@ fn markings_and_borders_name_corners() {
     near(marking.corners(), &[[31.0, 2.0, 0.0], [29.0, -2.0, 0.0]]);
     assert_eq!(marking.outline().and_then(|outline| outline.id()), Some(3));
     assert_eq!((marking.color(), marking.weight(), marking.side()), ("white", "bold", None));
-    assert_eq!(marking.stroke(), (0.5, 0.25));
+    assert_eq!((marking.stroke_length(), marking.gap_length()), (0.5, 0.25));
     let border = crosswalk.borders().next().expect("a border");
     assert_eq!((border.kind(), border.corners().len()), ("concrete", 0));
     assert_eq!(border.outline().map(|outline| outline.len()), Some(4));
@@ -138,13 +140,16 @@ fn bridges_tunnels_and_references_are_stored() {
     let map = snapshot.map();
     let road = map.road_by_id("1").expect("there");
     let kinds: Vec<_> =
-        road.structures().map(|s| (s.kind(), s.id(), s.type_name(), s.s_range())).collect();
+        road.structures().map(|s| (s.kind(), s.id(), s.type_name(), ends(s.s_range()))).collect();
     let bridge = (StructureKind::Bridge, "b", "steel", (60.0, 80.0));
     let tunnel = (StructureKind::Tunnel, "t", "underpass", (10.0, 15.0));
     assert_eq!(kinds, [bridge, tunnel]);
     let light: Vec<_> = road.structures_at(12.0).map(|s| (s.lighting(), s.daylight())).collect();
     assert_eq!(light, [(Some(0.5), None)]);
-    assert_eq!(map.structures().flat_map(|s| s.validities()).collect::<Vec<_>>(), [(-1, -1)]);
+    assert_eq!(
+        map.structures().flat_map(|s| s.validities()).collect::<Vec<_>>(),
+        [LaneRange { from: -1, to: -1 }]
+    );
     let references: Vec<_> = road.object_references().collect();
     assert_eq!(references.len(), 2);
     assert_eq!(references[0].object().map(|object| object.id()), Some("1"));

@@ -1,13 +1,16 @@
 //! Which lanes objects belong to: by what the file names, by place, as the nearest.
 
-use mapd_query::{LaneMethod, Map, Object};
+use mapd_query::Map;
+use mapd_query::SRange;
+use mapd_query::objects::Object;
+use mapd_query::vocabulary::LaneMethod;
 use mapd_tests::maps;
 use mapd_tests::object_maps::{PLAIN, compile, document, open};
 
 /// Lanes of the first object: number, method, distance to the centimetre.
 fn lanes(map: Map<'_>) -> Vec<(i32, LaneMethod, i64)> {
     let object: Object<'_> = map.objects().next().expect("an object");
-    let row = |at: mapd_query::ObjectLane<'_>| {
+    let row = |at: mapd_query::objects::ObjectLane<'_>| {
         let lane = at.lane().expect("a lane").number();
         (lane, at.method(), (at.distance() * 100.0).round() as i64)
     };
@@ -67,7 +70,7 @@ fn what_lies_on_lanes_belongs_to_them() {
     let snapshot = open(&document(&PLAIN, slanted));
     let object = snapshot.map().objects().next().expect("an object");
     for at in object.lanes() {
-        let (from, to) = at.s_range();
+        let SRange { low: from, high: to } = at.s_range();
         let right = at.lane().expect("a lane").number() < 0;
         let expected = if right { (45.0, 50.0) } else { (50.0, 55.0) };
         assert!((from - expected.0).abs() < 1e-5 && (to - expected.1).abs() < 1e-5, "{from} {to}");
@@ -127,7 +130,7 @@ fn repeated_parking_spaces_belong_to_the_parking_lane() {
     let lane = map.lane_by_key(&"1:0:-2".parse().expect("a key")).expect("a lane");
     let at = lane.objects().next().expect("an object");
     // From 20 − 2.5 to 50 + 2.5: six of them.
-    let (from, to) = at.s_range();
+    let SRange { low: from, high: to } = at.s_range();
     assert!((from - 17.5).abs() < 1e-5 && (to - 52.5).abs() < 1e-5, "{from} {to}");
     assert_eq!(at.object().expect("an object").placements().count(), 6);
 }
@@ -153,7 +156,7 @@ fn both_directions_agree() {
                 there.push((lane.lane_id(), object.object_id()));
                 counts[usize::from(at.method().code())] += 1;
                 let section = lane.section();
-                let (from, to) = at.s_range();
+                let SRange { low: from, high: to } = at.s_range();
                 assert!(
                     from <= to && from > section.s_start() - 1e-3 && to < section.s_end() + 1e-3
                 );

@@ -4,7 +4,7 @@
 use mapd::commands::query::{Kind, RouteArgs};
 use mapd_client::glam::DVec2;
 use mapd_client::{Map, NearestOptions, Region};
-use mapd_query::PlacementId;
+use mapd_query::objects::PlacementId;
 use mapd_tests::maps::{self, Random};
 use mapd_tests::object_maps::{PLAIN, document, open};
 

@@ -1,7 +1,8 @@
 //! Shapes of objects: each kind once, with corners worked out by hand.
 
 use mapd_client::glam::{DVec2, DVec3};
-use mapd_query::{Object, ObjectShape};
+use mapd_query::objects::Object;
+use mapd_query::vocabulary::ObjectShape;
 use mapd_tests::object_maps::{ObjectRoad, PLAIN, document, open};
 use std::f64::consts::FRAC_PI_2;
 

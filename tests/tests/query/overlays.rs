@@ -1,9 +1,13 @@
 //! Overlays: what is refused, when entries hold, what a view says.
 
 use mapd_archive::{OpenError, open_overlay, verify_overlay};
-use mapd_client::{Map, OverlayKind, Snapshot};
+use mapd_client::view::OverlayKind;
+use mapd_client::{Map, Snapshot};
 use mapd_overlay::{Document, DocumentError, Limits, Policy, resolve};
-use mapd_query::{LaneId, LanePlace, RouteScratch, ShortestLength, VehicleClass, View};
+use mapd_query::LaneId;
+use mapd_query::route::{LanePlace, RouteScratch, ShortestLength};
+use mapd_query::view::View;
+use mapd_query::vocabulary::VehicleClass;
 use mapd_tests::graph_maps::{Line, document, lane, road, section};
 use mapd_tests::maps::{Random, open_text};
 use mapd_tests::overlays::over;

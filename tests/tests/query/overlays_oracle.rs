@@ -2,10 +2,13 @@
 
 use mapd_archive::open_overlay;
 use mapd_client::Snapshot;
-use mapd_query::{
-    Lane, LanePlace, Map, RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime,
-    SpeedOrigin, VehicleClass, View,
+use mapd_query::route::{
+    LanePlace, RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime,
 };
+use mapd_query::rules::SpeedOrigin;
+use mapd_query::view::View;
+use mapd_query::vocabulary::VehicleClass;
+use mapd_query::{Lane, Map};
 use mapd_tests::maps::{Random, open};
 use mapd_tests::overlays::{Stretch, over};
 use mapd_tests::town::town;

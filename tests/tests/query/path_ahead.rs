@@ -1,13 +1,16 @@
 //! What lies along a path: lanes that reach the goal, speed limits, signals, lines, junctions.
 
 use crate::paths::each_path;
-use mapd_client::{
-    Lane, LanePlace, Map, Relation, RelationReason, RouteScratch, ShortestLength, VehicleClass,
+use mapd_client::route::{LanePlace, RouteScratch, ShortestLength};
+use mapd_client::vocabulary::{Relation, RelationReason, VehicleClass};
+use mapd_client::{Lane, Map};
+use mapd_query::path::{
+    PathBuffer, PathChange, PathChangeKind, PathError, PathFactKind, PathOptions, PathSegment,
+    PathSpeed, Yields, steps_of_lanes,
 };
-use mapd_query::{
-    Basis, PathBuffer, PathChange, PathChangeKind, PathError, PathFactKind, PathOptions,
-    PathSegment, PathSpeed, RoadRules, SignalsAhead, SpeedOrigin, Yields, steps_of_lanes,
-};
+use mapd_query::rules::{Basis, SpeedOrigin};
+use mapd_query::signals::SignalsAhead;
+use mapd_query::vocabulary::RoadRules;
 use mapd_tests::crossroads::{ARMS, crossroads, signal};
 use mapd_tests::graph_maps::{Line, document, lane, road, section, wide};
 use mapd_tests::maps::open_text;
@@ -20,7 +23,12 @@ fn lane_by<'a>(map: Map<'a>, key: &str) -> Lane<'a> {
 }
 
 /// The route from a place to another as a path, and what a test asks of it.
-fn along(map: Map<'_>, from: (&str, f64), to: (&str, f64), ask: impl Fn(mapd_query::Path<'_, '_>)) {
+fn along(
+    map: Map<'_>,
+    from: (&str, f64),
+    to: (&str, f64),
+    ask: impl Fn(mapd_query::path::Path<'_, '_>),
+) {
     let place = |(key, s): (&str, f64)| LanePlace { lane: lane_by(map, key).lane_id(), s };
     let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
     let cost = ShortestLength::default();
@@ -58,7 +66,8 @@ fn from_every_lane_of_a_stretch_the_goal_is_reached_as_told() {
         assert_eq!(end, path.length(), "{name}");
         // The path itself shows how many changes are enough.
         let changes = |along: f64| {
-            let enter = |e| matches!(e, mapd_query::Enter::Left | mapd_query::Enter::Right);
+            let enter =
+                |e| matches!(e, mapd_query::route::Enter::Left | mapd_query::route::Enter::Right);
             path.joints().iter().filter(|j| j.along >= along && enter(j.enter)).count()
         };
         for own in found.iter().filter(|own| own.driven) {
@@ -312,7 +321,7 @@ fn a_path_on_its_own_map_is_the_same() {
         let cost = ShortestLength::default();
         let found = path.rebase(map, CAR, &cost, &mut scratch, &mut steps, &mut changes);
         // A start may lie on a lane that is closed to the vehicle.
-        let is_open = |own: &mapd_query::PathLane| {
+        let is_open = |own: &mapd_query::path::PathLane| {
             let lane = map.lane(own.lane).expect("a lane");
             own.s.iter().all(|s| lane.node_at(*s, own.forward).is_some_and(|n| n.allows(CAR)))
         };

@@ -1,11 +1,14 @@
 //! Routes as lines: S, joints, projection, edges, conflicts.
 
+use mapd_client::Map;
 use mapd_client::glam::DVec2;
-use mapd_client::{LanePlace, Map, RouteScratch, RouteStep, ShortestLength, VehicleClass};
-use mapd_query::{
-    Clamped, Corridor, Enter, Path, PathBuffer, PathError, PathOptions, QueryError, Yields,
-    steps_of_lanes,
+use mapd_client::route::{LanePlace, RouteScratch, RouteStep, ShortestLength};
+use mapd_client::vocabulary::VehicleClass;
+use mapd_query::path::{
+    Corridor, Path, PathBuffer, PathError, PathOptions, Yields, steps_of_lanes,
 };
+use mapd_query::route::Enter;
+use mapd_query::{Clamped, QueryError};
 use mapd_tests::maps::{Random, carried_and, open};
 
 /// Towns, left-hand traffic, gaps and kinks.
@@ -167,8 +170,9 @@ fn the_corridors_edges_are_those_of_the_lanes() {
                 assert!((at.left - side(own[0])).abs() < 0.1, "{name}: {at:?}");
             }
             let node = lane.node_at(at.s, at.forward).expect("a node");
-            let open =
-                |next: Option<mapd_client::LaneNode<'_>>| next.is_some_and(|n| n.allows(car));
+            let open = |next: Option<mapd_client::graph::LaneNode<'_>>| {
+                next.is_some_and(|n| n.allows(car))
+            };
             assert_eq!(room.left_mark[i].may_cross, open(node.change_left()), "{name}");
             assert_eq!(room.right_mark[i].may_cross, open(node.change_right()), "{name}");
         }
@@ -281,7 +285,7 @@ fn with_a_hint_the_answer_stays_on_its_branch() {
 /// What only a rule of the road decides is unknown without one: a motorway does not yield to a ramp "from the right".
 #[test]
 fn without_written_priority_nobody_is_said_to_yield() {
-    use mapd_client::RelationReason::{FromTheRight, Turn};
+    use mapd_client::vocabulary::RelationReason::{FromTheRight, Turn};
     each_path(|_, path, _, name, _| {
         let mut conflicts = Vec::new();
         path.conflicts(&mut conflicts);

@@ -1,7 +1,10 @@
 //! Polylines never lie farther from the exact lines than the options say: dense comparison, several tolerances.
 
+use mapd_client::compiling::ByRow as _;
+use mapd_client::compiling::SectionCutter;
 use mapd_client::glam::DVec3;
-use mapd_client::{Lane, Polyline, SectionCutter, Snapshot, Track};
+use mapd_client::roads::Polyline;
+use mapd_client::{Lane, Snapshot, Track};
 use mapd_compiler::{CompileOptions, compile};
 use mapd_tests::maps::carried_and;
 use std::path::Path;
@@ -91,7 +94,10 @@ fn check(snapshot: &Snapshot, name: &str, (center, bound): (f64, f64)) -> usize 
 fn check_at_once(lane: &Lane<'_>, name: &str) {
     let (key, section) = (lane.key(), lane.section());
     for line in [lane.center_line(), lane.border()] {
-        assert!(line.points().eq(line.stations().zip(line.positions())), "{name}: {key}");
+        assert!(
+            line.points().map(|at| (at.s, at.position)).eq(line.stations().zip(line.positions())),
+            "{name}: {key}"
+        );
     }
     let number = section.lanes().position(|other| other.key() == key).expect("its number");
     let mut cutter = SectionCutter::new(section).expect("a sound section");

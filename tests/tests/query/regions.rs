@@ -1,5 +1,6 @@
 //! Lanes and borders near a point or in a rectangle, against looking at every lane; hints; waypoints.
 
+use mapd_client::Bounds;
 use mapd_client::{
     Lane, LaneId, LaneTypes, Map, NearestOptions, Point, Region, Snapshot, Track, glam::DVec2,
 };
@@ -108,7 +109,7 @@ fn nothing_is_missing_in_the_largest_rectangle() {
     let everywhere = Region { low: DVec2::MIN, high: DVec2::MAX };
     for (path, snapshot) in maps() {
         let map = snapshot.map();
-        let (low, high) = map.bounds();
+        let Bounds { low, high } = map.bounds();
         let around = Region { low: low.truncate() - 1000.0, high: high.truncate() + 1000.0 };
         let found = [everywhere, around].map(|region| {
             let (mut lanes, mut places, mut signals) = (Vec::new(), Vec::new(), Vec::new());

@@ -1,11 +1,12 @@
 //! Road marks: what the file says of them is what the map answers.
 
 use mapd_archive::NONE;
+use mapd_client::compiling::ByRow as _;
 use mapd_client::glam::DVec2;
-use mapd_client::{
-    LaneTypes, Map, MarkLaneChange, Region, RoadMarkColor, RoadMarkKind, RoadMarkRule,
-    RoadMarkWeight,
+use mapd_client::vocabulary::{
+    MarkLaneChange, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight,
 };
+use mapd_client::{LaneTypes, Map, Region};
 use mapd_tests::carried;
 use mapd_tests::literal::Element;
 use mapd_tests::maps::{carried_and, open};

@@ -1,10 +1,13 @@
 //! Routes cost what plain Dijkstra finds, and drive only where it is allowed.
 
 use mapd_client::{Map, Snapshot};
-use mapd_query::{
-    CostBound, Enter, LaneNode, LanePlace, LaneType, Reached, RouteCost, RouteScratch, RouteStep,
-    ShortestLength, ShortestTime, VehicleClass, WithFactors,
+use mapd_query::SRange;
+use mapd_query::graph::LaneNode;
+use mapd_query::route::{
+    CostBound, Enter, LanePlace, Reached, RouteCost, RouteScratch, RouteStep, ShortestLength,
+    ShortestTime, WithFactors,
 };
+use mapd_query::vocabulary::{LaneType, VehicleClass};
 use mapd_tests::maps::{Random, open};
 use mapd_tests::plain_route::PlainGraph;
 use mapd_tests::{carried, say, shared, sumo};
@@ -215,7 +218,7 @@ fn reachable_is_what_routes_reach() {
         assert!(reached.is_sorted_by(|a, b| a.cost <= b.cost), "nearest first");
         for lane in map.lanes().filter(|lane| lane.lane_id() != from.lane) {
             let Some(node) = lane.nodes().find(|node| node.allows(car)) else { continue };
-            let (low, high) = node.s_range();
+            let SRange { low, high } = node.s_range();
             let to =
                 LanePlace { lane: lane.lane_id(), s: if node.is_forward() { low } else { high } };
             let route = map.route(from, to, car, &cost, &mut scratch, &mut steps);
@@ -245,7 +248,7 @@ fn reachable_to_is_what_routes_come_from() {
         assert!(reached.is_sorted_by(|a, b| a.cost <= b.cost), "nearest first");
         for lane in map.lanes() {
             let Some(node) = lane.nodes().find(|node| node.allows(car)) else { continue };
-            let (low, high) = node.s_range();
+            let SRange { low, high } = node.s_range();
             let s = if node.is_forward() { low } else { high };
             let from = LanePlace { lane: lane.lane_id(), s };
             let route = map.route(from, to, car, &cost, &mut scratch, &mut steps);

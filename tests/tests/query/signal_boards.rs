@@ -2,7 +2,8 @@
 
 use mapd_client::{Map, Snapshot, glam::DVec3};
 use mapd_compiler::Compilation;
-use mapd_query::{DisplayArea, Signal, SignalLink};
+use mapd_query::roads::LaneRange;
+use mapd_query::signals::{DisplayArea, Signal, SignalLink};
 use mapd_tests::object_maps::{PLAIN, compile, document, open};
 
 const AREAS: &str = r#"<displayArea index="1" v="2" z="1" width="1.4" height="0.7"/><displayArea v="-2" z="1" width="wide" height="0.7"/>"#;
@@ -68,7 +69,7 @@ fn boards_have_their_areas_in_space() {
     let map = snapshot.map();
     let board = signal(map, "board").boards().next().expect("a board");
     assert_eq!((board.display_type(), board.size()), ("LED", [Some(7.0), Some(2.5)]));
-    assert_eq!(board.validities().collect::<Vec<_>>(), [(-2, -1)]);
+    assert_eq!(board.validities().collect::<Vec<_>>(), [LaneRange { from: -2, to: -1 }]);
     // Its face looks back along x, so that its left is towards −y.
     check_point(board.position(), [20.0, -3.0, 6.5]);
     let areas: Vec<DisplayArea<'_>> = board.areas().collect();

@@ -5,7 +5,8 @@
 
 use mapd_archive::{Archive, Header, Rows};
 use mapd_compiler::{CompileOptions, ReadOptions, compile_from};
-use mapd_query::{Map, SignalPosition};
+use mapd_query::Map;
+use mapd_query::vocabulary::SignalPosition;
 use mapd_tests::graph_maps::{Line, document, lane, road, section};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -119,7 +120,8 @@ fn physical_positions_and_boards() {
     check(map, "n", "w", [103.5, 60.0, 2.5, -FRAC_PI_2]);
     let sources = ["i", "r", "b"].map(|id| map.signal_by_id(id).expect("known").position_source());
     assert_eq!(sources, [SignalPosition::Inertial, SignalPosition::Road, SignalPosition::Track]);
-    assert_eq!(map.signal_by_id("i").expect("known").pitch_roll(), (0.1, 0.2));
+    let signal = map.signal_by_id("i").expect("known");
+    assert_eq!((signal.pitch(), signal.roll()), (0.1, 0.2));
     let sign = map.signal_by_id("w").expect("known");
     assert_eq!(sign.carrier().map(|carrier| carrier.id()), Some("b"));
     assert!((sign.value().expect("a speed") - 50.0 / 3.6).abs() < 1e-12);

@@ -1,7 +1,8 @@
 //! Which roads' lanes a signal is for where other roads refer to it: a validity limits lanes, also to none.
 
 use mapd_compiler::{CompileOptions, compile};
-use mapd_query::{LaneMethod, Map};
+use mapd_query::Map;
+use mapd_query::vocabulary::LaneMethod;
 use mapd_tests::graph_maps::{Line, document, lane, road, section};
 use mapd_tests::maps::{open, open_text};
 use mapd_tests::object_maps;

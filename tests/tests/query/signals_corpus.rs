@@ -2,7 +2,9 @@
 
 use mapd_archive::{Archive, Header, Rows};
 use mapd_compiler::{Compilation, CompileOptions, ReadOptions, Verdict, compile_from};
-use mapd_query::{Class, Map, SignalPlace};
+use mapd_query::Map;
+use mapd_query::signals::SignalPlace;
+use mapd_query::vocabulary::Class;
 use std::collections::{HashMap, HashSet};
 
 /// Counts of one map: signals, references to signals, controllers.

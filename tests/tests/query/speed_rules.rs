@@ -1,6 +1,7 @@
 //! Which speed limit holds, and who says so; signals that say themselves what they mean.
 
-use mapd_query::{Class, SpeedOrigin, VehicleClass};
+use mapd_query::rules::SpeedOrigin;
+use mapd_query::vocabulary::{Class, VehicleClass};
 use mapd_tests::object_maps::{ObjectRoad, PLAIN, document, open};
 
 const KMH: f64 = 1.0 / 3.6;

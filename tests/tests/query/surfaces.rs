@@ -5,7 +5,8 @@ use mapd_archive::{
     Range, Rows, ShapeStationRow, SurfaceRow, SurfaceStripRow, encode,
 };
 use mapd_client::glam::DVec3;
-use mapd_client::{LaneHeight, LaneKey, Snapshot};
+use mapd_client::roads::LaneHeight;
+use mapd_client::{LaneKey, Snapshot};
 use mapd_compiler::{CompileOptions, compile};
 
 /// Rounding of coordinates of some hundred metres `[m]`.

@@ -1,7 +1,7 @@
 //! Traces: the lanes of drives that were simulated with noise, where a trace leaves the map, and what is refused.
 
 use mapd_client::glam::DVec2;
-use mapd_client::{MatchError, TraceFix, TraceMatch, TraceOptions, TraceScratch};
+use mapd_client::localisation::{MatchError, TraceFix, TraceMatch, TraceOptions, TraceScratch};
 use mapd_tests::{carried, drives, maps};
 
 /// Shares of right lanes on the carried town: at least `whole`, and better than the nearest lanes by `more`.
@@ -44,7 +44,10 @@ fn where_a_trace_leaves_the_map_it_is_on_no_lane() {
     assert_eq!(on_lane, [true, true, true, false, false, false, true, true]);
     for one in &out {
         assert!(one.probability > 0.5 && one.probability <= 1.0, "{one:?}");
-        assert!(one.place.is_none_or(|(_, at)| one.forward && at.offset.abs() < 0.2), "{one:?}");
+        assert!(
+            one.place.is_none_or(|at| one.forward && at.position.offset.abs() < 0.2),
+            "{one:?}"
+        );
     }
     assert_eq!(on_one_road(&[], &TraceOptions::default()), Ok(vec![]));
 }

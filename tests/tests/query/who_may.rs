@@ -1,8 +1,12 @@
 //! Who may drive where, which way a lane leads, and what yields rest on.
 
 use mapd_client::glam::DVec2;
-use mapd_client::{LaneTypes, NearestOptions, Relation, VehicleClass};
-use mapd_query::{Basis, LaneType};
+use mapd_client::vocabulary::{Relation, VehicleClass};
+use mapd_client::{LaneTypes, NearestOptions};
+use mapd_query::compiling::position_along;
+use mapd_query::rules::Basis;
+use mapd_query::rules::YieldsTo;
+use mapd_query::vocabulary::LaneType;
 use mapd_tests::maps::{Random, carried_and, open, open_text};
 
 /// Points on each map.
@@ -123,7 +127,7 @@ fn a_position_on_a_long_lane_is_the_nearest_of_all_its_stretches() {
                 let point: DVec2 = random.point(map);
                 let found = lane.position_of(point).expect("a position");
                 let segments = 0..lane.center_line().len().saturating_sub(1);
-                let all = segments.filter_map(|i| lane.position_along(i, point, f64::INFINITY));
+                let all = segments.filter_map(|i| position_along(lane, i, point, f64::INFINITY));
                 let nearest = all.map(|place| place.distance).fold(f64::INFINITY, f64::min);
                 assert_eq!(found.distance, nearest, "{}: lane {}", path.display(), lane.key());
                 let contains = lane.contains(point).expect("an answer");
@@ -141,7 +145,7 @@ fn yields_rest_on_what_is_written_and_name_open_lanes() {
         let snapshot = open(&path);
         let map = snapshot.map();
         for lane in map.lanes() {
-            for (other, reason) in lane.yields_to() {
+            for YieldsTo { lane: other, reason } in lane.yields_to() {
                 assert_eq!(Basis::of(reason), Basis::Written, "{}", path.display());
                 assert!(other.nodes().any(|node| node.is_open()), "{}", path.display());
             }

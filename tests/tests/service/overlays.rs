@@ -1,6 +1,8 @@
 //! What is laid over a served map: readers see it, it outlives the daemon, and comes with each new generation at once.
 
-use mapd_client::{Attach, Client, OverlayKind, Snapshot, VehicleClass};
+use mapd_client::view::OverlayKind;
+use mapd_client::vocabulary::VehicleClass;
+use mapd_client::{Attach, Client, Snapshot};
 use mapd_tests::place::{PATIENCE, Place};
 use mapd_tests::town::town;
 use serde_json::Value;

@@ -7,6 +7,7 @@ use crate::resolve::Resolved;
 use glam::{DVec2, DVec3};
 use mapd_archive::{CubicRow, GeometryRow, Range, Rows};
 use mapd_geometry::{Curve, CurveKind, CurveTransform, Start};
+use mapd_query::compiling::ByRow as _;
 use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity, Span};
 use rayon::prelude::*;

@@ -4,7 +4,9 @@ use super::report::Report;
 use crate::sample::view;
 use glam::DVec3;
 use mapd_archive::{EdgeKind, Rows};
-use mapd_query::{LaneNode, Map};
+use mapd_query::Map;
+use mapd_query::SRange;
+use mapd_query::graph::LaneNode;
 use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
 use rayon::prelude::*;
@@ -61,7 +63,7 @@ fn is_joint(kind: EdgeKind) -> bool {
 /// Both corners of a node's end: where it is left (`exit`) or entered.
 fn end(node: &LaneNode<'_>, exit: bool) -> Option<[DVec3; 2]> {
     let lane = node.lane()?;
-    let (from, to) = node.s_range();
+    let SRange { low: from, high: to } = node.s_range();
     let s = if node.is_forward() == exit { to } else { from };
     lane.edge_points_at(s)
 }

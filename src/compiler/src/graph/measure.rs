@@ -2,7 +2,8 @@
 
 use crate::sample::view;
 use mapd_archive::Rows;
-use mapd_query::{Lane, Map};
+use mapd_query::compiling::ByRow as _;
+use mapd_query::{Lane, Map, SRange};
 use rayon::prelude::*;
 
 /// Lanes that one task measures.
@@ -30,6 +31,6 @@ fn of_lanes(map: Map<'_>, lanes: &[u32]) -> Vec<Measures> {
     lanes.flat_map(|lane| lane.nodes().map(move |node| of_piece(&lane, node.s_range()))).collect()
 }
 
-fn of_piece(lane: &Lane<'_>, (from, to): (f64, f64)) -> Measures {
+fn of_piece(lane: &Lane<'_>, SRange { low: from, high: to }: SRange) -> Measures {
     (lane.length_between(from, to) as f32, lane.time_between(from, to) as f32)
 }

@@ -10,6 +10,8 @@ use mapd_archive::packed_index::{HEIGHT_UNIT, REACH_UNIT, WIDTH};
 use mapd_archive::{IndexLeafRow, IndexNodeRow, NONE, Rows};
 use mapd_geometry::clamp;
 use mapd_query::Map;
+use mapd_query::compiling::ByRow as _;
+use mapd_query::roads::LinePoint;
 use rayon::prelude::*;
 
 /// Added to every reach, overshoot and height `[m]`, besides the tolerances: single precision within a leaf.
@@ -77,7 +79,7 @@ fn places(map: Map<'_>, lane: u32) -> Vec<Key<Place>> {
     let origin = map.local_origin();
     let mut keys = Vec::with_capacity(line.len());
     let (mut before, mut segment) = (None, 0);
-    for (s, position) in line.points() {
+    for LinePoint { s, position } in line.points() {
         let here = (position.truncate() - origin, s);
         if let Some((place, at)) = before.replace(here) {
             if at != s {

@@ -3,7 +3,8 @@
 use super::packed::{Entry, Packed, pack};
 use crate::sample::view;
 use mapd_archive::Rows;
-use mapd_query::{Map, ObjectPlacement};
+use mapd_query::Map;
+use mapd_query::objects::ObjectPlacement;
 
 /// Added to every box `[m]`: corners lie in single precision.
 const MARGIN: f64 = 1e-3;

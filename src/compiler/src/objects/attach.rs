@@ -7,7 +7,10 @@ use crate::findings::TooLarge;
 use crate::sample::view;
 use glam::DVec2;
 use mapd_archive::{LaneMethod, NONE, ObjectLaneRow, Orientation, Range, Rows};
-use mapd_query::{Lane, LanePosition, Map, Object, ObjectPlacement, ObjectShape, Road};
+use mapd_query::compiling::ByRow as _;
+use mapd_query::objects::{Object, ObjectPlacement};
+use mapd_query::vocabulary::ObjectShape;
+use mapd_query::{Lane, LanePosition, Map, Road};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_4;
@@ -104,7 +107,8 @@ fn lanes_of<'a>(
     reach: f64,
 ) -> Vec<ObjectLaneRow> {
     let mut places = Places::default();
-    let validities: Vec<(i32, i32)> = object.validities().collect();
+    let validities: Vec<(i32, i32)> =
+        object.validities().map(|lanes| (lanes.from, lanes.to)).collect();
     let mut probes = Vec::new();
     for placement in object.placements() {
         let area = object.road().and_then(|road| Some((road, area(&road, &placement)?)));
@@ -225,7 +229,7 @@ fn ground(placement: &ObjectPlacement<'_>) -> Option<f64> {
     let object = placement.object();
     match object.road() {
         Some(road) => Some(road.elevation_at(placement.s())),
-        None => Some(object.junction()?.grid_height_at(placement.position().truncate())?.0),
+        None => Some(object.junction()?.grid_height_at(placement.position().truncate())?.height),
     }
 }
 

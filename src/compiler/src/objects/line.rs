@@ -4,6 +4,8 @@ use crate::draft::Objects;
 use glam::{DVec2, DVec3};
 use mapd_archive::{ArchivedGeometryRow, NONE, ObjectRow};
 use mapd_geometry::{Attitude, Curve, CurveKind, Start, atan2, clamp};
+use mapd_query::compiling::ByRow as _;
+use mapd_query::junctions::GridHeight;
 use mapd_query::{Junction, Map, Road, Track};
 
 /// A reference line.
@@ -76,11 +78,12 @@ impl<'a> Line<'a> {
                 let point =
                     Curve::new(kind, start, g.length(), coefficients)?.evaluate(inside - g.s());
                 let on_line = map.local_origin() + DVec2::new(point.x, point.y);
-                let (z, slope) = junction.grid_height_at(on_line).unwrap_or_else(|| {
-                    // 0 in the file's own frame.
-                    let shift = map.file_frame().map_or(0.0, |frame| frame.height_shift());
-                    (shift, DVec2::ZERO)
-                });
+                let GridHeight { height: z, slope } =
+                    junction.grid_height_at(on_line).unwrap_or_else(|| {
+                        // 0 in the file's own frame.
+                        let height = map.file_frame().map_or(0.0, |frame| frame.height_shift());
+                        GridHeight { height, slope: DVec2::ZERO }
+                    });
                 let along = DVec2::new(point.cos, point.sin);
                 let pitch = -atan2(slope.dot(along), 1.0);
                 let roll = atan2(slope.dot(along.perp()), 1.0);

@@ -2,7 +2,9 @@
 
 use crate::sample::distance_to_segment;
 use glam::DVec2;
-use mapd_query::{Lane, LanePosition, LaneType, Map};
+use mapd_query::compiling::{ByRow as _, position_along};
+use mapd_query::vocabulary::LaneType;
+use mapd_query::{Lane, LanePosition, Map};
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
 
@@ -77,7 +79,7 @@ impl NearLanes {
                     if away(&lane, segment, point) > limit + stretch.reach + MARGIN {
                         continue;
                     }
-                    let place = lane.position_along(segment, point, limit);
+                    let place = position_along(&lane, segment, point, limit);
                     let key = |p: &LanePosition| (p.distance, p.offset.abs());
                     if let Some(place) = place.filter(|place| place.distance <= reach)
                         && best.is_none_or(|best| key(&place) < key(&best))

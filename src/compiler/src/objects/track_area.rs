@@ -1,7 +1,8 @@
 //! The area of an object in track coordinates of a road: which lanes it lies on, and from where to where.
 
 use glam::DVec2;
-use mapd_query::{Lane, LaneEdges, LaneSection, Road, SectionCutter};
+use mapd_query::compiling::SectionCutter;
+use mapd_query::{Lane, LaneEdges, LaneSection, Road};
 
 /// An object whose area reaches into a lane by no more than this `[m]` touches it at most: borders and corners are
 /// rounded.

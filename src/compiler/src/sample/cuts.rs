@@ -1,7 +1,9 @@
 //! Cross-sections of a lane section, kept for a while.
 
 use glam::DVec3;
-use mapd_query::{CrossSection, LaneEdges, LaneSection, SectionCutter};
+use mapd_query::compiling::SectionCutter;
+use mapd_query::roads::CrossSection;
+use mapd_query::{LaneEdges, LaneSection};
 
 /// Cross-sections that are kept. Lanes of a section are sampled at the same places, a stretch of one at a few dozen; a long
 /// one in a curve at some hundred.

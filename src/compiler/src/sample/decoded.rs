@@ -1,7 +1,9 @@
 //! Lines of lanes, decoded once for who asks for their points again and again.
 
 use glam::DVec3;
-use mapd_query::{Map, Polyline};
+use mapd_query::Map;
+use mapd_query::compiling::ByRow as _;
+use mapd_query::roads::{LinePoint, Polyline};
 
 /// Lines of each kind that are kept. What is computed leaf by leaf asks for some dozen lanes near each other, and comes back to
 /// long ones.
@@ -82,7 +84,7 @@ impl<'a> Kept<'a> {
         self.points.clear();
         self.long = (line.len() > LONGEST_KEPT).then_some(line);
         if self.long.is_none() {
-            let point = |(s, position): (f64, DVec3)| Point { s, place: position - origin };
+            let point = |at: LinePoint| Point { s: at.s, place: at.position - origin };
             self.points.extend(line.points().map(point));
         }
     }

@@ -7,6 +7,7 @@ use crate::findings::TooLarge;
 use crate::options::CompileOptions;
 use glam::DVec3;
 use mapd_archive::{Archive, Header, LaneRow, PointCode, Rows, SectionRow};
+use mapd_query::compiling::ByRow as _;
 use mapd_query::{Lane, LaneEdges, Map};
 use rayon::prelude::*;
 use std::collections::HashMap;

@@ -8,7 +8,9 @@ use mapd_archive::{
     Class, ConflictKind, ConflictRow, JunctionPriorityRow, Relation, RelationReason, Rows,
 };
 use mapd_geometry::normalize_angle;
-use mapd_query::{Lane, Map, RoadId, Turn};
+use mapd_query::compiling::ByRow as _;
+use mapd_query::rules::Turn;
+use mapd_query::{Lane, Map, RoadId};
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::f64::consts::FRAC_PI_4;
@@ -96,7 +98,8 @@ fn movement(lane: &Lane<'_>) -> Movement {
     let mut lights: Vec<LightGroup> = Vec::new();
     // Of several signs the one that takes most counts; a priority sign only where none takes any.
     let mut weakest = Sign::None;
-    for (one, _) in lane.entry_signals() {
+    for entry in lane.entry_signals() {
+        let one = entry.signal;
         let signal = one.signal();
         match sign(signal.class()) {
             Sign::None => {}

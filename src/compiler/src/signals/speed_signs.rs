@@ -5,7 +5,9 @@
 
 use crate::sample::view;
 use mapd_archive::{NONE, Rows, SpeedSignsAtEntryRow};
-use mapd_query::{Lane, Map, SpeedSigns, Zone, is_of_speed};
+use mapd_query::compiling::ByRow as _;
+use mapd_query::compiling::{SpeedSigns, Zone, is_of_speed};
+use mapd_query::{Lane, Map};
 use std::collections::VecDeque;
 
 /// What holds at a place, by rows of signals.

@@ -2,7 +2,8 @@
 
 use crate::exit::UsageError;
 use anyhow::{Result, bail};
-use mapd_client::{LaneType, LaneTypes, VehicleClass};
+use mapd_client::LaneTypes;
+use mapd_client::vocabulary::{LaneType, VehicleClass};
 
 /// The set of lane types that names stand for.
 pub(crate) fn lane_types(names: &[String]) -> Result<LaneTypes> {

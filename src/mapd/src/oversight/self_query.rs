@@ -1,6 +1,7 @@
 //! A query as any client would ask it.
 
 use crate::serve::reserving;
+use mapd_client::compiling::ByRow as _;
 use mapd_client::{AttachError, Client, ClientError, NearestOptions, QueryError};
 use mapd_transport::Domain;
 use std::time::{Duration, Instant};

@@ -108,7 +108,7 @@ pub struct NearMark {
     pub kind: RoadMarkKind,
     /// Colour: the line's own, or the mark's.
     pub color: RoadMarkColor,
-    /// Width of the line `[m]`, as [`crate::RoadMark::width_or_default`] where it has none of its own.
+    /// Width of the line `[m]`, as [`RoadMark::width_or_default`](crate::roads::RoadMark::width_or_default) where it has none of its own.
     pub width: f64,
     /// Whether the line is painted at this s, or has a gap; `None` where the kind has gaps and the file does not say which.
     pub painted: Option<bool>,

@@ -12,7 +12,7 @@ mod stretch;
 mod trace;
 
 pub use error::MatchError;
-pub use trace::{TraceFix, TraceMatch, TraceOptions, TraceScratch};
+pub use trace::{TraceFix, TraceMatch, TraceOptions, TracePlace, TraceScratch};
 
 use crate::area;
 use crate::error::QueryError;

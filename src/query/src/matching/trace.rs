@@ -7,6 +7,7 @@
 //! where none is foreseen and changes over solid lines break no trace.
 
 use super::{LaneMatch, MatchError, MatchOptions, VehiclePose};
+use crate::extents::SRange;
 use crate::graph::LaneNode;
 use crate::ids::LaneId;
 use crate::lane::Lane;
@@ -77,11 +78,20 @@ impl Default for TraceOptions {
     }
 }
 
+/// A place on a lane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TracePlace {
+    /// The lane.
+    pub lane: LaneId,
+    /// The place with respect to it.
+    pub position: LanePosition,
+}
+
 /// Where a fix of a trace was.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TraceMatch {
     /// The lane and the place with respect to it; `None` where the trace is on no lane.
-    pub place: Option<(LaneId, LanePosition)>,
+    pub place: Option<TracePlace>,
     /// Whether it travels towards +s.
     pub forward: bool,
     /// Probability of this state, given the whole trace.
@@ -245,7 +255,8 @@ fn way_back(from: &LaneNode<'_>, to: &LaneNode<'_>, edges: usize) -> Option<f64>
 
 /// Whether two nodes of a section have an s in common.
 fn overlap(a: &LaneNode<'_>, b: &LaneNode<'_>) -> bool {
-    let ((from, to), (low, high)) = (a.s_range(), b.s_range());
+    let SRange { low: from, high: to } = a.s_range();
+    let SRange { low, high } = b.s_range();
     from < high && low < to
 }
 
@@ -345,7 +356,7 @@ impl TraceScratch {
             let own = self.ahead[state] + self.behind[state];
             let found = self.states[state];
             out.push(TraceMatch {
-                place: found.map(|found| (found.lane, found.position)),
+                place: found.map(|found| TracePlace { lane: found.lane, position: found.position }),
                 forward: found.is_some_and(|found| found.forward),
                 probability: libm::exp(own - whole).min(1.0),
             });

@@ -87,14 +87,24 @@ impl<'a> ObjectMarking<'a> {
         f64::from(self.row.z_offset())
     }
 
-    /// Length of a stroke and of the gap behind it `[m]`; 0 if not given.
-    pub fn stroke(&self) -> (f64, f64) {
-        (f64::from(self.row.line_length()), f64::from(self.row.space_length()))
+    /// Length of a stroke `[m]`; 0 if not given.
+    pub fn stroke_length(&self) -> f64 {
+        f64::from(self.row.line_length())
     }
 
-    /// How far after its first corner the line begins, and before its last one ends `[m]`.
-    pub fn offsets(&self) -> (f64, f64) {
-        (f64::from(self.row.start_offset()), f64::from(self.row.stop_offset()))
+    /// Length of the gap behind a stroke `[m]`; 0 if not given.
+    pub fn gap_length(&self) -> f64 {
+        f64::from(self.row.space_length())
+    }
+
+    /// How far after its first corner the line begins `[m]`.
+    pub fn start_offset(&self) -> f64 {
+        f64::from(self.row.start_offset())
+    }
+
+    /// How far before its last corner the line ends `[m]`.
+    pub fn stop_offset(&self) -> f64 {
+        f64::from(self.row.stop_offset())
     }
 }
 

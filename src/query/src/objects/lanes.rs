@@ -1,6 +1,7 @@
 //! Which lanes objects belong to.
 
 use super::object::Object;
+use crate::extents::SRange;
 use crate::lane::Lane;
 use crate::map::Map;
 use mapd_archive::{ArchivedObjectLaneRow, LaneMethod};
@@ -35,9 +36,10 @@ impl<'a> ObjectLane<'a> {
 
     /// From where to where on the road the object lies on the lane, or beside it `[m]`: s, ascending, over all of its
     /// copies.
-    pub fn s_range(&self) -> (f64, f64) {
+    pub fn s_range(&self) -> SRange {
         let start = self.lane().map_or(0.0, |lane| lane.section().s_start());
-        (start + f64::from(self.row.s_from()), start + f64::from(self.row.s_to()))
+        let [low, high] = [self.row.s_from(), self.row.s_to()].map(|s| start + f64::from(s));
+        SRange { low, high }
     }
 }
 

@@ -8,6 +8,7 @@ mod object;
 mod outline;
 mod placement;
 
+pub use crate::structures::{ObjectReference, Structure};
 pub use details::{
     ObjectBorder, ObjectMarking, ObjectMaterial, ParkingSpace, Skeleton, SkeletonVertex,
 };
@@ -37,11 +38,6 @@ impl<'a> Map<'a> {
     pub fn object(&self, id: ObjectId) -> Result<Object<'a>, QueryError> {
         self.known(id.content)?;
         Object::new(*self, id.row).ok_or(QueryError::Corrupt)
-    }
-
-    /// The object in a row of the archive's table.
-    pub fn object_by_row(&self, row: u32) -> Option<Object<'a>> {
-        Object::new(*self, row)
     }
 
     /// The object with OpenDRIVE's id, compared byte by byte; of several the first.

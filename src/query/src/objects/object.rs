@@ -3,6 +3,7 @@
 use super::outline::ObjectOutline;
 use super::placement::ObjectPlacement;
 use crate::error::QueryError;
+use crate::extents::{LaneRange, SourcePosition};
 use crate::ids::ObjectId;
 use crate::junction::Junction;
 use crate::map::Map;
@@ -102,7 +103,7 @@ impl<'a> Object<'a> {
                 let position = self.position();
                 let junction = self.junction();
                 let grid = junction.and_then(|j| j.grid_height_at(position.truncate()));
-                Ok(grid.map_or(position, |(z, _)| position.with_z(z + self.z_offset())))
+                Ok(grid.map_or(position, |grid| position.with_z(grid.height + self.z_offset())))
             }
         }
     }
@@ -158,9 +159,9 @@ impl<'a> Object<'a> {
     }
 
     /// Lane numbers that it is written to hold for, each from the lower to the higher one; none: for all lanes.
-    pub fn validities(&self) -> impl ExactSizeIterator<Item = (i32, i32)> + use<'a> {
+    pub fn validities(&self) -> impl ExactSizeIterator<Item = LaneRange> + use<'a> {
         let ranges = self.row.validities().of(self.map.tables().lane_ranges);
-        ranges.iter().map(|range| (range.from(), range.to()))
+        ranges.iter().map(|range| LaneRange { from: range.from(), to: range.to() })
     }
 
     fn has(&self, flag: u8) -> bool {
@@ -229,7 +230,7 @@ impl<'a> Object<'a> {
     }
 
     /// Place of the object in its file: line and column of the start tag, from 1.
-    pub fn source_position(&self) -> (u32, u32) {
-        (self.row.line(), self.row.column())
+    pub fn source_position(&self) -> SourcePosition {
+        SourcePosition { line: self.row.line(), column: self.row.column() }
     }
 }

@@ -4,6 +4,7 @@ use super::along::center;
 use super::{Path, PathBuffer, PathError, PathJoint, PathOptions, Piece, Span};
 use crate::area;
 use crate::error::QueryError;
+use crate::extents::SRange;
 use crate::ids::LaneId;
 use crate::lane::Lane;
 use crate::map::Map;
@@ -65,7 +66,7 @@ impl<'a> Map<'a> {
     }
 }
 
-/// The steps over lanes that follow each other, as [`crate::LaneSequences`] lists them, from s on the first to s on the last; each in its
+/// The steps over lanes that follow each other, as [`LaneSequences`](crate::route::LaneSequences) lists them, from s on the first to s on the last; each in its
 /// own driving direction. `out` is emptied first.
 ///
 /// Errors: ids of another map, an s that is not finite.
@@ -168,7 +169,7 @@ fn follows(
             let left = step.enter == Enter::Left;
             let mut beside = false;
             for node in from.nodes().filter(|node| node.is_forward() == before.forward) {
-                let (low, high) = node.s_range();
+                let SRange { low, high } = node.s_range();
                 if step.s_from < low || step.s_from > high {
                     continue;
                 }

@@ -1,9 +1,10 @@
 //! Where other traffic meets a path.
 
 use super::{Path, Piece};
+use crate::extents::SRange;
 use crate::graph::Conflict;
 use crate::ids::LaneId;
-use crate::signals::{Basis, by_rules};
+use crate::rules::{Basis, by_rules};
 use mapd_archive::{ConflictKind, Relation, RelationReason, RoadRules};
 
 /// Who goes first.
@@ -105,7 +106,7 @@ impl Path<'_, '_> {
                 let Some(along) = self.common(piece, &conflict) else { continue };
                 let line = stop.and_then(|line| self.along_before(line.lane, line.s, along[0]));
                 let (relation, reason) = (conflict.relation(), conflict.reason());
-                let (from, to) = conflict.other_range();
+                let SRange { low: from, high: to } = conflict.other_range();
                 out.push(PathConflict {
                     along,
                     other: other.lane_id(),
@@ -127,7 +128,7 @@ impl Path<'_, '_> {
 
     /// S at both ends of what a piece shares with another lane; none where that is not driven over.
     fn common(&self, piece: &Piece, conflict: &Conflict<'_>) -> Option<[f64; 2]> {
-        let (low, high) = conflict.s_range();
+        let SRange { low, high } = conflict.s_range();
         let spans = self.spans_of(piece);
         let meets = |span: &&super::Span| {
             let [a, b] = span.s;

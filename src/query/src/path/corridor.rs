@@ -2,6 +2,7 @@
 
 use super::Path;
 use crate::error::QueryError;
+use crate::extents::SRange;
 use crate::graph::LaneNode;
 use crate::ids::LaneId;
 use crate::lane::Lane;
@@ -72,7 +73,7 @@ impl Corridor {
 struct Driven<'a> {
     span_piece: u32,
     node: Option<LaneNode<'a>>,
-    s: (f64, f64),
+    s: SRange,
 }
 
 impl<'a> Path<'a, '_> {
@@ -118,10 +119,11 @@ impl<'a> Path<'a, '_> {
         let span = self.span_at(along).ok_or(QueryError::Corrupt)?;
         let (piece, lane) = self.piece(span).ok_or(QueryError::Corrupt)?;
         let s = span.s_at(along - span.along);
-        let holds = |own: &Driven<'_>| own.span_piece == span.piece && own.s.0 <= s && s < own.s.1;
+        let holds =
+            |own: &Driven<'_>| own.span_piece == span.piece && own.s.low <= s && s < own.s.high;
         if !driven.as_ref().is_some_and(holds) {
             let node = lane.node_at(s, piece.forward);
-            let s = node.as_ref().map_or((s, s), LaneNode::s_range);
+            let s = node.as_ref().map_or(SRange { low: s, high: s }, LaneNode::s_range);
             *driven = Some(Driven { span_piece: span.piece, node, s });
         }
         let node = driven.as_ref().and_then(|own| own.node);

@@ -1,9 +1,10 @@
 //! What a path comes by, in the order of S.
 
 use super::{Path, Piece};
+use crate::extents::SRange;
 use crate::ids::{JunctionId, LaneId, SignalId};
 use crate::lane::Lane;
-use crate::signals::{LaneLine, Turn};
+use crate::rules::{LaneLine, LineSource, Turn};
 use glam::DVec3;
 use mapd_archive::{LaneType, RoadType, StructureKind};
 
@@ -154,10 +155,12 @@ impl<'a> Path<'a, '_> {
         let rows = self.map.tables().structures;
         let first = rows.partition_point(|row| row.road() < road.road_id().row());
         for (number, structure) in (first as u32..).zip(road.structures()) {
-            let (from, to) = structure.s_range();
+            let SRange { low: from, high: to } = structure.s_range();
             let lane_number = lane.number();
             let holds = structure.validities().len() == 0
-                || structure.validities().any(|(low, high)| (low..=high).contains(&lane_number));
+                || structure
+                    .validities()
+                    .any(|lanes| (lanes.from..=lanes.to).contains(&lane_number));
             if let Some(along) = inside(from, to).filter(|_| holds) {
                 let kind = structure.kind();
                 add(along, PathFactKind::Structure { kind, number });
@@ -209,8 +212,8 @@ fn rank(fact: &PathFact) -> (u8, u32) {
         PathFactKind::Hole { number } => (3, number),
         PathFactKind::Junction { junction, .. } => (4, junction.row()),
         PathFactKind::Line { line, .. } => match line.source {
-            crate::signals::LineSource::Signal(id) => (5, id.row()),
-            crate::signals::LineSource::Object(id) => (6, id.row()),
+            LineSource::Signal(id) => (5, id.row()),
+            LineSource::Object(id) => (6, id.row()),
         },
         PathFactKind::Signal { signal, .. } => (7, signal.row()),
     }

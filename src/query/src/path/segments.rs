@@ -1,6 +1,7 @@
 //! From which lanes the goal is reached along a path's own roads, and until where a change of lane may wait.
 
 use super::{Path, Piece};
+use crate::extents::SRange;
 use crate::graph::LaneNode;
 use crate::ids::LaneId;
 use crate::lane::Lane;
@@ -65,7 +66,7 @@ impl<'a> Path<'a, '_> {
         let spans = self.spans_of(piece);
         let (Some(first), Some(last)) = (spans.first(), spans.last()) else { return };
         let driven = [first.s[0], last.s[1]];
-        let (low, high) = node.s_range();
+        let SRange { low, high } = node.s_range();
         let (from, to) = (low.max(driven[0].min(driven[1])), high.min(driven[0].max(driven[1])));
         if from >= to {
             return;

@@ -2,7 +2,7 @@
 
 use super::{Path, Piece};
 use crate::lane::Lane;
-use crate::signals::{SpeedOrigin, SpeedRule, SpeedSigns, Zone, is_of_speed};
+use crate::rules::{SpeedOrigin, SpeedRule, SpeedSigns, Zone, is_of_speed};
 
 /// A stretch of a path on which one speed limit holds.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,6 +3,7 @@
 use super::LanePlace;
 use super::cost::RouteCost;
 use super::ways::Ways;
+use crate::extents::SRange;
 use crate::graph::LaneNode;
 use crate::lane::Lane;
 use crate::map::Map;
@@ -132,7 +133,7 @@ pub(super) fn price(cost: f64) -> f64 {
 /// Share of a node's length from its beginning to s.
 pub(crate) fn share_before(node: &LaneNode<'_>, s: f64) -> f64 {
     let Some(lane) = node.lane() else { return 0.0 };
-    let (from, to) = node.s_range();
+    let SRange { low: from, high: to } = node.s_range();
     let (done, whole) = (lane.length_between(from, s), lane.length_between(from, to));
     if whole <= 0.0 {
         return 0.0;

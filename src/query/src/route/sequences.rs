@@ -3,6 +3,7 @@
 use super::ends::{lane_of, price};
 use super::{LanePlace, ShortestLength};
 use crate::error::QueryError;
+use crate::extents::SRange;
 use crate::graph::LaneNode;
 use crate::ids::{JunctionId, LaneId};
 use crate::lane::edges_of;
@@ -108,7 +109,7 @@ impl<'a> Map<'a> {
         let Some((lane, s)) = lane_of(*self, from) else { return Ok(()) };
         for way in [true, false] {
             let Some(node) = lane.node_at(s, way) else { continue };
-            let (low, high) = node.s_range();
+            let SRange { low, high } = node.s_range();
             let end = if node.is_forward() == ahead { high } else { low };
             out.open.push((node.number, lane.length_between(s, end), 0));
             self.follow(distance, vehicle, ahead, out);
@@ -189,7 +190,7 @@ impl<'a> Map<'a> {
         if let Some(junction) = lane.road().junction() {
             return Ok(Some(NextJunction { junction: junction.junction_id(), distance: 0.0 }));
         }
-        let (low, high) = node.s_range();
+        let SRange { low, high } = node.s_range();
         let mut passed = lane.length_between(s, if node.is_forward() { high } else { low });
         for _ in 0..MOST_LANES {
             if passed > distance {

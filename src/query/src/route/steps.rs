@@ -4,6 +4,7 @@ use super::scratch::PathNode;
 use super::ways::Ways;
 use super::{LanePlace, Route, ends};
 use crate::error::QueryError;
+use crate::extents::SRange;
 use crate::ids::LaneId;
 use crate::map::Map;
 
@@ -66,7 +67,7 @@ pub(super) fn write<'a>(
     let mut last: Option<u32> = None;
     for (i, step) in path.iter().enumerate() {
         let Some(node) = ways.node(step.node) else { continue };
-        let (low, high) = node.s_range();
+        let SRange { low, high } = node.s_range();
         let (begin, end) = if node.is_forward() { (low, high) } else { (high, low) };
         if step.enter == Enter::Ahead {
             entry = begin;

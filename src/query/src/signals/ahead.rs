@@ -3,6 +3,7 @@
 use super::Signal;
 use super::lane::LaneSignal;
 use crate::error::QueryError;
+use crate::extents::SRange;
 use crate::graph::LaneNode;
 use crate::ids::{LaneId, SignalId};
 use crate::lane::Lane;
@@ -107,7 +108,7 @@ impl<'a> Map<'a> {
             }
             out.done.insert(at, number);
             let Some(node) = LaneNode::new(*self, number) else { continue };
-            let (low, high) = node.s_range();
+            let SRange { low, high } = node.s_range();
             let begin = if node.is_forward() { low } else { high };
             self.pass(&node, begin, f64::from_bits(bits), distance, vehicle, out);
         }
@@ -136,7 +137,7 @@ impl<'a> Map<'a> {
                 out.add(&one, lane.lane_id(), at, distance);
             }
         }
-        let (low, high) = node.s_range();
+        let SRange { low, high } = node.s_range();
         let end = before + lane.length_between(s, if forward { high } else { low });
         if end <= reach {
             for next in node.edges().filter_map(|edge| edge.target()) {
@@ -180,7 +181,7 @@ impl<'a> Map<'a> {
 }
 
 /// Distance from where a step of a route begins to a place on its lane `[m]`; none where the step does not come by it.
-pub(super) fn met(lane: &Lane<'_>, step: &RouteStep, at: f64, is_last: bool) -> Option<f64> {
+pub(crate) fn met(lane: &Lane<'_>, step: &RouteStep, at: f64, is_last: bool) -> Option<f64> {
     let behind = if step.forward { at < step.s_from } else { at > step.s_from };
     let beyond = if step.forward { at > step.s_to } else { at < step.s_to };
     // What stands where a change of lane happens counts once, on the lane that is driven on.

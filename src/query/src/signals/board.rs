@@ -2,6 +2,7 @@
 
 use super::Signal;
 use super::link::{SignalLink, dependencies, links};
+use crate::extents::LaneRange;
 use crate::map::Map;
 use crate::structures::validities;
 use glam::DVec3;
@@ -81,7 +82,7 @@ impl<'a> SignalBoard<'a> {
     }
 
     /// Lane numbers that it is written to hold for, from the lower to the higher one; none: those of its carrier.
-    pub fn validities(&self) -> impl ExactSizeIterator<Item = (i32, i32)> + use<'a> {
+    pub fn validities(&self) -> impl ExactSizeIterator<Item = LaneRange> + use<'a> {
         validities(self.map, self.row.validities())
     }
 

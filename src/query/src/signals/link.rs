@@ -43,7 +43,7 @@ pub(super) fn links<'a>(
     let tables = map.tables();
     range.of(tables.signal_links).iter().map(move |row| SignalLink {
         signal: Signal::new(map, row.signal()),
-        object: map.object_by_row(row.object()),
+        object: crate::objects::Object::new(map, row.object()),
         id: string(tables, row.id()),
         kind: string(tables, row.r#type()),
         is_object: row.kind() == 0,

@@ -1,34 +1,23 @@
-//! Signals: what they are, where they count, what they mean for a lane.
+//! Signals, their controllers and boards: what they are, and where they count. What follows for a lane is among
+//! [`rules`](crate::rules).
 
 mod ahead;
 mod board;
 mod controller;
 mod lane;
-mod last_sign;
-mod lines;
 mod link;
-mod movement;
 mod near;
-mod overtaking;
-mod rules;
-mod speed;
-mod speed_signs;
 
+pub(crate) use ahead::met;
 pub use ahead::{SignalAhead, SignalsAhead};
 pub use board::{BoardGroupMember, DisplayArea, SignalBoard};
 pub use controller::{Controller, JunctionController};
 pub use lane::LaneSignal;
-pub use lines::{LaneLine, LineAhead, LineSource};
 pub use link::SignalLink;
-pub use movement::{Basis, RightOfWay, Turn};
 pub use near::NearSignal;
-pub use overtaking::OvertakingRule;
-pub(crate) use rules::by_rules;
-pub use speed::{SpeedOrigin, SpeedRule};
-#[doc(hidden)]
-pub use speed_signs::{SpeedSigns, Zone, is_of_speed};
 
 use crate::error::QueryError;
+use crate::extents::SourcePosition;
 use crate::ids::SignalId;
 use crate::map::{Map, find};
 use crate::road::Road;
@@ -37,6 +26,15 @@ use mapd_archive::{
     ArchivedSignalPlaceRow, ArchivedSignalRow, Class, Orientation, SignalPosition, signal_flags,
     signal_values, string,
 };
+
+/// A value as a file has it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WrittenValue<'a> {
+    /// The number.
+    pub value: f64,
+    /// Its unit; empty where none is written.
+    pub unit: &'a str,
+}
 
 /// A traffic sign, light or marking of OpenDRIVE's `signals` (OpenDRIVE 1.8.1, 14).
 #[derive(Clone, Copy)]
@@ -73,11 +71,6 @@ impl LightStates {
     pub const BULBS: [&'static str; 3] = ["red", "yellow", "green"];
     /// Names of the movements' bits, from the lowest.
     pub const ARROWS: [&'static str; 4] = ["left", "straight", "right", "u_turn"];
-
-    /// Whether it is for a movement.
-    pub fn governs(&self, turn: Turn) -> bool {
-        self.arrows == 0 || self.arrows & turn.bit() != 0
-    }
 }
 
 /// A child of `signal/semantics`.
@@ -145,9 +138,10 @@ impl<'a> Signal<'a> {
     }
 
     /// Value and unit as written.
-    pub fn written_value(&self) -> Option<(f64, &'a str)> {
+    pub fn written_value(&self) -> Option<WrittenValue<'a>> {
         let is_there = self.row.has_value() & signal_values::WRITTEN != 0;
-        is_there.then(|| (self.row.written_value(), self.text(self.row.unit())))
+        let unit = || self.text(self.row.unit());
+        is_there.then(|| WrittenValue { value: self.row.written_value(), unit: unit() })
     }
 
     /// What the class means by its value: `[m/s]`, `[m]` or `[kg]`.
@@ -191,9 +185,14 @@ impl<'a> Signal<'a> {
         self.row.facing()
     }
 
-    /// Pitch and roll of what stands there `[rad]`.
-    pub fn pitch_roll(&self) -> (f64, f64) {
-        (self.row.pitch(), self.row.roll())
+    /// Pitch of what stands there `[rad]`.
+    pub fn pitch(&self) -> f64 {
+        self.row.pitch()
+    }
+
+    /// Roll of what stands there `[rad]`.
+    pub fn roll(&self) -> f64 {
+        self.row.roll()
     }
 
     /// s, t and zOffset as written `[m]`, and hOffset `[rad]`.
@@ -246,8 +245,8 @@ impl<'a> Signal<'a> {
     }
 
     /// Line and column of its start tag, from 1.
-    pub fn source_position(&self) -> (u32, u32) {
-        (self.row.line(), self.row.column())
+    pub fn source_position(&self) -> SourcePosition {
+        SourcePosition { line: self.row.line(), column: self.row.column() }
     }
 }
 

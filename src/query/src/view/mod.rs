@@ -9,15 +9,13 @@ mod heed;
 mod queries;
 
 pub use entry::{OverlayEntry, Restriction};
+pub use mapd_archive::{Overlay, OverlayKind};
 pub use queries::{Permission, ReachedPiece, SpeedToday};
 
 use crate::graph::{LaneNode, NodePiece};
 use crate::lane::Lane;
 use crate::map::Map;
-use mapd_archive::{
-    ArchivedOverlayEntryRow, ArchivedPieceRow, NONE, Overlay, OverlayKind, OverlayTables,
-    VehicleClass,
-};
+use mapd_archive::{ArchivedOverlayEntryRow, ArchivedPieceRow, NONE, OverlayTables, VehicleClass};
 use std::time::{SystemTime, UNIX_EPOCH};
 use thiserror::Error;
 

@@ -6,7 +6,7 @@ use crate::error::QueryError;
 use crate::graph::LaneNode;
 use crate::ids::{LaneId, SignalId};
 use crate::route::{LanePlace, Route, RouteCost, RouteScratch, RouteStep, Ways as _, find, reach};
-use crate::signals::SpeedRule;
+use crate::rules::SpeedRule;
 use mapd_archive::{OverlayKind, VehicleClass};
 
 /// Whether a class of vehicles may use a lane at a place.
@@ -197,7 +197,7 @@ impl<'a> View<'a> {
         let (ways, content) = (Heeded::new(*self, vehicle), self.map.content());
         reach(ways, from, (limit, vehicle), cost, scratch, |number, cost| {
             let Some(node) = ways.node(number) else { return };
-            let (s_from, s_to) = node.s_range();
+            let crate::SRange { low: s_from, high: s_to } = node.s_range();
             let lane = LaneId { row: node.row.lane(), content };
             out.push(ReachedPiece { lane, forward: node.is_forward(), s_from, s_to, cost });
         })

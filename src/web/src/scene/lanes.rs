@@ -5,6 +5,7 @@ use crate::drawing::{Drawing, Pen};
 use crate::paint::Paint;
 use crate::strokes::MarkStroke;
 use mapd_query::glam::DVec2;
+use mapd_query::roads::LinePoint;
 use mapd_query::{Lane, LaneSection, Map};
 
 /// Size of the triangle that shows where a lane leads `[m]`.
@@ -31,7 +32,8 @@ pub(super) fn areas(map: Map<'_>, drawing: &mut Drawing) {
 pub(crate) fn area(lane: &Lane<'_>, paint: Paint, level: i64, drawing: &mut Drawing) {
     let (left, right) = (lane.left_bound_of_reference_line(), lane.right_bound_of_reference_line());
     if left.len() > 1 && right.len() > 1 {
-        drawing.strip(left.points(), right.points(), (paint as u8, level));
+        let pair = |at: LinePoint| (at.s, at.position);
+        drawing.strip(left.points().map(pair), right.points().map(pair), (paint as u8, level));
     }
 }
 

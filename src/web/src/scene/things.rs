@@ -5,8 +5,12 @@ use crate::drawing::{Drawing, Pen, TILE, level};
 use crate::paint::Paint;
 use crate::signs::SignalSign;
 use mapd_archive::packed_index::WIDTH;
+use mapd_query::Region;
+use mapd_query::SRange;
 use mapd_query::glam::{DVec2, DVec3};
-use mapd_query::{Class, Lane, Map, Object, ObjectPlacement, ObjectShape};
+use mapd_query::objects::{Object, ObjectPlacement};
+use mapd_query::vocabulary::{Class, ObjectShape};
+use mapd_query::{Lane, Map};
 
 /// Radius of the mark of an object without extent `[m]`.
 const MARK: f64 = 0.3;
@@ -130,7 +134,7 @@ pub(super) fn conflicts(map: Map<'_>, drawing: &mut Drawing) {
         let pen =
             Pen { paint: Paint::Conflict as u8, level: level_of(map, &lane), ..Pen::default() };
         for conflict in lane.conflicts() {
-            let (from, to) = conflict.s_range();
+            let SRange { low: from, high: to } = conflict.s_range();
             let steps = ((to - from) / CONFLICT_STEP).ceil().max(1.0) as usize;
             let s = |i: usize| from + (to - from) * i as f64 / steps as f64;
             let points = (0..=steps).filter_map(|i| lane.pose_at(s(i), 0.0).ok());
@@ -161,10 +165,10 @@ pub(super) fn index_boxes(map: Map<'_>, drawing: &mut Drawing) {
 /// A box around each part that is left out and whose place is known.
 pub(super) fn quarantine(map: Map<'_>, drawing: &mut Drawing) {
     for part in map.quarantined() {
-        let Some((low, high)) = part.extent() else { continue };
+        let Some(Region { low, high }) = part.extent() else { continue };
         drawing.near(low);
         // Above everything: what is missing must be seen.
-        let level = level(map.bounds().1.z - middle(map).z) + 1;
+        let level = level(map.bounds().high.z - middle(map).z) + 1;
         let corner = |x: f64, y: f64| DVec3::new(x, y, middle(map).z);
         let corners = [
             corner(low.x, low.y),

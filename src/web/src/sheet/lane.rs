@@ -1,7 +1,9 @@
 //! What is known of a lane.
 
 use super::{Kind, Link, Sheet, Words, metres, speed};
-use mapd_query::{Basis, Lane, Map, VehicleClass};
+use mapd_query::rules::Basis;
+use mapd_query::vocabulary::VehicleClass;
+use mapd_query::{Lane, Map};
 
 pub(super) fn sheet(map: Map<'_>, lane: &Lane<'_>) -> Sheet {
     let link = Link { kind: Kind::Lane, row: lane.lane_id().row() };
@@ -75,7 +77,7 @@ fn traffic(lane: &Lane<'_>, sheet: &mut Sheet) {
     sheet.say("turn", format!("{:?}", lane.turn()).to_lowercase());
     let yields = lane
         .yields_to()
-        .map(|(other, reason)| Words::from(&other).with(&format!(" ({})", reason.name())));
+        .map(|one| Words::from(&one.lane).with(&format!(" ({})", one.reason.name())));
     sheet.add("gives way to", yields);
     let rights = lane.right_of_way().filter_map(|right| {
         let basis = match right.basis() {

@@ -1,12 +1,19 @@
 //! What is known of roads, junctions, signals, objects, and parts that are left out.
 
 use super::{Kind, Link, Sheet, Words, metres};
+use mapd_query::Region;
+use mapd_query::document::Quarantined;
+use mapd_query::document::SourcePosition;
 use mapd_query::glam::DVec3;
-use mapd_query::{Junction, Object, Quarantined, Road, Signal, Turn};
+use mapd_query::objects::Object;
+use mapd_query::rules::Turn;
+use mapd_query::signals::Signal;
+use mapd_query::signals::WrittenValue;
+use mapd_query::{Junction, Road};
 use std::f64::consts::PI;
 
 /// `line 12, column 5` of the document.
-fn place_in_file((line, column): (u32, u32)) -> String {
+fn place_in_file(SourcePosition { line, column }: SourcePosition) -> String {
     format!("line {line}, column {column}")
 }
 
@@ -69,7 +76,7 @@ pub(super) fn signal(signal: &Signal<'_>) -> Sheet {
     sheet.say("name", signal.name());
     sheet.say("code", signal.code().join(" ").trim().to_owned());
     sheet.say("text", signal.shown_text());
-    if let Some((value, unit)) = signal.written_value() {
+    if let Some(WrittenValue { value, unit }) = signal.written_value() {
         sheet.say("value", format!("{value} {unit}"));
     }
     if let Some(light) = signal.light() {
@@ -143,7 +150,7 @@ pub(super) fn quarantine(part: &Quarantined<'_>, about: Link) -> Sheet {
     if part.is_reference_line() {
         sheet.say("kept", "its reference line, without lanes");
     }
-    if let Some((low, high)) = part.extent() {
+    if let Some(Region { low, high }) = part.extent() {
         sheet.reach(low.extend(0.0));
         sheet.reach(DVec3::new(high.x, high.y, 0.0));
     }

@@ -2,11 +2,12 @@
 
 use crate::numbers::{Numbers, clamped, hash, lane_bits, object_bits, signal_bits};
 use crate::{Asker, Result};
+use mapd_client::SRange;
 use mapd_client::glam::DVec2;
-use mapd_client::{
-    Corridor, LanePlace, LineSource, PathBuffer, PathOptions, RouteScratch, RouteStep,
-    ShortestLength, ShortestTime, VehicleClass,
-};
+use mapd_client::path::{Corridor, PathBuffer, PathOptions};
+use mapd_client::route::{LanePlace, RouteScratch, RouteStep, ShortestLength, ShortestTime};
+use mapd_client::rules::LineSource;
+use mapd_client::vocabulary::VehicleClass;
 
 impl Asker<'_> {
     pub(crate) fn routes(&mut self, scratch: &mut RouteScratch) -> Result<()> {
@@ -57,7 +58,7 @@ impl Asker<'_> {
         a.u(reached.len() as u64);
         for one in &reached {
             let node = map.lane_node(one.node)?;
-            let (s_from, s_to) = node.s_range();
+            let SRange { low: s_from, high: s_to } = node.s_range();
             a.u(lane_bits(node.lane())).u(u64::from(node.is_forward()));
             a.f(s_from).f(s_to).f(one.cost);
         }

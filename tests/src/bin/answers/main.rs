@@ -12,8 +12,10 @@ mod places;
 
 use localising::Localising;
 use mapd_archive::encode;
+use mapd_client::Bounds;
 use mapd_client::glam::DVec2;
-use mapd_client::{Lane, Map, Road, RouteScratch, Snapshot};
+use mapd_client::route::RouteScratch;
+use mapd_client::{Lane, Map, Road, Snapshot};
 use mapd_compiler::{CompileOptions, compile};
 use numbers::Numbers;
 use std::fmt::Write as _;
@@ -59,7 +61,7 @@ struct Asker<'a> {
 
 impl<'a> Asker<'a> {
     fn point(&mut self) -> DVec2 {
-        let (low, high) = self.map.bounds();
+        let Bounds { low, high } = self.map.bounds();
         let x = self.random.between(low.x - 10.0, high.x + 10.0);
         DVec2::new(x, self.random.between(low.y - 10.0, high.y + 10.0))
     }

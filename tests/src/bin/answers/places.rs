@@ -2,10 +2,11 @@
 
 use crate::numbers::{NOTHING, Numbers, clamped, hash, lane_bits, object_bits, signal_bits};
 use crate::{Asker, RADII, Result};
-use mapd_client::{
-    ClassSet, LandmarkSource, LaneId, LanePlace, LaneSequences, Nearest, NearestOptions, Point,
-    SignalsAhead, Track, VehicleClass,
-};
+use mapd_client::localisation::LandmarkSource;
+use mapd_client::route::{LanePlace, LaneSequences};
+use mapd_client::signals::SignalsAhead;
+use mapd_client::vocabulary::{ClassSet, VehicleClass};
+use mapd_client::{LaneId, Nearest, NearestOptions, Point, Track};
 
 impl Asker<'_> {
     pub(crate) fn points(&mut self) -> Result<()> {
@@ -168,8 +169,8 @@ impl Asker<'_> {
         let (mut q, mut a) = (Numbers::default(), Numbers::default());
         let line = lane.center_line();
         a.u(line.len() as u64);
-        line.points().for_each(|(s, at)| {
-            a.f(s).v(at);
+        line.points().for_each(|point| {
+            a.f(point.s).v(point.position);
         });
         self.write("line", q.u(id), &a);
 

@@ -6,6 +6,7 @@ use crate::exit::Exit;
 use crate::faults::minor_faults;
 use anyhow::{Context, Result, ensure};
 use clap::{Args, ValueEnum};
+use mapd_client::compiling::ByRow as _;
 use mapd_client::{Attach, Client, Domain, NearestOptions, Snapshot};
 use std::io::{Read, Write};
 use std::process::{Command, Stdio};

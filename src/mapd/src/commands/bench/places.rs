@@ -1,6 +1,8 @@
 //! What is asked: places on the map, the same in every run.
 
-use mapd_client::{LanePlace, Map, Point, Track, VehicleClass, glam::DVec2};
+use mapd_client::route::LanePlace;
+use mapd_client::vocabulary::VehicleClass;
+use mapd_client::{Map, Point, Track, glam::DVec2};
 
 /// Step along a road of the queries that follow a trajectory `[m]`: 20 ms at 25 m/s.
 const STEP: f64 = 0.5;

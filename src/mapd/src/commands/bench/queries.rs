@@ -2,7 +2,10 @@
 
 use super::figures::{Comparison, keep};
 use super::places::{ends, places};
-use mapd_client::{Map, NearestOptions, RouteScratch, ShortestLength, Snapshot, VehicleClass};
+use mapd_client::compiling::ByRow as _;
+use mapd_client::route::{RouteScratch, ShortestLength};
+use mapd_client::vocabulary::VehicleClass;
+use mapd_client::{Map, NearestOptions, Snapshot};
 use std::time::{Duration, Instant};
 
 /// Queries in a row on one side before it is the other's turn: what disturbs the machine disturbs both.

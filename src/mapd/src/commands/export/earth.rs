@@ -2,8 +2,9 @@
 
 use super::layers::Shape;
 use anyhow::{Context, Result, ensure};
+use mapd_client::Map;
+use mapd_client::geodesy::{Geodetic, Offset, Projector};
 use mapd_client::glam::DVec3;
-use mapd_client::{Geodetic, Map, Offset, Projector};
 use std::str::FromStr;
 
 /// A point of a file: x or longitude, y or latitude, z.

@@ -6,7 +6,9 @@ use anyhow::{Context, Result, anyhow};
 use flatgeobuf::geozero::error::Result as GeometryResult;
 use flatgeobuf::geozero::{ColumnValue, GeomProcessor, PropertyProcessor};
 use flatgeobuf::{ColumnType, FgbCrs, FgbWriter, FgbWriterOptions, GeometryType, GeozeroGeometry};
-use mapd_client::{Map, Offset, Projector};
+use mapd_client::Map;
+use mapd_client::document::HeaderOffset;
+use mapd_client::geodesy::{Offset, Projector};
 use std::io::Write;
 
 /// EPSG's code of latitude and longitude on WGS 84.
@@ -44,7 +46,7 @@ impl Frame {
         }
         Ok(match crs(definition) {
             Some(crs) => {
-                let (shift, heading) = map.header_offset();
+                let HeaderOffset { shift, heading } = map.header_offset();
                 (Self::Plane(Offset { shift, heading }), crs)
             }
             None => {

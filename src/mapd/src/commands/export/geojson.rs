@@ -4,7 +4,8 @@ use super::earth::{self, Place};
 use super::layers::{Layer, Shape, Value};
 use anyhow::{Context, Result};
 use geojson::{Feature, FeatureWriter, Geometry, GeometryValue, JsonObject, JsonValue, Position};
-use mapd_client::{Map, Projector};
+use mapd_client::Map;
+use mapd_client::geodesy::Projector;
 use std::io::Write;
 
 /// Writes the layers, one after the other; each feature says its own.

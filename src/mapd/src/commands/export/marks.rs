@@ -1,7 +1,9 @@
 //! Road marks in a drawing: each line of a mark along its lane's border, broken as the file says.
 
 use super::svg::{Paper, points};
-use mapd_client::{Lane, RoadMark, RoadMarkColor};
+use mapd_client::Lane;
+use mapd_client::roads::RoadMark;
+use mapd_client::vocabulary::RoadMarkColor;
 use mapd_web::MarkStroke;
 use std::io::{Result, Write};
 

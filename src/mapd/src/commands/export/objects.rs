@@ -3,7 +3,8 @@
 use super::svg::{Paper, escape, points};
 use mapd_client::Map;
 use mapd_client::glam::DVec3;
-use mapd_query::{ObjectPlacement, ObjectShape};
+use mapd_query::objects::ObjectPlacement;
+use mapd_query::vocabulary::ObjectShape;
 use std::io::{Result, Write};
 
 /// Radius of the mark of an object without extent `[m]`.

@@ -3,7 +3,9 @@
 use super::svg::Paper;
 use anyhow::{Context, Result, bail};
 use mapd_client::Map;
-use mapd_query::{LanePlace, PathBuffer, PathOptions, RouteScratch, ShortestLength, VehicleClass};
+use mapd_query::path::{PathBuffer, PathOptions};
+use mapd_query::route::{LanePlace, RouteScratch, ShortestLength};
+use mapd_query::vocabulary::VehicleClass;
 use std::io::{self, Write};
 use std::str::FromStr;
 
@@ -49,7 +51,7 @@ fn end(text: &str) -> Option<End> {
 
 fn place(map: Map<'_>, end: &End) -> Result<LanePlace> {
     let Some(road) = map.road_by_id(&end.road) else {
-        let left_out = map.left_out(mapd_query::QuarantinedKind::Road, &end.road);
+        let left_out = map.left_out(mapd_query::vocabulary::QuarantinedKind::Road, &end.road);
         match left_out {
             Some(part) => bail!("{}", part.explained("the document")),
             None => bail!("the map has no road {:?}", end.road),

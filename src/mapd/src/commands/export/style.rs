@@ -1,6 +1,6 @@
 //! How a drawing looks: one class per lane type that stands out, and one per kind of line.
 
-use mapd_client::LaneType;
+use mapd_client::vocabulary::LaneType;
 
 /// Style sheet. Widths are metres on the ground.
 pub(super) const SHEET: &str = "\

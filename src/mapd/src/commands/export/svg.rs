@@ -2,8 +2,11 @@
 
 use super::{Options, index_boxes, marks, objects, style};
 use mapd_client::glam::{DVec2, DVec3};
-use mapd_client::{Lane, LaneSection, LaneType, Map, Polyline};
-use mapd_query::Signal;
+use mapd_client::roads::Polyline;
+use mapd_client::vocabulary::LaneType;
+use mapd_client::{Lane, LaneSection, Map};
+use mapd_query::Bounds;
+use mapd_query::signals::Signal;
 use std::io::{Result, Write};
 
 /// Room around the map `[m]`.
@@ -40,7 +43,7 @@ pub(super) fn write(
     route: Option<&[DVec2]>,
     out: &mut dyn Write,
 ) -> Result<()> {
-    let (low, high) = map.bounds();
+    let Bounds { low, high } = map.bounds();
     let size = (high - low).truncate() + 2.0 * MARGIN;
     let paper = Paper { left: low.x - MARGIN, top: high.y + MARGIN };
     writeln!(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>")?;

@@ -1,7 +1,7 @@
 //! What `mapd inspect` says about what files say besides.
 
 use mapd_client::Map;
-use mapd_query::JunctionGroupKind;
+use mapd_query::vocabulary::JunctionGroupKind;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io::{self, Write};

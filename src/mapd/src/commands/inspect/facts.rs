@@ -6,7 +6,11 @@ use super::objects::ObjectFacts;
 use super::signals::SignalFacts;
 use crate::report::hex;
 use mapd_client::{Map, Snapshot};
-use mapd_query::{FileFrame, Quarantined};
+use mapd_query::Bounds;
+use mapd_query::document::HeaderOffset;
+use mapd_query::document::Revision;
+use mapd_query::document::SourcePosition;
+use mapd_query::document::{FileFrame, Quarantined};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -79,9 +83,8 @@ pub(super) struct FileFrameFacts {
 
 impl FileFrameFacts {
     fn of(frame: FileFrame<'_>) -> Self {
-        let (shift, turn) = frame.offset();
-        let (min, max) = frame.bounds();
-        let (scale_min, scale_max) = frame.scale();
+        let HeaderOffset { shift, heading: turn } = frame.offset();
+        let Bounds { low: min, high: max } = frame.bounds();
         Self {
             target: frame.target().to_owned(),
             projection: frame.projection().to_owned(),
@@ -91,8 +94,8 @@ impl FileFrameFacts {
             error_m: frame.error(),
             height_shift_m: frame.height_shift(),
             height_error_m: frame.height_error(),
-            scale_min,
-            scale_max,
+            scale_min: frame.scale_min(),
+            scale_max: frame.scale_max(),
         }
     }
 }
@@ -134,10 +137,10 @@ pub(super) fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Insp
     let map = snapshot.map();
     let tables = map.tables();
     let header = snapshot.header();
-    let (min, max) = map.bounds();
-    let (major, minor) = map.revision();
+    let Bounds { low: min, high: max } = map.bounds();
+    let Revision { major, minor } = map.revision();
     let length = map.road_length();
-    let (shift, turn) = map.header_offset();
+    let HeaderOffset { shift, heading: turn } = map.header_offset();
     let bytes = snapshot.bytes().len();
     let per_km = |bytes: usize| if length > 0.0 { bytes as f64 / (length / 1000.0) } else { 0.0 };
     let [a, b, c] = header.provenance.compiler_version;
@@ -209,7 +212,7 @@ fn unknown_to_this_release(snapshot: &Snapshot) -> Vec<String> {
 }
 
 fn left_out(part: &Quarantined<'_>) -> QuarantinedFacts {
-    let (line, column) = part.source_position();
+    let SourcePosition { line, column } = part.source_position();
     let extent = part.extent();
     QuarantinedFacts {
         kind: part.kind().name(),
@@ -218,8 +221,8 @@ fn left_out(part: &Quarantined<'_>) -> QuarantinedFacts {
         owner_kind: part.owner_kind().name(),
         name: part.to_string(),
         reference_line: part.is_reference_line(),
-        min: extent.map(|(min, _)| min.to_array()),
-        max: extent.map(|(_, max)| max.to_array()),
+        min: extent.map(|extent| extent.low.to_array()),
+        max: extent.map(|extent| extent.high.to_array()),
         rule: part.rule().to_owned(),
         message: part.message().to_owned(),
         file: part.source_file().map(str::to_owned),

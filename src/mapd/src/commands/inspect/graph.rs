@@ -1,7 +1,8 @@
 //! Counts of the lane graph for `mapd inspect`.
 
 use mapd_client::Map;
-use mapd_query::{EdgeKind, Lane, VehicleClass};
+use mapd_query::Lane;
+use mapd_query::vocabulary::{EdgeKind, VehicleClass};
 use serde::Serialize;
 use std::io::Write;
 
@@ -50,7 +51,7 @@ impl GraphFacts {
             })
             .map(|t| t.count * t.element_bytes)
             .sum();
-        let car = |node: &mapd_query::LaneNode<'_>| node.allows(VehicleClass::PassengerCar);
+        let car = |node: &mapd_query::graph::LaneNode<'_>| node.allows(VehicleClass::PassengerCar);
         Self {
             nodes: tables.lane_nodes.len(),
             edges: EdgeKind::ALL.iter().map(|kind| (kind.name(), count(*kind))).collect(),

@@ -1,7 +1,7 @@
 //! Counts of objects for `mapd inspect`.
 
 use mapd_client::Map;
-use mapd_query::{Class, LaneMethod};
+use mapd_query::vocabulary::{Class, LaneMethod};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io::Write;

@@ -1,7 +1,7 @@
 //! What `mapd inspect` says about signals.
 
 use mapd_client::Map;
-use mapd_query::{Class, LaneMethod};
+use mapd_query::vocabulary::{Class, LaneMethod};
 use serde::Serialize;
 use std::collections::{BTreeMap, HashSet};
 use std::io::{self, Write};

@@ -4,7 +4,11 @@ use super::holes::Holes;
 use super::kinds::{number, text};
 use super::row::Row;
 use mapd_client::Map;
-use mapd_query::{Annotation, AnnotationOwner, LaneKey, LaneVisibility, QuarantinedKind};
+use mapd_query::LaneKey;
+use mapd_query::document::Annotation;
+use mapd_query::document::SourcePosition;
+use mapd_query::roads::LaneVisibility;
+use mapd_query::vocabulary::{AnnotationOwner, QuarantinedKind};
 
 /// Columns of annotations.
 pub(super) const ANNOTATIONS: &[&str] =
@@ -103,7 +107,7 @@ fn write_below<'a>(
 ) {
     for one in annotations {
         let between = if within.is_empty() || one.path().is_empty() { "" } else { "/" };
-        let (line, column) = one.source_position();
+        let SourcePosition { line, column } = one.source_position();
         out.push(one.kind().name().to_owned());
         out.push(format!("{within}{between}{}", one.path()));
         out.extend([one.name(), one.value(), one.text()].map(str::to_owned));

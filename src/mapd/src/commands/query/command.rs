@@ -7,7 +7,8 @@ use crate::exit::{Exit, UsageError};
 use crate::source;
 use anyhow::{Result, bail};
 use clap::Args;
-use mapd_client::{NearestOptions, Snapshot, View};
+use mapd_client::view::View;
+use mapd_client::{NearestOptions, Snapshot};
 use std::io::{self, Write};
 use std::time::{Duration, UNIX_EPOCH};
 

@@ -1,7 +1,8 @@
 //! Latitudes and longitudes.
 
 use super::row::Row;
-use mapd_client::{Geodetic, Map, Projector};
+use mapd_client::Map;
+use mapd_client::geodesy::{Geodetic, Projector};
 use mapd_query::glam::DVec3;
 
 /// The map's projector, or why it has none.

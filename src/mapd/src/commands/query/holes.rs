@@ -4,9 +4,11 @@ use super::earth::Earth;
 use super::kinds::{Kind, lane, point_in};
 use super::route::Router;
 use super::row::Row;
-use mapd_client::{Lane, Map, NearestOptions, RoadLink};
+use mapd_client::roads::RoadLink;
+use mapd_client::{Lane, Map, NearestOptions};
+use mapd_query::document::Quarantined;
 use mapd_query::glam::DVec2;
-use mapd_query::{Quarantined, QuarantinedKind};
+use mapd_query::vocabulary::QuarantinedKind;
 
 /// Where a lane or route ends, parts as near as this `[m]` may be what it would lead on to.
 const REACH: f64 = 1.0;

@@ -3,7 +3,8 @@
 use super::kinds::{number, numbers, text};
 use super::row::Row;
 use mapd_client::Map;
-use mapd_query::{Class, ClassSet, LandmarkSource};
+use mapd_query::localisation::LandmarkSource;
+use mapd_query::vocabulary::{Class, ClassSet};
 
 /// Columns of the answer.
 pub(super) const COLUMNS: &[&str] = &[

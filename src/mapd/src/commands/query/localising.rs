@@ -1,7 +1,8 @@
 //! `mapd query … ground` and `… nearest-marks`.
 
 use super::kinds::{number, numbers, text};
-use mapd_client::{GroundScratch, Map, MarkFilter, NearestOptions, Point};
+use mapd_client::localisation::{GroundScratch, MarkFilter};
+use mapd_client::{Map, NearestOptions, Point};
 
 /// Columns of `ground`.
 pub(super) const GROUND: &[&str] = &["z", "nx", "ny", "nz", "lane", "material", "level"];

@@ -2,7 +2,8 @@
 
 use super::kinds::{number, numbers};
 use super::row::Row;
-use mapd_client::{LaneMatch, Map, MatchOptions, NearestOptions, Point, VehiclePose};
+use mapd_client::localisation::{LaneMatch, MatchOptions, VehiclePose};
+use mapd_client::{Map, NearestOptions, Point};
 use mapd_query::glam::{DMat3, DVec2, DVec3};
 
 /// Columns of the answer.

@@ -6,7 +6,8 @@ use super::route::Router;
 use super::row::Row;
 use mapd_client::Map;
 use mapd_query::glam::DVec2;
-use mapd_query::{Basis, Corridor, Path, PathBuffer, PathOptions};
+use mapd_query::path::{Corridor, Path, PathBuffer, PathOptions};
+use mapd_query::rules::Basis;
 
 /// Columns that a route is found by.
 pub(super) const ROUTE: [&str; 6] =

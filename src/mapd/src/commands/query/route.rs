@@ -8,10 +8,11 @@ use clap::{Args, ValueEnum};
 use mapd_client::Map;
 use mapd_overlay::Moment;
 use mapd_query::glam::DVec2;
-use mapd_query::{
-    Enter, LanePlace, RoadRules, Route, RouteScratch, RouteStep, ShortestLength, ShortestTime,
-    VehicleClass, View,
+use mapd_query::route::{
+    Enter, LanePlace, Route, RouteScratch, RouteStep, ShortestLength, ShortestTime,
 };
+use mapd_query::view::View;
+use mapd_query::vocabulary::{RoadRules, VehicleClass};
 
 /// What a route is to keep small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

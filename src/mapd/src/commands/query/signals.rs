@@ -2,7 +2,9 @@
 
 use super::kinds::{number, numbers, text};
 use mapd_client::{Lane, Map};
-use mapd_query::{LanePlace, LightStates, SignalsAhead, VehicleClass};
+use mapd_query::route::LanePlace;
+use mapd_query::signals::{LightStates, SignalsAhead};
+use mapd_query::vocabulary::VehicleClass;
 
 /// Columns of the answer.
 pub(super) const COLUMNS: &[&str] = &[

@@ -4,7 +4,10 @@ use super::model::{Crossing, Member, Model, Rule};
 use super::report::Report;
 use super::tags::Tag;
 use mapd_client::glam::DVec3;
-use mapd_client::{Class, LaneLine, LineSource, Map, Object, ObjectPlacement, ObjectShape, Track};
+use mapd_client::objects::{Object, ObjectPlacement};
+use mapd_client::rules::{LaneLine, LineSource};
+use mapd_client::vocabulary::{Class, ObjectShape};
+use mapd_client::{Map, Track};
 
 /// Adds a lanelet for each crosswalk that is an object, and with `autoware` the rule by which Autoware stops for it, which Lanelet2's
 /// own loader does not know.

@@ -4,7 +4,9 @@ use super::model::{Member, Model, Rule};
 use super::report::Report;
 use super::tags::{Tag, number};
 use mapd_client::glam::{DVec2, DVec3};
-use mapd_client::{LaneLine, LaneSignal, LightStates, Map, Signal, SignalId};
+use mapd_client::rules::LaneLine;
+use mapd_client::signals::{LaneSignal, LightStates, Signal};
+use mapd_client::{Map, SignalId};
 use std::collections::{BTreeSet, HashMap};
 
 /// Size of a light for which the file gives none: three lamps of 0.3 m, one above the other `[m]`.

@@ -14,7 +14,8 @@ mod stretches;
 mod tags;
 
 use anyhow::Result;
-use mapd_client::{Map, Projector};
+use mapd_client::Map;
+use mapd_client::geodesy::Projector;
 use model::Model;
 use network::Network;
 pub(crate) use report::Report;

@@ -4,8 +4,10 @@ use super::align::{Side, balance, clear_part, cut_loops, is_read_as_meant};
 use super::network::{Lanelet, Network};
 use super::report::{Entry, Report};
 use super::tags::Tag;
+use mapd_client::Map;
 use mapd_client::glam::DVec3;
-use mapd_client::{Class, LaneLine, Map};
+use mapd_client::rules::LaneLine;
+use mapd_client::vocabulary::Class;
 use std::collections::{HashMap, HashSet};
 
 /// Points of a line that are nearer to each other are one `[m]`.
@@ -173,7 +175,7 @@ impl<'a> Model<'a> {
         let more = self.new_middles();
         self.middles.extend(more);
         for lanelet in self.misread() {
-            let place = lanelet.lane.pose_at(lanelet.node.s_range().0, 0.0);
+            let place = lanelet.lane.pose_at(lanelet.node.s_range().low, 0.0);
             let place = place.map_or(DVec3::NAN, |pose| pose.position);
             report.add(Entry::Turned, lanelet.lane.key().to_string(), String::new(), place);
         }

@@ -4,7 +4,9 @@ use super::joints::{Joints, SNAP};
 use super::report::{Entry, Report};
 use super::stretches::{SHORTEST, Span, Stretch, Stretches};
 use mapd_client::glam::DVec3;
-use mapd_client::{Lane, LaneNode, Map, VehicleClass};
+use mapd_client::graph::LaneNode;
+use mapd_client::vocabulary::VehicleClass;
+use mapd_client::{Lane, Map};
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// Ends this near to each other were meant to be one: files round their coordinates. That they are put together is not worth a

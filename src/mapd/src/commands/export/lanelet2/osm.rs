@@ -5,7 +5,7 @@ use super::model::{Lines, Member, Model};
 use super::report::Report;
 use super::tags::{self, Tag, number};
 use anyhow::Result;
-use mapd_client::Projector;
+use mapd_client::geodesy::Projector;
 use mapd_client::glam::DVec3;
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesEnd, BytesStart, Event};

@@ -1,7 +1,8 @@
 //! Who gives way to whom in junctions, as far as the file says so.
 
 use super::model::{Member, Model, Rule};
-use mapd_client::{Class, LaneType};
+use mapd_client::rules::YieldsTo;
+use mapd_client::vocabulary::{Class, LaneType};
 
 /// Adds a rule for each lane of a junction that gives way to others. What only a rule of the road would say is not written: Lanelet2 has
 /// rules of the road of its own.
@@ -15,7 +16,7 @@ pub(super) fn add(model: &mut Model<'_>) {
         .collect();
     for (lanelet, lane) in lanes {
         let mut members = vec![("yield", Member::Lanelet(lanelet))];
-        for (other, _) in lane.yields_to() {
+        for YieldsTo { lane: other, .. } in lane.yields_to() {
             let first = model.network.lanelets_of(&other).first().copied();
             let member = first.map(|first| ("right_of_way", Member::Lanelet(first)));
             members.extend(member.filter(|member| !members.contains(member)));

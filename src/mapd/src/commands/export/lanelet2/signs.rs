@@ -4,7 +4,9 @@ use super::lights::board;
 use super::model::{Member, Model, Rule};
 use super::report::Report;
 use super::tags::{Tag, speed};
-use mapd_client::{Class, ClassGroup, Map, Signal, SignalId};
+use mapd_client::signals::Signal;
+use mapd_client::vocabulary::{Class, ClassGroup};
+use mapd_client::{Map, SignalId};
 use std::collections::{BTreeMap, HashMap};
 
 /// Width of a sign for which the file gives none `[m]`: usual on town roads.

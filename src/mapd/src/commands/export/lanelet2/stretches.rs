@@ -1,7 +1,12 @@
 //! Lane sections cut into pieces along which nothing changes that Lanelet2 says once of a lanelet.
 
+use mapd_client::SRange;
 use mapd_client::glam::DVec3;
-use mapd_client::{ClassGroup, Lane, LaneNode, LaneSection, Map, RoadMark};
+use mapd_client::graph::LaneNode;
+use mapd_client::roads::LinePoint;
+use mapd_client::roads::RoadMark;
+use mapd_client::vocabulary::ClassGroup;
+use mapd_client::{Lane, LaneSection, Map};
 use std::collections::HashMap;
 
 /// Shortest piece `[m]`: a cut nearer to another is left out, and a section that is shorter becomes part of its neighbours.
@@ -62,7 +67,7 @@ impl<'a> Stretches<'a> {
         for (at, lane) in stretch.lanes.iter().enumerate().filter(|(_, lane)| lane.number() != 0) {
             let borders = borders(lane, at);
             for node in lane.nodes().filter(LaneNode::is_open) {
-                let (from, to) = node.s_range();
+                let SRange { low: from, high: to } = node.s_range();
                 let cuts = [from, to].map(|s| stretch.cut_at(s));
                 let span = Span { stretch: number, borders, cuts, forward: node.is_forward() };
                 self.spans.insert(node.node_id().row(), span);
@@ -127,8 +132,8 @@ impl<'a> Stretch<'a> {
         let (from, to) = self.piece(piece).unwrap_or((0.0, 0.0));
         let line = self.lanes.get(border as usize).map(|lane| lane.border());
         let points = line.into_iter().flat_map(|line| line.points());
-        let is_within = move |(s, _): &(f64, DVec3)| from + SAME_PLACE < *s && *s < to - SAME_PLACE;
-        points.filter(is_within).map(|(_, point)| point)
+        let is_within = move |at: &LinePoint| from + SAME_PLACE < at.s && at.s < to - SAME_PLACE;
+        points.filter(is_within).map(|at| at.position)
     }
 }
 
@@ -144,7 +149,8 @@ pub(super) fn borders(lane: &Lane<'_>, at: usize) -> [u32; 2] {
 fn cuts(section: &LaneSection<'_>, lanes: &[Lane<'_>]) -> Vec<f64> {
     let (start, end) = (section.s_start(), section.s_end());
     let nodes = lanes.iter().flat_map(|lane| lane.nodes());
-    let mut cuts: Vec<f64> = nodes.flat_map(|node| <[f64; 2]>::from(node.s_range())).collect();
+    let mut cuts: Vec<f64> =
+        nodes.map(|node| node.s_range()).flat_map(|range| [range.low, range.high]).collect();
     cuts.extend([start, end]);
     cuts.sort_by(f64::total_cmp);
     cuts.dedup();

@@ -3,9 +3,13 @@
 use super::network::{Lanelet, Network};
 use super::report::Report;
 use super::stretches::Stretch;
-use mapd_client::{
-    Lane, LaneNode, LaneType, RoadMark, RoadMarkColor, RoadMarkKind, RoadMarkWeight, RoadType,
-    Turn, VehicleClass,
+use mapd_client::Lane;
+use mapd_client::SRange;
+use mapd_client::graph::LaneNode;
+use mapd_client::roads::RoadMark;
+use mapd_client::rules::Turn;
+use mapd_client::vocabulary::{
+    LaneType, RoadMarkColor, RoadMarkKind, RoadMarkWeight, RoadType, VehicleClass,
 };
 use std::borrow::Cow;
 
@@ -200,7 +204,7 @@ fn kind(
 fn lane_change(left: &Lane<'_>, right: &Lane<'_>, s: f64) -> Option<Tag<'static>> {
     let leads = |from: &Lane<'_>, to: &Lane<'_>, to_left: bool| {
         from.nodes().any(|node| {
-            let (low, high) = node.s_range();
+            let SRange { low, high } = node.s_range();
             let side =
                 if node.is_forward() == to_left { node.change_left() } else { node.change_right() };
             let target = side.and_then(|node| node.lane());

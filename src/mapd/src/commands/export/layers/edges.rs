@@ -2,8 +2,11 @@
 
 use super::{Column, Kind, Shape, Sink};
 use anyhow::Result;
+use mapd_client::Map;
+use mapd_client::SRange;
 use mapd_client::glam::DVec3;
-use mapd_client::{LaneNode, Map, VehicleClass};
+use mapd_client::graph::LaneNode;
+use mapd_client::vocabulary::VehicleClass;
 
 pub(super) const COLUMNS: &[Column] = &[
     ("from", Kind::Text),
@@ -31,11 +34,11 @@ pub(super) fn edges(map: Map<'_>, sink: &mut Sink<'_>) -> Result<()> {
         let points = [place(&from, 0.5), place(&from, 1.0), to.and_then(|to| place(&to, 0.5))];
         let values = [
             key(from).into(),
-            from.s_range().0.into(),
-            from.s_range().1.into(),
+            from.s_range().low.into(),
+            from.s_range().high.into(),
             to.and_then(key).into(),
-            range.map(|range| range.0).into(),
-            range.map(|range| range.1).into(),
+            range.map(|range| range.low).into(),
+            range.map(|range| range.high).into(),
             edge.kind().name().into(),
             edge.length().into(),
             from.travel_time().into(),
@@ -50,7 +53,7 @@ pub(super) fn edges(map: Map<'_>, sink: &mut Sink<'_>) -> Result<()> {
 
 /// A place on a node's centre line, 0 where it is entered, 1 where it is left.
 fn place(node: &LaneNode<'_>, part: f64) -> Option<DVec3> {
-    let (low, high) = node.s_range();
+    let SRange { low, high } = node.s_range();
     let part = if node.is_forward() { part } else { 1.0 - part };
     let pose = node.lane()?.pose_at(low + part * (high - low), 0.0).ok()?;
     Some(pose.position)

@@ -3,6 +3,8 @@
 use super::{Column, Kind, Shape, Sink};
 use anyhow::Result;
 use mapd_client::Map;
+use mapd_client::Region;
+use mapd_client::document::SourcePosition;
 use mapd_client::glam::DVec3;
 
 pub(super) const COLUMNS: &[Column] = &[
@@ -20,9 +22,9 @@ pub(super) const COLUMNS: &[Column] = &[
 
 /// A box around each part, at the map's lowest height; nowhere where its place is not known.
 pub(super) fn findings(map: Map<'_>, sink: &mut Sink<'_>) -> Result<()> {
-    let (lowest, _) = map.bounds();
+    let lowest = map.bounds().low;
     for part in map.quarantined() {
-        let (line, column) = part.source_position();
+        let SourcePosition { line, column } = part.source_position();
         let values = [
             part.kind().name().into(),
             part.id().into(),
@@ -35,7 +37,7 @@ pub(super) fn findings(map: Map<'_>, sink: &mut Sink<'_>) -> Result<()> {
             column.into(),
             part.is_reference_line().into(),
         ];
-        let shape = part.extent().map_or(Shape::Nowhere, |(low, high)| {
+        let shape = part.extent().map_or(Shape::Nowhere, |Region { low, high }| {
             let corners = [(low.x, low.y), (high.x, low.y), (high.x, high.y), (low.x, high.y)];
             Shape::Polygon(corners.map(|(x, y)| DVec3::new(x, y, lowest.z)).to_vec())
         });

@@ -3,7 +3,9 @@
 use super::{Column, Kind, Shape, Sink, Value, lanes, named, sections};
 use anyhow::Result;
 use mapd_client::glam::DVec3;
-use mapd_client::{Lane, LaneLine, LineSource, Map, RoadMark, Track};
+use mapd_client::roads::RoadMark;
+use mapd_client::rules::{LaneLine, LineSource};
+use mapd_client::{Lane, Map, Track};
 
 pub(super) const BORDER_COLUMNS: &[Column] = &[
     ("key", Kind::Text),
@@ -62,8 +64,8 @@ fn border(
         let track = Track { s, t: lane.edges_at(s).outer, h: 0.0 };
         lane.road().to_inertial(track).ok().map(|pose| pose.position)
     };
-    let between = lane.border().points().filter(|(s, _)| (from < *s) & (*s < to));
-    let points = between.map(|(_, point)| point);
+    let between = lane.border().points().filter(|point| (from < point.s) & (point.s < to));
+    let points = between.map(|point| point.position);
     let points: Vec<DVec3> = place(from).into_iter().chain(points).chain(place(to)).collect();
     let [key, road, section, number] = named(lane);
     let values = [

@@ -3,8 +3,11 @@
 use super::lines::{across, source};
 use super::{Column, Kind, Shape, Sink, Value, lanes};
 use anyhow::Result;
+use mapd_client::Map;
 use mapd_client::glam::DVec3;
-use mapd_client::{Class, LineSource, Map, Object, ObjectPlacement, ObjectShape};
+use mapd_client::objects::{Object, ObjectPlacement};
+use mapd_client::rules::LineSource;
+use mapd_client::vocabulary::{Class, ObjectShape};
 
 pub(super) const SIGNAL_COLUMNS: &[Column] = &[
     ("id", Kind::Text),
@@ -77,8 +80,8 @@ pub(super) fn signals(map: Map<'_>, sink: &mut Sink<'_>) -> Result<()> {
             subcode.into(),
             signal.shown_text().into(),
             signal.value().into(),
-            written.map(|(value, _)| value).into(),
-            written.map(|(_, unit)| unit).into(),
+            written.map(|written| written.value).into(),
+            written.map(|written| written.unit).into(),
             signal.road().map(|road| road.id()).into(),
             s.into(),
             t.into(),
@@ -88,7 +91,7 @@ pub(super) fn signals(map: Map<'_>, sink: &mut Sink<'_>) -> Result<()> {
             height.into(),
             signal.is_dynamic().into(),
             signal.is_temporary().into(),
-            signal.source_position().0.into(),
+            signal.source_position().line.into(),
         ];
         sink(Shape::Point(signal.position()), &values)?;
     }
@@ -139,7 +142,7 @@ pub(super) fn objects(map: Map<'_>, sink: &mut Sink<'_>) -> Result<()> {
                     given(place.radius()),
                     object.is_dynamic().into(),
                     object.is_temporary().into(),
-                    object.source_position().0.into(),
+                    object.source_position().line.into(),
                 ];
                 sink(shape, &values)
             })?;

@@ -1,9 +1,9 @@
 //! Where signs forbid overtaking.
 
-use super::lane::LaneSignal;
 use super::last_sign::sign_before;
 use crate::ids::SignalId;
 use crate::lane::Lane;
+use crate::signals::LaneSignal;
 use mapd_archive::Class;
 
 /// Which signs forbid overtaking at a place.

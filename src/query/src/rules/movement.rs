@@ -1,11 +1,10 @@
 //! Movements through a junction: a movement is a lane of a connecting road, seen from its entry.
 
-use super::Signal;
-use super::lane::LaneSignal;
+use super::country::by_rules;
 use crate::ids::LaneId;
 use crate::lane::Lane;
 use crate::map::Map;
-use crate::signals::rules::by_rules;
+use crate::signals::{LaneSignal, LightStates, Signal};
 use mapd_archive::{ArchivedConflictRow, Class, NO_RELATION, Relation, RelationReason, RoadRules};
 use std::cell::OnceCell;
 use std::f64::consts::{FRAC_PI_4, PI};
@@ -139,6 +138,31 @@ impl<'a> Signal<'a> {
     }
 }
 
+impl LightStates {
+    /// Whether it is for a movement.
+    pub fn governs(&self, turn: Turn) -> bool {
+        self.arrows == 0 || self.arrows & turn.bit() != 0
+    }
+}
+
+/// A signal at the entry of a movement through a junction.
+#[derive(Clone, Copy)]
+pub struct EntrySignal<'a> {
+    /// The signal, as it is for its lane.
+    pub signal: LaneSignal<'a>,
+    /// How far before the junction it stands `[m]`, negative inside.
+    pub distance: f64,
+}
+
+/// A lane to which another one gives way.
+#[derive(Clone, Copy)]
+pub struct YieldsTo<'a> {
+    /// The lane that goes first.
+    pub lane: Lane<'a>,
+    /// Why.
+    pub reason: RelationReason,
+}
+
 impl<'a> Lane<'a> {
     /// First lanes of the movements that begin on this lane of a junction, or that it leads to near one.
     fn movements_ahead(self) -> impl Iterator<Item = Lane<'a>> + use<'a> {
@@ -245,9 +269,8 @@ impl<'a> Lane<'a> {
     }
 
     /// Signals at the entry of the movement through this lane of a junction: those of its first lane, then those of the lanes
-    /// that lead in, up to 30 m before. Lights with arrows only where they are for the movement. With each comes its
-    /// distance before the junction `[m]`, negative inside.
-    pub fn entry_signals(&self) -> impl Iterator<Item = (LaneSignal<'a>, f64)> + use<'a> {
+    /// that lead in, up to 30 m before. Lights with arrows only where they are for the movement.
+    pub fn entry_signals(&self) -> impl Iterator<Item = EntrySignal<'a>> + use<'a> {
         let (lane, start) = (*self, self.movement_start());
         // Only lights ask for it.
         let turn = OnceCell::new();
@@ -255,17 +278,20 @@ impl<'a> Lane<'a> {
         let own = start.signals().filter(move |one| one.is_for(forward)).map(move |one| {
             let section = start.section();
             let begin = if forward { section.s_start() } else { section.s_end() };
-            (one, -start.length_between(begin, one.s_on(&start)))
+            EntrySignal { distance: -start.length_between(begin, one.s_on(&start)), signal: one }
         });
         let leading = self.approaches().flat_map(move |(lane, after)| {
             let section = lane.section();
             let end = if lane.is_forward() { section.s_end() } else { section.s_start() };
-            lane.signals()
-                .filter(move |one| one.is_for(lane.is_forward()))
-                .map(move |one| (one, after + lane.length_between(one.s_on(&lane), end)))
+            lane.signals().filter(move |one| one.is_for(lane.is_forward())).map(move |one| {
+                EntrySignal {
+                    distance: after + lane.length_between(one.s_on(&lane), end),
+                    signal: one,
+                }
+            })
         });
-        own.chain(leading.filter(|(_, before)| *before <= ENTRY_REACH)).filter(move |(one, _)| {
-            let signal = one.signal();
+        own.chain(leading.filter(|one| one.distance <= ENTRY_REACH)).filter(move |one| {
+            let signal = one.signal.signal();
             !signal.is_invalidated()
                 && signal
                     .light()
@@ -275,15 +301,15 @@ impl<'a> Lane<'a> {
 
     /// Lights that govern the movement through this lane of a junction.
     pub fn movement_lights(&self) -> impl Iterator<Item = LaneSignal<'a>> + use<'a> {
-        self.entry_signals().map(|(one, _)| one).filter(LaneSignal::is_vehicle_light)
+        self.entry_signals().map(|one| one.signal).filter(LaneSignal::is_vehicle_light)
     }
 
     /// The line at which the movement through this lane of a junction stops: the marked one nearest to the junction.
     pub fn movement_stop_line(&self) -> Option<LaneSignal<'a>> {
-        let lines = self.entry_signals().filter(|(one, _)| {
-            matches!(one.signal().class(), Class::StopLine | Class::WaitingLine)
+        let lines = self.entry_signals().filter(|one| {
+            matches!(one.signal.signal().class(), Class::StopLine | Class::WaitingLine)
         });
-        lines.min_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map(|(one, _)| one)
+        lines.min_by(|a, b| a.distance.abs().total_cmp(&b.distance.abs())).map(|one| one.signal)
     }
 
     /// Who goes first where this lane of a junction meets others.
@@ -299,11 +325,12 @@ impl<'a> Lane<'a> {
 
     /// Lanes to which this lane of a junction gives way by what the file says, with the reason; such as are closed to every vehicle
     /// are left out. What only a rule of the road would say is among [`Lane::right_of_way`], with [`Basis::Rule`].
-    pub fn yields_to(&self) -> impl Iterator<Item = (Lane<'a>, RelationReason)> + use<'a> {
+    pub fn yields_to(&self) -> impl Iterator<Item = YieldsTo<'a>> + use<'a> {
         let yields = self
             .right_of_way()
             .filter(|one| one.relation() == Relation::Yields && one.basis() == Basis::Written);
-        let all = yields.filter_map(|one| Some((one.other()?, one.reason())));
-        all.filter(|(lane, _)| lane.nodes().any(|node| node.is_open()))
+        let all =
+            yields.filter_map(|one| Some(YieldsTo { lane: one.other()?, reason: one.reason() }));
+        all.filter(|one| one.lane.nodes().any(|node| node.is_open()))
     }
 }

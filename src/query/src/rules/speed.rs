@@ -12,6 +12,7 @@ const MOST_ENTRIES: usize = 64;
 
 /// Where a speed limit comes from, the strongest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum SpeedOrigin {
     /// A sign.
     Signal,
@@ -24,7 +25,7 @@ pub enum SpeedOrigin {
     /// The header's regulations for the road's type (1.8).
     Default,
     /// What came in with the vehicle, into the junction or a zone, which is not the same on all lanes that lead to the place; a path
-    /// knows ([`crate::Path::speed_at`]).
+    /// knows ([`Path::speed_at`](crate::path::Path::speed_at)).
     Depends,
     /// Nothing in the map.
     None,

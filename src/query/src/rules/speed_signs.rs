@@ -1,9 +1,8 @@
 //! Which signs of speed hold where: what comes in with the traffic, and what the lane's own signs make of it.
 
-use super::Signal;
-use super::lane::LaneSignal;
 use super::last_sign::sign_before;
 use crate::lane::Lane;
+use crate::signals::{LaneSignal, Signal};
 use mapd_archive::Class;
 
 /// A zone that holds.

@@ -1,12 +1,13 @@
 //! Stop lines and crosswalks, whether the file writes them as signals or as objects.
 
+use super::movement::ENTRY_REACH;
 use crate::error::QueryError;
+use crate::extents::SRange;
 use crate::ids::{LaneId, ObjectId, SignalId};
 use crate::lane::Lane;
 use crate::map::Map;
 use crate::route::RouteStep;
-use crate::signals::ahead::met;
-use crate::signals::movement::ENTRY_REACH;
+use crate::signals::met;
 use mapd_archive::Class;
 
 /// An object this near to a lane lies on it `[m]`: markings end a little before the lane's edges.
@@ -115,7 +116,7 @@ impl<'a> Lane<'a> {
             let is_own = object.road().is_some_and(|road| road.road_id() == lane.road().road_id());
             let both = is_own && lane.is_bidirectional();
             let is_for = !both || object.orientation().is_for(forward);
-            let (low, high) = one.s_range();
+            let SRange { low, high } = one.s_range();
             is_for.then(|| LaneLine {
                 source: LineSource::Object(object.object_id()),
                 class: object.class(),

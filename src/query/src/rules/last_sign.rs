@@ -1,7 +1,7 @@
 //! The last sign about something before a place: what signs say holds from their place on.
 
-use super::lane::LaneSignal;
 use crate::lane::Lane;
+use crate::signals::LaneSignal;
 
 /// Lanes that are followed back at most to find a sign; a damaged archive might lead round in a circle.
 const MOST_LANES: usize = 4096;

@@ -1,0 +1,64 @@
+//! By rows of the archive's tables, for who has them.
+
+use crate::area;
+use crate::junction::Junction;
+use crate::lane::Lane;
+use crate::map::Map;
+use crate::objects::Object;
+use crate::road::Road;
+use crate::section::LaneSection;
+use crate::types::LanePosition;
+use glam::DVec2;
+
+/// What lies in a row of the archive's tables; none where there is no such row.
+pub trait ByRow<'a> {
+    /// The lane, lane 0 included.
+    fn lane_by_row(&self, row: u32) -> Option<Lane<'a>>;
+    /// The lane section.
+    fn section_by_row(&self, row: u32) -> Option<LaneSection<'a>>;
+    /// The road.
+    fn road_by_row(&self, row: u32) -> Option<Road<'a>>;
+    /// The junction.
+    fn junction_by_row(&self, row: u32) -> Option<Junction<'a>>;
+    /// The object.
+    fn object_by_row(&self, row: u32) -> Option<Object<'a>>;
+}
+
+impl<'a> ByRow<'a> for Map<'a> {
+    fn lane_by_row(&self, row: u32) -> Option<Lane<'a>> {
+        Lane::new(*self, row)
+    }
+
+    fn section_by_row(&self, row: u32) -> Option<LaneSection<'a>> {
+        LaneSection::new(*self, row)
+    }
+
+    fn road_by_row(&self, row: u32) -> Option<Road<'a>> {
+        Road::new(*self, row)
+    }
+
+    fn junction_by_row(&self, row: u32) -> Option<Junction<'a>> {
+        Junction::new(*self, row)
+    }
+
+    fn object_by_row(&self, row: u32) -> Option<Object<'a>> {
+        Object::new(*self, row)
+    }
+}
+
+/// As [`Lane::position_of`], within the stretch of one segment of the centre line; for who has found the segment. None
+/// for a segment without area, or where the point is farther than `limit` `[m]` and that is cheap to tell.
+pub fn position_along(
+    lane: &Lane<'_>,
+    segment: usize,
+    point: DVec2,
+    limit: f64,
+) -> Option<LanePosition> {
+    let slab = area::slab(lane, segment)?;
+    let local = point - lane.map.origin();
+    let place = match limit {
+        0.0 => area::place_inside(lane, &slab, local)?,
+        _ => area::place(lane, &slab, local),
+    };
+    Some(place.position(lane))
+}

@@ -1,0 +1,16 @@
+//! What one may do on a lane: speed, overtaking, lines, turns, right of way.
+
+mod country;
+mod last_sign;
+mod lines;
+mod movement;
+mod overtaking;
+mod speed;
+pub(crate) mod speed_signs;
+
+pub(crate) use country::by_rules;
+pub use lines::{LaneLine, LineAhead, LineSource};
+pub use movement::{Basis, EntrySignal, RightOfWay, Turn, YieldsTo};
+pub use overtaking::OvertakingRule;
+pub use speed::{SpeedOrigin, SpeedRule};
+pub(crate) use speed_signs::{SpeedSigns, Zone, is_of_speed};
