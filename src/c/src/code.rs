@@ -164,10 +164,12 @@ fn attach_code(error: &AttachError) -> mapd_code {
         AttachError::WrongTransport { .. } => mapd_code::WRONG_TRANSPORT,
         AttachError::TooManySubscribers { .. } => mapd_code::TOO_MANY_SUBSCRIBERS,
         AttachError::TooManyPinned { .. } => mapd_code::TOO_MANY_PINNED,
-        AttachError::PermissionDenied { .. } => mapd_code::PERMISSION_DENIED,
+        AttachError::PermissionDenied { .. }
+        | AttachError::UnknownOwner { .. }
+        | AttachError::NotShared { .. } => mapd_code::PERMISSION_DENIED,
         AttachError::Stuck { .. } => mapd_code::STUCK,
         AttachError::Busy { .. } => mapd_code::BUSY,
-        AttachError::NoRoom { .. } => mapd_code::NO_ROOM,
+        AttachError::NoRoom { .. } | AttachError::LockLimit { .. } => mapd_code::NO_ROOM,
         AttachError::Io { .. } | AttachError::Iceoryx(_) => mapd_code::TRANSPORT,
         _ => mapd_code::OTHER,
     }

@@ -95,8 +95,11 @@ fn attach_class(error: &AttachError) -> &'static str {
         AttachError::TooManySubscribers { .. }
         | AttachError::TooManyPinned { .. }
         | AttachError::NoRoom { .. }
+        | AttachError::LockLimit { .. }
         | AttachError::NoDescriptors { .. } => "ExhaustedError",
-        AttachError::PermissionDenied { .. } => "NotPermittedError",
+        AttachError::PermissionDenied { .. }
+        | AttachError::UnknownOwner { .. }
+        | AttachError::NotShared { .. } => "NotPermittedError",
         AttachError::Stuck { .. } | AttachError::Busy { .. } => "BusyError",
         _ => "AttachError",
     }

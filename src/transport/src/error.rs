@@ -131,6 +131,18 @@ pub enum AttachError {
         /// The lock file.
         lock: PathBuf,
     },
+    /// The process locks what it maps (`mlockall(MCL_FUTURE)`), and may not lock so much.
+    #[error(
+        "{} needs {needed} bytes of locked memory, because this process locks all that it maps; raise the limit (`ulimit -l`, LimitMEMLOCK=), \
+         or attach before mlockall",
+        path.display()
+    )]
+    LockLimit {
+        /// The file.
+        path: PathBuf,
+        /// Its bytes.
+        needed: u64,
+    },
     /// Shared memory is full.
     #[error(
         "attaching needs {ATTACH_ROOM} bytes of shared memory, {available} are left by {SHARED_MEMORY_FOLDER}; free some, or enlarge it \
@@ -196,6 +208,7 @@ impl AttachError {
                 | Self::WrongTransport { .. }
                 | Self::PermissionDenied { .. }
                 | Self::UnknownOwner { .. }
+                | Self::LockLimit { .. }
                 | Self::TooManyPinned { .. }
                 | Self::Superseded { .. }
                 | Self::OtherContent { .. }

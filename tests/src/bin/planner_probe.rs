@@ -9,6 +9,7 @@
 //! - `populated NAME FILE`: minor page faults of queries all over a map whose pages are all mapped, and of the same without;
 //!   FILE is the same archive, on which everything is asked before, so that the program's own pages are not counted.
 //! - `hold NAME`: attaches, touches the whole map, says so, and ends when stdin does.
+//! - `locked NAME`: locks all memory that it will ever map, attaches, and asks for a lane.
 //! - `empty`: makes a node of iceoryx2 and nothing else, says so, and ends when stdin does.
 //! - `follow NAME TRUTH`: follows every generation and asks it, until stdin ends; each answer must be the one that the file
 //!   TRUTH has for the generation's content: lines of content hash, x, y, lane.
@@ -31,6 +32,7 @@ use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
+use syscalls::{Sysno, raw_syscall};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
@@ -49,6 +51,7 @@ fn main() -> ExitCode {
         ["answers", map, wait] => milliseconds(wait).and_then(|wait| answers(map, wait)),
         ["populated", map, file] => populated(map, file),
         ["hold", map] => hold(map),
+        ["locked", map] => locked(map),
         ["empty"] => empty(),
         ["follow", map, truth] => follow(map, truth),
         ["steps", map] => steps(map),
@@ -344,6 +347,17 @@ fn hold(map: &str) -> Outcome {
     ask_everywhere(&client.snapshot(), &mut faults)?;
     println!("held {}", client.snapshot().bytes().len());
     std::io::stdin().read_line(&mut String::new())?;
+    Ok(())
+}
+
+fn locked(map: &str) -> Outcome {
+    /// `MCL_FUTURE`: what is mapped from now on.
+    const FUTURE: usize = 2;
+    // SAFETY: locking pages changes nothing that anybody sees in them.
+    unsafe { raw_syscall!(Sysno::mlockall, FUTURE) };
+    let client = connect_to(map, WAIT)?;
+    ask_everywhere(&client.snapshot(), &mut Faults::new()?)?;
+    println!("locked {}", client.snapshot().bytes().len());
     Ok(())
 }
 

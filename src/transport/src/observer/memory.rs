@@ -22,6 +22,8 @@ const BLOCK: u64 = 512;
 pub(super) enum Refusal {
     /// It belongs to this user.
     OtherOwner(u32),
+    /// So many bytes may not be locked, and this process locks what it maps.
+    LockLimit(u64),
     /// The system refuses; or, of kind invalid-data, it is not what it should be.
     Io(io::Error),
 }
@@ -134,7 +136,12 @@ pub(super) fn map_segment(
     // it is written after the last byte of it was, its writer has made it read-only, and a file of another inode was refused above. Its owner could still change it, and
     // is trusted not to; lengths are read once when an archive is opened, so that a changed byte gives a wrong answer, not an access outside. It is not
     // shortened: iceoryx2 sizes a segment once, before it is sent, and unlinks it afterwards. It has no holes, so that reading never needs a new page.
-    let map = unsafe { Mapping::read_only(&file, length)? };
+    let map = unsafe { Mapping::read_only(&file, length) };
+    let map = map.map_err(|error| match error.kind() {
+        // A mapping is refused so for no other reason.
+        io::ErrorKind::WouldBlock => Refusal::LockLimit(length as u64),
+        _ => error.into(),
+    })?;
     leave_out_of_core_dumps(map.bytes());
     Ok(map)
 }

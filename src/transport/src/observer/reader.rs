@@ -191,6 +191,7 @@ fn open(info: &GenerationInfo, place: &Place, owner: u32) -> Result<Option<Pinne
 pub(super) fn refused(path: &Path, refusal: Refusal, owner: u32) -> AttachError {
     match refusal {
         Refusal::OtherOwner(found) => not_owned(path, found, owner),
+        Refusal::LockLimit(needed) => AttachError::LockLimit { path: path.to_owned(), needed },
         Refusal::Io(error) if error.kind() == io::ErrorKind::PermissionDenied => {
             AttachError::NotShared { path: path.to_owned() }
         }

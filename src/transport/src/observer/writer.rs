@@ -99,6 +99,7 @@ fn as_io(refusal: Refusal) -> io::Error {
     match refusal {
         Refusal::Io(error) => error,
         Refusal::OtherOwner(_) => io::ErrorKind::PermissionDenied.into(),
+        Refusal::LockLimit(_) => io::ErrorKind::OutOfMemory.into(),
     }
 }
 
