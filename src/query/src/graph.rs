@@ -10,7 +10,7 @@ use mapd_archive::{
     RelationReason, VehicleClass, beside_row, edge_flags, node_flags, section_step,
 };
 
-/// A node of the lane graph: a lane, or a piece of one, travelled in one direction. Under an overlay ([`crate::View`]) a [`crate::RouteCost`] is also asked
+/// A node of the lane graph: a lane, or a piece of one, travelled in one direction. Under an overlay ([`View`](crate::view::View)) a [`RouteCost`](crate::route::RouteCost) is also asked
 /// for pieces of nodes, whose length, time and permissions are those of the piece.
 #[derive(Clone, Copy)]
 pub struct LaneNode<'a> {

@@ -1,4 +1,4 @@
-//! What a search travels on: a map's lane graph, or the same under an overlay ([`crate::View`]), where nodes may be cut into pieces.
+//! What a search travels on: a map's lane graph, or the same under an overlay ([`View`](crate::view::View)), where nodes may be cut into pieces.
 
 use super::bound::Bounds;
 use super::cost::RouteCost;
