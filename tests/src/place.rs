@@ -6,7 +6,7 @@ use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Longest wait for anything that should take milliseconds; generous because machines may be busy.
 pub const PATIENCE: Duration = Duration::from_secs(20);
@@ -80,13 +80,17 @@ impl Place {
         ask(&self.domain(), map, request, PATIENCE).ok()
     }
 
-    /// What the daemon that serves a map says about it.
+    /// What the daemon that serves a map says about it. A map is served a moment before its daemon listens.
     pub fn state(&self, map: &str) -> MapState {
-        match self.ask(map, &Request::Status) {
-            Some(Response::Status(status)) => {
-                status.maps.into_iter().find(|m| m.name == map).expect("the map")
+        let start = Instant::now();
+        loop {
+            match self.ask(map, &Request::Status) {
+                Some(Response::Status(status)) => {
+                    return status.maps.into_iter().find(|m| m.name == map).expect("the map");
+                }
+                None if start.elapsed() < PATIENCE => std::thread::sleep(Duration::from_millis(1)),
+                other => panic!("no status: {other:?}"),
             }
-            other => panic!("no status: {other:?}"),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Every public function of the Rust client has a form in C, or a reason why it has none: `forms.txt`.
 //!
-//! Functions are found in the sources as rustfmt writes them: `pub fn` in an `impl` of a type that a library exports, or a free one that
-//! it exports.
+//! Functions are found in the sources as rustfmt writes them: `pub fn` in an `impl` of a type that a library or a public module of it
+//! exports, or a free one that it exports.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -34,17 +34,47 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty())
 }
 
-/// What the libraries name in `pub use`.
+/// What a file names in `pub use`.
+fn used(text: &str, into: &mut BTreeSet<String>) {
+    for used in text.split("pub use ").skip(1) {
+        let used = used.split(';').next().unwrap_or_default();
+        into.extend(words(used).map(str::to_owned));
+    }
+}
+
+/// The file of a module that a library's own file declares.
+fn module(library: &str, name: &str) -> PathBuf {
+    let flat = source(library).join(format!("{name}.rs"));
+    if flat.exists() { flat } else { source(library).join(name).join("mod.rs") }
+}
+
+/// What the libraries export: all that they, their public modules and the groups of names in `groups.rs` name in `pub use`, and what
+/// public modules define themselves.
 fn exported() -> BTreeSet<String> {
     let mut all = BTreeSet::new();
     for library in LIBRARIES {
         let text = read(&source(library).join("lib.rs"));
-        for used in text.split("pub use ").skip(1) {
-            let used = used.split(';').next().unwrap_or_default();
-            all.extend(words(used).map(str::to_owned));
+        used(&text, &mut all);
+        for line in text.lines() {
+            let declared = line.strip_suffix(';').unwrap_or_default();
+            if let Some(name) = declared.strip_prefix("pub mod ") {
+                let text = read(&module(library, name));
+                used(&text, &mut all);
+                all.extend(text.lines().filter_map(item).map(str::to_owned));
+            } else if declared == "mod groups" {
+                used(&read(&module(library, "groups")), &mut all);
+            }
         }
     }
     all
+}
+
+/// The type, trait or function that a line of a module begins to define for all.
+fn item(line: &str) -> Option<&str> {
+    let rest = line.strip_prefix("pub ")?;
+    let kinds = ["struct ", "enum ", "union ", "trait ", "type "];
+    let named = kinds.iter().find_map(|kind| rest.strip_prefix(kind));
+    named.map_or_else(|| defined(line), |name| words(name).next())
 }
 
 /// The name of a function that a line begins to define.

@@ -200,10 +200,21 @@ impl Client {
     ///
     /// Errors: the transport failed, or the new archive or overlay cannot be read; the old snapshot stays what it was.
     pub fn refresh(&self) -> Result<Snapshot, ClientError> {
-        // One that could not be opened is no better the next time, and told each time.
-        match self.source.newer_than(self.snapshot().generation())? {
-            Some(pinned) => Ok(self.keep(&self.open(pinned)?)?.unwrap_or_else(|| self.snapshot())),
-            None => Ok(self.keep(&self.snapshot())?.unwrap_or_else(|| self.snapshot())),
+        let mut tried = None;
+        loop {
+            // One that could not be opened is no better the next time, and told each time.
+            let newest = match self.source.newer_than(self.snapshot().generation())? {
+                Some(pinned) => self.open(pinned)?,
+                None => self.snapshot(),
+            };
+            if let Some(kept) = self.keep(&newest)? {
+                return Ok(kept);
+            }
+            // The record is about another generation: a newer one that others may have seen already, or, where this one was sent at this moment, the one
+            // before it still.
+            if tried.replace(newest.generation()) == Some(newest.generation()) {
+                return Ok(self.snapshot());
+            }
         }
     }
 

@@ -16,7 +16,7 @@ const MOST_LISTED: usize = 5000;
 /// A question about a map.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Question<'a> {
-    /// What the map is: [`Overview`].
+    /// What the map is: its name, extent, numbers of things and paints.
     Map,
     /// What lies at x and y `[m]`: [`Place`].
     Place([f64; 2]),

@@ -661,7 +661,7 @@ fn nonsense_on_the_socket_hurts_nobody() {
 }
 
 /// What a later release could write that this one must not read.
-const FEATURE: Feature = Feature { bit: 63, name: "lanes in the air", release: [7, 8, 9] };
+const FEATURE: Feature = Feature { bit: 62, name: "lanes in the air", release: [7, 8, 9] };
 
 /// An archive of a later release, with something that a reader has to know of.
 fn of_a_later_release(maps: &TwoMaps) -> Vec<u8> {
