@@ -29,7 +29,7 @@ pub(crate) fn reserving<T>(work: impl FnOnce() -> T) -> T {
     work()
 }
 
-/// What `ftruncate` does in a program that serves maps: the same as the C library's, and within [`reserving`] it reserves the
+/// What `ftruncate` does in a program that serves maps: the same as the C library's, and within `reserving` it reserves the
 /// pages. Rust's own `File::set_len` calls another function.
 ///
 /// # Safety

@@ -26,7 +26,7 @@ type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 /// Maps that the project carries.
 const MAPS: &[&str] = &["town", "objects", "marks", "surfaces", "one_road"];
 
-/// Radii of searches [m]: few, so that many questions go into one batch.
+/// Radii of searches `[m]`: few, so that many questions go into one batch.
 const RADII: &[f64] = &[0.5, 3.0, 10.0, 30.0];
 
 /// Steele, Lea and Flood's SplitMix64: the same questions everywhere.
