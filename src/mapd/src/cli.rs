@@ -113,10 +113,20 @@ const TOLD_FIRST: [&str; 7] = ["load", "name", "config", "watch", "cache", "metr
 
 /// The command line itself: commands, options and their help, to be looked at or completed.
 pub fn command() -> clap::Command {
-    Cli::command().mut_args(|arg| {
+    let told = |arg: clap::Arg| {
         let told = TOLD_FIRST.contains(&arg.get_id().as_str());
         arg.hide_short_help(!told)
-    })
+    };
+    numbers_of_options(Cli::command().mut_args(told))
+}
+
+/// Lets an option's own check refuse a negative number, which would be taken for an unknown option otherwise.
+fn numbers_of_options(command: clap::Command) -> clap::Command {
+    let own = |arg: clap::Arg| {
+        let takes_values = arg.get_action().takes_values() && !arg.is_positional();
+        arg.allow_negative_numbers(takes_values)
+    };
+    command.mut_args(own).mut_subcommands(numbers_of_options)
 }
 
 /// Runs the program with the process's arguments.

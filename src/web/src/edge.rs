@@ -2,6 +2,9 @@
 //!
 //! A module has one map, which lives as long as the module: a page that shows another one makes a module of its own for it.
 //! WebAssembly has one thread, so that nothing is locked.
+//!
+//! SAFETY: the one thing here that the compiler cannot check is that no other function of the module has the name of an exported one. The
+//! module has no other exports, and the linker refuses two of one name. All memory is that of safe Rust.
 #![allow(unsafe_code)]
 
 use crate::{Drawing, Kind, Layer, Link, Question};
@@ -42,12 +45,8 @@ extern "C" fn open_archive(bytes: usize, generation: f64) -> bool {
     MODULE.with_borrow_mut(|module| {
         let input: &'static mut [u64] = std::mem::take(&mut module.input);
         let input: &'static [u64] = input;
-        let all = size_of_val(input);
-        // SAFETY: any eight bytes are eight numbers, the slice is no longer than what it is made of, which is never freed and
-        // has no other reference: `reserve` makes room anew.
-        let input =
-            unsafe { std::slice::from_raw_parts(input.as_ptr().cast::<u8>(), bytes.min(all)) };
-        match open(input) {
+        let input: &'static [u8] = bytemuck::cast_slice(input);
+        match open(&input[..bytes.min(input.len())]) {
             Ok(archive) => {
                 let archive: &'static Archive<'static> = Box::leak(Box::new(archive));
                 module.archive = Some(archive);
@@ -66,13 +65,7 @@ extern "C" fn open_archive(bytes: usize, generation: f64) -> bool {
 fn ask(question: impl FnOnce(&[u8]) -> Option<Question<'_>>) -> usize {
     MODULE.with_borrow_mut(|module| {
         let Some(archive) = module.archive else { return 0 };
-        // SAFETY: as in `open_archive`; the slice ends before the module changes its room.
-        let input = unsafe {
-            std::slice::from_raw_parts(
-                module.input.as_ptr().cast::<u8>(),
-                size_of_val(&*module.input),
-            )
-        };
+        let input: &[u8] = bytemuck::cast_slice(&*module.input);
         let Some(question) = question(input) else { return 0 };
         let (answer, drawing) = question.answer(Map::new(archive, 0));
         module.answer = answer;

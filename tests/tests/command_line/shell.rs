@@ -97,3 +97,18 @@ fn findings_of_one_rule_fold_after_three() {
     assert_eq!(told(&errors), 3, "{errors}");
     assert!(errors.contains(": 7 more warnings; `--report` writes all\n"), "{errors}");
 }
+
+#[test]
+fn negative_numbers_are_values_that_options_refuse_by_themselves() {
+    let town = workspace().join("examples/maps/town.xodr").display().to_string();
+    for (kind, option, expected) in [
+        ("path", "--step", "expected a positive finite number of metres"),
+        ("route", "--lane-change", "expected"),
+        ("nearest", "--radius", "expected"),
+    ] {
+        let output = run(MAPD, &["query", &town, kind, option, "-1"], "");
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{option}: {told}");
+        assert!(told.contains(expected) && !told.contains("unexpected argument"), "{told}");
+    }
+}

@@ -1,8 +1,6 @@
 //! What answers say about parts of the document that are in quarantine: no row is built on a hole without a word.
 
-use super::earth::Earth;
-use super::kinds::{Kind, lane, point_in};
-use super::route::Router;
+use super::kinds::{Kind, Tools, lane, point_in};
 use super::row::Row;
 use mapd_client::roads::RoadLink;
 use mapd_client::{Lane, Map, NearestOptions};
@@ -49,8 +47,9 @@ impl<'a> Holes<'a> {
         kind: Kind,
         options: &NearestOptions,
         row: &Row<'_>,
-        (router, earth): (&Router<'_>, &Earth),
+        tools: &Tools<'_>,
     ) -> String {
+        let Tools { router, earth, .. } = tools;
         let mut parts = Parts::default();
         match kind {
             Kind::Nearest | Kind::NearestMarks => {

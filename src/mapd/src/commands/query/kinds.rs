@@ -2,7 +2,7 @@
 
 use super::earth::Earth;
 use super::holes::Holes;
-use super::path::{self, Paths};
+use super::path::{self, Along, Paths};
 use super::route::Router;
 use super::row::Row;
 use super::{besides, landmarks, localising, matching, signals};
@@ -64,6 +64,18 @@ pub enum Kind {
     LaneRule,
     /// `junction_id` → a row for each group of the junction: group,name,type,junctions,ring
     JunctionGroups,
+}
+
+/// What questions are answered with, kept from row to row.
+pub(crate) struct Tools<'a> {
+    /// Finds routes.
+    pub(super) router: Router<'a>,
+    /// The path of the last route.
+    pub(super) paths: Paths,
+    /// Latitudes and longitudes.
+    pub(super) earth: Earth,
+    /// What is left out of the map.
+    pub(super) holes: Holes<'a>,
 }
 
 impl Kind {
@@ -200,10 +212,11 @@ impl Kind {
         self,
         map: Map<'_>,
         options: &NearestOptions,
-        (router, paths, earth, holes): (&mut Router<'_>, &mut Paths, &Earth, &Holes<'_>),
+        tools: &mut Tools<'_>,
         row: &Row<'_>,
         out: &mut Vec<String>,
     ) -> Result<(), String> {
+        let Tools { router, earth, holes, .. } = &mut *tools;
         match self {
             Self::Inertial => {
                 let road = road(holes, map, row)?;
@@ -257,10 +270,10 @@ impl Kind {
                 successors(map, &lane, &mut keys).map_err(text)?;
                 out.push(keys.join(";"));
             }
-            Self::Path => paths.line((router, holes), map, row, out)?,
-            Self::Corridor => paths.corridor((router, holes), map, row, out)?,
-            Self::Project => paths.project((router, holes), map, row, out)?,
-            Self::Conflicts => paths.conflicts((router, holes), map, row, out)?,
+            Self::Path => path::answer(Along::Line, tools, map, row, out)?,
+            Self::Corridor => path::answer(Along::Corridor, tools, map, row, out)?,
+            Self::Project => path::answer(Along::Project, tools, map, row, out)?,
+            Self::Conflicts => path::answer(Along::Conflicts, tools, map, row, out)?,
             Self::Speed => {
                 let (lane, s) = lane(holes, map, row)?;
                 let rule = lane.speed_rule_at(s);

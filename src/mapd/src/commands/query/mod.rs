@@ -21,6 +21,7 @@ mod signals;
 
 pub(crate) use command::{HELP, QueryCommand};
 pub use kinds::Kind;
+use kinds::Tools;
 use mapd_client::Map;
 use mapd_query::NearestOptions;
 use mapd_query::view::View;
@@ -101,7 +102,6 @@ pub fn run_under(
     }
     // Where the map has holes, answers about places say which concern them.
     let tells_holes = kind.concerns_places() && map.quarantined().len() > 0;
-    let holes = holes::Holes::new(map, document);
     let mut answers = kind.answers().to_vec();
     if tells_holes {
         answers.push(HOLES);
@@ -113,19 +113,21 @@ pub fn run_under(
     writer.head(head)?;
     let mut record = csv::StringRecord::new();
     let mut answer = Vec::new();
-    let mut router = route::Router::new(route, view);
-    let mut paths = path::Paths::default();
-    let earth = earth::Earth::new(map);
+    let mut tools = Tools {
+        router: route::Router::new(route, view),
+        paths: path::Paths::default(),
+        earth: earth::Earth::new(map),
+        holes: holes::Holes::new(map, document),
+    };
     while reader.read_record(&mut record)? {
         answer.clear();
         let row = Row::new(&headers, &record);
-        let tools = (&mut router, &mut paths, &earth, &holes);
-        let mut error = kind.answer(map, options, tools, &row, &mut answer).err();
+        let mut error = kind.answer(map, options, &mut tools, &row, &mut answer).err();
         if error.is_some() {
             answer.clear();
         }
         let lacks = match tells_holes {
-            true => holes.of(kind, options, &row, (&router, &earth)),
+            true => tools.holes.of(kind, options, &row, &tools),
             false => String::new(),
         };
         if kind.lists() && answer.is_empty() && error.is_none() && !lacks.is_empty() {

@@ -1,13 +1,14 @@
 //! `mapd query … path`, `corridor`, `project`, `conflicts`: of routes as lines.
 
 use super::holes::Holes;
-use super::kinds::{number, numbers, text};
+use super::kinds::{Tools, number, numbers, text};
 use super::route::Router;
 use super::row::Row;
 use mapd_client::Map;
 use mapd_query::glam::DVec2;
 use mapd_query::path::{Corridor, Path, PathBuffer, PathOptions};
 use mapd_query::rules::Basis;
+use mapd_query::vocabulary::RoadRules;
 
 /// Columns that a route is found by.
 pub(super) const ROUTE: [&str; 6] =
@@ -26,129 +27,149 @@ pub(crate) struct Paths {
 }
 
 impl Paths {
-    /// The path of a row's route.
-    fn path<'a>(
+    /// Finds the path of a row's route, unless it is the one of the row before.
+    fn find(
         &mut self,
-        (router, holes): (&mut Router<'_>, &Holes<'_>),
-        map: Map<'a>,
+        router: &mut Router<'_>,
+        holes: &Holes<'_>,
+        map: Map<'_>,
         row: &Row<'_>,
-    ) -> Result<Path<'a, '_>, String> {
+    ) -> Result<(), String> {
         let asked = ROUTE.map(|column| row.text(column).unwrap_or_default().to_owned());
-        if self.known.as_ref().is_none_or(|(known, _)| *known != asked) {
-            let found = router.find(holes, map, row).and_then(|_| {
-                let options = PathOptions::default();
-                map.path(router.steps(), &options, &mut self.buffer).map_err(|e| e.to_string())?;
-                Ok(())
-            });
-            self.known = Some((asked, found));
+        if let Some((known, found)) = &self.known
+            && *known == asked
+        {
+            return found.clone();
         }
-        if let Some((_, Err(error))) = &self.known {
-            return Err(error.clone());
-        }
-        Path::of(map, &self.buffer).map_err(text)
+        let found = router.find(holes, map, row).and_then(|_| {
+            let options = PathOptions::default();
+            map.path(router.steps(), &options, &mut self.buffer).map_err(|e| e.to_string())?;
+            Ok(())
+        });
+        self.known = Some((asked, found.clone()));
+        found
     }
+}
 
-    /// `path`: a row for each station.
-    pub(super) fn line(
-        &mut self,
-        (router, holes): (&mut Router<'_>, &Holes<'_>),
-        map: Map<'_>,
-        row: &Row<'_>,
-        out: &mut Vec<String>,
-    ) -> Result<(), String> {
-        let step = router.step();
-        let path = self.path((router, holes), map, row)?;
-        let end = path.length();
-        check_step(step, end)?;
-        let mut stations = 0u64;
-        loop {
-            let next = stations as f64 * step;
-            stations += 1;
-            let along = if next < end { next } else { end };
-            let at = path.at(along).map_err(text)?;
-            let p = at.position;
-            numbers(out, &[at.along, p.x, p.y, p.z, at.heading, at.curvature]);
-            out.push(map.lane(at.lane).map_err(text)?.key().to_string());
-            numbers(out, &[at.left, at.right]);
-            let speed = path.speed_at(along).and_then(|rule| rule.max);
-            out.push(speed.map(number).unwrap_or_default());
-            if along >= end {
-                return Ok(());
-            }
+/// Which of the answers along a route is wanted.
+#[derive(Clone, Copy)]
+pub(super) enum Along {
+    /// The driven line.
+    Line,
+    /// The room beside it.
+    Corridor,
+    /// A point's place on it.
+    Project,
+    /// Who meets it.
+    Conflicts,
+}
+
+/// Answers a row about the path of its route.
+///
+/// Errors: there is no route, or no answer along it, and why.
+pub(super) fn answer(
+    along: Along,
+    tools: &mut Tools<'_>,
+    map: Map<'_>,
+    row: &Row<'_>,
+    out: &mut Vec<String>,
+) -> Result<(), String> {
+    let Tools { router, paths, holes, .. } = tools;
+    paths.find(router, holes, map, row)?;
+    let path = Path::of(map, &paths.buffer).map_err(text)?;
+    match along {
+        Along::Line => line(&path, map, router.step(), out),
+        Along::Corridor => corridor(&path, router, &mut paths.corridor, out),
+        Along::Project => project(&path, map, row, out),
+        Along::Conflicts => conflicts(&path, map, router.rules(), out),
+    }
+}
+
+/// `path`: a row for each station.
+fn line(path: &Path<'_, '_>, map: Map<'_>, step: f64, out: &mut Vec<String>) -> Result<(), String> {
+    let end = path.length();
+    check_step(step, end)?;
+    let mut stations = 0u64;
+    loop {
+        let next = stations as f64 * step;
+        stations += 1;
+        let along = if next < end { next } else { end };
+        let at = path.at(along).map_err(text)?;
+        let p = at.position;
+        numbers(out, &[at.along, p.x, p.y, p.z, at.heading, at.curvature]);
+        out.push(map.lane(at.lane).map_err(text)?.key().to_string());
+        numbers(out, &[at.left, at.right]);
+        let speed = path.speed_at(along).and_then(|rule| rule.max);
+        out.push(speed.map(number).unwrap_or_default());
+        if along >= end {
+            return Ok(());
         }
     }
+}
 
-    /// `corridor`: a row for each station.
-    pub(super) fn corridor(
-        &mut self,
-        (router, holes): (&mut Router<'_>, &Holes<'_>),
-        map: Map<'_>,
-        row: &Row<'_>,
-        out: &mut Vec<String>,
-    ) -> Result<(), String> {
-        let (step, vehicle) = (router.step(), router.vehicle());
-        let mut room = std::mem::take(&mut self.corridor);
-        let path = self.path((router, holes), map, row)?;
-        check_step(step, path.length())?;
-        path.corridor(0.0, path.length(), step, vehicle, &mut room).map_err(text)?;
-        for i in 0..room.len() {
-            let (left, right) = (room.left[i], room.right[i]);
-            numbers(out, &[room.along[i], left.x, left.y, right.x, right.y]);
-            let marks = [room.left_mark[i], room.right_mark[i]];
-            out.extend(marks.map(|mark| mark.kind.name().to_owned()));
-            out.extend(marks.map(|mark| u8::from(mark.may_cross).to_string()));
-        }
-        self.corridor = room;
-        Ok(())
+/// `corridor`: a row for each station.
+fn corridor(
+    path: &Path<'_, '_>,
+    router: &Router<'_>,
+    room: &mut Corridor,
+    out: &mut Vec<String>,
+) -> Result<(), String> {
+    let (step, length) = (router.step(), path.length());
+    check_step(step, length)?;
+    path.corridor(0.0, length, step, router.vehicle(), room).map_err(text)?;
+    for i in 0..room.len() {
+        let (left, right) = (room.left[i], room.right[i]);
+        numbers(out, &[room.along[i], left.x, left.y, right.x, right.y]);
+        let marks = [room.left_mark[i], room.right_mark[i]];
+        out.extend(marks.map(|mark| mark.kind.name().to_owned()));
+        out.extend(marks.map(|mark| u8::from(mark.may_cross).to_string()));
     }
+    Ok(())
+}
 
-    /// `project`: a point.
-    pub(super) fn project(
-        &mut self,
-        (router, holes): (&mut Router<'_>, &Holes<'_>),
-        map: Map<'_>,
-        row: &Row<'_>,
-        out: &mut Vec<String>,
-    ) -> Result<(), String> {
-        let point = DVec2::new(row.number("x")?, row.number("y")?);
-        let heading = row.optional("hdg")?;
-        let path = self.path((router, holes), map, row)?;
-        let found = path.project(point, None).map_err(text)?;
-        numbers(out, &[found.along, found.d]);
-        let difference = heading.map(|heading| number(found.heading_difference(heading)));
-        out.push(difference.unwrap_or_default());
-        out.push(map.lane(found.lane).map_err(text)?.key().to_string());
-        out.push(found.clamped.name().to_owned());
-        Ok(())
-    }
+/// `project`: a point.
+fn project(
+    path: &Path<'_, '_>,
+    map: Map<'_>,
+    row: &Row<'_>,
+    out: &mut Vec<String>,
+) -> Result<(), String> {
+    let point = DVec2::new(row.number("x")?, row.number("y")?);
+    let heading = row.optional("hdg")?;
+    let found = path.project(point, None).map_err(text)?;
+    numbers(out, &[found.along, found.d]);
+    let difference = heading.map(|heading| number(found.heading_difference(heading)));
+    out.push(difference.unwrap_or_default());
+    out.push(map.lane(found.lane).map_err(text)?.key().to_string());
+    out.push(found.clamped.name().to_owned());
+    Ok(())
+}
 
-    /// `conflicts`: a row for each.
-    pub(super) fn conflicts(
-        &mut self,
-        (router, holes): (&mut Router<'_>, &Holes<'_>),
-        map: Map<'_>,
-        row: &Row<'_>,
-        out: &mut Vec<String>,
-    ) -> Result<(), String> {
-        let (mut found, rules) = (Vec::new(), router.rules());
-        self.path((router, holes), map, row)?.conflicts(&mut found);
-        for one in found {
-            numbers(out, &one.along);
-            out.push(map.lane(one.other).map_err(text)?.key().to_string());
-            numbers(out, &one.other_s);
-            out.push(one.kind.name().to_owned());
-            let (yields, basis) = match rules {
-                Some(rules) => one.yields_by(rules),
-                None if Basis::of(one.reason) == Basis::Rule => (one.yields, Basis::Unknown),
-                None => (one.yields, Basis::of(one.reason)),
-            };
-            out.push(yields.name().to_owned());
-            out.push(one.reason.name().to_owned());
-            numbers(out, &[one.wait]);
-            out.push(basis.name().to_owned());
-        }
-        Ok(())
+/// `conflicts`: a row for each.
+fn conflicts(
+    path: &Path<'_, '_>,
+    map: Map<'_>,
+    rules: Option<&RoadRules>,
+    out: &mut Vec<String>,
+) -> Result<(), String> {
+    let mut found = Vec::new();
+    path.conflicts(&mut found);
+    for one in found {
+        numbers(out, &one.along);
+        out.push(map.lane(one.other).map_err(text)?.key().to_string());
+        numbers(out, &one.other_s);
+        out.push(one.kind.name().to_owned());
+        let (yields, basis) = match rules {
+            Some(rules) => one.yields_by(rules),
+            None if Basis::of(one.reason) == Basis::Rule => (one.yields, Basis::Unknown),
+            None => (one.yields, Basis::of(one.reason)),
+        };
+        out.push(yields.name().to_owned());
+        out.push(one.reason.name().to_owned());
+        numbers(out, &[one.wait]);
+        out.push(basis.name().to_owned());
     }
+    Ok(())
 }
 
 fn check_step(step: f64, length: f64) -> Result<(), String> {
