@@ -320,7 +320,7 @@ fn is_place(read: &Finding) -> bool {
 /// Whether a finding of the reader's is about what the compiler finds unusable.
 fn is_about(read: &Finding, unusable: &Finding) -> bool {
     let tag = unusable.span.start..unusable.span.start + u64::from(unusable.span.len);
-    tag.contains(&read.span.start) && read.subject == unusable.subject
+    tag.contains(&{ read.span.start }) && read.subject == unusable.subject
 }
 
 /// Whether a rule says of a geometry, as an error, what the compiler finds: that it is no curve.

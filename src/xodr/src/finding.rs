@@ -1,7 +1,10 @@
 //! What is wrong, and where.
 
 /// A byte range of the decoded input.
+///
+/// Packed to 12 bytes: millions are kept next to the data that they locate. A field cannot be borrowed, only read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[repr(C, packed(4))]
 pub struct Span {
     /// First byte, from the start of the input.
     pub start: u64,

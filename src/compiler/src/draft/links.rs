@@ -37,8 +37,8 @@ pub(crate) struct Links {
 /// A road's link as written.
 #[derive(Clone, Copy)]
 pub(crate) struct RoadLink {
-    pub(crate) start: u64,
-    pub(crate) len: u32,
+    /// The element's start tag.
+    pub(crate) span: Span,
     /// What it names, in [`Links::names`].
     pub(crate) id: u32,
     pub(crate) contact: Option<ContactPoint>,
@@ -50,32 +50,13 @@ pub(crate) struct RoadLink {
     pub(crate) s: Option<f64>,
 }
 
-impl RoadLink {
-    /// The element's start tag.
-    pub(crate) fn span(&self) -> Span {
-        Span { start: self.start, len: self.len }
-    }
-}
-
 /// A lane's link as written.
 #[derive(Clone, Copy)]
 pub(crate) struct WrittenLink {
-    pub(crate) start: u64,
-    pub(crate) len: u32,
+    /// The element's start tag.
+    pub(crate) span: Span,
     /// Number of the linked lane.
     pub(crate) number: i32,
-}
-
-impl WrittenLink {
-    /// The link with a start tag.
-    pub(crate) fn new(number: i32, span: Span) -> Self {
-        Self { start: span.start, len: span.len, number }
-    }
-
-    /// The element's start tag.
-    pub(crate) fn span(&self) -> Span {
-        Span { start: self.start, len: self.len }
-    }
 }
 
 /// A junction as written.
@@ -95,8 +76,8 @@ pub(crate) struct WrittenJunction {
 /// A connection as written.
 #[derive(Clone, Copy)]
 pub(crate) struct WrittenConnection {
-    pub(crate) start: u64,
-    pub(crate) len: u32,
+    /// The element's start tag.
+    pub(crate) span: Span,
     /// Ids in [`Links::names`]; 0 where there is none.
     pub(crate) id: u32,
     pub(crate) incoming: u32,
@@ -107,27 +88,13 @@ pub(crate) struct WrittenConnection {
     pub(crate) contact: Option<ContactPoint>,
 }
 
-impl WrittenConnection {
-    /// The element's start tag.
-    pub(crate) fn span(&self) -> Span {
-        Span { start: self.start, len: self.len }
-    }
-}
-
 /// Which lane leads into which.
 #[derive(Clone, Copy)]
 pub(crate) struct ConnectedLanes {
-    pub(crate) start: u64,
-    pub(crate) len: u32,
+    /// The element's start tag.
+    pub(crate) span: Span,
     pub(crate) from: i32,
     pub(crate) to: i32,
-}
-
-impl ConnectedLanes {
-    /// The element's start tag.
-    pub(crate) fn span(&self) -> Span {
-        Span { start: self.start, len: self.len }
-    }
 }
 
 /// A controller of a junction.

@@ -93,9 +93,9 @@ fn out_of_road(
         let from = first + pieces(leaving) - 1;
         for link in written_links(draft, lane, successor) {
             match node_at(draft, cuts, place, link.number, true) {
-                Ok(to) => edges.push(at_place(from, to, link.span())),
+                Ok(to) => edges.push(at_place(from, to, link.span)),
                 Err(missing) => {
-                    problems.add(missing.problem(from, link.number, link.span(), false));
+                    problems.add(missing.problem(from, link.number, link.span, false));
                 }
             }
         }
@@ -126,7 +126,7 @@ fn into_road(
     let section = if start { road.sections.first } else { road.sections.end() as u32 - 1 };
     let Some(written) = connection_written(draft, connection) else { return };
     for link in written.lane_links.of(&draft.links.connected) {
-        let (number, entered, span) = (link.from, link.to, link.span());
+        let (number, entered, span) = (link.from, link.to, link.span);
         let from = match node_at(draft, cuts, place, number, false) {
             Ok(from) => from,
             // Lanes of the main road that travel the other way have nothing to do with this place.

@@ -112,7 +112,7 @@ impl Walk<'_> {
     /// Follows the lane's links as written: its successors (`forward`) or predecessors.
     fn written(&mut self, node: u32, lane: u32, forward: bool, kind: EdgeKind, entry: Entry) {
         for link in written_links(self.draft, lane, forward) {
-            self.enter((node, kind, link.span()), entry, link.number);
+            self.enter((node, kind, link.span), entry, link.number);
         }
     }
 
@@ -158,11 +158,11 @@ impl Walk<'_> {
             if lane_links.is_empty() {
                 // OpenDRIVE 1.4: without lane links, lanes keep their numbers, as far as both roads have them.
                 if self.find(entry, row.number).is_some_and(|lane| self.travels(lane, entry)) {
-                    self.enter((node, EdgeKind::Implied, written.span()), entry, row.number);
+                    self.enter((node, EdgeKind::Implied, written.span), entry, row.number);
                 }
             }
             for link in lane_links.iter().filter(|link| link.from == row.number) {
-                self.enter((node, EdgeKind::Connection, link.span()), entry, link.to);
+                self.enter((node, EdgeKind::Connection, link.span), entry, link.to);
             }
         }
     }

@@ -4,8 +4,8 @@ use crate::draft::{
     ConnectedLanes, Links, RoadLink, WrittenConnection, WrittenController, WrittenJunction, between,
 };
 use mapd_xodr::{
-    Connection, ConnectionType, ElementType, Junction, JunctionType, LinkedElement, Span,
-    Text as _, Value as _,
+    Connection, ConnectionType, ElementType, Junction, JunctionType, LinkedElement, Text as _,
+    Value as _,
 };
 
 /// Whether more is built of a junction than its connections, controllers and priorities.
@@ -28,8 +28,7 @@ impl Links {
     pub(super) fn road_link(&mut self, link: &LinkedElement) -> Option<RoadLink> {
         let id = self.names.add(&link.element_id.as_ref()?.value);
         Some(RoadLink {
-            start: link.span.start,
-            len: link.span.len,
+            span: link.span,
             id,
             contact: link.contact_point.value(),
             dir: link.element_dir.value(),
@@ -45,16 +44,14 @@ impl Links {
         for c in &junction.connection {
             let first = self.connected.len();
             self.connected.extend(c.lane_link.iter().filter_map(|link| {
-                let Span { start, len } = link.span;
                 let (from, to) = (link.from.value()?, link.to.value()?);
-                Some(ConnectedLanes { start, len, from, to })
+                Some(ConnectedLanes { span: link.span, from, to })
             }));
             let [id, incoming, connecting, linked] =
                 [&c.id, &c.incoming_road, &c.connecting_road, &c.linked_road]
                     .map(|id| self.names.add(id.text()));
             self.connections.push(WrittenConnection {
-                start: c.span.start,
-                len: c.span.len,
+                span: c.span,
                 id,
                 incoming,
                 connecting,

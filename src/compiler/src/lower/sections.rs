@@ -340,7 +340,7 @@ impl Draft {
                 let path = (road, "lanes/laneSection/lane/link");
                 let mut part = Part { span, path, findings };
                 let number = place(link.id.value(), "id", &mut part)?;
-                Some(WrittenLink::new(number, span))
+                Some(WrittenLink { number, span })
             };
             // Links into another layer are no links between these lanes.
             let other = if side.layer.is_temporary { PERMANENT } else { TEMPORARY };
@@ -350,7 +350,7 @@ impl Draft {
             [numbers(&link.predecessor), numbers(&link.successor)]
         });
         // Where the other side alone begins a section, the lane goes on as itself.
-        let itself = WrittenLink::new(lane.id, lane.span);
+        let itself = WrittenLink { number: lane.id, span: lane.span };
         if lane.id != 0 && side.continues > 0 {
             before = vec![itself];
         }

@@ -101,7 +101,7 @@ impl Exclusions {
         place: impl FnOnce() -> (Option<[f64; 4]>, f64),
         out: &mut Vec<QuarantinedPart>,
     ) -> Option<Treatment> {
-        let part = self.parts.get(&span.start)?;
+        let part = self.parts.get(&{ span.start })?;
         let (extent, length) = place();
         out.push(QuarantinedPart {
             kind,
@@ -127,7 +127,7 @@ impl Exclusions {
     }
 
     fn road(&self, mut road: Road, out: &mut Vec<QuarantinedPart>) -> Option<Road> {
-        if !self.owners.contains(&road.span.start) {
+        if !self.owners.contains(&{ road.span.start }) {
             return Some(road);
         }
         let id = road.id.text().to_owned();
@@ -196,7 +196,7 @@ impl Exclusions {
     }
 
     fn junction(&self, mut junction: Junction, out: &mut Vec<QuarantinedPart>) -> Option<Junction> {
-        if !self.owners.contains(&junction.span.start) {
+        if !self.owners.contains(&{ junction.span.start }) {
             return Some(junction);
         }
         let id = junction.id.text().to_owned();
@@ -247,7 +247,7 @@ impl Exclusions {
         junction: (PartKind, &str),
         out: &mut Vec<QuarantinedPart>,
     ) -> bool {
-        let is_left_out = |span: Span| self.parts.contains_key(&span.start);
+        let is_left_out = |span: Span| self.parts.contains_key(&{ span.start });
         let id = connection.id.text().to_owned();
         if let Some(first) = connection.lane_link.first()
             && connection.lane_link.iter().all(|link| is_left_out(link.span))

@@ -100,7 +100,7 @@ fn resolve_road(draft: &mut Draft, number: usize, names: &Named, findings: &mut 
             findings.push(finding(
                 &building::CONTACT_POINT,
                 Severity::Warning,
-                link.span(),
+                link.span,
                 path,
                 message,
                 "",

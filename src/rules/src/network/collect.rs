@@ -186,8 +186,7 @@ impl Network {
             _ => LinkTarget::Road(id),
         };
         Some(LinkFacts {
-            start: link.span.start,
-            len: link.span.len,
+            span: link.span,
             target,
             contact: contact(&link.contact_point),
             dir: value(&link.element_dir),
@@ -227,8 +226,7 @@ impl Network {
                 let direction = value(&lane.direction).unwrap_or(LaneDirection::Standard);
                 let kind = value(&lane.r#type).unwrap_or(LaneType::None);
                 self.lanes.push(LaneFacts {
-                    start: lane.span.start,
-                    len: lane.span.len,
+                    span: lane.span,
                     id,
                     inner: [start[0], end[0]],
                     outer: [start[1], end[1]],

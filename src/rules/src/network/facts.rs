@@ -25,8 +25,8 @@ pub enum LinkTarget {
 /// A link of a road as written.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinkFacts {
-    pub(super) start: u64,
-    pub(super) len: u32,
+    /// The start tag.
+    pub span: Span,
     /// What it names.
     pub target: LinkTarget,
     /// Which end of the target it touches.
@@ -35,13 +35,6 @@ pub struct LinkFacts {
     pub dir: Option<ElementDir>,
     /// Where it touches a virtual junction's main road `[m]`.
     pub s: Option<f64>,
-}
-
-impl LinkFacts {
-    /// The start tag.
-    pub fn span(&self) -> Span {
-        Span { start: self.start, len: self.len }
-    }
 }
 
 /// A road.
@@ -131,8 +124,8 @@ impl SectionFacts {
 /// A lane to the left or right.
 #[derive(Clone, Debug)]
 pub struct LaneFacts {
-    pub(super) start: u64,
-    pub(super) len: u32,
+    /// The start tag.
+    pub span: Span,
     /// Id.
     pub id: i32,
     /// Inner border at the section's start and end: t `[m]`.
@@ -151,11 +144,6 @@ pub struct LaneFacts {
 }
 
 impl LaneFacts {
-    /// The start tag.
-    pub fn span(&self) -> Span {
-        Span { start: self.start, len: self.len }
-    }
-
     /// Width at an end of the section `[m]`.
     pub fn width(&self, end: Contact) -> f64 {
         (self.outer[end as usize] - self.inner[end as usize]).abs()
@@ -165,20 +153,15 @@ impl LaneFacts {
 /// A link of a lane.
 #[derive(Clone, Copy, Debug)]
 pub struct LaneLinkFacts {
-    start: u64,
-    len: u32,
+    /// The start tag.
+    pub span: Span,
     /// The lane that it names.
     pub id: i32,
 }
 
 impl LaneLinkFacts {
     pub(super) fn new(span: Span, id: i32) -> Self {
-        Self { start: span.start, len: span.len, id }
-    }
-
-    /// The start tag.
-    pub fn span(&self) -> Span {
-        Span { start: self.start, len: self.len }
+        Self { span, id }
     }
 }
 
@@ -255,8 +238,8 @@ impl PartKind {
 /// Something with an id.
 #[derive(Clone, Copy, Debug)]
 pub struct Part {
-    start: u64,
-    len: u32,
+    /// The start tag.
+    pub span: Span,
     /// Its id.
     pub id: Name,
     /// Rank of the road that it stands along, or the largest number there is.
@@ -267,8 +250,7 @@ pub struct Part {
 
 impl Part {
     pub(super) fn new(kind: PartKind, id: Name, span: Span, road: Option<u32>) -> Self {
-        let Span { start, len } = span;
-        Self { start, len, id, road: road.unwrap_or(u32::MAX), kind }
+        Self { span, id, road: road.unwrap_or(u32::MAX), kind }
     }
 
     /// Moves its road by so many places, and gives it the id's number in the whole.
@@ -276,10 +258,5 @@ impl Part {
         let is_along = self.road != u32::MAX;
         let road = if is_along { self.road.saturating_add(roads) } else { self.road };
         Self { id, road, ..self }
-    }
-
-    /// The start tag.
-    pub fn span(&self) -> Span {
-        Span { start: self.start, len: self.len }
     }
 }

@@ -26,8 +26,8 @@ pub struct JunctionFacts {
 /// A connection of a junction.
 #[derive(Clone, Debug)]
 pub struct ConnectionFacts {
-    start: u64,
-    len: u32,
+    /// The start tag.
+    pub span: Span,
     /// Id.
     pub id: Name,
     /// The road that leads in.
@@ -41,29 +41,15 @@ pub struct ConnectionFacts {
     pub contact: Option<Contact>,
 }
 
-impl ConnectionFacts {
-    /// The start tag.
-    pub fn span(&self) -> Span {
-        Span { start: self.start, len: self.len }
-    }
-}
-
 /// Which lane leads into which: ids, as far as they are written.
 #[derive(Clone, Copy, Debug)]
 pub struct ConnectedLanes {
-    start: u64,
-    len: u32,
+    /// The start tag.
+    pub span: Span,
     /// The lane of the road that leads in.
     pub from: Option<i32>,
     /// The lane of the road that is entered.
     pub to: Option<i32>,
-}
-
-impl ConnectedLanes {
-    /// The start tag.
-    pub fn span(&self) -> Span {
-        Span { start: self.start, len: self.len }
-    }
 }
 
 /// Whether a junction says more than which lanes it connects.
@@ -133,8 +119,7 @@ impl Network {
         for c in &junction.connection {
             let first = self.connected_lanes.len() as u32;
             let lanes = c.lane_link.iter().map(|link| ConnectedLanes {
-                start: link.span.start,
-                len: link.span.len,
+                span: link.span,
                 from: value(&link.from),
                 to: value(&link.to),
             });
@@ -143,8 +128,7 @@ impl Network {
                 [&c.id, &c.incoming_road, &c.connecting_road, &c.linked_road]
                     .map(|id| self.names.add(text(id)));
             self.connections.push(ConnectionFacts {
-                start: c.span.start,
-                len: c.span.len,
+                span: c.span,
                 id,
                 incoming,
                 connecting,

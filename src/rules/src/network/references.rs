@@ -107,8 +107,8 @@ places! {
 /// Something that names an id.
 #[derive(Clone, Copy, Debug)]
 pub struct Reference {
-    start: u64,
-    len: u32,
+    /// The start tag.
+    pub span: Span,
     /// The id that is named.
     pub id: Name,
     /// Id of the element that [`NamedAt`] is a path from.
@@ -122,12 +122,7 @@ pub struct Reference {
 impl Reference {
     /// One in an element with this start tag.
     pub(super) fn new((at, kinds): (NamedAt, Kinds), id: Name, from: Name, span: Span) -> Self {
-        Self { start: span.start, len: span.len, id, from, at, kinds }
-    }
-
-    /// The start tag.
-    pub fn span(&self) -> Span {
-        Span { start: self.start, len: self.len }
+        Self { span, id, from, at, kinds }
     }
 
     /// Where it stands: elements from the root, with the id of the one that has one.

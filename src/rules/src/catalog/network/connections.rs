@@ -138,7 +138,7 @@ pub(super) fn add_to_connection(
     expected: impl std::fmt::Display,
     found: impl std::fmt::Display,
 ) {
-    add_to_part(at, ("", at.2.span()), sink, expected, found);
+    add_to_part(at, ("", at.2.span), sink, expected, found);
 }
 
 /// Adds a finding about a link of a connection.
@@ -149,7 +149,7 @@ pub(super) fn add_to_link(
     found: impl std::fmt::Display,
 ) {
     let at = (network, joint.junction, joint.connection);
-    add_to_part(at, ("/laneLink", joint.link.span()), sink, expected, found);
+    add_to_part(at, ("/laneLink", joint.link.span), sink, expected, found);
 }
 
 fn add_to_part(
@@ -227,7 +227,7 @@ fn lane_links(network: &Network, sink: &mut Sink<'_>) {
                         end.name(),
                         network.name(road.id)
                     );
-                    let span = link.span();
+                    let span = link.span;
                     let found = format_args!("lane {id}, which does not exist");
                     let junction = (network, joined.junction, joined.connection);
                     add_to_part(junction, ("/laneLink", span), sink, expected, found);

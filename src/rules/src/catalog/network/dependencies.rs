@@ -107,7 +107,7 @@ fn cycles(network: &Network, sink: &mut Sink<'_>) {
                 sink.add_at(
                     || place,
                     sink.severity,
-                    link.span(),
+                    link.span,
                     "no way back to the signal",
                     around.join(" on "),
                 );
@@ -134,7 +134,7 @@ fn gantry(network: &Network, sink: &mut Sink<'_>) {
         if group.is_empty() && !own.is_empty() {
             sink.add_in(
                 ("vmsGroup", network.name(board.from), "vmsBoardReference"),
-                board.span(),
+                board.span,
                 "boards of one gantry",
                 format_args!("signal {} at another", network.name(board.id)),
             );
@@ -152,7 +152,7 @@ fn partners(network: &Network, sink: &mut Sink<'_>) {
             sink.add_at(
                 || place,
                 sink.severity,
-                reference.span(),
+                reference.span,
                 "a partner that names this switch",
                 found,
             );
@@ -176,7 +176,7 @@ fn joined(network: &Network, sink: &mut Sink<'_>) {
             sink.add_at(
                 || place,
                 sink.severity,
-                reference.span(),
+                reference.span,
                 "a side track between the two",
                 found,
             );

@@ -97,9 +97,9 @@ fn unique(network: &Network, sink: &mut Sink<'_>) {
         };
         let expected = format!("an id that no other {name} has");
         if told.insert(key) && part.kind == PartKind::Road {
-            sink.add_at(|| path(before), severity, before.span(), &expected, id);
+            sink.add_at(|| path(before), severity, before.span, &expected, id);
         }
-        sink.add_at(|| path(part), severity, part.span(), &expected, id);
+        sink.add_at(|| path(part), severity, part.span, &expected, id);
     }
 }
 
@@ -130,7 +130,7 @@ fn defined(network: &Network, sink: &mut Sink<'_>) {
         let expected = format!("the id of a {}", kinds.join(" or "));
         let found = format_args!("{}, which does not exist", network.name(reference.id));
         let path = || reference.path(network);
-        sink.add_at(path, sink.severity, reference.span(), expected, found);
+        sink.add_at(path, sink.severity, reference.span, expected, found);
     }
 }
 
@@ -145,7 +145,7 @@ fn signals_only(network: &Network, sink: &mut Sink<'_>) {
             let found = format_args!("that of a {}", kind.name());
             sink.add_in(
                 ("road", network.name(reference.from), reference.at.path()),
-                reference.span(),
+                reference.span,
                 "the id of a signal",
                 found,
             );

@@ -133,13 +133,13 @@ fn corners(network: &Network, sink: &mut Sink<'_>) {
         let links = network.links_of(joint.lane, joint.end);
         if let [first, _, ..] = links {
             // All links of a lane are looked at with the first of them.
-            if first.span() != joint.link.span() {
+            if first.span != joint.link.span {
                 return;
             }
             let others = links.iter().filter_map(|link| {
                 let lane = network.lane(section, link.id)?;
                 let is_split = network.links_of(lane, end).len() > 1;
-                (!is_split).then_some((link.span(), LaneEnd { road, section, lane, end }))
+                (!is_split).then_some((link.span, LaneEnd { road, section, lane, end }))
             });
             let (spans, others): (Vec<_>, Vec<_>) = others.unzip();
             if others.len() == links.len() {
@@ -162,7 +162,7 @@ fn corners(network: &Network, sink: &mut Sink<'_>) {
         }
         let other = LaneEnd { road, section, lane, end };
         if let [Some((_, gap)), _] = astray(network, &own, &[other]) {
-            add(&joint, joint.link.span(), &other, gap);
+            add(&joint, joint.link.span, &other, gap);
         }
     });
     for junction in network.junctions.iter().filter(|junction| junction.kind == Kind::Default) {
@@ -227,7 +227,7 @@ fn heights(network: &Network, sink: &mut Sink<'_>) {
             let apart = mapd_geometry::hypot(own.x - other.x, own.y - other.y);
             let step = (own.z - other.z).abs();
             if step > STEP.value && apart <= CORNER.value {
-                let span = road.link(end).map_or(road.span, |link| link.span());
+                let span = road.link(end).map_or(road.span, |link| link.span);
                 let target = network.name(target.id);
                 let expected = format_args!("the height {:.3} m, that of road {target}", other.z);
                 sink.add_in(

@@ -138,7 +138,7 @@ fn add(
     };
     let (s, id) = (joint.section.s, joint.lane.id);
     let part = format!("lanes/laneSection[@s={s}]/lane[@id={id}]/link/{name}");
-    sink.add_in(("road", network.name(joint.road.id), &part), joint.link.span(), expected, found);
+    sink.add_in(("road", network.name(joint.road.id), &part), joint.link.span, expected, found);
 }
 
 fn orphans(network: &Network, sink: &mut Sink<'_>) {
@@ -217,7 +217,7 @@ fn no_width(network: &Network, end: Contact, sink: &mut Sink<'_>) {
             if of.end != end || of.width() > NONE.value || is_linked {
                 continue;
             }
-            if told.insert((of.road.id, of.lane.span().start)) {
+            if told.insert((of.road.id, of.lane.span.start)) {
                 let (lane, road) = (of.lane.id, network.name(of.road.id));
                 let found = format_args!("lane {lane} of road {road}");
                 add_to_link((network, &joint), sink, "no link of a lane without width here", found);

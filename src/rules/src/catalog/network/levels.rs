@@ -41,12 +41,7 @@ fn level(network: &Network, sink: &mut Sink<'_>) {
                             format!("lanes/laneSection[@s={}]/lane[@id={}]", section.s, lane.id);
                         let found = format_args!("lane {} without it", lane.id);
                         let place = ("road", network.name(road.id), &*part);
-                        sink.add_in(
-                            place,
-                            lane.span(),
-                            "level lanes outside of a level lane",
-                            found,
-                        );
+                        sink.add_in(place, lane.span, "level lanes outside of a level lane", found);
                     }
                     is_level |= lane.is_level;
                 }
@@ -66,7 +61,7 @@ fn level(network: &Network, sink: &mut Sink<'_>) {
         let road = network.name(joint.road.id);
         // As in ASAM's checker, milder than what stands in one section.
         sink.at_most(Severity::Warning, |sink| {
-            sink.add_in(("road", road, &part), joint.link.span(), ALIKE, found);
+            sink.add_in(("road", road, &part), joint.link.span, ALIKE, found);
         });
     });
     for joint in network.connected_joints(Kind::Default) {

@@ -103,7 +103,7 @@ fn meet(network: &Network, sink: &mut Sink<'_>) {
             let apart = mapd_geometry::hypot(own.x - other.x, own.y - other.y);
             // Within a junction, reference lines may be beside one another: lanes meet, not they.
             if apart > APART.value && road.junction.is_none() && target.junction.is_none() {
-                let span = road.link(end).map_or(road.span, |link| link.span());
+                let span = road.link(end).map_or(road.span, |link| link.span);
                 let found = format_args!("road {} {apart:.3} m away", network.name(target.id));
                 sink.add_in(
                     ("road", network.name(road.id), part(end)),
@@ -131,7 +131,7 @@ fn consistent(network: &Network, sink: &mut Sink<'_>) {
                 .linked_road(target, contact)
                 .is_some_and(|(back, back_end)| back.id == road.id && back_end == end);
             if !is_back {
-                let span = road.link(end).map_or(road.span, |link| link.span());
+                let span = road.link(end).map_or(road.span, |link| link.span);
                 let (touched, target) = (contact.name(), network.name(target.id));
                 let expected = format_args!("a link back from the {touched} of road {target}");
                 let found = link_to(network, back.map(|link| link.target));
@@ -148,7 +148,7 @@ fn one_to_one(network: &Network, sink: &mut Sink<'_>) {
             let Some((target, contact)) = network.linked_road(road, end) else { continue };
             let before = claimed.insert((target.id, contact), road.id);
             if let Some(before) = before.filter(|before| *before != road.id) {
-                let span = road.link(end).map_or(road.span, |link| link.span());
+                let span = road.link(end).map_or(road.span, |link| link.span);
                 let expected = format_args!(
                     "one road at the {} of road {}, or a junction",
                     contact.name(),

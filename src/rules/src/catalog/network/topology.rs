@@ -171,12 +171,7 @@ fn disconnected(network: &Network, sink: &mut Sink<'_>) {
         let id = network.name(roads.get(rank).copied().unwrap_or_default());
         let lanes = if *count == 1 { "lane" } else { "lanes" };
         let found = format_args!("a group of {count} {lanes} apart, one of {} groups", parts.len());
-        sink.add_in(
-            ("road", id, "lanes"),
-            lane.span(),
-            "lanes that are linked to the others",
-            found,
-        );
+        sink.add_in(("road", id, "lanes"), lane.span, "lanes that are linked to the others", found);
     }
 }
 
@@ -205,7 +200,7 @@ fn dead(network: &Network, sink: &mut Sink<'_>) {
                     let part = format!("lanes/laneSection[@s={}]/lane[@id={}]", section.s, lane.id);
                     sink.add_in(
                         ("road", network.name(road.id), &part),
-                        lane.span(),
+                        lane.span,
                         "a link of the lane",
                         "none at either end",
                     );

@@ -87,7 +87,7 @@ impl Leaving<'_> {
             Contact::Start => "link/predecessor",
             Contact::End => "link/successor",
         };
-        let span = self.road.link(self.end).map_or(self.road.span, |link| link.span());
+        let span = self.road.link(self.end).map_or(self.road.span, |link| link.span);
         sink.add_in(("road", self.network.name(self.road.id), part), span, expected, found);
     }
 }
