@@ -11,7 +11,7 @@ fail() { printf 'FAILED: %s\n' "$*" >&2; exit 1; }
 if [ $# -ge 2 ]; then
     mapd=$1 probe=$2
 else
-    cargo build -q -p mapd -p mapd-tests --bin mapd --bin planner_probe
+    cargo build -q --workspace --bin mapd --bin planner_probe
     mapd="${CARGO_TARGET_DIR:-target}/debug/mapd" probe="${CARGO_TARGET_DIR:-target}/debug/planner_probe"
 fi
 

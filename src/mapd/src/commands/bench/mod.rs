@@ -18,20 +18,27 @@ use figures::Comparison;
 use crate::args::{AttachArgs, Live};
 use crate::exit::Exit;
 use crate::report::hex;
-use anyhow::Result;
+use anyhow::{Result, ensure};
 use clap::Args;
 use mapd_client::{Attach, Domain, Snapshot};
+use mapd_transport::MAX_SUBSCRIBERS;
 use serde::Serialize;
 use std::io::Write;
 use std::time::Duration;
+
+/// Most clients at once: a thread of this process starts each.
+const MOST_CLIENTS: i64 = 1000;
+
+/// Subscribers of a map that this command leaves to others.
+const SUBSCRIBERS_OF_OTHERS: usize = 4;
 
 /// What to measure, and how often.
 #[derive(Args)]
 pub(crate) struct BenchCommand {
     /// .xodr, .mapd or shm:NAME [default: the served map, if there is only one]
     source: Option<String>,
-    /// Fresh client processes, one after the other and then all at once
-    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u16).range(1..=60))]
+    /// Fresh client processes, one after the other and then all at once; at most 60 of them subscribers
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u16).range(1..=MOST_CLIENTS))]
     clients: u16,
     /// Queries of each kind
     #[arg(long, value_name = "N", default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(1..))]
@@ -68,9 +75,15 @@ struct Report<'a> {
 impl BenchCommand {
     /// Measures and prints.
     ///
-    /// Errors: as [`measure`].
+    /// Errors: more clients than may subscribe; as [`measure`].
     pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
         let (domain, wait) = self.live.get()?;
+        let most = MAX_SUBSCRIBERS - SUBSCRIBERS_OF_OTHERS;
+        ensure!(
+            self.attach.get() != Attach::Subscriber || usize::from(self.clients) <= most,
+            "--clients {}: a map has room for {most} subscribers of a benchmark; observers are not limited",
+            self.clients
+        );
         measure(&self, (&domain, self.attach.get(), wait), out)?;
         Ok(Exit::Done)
     }
