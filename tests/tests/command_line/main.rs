@@ -10,6 +10,7 @@ mod export_layers;
 mod numbers;
 mod options_documented;
 mod page;
+mod pages;
 mod path_queries;
 mod progress;
 mod readme;

@@ -1,0 +1,91 @@
+//! What pages say of the program is in the program: messages that a page explains, and calls that it names.
+
+use mapd_tests::workspace;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Crates whose calls a reader of the pages may use.
+const LIBRARIES: [&str; 4] = ["src/query", "src/client", "src/transport", "src/python"];
+
+/// Crates whose messages a user may see.
+const SPEAKERS: [&str; 6] =
+    ["src/query", "src/client", "src/transport", "src/archive", "src/mapd", "src/overlay"];
+
+fn page(name: &str) -> String {
+    fs::read_to_string(workspace().join("docs").join(name)).expect("the page can be read")
+}
+
+/// Text of all sources below folders, with texts that go on in the next line joined.
+fn sources(folders: &[&str]) -> String {
+    fn collect(folder: &Path, out: &mut Vec<PathBuf>) {
+        for entry in fs::read_dir(folder).expect("the folder can be read").flatten() {
+            let path = entry.path();
+            if path.is_dir() {
+                collect(&path, out);
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
+                out.push(path);
+            }
+        }
+    }
+    let mut files = Vec::new();
+    for folder in folders {
+        collect(&workspace().join(folder).join("src"), &mut files);
+    }
+    let mut text = String::new();
+    for file in files {
+        let source = fs::read_to_string(file).expect("a source can be read");
+        let mut lines = source.lines();
+        while let Some(line) = lines.next() {
+            match line.strip_suffix('\\') {
+                Some(begun) => {
+                    text.push_str(begun);
+                    text.push_str(lines.next().unwrap_or_default().trim_start());
+                }
+                None => text.push_str(line),
+            }
+            text.push('\n');
+        }
+    }
+    text
+}
+
+#[test]
+fn messages_that_troubleshooting_explains_exist() {
+    let told = sources(&SPEAKERS);
+    let page = page("troubleshooting.md");
+    let messages: Vec<&str> = page
+        .lines()
+        .filter_map(|line| line.strip_prefix("| `"))
+        .filter_map(|line| line.split('`').next())
+        .collect();
+    assert!(messages.len() > 20, "the page has {} messages", messages.len());
+    let gone: Vec<&&str> = messages.iter().filter(|message| !told.contains(**message)).collect();
+    assert!(gone.is_empty(), "no source says {gone:?}");
+}
+
+#[test]
+fn calls_that_migration_names_exist() {
+    let known = sources(&LIBRARIES);
+    let page = page("migration.md");
+    let mut calls = 0;
+    for line in page.lines().filter(|line| line.starts_with('|')) {
+        let ours = line.trim_end_matches('|').rsplit('|').next().unwrap_or_default();
+        for code in ours.split('`').skip(1).step_by(2) {
+            for owner in ["map.", "lane.", "road.", "node.", "path."] {
+                let Some((before, call)) = code.split_once(owner) else { continue };
+                if before.ends_with(|c: char| c.is_alphanumeric() || c == '"') {
+                    continue;
+                }
+                let name: String =
+                    call.chars().take_while(|c| c.is_ascii_alphanumeric() || *c == '_').collect();
+                assert!(
+                    known.contains(&format!("fn {name}("))
+                        || known.contains(&format!("fn {name}<")),
+                    "no library has `{owner}{name}`: {line}"
+                );
+                calls += 1;
+            }
+        }
+    }
+    assert!(calls > 40, "the page names {calls} calls");
+}
