@@ -1,0 +1,125 @@
+//! Lists the public API of the libraries that other programs bind to, one text file each in `docs/api`, so that a change of it shows as a diff.
+//!
+//! ```text
+//! cargo run -p mapd-schemas --bin public_api            write what has changed
+//! cargo run -p mapd-schemas --bin public_api -- --check change nothing; end with 1 if something would change
+//! ```
+//!
+//! The lists have all features, and no items that are hidden from the documentation. Of a trait that is derived they have the `impl`, not
+//! its methods; traits that every type has by itself (`Send`, `From<T>` for T …) are left out.
+//!
+//! They are made from what `rustdoc` writes as JSON, which is unstable: rustdoc is told to act like a nightly one, and nothing else is, because
+//! cargo would build everything again with that variable. So this program starts itself as cargo's `rustdoc`.
+
+use anyhow::{Context, Result, bail};
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+
+/// The libraries whose API is listed.
+const LIBRARIES: [&str; 7] = [
+    "mapd-archive",
+    "mapd-client",
+    "mapd-compiler",
+    "mapd-geodesy",
+    "mapd-geometry",
+    "mapd-overlay",
+    "mapd-query",
+];
+
+/// Derived traits that say nothing to a user: those by which rows are laid out, and one of the compiler.
+const INTERNAL: [&str; 4] = ["StructuralPartialEq", "rkyv::", "bytecheck::", "bytemuck::"];
+
+/// Set if this program stands in for rustdoc: the path of the real one.
+const RUSTDOC: &str = "MAPD_PUBLIC_API_RUSTDOC";
+
+fn main() -> Result<ExitCode> {
+    if let Some(rustdoc) = std::env::var_os(RUSTDOC) {
+        let status = Command::new(rustdoc)
+            .args(std::env::args_os().skip(1))
+            .env("RUSTC_BOOTSTRAP", "1")
+            .status()
+            .context("starting rustdoc")?;
+        return Ok(if status.success() { ExitCode::SUCCESS } else { ExitCode::FAILURE });
+    }
+    let check = match std::env::args().skip(1).collect::<Vec<_>>().as_slice() {
+        [] => false,
+        [flag] if flag == "--check" => true,
+        other => bail!("unknown arguments {other:?}; usage: public_api [--check]"),
+    };
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .parent()
+        .context("the schemas folder has no parent")?;
+    let described = describe(root)?;
+    let mut stale = Vec::new();
+    for library in LIBRARIES {
+        let name = library.replace('-', "_");
+        let text = list(&described.join(format!("{name}.json")))
+            .with_context(|| format!("reading what rustdoc says of {library}"))?;
+        let path = root.join(format!("docs/api/{library}.txt"));
+        if std::fs::read_to_string(&path).ok().as_deref() == Some(text.as_str()) {
+            continue;
+        }
+        if !check {
+            std::fs::create_dir_all(root.join("docs/api"))?;
+            std::fs::write(&path, text).with_context(|| format!("writing {}", path.display()))?;
+        }
+        stale.push(library);
+    }
+    if check && !stale.is_empty() {
+        bail!(
+            "the public API is not what docs/api lists: {}; run `cargo run -p mapd-schemas --bin public_api`, and look at the diff",
+            stale.join(", ")
+        );
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Lets rustdoc describe all libraries; the folder with a JSON file for each.
+fn describe(root: &Path) -> Result<PathBuf> {
+    let this = std::env::current_exe().context("finding this program")?;
+    let target = this.ancestors().nth(2).context("this program is not in a target folder")?;
+    let rustdoc = std::env::var_os("RUSTDOC").unwrap_or_else(|| "rustdoc".into());
+    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command
+        .current_dir(root)
+        .args(["doc", "--quiet", "--no-deps", "--lib", "--all-features", "--target-dir"])
+        .arg(target);
+    for library in LIBRARIES {
+        command.args(["-p", library]);
+    }
+    let status = command
+        .env("RUSTDOCFLAGS", "-Zunstable-options --output-format json")
+        .env(RUSTDOC, rustdoc)
+        .env("RUSTDOC", &this)
+        .status()
+        .context("starting cargo")?;
+    if !status.success() {
+        bail!("cargo doc has failed");
+    }
+    Ok(target.join("doc"))
+}
+
+/// The list of one library: a line for each item, under its module and type.
+fn list(json: &Path) -> Result<String> {
+    let build = |omit_derived| {
+        public_api::Builder::from_rustdoc_json(json)
+            .sorted(true)
+            .omit_blanket_impls(true)
+            .omit_auto_trait_impls(true)
+            .omit_auto_derived_impls(omit_derived)
+            .build()
+            .context("a rustdoc of another age needs another release of public-api: see Cargo.toml")
+    };
+    let written: HashSet<String> = build(true)?.items().map(|item| item.to_string()).collect();
+    let mut text = String::new();
+    for item in build(false)?.items() {
+        let line = item.to_string();
+        let derived = line.starts_with("impl") && !INTERNAL.iter().any(|name| line.contains(name));
+        if written.contains(&line) || derived {
+            text.push_str(&line);
+            text.push('\n');
+        }
+    }
+    Ok(text)
+}
