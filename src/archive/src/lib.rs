@@ -30,6 +30,7 @@ compile_error!(
 );
 
 mod annotation_codes;
+mod annotations;
 mod classes;
 mod codes;
 mod directory;
@@ -59,6 +60,7 @@ mod verify_objects;
 mod write;
 
 pub use annotation_codes::{AnnotationKind, AnnotationOwner, JunctionGroupKind};
+pub use annotations::{AnnotationEntries, AnnotationEntry};
 pub use codes::{
     ContactPoint, GeoReferenceForm, LaneType, LinkKind, NONE, QuarantinedKind, RoadType, SpeedKind,
     lane_flags,

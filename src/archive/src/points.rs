@@ -231,7 +231,7 @@ fn biased(exponent: i32) -> u8 {
 
 /// The number that the first eight bytes are; those that are not there count as 0.
 #[inline]
-fn low(bytes: &[u8]) -> u64 {
+pub(crate) fn low(bytes: &[u8]) -> u64 {
     match bytes.first_chunk() {
         Some(bytes) => u64::from_le_bytes(*bytes),
         None => bytes.iter().rev().fold(0, |bits, byte| bits << u8::BITS | u64::from(*byte)),

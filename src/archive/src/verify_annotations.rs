@@ -2,24 +2,42 @@
 
 use crate::Tables;
 use crate::annotation_codes::{AnnotationKind, AnnotationOwner};
+use crate::annotations::{BLOCK, number_bits};
 use crate::error::VerifyError;
 use crate::verify::Check;
 
 /// Owners are there, in order; files are those that were included; members of groups know their group.
 pub(crate) fn annotations(tables: &Tables<'_>) -> Result<(), VerifyError> {
-    let mut before = (0, 0);
-    for (row, annotation) in tables.annotations.iter().enumerate() {
-        let check = Check { table: "annotations", row };
+    are_whole(tables)?;
+    let (mut before, mut line) = ((0, 0), 0);
+    let count = tables.all_annotations().len();
+    let mut all = tables.all_annotations();
+    for row in 0..count {
+        let check = Check { table: "annotation_numbers", row };
+        let Some(entry) = all.next() else {
+            return check.fail("", format!("a row below {}", tables.annotations.len()), "another");
+        };
+        if row % BLOCK == 0
+            && let Some(block) = tables.annotation_blocks.get(row / BLOCK)
+        {
+            let (stated, last) =
+                ((block.owner_kind(), block.owner(), block.line()), (before.0, before.1, line));
+            if stated != last {
+                let check = Check { table: "annotation_blocks", row: row / BLOCK };
+                return check.fail("owner", format!("{last:?}"), format!("{stated:?}"));
+            }
+        }
+        let annotation = entry.row;
         let kind = AnnotationOwner::from_code(annotation.owner_kind());
         // What a later release may annotate besides is not known here.
         if kind != AnnotationOwner::Unknown {
-            check.reference("owner", annotation.owner(), owners(tables, kind), false)?;
+            check.reference("owner", entry.owner, owners(tables, kind), false)?;
         }
-        let owner = (annotation.owner_kind(), annotation.owner());
+        let owner = (annotation.owner_kind(), entry.owner);
         if owner < before {
             return check.fail("owner", format!("at least {before:?}"), format!("{owner:?}"));
         }
-        before = owner;
+        (before, line) = (owner, entry.line);
         let file = usize::from(annotation.file());
         let is_of_a_file = annotation.kind() == AnnotationKind::SourceFile.code();
         let files = tables.included_files.len();
@@ -42,6 +60,25 @@ pub(crate) fn annotations(tables: &Tables<'_>) -> Result<(), VerifyError> {
                 return check.fail("group", number.to_string(), member.group());
             }
         }
+    }
+    Ok(())
+}
+
+/// Blocks are full but for the last, and have the bits that numbers need.
+fn are_whole(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    let blocks = tables.annotation_blocks;
+    for (row, block) in blocks.iter().enumerate() {
+        let count = usize::from(block.count());
+        let is_full = count == BLOCK || (row + 1 == blocks.len() && (1..BLOCK).contains(&count));
+        if !is_full {
+            let check = Check { table: "annotation_blocks", row };
+            return check.fail("count", format!("{BLOCK}, in the last at most that"), count);
+        }
+    }
+    let bits = tables.all_annotations().len() * number_bits(tables.annotations.len());
+    let (bytes, check) = (bits.div_ceil(8), Check { table: "annotation_numbers", row: 0 });
+    if tables.annotation_numbers.len() != bytes {
+        return check.fail("", format!("{bytes} bytes"), tables.annotation_numbers.len());
     }
     Ok(())
 }

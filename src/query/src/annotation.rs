@@ -13,14 +13,14 @@ use crate::road::Road;
 use crate::section::LaneSection;
 use crate::signals::{Controller, Signal};
 use mapd_archive::{
-    AnnotationKind, AnnotationOwner, ArchivedAnnotationRow, ArchivedIncludedFileRow, string,
+    AnnotationEntry, AnnotationKind, AnnotationOwner, ArchivedIncludedFileRow, string,
 };
 
 /// Something that the file says of one of its parts.
 #[derive(Clone, Copy)]
 pub struct Annotation<'a> {
     map: Map<'a>,
-    row: &'a ArchivedAnnotationRow,
+    entry: AnnotationEntry<'a>,
 }
 
 /// What an annotation belongs to.
@@ -54,13 +54,13 @@ pub enum Annotated {
 impl<'a> Annotation<'a> {
     /// What it is.
     pub fn kind(&self) -> AnnotationKind {
-        AnnotationKind::from_code(self.row.kind())
+        AnnotationKind::from_code(self.entry.row.kind())
     }
 
     /// The part of the map that it belongs to: the innermost around it that has a row. None for a damaged archive.
     pub fn owner(&self) -> Option<Annotated> {
-        let (row, content) = (self.row.owner(), self.map.content());
-        Some(match AnnotationOwner::from_code(self.row.owner_kind()) {
+        let (row, content) = (self.entry.owner, self.map.content());
+        Some(match AnnotationOwner::from_code(self.entry.row.owner_kind()) {
             AnnotationOwner::Document => Annotated::Document,
             AnnotationOwner::Road => Annotated::Road(RoadId { row, content }),
             AnnotationOwner::Section => Annotated::Section(LaneSectionId { row, content }),
@@ -78,38 +78,38 @@ impl<'a> Annotation<'a> {
 
     /// Kind of the part that it belongs to.
     pub fn owner_kind(&self) -> AnnotationOwner {
-        AnnotationOwner::from_code(self.row.owner_kind())
+        AnnotationOwner::from_code(self.entry.row.owner_kind())
     }
 
     /// Where it stands below the owner, such as `planView/geometry[2]`, numbers from 1; empty for the owner itself.
     pub fn path(&self) -> &'a str {
-        string(self.map.tables(), self.row.path())
+        string(self.map.tables(), self.entry.row.path())
     }
 
     /// Of user data its code; of an element its tag; of an attribute its name, empty for the text of an element; of an
     /// include the file as written; of a part from an included file that file's name.
     pub fn name(&self) -> &'a str {
-        string(self.map.tables(), self.row.name())
+        string(self.map.tables(), self.entry.row.name())
     }
 
     /// Value of user data or of an attribute; else empty.
     pub fn value(&self) -> &'a str {
-        string(self.map.tables(), self.row.value())
+        string(self.map.tables(), self.entry.row.value())
     }
 
     /// Of user data what stands inside, of an element the whole of it, as XML; empty where there is nothing.
     pub fn text(&self) -> &'a str {
-        string(self.map.tables(), self.row.text())
+        string(self.map.tables(), self.entry.row.text())
     }
 
     /// Line and column of the element's start tag, from 1, in [`Annotation::file`].
     pub fn source_position(&self) -> SourcePosition {
-        SourcePosition { line: self.row.line(), column: self.row.column() }
+        SourcePosition { line: self.entry.line, column: self.entry.row.column() }
     }
 
     /// The included file that it stands in; none for the document itself.
     pub fn file(&self) -> Option<IncludedFile<'a>> {
-        let number = usize::from(self.row.file()).checked_sub(1)?;
+        let number = usize::from(self.entry.row.file()).checked_sub(1)?;
         let row = self.map.tables().included_files.get(number)?;
         Some(IncludedFile { map: self.map, row })
     }
@@ -146,7 +146,7 @@ impl<'a> Map<'a> {
     /// sections, lanes, junctions and so on, in the order of [`AnnotationOwner`].
     pub fn annotations(&self) -> impl ExactSizeIterator<Item = Annotation<'a>> + use<'a> {
         let map = *self;
-        map.tables().annotations.iter().map(move |row| Annotation { map, row })
+        map.tables().all_annotations().map(move |entry| Annotation { map, entry })
     }
 
     /// What is said of the document: its header, its licenses, and what stands in its root.
@@ -167,12 +167,8 @@ pub(crate) fn annotations(
     kind: AnnotationOwner,
     owner: u32,
 ) -> impl ExactSizeIterator<Item = Annotation<'_>> {
-    let rows = map.tables().annotations;
-    let key = |row: &ArchivedAnnotationRow| (row.owner_kind(), row.owner());
-    let wanted = (kind.code(), owner);
-    let rows = rows.get(rows.partition_point(|row| key(row) < wanted)..).unwrap_or(&[]);
-    let own = rows.get(..rows.partition_point(|row| key(row) == wanted)).unwrap_or(&[]);
-    own.iter().map(move |row| Annotation { map, row })
+    let own = map.tables().annotations_of(kind.code(), owner);
+    own.map(move |entry| Annotation { map, entry })
 }
 
 macro_rules! annotated {

@@ -1,6 +1,8 @@
 //! The same archive, whatever form the map comes in and however many threads compile it.
 
-use mapd_archive::{AlignedBytes, HEADER_LENGTH, Header, Provenance, encode};
+use mapd_archive::{
+    AlignedBytes, AnnotationEntry, AnnotationRow, HEADER_LENGTH, Header, Provenance, encode,
+};
 use mapd_compiler::{CompileOptions, Extra, ReadOptions, compile_from};
 use mapd_tests::place::{PATIENCE, Place};
 use std::fs::{self, File};
@@ -71,7 +73,11 @@ fn without_places(source: &Path) -> AlignedBytes {
     rows.roads.iter_mut().for_each(|road| (road.line, road.column) = (0, 0));
     rows.junctions.iter_mut().for_each(|place| (place.line, place.column) = (0, 0));
     rows.edges.iter_mut().for_each(|edge| (edge.line, edge.column, edge.file) = (0, 0, 0));
-    rows.annotations.iter_mut().for_each(|place| (place.line, place.column) = (0, 0));
+    let annotations = rows.as_tables().all_annotations();
+    let nowhere =
+        |entry: AnnotationEntry<'_>| AnnotationRow { line: 0, column: 0, ..entry.in_full() };
+    let annotations: Vec<AnnotationRow> = annotations.map(nowhere).collect();
+    rows.set_annotations(&annotations);
     encode(&rows, &Provenance::default()).expect("encodes")
 }
 

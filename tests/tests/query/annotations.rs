@@ -205,8 +205,9 @@ fn what_is_left_out_is_not_there_and_all_else_is() {
     let counts = |bytes: &[u8]| {
         let archive = mapd_archive::verify(bytes).expect("proves");
         let t = archive.tables;
-        let of =
-            |kind: AnnotationKind| t.annotations.iter().filter(|a| a.kind() == kind.code()).count();
+        let of = |kind: AnnotationKind| {
+            t.all_annotations().filter(|a| a.row.kind() == kind.code()).count()
+        };
         [
             of(UserData),
             of(DataQuality),

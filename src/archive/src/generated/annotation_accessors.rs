@@ -5,7 +5,7 @@ use super::annotation_rows::*;
 use crate::table::Range;
 
 impl ArchivedAnnotationRow {
-    /// Row of the owner in the table that `owner_kind` means; 0 for the document.
+    /// Row of the owner in the table that `owner_kind` means, less that of the annotation before, modulo 2^32; the document counts as row 0.
     #[inline]
     pub fn owner(&self) -> u32 {
         self.owner.to_native()
@@ -30,7 +30,7 @@ impl ArchivedAnnotationRow {
     pub fn text(&self) -> u32 {
         self.text.to_native()
     }
-    /// Line of the element's start tag, from 1.
+    /// Line of the element's start tag, from 1, less that of the annotation before, modulo 2^32.
     #[inline]
     pub fn line(&self) -> u32 {
         self.line.to_native()
@@ -51,6 +51,29 @@ impl ArchivedAnnotationRow {
         self.kind
     }
     /// 0 the document, 1 road, 2 lane section, 3 lane, 4 junction, 5 connection, 6 object, 7 signal, 8 controller, 9 junction group, 10 station.
+    #[inline]
+    pub fn owner_kind(&self) -> u8 {
+        self.owner_kind
+    }
+}
+
+impl ArchivedAnnotationBlockRow {
+    /// Row of the owner of the annotation before; 0 in the first block.
+    #[inline]
+    pub fn owner(&self) -> u32 {
+        self.owner.to_native()
+    }
+    /// Line of the annotation before; 0 in the first block.
+    #[inline]
+    pub fn line(&self) -> u32 {
+        self.line.to_native()
+    }
+    /// Number of annotations in the block: 256 in all but the last.
+    #[inline]
+    pub fn count(&self) -> u16 {
+        self.count.to_native()
+    }
+    /// `owner_kind` of the annotation before; 0 in the first block.
     #[inline]
     pub fn owner_kind(&self) -> u8 {
         self.owner_kind

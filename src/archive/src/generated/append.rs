@@ -205,6 +205,8 @@ impl Rows {
             platforms: unused(),
             platform_segments: unused(),
             annotations: unused(),
+            annotation_numbers: unused(),
+            annotation_blocks: unused(),
             included_files: unused(),
             lane_visibilities: unused(),
             lane_rules: unused(),
@@ -651,6 +653,10 @@ impl Rows {
         let before = self.annotations.len();
         self.annotations.extend_from_slice(part.annotations.get(1..).unwrap_or_default());
         self.annotations.iter_mut().skip(before).for_each(|row| row.move_by(moves));
+        self.annotation_numbers
+            .extend_from_slice(part.annotation_numbers.get(1..).unwrap_or_default());
+        self.annotation_blocks
+            .extend_from_slice(part.annotation_blocks.get(1..).unwrap_or_default());
         let before = self.included_files.len();
         self.included_files.extend_from_slice(part.included_files.get(1..).unwrap_or_default());
         self.included_files.iter_mut().skip(before).for_each(|row| row.move_by(moves));

@@ -7,13 +7,13 @@ use crate::directory::{Feature, TableKind};
 pub const FORMAT: u32 = 2;
 /// Identifies what this release writes: numbers and row ids of all its tables.
 pub const LAYOUT_ID: [u8; 16] =
-    [131, 203, 238, 29, 105, 65, 21, 109, 18, 56, 216, 47, 139, 94, 17, 225];
+    [111, 124, 144, 189, 97, 86, 4, 26, 248, 26, 38, 146, 253, 33, 40, 98];
 
 /// What this release knows of what a reader must know of, by bit of the header's `must_understand`.
 pub const FEATURES: [Feature; 0] = [];
 
 /// The tables that this release knows, by number.
-pub(crate) const TABLES: [TableKind; 103] = [
+pub(crate) const TABLES: [TableKind; 105] = [
     TableKind::new(1, "string_bytes", 1, 0xb6f9a5667163132f, true),
     TableKind::new(2, "string_offsets", 4, 0x67743eeea1e68648, true),
     TableKind::new(3, "map", 216, 0x8e54515d07a23d48, true),
@@ -108,7 +108,7 @@ pub(crate) const TABLES: [TableKind; 103] = [
     TableKind::new(92, "features", 44, 0x0b868cf0387a8dfc, false),
     TableKind::new(93, "quarantined_files", 8, 0x3e0ee063bebb428d, false),
     TableKind::new(94, "quarantined_contents", 12, 0x04019c74bcebc7c1, false),
-    TableKind::new(95, "annotations", 32, 0x357273453ca9dc80, false),
+    TableKind::new(95, "annotations", 32, 0xc807e71743ec7c3e, false),
     TableKind::new(96, "included_files", 16, 0xfaf74350f2c52a10, false),
     TableKind::new(97, "lane_visibilities", 48, 0x4cf3d171fd17eefd, false),
     TableKind::new(98, "lane_rules", 16, 0x74affd9b118d4fd0, false),
@@ -117,4 +117,6 @@ pub(crate) const TABLES: [TableKind; 103] = [
     TableKind::new(101, "ring_lanes", 4, 0x4a3ba2d95ea39192, false),
     TableKind::new(102, "object_values", 16, 0x3a1f165bf76376b0, false),
     TableKind::new(103, "speed_signs_at_entry", 16, 0x6f52c57ab421dfd2, false),
+    TableKind::new(104, "annotation_numbers", 1, 0xbffb8cb6557739ca, false),
+    TableKind::new(105, "annotation_blocks", 12, 0x8a699ee01e41a9b0, false),
 ];

@@ -201,7 +201,7 @@ pub struct Rows {
     pub quarantined_files: Table<QuarantinedFileRow>,
     /// Objects and signals that are missing because the road or junction that they belong to is in quarantine, by that part.
     pub quarantined_contents: Table<QuarantinedContentRow>,
-    /// What files say of their parts beyond what has a table of its own, by owner, in file order: data of applications, quality of data, elements that the standard does not have, and attributes that nothing is built from.
+    /// What files say of their parts beyond what has a table of its own: data of applications, quality of data, elements that the standard does not have, and attributes that nothing is built from. A row is an annotation as it differs from the one before, and equal rows are there once; `annotation_numbers` has them in order.
     pub annotations: Table<AnnotationRow>,
     /// Files that the document included, in the order in which it did.
     pub included_files: Table<IncludedFileRow>,
@@ -219,6 +219,10 @@ pub struct Rows {
     pub object_values: Table<ObjectValueRow>,
     /// Speed signs that hold where a lane's traffic enters it, by lane; lanes on which none holds have no row. A map with signals of lanes has one row at least, if need be an empty one.
     pub speed_signs_at_entry: Table<SpeedSignsAtEntryRow>,
+    /// All annotations by owner (kind, then row), those of one owner in file order: rows of `annotations`, each in as many bits as the greatest row number there needs, without gaps, the lowest bit of the lowest byte first.
+    pub annotation_numbers: Table<u8>,
+    /// A row for each 256 annotations: what the first of them counts from, so that those of an owner are found without reading all.
+    pub annotation_blocks: Table<AnnotationBlockRow>,
 }
 
 impl Rows {
@@ -328,11 +332,13 @@ impl Rows {
             ring_lanes: (self.ring_lanes.as_slice()),
             object_values: bytemuck::cast_slice(self.object_values.as_slice()),
             speed_signs_at_entry: bytemuck::cast_slice(self.speed_signs_at_entry.as_slice()),
+            annotation_numbers: (self.annotation_numbers.as_slice()),
+            annotation_blocks: bytemuck::cast_slice(self.annotation_blocks.as_slice()),
         }
     }
 
     /// The bytes of all tables, as they lie in an archive, in the order of `TABLES`.
-    pub(crate) fn bytes(&self) -> [&[u8]; 103] {
+    pub(crate) fn bytes(&self) -> [&[u8]; 105] {
         [
             bytemuck::cast_slice(self.string_bytes.as_slice()),
             bytemuck::cast_slice(self.string_offsets.as_slice()),
@@ -437,6 +443,8 @@ impl Rows {
             bytemuck::cast_slice(self.ring_lanes.as_slice()),
             bytemuck::cast_slice(self.object_values.as_slice()),
             bytemuck::cast_slice(self.speed_signs_at_entry.as_slice()),
+            bytemuck::cast_slice(self.annotation_numbers.as_slice()),
+            bytemuck::cast_slice(self.annotation_blocks.as_slice()),
         ]
     }
 }

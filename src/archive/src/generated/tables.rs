@@ -205,7 +205,7 @@ pub struct Tables<'a> {
     pub quarantined_files: &'a [ArchivedQuarantinedFileRow],
     /// Objects and signals that are missing because the road or junction that they belong to is in quarantine, by that part.
     pub quarantined_contents: &'a [ArchivedQuarantinedContentRow],
-    /// What files say of their parts beyond what has a table of its own, by owner, in file order: data of applications, quality of data, elements that the standard does not have, and attributes that nothing is built from.
+    /// What files say of their parts beyond what has a table of its own: data of applications, quality of data, elements that the standard does not have, and attributes that nothing is built from. A row is an annotation as it differs from the one before, and equal rows are there once; `annotation_numbers` has them in order.
     pub annotations: &'a [ArchivedAnnotationRow],
     /// Files that the document included, in the order in which it did.
     pub included_files: &'a [ArchivedIncludedFileRow],
@@ -223,6 +223,10 @@ pub struct Tables<'a> {
     pub object_values: &'a [ArchivedObjectValueRow],
     /// Speed signs that hold where a lane's traffic enters it, by lane; lanes on which none holds have no row. A map with signals of lanes has one row at least, if need be an empty one.
     pub speed_signs_at_entry: &'a [ArchivedSpeedSignsAtEntryRow],
+    /// All annotations by owner (kind, then row), those of one owner in file order: rows of `annotations`, each in as many bits as the greatest row number there needs, without gaps, the lowest bit of the lowest byte first.
+    pub annotation_numbers: &'a [u8],
+    /// A row for each 256 annotations: what the first of them counts from, so that those of an owner are found without reading all.
+    pub annotation_blocks: &'a [ArchivedAnnotationBlockRow],
 }
 
 impl<'a> Tables<'a> {
@@ -332,11 +336,13 @@ impl<'a> Tables<'a> {
             ring_lanes: directory.take(&TABLES[100])?,
             object_values: directory.take(&TABLES[101])?,
             speed_signs_at_entry: directory.take(&TABLES[102])?,
+            annotation_numbers: directory.take(&TABLES[103])?,
+            annotation_blocks: directory.take(&TABLES[104])?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 103] {
+    pub fn infos(&self) -> [TableInfo; 105] {
         [
             TableInfo::of(1, "string_bytes", self.string_bytes),
             TableInfo::of(2, "string_offsets", self.string_offsets),
@@ -441,6 +447,8 @@ impl<'a> Tables<'a> {
             TableInfo::of(101, "ring_lanes", self.ring_lanes),
             TableInfo::of(102, "object_values", self.object_values),
             TableInfo::of(103, "speed_signs_at_entry", self.speed_signs_at_entry),
+            TableInfo::of(104, "annotation_numbers", self.annotation_numbers),
+            TableInfo::of(105, "annotation_blocks", self.annotation_blocks),
         ]
     }
 }

@@ -81,6 +81,9 @@ impl Tables<'_> {
             found.note("annotations", "kind", i, row.kind(), 7);
             found.note("annotations", "owner_kind", i, row.owner_kind(), 11);
         }
+        for (i, row) in self.annotation_blocks.iter().enumerate() {
+            found.note("annotation_blocks", "owner_kind", i, row.owner_kind(), 11);
+        }
         for (i, row) in self.junction_groups.iter().enumerate() {
             found.note("junction_groups", "kind", i, row.kind(), 5);
         }

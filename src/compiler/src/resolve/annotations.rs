@@ -7,7 +7,7 @@ use mapd_xodr::source::Places;
 use std::collections::HashMap;
 use std::path::Path;
 
-/// Names files, gives objects the rows that they will have, and orders annotations by their owners. `folder` is that of
+/// Names files, gives objects the rows that they will have, orders annotations by their owners and writes them. `folder` is that of
 /// the document.
 pub(crate) fn finish(draft: &mut Draft, places: &Places, folder: Option<&Path>) {
     included_files(draft, places, folder);
@@ -16,7 +16,8 @@ pub(crate) fn finish(draft: &mut Draft, places: &Places, folder: Option<&Path>) 
     }
     let objects = draft.objects.rows();
     let names: Vec<u32> = draft.rows.included_files.iter().map(|file| file.name).collect();
-    for row in draft.rows.annotations.iter_mut() {
+    let mut all = std::mem::take(&mut *draft.rows.annotations);
+    for row in &mut all {
         if row.owner_kind == AnnotationOwner::Object.code() {
             row.owner = objects.get(row.owner as usize).copied().unwrap_or(NONE);
         }
@@ -25,7 +26,8 @@ pub(crate) fn finish(draft: &mut Draft, places: &Places, folder: Option<&Path>) 
             row.name = names.get(file).copied().unwrap_or_default();
         }
     }
-    draft.rows.annotations.sort_by_key(|row| (row.owner_kind, row.owner));
+    all.sort_by_key(|row| (row.owner_kind, row.owner));
+    draft.rows.set_annotations(&all);
 }
 
 /// A row for each file that was included.

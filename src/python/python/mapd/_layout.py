@@ -98,7 +98,7 @@ TABLES: dict[str, tuple[int, int, Any]] = {
     "features": (92, 0x0b868cf0387a8dfc, [("bit", "<u4"), ("release", "<u2", (3,)), ("reserved", "<u2"), ("name", "u1", (32,))]),
     "quarantined_files": (93, 0x3e0ee063bebb428d, [("part", "<u4"), ("file", "<u4")]),
     "quarantined_contents": (94, 0x04019c74bcebc7c1, [("id", "<u4"), ("part", "<u4"), ("kind", "u1"), ("reserved", "u1", (3,))]),
-    "annotations": (95, 0x357273453ca9dc80, [("owner", "<u4"), ("path", "<u4"), ("name", "<u4"), ("value", "<u4"), ("text", "<u4"), ("line", "<u4"), ("column", "<u4"), ("file", "<u2"), ("kind", "u1"), ("owner_kind", "u1")]),
+    "annotations": (95, 0xc807e71743ec7c3e, [("owner", "<u4"), ("path", "<u4"), ("name", "<u4"), ("value", "<u4"), ("text", "<u4"), ("line", "<u4"), ("column", "<u4"), ("file", "<u2"), ("kind", "u1"), ("owner_kind", "u1")]),
     "included_files": (96, 0xfaf74350f2c52a10, [("name", "<u4"), ("line", "<u4"), ("column", "<u4"), ("file", "<u4")]),
     "lane_visibilities": (97, 0x4cf3d171fd17eefd, [("s", "<f8"), ("forward", "<f8"), ("back", "<f8"), ("left", "<f8"), ("right", "<f8"), ("lane", "<u4"), ("reserved", "<u4")]),
     "lane_rules": (98, 0x74affd9b118d4fd0, [("s", "<f8"), ("lane", "<u4"), ("value", "<u4")]),
@@ -107,4 +107,6 @@ TABLES: dict[str, tuple[int, int, Any]] = {
     "ring_lanes": (101, 0x4a3ba2d95ea39192, "<u4"),
     "object_values": (102, 0x3a1f165bf76376b0, [("value", "<f8"), ("object", "<u4"), ("unit", "<u4")]),
     "speed_signs_at_entry": (103, 0x6f52c57ab421dfd2, [("lane", "<u4"), ("limit", "<u4"), ("zone", "<u4"), ("zone_depends", "u1"), ("reserved", "u1", (3,))]),
+    "annotation_numbers": (104, 0xbffb8cb6557739ca, "u1"),
+    "annotation_blocks": (105, 0x8a699ee01e41a9b0, [("owner", "<u4"), ("line", "<u4"), ("count", "<u2"), ("owner_kind", "u1"), ("reserved", "u1")]),
 }
