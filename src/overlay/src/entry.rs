@@ -1,9 +1,9 @@
 //! What is said, as it was given.
 
+use crate::place::{EarthPlace, LanePlace};
 use crate::time::{Day, Moment, TimeOfDay};
 use mapd_archive::{OverlayKind, VehicleClass};
 use serde::{Deserialize, Serialize};
-use std::fmt;
 
 /// Bits of all classes of vehicles.
 pub(crate) const EVERYBODY: u16 = {
@@ -35,6 +35,9 @@ pub struct Entry {
     /// Stretches of lanes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub lanes: Vec<LanePlace>,
+    /// Lines and areas on Earth.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub places: Vec<EarthPlace>,
     /// Ids of signals.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub signals: Vec<String>,
@@ -112,43 +115,6 @@ impl Kind {
         match self {
             Self::Only => "only",
             other => other.stored().name(),
-        }
-    }
-}
-
-/// A stretch of a road's lanes: by road, or by the key of a lane.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct LanePlace {
-    /// The road.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub road: Option<RoadId>,
-    /// Number of the lane; all lanes of the road if not given.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub lane: Option<i32>,
-    /// Key of a lane, `road:section:lane`, in the place of both.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub key: Option<String>,
-    /// From where to where on the road `[m]`; all of it if not given.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub s: Option<[f64; 2]>,
-}
-
-/// Id of a road, as text or as a number.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(untagged)]
-pub enum RoadId {
-    /// As text.
-    Text(String),
-    /// As a number.
-    Number(i64),
-}
-
-impl fmt::Display for RoadId {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Text(text) => f.write_str(text),
-            Self::Number(number) => write!(f, "{number}"),
         }
     }
 }
@@ -254,11 +220,19 @@ impl Entry {
         if !of_signals && !self.signals.is_empty() {
             return field("signals", "only `signal-off` is about signals");
         }
-        if !of_signals && self.lanes.is_empty() && self.objects.is_empty() {
+        let nowhere = self.lanes.is_empty() && self.objects.is_empty() && self.places.is_empty();
+        if !of_signals && nowhere {
             return field("lanes", "names no place");
         }
-        if of_signals && !(self.lanes.is_empty() && self.objects.is_empty()) {
+        if of_signals && !nowhere {
             return field("lanes", "`signal-off` is about signals");
+        }
+        let on_earth = |(i, place): (usize, &EarthPlace)| {
+            let (field, why) = place.wrong()?;
+            Some((format!("places[{i}].{field}"), why.to_owned()))
+        };
+        if let Some(wrong) = self.places.iter().enumerate().find_map(on_earth) {
+            return Some(wrong);
         }
         let place = |(i, place): (usize, &LanePlace)| {
             let (field, why) = place.wrong()?;
@@ -270,25 +244,3 @@ impl Entry {
 
 /// Longest name of an entry \[bytes\].
 const LONGEST_ID: usize = 200;
-
-impl LanePlace {
-    fn wrong(&self) -> Option<(&'static str, &'static str)> {
-        match (&self.road, &self.key) {
-            (None, None) => return Some(("road", "names neither a road nor a key")),
-            (Some(_), Some(_)) => return Some(("key", "stands in the place of road and lane")),
-            _ => {}
-        }
-        if self.key.is_some() && self.lane.is_some() {
-            return Some(("lane", "the key names it"));
-        }
-        if self.lane == Some(0) {
-            return Some(("lane", "lane 0 is a line; nobody drives on it"));
-        }
-        match self.s {
-            Some([from, to]) if !(from.is_finite() && to.is_finite() && from < to) => {
-                Some(("s", "expected two numbers, the smaller first"))
-            }
-            _ => None,
-        }
-    }
-}

@@ -11,12 +11,17 @@
 
 mod document;
 mod entry;
+mod on_earth;
 mod pieces;
+mod place;
 mod places;
 mod resolve;
 mod time;
+mod wzdx;
 
 pub use document::{Document, DocumentError, Limits};
-pub use entry::{Entry, Kind, LanePlace, RoadId, Weekly};
+pub use entry::{Entry, Kind, Weekly};
+pub use place::{Across, AcrossWord, EarthPlace, LanePlace, RoadId};
 pub use resolve::{Policy, Resolved, Unplaced, resolve};
 pub use time::Moment;
+pub use wzdx::{Feed, FeedFinding, WZDX_TOLERANCE, is_feed, read_feed};

@@ -1,11 +1,17 @@
 //! Where an entry holds on a map: stretches of lanes.
 
-use crate::entry::{Entry, LanePlace};
-use mapd_query::SRange;
-use mapd_query::{Lane, LaneKey, Map, Road};
+use crate::entry::Entry;
+use crate::on_earth::{Placed, on_earth};
+use crate::place::LanePlace;
+use mapd_query::geodesy::Projector;
+use mapd_query::{Lane, LaneKey, Map, Road, SRange};
+use std::cell::OnceCell;
 
 /// Shortest stretch `[m]`: of a shorter one nothing might be left where lanes are cut.
-const SHORTEST: f64 = 0.1;
+pub(crate) const SHORTEST: f64 = 0.1;
+
+/// Length to which what is shorter is widened where it was not given as an s, such as an object `[m]`: enough to be left between cuts.
+pub(crate) const WIDENED: f64 = 0.3;
 
 /// How far beyond a road's end an s may lie `[m]`: lengths are written rounded.
 const ROUNDED: f64 = 0.01;
@@ -20,11 +26,37 @@ pub(crate) struct Stretch<'a> {
 /// What cannot be placed: field and reason.
 pub(crate) type Unfit = (String, String);
 
-/// All stretches of an entry.
+/// A map on which places are looked for.
+pub(crate) struct Ground<'a> {
+    pub(crate) map: Map<'a>,
+    /// Made once, where a place needs it.
+    projector: OnceCell<Result<Projector, String>>,
+}
+
+impl<'a> Ground<'a> {
+    pub(crate) fn new(map: Map<'a>) -> Self {
+        Self { map, projector: OnceCell::new() }
+    }
+
+    fn projector(&self) -> Result<&Projector, String> {
+        let make = || self.map.projector().map_err(|error| error.to_string());
+        self.projector.get_or_init(make).as_ref().map_err(Clone::clone)
+    }
+}
+
+/// All stretches of an entry, and what of it could not be placed.
 ///
 /// Errors: the first place that the map does not have.
-pub(crate) fn stretches<'a>(map: Map<'a>, entry: &Entry) -> Result<Vec<Stretch<'a>>, Unfit> {
-    let mut found = Vec::new();
+pub(crate) fn stretches<'a>(ground: &Ground<'a>, entry: &Entry) -> Result<Placed<'a>, Unfit> {
+    let (map, mut found, mut parts) = (ground.map, Vec::new(), Vec::new());
+    for (i, place) in entry.places.iter().enumerate() {
+        let named = |(field, why): Unfit| (format!("places[{i}].{field}"), why);
+        let none = |why| (format!("places[{i}]"), why);
+        let projector = ground.projector().map_err(none)?;
+        let placed = on_earth(map, projector, place).map_err(named)?;
+        found.extend(placed.stretches);
+        parts.extend(placed.parts.into_iter().map(named));
+    }
     for (i, place) in entry.lanes.iter().enumerate() {
         of_lanes(map, place, &mut found)
             .map_err(|(field, why)| (format!("lanes[{i}].{field}"), why))?;
@@ -37,7 +69,7 @@ pub(crate) fn stretches<'a>(map: Map<'a>, entry: &Entry) -> Result<Vec<Stretch<'
             if let Some(lane) = on.lane().filter(|lane| lane.nodes().next().is_some()) {
                 let SRange { low: s_from, high: s_to } = on.s_range();
                 let middle = 0.5 * (s_from + s_to);
-                let half = (0.5 * (s_to - s_from)).max(0.5 * SHORTEST);
+                let half = (0.5 * (s_to - s_from)).max(0.5 * WIDENED);
                 found.push(Stretch { lane, s_from: middle - half, s_to: middle + half });
             }
         }
@@ -45,7 +77,7 @@ pub(crate) fn stretches<'a>(map: Map<'a>, entry: &Entry) -> Result<Vec<Stretch<'
             return Err(unfit("the object lies on no lane"));
         }
     }
-    Ok(found)
+    Ok(Placed { stretches: found, parts })
 }
 
 fn of_lanes<'a>(

@@ -2,8 +2,9 @@
 
 use crate::document::Document;
 use crate::entry::{Entry, Kind};
+use crate::on_earth::Placed;
 use crate::pieces::{self, Mark, Marks};
-use crate::places::{Stretch, Unfit, stretches};
+use crate::places::{Ground, Stretch, Unfit, stretches};
 use mapd_archive::{
     OverlayEntryRow, OverlayKind, OverlayRow, OverlayRows, Range, SignalEntryRow, StringTable,
     VehicleClass, WeeklyRow,
@@ -19,7 +20,7 @@ pub struct Policy {
     pub may_loosen: bool,
 }
 
-/// An entry that does not fit the map.
+/// An entry that does not fit the map, or not all of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unplaced {
     /// Its name.
@@ -30,27 +31,33 @@ pub struct Unplaced {
     pub field: String,
     /// Why.
     pub why: String,
+    /// Whether this is so of a part of a line only; the rest of the entry holds.
+    pub is_part: bool,
 }
 
 /// Entries, resolved.
 pub struct Resolved {
     /// What can be published for this map.
     pub rows: OverlayRows,
-    /// Entries that are left out, in their order.
+    /// Entries that are left out, and parts that are, in their order.
     pub unplaced: Vec<Unplaced>,
 }
 
-/// Resolves a document against a map. An entry that does not fit is left out whole.
+/// Resolves a document against a map. An entry that does not fit is left out whole; only of a line the part that is on the map's lanes holds.
 pub fn resolve(map: Map<'_>, document: &Document, policy: Policy) -> Resolved {
     let mut rows = OverlayRows::default();
     let mut strings = StringTable::default();
     let (mut marks, mut unplaced) = (Marks::new(), Vec::new());
+    let ground = Ground::new(map);
     for (number, entry) in document.entries.iter().enumerate() {
-        match place(map, entry, policy) {
+        let id = || entry.id.clone();
+        match place(&ground, entry, policy) {
             Err((field, why)) => {
-                unplaced.push(Unplaced { id: entry.id.clone(), number, field, why });
+                unplaced.push(Unplaced { id: id(), number, field, why, is_part: false });
             }
             Ok(found) => {
+                let part = |(field, why)| Unplaced { id: id(), number, field, why, is_part: true };
+                unplaced.extend(found.parts.into_iter().map(part));
                 let own = add(entry, &mut strings, &mut rows);
                 mark(&found.stretches, own, &mut marks);
                 let of_signal = |signal| SignalEntryRow { signal, entry: own };
@@ -71,20 +78,21 @@ pub fn resolve(map: Map<'_>, document: &Document, policy: Policy) -> Resolved {
 struct Found<'a> {
     stretches: Vec<Stretch<'a>>,
     signals: Vec<u32>,
+    parts: Vec<Unfit>,
 }
 
-fn place<'a>(map: Map<'a>, entry: &Entry, policy: Policy) -> Result<Found<'a>, Unfit> {
-    let stretches = stretches(map, entry)?;
+fn place<'a>(ground: &Ground<'a>, entry: &Entry, policy: Policy) -> Result<Found<'a>, Unfit> {
+    let Placed { stretches, parts } = stretches(ground, entry)?;
     let mut signals = Vec::new();
     for (i, id) in entry.signals.iter().enumerate() {
-        let known = map.signal_by_id(id);
+        let known = ground.map.signal_by_id(id);
         let unfit = || (format!("signals[{i}]"), "the map has no such signal".to_owned());
         signals.push(known.ok_or_else(unfit)?.signal_id().row());
     }
     if !policy.may_loosen {
         loosens(entry, &stretches).map_or(Ok(()), Err)?;
     }
-    Ok(Found { stretches, signals })
+    Ok(Found { stretches, signals, parts })
 }
 
 /// What an entry allows that the map does not.

@@ -25,6 +25,7 @@ mod object_shapes;
 mod ontology;
 mod overlays;
 mod overlays_oracle;
+mod overlays_places;
 mod path_ahead;
 mod paths;
 mod polylines;

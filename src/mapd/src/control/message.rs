@@ -74,6 +74,9 @@ pub struct ListedEntry {
     pub entry: Entry,
     /// Why it does not fit the map that is served, and is left out; `None` where it does.
     pub unplaced: Option<String>,
+    /// Why a part of its lines could not be placed; the rest holds.
+    #[serde(default)]
+    pub part: Option<String>,
 }
 
 /// What a daemon answers.

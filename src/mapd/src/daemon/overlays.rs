@@ -129,8 +129,9 @@ impl Overlays {
             tracing::warn!(
                 map,
                 entry = unfit.id,
-                "map {map}: overlay entry {:?} does not fit the new map and is left out: {}: {}",
+                "map {map}: overlay entry {:?} does not fit the new map and is left out{}: {}: {}",
                 unfit.id,
+                if unfit.is_part { " in part" } else { "" },
                 unfit.field,
                 unfit.why
             );
@@ -212,7 +213,8 @@ impl Maps {
         let served = Client::connect_as(Attach::Observer, &self.domain, map, OWN_MAP)?;
         let snapshot = served.snapshot();
         let (overlay, unplaced) = make(snapshot.map(), &mut next, self.overlays.rules.policy);
-        if let Some(unfit) = unplaced.iter().find(|unfit| applied.contains(&unfit.id)) {
+        let is_refused = |unfit: &&Unplaced| !unfit.is_part && applied.contains(&unfit.id);
+        if let Some(unfit) = unplaced.iter().find(is_refused) {
             return Ok(Some(format!("entry {:?}, {}: {}", unfit.id, unfit.field, unfit.why)));
         }
         next.unplaced = unplaced;
@@ -234,9 +236,12 @@ impl Maps {
             return Response::Refused { reason: "nothing is served".to_owned() };
         };
         let entries = kept.document.entries.iter().map(|entry| {
-            let unfit = kept.unplaced.iter().find(|unfit| unfit.id == entry.id);
-            let unplaced = unfit.map(|unfit| format!("{}: {}", unfit.field, unfit.why));
-            ListedEntry { entry: entry.clone(), unplaced }
+            let why = |is_part| {
+                let own = |unfit: &&Unplaced| unfit.id == entry.id && unfit.is_part == is_part;
+                let unfit = kept.unplaced.iter().find(own)?;
+                Some(format!("{}: {}", unfit.field, unfit.why))
+            };
+            ListedEntry { entry: entry.clone(), unplaced: why(false), part: why(true) }
         });
         Response::Overlay(OverlayReport { revision: kept.revision, entries: entries.collect() })
     }

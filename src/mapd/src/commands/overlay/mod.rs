@@ -1,12 +1,16 @@
 //! `mapd overlay`: what is laid over a map that is served.
 
-use crate::args::{DomainArgs, Seconds};
+mod feed;
+
+use crate::args::{DomainArgs, Seconds, not_negative};
 use crate::clock::since_epoch;
 use crate::control::{ListedEntry, OverlayAction, OverlayReport, Request, Response, ask};
 use crate::exit::{Exit, UsageError};
 use anyhow::{Context, Result, bail};
 use clap::{Args, Subcommand};
-use mapd_overlay::Moment;
+use feed::matched;
+use mapd_client::{Attach, Client};
+use mapd_overlay::{FeedFinding, Moment, WZDX_TOLERANCE};
 use serde_json::{Value, json};
 use std::fs::File;
 use std::io::{self, Read, Write};
@@ -16,8 +20,11 @@ use std::time::Duration;
 /// Longest wait for the daemon, where nothing else is said.
 const ANSWER: Duration = Duration::from_secs(60);
 
-/// Longest document that is read \[bytes\]: longer ones no daemon takes.
-const LONGEST: u64 = 5 << 20;
+/// Longest document that is sent \[bytes\]: longer ones no daemon takes.
+const LONGEST: usize = 5 << 20;
+
+/// Longest file that is read \[bytes\]: of a feed of a whole state, what fits the map is sent.
+const LONGEST_FILE: u64 = 64 << 20;
 
 /// What is laid over which map.
 #[derive(Args)]
@@ -35,10 +42,14 @@ pub(crate) struct OverlayCommand {
 
 #[derive(Subcommand)]
 enum Action {
-    /// Take over the entries of a JSON file, or of stdin (-); those of the same id are replaced. All of them, or none
+    /// Take over the entries of a JSON file, or of stdin (-); those of the same id are replaced. All of them, or none. Of a WZDx
+    /// feed, those that the map has a place for; the others are told
     Apply {
-        /// The file (schemas/overlay.schema.json), or - for stdin
+        /// The file (schemas/overlay.schema.json, or a WZDx 4.2 feed of work zones), or - for stdin
         file: PathBuf,
+        /// Of a feed, how far beside its lines lanes may lie [m]
+        #[arg(long, value_name = "M", default_value_t = WZDX_TOLERANCE, value_parser = not_negative)]
+        tolerance: f64,
     },
     /// List the entries, and which of them hold
     List {
@@ -84,11 +95,7 @@ impl OverlayCommand {
     /// Errors: what was given is wrong (usage); no daemon, no answer, no such map.
     pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
         match &self.action {
-            Action::Apply { file } => {
-                let document = read(file)?;
-                let report = self.ask(OverlayAction::Apply { document })?;
-                writeln!(out, "{}: {} entries", self.name, report.entries.len())?;
-            }
+            Action::Apply { file, tolerance } => self.apply(file, *tolerance, out)?,
             Action::List { how } => {
                 let report = self.ask(OverlayAction::List)?;
                 if how.json {
@@ -121,6 +128,32 @@ impl OverlayCommand {
         Ok(Exit::Done)
     }
 
+    fn apply(&self, file: &Path, tolerance: f64, out: &mut dyn Write) -> Result<()> {
+        let mut document = read(file)?;
+        let mut findings = None;
+        if mapd_overlay::is_feed(&document) {
+            let wrong = |error| UsageError(format!("{}: {error:#}", file.display()));
+            let (domain, own) = (self.domain.domain()?, Attach::Observer);
+            let client = Client::connect_as(own, &domain, &self.name, self.wait.0)?;
+            let fits = matched(client.snapshot().map(), &document, tolerance).map_err(wrong)?;
+            (document, findings) = (fits.document.to_json(), Some(fits.findings));
+        }
+        if document.len() > LONGEST {
+            bail!(UsageError(format!("{}: longer than {LONGEST} bytes", file.display())));
+        }
+        let report = self.ask(OverlayAction::Apply { document })?;
+        writeln!(out, "{}: {} entries", self.name, report.entries.len())?;
+        for FeedFinding { place, why } in findings.iter().flatten() {
+            writeln!(out, "{}: {place}: {why}", file.display())?;
+        }
+        for one in report.entries.iter().filter(|_| findings.is_none()) {
+            if let Some(why) = &one.part {
+                writeln!(out, "entry {:?}, not all of it: {why}", one.entry.id)?;
+            }
+        }
+        Ok(())
+    }
+
     fn ask(&self, action: OverlayAction) -> Result<OverlayReport> {
         let domain = self.domain.domain()?;
         mapd_transport::check_map_name(&self.name)?;
@@ -136,21 +169,21 @@ impl OverlayCommand {
     }
 }
 
-/// The document: UTF-8, not longer than any daemon takes.
+/// The document: UTF-8, of bounded length.
 fn read(file: &Path) -> Result<String> {
     let mut text = String::new();
     let reading = || format!("reading {}", file.display());
     let read = if file == Path::new("-") {
-        io::stdin().lock().take(LONGEST + 1).read_to_string(&mut text)
+        io::stdin().lock().take(LONGEST_FILE + 1).read_to_string(&mut text)
     } else {
-        File::open(file).and_then(|file| file.take(LONGEST + 1).read_to_string(&mut text))
+        File::open(file).and_then(|file| file.take(LONGEST_FILE + 1).read_to_string(&mut text))
     };
     match read {
         Err(error) if error.kind() == io::ErrorKind::InvalidData => {
             bail!(UsageError(format!("{}: not UTF-8 text", file.display())))
         }
-        Ok(length) if length as u64 > LONGEST => {
-            bail!(UsageError(format!("{}: longer than {LONGEST} bytes", file.display())))
+        Ok(length) if length as u64 > LONGEST_FILE => {
+            bail!(UsageError(format!("{}: longer than {LONGEST_FILE} bytes", file.display())))
         }
         read => read.with_context(reading)?,
     };
@@ -173,6 +206,9 @@ fn entry_as_json(one: &ListedEntry, at: Moment) -> Value {
     if let Some(why) = &one.unplaced {
         value["why"] = json!(why);
     }
+    if let Some(why) = &one.part {
+        value["part"] = json!(why);
+    }
     value
 }
 
@@ -193,8 +229,9 @@ fn line(one: &ListedEntry, at: Moment, out: &mut dyn Write) -> io::Result<()> {
             write!(out, ", {what} {said:?}")?;
         }
     }
-    match &one.unplaced {
-        Some(why) => writeln!(out, ": {why}"),
-        None => writeln!(out),
+    match (&one.unplaced, &one.part) {
+        (Some(why), _) => writeln!(out, ": {why}"),
+        (None, Some(why)) => writeln!(out, ", not all of it: {why}"),
+        (None, None) => writeln!(out),
     }
 }
