@@ -2,9 +2,11 @@
 
 use crate::maps::Random;
 use mapd_client::SRange;
-use mapd_client::glam::DVec2;
+use mapd_client::glam::{DMat3, DVec2, DVec3};
 use mapd_client::graph::LaneNode;
-use mapd_client::localisation::{TraceFix, TraceOptions, TraceScratch};
+use mapd_client::localisation::{
+    TraceFix, TraceOptions, TraceScratch, Tracker, TrackerFix, TrackerOptions, VehiclePose,
+};
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{LaneId, LaneTypes, Map, NearestOptions, NodeId};
 use std::f64::consts::TAU;
@@ -117,6 +119,56 @@ pub fn receive(truth: &[Truth], every: usize, noise: f64, random: &mut Random) -
         TraceFix { time: truth.time, position: (truth.position + away).into(), heading: None }
     };
     truth.iter().step_by(every).map(&mut one).collect()
+}
+
+/// What a localiser says of every n-th place: with normal noise `[m]` and `[rad]`, and the covariance of that; with an exact odometer
+/// or none.
+pub fn localise(
+    truth: &[Truth],
+    every: usize,
+    [noise, turn]: [f64; 2],
+    odometer: bool,
+    random: &mut Random,
+) -> Vec<TrackerFix> {
+    let deviations = DVec3::new(noise, noise, turn);
+    let covariance = DMat3::from_diagonal(deviations * deviations);
+    let mut one = |(i, truth): (usize, &Truth)| {
+        let away = DVec2::new(normal(random), normal(random)) * noise;
+        let heading = truth.heading + turn * normal(random);
+        TrackerFix {
+            time: truth.time,
+            pose: VehiclePose { position: (truth.position + away).into(), heading },
+            covariance,
+            odometer: odometer.then_some(i as f64 * SPEED * STEP),
+        }
+    };
+    truth.iter().enumerate().step_by(every).map(&mut one).collect()
+}
+
+/// Share of fixes whose lane a tracker finds, each by those before it, and the mean of the probabilities that it gives them.
+pub fn tracked(
+    map: Map<'_>,
+    noise: [f64; 2],
+    every: usize,
+    odometer: bool,
+    drives: u64,
+) -> [f64; 2] {
+    let (mut tracker, options) = (Tracker::new(), TrackerOptions::default());
+    let (mut right, mut said, mut all) = (0.0, 0.0, 0.0);
+    for seed in 1..=drives {
+        let random = &mut Random(seed * 7919);
+        let truth = drive(map, 120.0, random);
+        let fixes = localise(&truth, every, noise, odometer, random);
+        tracker.reset();
+        for (fix, truth) in fixes.iter().zip(truth.iter().step_by(every)) {
+            tracker.update(map, fix, &options).expect("an answer");
+            let best = tracker.hypotheses().first();
+            right += f64::from(u8::from(best.is_some_and(|best| best.lane == truth.lane)));
+            said += best.map_or(0.0, |best| best.probability);
+            all += 1.0;
+        }
+    }
+    [right, said].map(|sum| sum / f64::max(all, 1.0))
 }
 
 /// Shares of fixes whose lane is right: of the trace matched as a whole, and of the nearest lane to each fix.

@@ -2,7 +2,10 @@
 #![allow(unsafe_code)]
 
 use mapd_archive::encode;
-use mapd_client::localisation::{GroundScratch, MarkFilter, MatchOptions, VehiclePose};
+use mapd_client::batch::{BatchScratch, NearestLanes, Places, PoseMatches};
+use mapd_client::localisation::{
+    GroundScratch, MarkFilter, MatchOptions, Tracker, TrackerOptions, VehiclePose,
+};
 use mapd_client::route::{LanePlace, LaneSequences, RouteScratch, ShortestTime, next_lane_change};
 use mapd_client::signals::SignalsAhead;
 use mapd_client::vocabulary::ClassSet;
@@ -263,4 +266,46 @@ fn paths_do_not_allocate_after_the_first_call() {
     let after = COUNT.with(Cell::get);
     assert!(first > 100 && first == again, "the paths have nothing to count");
     assert_eq!(after - before, 0, "paths allocated");
+}
+
+/// A tracker takes all its memory when it is made; batches grow once.
+#[test]
+fn trackers_and_batches_do_not_allocate_after_the_start() {
+    let snapshot = mapd_tests::maps::open(&mapd_tests::carried("town.xodr"));
+    let (map, random) = (snapshot.map(), &mut mapd_tests::maps::Random(5));
+    let truth = mapd_tests::drives::drive(map, 60.0, random);
+    let fixes = [[0.3, 0.05], [20.0, 0.5]]
+        .map(|noise| mapd_tests::drives::localise(&truth, 1, noise, true, random));
+    let (options, mut tracker) = (TrackerOptions::default(), Tracker::new());
+    let (mut x, mut y, mut poses) = (Vec::new(), Vec::new(), Vec::new());
+    for fix in fixes.iter().flatten() {
+        x.push(fix.pose.position.xy.x);
+        y.push(fix.pose.position.xy.y);
+        poses.push(fix.pose);
+    }
+    let places = Places { x: &x, y: &y, z: None, heading: None };
+    let (mut scratch, mut lanes, mut matches) =
+        (BatchScratch::default(), NearestLanes::default(), PoseMatches::default());
+    let mut batches = || {
+        let options = NearestOptions::default();
+        map.nearest_lanes(places, &options, &mut scratch, &mut lanes).expect("answers");
+        let options = MatchOptions::default();
+        map.match_poses(&poses, &[DMat3::IDENTITY], &options, &mut scratch, &mut matches)
+            .expect("answers");
+        lanes.lane.iter().flatten().count() + matches.of(0).len()
+    };
+    let first = batches();
+    let before = COUNT.with(Cell::get);
+    let mut seen = 0;
+    for fixes in &fixes {
+        tracker.reset();
+        for fix in fixes {
+            tracker.update(map, fix, &options).expect("an answer");
+            seen += tracker.hypotheses().len();
+        }
+    }
+    let again = batches();
+    let after = COUNT.with(Cell::get);
+    assert!(seen > fixes[0].len() && first == again, "there is nothing to count");
+    assert_eq!(after - before, 0, "tracker or batches allocated");
 }

@@ -15,6 +15,9 @@ pub enum QueryError {
     /// A coordinate that is not a finite number, of one of several places: by its number from 0.
     #[error("the coordinates of place {0} are not finite numbers")]
     NotFiniteAt(usize),
+    /// A column of a batch that is not as long as the others, or not there: by its name.
+    #[error("the column {0} is not as long as the others")]
+    Length(&'static str),
     /// A coordinate that is not a finite number.
     #[error("the coordinates are not finite numbers")]
     NotFinite,

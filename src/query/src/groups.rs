@@ -37,7 +37,7 @@ pub mod localisation {
     pub use crate::marks::{MarkFilter, MarkKinds, NearMark, Side};
     pub use crate::matching::{
         LaneMatch, MatchError, MatchOptions, TraceFix, TraceMatch, TraceOptions, TracePlace,
-        TraceScratch, VehiclePose,
+        TraceScratch, Tracked, Tracker, TrackerFix, TrackerOptions, VehiclePose,
     };
 }
 

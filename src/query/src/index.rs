@@ -348,7 +348,7 @@ fn outside_heights(leaf: &ArchivedIndexLeafRow, low: f64, high: f64) -> u32 {
 }
 
 /// A little more than the rounding of the products in [`places_around`], as a share.
-const PRODUCTS: f32 = 1.0 + 1.0 / (1 << 20) as f32;
+pub(crate) const PRODUCTS: f32 = 1.0 + 1.0 / (1 << 20) as f32;
 
 /// The places of a leaf whose rectangle around the segment holds the point, as bits: those whose lower bound is 0. No root
 /// and no quotient is taken. With `heights`, without those outside.

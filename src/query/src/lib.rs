@@ -14,8 +14,8 @@
 //! # By task
 //!
 //! Where am I?
-//! - The nearest lane to a point: [`Map::nearest_lane`]. The lanes that an uncertain pose may be in: [`Map::match_pose`]. The lanes of a
-//!   recorded trace: [`Map::match_trace`]. See [`localisation`].
+//! - The nearest lane to a point: [`Map::nearest_lane`]. The lanes that an uncertain pose may be in: [`Map::match_pose`]. The lane of a
+//!   running drive: [`localisation::Tracker`]. The lanes of a recorded trace: [`Map::match_trace`]. See [`localisation`]. Thousands of places at once: [`batch`].
 //! - What sensors see there: [`Map::ground_at`], [`Map::nearest_mark`], [`Map::landmarks_near`].
 //! - Frenet coordinates: [`Road::to_track`] and [`Road::to_inertial`] on a road, [`Lane::position_of`] on a lane. Latitudes and longitudes: `geodesy`, with
 //!   the feature of that name.
@@ -48,6 +48,7 @@
 
 mod annotation;
 mod area;
+pub mod batch;
 mod by_row;
 mod class_set;
 mod cross_section;
@@ -82,6 +83,7 @@ mod polyline;
 mod profile;
 mod quarantine;
 pub mod railway;
+mod rank;
 mod region;
 mod road;
 mod road_mark;

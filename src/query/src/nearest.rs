@@ -1,12 +1,13 @@
 //! The nearest lane to a point.
 
-use crate::area::{self, Place};
+use crate::area::{self, Place, Slab};
 use crate::error::QueryError;
 use crate::fetch::{TOGETHER, fetch};
 use crate::ids::LaneId;
 use crate::index;
 use crate::lane::Lane;
 use crate::map::Map;
+use crate::rank::Rank;
 use crate::types::{LanePosition, Point};
 use glam::DVec2;
 use mapd_archive::{LaneType, NONE, VehicleClass};
@@ -134,41 +135,6 @@ pub struct Nearest {
     pub position: LanePosition,
 }
 
-/// What candidates are compared by.
-#[derive(Clone, Copy)]
-pub(crate) struct Rank {
-    lane: u32,
-    distance: f64,
-    heading_difference: f64,
-    z_difference: f64,
-    offset: f64,
-    s: f64,
-    t: f64,
-}
-
-impl Rank {
-    /// Distance; then heading difference, z difference, |offset|, key, and where two stretches of one lane meet, s and t: the
-    /// answer does not depend on which is visited first.
-    #[inline]
-    pub(crate) fn order(&self, other: &Self, map: Map<'_>) -> Ordering {
-        self.distance
-            .total_cmp(&other.distance)
-            .then(self.heading_difference.total_cmp(&other.heading_difference))
-            .then(self.z_difference.total_cmp(&other.z_difference))
-            .then(self.offset.abs().total_cmp(&other.offset.abs()))
-            .then_with(|| self.order_by_key(other, map))
-    }
-
-    #[cold]
-    fn order_by_key(&self, other: &Self, map: Map<'_>) -> Ordering {
-        let key = |rank: &Self| {
-            let lane = Lane::new(map, rank.lane)?;
-            Some((lane.road.id(), lane.section.number(), lane.number()))
-        };
-        key(self).cmp(&key(other)).then(self.s.total_cmp(&other.s)).then(self.t.total_cmp(&other.t))
-    }
-}
-
 /// A lane's stretch, as near as it comes.
 #[derive(Clone, Copy)]
 pub(crate) struct Candidate<'a> {
@@ -199,6 +165,18 @@ impl<'a> Candidate<'a> {
             || options.vehicle.is_some_and(|vehicle| is_closed(lane, place.s(), vehicle));
         let lane = lane.row_number();
         (!excluded).then_some(Self { lane, place, heading_difference, z_difference })
+    }
+
+    /// As [`Self::new`], in a stretch that holds the point.
+    #[inline]
+    pub(crate) fn around(
+        lane: &Lane<'a>,
+        slab: &Slab<'a>,
+        point: Point,
+        local: DVec2,
+        options: &NearestOptions,
+    ) -> Option<Self> {
+        Self::new(lane, area::place_inside(lane, slab, local)?, point, options)
     }
 
     #[inline]
@@ -240,11 +218,22 @@ impl<'a> Candidate<'a> {
 
 /// The best candidate so far.
 #[derive(Default)]
-struct Best<'a>(Option<Candidate<'a>>);
+pub(crate) struct Best<'a>(Option<Candidate<'a>>);
 
 impl<'a> Best<'a> {
+    /// The candidate, if there was one.
     #[inline]
-    fn consider(&mut self, found: Option<Candidate<'a>>, map: Map<'a>, options: &NearestOptions) {
+    pub(crate) fn found(self) -> Option<Candidate<'a>> {
+        self.0
+    }
+
+    #[inline]
+    pub(crate) fn consider(
+        &mut self,
+        found: Option<Candidate<'a>>,
+        map: Map<'a>,
+        options: &NearestOptions,
+    ) {
         let Some(found) = found.filter(|found| found.distance() <= options.radius) else { return };
         if self.0.as_ref().is_none_or(|best| found.order(best, map) == Ordering::Less) {
             self.0 = Some(found);
@@ -268,17 +257,30 @@ impl<'a> Map<'a> {
         options.check(point)?;
         let local = point.xy - self.origin();
         // Whether a lane holds the point is cheaper to tell than how far off it is, and mostly one does.
-        let mut found = self.lane_around(point, local, options);
+        let around = self.lane_around(point, local, options);
+        Ok(self.nearest_of(around, point, local, options))
+    }
+
+    /// The nearest lane, where the best of the lanes that hold the point is known.
+    #[inline]
+    pub(crate) fn nearest_of(
+        &self,
+        around: Option<Candidate<'a>>,
+        point: Point,
+        local: DVec2,
+        options: &NearestOptions,
+    ) -> Option<Nearest> {
+        let mut found = around;
         // Just beside an edge, by no more than rounding, another lane may be nearer.
         if found.as_ref().is_none_or(|found| found.distance() != 0.0) {
             found = self.lane_beside(found, point, local, options);
         }
-        Ok(found.and_then(|found| found.nearest(*self)))
+        found.and_then(|found| found.nearest(*self))
     }
 
     /// The best of the lanes that hold a point.
     #[inline]
-    fn lane_around(
+    pub(crate) fn lane_around(
         &self,
         point: Point,
         local: DVec2,
@@ -407,7 +409,7 @@ impl<'a> Map<'a> {
     ) -> Option<Candidate<'a>> {
         let lane = Lane::new(*self, lane).filter(|lane| options.types.contains(lane.kind()))?;
         let slab = area::slab(&lane, usize::from(segment))?;
-        Candidate::new(&lane, area::place_inside(&lane, &slab, local)?, point, options)
+        Candidate::around(&lane, &slab, point, local, options)
     }
 }
 

@@ -1,6 +1,7 @@
 //! What a compiled map answers: lanes, positions, graph, routes, signals, objects, heights.
 
 mod annotations;
+mod batches;
 mod brute_force;
 mod conflicts;
 mod coverage;
@@ -43,4 +44,5 @@ mod single_side;
 mod speed_rules;
 mod surfaces;
 mod traces;
+mod tracking;
 mod who_may;

@@ -39,6 +39,12 @@ pub enum MatchError {
     /// A fix of a trace, by its number from 0, is earlier than the one before.
     #[error("fix {0} is earlier than the one before")]
     Time(usize),
+    /// A fix of a running drive is earlier than the one before.
+    #[error("the fix is earlier than the one before")]
+    Earlier,
+    /// Covariances that are neither one nor as many as the poses.
+    #[error("there are neither one nor as many covariances as poses")]
+    Covariances,
     /// The query itself failed.
     #[error(transparent)]
     Query(QueryError),

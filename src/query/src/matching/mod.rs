@@ -8,14 +8,18 @@
 
 mod density;
 mod error;
+mod spread;
 mod stretch;
 mod trace;
+mod tracker;
 
 pub use error::MatchError;
 pub use trace::{TraceFix, TraceMatch, TraceOptions, TracePlace, TraceScratch};
+pub use tracker::{Tracked, Tracker, TrackerFix, TrackerOptions};
 
 use crate::area;
 use crate::error::QueryError;
+use crate::graph::LaneNode;
 use crate::ids::LaneId;
 use crate::index;
 use crate::lane::Lane;
@@ -116,23 +120,35 @@ impl Map<'_> {
         options: &MatchOptions<'_>,
         out: &mut Vec<LaneMatch>,
     ) -> Result<f64, MatchError> {
+        self.match_at_most(usize::MAX, pose, covariance, options, out)
+    }
+
+    /// [`Map::match_pose`] with no more than so many candidates: where there are more, the least probable give way.
+    fn match_at_most(
+        &self,
+        most: usize,
+        pose: &VehiclePose,
+        covariance: &DMat3,
+        options: &MatchOptions<'_>,
+        out: &mut Vec<LaneMatch>,
+    ) -> Result<f64, MatchError> {
         out.clear();
         error::check_pose(pose)?;
         error::check_options(options)?;
         error::check_covariance(covariance)?;
         let local = pose.position.xy - self.origin();
         let density = PoseDensity::new(pose.heading, covariance, options.drive_deviation)?;
-        self.weigh(pose, local, &density, options, out);
+        self.weigh((pose, local), &density, options, most, out);
         Ok(self.normalise(pose, &density, options, out))
     }
 
     /// Puts the integral over each lane into its `probability`.
     fn weigh(
         &self,
-        pose: &VehiclePose,
-        local: DVec2,
+        (pose, local): (&VehiclePose, DVec2),
         density: &PoseDensity,
         options: &MatchOptions<'_>,
+        most: usize,
         out: &mut Vec<LaneMatch>,
     ) {
         let heights = pose.position.z.zip(options.z_tolerance).map(|(z, by)| [z - by, z + by]);
@@ -165,14 +181,17 @@ impl Map<'_> {
                                 known.position = place.position(&lane);
                             }
                         }
-                        None => out.push(LaneMatch {
-                            lane: id,
-                            forward,
-                            probability: weight,
-                            mahalanobis: 0.0,
-                            heading_difference: 0.0,
-                            position: place.position(&lane),
-                        }),
+                        None => {
+                            let found = LaneMatch {
+                                lane: id,
+                                forward,
+                                probability: weight,
+                                mahalanobis: 0.0,
+                                heading_difference: 0.0,
+                                position: place.position(&lane),
+                            };
+                            put(found, most, out);
+                        }
                     }
                 }
             }
@@ -216,14 +235,30 @@ impl Map<'_> {
     }
 
     fn prior(&self, found: &LaneMatch, options: &MatchOptions<'_>) -> f64 {
-        let closed = options.vehicle.is_some_and(|vehicle| {
-            let lane = self.lane(found.lane).ok();
-            let node = lane.and_then(|lane| lane.node_at(found.position.s, found.forward));
-            !node.is_some_and(|node| node.allows(vehicle))
-        });
-        let expected = options.expected.is_empty() || options.expected.contains(&found.lane);
-        (if closed { options.closed } else { 1.0 })
-            * (if expected { 1.0 } else { options.unexpected })
+        let lane = self.lane(found.lane).ok();
+        let node = || lane?.node_at(found.position.s, found.forward);
+        options.prior(found.lane, node)
+    }
+}
+
+impl MatchOptions<'_> {
+    /// Prior of a lane where it is open as its node says, which only matters with a vehicle.
+    fn prior<'a>(&self, lane: LaneId, node: impl FnOnce() -> Option<LaneNode<'a>>) -> f64 {
+        let allows = |vehicle| node().is_some_and(|node| node.allows(vehicle));
+        let open = self.vehicle.is_none_or(allows);
+        let expected = self.expected.is_empty() || self.expected.contains(&lane);
+        (if open { 1.0 } else { self.closed }) * (if expected { 1.0 } else { self.unexpected })
+    }
+}
+
+/// Adds a candidate; to a list that is full, in place of the least one.
+fn put(found: LaneMatch, most: usize, out: &mut Vec<LaneMatch>) {
+    if out.len() < most {
+        return out.push(found);
+    }
+    let least = out.iter_mut().min_by(|a, b| a.probability.total_cmp(&b.probability));
+    if let Some(least) = least.filter(|least| least.probability < found.probability) {
+        *least = found;
     }
 }
 

@@ -1,0 +1,58 @@
+//! The rectangle around one segment of the index, apart from its leaf.
+
+use crate::index::PRODUCTS;
+use glam::DVec2;
+use mapd_archive::ArchivedIndexLeafRow;
+use mapd_archive::packed_index::{ANY, REACH_UNIT};
+
+/// What [`crate::index::places_around`] tests for one place of a leaf, in the same numbers.
+pub(super) struct Rectangle {
+    /// The leaf's corner.
+    corner: DVec2,
+    start: [f32; 2],
+    delta: [f32; 2],
+    /// Square of the segment's length.
+    squared: f32,
+    /// Squares of how far the rectangle reaches sideways, and ahead and back, times that.
+    reach: f32,
+    overshoot: f32,
+}
+
+impl Rectangle {
+    /// Of the k-th place; `k` is below the leaf's width.
+    pub(super) fn of(leaf: &ArchivedIndexLeafRow, k: usize) -> Self {
+        let step = leaf.step();
+        let place = |values: &[u16; 16]| f32::from(values[k]);
+        let (start_x, start_y) = (place(leaf.start_x()), place(leaf.start_y()));
+        let delta =
+            [(place(leaf.end_x()) - start_x) * step, (place(leaf.end_y()) - start_y) * step];
+        let length = delta[0] * delta[0] + delta[1] * delta[1];
+        let squared = if length > f32::MIN_POSITIVE { length } else { f32::MIN_POSITIVE };
+        let square = |units: u16| {
+            let distance = if units == ANY { f32::INFINITY } else { f32::from(units) * REACH_UNIT };
+            distance * distance * (squared * PRODUCTS)
+        };
+        Self {
+            corner: DVec2::new(f64::from(leaf.x()), f64::from(leaf.y())),
+            start: [start_x * step, start_y * step],
+            delta,
+            squared,
+            reach: square(leaf.reach()[k]),
+            overshoot: square(leaf.overshoot()[k]),
+        }
+    }
+
+    /// Whether it holds a point, relative to the local origin. What is no number is not outside.
+    #[inline]
+    pub(super) fn holds(&self, local: DVec2) -> bool {
+        let (qx, qy) = ((local.x - self.corner.x) as f32, (local.y - self.corner.y) as f32);
+        let (ex, ey) = (qx - self.start[0], qy - self.start[1]);
+        let [dx, dy] = self.delta;
+        let forward = ex * dx + ey * dy;
+        let sideways = ex * dy - ey * dx;
+        let past = (-forward).max(forward - self.squared).max(0.0);
+        let beside = sideways * sideways > self.reach;
+        let beyond = past * past > self.overshoot;
+        !(beside | beyond)
+    }
+}

@@ -1,0 +1,171 @@
+//! Batches answer as single calls do, bit for bit and in the caller's order, and name what is wrong by its number.
+
+use mapd_client::batch::{
+    BatchScratch, NearestLanes, Places, PoseError, PoseMatches, Poses, TrackPositions, Tracks,
+};
+use mapd_client::glam::{DMat3, DVec2, DVec3};
+use mapd_client::localisation::{GroundScratch, MarkFilter, MatchError, MatchOptions, VehiclePose};
+use mapd_client::{LaneTypes, Map, NearestOptions, Point, QueryError, Track};
+use mapd_tests::carried;
+use mapd_tests::maps::{self, Random};
+
+/// Places of all kinds: strewn over the map, in a cloud of a few metres, along a lane, on its borders, and again and again the same.
+fn places(map: Map<'_>, random: &mut Random) -> Vec<DVec2> {
+    let mut all: Vec<DVec2> = (0..300).map(|_| random.point(map)).collect();
+    let lanes: Vec<_> = map.lanes().filter(|lane| !lane.is_temporary()).collect();
+    for _ in 0..6 {
+        let lane = &lanes[(random.unit() * lanes.len() as f64) as usize];
+        let section = lane.section();
+        let s = section.s_start() + random.unit() * (section.s_end() - section.s_start());
+        let edges = lane.edges_at(s);
+        let at = |s: f64, t: f64| {
+            let pose = lane.road().to_inertial(Track { s, t, h: 0.0 }).expect("a pose");
+            pose.position.truncate()
+        };
+        let middle = at(s, edges.center());
+        all.extend(
+            (0..150)
+                .map(|_| middle + DVec2::new(random.between(-5.0, 5.0), random.between(-5.0, 5.0))),
+        );
+        all.extend((0..60).map(|i| at(s + 0.1 * f64::from(i), edges.center())));
+        all.extend((0..30).map(|i| at(s + 0.1 * f64::from(i), edges.outer)));
+        all.extend((0..30).map(|i| at(section.s_end(), edges.inner + 0.1 * f64::from(i))));
+        all.extend([middle; 10]);
+    }
+    all
+}
+
+/// All places, with these options, against single calls.
+fn check(map: Map<'_>, places: Places<'_>, options: &NearestOptions) {
+    let (mut scratch, mut out) = (BatchScratch::default(), NearestLanes::default());
+    map.nearest_lanes(places, options, &mut scratch, &mut out).expect("answers");
+    assert_eq!(out.len(), places.x.len());
+    for i in 0..places.x.len() {
+        let point = Point { xy: DVec2::new(places.x[i], places.y[i]), z: places.z.map(|z| z[i]) };
+        let heading = places.heading.map(|heading| heading[i]).or(options.heading);
+        let single = map.nearest_lane(point, &NearestOptions { heading, ..*options });
+        assert_eq!(out.get(i), single.expect("an answer"), "place {i}, {point:?}");
+    }
+}
+
+#[test]
+fn nearest_lanes_are_those_of_single_calls() {
+    for path in maps::carried_and(&["carla/Town05", "esmini/velodrome"]) {
+        let snapshot = maps::open(&path);
+        let (map, random) = (snapshot.map(), &mut Random(31));
+        let points = places(map, random);
+        let (x, y): (Vec<f64>, Vec<f64>) = points.iter().map(|p| (p.x, p.y)).unzip();
+        let z: Vec<f64> = x.iter().map(|_| random.between(-3.0, 12.0)).collect();
+        let heading: Vec<f64> = x.iter().map(|_| random.between(-4.0, 4.0)).collect();
+        let plain = Places { x: &x, y: &y, z: None, heading: None };
+        let full = Places { z: Some(&z), heading: Some(&heading), ..plain };
+        let default = NearestOptions::default();
+        check(map, plain, &default);
+        check(map, full, &default);
+        let strict = NearestOptions {
+            radius: 2.0,
+            types: LaneTypes::drivable(),
+            z_tolerance: Some(4.0),
+            heading_tolerance: Some(1.0),
+            ..default
+        };
+        check(map, full, &strict);
+        check(map, plain, &NearestOptions { heading: Some(0.5), radius: 0.0, ..default });
+    }
+}
+
+#[test]
+fn poses_roads_ground_and_marks_answer_as_single_calls() {
+    let snapshot = maps::open(&carried("town.xodr"));
+    let (map, random) = (snapshot.map(), &mut Random(32));
+    let points = places(map, random);
+    let poses: Vec<VehiclePose> = points
+        .iter()
+        .take(600)
+        .map(|point| VehiclePose { position: (*point).into(), heading: random.between(-3.0, 3.0) })
+        .collect();
+    let covariance = |size: f64| DMat3::from_diagonal(DVec3::new(size, size, 0.01));
+    let each: Vec<DMat3> = poses.iter().map(|_| covariance(random.between(0.01, 2.0))).collect();
+    let one = [covariance(0.25)];
+    let (mut scratch, mut out, mut single) =
+        (BatchScratch::default(), PoseMatches::default(), Vec::new());
+    let options = MatchOptions::default();
+    for covariances in [&each[..], &one] {
+        map.match_poses(&poses, covariances, &options, &mut scratch, &mut out).expect("answers");
+        for (i, pose) in poses.iter().enumerate() {
+            let covariance = &covariances[i.min(covariances.len() - 1)];
+            let none = map.match_pose(pose, covariance, &options, &mut single);
+            assert_eq!((out.none()[i], out.of(i)), (none.expect("an answer"), &single[..]));
+        }
+    }
+    let (x, y): (Vec<f64>, Vec<f64>) = points.iter().map(|p| (p.x, p.y)).unzip();
+    for road in map.roads() {
+        let (mut feet, mut back) = (TrackPositions::default(), Poses::default());
+        let places = Places { x: &x, y: &y, z: None, heading: None };
+        road.to_track_batch(places, &mut feet).expect("feet");
+        let tracks = Tracks { s: &feet.s, t: &feet.t, h: None };
+        road.to_inertial_batch(tracks, &mut back).expect("places");
+        for (i, point) in points.iter().enumerate() {
+            let at = road.to_track(*point).expect("a foot");
+            assert_eq!((feet.s[i], feet.t[i], feet.exact[i]), (at.s, at.t, at.exact));
+            let pose = road.to_inertial(Track { s: at.s, t: at.t, h: 0.0 }).expect("a place");
+            let got = [back.x[i], back.y[i], back.z[i], back.heading[i], back.slope[i]];
+            let p = pose.position;
+            assert_eq!(got, [p.x, p.y, p.z, pose.heading, pose.slope]);
+        }
+    }
+    let heights: Vec<Point> = points.iter().map(|point| (*point).into()).collect();
+    let (mut room, mut ground) = (GroundScratch::default(), Vec::new());
+    map.ground_below(&heights, &mut room, &mut ground).expect("answers");
+    let (filter, mut marks) = (MarkFilter::default(), Vec::new());
+    map.nearest_marks(&points, &filter, &mut marks).expect("answers");
+    for (i, point) in points.iter().enumerate() {
+        assert_eq!(ground[i], map.ground_at(*point, &mut room).expect("an answer"));
+        assert_eq!(marks[i], map.nearest_mark(*point, &filter).expect("an answer"));
+    }
+}
+
+#[test]
+fn what_is_wrong_is_named_by_its_number() {
+    let snapshot = maps::open(&carried("one_road.xodr"));
+    let map = snapshot.map();
+    let (mut scratch, mut out) = (BatchScratch::default(), NearestLanes::default());
+    let good = [1.0, 2.0, 3.0];
+    let wrong = [1.0, 2.0, f64::NAN];
+    let plain = Places { x: &good, y: &good, z: None, heading: None };
+    let mut ask = |places: Places<'_>, options: &NearestOptions| {
+        map.nearest_lanes(places, options, &mut scratch, &mut out).map(|()| out.len())
+    };
+    let default = NearestOptions::default();
+    assert_eq!(ask(plain, &default), Ok(3));
+    assert_eq!(ask(Places::default(), &default), Ok(0));
+    assert_eq!(ask(Places { y: &wrong, ..plain }, &default), Err(QueryError::NotFiniteAt(2)));
+    assert_eq!(ask(Places { y: &good[1..], ..plain }, &default), Err(QueryError::Length("y")));
+    let short = Places { heading: Some(&good[1..]), ..plain };
+    assert_eq!(ask(short, &default), Err(QueryError::Length("heading")));
+    let endless = NearestOptions { radius: f64::INFINITY, ..default };
+    assert_eq!(ask(plain, &endless), Err(QueryError::NotFinite));
+
+    let pose = |x: f64| VehiclePose { position: DVec2::new(x, 0.0).into(), heading: 0.0 };
+    // The second one is wrong; along the curve others come first.
+    let poses = [pose(50.0), pose(f64::NAN), pose(10.0), pose(f64::INFINITY)];
+    let mut found = PoseMatches::default();
+    let mut ask = |poses: &[VehiclePose], covariances: &[DMat3]| {
+        let options = MatchOptions::default();
+        map.match_poses(poses, covariances, &options, &mut scratch, &mut found)
+    };
+    let one = [DMat3::IDENTITY];
+    assert_eq!(ask(&poses[..1], &one), Ok(()));
+    assert_eq!(ask(&[], &[]), Ok(()));
+    let error = MatchError::Pose("x");
+    assert_eq!(ask(&poses, &one), Err(PoseError { pose: 1, error }));
+    let error = MatchError::Covariances;
+    assert_eq!(ask(&poses[..1], &[]), Err(PoseError { pose: 0, error }));
+    let two = [DMat3::IDENTITY; 2];
+    assert_eq!(ask(&[pose(0.0); 3], &two), Err(PoseError { pose: 2, error }));
+
+    let road = map.roads().next().expect("a road");
+    let tracks = Tracks { s: &good, t: &wrong, h: None };
+    let error = road.to_inertial_batch(tracks, &mut Poses::default());
+    assert_eq!(error, Err(QueryError::NotFiniteAt(2)));
+}
