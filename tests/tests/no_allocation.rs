@@ -15,7 +15,7 @@ use mapd_client::{
     glam::{DMat3, DVec2},
 };
 use mapd_compiler::{CompileOptions, compile};
-use mapd_query::path::{Corridor, PathBuffer, PathOptions};
+use mapd_query::path::{Corridor, CorridorEdges, LaneChange, PathBuffer, PathOptions};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
@@ -234,6 +234,8 @@ fn paths_do_not_allocate_after_the_first_call() {
         (Corridor::default(), Vec::new(), Vec::new(), Vec::new());
     let (mut segments, mut facts, mut speeds, mut part) =
         (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let (mut ring, mut other) = (Vec::new(), PathBuffer::default());
+    let lateral = PathOptions { change: LaneChange::Lateral(5.0), ..PathOptions::default() };
     let stations = [0.0, 5.0, 10.0, 1e9];
     let mut round = || {
         let mut seen = 0;
@@ -249,6 +251,10 @@ fn paths_do_not_allocate_after_the_first_call() {
             path.project_batch(&[point, DVec2::ZERO], &mut feet).expect("feet");
             path.at_batch(&stations, &mut places).expect("places");
             path.corridor(0.0, 150.0, 1.0, car, &mut room).expect("a corridor");
+            path.corridor_surface(&mut room).expect("surfaces");
+            room.outline(CorridorEdges::Open, &mut ring);
+            let curved = map.path(&steps, &lateral, &mut other).expect("a path");
+            seen += curved.joints().len();
             path.conflicts(&mut conflicts);
             path.segments(car, &mut segments);
             path.facts(&mut facts);

@@ -262,7 +262,7 @@ impl<'a> Road<'a> {
 
     /// As [`Self::roll`], and the angle itself.
     #[inline]
-    fn roll_angle(&self, at: At) -> (f64, f64, f64) {
+    pub(crate) fn roll_angle(&self, at: At) -> (f64, f64, f64) {
         let angle = profile::value(self.superelevations(), at);
         let (cos, sin) = profile::roll(angle);
         (cos, sin, angle)

@@ -42,8 +42,8 @@ fn a_path_is_told_station_by_station() {
 fn a_corridor_has_both_edges_and_their_marks() {
     let input = format!("{ROUTE}\n1,2,-1,1,3,-1\n");
     let found = rows(&query("one_road.xodr", &["corridor"], &input));
-    let columns =
-        "S,left_x,left_y,right_x,right_y,left_mark,right_mark,left_may_cross,right_may_cross,error";
+    let columns = "S,left_x,left_y,right_x,right_y,left_mark,right_mark,left_may_cross,right_may_cross,\
+         left_edge,right_edge,speed,friction,error";
     assert_eq!(found[0].join(","), format!("{ROUTE},{columns}"));
     assert_eq!(&found[1][6..11], ["0.0", "2.0", "0.0", "2.0", "-3.5"]);
     assert_eq!(found.len(), 3);

@@ -1,13 +1,14 @@
 //! Places along a path.
 
+use super::change::Shift;
 use super::{Path, Span};
 use crate::error::QueryError;
 use crate::ids::LaneId;
 use crate::lane::{EdgeSlopes, Lane};
-use crate::profile::At;
+use crate::profile::{At, Slope};
 use crate::types::Clamped;
-use glam::DVec3;
-use mapd_geometry::normalize_angle;
+use glam::{DVec2, DVec3};
+use mapd_geometry::{CurvePoint, normalize_angle};
 use std::f64::consts::PI;
 
 /// Half the stretch over which curvature, its rate and grade are taken `[m]`: short against all that roads do, long against rounding.
@@ -30,9 +31,9 @@ pub struct PathPoint {
     pub grade: f64,
     /// Superelevation `[rad]`; positive lifts the driver's left side.
     pub superelevation: f64,
-    /// Distance to the driven lane's left edge `[m]`, across the road's plane.
+    /// Distance to the driven lane's left edge `[m]`, across the road's plane; negative where a change of lane has not yet entered it.
     pub left: f64,
-    /// Distance to the driven lane's right edge `[m]`.
+    /// Distance to the driven lane's right edge `[m]`, as on the left.
     pub right: f64,
     /// The driven lane.
     pub lane: LaneId,
@@ -44,7 +45,7 @@ pub struct PathPoint {
     pub clamped: Clamped,
 }
 
-/// A place on a lane's centre line.
+/// A place on the driven line.
 #[derive(Clone, Copy)]
 pub(super) struct Center {
     pub(super) position: DVec3,
@@ -53,31 +54,92 @@ pub(super) struct Center {
     /// Metres of line per metre of s.
     pub(super) growth: f64,
     pub(super) edges: EdgeSlopes,
+    /// How far it lies beside the lane's centre, to the left of the reference line `[m]`.
+    pub(super) shift: f64,
     pub(super) superelevation: f64,
 }
 
-/// A lane's centre line at a place.
-pub(super) fn center(lane: &Lane<'_>, at: At, forward: bool) -> Result<Center, QueryError> {
-    let edges = lane.edge_slopes(at);
-    let t = 0.5 * (edges.inner.value + edges.outer.value);
-    let drift = 0.5 * (edges.inner.derivative + edges.outer.derivative);
-    let road = lane.road();
-    let pose = road.pose(at, t, 0.0)?;
-    // As for waypoints: the lateral place in plan view is t·cos σ.
-    let (roll_cos, roll_sin) = road.roll(at);
-    let roll_slope = if roll_sin == 0.0 { 0.0 } else { road.superelevation_slope(at) };
-    let change = drift * roll_cos - t * roll_sin * roll_slope;
-    let ahead = 1.0 - pose.curvature * t * roll_cos;
-    // Beyond the centre of curvature the line runs backwards; traffic does not.
-    let turn = mapd_geometry::atan2(if ahead < 0.0 { -change } else { change }, ahead.abs());
+/// How the driven line runs beside the reference line.
+struct Course {
+    /// The reference line, relative to the local origin.
+    point: CurvePoint,
+    /// Of the place `[m]`.
+    t: f64,
+    edges: EdgeSlopes,
+    shift: f64,
+    /// Cosine and sine of the superelevation, and the angle.
+    roll: (f64, f64, f64),
+    /// Metres ahead and to the left per metre of s, in plan view.
+    ahead: f64,
+    change: f64,
+}
+
+impl Course {
+    fn new(lane: &Lane<'_>, at: At, shift: Option<&Shift>) -> Option<Self> {
+        let road = lane.road();
+        let point = road.reference_at(at)?;
+        let edges = lane.edge_slopes(at);
+        let shift = shift.map_or_else(Slope::default, |shift| shift.at(lane, at, &edges));
+        let t = 0.5 * (edges.inner.value + edges.outer.value) + shift.value;
+        let drift = 0.5 * (edges.inner.derivative + edges.outer.derivative) + shift.derivative;
+        // As for waypoints: the lateral place in plan view is t·cos σ.
+        let roll = road.roll_angle(at);
+        let (roll_cos, roll_sin, _) = roll;
+        let roll_slope = if roll_sin == 0.0 { 0.0 } else { road.superelevation_slope(at) };
+        let change = drift * roll_cos - t * roll_sin * roll_slope;
+        let ahead = 1.0 - point.curvature * t * roll_cos;
+        // Beyond the centre of curvature the line runs backwards; traffic does not.
+        let (ahead, change) = if ahead < 0.0 { (-ahead, -change) } else { (ahead, change) };
+        Some(Self { point, t, edges, shift: shift.value, roll, ahead, change })
+    }
+
+    fn growth(&self) -> f64 {
+        (self.ahead * self.ahead + self.change * self.change).sqrt()
+    }
+
+    /// Relative to the local origin.
+    fn place(&self) -> DVec2 {
+        let lateral = self.t * self.roll.0;
+        let Self { point, .. } = self;
+        DVec2::new(point.x - point.sin * lateral, point.y + point.cos * lateral)
+    }
+}
+
+/// The driven line at a place of a lane.
+///
+/// Errors: a damaged archive.
+pub(super) fn center(
+    lane: &Lane<'_>,
+    at: At,
+    forward: bool,
+    shift: Option<&Shift>,
+) -> Result<Center, QueryError> {
+    let own = Course::new(lane, at, shift).ok_or(QueryError::Corrupt)?;
+    let z = lane.road().elevation(at) + own.t * own.roll.1;
+    let turn = mapd_geometry::atan2(own.change, own.ahead);
     let back = if forward { 0.0 } else { PI };
+    let superelevation = own.roll.2;
     Ok(Center {
-        position: pose.position,
-        heading: normalize_angle(pose.heading + turn + back),
-        growth: (ahead * ahead + change * change).sqrt(),
-        edges,
-        superelevation: if forward { pose.superelevation } else { -pose.superelevation },
+        position: (own.place() + lane.map.origin()).extend(z),
+        heading: normalize_angle(normalize_angle(own.point.heading) + turn + back),
+        growth: own.growth(),
+        edges: own.edges,
+        shift: own.shift,
+        superelevation: if forward { superelevation } else { -superelevation },
     })
+}
+
+/// The driven line's place in plan view, relative to the local origin, and its direction of unit length: [`center`] without angles.
+pub(super) fn tangent(
+    lane: &Lane<'_>,
+    at: At,
+    forward: bool,
+    shift: Option<&Shift>,
+) -> Option<[DVec2; 2]> {
+    let own = Course::new(lane, at, shift)?;
+    let ahead = DVec2::new(own.point.cos, own.point.sin);
+    let growth = if forward { own.growth() } else { -own.growth() };
+    Some([own.place(), (ahead * own.ahead + ahead.perp() * own.change) / growth])
 }
 
 impl Span {
@@ -101,9 +163,10 @@ impl Path<'_, '_> {
         let along = mapd_geometry::clamp(along, 0.0, end);
         let span = self.span_at(along).ok_or(QueryError::Corrupt)?;
         let (piece, lane) = self.piece(span).ok_or(QueryError::Corrupt)?;
+        let shift = self.shift(span);
         let at = |along: f64| {
             let s = span.s_at(along - span.along);
-            Ok::<_, QueryError>((center(&lane, span.place(s), piece.forward)?, s))
+            Ok::<_, QueryError>((center(&lane, span.place(s), piece.forward, shift)?, s))
         };
         let (own, s) = at(along)?;
         // A short stretch around the place, all of it on the span.
@@ -116,6 +179,7 @@ impl Path<'_, '_> {
         let curvature_rate = (second - first) / (reach * reach);
         let curvature = (first + second) / (2.0 * reach) + curvature_rate * (along - middle);
         let half = 0.5 * (own.edges.outer.value - own.edges.inner.value).abs();
+        let to_left = if piece.forward { own.shift } else { -own.shift };
         Ok(PathPoint {
             along,
             position: own.position,
@@ -124,8 +188,8 @@ impl Path<'_, '_> {
             curvature_rate,
             grade: (after.position.z - before.position.z) / (2.0 * reach),
             superelevation: own.superelevation,
-            left: half,
-            right: half,
+            left: half - to_left,
+            right: half + to_left,
             lane: lane.lane_id(),
             s,
             forward: piece.forward,

@@ -1,6 +1,7 @@
 //! From a route's steps to a path.
 
 use super::along::center;
+use super::change::{LaneChange, Shift};
 use super::{Path, PathBuffer, PathError, PathJoint, PathOptions, Piece, Span};
 use crate::area;
 use crate::error::QueryError;
@@ -10,6 +11,8 @@ use crate::lane::Lane;
 use crate::map::Map;
 use crate::profile::At;
 use crate::route::{Enter, RouteStep};
+use glam::DVec2;
+use mapd_archive::NONE;
 use mapd_geometry::normalize_angle;
 
 /// A gap up to this is rounding and not listed `[m]`.
@@ -41,9 +44,20 @@ impl<'a> Map<'a> {
         buffer.pieces.clear();
         buffer.spans.clear();
         buffer.joints.clear();
+        buffer.shifts.clear();
+        buffer.boxes.clear();
         buffer.content = self.content();
         let mut before: Option<&RouteStep> = None;
-        let mut builder = Builder { map: *self, options, buffer, entered: Enter::Start };
+        let mut builder = Builder {
+            map: *self,
+            options,
+            buffer,
+            entered: Enter::Start,
+            before: None,
+            left: None,
+            changes: 0,
+            short: false,
+        };
         for (number, step) in steps.iter().enumerate() {
             let wrong = |source| PathError::Step { step: number, source };
             let lane = self.lane(step.lane).map_err(wrong)?;
@@ -62,6 +76,8 @@ impl<'a> Map<'a> {
         if builder.buffer.spans.is_empty() {
             return Err(PathError::Empty);
         }
+        let PathBuffer { boxes, spans, .. } = buffer;
+        boxes.rebuild(spans);
         Ok(Path { map: *self, buffer })
     }
 }
@@ -196,6 +212,13 @@ struct Builder<'a, 'b, 'o> {
     buffer: &'b mut PathBuffer,
     /// How the next piece is entered, with changes over lanes that are not driven on.
     entered: Enter,
+    /// The lane of the step before.
+    before: Option<u32>,
+    /// The lane that is left by the changes since the last lane that is driven on, and their number.
+    left: Option<u32>,
+    changes: u32,
+    /// Whether the next piece is entered by a change that has no room for its curve.
+    short: bool,
 }
 
 impl Builder<'_, '_, '_> {
@@ -204,10 +227,16 @@ impl Builder<'_, '_, '_> {
         if changes(step.enter) || !changes(self.entered) {
             self.entered = step.enter;
         }
+        (self.left, self.changes) = match changes(step.enter) {
+            true => (self.left.or(self.before), self.changes + 1),
+            false => (None, 0),
+        };
+        self.before = Some(lane.row_number());
         let (low, high) = (step.s_from.min(step.s_to), step.s_from.max(step.s_to));
         if low >= high {
             return;
         }
+        let shift = self.curve(lane, step);
         let first = self.buffer.spans.len() as u32;
         let piece = self.buffer.pieces.len() as u32;
         let segments = usize::from(lane.row.center_count()).saturating_sub(1);
@@ -216,8 +245,18 @@ impl Builder<'_, '_, '_> {
             let Some(slab) = area::slab(lane, segment) else { continue };
             let (from, to) = (slab.s_lo.max(low), slab.s_hi.min(high));
             if from < to {
-                let s = if step.forward { [from, to] } else { [to, from] };
-                self.span(lane, s, 0.5 * (slab.s_lo + slab.s_hi), piece);
+                let [mut begin, end] = if step.forward { [from, to] } else { [to, from] };
+                let hold = 0.5 * (slab.s_lo + slab.s_hi);
+                while begin != end {
+                    let cut = shift.map_or(end, |shift| shift.cut([begin, end]));
+                    // Behind its end a curve is none.
+                    let on_it =
+                        shift.is_some_and(|own| (cut - own.s[1]) * sign(step.forward) <= 0.0);
+                    let number = self.buffer.shifts.len().wrapping_sub(1);
+                    let number = if on_it { number as u32 } else { NONE };
+                    self.span(lane, [begin, cut], hold, piece, number);
+                    begin = cut;
+                }
             }
         }
         let end = self.buffer.spans.len() as u32;
@@ -228,9 +267,33 @@ impl Builder<'_, '_, '_> {
         }
     }
 
-    fn span(&mut self, lane: &Lane<'_>, s: [f64; 2], hold: f64, piece: u32) {
+    /// The curve of a change into a step's lane; none for a jump.
+    fn curve(&mut self, lane: &Lane<'_>, step: &RouteStep) -> Option<Shift> {
+        let changes = f64::from(std::mem::take(&mut self.changes));
+        let from = self.left.take();
+        self.short = false;
+        let LaneChange::Lateral(length) = self.options.change else { return None };
+        self.short = matches!(self.entered, Enter::Left | Enter::Right);
+        let left = Lane::new(self.map, from?)?;
+        let room = sign(step.forward) * (step.s_latest - step.s_from);
+        let room = room.min((step.s_to - step.s_from).abs());
+        let length = length * changes;
+        let beside = left.row.section() == lane.row.section();
+        if !(beside && length > 0.0 && length <= room) {
+            return None;
+        }
+        let from = left.row_number();
+        self.short = false;
+        let s = [step.s_from, step.s_from + sign(step.forward) * length];
+        let shift = Shift { from, s };
+        self.buffer.shifts.push(shift);
+        Some(shift)
+    }
+
+    fn span(&mut self, lane: &Lane<'_>, s: [f64; 2], hold: f64, piece: u32, shift: u32) {
         let forward = s[0] < s[1];
-        let at = |s: f64| center(lane, At { s, hold }, forward).ok();
+        let curve = self.buffer.shifts.get(shift as usize).copied();
+        let at = |s: f64| center(lane, At { s, hold }, forward, curve.as_ref()).ok();
         let (middle, half) = (0.5 * (s[0] + s[1]), 0.5 * (s[1] - s[0]));
         let reach = half.abs().min(MEASURE) * (1.0 - GAUSS);
         // s of a curve that is scaled to its stated length is not metres: how many there are to one of s shows in the places.
@@ -257,15 +320,15 @@ impl Builder<'_, '_, '_> {
         let slack = 0.5 * (length * length - chord * chord).max(0.0).sqrt() + ROUNDING;
         // The line through both speeds.
         let bend = mapd_geometry::clamp((q - p) / ((p + q) * GAUSS), -MOST_BENT, MOST_BENT);
-        self.joint(along, ends[0], a.heading, piece);
+        self.joint(along, ends[0], a.heading, piece, curve.is_some());
         let turn = normalize_angle(b.heading - a.heading);
         let heading = a.heading;
-        let span = Span { along, length, s, bend, ends, heading, turn, slack, piece };
+        let span = Span { along, length, s, bend, ends, heading, turn, slack, piece, shift };
         self.buffer.spans.push(span);
     }
 
-    /// Lists what lies between the last span and one that begins here.
-    fn joint(&mut self, along: f64, begin: glam::DVec2, heading: f64, piece: u32) {
+    /// Lists what lies between the last span and one that begins here, on a curve or not.
+    fn joint(&mut self, along: f64, begin: DVec2, heading: f64, piece: u32, curved: bool) {
         let Some(last) = self.buffer.spans.last() else {
             self.entered = Enter::Ahead;
             return;
@@ -275,9 +338,10 @@ impl Builder<'_, '_, '_> {
         let enter = if last.piece == piece { Enter::Ahead } else { self.entered };
         let changes = matches!(enter, Enter::Left | Enter::Right);
         if changes || gap > GAP || kink.abs() > KINK {
-            let apart = !changes && gap > self.options.broken_gap;
+            let apart = (!changes || curved) && gap > self.options.broken_gap;
             let broken = apart || kink.abs() > self.options.broken_kink;
-            self.buffer.joints.push(PathJoint { along, gap, kink, enter, broken });
+            let short = changes && self.short;
+            self.buffer.joints.push(PathJoint { along, gap, kink, enter, short, broken });
         }
         self.entered = Enter::Ahead;
     }

@@ -1,29 +1,21 @@
 //! The room along a path, station by station.
 
-use super::Path;
+use super::edge::{Edge, EdgeMark};
+use super::speed::Limit;
+use super::{Path, Piece, Span};
 use crate::error::QueryError;
 use crate::extents::SRange;
 use crate::graph::LaneNode;
 use crate::ids::LaneId;
 use crate::lane::Lane;
+use crate::rules::SpeedRule;
 use glam::DVec3;
-use mapd_archive::{RoadMarkColor, RoadMarkKind, VehicleClass};
+use mapd_archive::VehicleClass;
 
 /// Stations of one answer at most: a step that is too small for its length must not fill the memory.
 const MOST_STATIONS: f64 = 1e6;
 /// Lanes beside the driven one that are looked at on either side at most; a damaged archive might lead round in a circle.
 const MOST_BESIDE: usize = 64;
-
-/// What lies on an edge of the driven lane.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EdgeMark {
-    /// Kind of the road mark; `None` where there is none.
-    pub kind: RoadMarkKind,
-    /// Its colour.
-    pub color: RoadMarkColor,
-    /// Whether a change of lane over this edge is allowed from the driven lane, into one of its direction that the vehicle may use.
-    pub may_cross: bool,
-}
 
 /// The room along a path, a column for each fact and an entry for each station. Left and right are those of who drives.
 #[derive(Clone, Debug, Default)]
@@ -32,6 +24,8 @@ pub struct Corridor {
     pub along: Vec<f64>,
     /// The driven lane.
     pub lane: Vec<LaneId>,
+    /// s on its road `[m]`.
+    pub s: Vec<f64>,
     /// Left edge of the driven lane, inertial on the plane h = 0 `[m]`.
     pub left: Vec<DVec3>,
     /// Right edge of the driven lane `[m]`.
@@ -44,18 +38,41 @@ pub struct Corridor {
     pub left_mark: Vec<EdgeMark>,
     /// What lies on its right edge.
     pub right_mark: Vec<EdgeMark>,
+    /// What lies on the left edge of the leftmost lane.
+    pub outer_left_mark: Vec<EdgeMark>,
+    /// What lies on the right edge of the rightmost lane.
+    pub outer_right_mark: Vec<EdgeMark>,
+    /// The speed limit, as [`Path::speed_at`] has it.
+    pub speed: Vec<SpeedRule>,
+    /// The road's surface on the driven line. Empty until [`Path::corridor_surface`] fills it.
+    pub surface: Vec<CorridorSurface>,
+}
+
+/// The road's surface at a station.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CorridorSurface {
+    /// Inertial position of the lane's middle on the surface `[m]`.
+    pub position: DVec3,
+    /// Unit normal, upwards.
+    pub normal: DVec3,
+    /// Friction coefficient, where the file gives one. The code of the material is [`Lane::material_at`]'s.
+    pub friction: Option<f64>,
+    /// Roughness as written, where the file gives one.
+    pub roughness: Option<f64>,
 }
 
 impl Corridor {
     fn clear(&mut self) {
-        self.along.clear();
-        self.lane.clear();
-        self.left.clear();
-        self.right.clear();
-        self.outer_left.clear();
-        self.outer_right.clear();
-        self.left_mark.clear();
-        self.right_mark.clear();
+        let Self { along, lane, s, left, right, outer_left, outer_right, .. } = self;
+        along.clear();
+        lane.clear();
+        s.clear();
+        [left, right, outer_left, outer_right].into_iter().for_each(Vec::clear);
+        let Self { left_mark, right_mark, outer_left_mark, outer_right_mark, .. } = self;
+        let marks = [left_mark, right_mark, outer_left_mark, outer_right_mark];
+        marks.into_iter().for_each(Vec::clear);
+        self.speed.clear();
+        self.surface.clear();
     }
 
     /// Number of stations.
@@ -69,16 +86,52 @@ impl Corridor {
     }
 }
 
-/// The node that is driven on, and between which s it holds.
+/// What holds for a while: the node that is driven on and what lies beside it.
 struct Driven<'a> {
-    span_piece: u32,
-    node: Option<LaneNode<'a>>,
+    piece: u32,
+    lane: Lane<'a>,
+    /// Between which s the node holds.
     s: SRange,
+    /// Left and right.
+    sides: [Side<'a>; 2],
+    limit: Limit,
+}
+
+/// One side of the driven lane: its own edge, and that of the outermost lane beside it.
+struct Side<'a> {
+    near: Edge<'a>,
+    far: Option<Edge<'a>>,
+}
+
+impl<'a> Driven<'a> {
+    fn new(lane: Lane<'a>, piece: &Piece, number: u32, s: f64, vehicle: VehicleClass) -> Self {
+        let node = lane.node_at(s, piece.forward);
+        let side = |is_left: bool| {
+            let is_outer = |lane: &Lane<'a>| is_left == ((lane.number() > 0) == piece.forward);
+            let change = |node: &LaneNode<'a>| {
+                let to = if is_left { node.change_left() } else { node.change_right() };
+                to.is_some_and(|to| to.allows(vehicle))
+            };
+            let next = |n: &LaneNode<'a>| if is_left { n.left() } else { n.right() };
+            let open = |n: &LaneNode<'a>| next(n).filter(|next| next.allows(vehicle));
+            let beside = node.as_ref().and_then(open);
+            let last = std::iter::successors(beside, open).take(MOST_BESIDE).last();
+            let far = last.and_then(|node| {
+                let lane = node.lane()?;
+                Some(Edge::new(lane, is_outer(&lane), change(&node)))
+            });
+            let near = Edge::new(lane, is_outer(&lane), node.as_ref().is_some_and(change));
+            Side { near, far }
+        };
+        let held = node.as_ref().map_or(SRange { low: s, high: s }, LaneNode::s_range);
+        let sides = [side(true), side(false)];
+        Self { piece: number, lane, s: held, sides, limit: Limit::NONE }
+    }
 }
 
 impl<'a> Path<'a, '_> {
     /// The room along the path from S on, a station every `step` metres and one at the end, `length` metres on or where the path ends. `out` is
-    /// emptied first; it grows only if its capacity is too small.
+    /// emptied first; it grows only if its capacity is too small. The surface is [`Path::corridor_surface`]'s.
     ///
     /// Errors: numbers that are not finite, a step that is not positive or gives more than a million stations; a damaged archive.
     pub fn corridor(
@@ -97,65 +150,99 @@ impl<'a> Path<'a, '_> {
         let from = mapd_geometry::clamp(from, 0.0, self.length());
         let end = mapd_geometry::clamp(from + length, from, self.length());
         let mut driven: Option<Driven<'a>> = None;
+        let mut span = 0;
         let mut number = 0u64;
         loop {
             let next = from + number as f64 * step;
             number += 1;
             let along = if next < end { next } else { end };
-            self.station(along, vehicle, &mut driven, out)?;
+            span = self.span_from(span, along);
+            let own = self.buffer.spans.get(span).ok_or(QueryError::Corrupt)?;
+            self.station(own, along, vehicle, &mut driven, out)?;
             if along >= end {
                 return Ok(());
             }
         }
     }
 
+    /// Fills the column `surface` of a corridor of this path: heights with crossfall and lane heights, and what the lanes are made of. It
+    /// costs several times the rest of the corridor.
+    ///
+    /// Errors: stations of another path; a damaged archive.
+    pub fn corridor_surface(&self, room: &mut Corridor) -> Result<(), QueryError> {
+        let Corridor { lane, s, surface, .. } = room;
+        surface.clear();
+        let mut last: Option<Lane<'a>> = None;
+        for (id, s) in lane.iter().zip(s.iter()) {
+            let lane = match last.filter(|last| last.lane_id() == *id) {
+                Some(same) => same,
+                None => self.map.lane(*id)?,
+            };
+            last = Some(lane);
+            let edges = lane.edge_slopes(lane.place(*s)?.0);
+            let t = 0.5 * (edges.inner.value + edges.outer.value);
+            let found = lane.road().surface_at(*s, t)?;
+            surface.push(CorridorSurface {
+                position: found.position,
+                normal: found.normal,
+                friction: found.material.and_then(|material| material.friction),
+                roughness: found.material.and_then(|material| material.roughness),
+            });
+        }
+        Ok(())
+    }
+
+    /// The span that holds S, at a joint the later one, from one on that lies before it.
+    fn span_from(&self, first: usize, along: f64) -> usize {
+        let rest = self.buffer.spans.get(first + 1..).unwrap_or(&[]);
+        first + rest.iter().take_while(|span| span.along <= along).count()
+    }
+
     fn station(
         &self,
+        span: &Span,
         along: f64,
         vehicle: VehicleClass,
         driven: &mut Option<Driven<'a>>,
         out: &mut Corridor,
     ) -> Result<(), QueryError> {
-        let span = self.span_at(along).ok_or(QueryError::Corrupt)?;
-        let (piece, lane) = self.piece(span).ok_or(QueryError::Corrupt)?;
         let s = span.s_at(along - span.along);
-        let holds =
-            |own: &Driven<'_>| own.span_piece == span.piece && own.s.low <= s && s < own.s.high;
-        if !driven.as_ref().is_some_and(holds) {
-            let node = lane.node_at(s, piece.forward);
-            let s = node.as_ref().map_or(SRange { low: s, high: s }, LaneNode::s_range);
-            *driven = Some(Driven { span_piece: span.piece, node, s });
-        }
-        let node = driven.as_ref().and_then(|own| own.node);
-        let [left, right] = bounds(&lane, piece.forward, s).ok_or(QueryError::Corrupt)?;
-        let outer_is_left = (lane.number() > 0) == piece.forward;
-        let mark = |is_left: bool| {
-            // A border's mark belongs to the lane on its inner side.
-            let owner = if is_left == outer_is_left { Some(lane) } else { lane.inner() };
-            let mark = owner.and_then(|owner| owner.road_mark_at(s));
-            let beside =
-                node.and_then(|n| if is_left { n.change_left() } else { n.change_right() });
-            EdgeMark {
-                kind: mark.as_ref().map_or(RoadMarkKind::None, |mark| mark.kind()),
-                color: mark.as_ref().map_or(RoadMarkColor::Unknown, |mark| mark.color()),
-                may_cross: beside.is_some_and(|beside| beside.allows(vehicle)),
+        let holds = |own: &Driven<'_>| own.piece == span.piece && own.s.low <= s && s < own.s.high;
+        let own = match driven {
+            Some(own) if holds(own) => own,
+            _ => {
+                let (piece, lane) = self.piece(span).ok_or(QueryError::Corrupt)?;
+                driven.insert(Driven::new(lane, piece, span.piece, s, vehicle))
             }
         };
-        let outermost = |is_left: bool| {
-            let next = |n: &LaneNode<'a>| if is_left { n.left() } else { n.right() };
-            let open = |n: &LaneNode<'a>| next(n).filter(|next| next.allows(vehicle));
-            let last = std::iter::successors(node.as_ref().and_then(open), open).take(MOST_BESIDE);
-            let lane = last.last().and_then(|node| node.lane())?;
-            Some(bounds(&lane, piece.forward, s)?[usize::from(!is_left)])
-        };
+        if along >= own.limit.until {
+            own.limit = self.limit_from(span.piece as usize, along, s);
+        }
+        // Lanes beside each other share the cut: what they differ by is t.
+        let (at, _) = own.lane.place(s)?;
+        let cut = own.lane.road().cross_section(at.s).ok_or(QueryError::Corrupt)?;
+        let edges = own.lane.edge_slopes(at);
+        let origin = self.map.origin().extend(0.0);
+        let columns = [
+            (&mut out.left, &mut out.outer_left, &mut out.left_mark, &mut out.outer_left_mark),
+            (&mut out.right, &mut out.outer_right, &mut out.right_mark, &mut out.outer_right_mark),
+        ];
+        for (side, (near, far, near_mark, far_mark)) in own.sides.iter_mut().zip(columns) {
+            let point = origin + cut.place(side.near.t(&edges));
+            let mark = side.near.mark_at(at, s);
+            near.push(point);
+            near_mark.push(mark);
+            let (point, mark) = match &mut side.far {
+                Some(edge) => (origin + cut.place(edge.t_at(at)), edge.mark_at(at, s)),
+                None => (point, mark),
+            };
+            far.push(point);
+            far_mark.push(mark);
+        }
         out.along.push(along);
-        out.lane.push(lane.lane_id());
-        out.left.push(left);
-        out.right.push(right);
-        out.outer_left.push(outermost(true).unwrap_or(left));
-        out.outer_right.push(outermost(false).unwrap_or(right));
-        out.left_mark.push(mark(true));
-        out.right_mark.push(mark(false));
+        out.lane.push(own.lane.lane_id());
+        out.s.push(s);
+        out.speed.push(own.limit.rule);
         Ok(())
     }
 }

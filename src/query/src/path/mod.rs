@@ -2,17 +2,21 @@
 //!
 //! **S** is the sum of the lengths that are driven along the lanes' centre lines `[m]`, from 0 at the path's start. Left and right
 //! are those of who drives along it. Lanes of real maps do not always meet: a gap or an overlap between two adds nothing to S and is
-//! listed ([`Path::joints`]), as is a change of lane, which is a jump to the side at its place.
+//! listed ([`Path::joints`]), as is a change of lane, which is a jump to the side at its place or a curve over a length ([`LaneChange`]).
 //!
 //! Between two stations of the stored centre line (a span) S grows with s as a parabola whose ends have the line's own growth, so that S
 //! and s follow from each other in closed form; positions and headings are the file's own polynomials at that s.
 
 mod along;
+mod boxes;
 mod build;
+mod change;
 mod conflicts;
 mod corridor;
+mod edge;
 mod error;
 mod facts;
+mod outline;
 mod project;
 mod rebase;
 mod segments;
@@ -20,10 +24,13 @@ mod speed;
 
 pub use along::PathPoint;
 pub use build::steps_of_lanes;
+pub use change::LaneChange;
 pub use conflicts::{PathConflict, Yields};
-pub use corridor::{Corridor, EdgeMark};
+pub use corridor::{Corridor, CorridorSurface};
+pub use edge::{EdgeKind, EdgeMark};
 pub use error::PathError;
 pub use facts::{PathFact, PathFactKind};
+pub use outline::CorridorEdges;
 pub use project::PathPosition;
 pub use rebase::{PathChange, PathChangeKind};
 pub use segments::PathSegment;
@@ -48,11 +55,13 @@ pub struct PathOptions {
     pub broken_gap: f64,
     /// A joint with a larger kink is `broken` `[rad]`. Default 0.3.
     pub broken_kink: f64,
+    /// How the line changes lanes. Default: by a jump.
+    pub change: LaneChange,
 }
 
 impl Default for PathOptions {
     fn default() -> Self {
-        Self { broken_gap: BROKEN_GAP, broken_kink: BROKEN_KINK }
+        Self { broken_gap: BROKEN_GAP, broken_kink: BROKEN_KINK, change: LaneChange::Jump }
     }
 }
 
@@ -62,6 +71,8 @@ pub struct PathBuffer {
     pieces: Vec<Piece>,
     spans: Vec<Span>,
     joints: Vec<PathJoint>,
+    shifts: Vec<change::Shift>,
+    boxes: boxes::Boxes,
     content: u32,
 }
 
@@ -76,7 +87,9 @@ pub struct PathJoint {
     pub kink: f64,
     /// How the lane behind it is entered; [`Enter::Ahead`] also for a jump within a lane.
     pub enter: Enter,
-    /// Whether gap or kink are larger than the options allow. A change of lane breaks nothing by its gap.
+    /// Whether it is a change of lane that jumps because there is no room for the curve that the options ask for.
+    pub short: bool,
+    /// Whether gap or kink are larger than the options allow. A change of lane that jumps breaks nothing by its gap.
     pub broken: bool,
 }
 
@@ -109,6 +122,8 @@ struct Span {
     /// How far the line may lie from the chord between its ends `[m]`.
     slack: f64,
     piece: u32,
+    /// The curve of a change of lane that it is part of, or none.
+    shift: u32,
 }
 
 /// A route as one line, in the caller's [`PathBuffer`]. Made by [`Map::path`].

@@ -1,19 +1,21 @@
 //! A point in a path's coordinates.
 
-use super::along::center;
+use super::along::tangent;
+use super::boxes::WIDTH;
 use super::{Path, Span};
 use crate::error::QueryError;
 use crate::ids::LaneId;
 use crate::types::Clamped;
 use glam::DVec2;
 use mapd_geometry::normalize_angle;
+use std::ops::Range;
 
 /// How far along the path from a hint the foot is looked for first `[m]`.
 const HINT_REACH: f64 = 30.0;
 /// Steps towards a foot at most; each gains several digits.
 const STEPS: usize = 24;
-/// A step by less than this ends the search for a foot `[m]`.
-const STEP: f64 = 1e-10;
+/// A step by less than this is the last one towards a foot `[m]`: it leaves an error of its square.
+const STEP: f64 = 1e-7;
 /// Nearness to the line's centre of curvature, as a share of the radius, below which steps are not made longer.
 const MIN_CONTRACTION: f64 = 0.2;
 /// Distances that differ by less are equal; the smaller S then wins `[m]`.
@@ -55,7 +57,8 @@ struct Foot<'b> {
     /// Of the point from the foot, ahead and to the left `[m]`.
     ahead: f64,
     d: f64,
-    heading: f64,
+    /// Direction of the driven line.
+    way: DVec2,
 }
 
 impl Foot<'_> {
@@ -78,7 +81,7 @@ impl<'b> Path<'_, 'b> {
         let near = hint.and_then(|hint| self.near_hint(local, hint));
         let foot = match near {
             Some(foot) => foot,
-            None => self.nearest(local, &self.buffer.spans).ok_or(QueryError::Corrupt)?,
+            None => self.nearest(local, 0..self.buffer.spans.len()).ok_or(QueryError::Corrupt)?,
         };
         let (_, lane) = self.piece(foot.span).ok_or(QueryError::Corrupt)?;
         let (along, end) = (foot.along(), self.length());
@@ -91,7 +94,7 @@ impl<'b> Path<'_, 'b> {
             along,
             d: foot.d,
             distance: foot.distance,
-            heading: foot.heading,
+            heading: mapd_geometry::atan2(foot.way.y, foot.way.x),
             lane: lane.lane_id(),
             s: foot.span.s_at(foot.gone),
             clamped,
@@ -119,7 +122,7 @@ impl<'b> Path<'_, 'b> {
         let (low, high) = (hint - HINT_REACH, hint + HINT_REACH);
         let first = spans.partition_point(|span| span.end() < low);
         let end = spans.partition_point(|span| span.along <= high);
-        let foot = self.nearest(local, spans.get(first..end)?)?;
+        let foot = self.nearest(local, first..end)?;
         let along = foot.along();
         let is_start = first > 0 && spans.get(first).is_some_and(|span| along <= span.along);
         let is_end = end < spans.len() && spans.get(end).is_some_and(|span| along >= span.along);
@@ -127,65 +130,36 @@ impl<'b> Path<'_, 'b> {
     }
 
     /// The nearest place of some spans that follow each other.
-    fn nearest(&self, local: DVec2, spans: &'b [Span]) -> Option<Foot<'b>> {
-        let chord = |span: &Span| {
-            let [a, b] = span.ends;
-            let (edge, away) = (b - a, local - a);
-            let along = away.dot(edge) / edge.length_squared().max(f64::MIN_POSITIVE);
-            (away - edge * mapd_geometry::clamp(along, 0.0, 1.0)).length_squared()
-        };
-        let (mut nearest, mut squared) = (spans.first()?, f64::INFINITY);
-        for span in spans {
-            let own = chord(span);
-            if own < squared {
-                (nearest, squared) = (span, own);
-            }
-        }
-        let mut best = self.foot(nearest, local)?;
-        for span in spans {
-            let reach = best.distance + span.slack + EQUAL;
-            if std::ptr::eq(span, nearest) || chord(span) > reach * reach {
-                continue;
-            }
-            let Some(foot) = self.foot(span, local) else { continue };
-            let equal = (foot.distance - best.distance).abs() <= EQUAL;
-            // Where two spans meet, both have the joint; the later one answers there, as in `at`.
-            let same = equal && (foot.along() - best.along()).abs() <= EQUAL;
-            let wins = if same {
-                foot.span.along > best.span.along
-            } else if equal {
-                foot.along() < best.along()
-            } else {
-                foot.distance < best.distance
-            };
-            if wins {
-                best = foot;
-            }
-        }
-        Some(best)
+    fn nearest(&self, local: DVec2, among: Range<usize>) -> Option<Foot<'b>> {
+        let mut search = Search { path: *self, local, among, best: None };
+        search.under(self.buffer.boxes.top(), 0);
+        search.best
     }
 
     /// The nearest place of one span, by steps along the line's own direction.
     fn foot(&self, span: &'b Span, local: DVec2) -> Option<Foot<'b>> {
         let (piece, lane) = self.piece(span)?;
+        let shift = self.shift(span);
         let curvature = span.turn / span.length;
-        let [a, b] = span.ends;
-        let share = (local - a).dot(b - a) / (b - a).length_squared().max(f64::MIN_POSITIVE);
-        let mut gone = span.length * mapd_geometry::clamp(share, 0.0, 1.0);
+        let mut gone = mapd_geometry::clamp(span.guess(local), 0.0, span.length);
         let mut best: Option<Foot<'b>> = None;
         for _ in 0..STEPS {
-            let own = center(&lane, span.place(span.s_at(gone)), piece.forward).ok()?;
-            let away = local - (own.position.truncate() - self.map.origin());
-            let (sin, cos) = cos_sin(own.heading);
-            let (ahead, d) = (away.x * cos + away.y * sin, away.y * cos - away.x * sin);
-            let distance = away.length();
-            let foot = Foot { span, gone, distance, ahead, d, heading: own.heading };
+            let at = span.place(span.s_at(gone));
+            let [place, way] = tangent(&lane, at, piece.forward, shift)?;
+            let away = local - place;
+            let (ahead, d) = (away.dot(way), way.perp_dot(away));
+            let room = (1.0 - curvature * d).max(MIN_CONTRACTION);
+            let next = mapd_geometry::clamp(gone + ahead / room, 0.0, span.length);
+            let step = next - gone;
+            let is_last = step.abs() <= STEP;
+            // A step this small changes nothing but the place along the line.
+            let ahead = if is_last { ahead - step * room } else { ahead };
+            let (distance, gone_now) =
+                ((ahead * ahead + d * d).sqrt(), if is_last { next } else { gone });
             if best.is_none_or(|best| distance <= best.distance) {
-                best = Some(foot);
+                best = Some(Foot { span, gone: gone_now, distance, ahead, d, way });
             }
-            let step = ahead / (1.0 - curvature * d).max(MIN_CONTRACTION);
-            let next = mapd_geometry::clamp(gone + step, 0.0, span.length);
-            if (next - gone).abs() <= STEP {
+            if is_last {
                 break;
             }
             gone = next;
@@ -194,8 +168,109 @@ impl<'b> Path<'_, 'b> {
     }
 }
 
-/// Sine and cosine of a heading.
-fn cos_sin(heading: f64) -> (f64, f64) {
-    let (cos, sin) = mapd_geometry::cos_sin(heading);
-    (sin, cos)
+impl Span {
+    /// Square of a point's distance from the chord.
+    #[inline]
+    fn squared_from_chord(&self, local: DVec2) -> f64 {
+        let [a, b] = self.ends;
+        let (edge, away) = (b - a, local - a);
+        let along = away.dot(edge) / edge.length_squared().max(f64::MIN_POSITIVE);
+        (away - edge * mapd_geometry::clamp(along, 0.0, 1.0)).length_squared()
+    }
+
+    /// About where the foot of a point is, from the span's start: exact for a line, and for an arc but for the series of the arc tangent.
+    fn guess(&self, local: DVec2) -> f64 {
+        let [a, b] = self.ends;
+        let chord = b - a;
+        let length = chord.length().max(f64::MIN_POSITIVE);
+        let way = chord / length;
+        // An arc's middle lies beside that of its chord, away from the centre.
+        let middle = 0.5 * (a + b) - way.perp() * (0.125 * self.length * self.turn);
+        let away = local - middle;
+        let curvature = self.turn / self.length;
+        let room = (1.0 - curvature * way.perp_dot(away)).max(MIN_CONTRACTION);
+        let u = away.dot(way) * curvature / room;
+        let series = if u.abs() < 1.0 { 1.0 - u * u * (1.0 / 3.0 - u * u * 0.2) } else { 1.0 };
+        0.5 * self.length + away.dot(way) / room * series
+    }
+}
+
+/// A search for the nearest place.
+struct Search<'a, 'b> {
+    path: Path<'a, 'b>,
+    local: DVec2,
+    among: Range<usize>,
+    best: Option<Foot<'b>>,
+}
+
+impl<'b> Search<'_, 'b> {
+    /// Looks at what lies under a box, the nearest first.
+    fn under(&mut self, level: usize, number: usize) {
+        let first = number * WIDTH;
+        let mut near = [(f64::INFINITY, 0); WIDTH];
+        let mut count = 0;
+        let mut add = |squared: f64, number: usize| {
+            let mut at = count;
+            while at > 0 && near[at - 1].0 > squared {
+                near[at] = near[at - 1];
+                at -= 1;
+            }
+            near[at] = (squared, number);
+            count += 1;
+        };
+        let path = self.path;
+        if level == 0 {
+            let (from, end) = (first.max(self.among.start), (first + WIDTH).min(self.among.end));
+            for (i, span) in (from..).zip(path.buffer.spans.get(from..end).unwrap_or(&[])) {
+                add(span.squared_from_chord(self.local), i);
+            }
+        } else {
+            let below = path.buffer.boxes.level(level - 1);
+            let size = WIDTH.pow(level as u32);
+            let end = (first + WIDTH).min(below.len());
+            for (i, own) in (first..).zip(below.get(first..end).unwrap_or(&[])) {
+                if i * size < self.among.end && (i + 1) * size > self.among.start {
+                    add(own.squared_distance(self.local), i);
+                }
+            }
+        }
+        for (squared, i) in near.into_iter().take(count) {
+            let within = |slack: f64| {
+                self.best.is_none_or(|best| {
+                    let reach = best.distance + slack + EQUAL;
+                    squared <= reach * reach
+                })
+            };
+            if level > 0 {
+                if within(0.0) {
+                    self.under(level - 1, i);
+                }
+            } else if let Some(span) = path.buffer.spans.get(i)
+                && within(span.slack)
+                && let Some(foot) = path.foot(span, self.local)
+            {
+                self.consider(foot);
+            }
+        }
+    }
+
+    fn consider(&mut self, foot: Foot<'b>) {
+        let Some(best) = self.best else {
+            self.best = Some(foot);
+            return;
+        };
+        let equal = (foot.distance - best.distance).abs() <= EQUAL;
+        // Where two spans meet, both have the joint; the later one answers there, as in `at`.
+        let same = equal && (foot.along() - best.along()).abs() <= EQUAL;
+        let wins = if same {
+            foot.span.along > best.span.along
+        } else if equal {
+            foot.along() < best.along()
+        } else {
+            foot.distance < best.distance
+        };
+        if wins {
+            self.best = Some(foot);
+        }
+    }
 }

@@ -13,6 +13,23 @@ pub struct PathSpeed {
     pub rule: SpeedRule,
 }
 
+/// A limit, and the S from which on it is to be looked up again.
+#[derive(Clone, Copy)]
+pub(super) struct Limit {
+    pub(super) rule: SpeedRule,
+    pub(super) until: f64,
+}
+
+impl Limit {
+    /// Nothing is looked up yet.
+    pub(super) const NONE: Self = Self { rule: NOTHING, until: f64::NEG_INFINITY };
+}
+
+/// Nothing is known.
+const NOTHING: SpeedRule = SpeedRule { max: None, origin: SpeedOrigin::None, signal: None };
+/// S of a record and s of a place may differ by rounding `[m]`.
+const ROUNDING: f64 = 1e-6;
+
 impl<'a> Path<'a, '_> {
     /// The speed limit at S, which is moved to the path's nearer end where it lies outside. What came in with the vehicle is known: in a
     /// junction where nothing else is written the limit where the path enters it, and the zone that it has driven into. None for an
@@ -34,15 +51,11 @@ impl<'a> Path<'a, '_> {
             let Some(lane) = Lane::new(self.map, piece.lane) else { continue };
             let first = out.len();
             let [begin, end] = self.ends_of(piece);
-            let nothing = SpeedRule { max: None, origin: SpeedOrigin::None, signal: None };
             let mut cut = |along: f64| {
-                out.push(PathSpeed { along: [along, end], rule: nothing });
+                out.push(PathSpeed { along: [along, end], rule: NOTHING });
             };
             cut(begin);
-            let signs = lane.signals().filter(is_of_speed).map(|one| one.s_on(&lane));
-            let records = lane.speeds().map(|record| record.s);
-            let types = lane.road().types().map(|record| record.s);
-            for s in signs.chain(records).chain(types) {
+            for s in breaks(&lane) {
                 if let Some(along) = self.along_on(piece, s).filter(|s| *s > begin && *s < end) {
                     cut(along);
                 }
@@ -68,6 +81,16 @@ impl<'a> Path<'a, '_> {
             }
             same
         });
+    }
+
+    /// The limit at S, which is s on a piece, and how long nothing on the piece can change it.
+    pub(super) fn limit_from(&self, number: usize, along: f64, s: f64) -> Limit {
+        let piece = self.buffer.pieces.get(number);
+        let (Some(piece), Some(lane)) = (piece, self.lane_of(number)) else { return Limit::NONE };
+        let rule = self.rule_on(number, s).unwrap_or(NOTHING);
+        let next = breaks(&lane).filter_map(|s| self.along_on(piece, s));
+        let next = next.filter(|next| next + ROUNDING > along);
+        Limit { rule, until: next.fold(self.ends_of(piece)[1], f64::min) }
     }
 
     /// The limit at s on a piece, by the way that the path has come.
@@ -133,4 +156,11 @@ impl<'a> Path<'a, '_> {
     pub(super) fn along_on(&self, piece: &Piece, s: f64) -> Option<f64> {
         self.spans_of(piece).iter().find_map(|span| span.along_at(s))
     }
+}
+
+/// Every s at which the limit on a lane may change.
+fn breaks(lane: &Lane<'_>) -> impl Iterator<Item = f64> {
+    let signs = lane.signals().filter(is_of_speed).map(|one| one.s_on(lane));
+    let records = lane.speeds().map(|record| record.s);
+    signs.chain(records).chain(lane.road().types().map(|record| record.s))
 }

@@ -36,7 +36,8 @@ Columns:
   path        as route             a row for each station of the driven line:
                                    S,x,y,z,hdg,curvature,lane,left,right,speed (left, right: distances to the lane's edges)
   corridor    as route             a row for each station: S,left_x,left_y,right_x,right_y,left_mark,right_mark,left_may_cross,
-                                   right_may_cross (1 if a lane change is allowed)
+                                   right_may_cross (1 if a lane change is allowed),left_edge,right_edge (lane, kerb or end of
+                                   the road),speed,friction (empty if unknown)
   project     as route, and x,y[,hdg]
                                    S,d,heading_difference,lane,clamped of the nearest point of the driven line
   conflicts   as route             a row for each lane that meets the path: S_from,S_to,other_lane,other_s_from,other_s_to,

@@ -46,7 +46,7 @@ pub enum Kind {
     Landmarks,
     /// as route → a row for each station: S,x,y,z,hdg,curvature,lane,left,right,speed
     Path,
-    /// as route → a row for each station: S, both edges of the driven lane, their marks, whether a lane change is allowed there
+    /// as route → a row for each station: S, both edges of the driven lane, their marks, whether a lane change is allowed there, what lies beyond, speed, friction
     Corridor,
     /// as route, and `x,y[,hdg]` → S,d,heading_difference,lane,clamped
     Project,
@@ -162,6 +162,10 @@ impl Kind {
                 "right_mark",
                 "left_may_cross",
                 "right_may_cross",
+                "left_edge",
+                "right_edge",
+                "speed",
+                "friction",
             ],
             Self::Project => &["S", "d", "heading_difference", "lane", "clamped"],
             Self::Conflicts => &[

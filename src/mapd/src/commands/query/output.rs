@@ -53,6 +53,7 @@ const NUMBERS: &[&str] = &[
     "forward",
     "back",
     "speed",
+    "friction",
     "left_x",
     "left_y",
     "right_x",

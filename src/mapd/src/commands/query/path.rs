@@ -117,12 +117,16 @@ fn corridor(
     let (step, length) = (router.step(), path.length());
     check_step(step, length)?;
     path.corridor(0.0, length, step, router.vehicle(), room).map_err(text)?;
+    path.corridor_surface(room).map_err(text)?;
     for i in 0..room.len() {
         let (left, right) = (room.left[i], room.right[i]);
         numbers(out, &[room.along[i], left.x, left.y, right.x, right.y]);
         let marks = [room.left_mark[i], room.right_mark[i]];
         out.extend(marks.map(|mark| mark.kind.name().to_owned()));
         out.extend(marks.map(|mark| u8::from(mark.may_cross).to_string()));
+        out.extend(marks.map(|mark| mark.edge.name().to_owned()));
+        let facts = [room.speed[i].max, room.surface[i].friction];
+        out.extend(facts.map(|fact| fact.map(number).unwrap_or_default()));
     }
     Ok(())
 }

@@ -1,0 +1,103 @@
+//! Changes of lane as a curve over a length.
+
+use crate::paths::{each_path_with, is_near_joint};
+use mapd_query::path::{LaneChange, PathBuffer, PathOptions};
+use mapd_query::route::{Enter, RouteStep};
+use mapd_tests::graph_maps::{Line, document, lane, road, section, wide};
+use mapd_tests::maps::open_text;
+
+/// Length of a change `[m]`.
+const LENGTH: f64 = 6.0;
+/// What places may be off `[m]`.
+const TOLERANCE: f64 = 1e-6;
+
+fn options(length: f64) -> PathOptions {
+    PathOptions { change: LaneChange::Lateral(length), ..PathOptions::default() }
+}
+
+#[test]
+fn a_curve_has_no_jump_and_is_projected_back() {
+    let counts = std::cell::Cell::new([0, 0]);
+    each_path_with(&options(LENGTH), |map, path, steps, name, random| {
+        for joint in path.joints() {
+            let changes = matches!(joint.enter, Enter::Left | Enter::Right);
+            assert!(changes || !joint.short, "{name}: {joint:?}");
+            if !changes {
+                continue;
+            }
+            // Where lanes do not meet, there is a gap with a curve, too.
+            assert!(joint.short || joint.broken || joint.gap < 0.1, "{name}: {joint:?}");
+            let mut all = counts.get();
+            all[usize::from(joint.short)] += 1;
+            counts.set(all);
+            for _ in 0..8 {
+                let along = joint.along + random.between(0.0, LENGTH);
+                if along > path.length() || is_near_joint(path, along) {
+                    continue;
+                }
+                let at = path.at(along).expect("a place");
+                let found = path.project(at.position.truncate(), Some(along)).expect("a foot");
+                assert!(found.distance < TOLERANCE, "{name}: {found:?} of {at:?}");
+                let off = (found.along - along).abs();
+                assert!(off < TOLERANCE, "{name}: {off} m of {at:?}, {found:?}");
+                let turned = found.heading_difference(at.heading).abs();
+                assert!(turned < 1e-6, "{name}: {turned}");
+                // On one of the route's lanes.
+                let on = steps.iter().any(|own| {
+                    let lane = map.lane(own.lane).expect("a lane");
+                    lane.position_of(at.position.truncate())
+                        .is_ok_and(|position| position.distance < TOLERANCE)
+                });
+                assert!(on, "{name}: {at:?}");
+            }
+        }
+    });
+    let [curves, jumps] = counts.get();
+    assert!(curves > 20 && jumps > 0, "{curves} curves, {jumps} jumps");
+}
+
+/// Two lanes of 3.5 m: the line goes from one middle to the other over the length, and not beyond the last place for the change.
+#[test]
+fn from_one_middle_to_the_next() {
+    let free = "<roadMark sOffset=\"0\" type=\"broken\" laneChange=\"both\"/>";
+    let width = "a=\"3.5\" b=\"0\" c=\"0\" d=\"0\"";
+    let lanes = wide(-1, "", "", width, free) + &lane(-2, "");
+    let line = Line(0.0, 0.0, 0.0, 100.0, 0.0);
+    let text = document(&road("1", "junction=\"-1\"", line, "", &section(0.0, "", &lanes)));
+    let snapshot = open_text(&text);
+    let map = snapshot.map();
+    let id = |key: &str| map.lane_by_key(&key.parse().expect("a key")).expect("a lane").lane_id();
+    let step = |key: &str, enter, [s_from, s_to]: [f64; 2], s_latest| RouteStep {
+        lane: id(key),
+        forward: true,
+        enter,
+        s_from,
+        s_to,
+        s_latest,
+    };
+    let steps = [
+        step("1:0:-1", Enter::Start, [10.0, 20.0], 10.0),
+        step("1:0:-2", Enter::Right, [20.0, 90.0], 60.0),
+    ];
+    let mut buffer = PathBuffer::default();
+    let path = map.path(&steps, &options(30.0), &mut buffer).expect("a path");
+    let y = |x: f64| {
+        let found = path.project(mapd_client::glam::DVec2::new(x, -3.5), None).expect("a foot");
+        let at = path.at(found.along).expect("a place");
+        (at.position.y, at.left + at.right)
+    };
+    // 1 − 10u³ + 15u⁴ − 6u⁵ is one half in the middle.
+    for (x, expected) in [(20.0, -1.75), (35.0, -3.5), (50.0, -5.25), (80.0, -5.25)] {
+        let (y, width) = y(x);
+        assert!((y - expected).abs() < 0.02, "{x}: {y}");
+        assert!((width - 3.5).abs() < 1e-9, "{width}");
+    }
+    let start = path.at(10.0).expect("its beginning");
+    assert!((start.left + 1.75).abs() < 1e-9 && start.curvature.abs() < 1e-2, "{start:?}");
+    assert_eq!(path.joints().len(), 1, "{:?}", path.joints());
+    assert!(!path.joints()[0].short && path.joints()[0].gap < TOLERANCE);
+    assert!(path.length() > 80.0 && path.length() < 80.5, "{}", path.length());
+    let path = map.path(&steps, &options(50.0), &mut buffer).expect("a path");
+    assert!(path.joints()[0].short && (path.joints()[0].gap - 3.5).abs() < TOLERANCE);
+    assert_eq!(path.length(), 80.0);
+}
