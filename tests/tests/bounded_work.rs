@@ -484,3 +484,43 @@ fn dependencies_of_signals_are_followed_once() {
         assert_eq!(rows(compiled).signals.len(), COUNT, "none is lost");
     }
 }
+
+/// A road whose sections but for the first say what lies to the left alone, so that its lanes to the right go on past them.
+fn going_on(lanes: usize, sections: usize) -> String {
+    let lane = |id: i32| {
+        format!(
+            r#"<lane id="{id}" type="driving"><width sOffset="0" a="0.1" b="0" c="0" d="0"/></lane>"#
+        )
+    };
+    let (left, center) =
+        (format!("<left>{}</left>", lane(1)), r#"<center><lane id="0" type="none"/></center>"#);
+    let right: String = (1..=lanes as i32).map(|id| lane(-id)).collect();
+    let mut text =
+        format!(r#"<laneSection s="0">{left}{center}<right>{right}</right></laneSection>"#);
+    for at in 1..=sections {
+        let s = at as f64 / (sections + 1) as f64;
+        let _ = write!(
+            text,
+            r#"<laneSection s="{s:?}" singleSide="true">{left}{center}</laneSection>"#
+        );
+    }
+    text
+}
+
+/// Each lane that went on past a section for the other side became a row there, so that rows grew with the square of the text.
+#[test]
+fn lanes_that_go_on_past_sections_for_the_other_side_are_limited() {
+    const LIMIT: usize = 64;
+    const SECTIONS: usize = 300;
+    let whole = metre("1", 0.0);
+    let start = whole.find("<laneSection").expect("a section");
+    let end = whole.find("</lanes>").expect("an end");
+    let road = |lanes| {
+        let sections = going_on(lanes, SECTIONS);
+        map_of(&format!("{}{sections}{}", &whole[..start], &whole[end..]))
+    };
+    let rows = rows(soon("lanes that go on", &road(LIMIT)));
+    assert_eq!(rows.lanes.len(), (SECTIONS + 1) * (LIMIT + 2));
+    let what = ("mapd:compile.too_large", "OpenDRIVE/road[@id=1]/lanes/laneSection");
+    check("more lanes that go on", &road(2 * LIMIT), what);
+}

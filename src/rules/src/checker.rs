@@ -41,10 +41,13 @@ impl Checker {
         line
     }
 
-    /// Looks at a top-level element by itself: to the rules on the network it is not there.
+    /// Looks at a top-level element by itself: to the rules on the network it is not there. Of a road the network keeps its id.
     pub fn item_apart(&mut self, item: &mut Item) -> ReferenceLine {
         self.select(item);
         let line = self.examiner.examine(item);
+        if let Item::Road(road) = item {
+            self.examiner.network.add_apart(road);
+        }
         let examined = Examined(std::mem::take(&mut self.examiner.found));
         self.keep(examined);
         line
@@ -123,9 +126,10 @@ impl Checker {
         Whole { rules: Arc::clone(&self.examiner.rules), network }
     }
 
-    /// Takes what all checks of the document as a whole found, in their order.
-    pub fn end(&mut self, whole: Whole, examined: impl IntoIterator<Item = Examined>) {
-        let Whole { rules, .. } = whole;
+    /// Takes what all checks of the document as a whole found, in their order; yields the network for who builds from its links:
+    /// ids, roads, lanes and junctions, without cross-sections, parts and references.
+    pub fn end(&mut self, whole: Whole, examined: impl IntoIterator<Item = Examined>) -> Network {
+        let Whole { rules, network } = whole;
         self.keep(Examined(examined.into_iter().flat_map(|examined| examined.0).collect()));
         for (applied, left_out) in rules.applied.iter().zip(&self.left_out) {
             if let Some((span, severity, count)) = *left_out {
@@ -141,6 +145,7 @@ impl Checker {
                 });
             }
         }
+        network.into_links()
     }
 
     /// Takes the findings since the last call.

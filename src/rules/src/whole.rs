@@ -12,6 +12,11 @@ pub struct Whole {
 }
 
 impl Whole {
+    /// What is kept of the document.
+    pub fn network(&self) -> &Network {
+        &self.network
+    }
+
     /// Number of rules that look at the document as a whole.
     pub fn checks(&self) -> usize {
         self.rules.lists.network.len()

@@ -1,7 +1,7 @@
 //! Appends what a part of the document was lowered to, so that the whole is as if it had been lowered in one go.
 
 use super::owners::{Before, move_owners};
-use super::{Draft, interned};
+use super::{Draft, interned, joints};
 use crate::without::Without;
 use mapd_archive::{Moved, Rows};
 use mapd_ontology::Ontology;
@@ -30,7 +30,7 @@ impl Draft {
         let annotated = self.rows.annotations.len();
         self.rows.append(&part.rows, &moves);
         let before = Before {
-            connections: self.links.connections.len(),
+            connections: self.connections,
             objects: self.objects.objects.len(),
             controllers: self.signals.controllers(),
             stations: self.objects.stations.len(),
@@ -38,7 +38,9 @@ impl Draft {
         if let Some(new) = self.rows.annotations.get_mut(annotated..) {
             move_owners(new, before, &moves);
         }
-        self.links.append(part.links, grids);
+        self.road_spans.extend(part.road_spans);
+        self.connections += part.connections;
+        self.joints.extend(joints::behind(part.joints, grids));
         self.permissions.append(part.permissions, &moves.lanes);
         self.objects.append(part.objects, &moves);
         self.signals.append(part.signals, &moves);

@@ -1,183 +1,144 @@
-//! Links of roads, lanes and junctions as written, kept until every id is known.
-//!
-//! Of a junction only what is built from is kept: its connections and lane links in tables of all junctions, its ids as
-//! numbers. The few that say more keep the element.
+//! Links as written, by the rows of what has them. The network that the rules look at has them once for both.
 
-use mapd_archive::{Moved, Range, StringTable};
-use mapd_xodr::{ContactPoint, ElementDir, Junction, JunctionType, Span};
+use mapd_archive::Rows;
+use mapd_rules::Network;
+use mapd_rules::network::{
+    ConnectionFacts, Contact, JunctionFacts, LaneLinkFacts, LinkFacts, Name, RoadApart, RoadFacts,
+};
+use mapd_xodr::{Junction, Span};
+
+/// A road's row in the network.
+#[derive(Clone, Copy)]
+pub(crate) enum RoadWritten<'a> {
+    Whole(&'a RoadFacts),
+    /// It is built as its reference line alone: it has no links, and nothing leads to it.
+    Apart(&'a RoadApart),
+}
+
+impl RoadWritten<'_> {
+    /// Its id.
+    pub(crate) fn id(self) -> Name {
+        match self {
+            Self::Whole(road) => road.id,
+            Self::Apart(road) => road.id,
+        }
+    }
+
+    /// The junction that it names.
+    pub(crate) fn junction(self) -> Option<Name> {
+        match self {
+            Self::Whole(road) => road.junction,
+            Self::Apart(road) => road.junction,
+        }
+    }
+}
 
 /// Links as written.
-#[derive(Default)]
-pub(crate) struct Links {
-    /// Ids that links name, each once. They are not the archive's: what is named need not be there.
-    pub(crate) names: StringTable,
-    /// Per road: predecessor and successor as written.
-    pub(crate) roads: Vec<[Option<RoadLink>; 2]>,
-    /// Per road: the junction that it names, in `names`; 0 where it names none.
-    pub(crate) road_junctions: Vec<u32>,
-    /// Per road: place of its start tag.
-    pub(crate) road_spans: Vec<Span>,
-    /// Per lane row: predecessors and successors as written, ranges of `lane_links`.
-    pub(crate) lanes: Vec<[Range; 2]>,
-    pub(crate) lane_links: Vec<WrittenLink>,
-    /// Junctions as written.
-    pub(crate) junctions: Vec<WrittenJunction>,
-    /// Connections of all junctions, in the order of their rows.
-    pub(crate) connections: Vec<WrittenConnection>,
-    /// Lane links of all connections that name both lanes.
-    pub(crate) connected: Vec<ConnectedLanes>,
-    /// Controllers of all junctions.
-    pub(crate) controllers: Vec<WrittenController>,
-    /// Priorities of all junctions: ids of the roads with high and low priority, in `names`.
-    pub(crate) priorities: Vec<[u32; 2]>,
-    /// Joints of junctions with an elevation grid.
-    pub(crate) joints: Vec<Joint>,
+pub(crate) struct Links<'a> {
+    pub(crate) network: &'a Network,
+    /// By row.
+    roads: Vec<Option<RoadWritten<'a>>>,
+    /// By row.
+    junctions: Vec<&'a JunctionFacts>,
+    /// By row.
+    connections: Vec<&'a ConnectionFacts>,
 }
 
-/// A road's link as written.
+impl<'a> Links<'a> {
+    /// Of roads with these start tags, in the document's order. The network has more roads and junctions: those of which no row
+    /// can be built.
+    pub(crate) fn new(road_spans: &[Span], network: &'a Network) -> Self {
+        let (mut whole, mut apart) = (network.roads.iter(), network.roads_apart.iter().peekable());
+        let written = |span: &Span| match apart.next_if(|road| road.span == *span) {
+            Some(road) => Some(RoadWritten::Apart(road)),
+            None => whole.find(|road| road.span == *span).map(RoadWritten::Whole),
+        };
+        let roads = road_spans.iter().map(written).collect();
+        let junctions = network.junctions.iter().filter(|junction| junction.id.is_some());
+        let junctions: Vec<_> = junctions.collect();
+        let connections = junctions.iter().flat_map(|junction| network.connections_of(junction));
+        Self { network, roads, connections: connections.collect(), junctions }
+    }
+
+    /// A road.
+    pub(crate) fn road(&self, row: u32) -> Option<RoadWritten<'a>> {
+        self.roads.get(row as usize).copied().flatten()
+    }
+
+    /// The link at an end of a road.
+    pub(crate) fn road_link(&self, row: u32, end: Contact) -> Option<&'a LinkFacts> {
+        match self.road(row)? {
+            RoadWritten::Whole(road) => road.link(end),
+            RoadWritten::Apart(_) => None,
+        }
+    }
+
+    /// Junctions by their rows.
+    pub(crate) fn junctions(&self) -> impl Iterator<Item = &'a JunctionFacts> + '_ {
+        self.junctions.iter().copied()
+    }
+
+    /// A junction.
+    pub(crate) fn junction(&self, row: u32) -> Option<&'a JunctionFacts> {
+        self.junctions.get(row as usize).copied()
+    }
+
+    /// Junctions that say more than which lanes they connect, as written.
+    pub(crate) fn elements(&self) -> impl Iterator<Item = &'a Junction> + '_ {
+        self.junctions().filter_map(|junction| junction.written.as_deref())
+    }
+
+    /// A connection.
+    pub(crate) fn connection(&self, row: u32) -> Option<&'a ConnectionFacts> {
+        self.connections.get(row as usize).copied()
+    }
+
+    /// Lanes that a connection links, where it names both.
+    pub(crate) fn connected(&self, connection: &ConnectionFacts) -> impl Iterator<Item = LaneLink> {
+        let links = self.network.connected_lanes(connection).iter();
+        links.filter_map(|link| Some(LaneLink { span: link.span, from: link.from?, to: link.to? }))
+    }
+
+    /// Predecessors or successors of a permanent lane in its layer. Where a section for the other side begins, it goes on as itself.
+    pub(crate) fn of_lane(
+        &self,
+        rows: &Rows,
+        lane: u32,
+        end: Contact,
+    ) -> impl Iterator<Item = LaneLinkFacts> + use<'a> {
+        let (itself, written) = self.find_lane(rows, lane, end).unwrap_or_default();
+        let written = written.iter().filter(|link| !link.to_temporary);
+        itself.into_iter().chain(written.copied())
+    }
+
+    fn find_lane(&self, rows: &Rows, lane: u32, end: Contact) -> Option<LinksOfLane<'a>> {
+        let row = rows.lanes.get(lane as usize)?;
+        let stretch = rows.sections.get(row.section as usize)?;
+        let RoadWritten::Whole(road) = self.road(stretch.road)? else { return None };
+        let (network, number) = (self.network, stretch.number as usize);
+        let written = network.section_written(road, number, row.number)?;
+        let lane = network.lane(written, row.number)?;
+        let next = || network.sections_of(road).get(number + 1);
+        let goes_on = match end {
+            Contact::Start => row.continues > 0,
+            Contact::End => next().is_some_and(|next| !next.holds(row.number)),
+        };
+        Some(if goes_on {
+            (Some(LaneLinkFacts { span: lane.span, id: lane.id, to_temporary: false }), &[])
+        } else {
+            (None, network.links_of(lane, end))
+        })
+    }
+}
+
+/// A lane's link to itself in the next stretch, or its links as written.
+type LinksOfLane<'a> = (Option<LaneLinkFacts>, &'a [LaneLinkFacts]);
+
+/// Which lane of a connection leads into which.
 #[derive(Clone, Copy)]
-pub(crate) struct RoadLink {
-    /// The element's start tag.
-    pub(crate) span: Span,
-    /// What it names, in [`Links::names`].
-    pub(crate) id: u32,
-    pub(crate) contact: Option<ContactPoint>,
-    /// Direction on the linked road.
-    pub(crate) dir: Option<ElementDir>,
-    /// Whether it names a junction.
-    pub(crate) to_junction: bool,
-    /// Where it touches the linked road `[m]`.
-    pub(crate) s: Option<f64>,
-}
-
-/// A lane's link as written.
-#[derive(Clone, Copy)]
-pub(crate) struct WrittenLink {
-    /// The element's start tag.
-    pub(crate) span: Span,
-    /// Number of the linked lane.
-    pub(crate) number: i32,
-}
-
-/// A junction as written.
-pub(crate) struct WrittenJunction {
-    pub(crate) span: Span,
-    /// Range of [`Links::connections`].
-    pub(crate) connections: Range,
-    /// Range of [`Links::controllers`].
-    pub(crate) controllers: Range,
-    /// Range of [`Links::priorities`].
-    pub(crate) priorities: Range,
-    pub(crate) kind: JunctionType,
-    /// The element, where more is built of it than its connections, controllers and priorities.
-    pub(crate) element: Option<Box<Junction>>,
-}
-
-/// A connection as written.
-#[derive(Clone, Copy)]
-pub(crate) struct WrittenConnection {
-    /// The element's start tag.
-    pub(crate) span: Span,
-    /// Ids in [`Links::names`]; 0 where there is none.
-    pub(crate) id: u32,
-    pub(crate) incoming: u32,
-    pub(crate) connecting: u32,
-    pub(crate) linked: u32,
-    /// Range of [`Links::connected`].
-    pub(crate) lane_links: Range,
-    pub(crate) contact: Option<ContactPoint>,
-}
-
-/// Which lane leads into which.
-#[derive(Clone, Copy)]
-pub(crate) struct ConnectedLanes {
+pub(crate) struct LaneLink {
     /// The element's start tag.
     pub(crate) span: Span,
     pub(crate) from: i32,
     pub(crate) to: i32,
-}
-
-/// A controller of a junction.
-#[derive(Clone, Copy)]
-pub(crate) struct WrittenController {
-    /// Ids in [`Links::names`].
-    pub(crate) id: u32,
-    pub(crate) r#type: u32,
-    pub(crate) sequence: Option<i32>,
-}
-
-/// A joint of a junction with a grid, until its road is known.
-pub(crate) struct Joint {
-    pub(crate) grid: usize,
-    pub(crate) road: String,
-    pub(crate) contact: mapd_archive::ContactPoint,
-    /// Lanes between whose outer edges the joint lies; none: the whole road.
-    pub(crate) lanes: [Option<i32>; 2],
-    /// Length of the transition `[m]`.
-    pub(crate) length: f64,
-}
-
-/// A range behind so many rows. Tables that outgrow 32 bits are refused before anything is written.
-fn behind(range: Range, rows: u32) -> Range {
-    Range { first: range.first.wrapping_add(rows), count: range.count }
-}
-
-impl Links {
-    /// An id of [`Links::names`].
-    pub(crate) fn name(&self, number: u32) -> &str {
-        std::str::from_utf8(self.names.bytes_of(number)).unwrap_or_default()
-    }
-
-    /// Junctions of which more is built than connections, controllers and priorities.
-    pub(crate) fn elements(&self) -> impl Iterator<Item = &Junction> {
-        self.junctions.iter().filter_map(|junction| junction.element.as_deref())
-    }
-
-    /// Takes those of the part that comes next; so many elevation grids come before its own.
-    pub(super) fn append(&mut self, part: Self, grids: usize) {
-        let names = Moved::To(self.names.append(&part.names));
-        let [lane_links, connections, connected, controllers, priorities] = [
-            self.lane_links.len(),
-            self.connections.len(),
-            self.connected.len(),
-            self.controllers.len(),
-            self.priorities.len(),
-        ]
-        .map(|count| count as u32);
-        let lanes = part.lanes.into_iter();
-        self.lanes.extend(lanes.map(|links| links.map(|link| behind(link, lane_links))));
-        self.lane_links.extend(part.lane_links);
-        self.roads.extend(part.roads.into_iter().map(|links| {
-            links.map(|link| link.map(|link| RoadLink { id: names.row(link.id), ..link }))
-        }));
-        self.road_junctions.extend(part.road_junctions.into_iter().map(|id| names.row(id)));
-        self.road_spans.extend(part.road_spans);
-        self.junctions.extend(part.junctions.into_iter().map(|junction| WrittenJunction {
-            connections: behind(junction.connections, connections),
-            controllers: behind(junction.controllers, controllers),
-            priorities: behind(junction.priorities, priorities),
-            ..junction
-        }));
-        self.connections.extend(part.connections.into_iter().map(|c| WrittenConnection {
-            id: names.row(c.id),
-            incoming: names.row(c.incoming),
-            connecting: names.row(c.connecting),
-            linked: names.row(c.linked),
-            lane_links: behind(c.lane_links, connected),
-            ..c
-        }));
-        self.connected.extend(part.connected);
-        self.controllers.extend(part.controllers.into_iter().map(|c| WrittenController {
-            id: names.row(c.id),
-            r#type: names.row(c.r#type),
-            ..c
-        }));
-        let roads = part.priorities.into_iter();
-        self.priorities.extend(roads.map(|ids| ids.map(|id| names.row(id))));
-        // Row 0 of a part is not used.
-        self.joints.extend(part.joints.into_iter().map(|mut joint| {
-            joint.grid = joint.grid + grids - 1;
-            joint
-        }));
-    }
 }

@@ -5,6 +5,7 @@
 
 mod append;
 mod interned;
+mod joints;
 mod links;
 mod marks;
 mod objects;
@@ -15,12 +16,11 @@ mod signals;
 
 use crate::without::Without;
 use mapd_archive::{MapRow, Range, Rows, StringTable};
+use mapd_xodr::Span;
 use std::sync::Arc;
 
-pub(crate) use links::{
-    ConnectedLanes, Joint, Links, RoadLink, WrittenConnection, WrittenController, WrittenJunction,
-    WrittenLink,
-};
+pub(crate) use joints::Joint;
+pub(crate) use links::{Links, RoadWritten};
 pub(crate) use marks::Styles;
 pub(crate) use objects::{
     Along, Border, Corner, Curve, Details, Lateral, Marking, Object, Objects, Outline, Platform,
@@ -36,7 +36,12 @@ pub(crate) use signals::{OnCarrier, Position, SignalReference, Signals, WrittenS
 pub(crate) struct Draft {
     pub(crate) rows: Rows,
     pub(crate) strings: StringTable,
-    pub(crate) links: Links,
+    /// Per road: place of its start tag, by which [`Links`] finds it in the network.
+    pub(crate) road_spans: Vec<Span>,
+    /// Number of connections that will have rows.
+    pub(crate) connections: usize,
+    /// Joints of junctions with an elevation grid.
+    pub(crate) joints: Vec<Joint>,
     pub(crate) permissions: Permissions,
     pub(crate) objects: Objects,
     /// Where the map lies on Earth, as the header says it.

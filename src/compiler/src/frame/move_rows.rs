@@ -81,7 +81,7 @@ fn geometries(frame: &mut Frame, draft: &mut Draft, findings: &mut Vec<Finding>)
 fn about_geometry(draft: &Draft, number: u32, message: String) -> Finding {
     let owns = |range: Range| range.first <= number && u64::from(number) < range.end();
     let road = draft.rows.roads.iter().position(|road| owns(road.geometries));
-    let span = road.and_then(|road| draft.links.road_spans.get(road).copied());
+    let span = road.and_then(|road| draft.road_spans.get(road).copied());
     let path = match road {
         Some(_) => "OpenDRIVE/road/planView/geometry",
         None => "OpenDRIVE/junction/planView/geometry",

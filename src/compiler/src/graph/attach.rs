@@ -6,10 +6,11 @@
 use super::cuts::{Cuts, SHORTEST_PIECE};
 use super::findings::{Problem, Problems};
 use super::nodes::{first_node, pieces};
-use super::walk::{Edge, connection_written, lane_of, written_links};
-use super::{cross_paths, virtual_connections};
+use super::walk::{Edge, lane_of};
+use super::{Source, cross_paths, virtual_connections};
 use crate::draft::Draft;
 use mapd_archive::{ContactPoint, EdgeKind, LinkKind, node_flags};
+use mapd_rules::network::Contact;
 use mapd_xodr::{ElementDir, Span};
 
 /// Edges over places inside a road, by the node that is left.
@@ -27,20 +28,21 @@ pub(crate) struct Place {
 }
 
 impl Attachments {
-    pub(crate) fn new(draft: &Draft, cuts: &Cuts, problems: &mut Problems) -> Self {
+    pub(crate) fn new(source: Source<'_>, cuts: &Cuts, problems: &mut Problems) -> Self {
+        let draft = source.draft;
         let mut edges = Vec::new();
         for road in 0..draft.rows.roads.len() as u32 {
-            for successor in [false, true] {
-                out_of_road(draft, cuts, (road, successor), problems, &mut edges);
+            for end in Contact::BOTH {
+                out_of_road(source, cuts, (road, end), problems, &mut edges);
             }
         }
         for row in draft.rows.junctions.iter() {
             for connection in row.connections.first..row.connections.end() as u32 {
-                into_road(draft, cuts, connection, problems, &mut edges);
+                into_road(source, cuts, connection, problems, &mut edges);
             }
         }
-        cross_paths::edges(draft, cuts, problems, &mut edges);
-        virtual_connections::edges(draft, cuts, problems, &mut edges);
+        cross_paths::edges(source, cuts, problems, &mut edges);
+        virtual_connections::edges(source, cuts, problems, &mut edges);
         edges.sort_by_key(|edge| edge.from);
         Self { edges }
     }
@@ -58,13 +60,12 @@ fn at_place(from: u32, to: u32, span: Span) -> Edge {
 }
 
 /// A road's link at one end, if it names a place inside another road.
-fn link_inside(draft: &Draft, road: u32, successor: bool) -> Option<Place> {
-    let row = draft.rows.roads.get(road as usize)?;
-    let link = draft.links.roads.get(road as usize)?[usize::from(successor)].as_ref()?;
-    let (kind, target) = if successor {
-        (row.successor_kind, row.successor)
-    } else {
-        (row.predecessor_kind, row.predecessor)
+fn link_inside(source: Source<'_>, road: u32, end: Contact) -> Option<Place> {
+    let row = source.draft.rows.roads.get(road as usize)?;
+    let link = source.links.road_link(road, end)?;
+    let (kind, target) = match end {
+        Contact::Start => (row.predecessor_kind, row.predecessor),
+        Contact::End => (row.successor_kind, row.successor),
     };
     let s = link.s.filter(|_| LinkKind::from_code(kind) == LinkKind::Road)?;
     let aligned = link.dir != Some(ElementDir::Minus);
@@ -73,13 +74,14 @@ fn link_inside(draft: &Draft, road: u32, successor: bool) -> Option<Place> {
 
 /// Edges that leave a road over a link into the middle of another.
 fn out_of_road(
-    draft: &Draft,
+    source: Source<'_>,
     cuts: &Cuts,
-    (road, successor): (u32, bool),
+    (road, end): (u32, Contact),
     problems: &mut Problems,
     edges: &mut Vec<Edge>,
 ) {
-    let Some(mut place) = link_inside(draft, road, successor) else { return };
+    let Some(mut place) = link_inside(source, road, end) else { return };
+    let (draft, successor) = (source.draft, end == Contact::End);
     // Who leaves over the predecessor travels against +s of both.
     place.forward = place.forward == successor;
     let rows = &draft.rows;
@@ -91,11 +93,11 @@ fn out_of_road(
         let Some(leaving) = rows.lanes.get(lane as usize) else { continue };
         let Some(first) = first_node(leaving, successor) else { continue };
         let from = first + pieces(leaving) - 1;
-        for link in written_links(draft, lane, successor) {
-            match node_at(draft, cuts, place, link.number, true) {
+        for link in source.links.of_lane(rows, lane, end) {
+            match node_at(draft, cuts, place, link.id, true) {
                 Ok(to) => edges.push(at_place(from, to, link.span)),
                 Err(missing) => {
-                    problems.add(missing.problem(from, link.number, link.span, false));
+                    problems.add(missing.problem(from, link.id, link.span, false));
                 }
             }
         }
@@ -104,12 +106,13 @@ fn out_of_road(
 
 /// Edges from the middle of an incoming road into a connecting road.
 fn into_road(
-    draft: &Draft,
+    source: Source<'_>,
     cuts: &Cuts,
     connection: u32,
     problems: &mut Problems,
     edges: &mut Vec<Edge>,
 ) {
+    let Source { draft, links } = source;
     let rows = &draft.rows;
     let Some(row) = rows.connections.get(connection as usize) else { return };
     let start = match ContactPoint::from_code(row.contact) {
@@ -117,15 +120,16 @@ fn into_road(
         ContactPoint::End => false,
         _ => return,
     };
-    let Some(mut place) = link_inside(draft, row.connecting_road, !start) else { return };
+    let away = if start { Contact::End } else { Contact::Start };
+    let Some(mut place) = link_inside(source, row.connecting_road, away) else { return };
     if place.road != row.incoming_road {
         return;
     }
     place.forward = place.forward == start;
     let Some(road) = rows.roads.get(row.connecting_road as usize) else { return };
     let section = if start { road.sections.first } else { road.sections.end() as u32 - 1 };
-    let Some(written) = connection_written(draft, connection) else { return };
-    for link in written.lane_links.of(&draft.links.connected) {
+    let Some(written) = links.connection(connection) else { return };
+    for link in links.connected(written) {
         let (number, entered, span) = (link.from, link.to, link.span);
         let from = match node_at(draft, cuts, place, number, false) {
             Ok(from) => from,

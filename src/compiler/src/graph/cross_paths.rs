@@ -4,6 +4,7 @@
 //! The path's road begins at `startLaneLink` and ends at `endLaneLink`; each names a place on the road that is touched, its
 //! lane and the lane of the path's road. Whoever travels the touched lane may turn into the path there, and out of it.
 
+use super::Source;
 use super::attach::{Missing, Place, node_at};
 use super::cuts::Cuts;
 use super::findings::{Problem, Problems};
@@ -30,22 +31,28 @@ struct End<'a> {
 }
 
 /// Places inside roads that paths touch: (road row, s).
-pub(crate) fn places(draft: &Draft) -> impl Iterator<Item = (u32, f64)> + '_ {
-    ends(draft).filter_map(|end| Some((road_of(draft, end.touched)?, end.link.s.value()?)))
+pub(crate) fn places(source: Source<'_>) -> impl Iterator<Item = (u32, f64)> {
+    ends(source)
+        .filter_map(move |end| Some((road_of(source.draft, end.touched)?, end.link.s.value()?)))
 }
 
 /// Edges from and to all paths.
-pub(crate) fn edges(draft: &Draft, cuts: &Cuts, problems: &mut Problems, edges: &mut Vec<Edge>) {
-    for end in ends(draft) {
-        if let Err(message) = join(draft, cuts, &end, edges) {
+pub(crate) fn edges(
+    source: Source<'_>,
+    cuts: &Cuts,
+    problems: &mut Problems,
+    edges: &mut Vec<Edge>,
+) {
+    for end in ends(source) {
+        if let Err(message) = join(source.draft, cuts, &end, edges) {
             let message = format!("{message}; not linked");
             problems.add(Problem::NoPlace { path: LINK, message, span: end.link.span });
         }
     }
 }
 
-fn ends(draft: &Draft) -> impl Iterator<Item = End<'_>> {
-    let paths = draft.links.elements().flat_map(|junction| &junction.cross_path);
+fn ends(source: Source<'_>) -> impl Iterator<Item = End<'_>> {
+    let paths = source.links.elements().flat_map(|junction| &junction.cross_path);
     paths.flat_map(|path| {
         let start = (&path.start_lane_link, path.road_at_start.text(), true);
         let end = (&path.end_lane_link, path.road_at_end.text(), false);

@@ -4,9 +4,10 @@
 //! All lanes of a section are cut at the same places, so that the pieces beside each other are known by their number and
 //! a change of lane is allowed over a whole piece or not at all. Cuts never show in a `LaneKey`.
 
-use super::{cross_paths, virtual_connections};
+use super::{Source, cross_paths, virtual_connections};
 use crate::draft::{Draft, between};
 use mapd_archive::{CubicRow, LaneType, Range, VehicleClass, lane_flags};
+use mapd_rules::network::{Contact, LinkTarget};
 
 /// Shortest piece `[m]`: a cut nearer than this to an end or to another cut is left out. What holds in the middle of a
 /// piece holds for all of it, so a permission is off by at most half of this.
@@ -21,11 +22,12 @@ pub(crate) struct Cuts {
 }
 
 impl Cuts {
-    pub(crate) fn new(draft: &Draft) -> Self {
+    pub(crate) fn new(source: Source<'_>) -> Self {
+        let draft = source.draft;
         let rows = &draft.rows;
         let mut cuts =
             Self { ranges: Vec::with_capacity(rows.sections.len()), offsets: Vec::new() };
-        let attached = attachments(draft);
+        let attached = attachments(source);
         let mut wanted = Vec::new();
         for section in rows.sections.iter() {
             let length = section.s_end - section.s_start;
@@ -60,21 +62,19 @@ impl Cuts {
 }
 
 /// Places on roads to which virtual junctions and paths across link roads and lanes: (road row, s), sorted.
-fn attachments(draft: &Draft) -> Vec<(u32, f64)> {
+fn attachments(source: Source<'_>) -> Vec<(u32, f64)> {
     let mut places = Vec::new();
-    for (row, links) in draft.rows.roads.iter().zip(&draft.links.roads) {
-        let ends = [row.predecessor, row.successor];
-        for (link, target) in links.iter().zip(ends) {
-            if let Some(link) = link
-                && let Some(s) = link.s
-                && !link.to_junction
+    for (number, row) in source.draft.rows.roads.iter().enumerate() {
+        for (end, target) in Contact::BOTH.into_iter().zip([row.predecessor, row.successor]) {
+            if let Some(link) = source.links.road_link(number as u32, end)
+                && let (Some(s), LinkTarget::Road(_)) = (link.s, link.target)
             {
                 places.push((target, s));
             }
         }
     }
-    places.extend(virtual_connections::places(draft));
-    places.extend(cross_paths::places(draft));
+    places.extend(virtual_connections::places(source));
+    places.extend(cross_paths::places(source));
     places.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
     places
 }

@@ -23,7 +23,7 @@ mod zones;
 
 pub(crate) use rings::rings;
 
-use crate::draft::Draft;
+use crate::draft::{Draft, Links};
 use crate::findings::TooLarge;
 use crate::options::{CompileOptions, MOST_LANDMARKS};
 use mapd_archive::Rows;
@@ -39,20 +39,30 @@ pub(crate) struct Written {
     zones: Vec<zones::Zone>,
 }
 
+/// What the graph's shape follows from: the rows so far, and the links as written.
+#[derive(Clone, Copy)]
+pub(crate) struct Source<'a> {
+    pub(crate) draft: &'a Draft,
+    pub(crate) links: &'a Links<'a>,
+}
+
 /// Fills nodes and edges. What is wrong with a link is a finding, and the link is left out.
 pub(crate) fn build(
     draft: &mut Draft,
+    links: &Links<'_>,
     places: &Places,
     settings: &Settings,
     findings: &mut Vec<Finding>,
 ) -> Result<Written, TooLarge> {
-    let cuts = cuts::Cuts::new(draft);
+    let cuts = cuts::Cuts::new(Source { draft, links });
     nodes::build(draft, &cuts)?;
     let mut problems = findings::Problems::default();
-    let attachments = attach::Attachments::new(draft, &cuts, &mut problems);
-    let edges = walk::edges(draft, &attachments, &mut problems);
+    let source = Source { draft, links };
+    let attachments = attach::Attachments::new(source, &cuts, &mut problems);
+    let edges = walk::edges(source, &attachments, &mut problems);
+    let zones = zones::zones(source);
     problems.report(draft, settings, findings);
-    Ok(Written { links: csr::store(draft, edges, places)?, zones: zones::zones(draft) })
+    Ok(Written { links: csr::store(draft, edges, places)?, zones })
 }
 
 /// Completes the graph from sampled lanes: lengths and times, components, conflicts, landmarks, and what is wrong with its cycles and joints.

@@ -4,6 +4,7 @@
 //! The connection's predecessor is left and its successor entered; `elementDir` says in which direction of s one travels on
 //! each, and its lane links which lanes. A way that ends where the other begins needs no cut in the file: nodes end there.
 
+use super::Source;
 use super::attach::{Missing, Place, node_at};
 use super::cuts::Cuts;
 use super::findings::{Problem, Problems};
@@ -21,14 +22,20 @@ const ENDS: &str = "OpenDRIVE/junction/connection";
 const BEYOND: f64 = 0.01;
 
 /// Places inside roads that virtual connections name: (road row, s).
-pub(crate) fn places(draft: &Draft) -> impl Iterator<Item = (u32, f64)> + '_ {
-    let ends = connections(draft).flat_map(|connection| ends(connection).into_iter().flatten());
-    ends.filter_map(|end| place(draft, end).ok()).map(|place| (place.road, place.s))
+pub(crate) fn places(source: Source<'_>) -> impl Iterator<Item = (u32, f64)> {
+    let ends = connections(source).flat_map(|connection| ends(connection).into_iter().flatten());
+    ends.filter_map(move |end| place(source.draft, end).ok()).map(|place| (place.road, place.s))
 }
 
 /// Edges of all virtual connections.
-pub(crate) fn edges(draft: &Draft, cuts: &Cuts, problems: &mut Problems, edges: &mut Vec<Edge>) {
-    for connection in connections(draft) {
+pub(crate) fn edges(
+    source: Source<'_>,
+    cuts: &Cuts,
+    problems: &mut Problems,
+    edges: &mut Vec<Edge>,
+) {
+    let draft = source.draft;
+    for connection in connections(source) {
         let [from, to] = ends(connection).map(|end| match end {
             Some(end) => place(draft, end).map_err(|message| (message, end.span)),
             None => Err(("expected a predecessor and a successor".to_owned(), connection.span)),
@@ -66,8 +73,8 @@ pub(crate) fn edges(draft: &Draft, cuts: &Cuts, problems: &mut Problems, edges: 
 }
 
 /// All virtual connections.
-fn connections(draft: &Draft) -> impl Iterator<Item = &Connection> {
-    let all = draft.links.elements().flat_map(|junction| &junction.connection);
+fn connections(source: Source<'_>) -> impl Iterator<Item = &Connection> {
+    let all = source.links.elements().flat_map(|junction| &junction.connection);
     all.filter(|connection| {
         connection.r#type.value() == Some(ConnectionType::Virtual)
             && (connection.connecting_road.is_none()

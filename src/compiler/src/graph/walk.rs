@@ -4,15 +4,16 @@
 //! adjacent section; at a road's end through the road's link; at a junction through the connections whose incoming road
 //! this is. Links are followed as written, never derived from geometry.
 
+use super::Source;
 use super::attach::Attachments;
 use super::findings::{Problem, Problems};
 use super::incoming::Incoming;
 use super::nodes::{first_node, pieces};
-use crate::draft::{Draft, WrittenConnection, WrittenLink};
+use crate::draft::{Draft, Links};
 use mapd_archive::{
-    ConnectionRow, ContactPoint, EdgeKind, LaneRow, LinkKind, Range, RoadRow, lane_flags,
-    node_flags,
+    ConnectionRow, ContactPoint, EdgeKind, LaneRow, LinkKind, RoadRow, lane_flags, node_flags,
 };
+use mapd_rules::network::Contact;
 use mapd_xodr::Span;
 
 /// An edge with the place in the file that says so.
@@ -33,12 +34,14 @@ struct Entry {
 
 /// All edges, by the node that is left, and what is wrong with the links.
 pub(crate) fn edges(
-    draft: &Draft,
+    source: Source<'_>,
     attachments: &Attachments,
     problems: &mut Problems,
 ) -> Vec<Edge> {
+    let Source { draft, links } = source;
     let incoming = Incoming::new(draft);
-    let mut walk = Walk { draft, incoming: &incoming, attachments, edges: Vec::new(), problems };
+    let mut walk =
+        Walk { draft, links, incoming: &incoming, attachments, edges: Vec::new(), problems };
     for node in 0..draft.rows.lane_nodes.len() {
         walk.leave(node as u32);
     }
@@ -47,6 +50,7 @@ pub(crate) fn edges(
 
 struct Walk<'a> {
     draft: &'a Draft,
+    links: &'a Links<'a>,
     incoming: &'a Incoming,
     attachments: &'a Attachments,
     edges: Vec<Edge>,
@@ -103,16 +107,13 @@ impl Walk<'_> {
 
     /// Whether a road's link at one end names a place inside another road.
     fn names_a_place(&self, road: u32, forward: bool) -> bool {
-        let links = self.draft.links.roads.get(road as usize);
-        links
-            .and_then(|links| links[usize::from(forward)].as_ref())
-            .is_some_and(|link| link.s.is_some())
+        self.links.road_link(road, ahead(forward)).is_some_and(|link| link.s.is_some())
     }
 
     /// Follows the lane's links as written: its successors (`forward`) or predecessors.
     fn written(&mut self, node: u32, lane: u32, forward: bool, kind: EdgeKind, entry: Entry) {
-        for link in written_links(self.draft, lane, forward) {
-            self.enter((node, kind, link.span), entry, link.number);
+        for link in self.links.of_lane(&self.draft.rows, lane, ahead(forward)) {
+            self.enter((node, kind, link.span), entry, link.id);
         }
     }
 
@@ -151,17 +152,17 @@ impl Walk<'_> {
             let Some(entry) = self.touching(connection.connecting_road, connection.contact) else {
                 continue;
             };
-            let Some(written) = connection_written(draft, *connection_row) else {
+            let Some(written) = self.links.connection(*connection_row) else {
                 continue;
             };
-            let lane_links = written.lane_links.of(&draft.links.connected);
-            if lane_links.is_empty() {
+            if self.links.connected(written).next().is_none() {
                 // OpenDRIVE 1.4: without lane links, lanes keep their numbers, as far as both roads have them.
                 if self.find(entry, row.number).is_some_and(|lane| self.travels(lane, entry)) {
                     self.enter((node, EdgeKind::Implied, written.span), entry, row.number);
                 }
             }
-            for link in lane_links.iter().filter(|link| link.from == row.number) {
+            let links = self.links;
+            for link in links.connected(written).filter(|link| link.from == row.number) {
                 self.enter((node, EdgeKind::Connection, link.span), entry, link.to);
             }
         }
@@ -243,15 +244,9 @@ pub(crate) fn lane_of(draft: &Draft, section: u32, number: i32) -> Option<u32> {
     (number != 0).then_some(section.lanes.first + at as u32)
 }
 
-/// Lanes written as successors (`forward`) or predecessors.
-pub(crate) fn written_links(draft: &Draft, lane: u32, forward: bool) -> &[WrittenLink] {
-    let ranges: [Range; 2] = draft.links.lanes.get(lane as usize).copied().unwrap_or_default();
-    ranges[usize::from(forward)].of(&draft.links.lane_links)
-}
-
-/// A connection as the file has it.
-pub(crate) fn connection_written(draft: &Draft, connection: u32) -> Option<&WrittenConnection> {
-    draft.links.connections.get(connection as usize)
+/// The end towards which one travels.
+fn ahead(forward: bool) -> Contact {
+    if forward { Contact::End } else { Contact::Start }
 }
 
 /// Whether both ends of a road lie at this junction.

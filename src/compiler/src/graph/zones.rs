@@ -2,8 +2,10 @@
 //! virtual one or a path across touches, the sections of roads that a crossing names, and the roads of a direct junction as
 //! far as they may overlap (OpenDRIVE 1.8.1, 12).
 
+use super::Source;
 use crate::draft::Draft;
 use mapd_archive::{ContactPoint, LinkKind, NONE};
+use mapd_rules::network::Contact;
 use mapd_xodr::{Junction, JunctionType, Span, Text as _, Value as _};
 
 /// How far `[m]` along a road the lanes are looked at that a path across it may meet: more than a path is wide.
@@ -39,14 +41,13 @@ pub(crate) enum ZoneKind {
 }
 
 /// The zones of all junctions in their order.
-pub(crate) fn zones(draft: &Draft) -> Vec<Zone> {
+pub(crate) fn zones(source: Source<'_>) -> Vec<Zone> {
+    let Source { draft, links } = source;
     let rows = &draft.rows;
-    let mut zones: Vec<Zone> = draft
-        .links
-        .junctions
-        .iter()
+    let mut zones: Vec<Zone> = links
+        .junctions()
         .map(|junction| Zone {
-            stretches: junction.element.as_ref().map_or_else(Vec::new, |junction| {
+            stretches: junction.written.as_ref().map_or_else(Vec::new, |junction| {
                 [named(draft, junction), crossed(draft, junction)].concat()
             }),
             span: junction.span,
@@ -62,17 +63,16 @@ pub(crate) fn zones(draft: &Draft) -> Vec<Zone> {
             let road_number = number as u32;
             zone.stretches.push(Stretch { road: road_number, s_from: 0.0, s_to: road.length });
             // Where it attaches inside another road, that road is part of the zone.
-            let ends = [road.predecessor, road.successor];
-            let links = draft.links.roads.get(number).into_iter().flatten();
-            for (link, target) in links.zip(ends) {
-                if let Some(s) = link.as_ref().and_then(|link| link.s) {
+            let ends = Contact::BOTH.into_iter().zip([road.predecessor, road.successor]);
+            for (end, target) in ends {
+                if let Some(s) = links.road_link(road_number, end).and_then(|link| link.s) {
                     touch(&mut zone.stretches, target, s);
                 }
             }
         }
     }
     for (number, zone) in zones.iter_mut().enumerate().filter(|(_, z)| z.kind == ZoneKind::Direct) {
-        overlaps(draft, number as u32, &mut zone.stretches);
+        overlaps(source, number as u32, &mut zone.stretches);
     }
     zones
 }
@@ -99,11 +99,11 @@ fn crossed(draft: &Draft, junction: &Junction) -> Vec<Stretch> {
 
 /// Stretches of the roads of a direct junction along which their lanes may overlap: the longest of each road's lane links,
 /// from the joint.
-fn overlaps(draft: &Draft, junction: u32, stretches: &mut Vec<Stretch>) {
-    let rows = &draft.rows;
-    let Some(written) = draft.links.junctions.get(junction as usize) else { return };
+fn overlaps(source: Source<'_>, junction: u32, stretches: &mut Vec<Stretch>) {
+    let rows = &source.draft.rows;
+    let Some(written) = source.links.junction(junction) else { return };
     let Some(row) = rows.junctions.get(junction as usize) else { return };
-    let written = written.element.as_ref().map_or(&[][..], |junction| &junction.connection);
+    let written = written.written.as_ref().map_or(&[][..], |junction| &junction.connection);
     for (number, connection) in row.connections.of(&rows.connections).iter().enumerate() {
         let links = written.get(number).map_or(&[][..], |connection| &connection.lane_link);
         let zones = links.iter().map(|link| link.overlap_zone.value());

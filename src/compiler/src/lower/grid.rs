@@ -90,7 +90,7 @@ impl Draft {
             if length <= 0.0 {
                 continue;
             }
-            self.links.joints.push(Joint {
+            self.joints.push(Joint {
                 grid,
                 road: segment.road_id.text().to_owned(),
                 contact: match segment.contact_point.value() {

@@ -45,7 +45,7 @@ impl Draft {
 
     /// Notes which rows the connections of a junction will have that comes next.
     pub(crate) fn note_connections(&mut self, junction: &Junction) {
-        let before = self.links.connections.len() as u32;
+        let before = self.connections as u32;
         for (row, connection) in (before..).zip(&junction.connection) {
             self.owners.add(connection.span, AnnotationOwner::Connection, row);
         }

@@ -5,7 +5,6 @@ mod georeference;
 mod grid;
 mod junction_groups;
 mod lane_words;
-mod links;
 mod marks;
 mod need;
 mod object_details;
@@ -40,9 +39,6 @@ use objects::{assumed_unit, lanes, orientation};
 use sections::Layer;
 use speeds::speed;
 
-/// Value of `road/@junction` that means none.
-const NO_JUNCTION: &str = "-1";
-
 impl Draft {
     pub(crate) fn header(&mut self, header: &Header, findings: &mut Vec<Finding>) {
         let mut row: MapRow = bytemuck::Zeroable::zeroed();
@@ -66,7 +62,7 @@ impl Draft {
         self.default_speeds(header);
     }
 
-    /// Appends a road. Its links are resolved later; whatever makes it unusable is an error finding.
+    /// Appends a road. Its links are resolved later, from the network; whatever makes it unusable is an error finding.
     pub(crate) fn road(
         &mut self,
         (road, line): (&Road, &ReferenceLine),
@@ -112,13 +108,7 @@ impl Draft {
         if let Some(lanes) = road.temporary_lanes() {
             self.temporary(road, lanes, (number, length), &path, findings);
         }
-        let link = road.link.as_deref();
-        let ends = [link.map(|link| &link.predecessor), link.map(|link| &link.successor)];
-        let ends = ends.map(|end| self.links.road_link(end?.as_deref()?));
-        self.links.roads.push(ends);
-        let junction = Some(road.junction.text()).filter(|id| *id != NO_JUNCTION);
-        self.links.road_junctions.push(self.links.names.add(junction.unwrap_or_default()));
-        self.links.road_spans.push(road.span);
+        self.road_spans.push(road.span);
         self.surface(road, number, &path, findings);
         self.signals(road, number, &path, findings);
         let row = RoadRow {
@@ -214,10 +204,10 @@ impl Draft {
         between(before, self.rows.road_types.len())
     }
 
-    /// Appends a junction. Its connections are resolved later.
+    /// Appends a junction. Its connections are resolved later, from the network.
     pub(crate) fn junction(
         &mut self,
-        (junction, line): (Junction, &ReferenceLine),
+        (junction, line): (&Junction, &ReferenceLine),
         position: Position,
         findings: &mut Vec<Finding>,
     ) {
@@ -227,7 +217,7 @@ impl Draft {
             return;
         }
         self.elevation_grid(
-            (&junction, line),
+            (junction, line),
             &format!("{path}[@id={}]", junction.id.text()),
             findings,
         );
@@ -252,7 +242,7 @@ impl Draft {
             part.need(link.from.value(), "from");
             part.need(link.to.value(), "to");
         }
-        self.links.junction(junction);
+        self.connections += junction.connection.len();
     }
 
     /// What can be said of the document as a whole.
@@ -269,7 +259,7 @@ impl Draft {
                 "",
             ));
         }
-        if self.strings.is_full() || self.links.names.is_full() {
+        if self.strings.is_full() {
             let message = "names and ids need more than 4 GiB".to_owned();
             let path = "OpenDRIVE".to_owned();
             findings.push(finding(

@@ -3,7 +3,7 @@
 use super::need::Part;
 use super::speeds::speed;
 use super::surface::place;
-use crate::draft::{Draft, WrittenLink, between};
+use crate::draft::{Draft, between};
 use bytemuck::Zeroable as _;
 use mapd_archive::{
     AnnotationOwner, LaneRow, LaneSpeedRow, LaneType, MOST_OF_LANE, NONE, Range, SectionRow,
@@ -53,22 +53,34 @@ impl Layer {
     }
 }
 
+/// Lanes that go on past sections for the other side, at most: so many for each section of their road, all together. Each is a
+/// row for each such section, so that without a limit rows would grow with the square of the text.
+const CONTINUED_LANES: usize = 64;
+
 /// Where the lanes of one side of a stretch are written.
 #[derive(Clone, Copy)]
-struct Side<'a> {
+struct Side {
     layer: Layer,
-    section: &'a xodr::LaneSection,
-    /// The section's start `[m]`.
+    /// Start of the section in which they are `[m]`.
     s: f64,
     /// The stretch's start `[m]`.
     begins: f64,
     /// Number of sections of the road between that one and the stretch; 0 where the stretch is the section itself.
     continues: u16,
-    /// Whether the lanes go on in the next stretch.
-    goes_on: bool,
 }
 
-/// The usable lanes of a section, from the leftmost on.
+/// The stretch from a section's start to the next one's.
+struct Stretch<'a, 'b> {
+    /// The section's start tag.
+    span: Span,
+    sides: [Side; 2],
+    /// Lanes to the left and to the right, each from the leftmost on.
+    lanes: &'b [Vec<AnyLane<'a>>; 2],
+    /// Lane 0, which is always that of the section itself.
+    center: Option<&'b AnyLane<'a>>,
+}
+
+/// The usable lanes of a section, from the leftmost on. Of lanes with one id, of which a rule tells, the first is meant.
 fn lanes_of<'a>(
     section: &'a xodr::LaneSection,
     road: &str,
@@ -118,24 +130,25 @@ fn lanes_of<'a>(
         }));
     }
     lanes.sort_by_key(|lane| (std::cmp::Reverse(lane.id), lane.span.start));
+    lanes.dedup_by_key(|lane| lane.id);
     lanes
 }
 
 /// For the stretch from each section's start to the next one's, where its left and its right lanes are written: in that
 /// section, or, where that is for the other side only (`singleSide`), in the last one for their side
 /// (OpenDRIVE 1.8.1, 11.3).
-fn sides<'a>(
-    placed: &[(f64, &'a xodr::LaneSection)],
+fn sides(
+    placed: &[(f64, &xodr::LaneSection)],
     layer: Layer,
     road: &str,
     findings: &mut Vec<Finding>,
-) -> Vec<[Side<'a>; 2]> {
+) -> Vec<[Side; 2]> {
     let has = |section: &xodr::LaneSection| {
         [&section.left, &section.right]
             .map(|side| side.as_ref().is_some_and(|side| !side.lane.is_empty()))
     };
     let mut written = [0usize; 2];
-    let mut stretches: Vec<[Side<'a>; 2]> = Vec::with_capacity(placed.len());
+    let mut stretches: Vec<[Side; 2]> = Vec::with_capacity(placed.len());
     for (i, (s, section)) in placed.iter().enumerate() {
         let mut replaces = [true; 2];
         // Of temporary lanes, what a section does not have is not there.
@@ -152,15 +165,13 @@ fn sides<'a>(
                 replaces = has;
             }
         }
-        let mut stretch =
-            [Side { layer, section, s: *s, begins: *s, continues: 0, goes_on: false }; 2];
+        let mut stretch = [Side { layer, s: *s, begins: *s, continues: 0 }; 2];
         for (k, side) in stretch.iter_mut().enumerate() {
             if replaces[k] {
                 written[k] = i;
-            } else if let Some(before) = stretches.last_mut().and_then(|before| before.get_mut(k)) {
-                before.goes_on = true;
+            } else if let Some(before) = stretches.last().and_then(|before| before.get(k)) {
                 let continues = u16::try_from(i - written[k]).unwrap_or(u16::MAX);
-                *side = Side { begins: *s, continues, goes_on: false, ..*before };
+                *side = Side { begins: *s, continues, ..*before };
             }
         }
         stretches.push(stretch);
@@ -190,6 +201,8 @@ impl Draft {
             .collect();
         let right_hand = road.rule.value() != Some(TrafficRule::Lht);
         let sides = sides(&placed, layer, path, findings);
+        let mut lanes = [Vec::new(), Vec::new()];
+        let mut spare = CONTINUED_LANES * placed.len();
         for (i, (s, section)) in placed.iter().enumerate() {
             let next = placed.get(i + 1).map_or(length, |(next, _)| *next);
             // Only sections of the temporary layer have a length of their own (OpenDRIVE 1.9, laneSection@length).
@@ -197,7 +210,28 @@ impl Draft {
             let s_end = own.map_or(next, |own| next.min(s + own)).max(*s);
             let row = self.rows.sections.len() as u32;
             self.owners.add(section.span, AnnotationOwner::Section, row);
-            let lanes = self.section(section, sides[i], right_hand, path, findings);
+            let mut own = lanes_of(section, path, findings);
+            let right = own.split_off(own.partition_point(|lane| lane.id >= 0));
+            let center = own.split_off(own.partition_point(|lane| lane.id > 0));
+            for ((lanes, side), own) in lanes.iter_mut().zip(sides[i]).zip([own, right]) {
+                if side.continues == 0 {
+                    *lanes = own;
+                } else if let Some(left) = spare.checked_sub(lanes.len()) {
+                    spare = left;
+                } else {
+                    // They end here, which the error says once.
+                    lanes.clear();
+                    let path = (path, "lanes/laneSection");
+                    let mut part = Part { span: section.span, path, findings };
+                    let message = format!(
+                        "expected at most {CONTINUED_LANES} lanes for each section that go on past sections with singleSide, found more"
+                    );
+                    part.add(&building::TOO_LARGE, Severity::Error, message);
+                }
+            }
+            let center = center.first();
+            let stretch = Stretch { span: section.span, sides: sides[i], lanes: &lanes, center };
+            let lanes = self.stretch(&stretch, right_hand, path, findings);
             self.rows.sections.push(SectionRow {
                 s_start: *s,
                 s_end,
@@ -211,51 +245,35 @@ impl Draft {
     }
 
     /// Appends the lanes of a stretch between two section starts.
-    fn section(
+    fn stretch(
         &mut self,
-        section: &xodr::LaneSection,
-        [left_side, right_side]: [Side<'_>; 2],
+        stretch: &Stretch<'_, '_>,
         right_hand: bool,
         road: &str,
         findings: &mut Vec<Finding>,
     ) -> Range {
-        let s = if left_side.continues == 0 { left_side.s } else { right_side.s };
-        let tail = || format!("lanes/laneSection[@s={s}]");
-        let mut lanes = lanes_of(section, road, findings);
-        for (side, sign) in [(left_side, 1), (right_side, -1)] {
-            if side.continues > 0 {
-                lanes.retain(|lane| lane.id.signum() != sign);
-                // What is wrong with them has been said where they are written.
-                let written = lanes_of(side.section, road, &mut Vec::new());
-                lanes.extend(written.into_iter().filter(|lane| lane.id.signum() == sign));
-            }
-        }
-        lanes.sort_by_key(|lane| (std::cmp::Reverse(lane.id), lane.span.start));
-        // Of lanes with one id, of which a rule tells, the first is meant.
-        lanes.dedup_by_key(|lane| lane.id);
-        let center = lanes.partition_point(|lane| lane.id > 0);
-        let has_center = lanes.get(center).is_some_and(|lane| lane.id == 0);
-        if !has_center {
+        let [left_side, right_side] = stretch.sides;
+        let [left, right] = stretch.lanes;
+        if stretch.center.is_none() {
+            let s = if left_side.continues == 0 { left_side.s } else { right_side.s };
             let message =
                 "expected a center lane with id 0, found none; the reference line stands in"
                     .to_owned();
-            let mut part = Part { span: section.span, path: (road, &tail()), findings };
+            let tail = format!("lanes/laneSection[@s={s}]");
+            let mut part = Part { span: stretch.span, path: (road, &tail), findings };
             part.add(&building::CENTER_LANE, Severity::Warning, message);
         }
         let section_row = self.rows.sections.len() as u32;
         let before = self.rows.lanes.len();
-        let (left, right) = lanes.split_at(center);
         for lane in left {
             self.lane(section_row, left_side, right_hand, lane, road, findings);
         }
-        if !has_center {
-            let kind = LaneType::None.code();
-            self.push_lane(
-                section_row,
-                (0, kind, left_side.layer.flags(), 0),
-                (Range::default(), NONE),
-                [&[], &[]],
-            );
+        match stretch.center {
+            Some(lane) => self.lane(section_row, right_side, right_hand, lane, road, findings),
+            None => {
+                let (kind, flags) = (LaneType::None.code(), left_side.layer.flags());
+                self.push_lane(section_row, (0, kind, flags, 0), (Range::default(), NONE));
+            }
         }
         for lane in right {
             self.lane(section_row, right_side, right_hand, lane, road, findings);
@@ -266,7 +284,7 @@ impl Draft {
     fn lane(
         &mut self,
         section: u32,
-        side: Side<'_>,
+        side: Side,
         right_hand: bool,
         lane: &AnyLane<'_>,
         road: &str,
@@ -334,32 +352,15 @@ impl Draft {
             self.owners.add(lane.span, AnnotationOwner::Lane, row);
         }
         self.permissions.lane((row, shift), kind, lane.road_mark, lane.access);
-        let mut numbers = |linked: &[xodr::LinkedLane]| -> Vec<WrittenLink> {
-            let number = |link: &xodr::LinkedLane| {
-                let span = link.span;
-                let path = (road, "lanes/laneSection/lane/link");
-                let mut part = Part { span, path, findings };
-                let number = place(link.id.value(), "id", &mut part)?;
-                Some(WrittenLink { number, span })
-            };
-            // Links into another layer are no links between these lanes.
-            let other = if side.layer.is_temporary { PERMANENT } else { TEMPORARY };
-            linked.iter().filter(|link| link.layer.text() != other).filter_map(number).collect()
-        };
-        let [mut before, mut behind] = lane.link.map_or_else(Default::default, |link| {
-            [numbers(&link.predecessor), numbers(&link.successor)]
-        });
-        // Where the other side alone begins a section, the lane goes on as itself.
-        let itself = WrittenLink { number: lane.id, span: lane.span };
-        if lane.id != 0 && side.continues > 0 {
-            before = vec![itself];
+        // Links into another layer are no links between these lanes.
+        let other = if side.layer.is_temporary { PERMANENT } else { TEMPORARY };
+        let links = lane.link.into_iter().flat_map(|link| [&link.predecessor, &link.successor]);
+        for link in links.flatten().filter(|link| link.layer.text() != other) {
+            let path = (road, "lanes/laneSection/lane/link");
+            place(link.id.value(), "id", &mut Part { span: link.span, path, findings });
         }
-        if lane.id != 0 && side.goes_on {
-            behind = vec![itself];
-        }
-        let links = [before.as_slice(), behind.as_slice()];
         let continues = if lane.id == 0 { 0 } else { side.continues };
-        self.push_lane(section, (lane.id, kind.code(), flags, continues), (widths, marks), links);
+        self.push_lane(section, (lane.id, kind.code(), flags, continues), (widths, marks));
     }
 
     fn push_lane(
@@ -367,14 +368,7 @@ impl Draft {
         section: u32,
         (number, kind, flags, continues): (i32, u8, u8, u16),
         (widths, first_mark): (Range, u32),
-        links: [&[WrittenLink]; 2],
     ) {
-        let ranges = links.map(|numbers| {
-            let before = self.links.lane_links.len();
-            self.links.lane_links.extend_from_slice(numbers);
-            between(before, self.links.lane_links.len())
-        });
-        self.links.lanes.push(ranges);
         self.rows.lanes.push(LaneRow {
             section,
             first_width: widths.first,

@@ -5,7 +5,7 @@ mod part;
 mod rounds;
 mod stream;
 
-use crate::draft::Draft;
+use crate::draft::{Draft, Links};
 use crate::findings::{too_large, too_many_ids, too_many_overlaps, unfit};
 use crate::options::{CompileOptions, ReadOptions};
 use crate::quarantine::{Cause, Exclusions, QuarantinedPart, Units};
@@ -162,7 +162,7 @@ impl Document {
         }
         let placed = draft.placed.clone();
         let written = std::mem::take(&mut draft.objects);
-        let road_spans = std::mem::take(&mut draft.links.road_spans);
+        let road_spans = std::mem::take(&mut draft.road_spans);
         let mut rows = resolve::tables(draft, options);
         let allowance = sample::Allowance::of(&rows);
         let lanes = match sample::lanes(&mut rows, options, &allowance) {
@@ -275,19 +275,20 @@ fn read(
     let mut late = Vec::new();
     let whole = checker.whole();
     let lacks_ids = whole.lacks_ids();
+    let links = Links::new(&draft.road_spans, whole.network());
     let (examined, signals) = rayon::join(
         || part::examine(&whole),
         || {
             draft.finish_reading(&mut late);
-            resolve::links(&mut draft, without, &mut late);
+            resolve::links(&mut draft, &links, &mut late);
             resolve::groups(&mut draft);
-            resolve::signals(&mut draft, &places, &mut late)
+            resolve::signals(&mut draft, &links, &places, &mut late)
         },
     );
     if whole.has_more_overlaps() {
         late.push(too_many_overlaps());
     }
-    checker.end(whole, examined);
+    let network = checker.end(whole, examined);
     collector.add_read(read, checker.take_findings(), &places, without);
     if lacks_ids {
         late.push(too_many_ids());
@@ -296,7 +297,8 @@ fn read(
     let mut graph = graph::Written::default();
     if !collector.is_rejected() {
         let mut late = Vec::new();
-        graph = graph::build(&mut draft, &places, &collector.settings, &mut late)
+        let links = Links::new(&draft.road_spans, &network);
+        graph = graph::build(&mut draft, &links, &places, &collector.settings, &mut late)
             .map_err(io::Error::other)?;
         collector.add_late(late, &places);
     }

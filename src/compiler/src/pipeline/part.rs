@@ -138,7 +138,7 @@ pub(crate) fn lower(
                 draft.annotate(&*junction, (owner, ""), places);
             }
             let at = position(junction.span);
-            draft.junction((*junction, line), at, findings);
+            draft.junction((&junction, line), at, findings);
         }
         Item::Controller(controller) => {
             let owner = (AnnotationOwner::Controller, draft.signals.controllers() as u32);

@@ -1,65 +1,60 @@
 //! Ids become rows: roads, junctions, connections.
 
-use crate::draft::{Draft, between};
+use crate::draft::{Draft, Links, RoadWritten, between};
 use crate::findings::finding;
-use crate::quarantine::Exclusions;
 use mapd_archive::{ConnectionLaneLinkRow, ConnectionRow, ContactPoint, LinkKind, NONE, RoadRow};
 use mapd_rules::catalog::building;
-use mapd_xodr::{self as xodr, Finding, Severity};
-use std::collections::HashMap;
-
-/// Rows by the number of their id's string.
-type ById = HashMap<u32, u32>;
+use mapd_rules::network::{Contact, LinkTarget, Name};
+use mapd_xodr::{Finding, Severity};
 
 /// Resolves every id and sorts the look-up tables. What is not found is kept as unresolved; the rules say so.
 ///
 /// Nothing leads to a road that is kept as its reference line alone: it has no lanes that could be entered.
-pub(crate) fn resolve(draft: &mut Draft, without: &Exclusions, findings: &mut Vec<Finding>) {
-    let mut roads = by_id(draft.rows.roads.iter().map(|road| road.id));
-    roads.retain(|_, row| {
-        let span = draft.links.road_spans.get(*row as usize);
-        !span.is_some_and(|span| without.is_bare(span.start))
-    });
-    let junctions = by_id(draft.rows.junctions.iter().map(|junction| junction.id));
-    let names = Named::new(draft, &roads, &junctions);
+pub(crate) fn resolve(draft: &mut Draft, links: &Links<'_>, findings: &mut Vec<Finding>) {
+    let names = Named::new(draft, links);
     for number in 0..draft.rows.roads.len() {
-        resolve_road(draft, number, &names, findings);
+        resolve_road(draft, links, number, &names, findings);
     }
-    resolve_connections(draft, &names);
+    resolve_connections(draft, links, &names);
     sort_by_id(draft);
 }
 
-/// Rows by their ids. Where several have one, of which a rule tells, the first is meant.
-fn by_id(ids: impl Iterator<Item = u32>) -> ById {
-    let mut rows = ById::new();
-    for (row, id) in ids.enumerate() {
-        rows.entry(id).or_insert(row as u32);
-    }
-    rows
-}
-
-/// What the ids mean that links name, by their numbers.
+/// Rows of roads and junctions by their ids.
 struct Named {
-    roads: Vec<Option<u32>>,
-    junctions: Vec<Option<u32>>,
+    roads: Vec<u32>,
+    junctions: Vec<u32>,
 }
 
 impl Named {
-    fn new(draft: &Draft, roads: &ById, junctions: &ById) -> Self {
-        let Draft { links, strings, .. } = draft;
-        let row = |rows: &ById, id: Option<u32>| rows.get(&id?).copied();
-        let ids = (0..links.names.len() as u32)
-            .map(|number| strings.number_of(links.names.bytes_of(number)));
-        let (roads, junctions) = ids.map(|id| (row(roads, id), row(junctions, id))).unzip();
-        Self { roads, junctions }
+    fn new(draft: &Draft, links: &Links<'_>) -> Self {
+        let ids = || vec![NONE; links.network.names()];
+        let mut named = Self { roads: ids(), junctions: ids() };
+        let roads = || 0..draft.rows.roads.len() as u32;
+        // Where several have one id, of which a rule tells, the first is meant.
+        for row in roads().rev() {
+            let Some(road) = links.road(row) else { continue };
+            named.roads[road.id().number()] = row;
+        }
+        for row in roads() {
+            let Some(RoadWritten::Apart(road)) = links.road(row) else { continue };
+            let own = &mut named.roads[road.id.number()];
+            if *own == row {
+                *own = NONE;
+            }
+        }
+        let junctions: Vec<_> = links.junctions().map(|junction| junction.id).collect();
+        for (row, id) in junctions.into_iter().enumerate().rev() {
+            named.junctions[id.unwrap_or_default().number()] = row as u32;
+        }
+        named
     }
 
-    fn road(&self, id: u32) -> Option<u32> {
-        self.roads.get(id as usize).copied().flatten()
+    fn road(&self, id: Name) -> Option<u32> {
+        self.roads.get(id.number()).copied().filter(|row| *row != NONE)
     }
 
-    fn junction(&self, id: u32) -> Option<u32> {
-        self.junctions.get(id as usize).copied().flatten()
+    fn junction(&self, id: Name) -> Option<u32> {
+        self.junctions.get(id.number()).copied().filter(|row| *row != NONE)
     }
 }
 
@@ -68,30 +63,33 @@ fn road_path(draft: &Draft, number: usize) -> String {
     format!("OpenDRIVE/road[@id={}]", String::from_utf8_lossy(draft.strings.bytes_of(id)))
 }
 
-fn resolve_road(draft: &mut Draft, number: usize, names: &Named, findings: &mut Vec<Finding>) {
-    let junction = draft.links.road_junctions.get(number).copied();
-    // Without an id there is none.
-    let junction = junction.filter(|id| *id != 0).and_then(|id| names.junction(id));
+fn resolve_road(
+    draft: &mut Draft,
+    links: &Links<'_>,
+    number: usize,
+    names: &Named,
+    findings: &mut Vec<Finding>,
+) {
+    let junction = links.road(number as u32).and_then(|road| names.junction(road.junction()?));
     if let Some(junction) = junction {
         draft.rows.roads[number].junction = junction;
     }
-    let links = draft.links.roads.get(number).copied().unwrap_or_default();
-    for (i, link) in links.iter().enumerate() {
-        let Some(link) = link else { continue };
-        let to_junction = link.to_junction;
-        let (known, found, missing) = if to_junction {
-            (LinkKind::Junction, names.junction(link.id), LinkKind::UnresolvedJunction)
-        } else {
-            (LinkKind::Road, names.road(link.id), LinkKind::UnresolvedRoad)
+    for at in Contact::BOTH {
+        let Some(link) = links.road_link(number as u32, at) else { continue };
+        let (known, found, missing) = match link.target {
+            LinkTarget::Junction(id) => {
+                (LinkKind::Junction, names.junction(id), LinkKind::UnresolvedJunction)
+            }
+            LinkTarget::Road(id) => (LinkKind::Road, names.road(id), LinkKind::UnresolvedRoad),
         };
-        let end = if i == 0 { "predecessor" } else { "successor" };
+        let end = if at == Contact::Start { "predecessor" } else { "successor" };
         let mut contact = contact_code(link.contact);
         if let Some(target) = found
-            && !to_junction
+            && known == LinkKind::Road
             && contact == ContactPoint::None.code()
             && link.s.is_none()
         {
-            contact = nearer_end(draft, number, i == 1, target as usize);
+            contact = nearer_end(draft, number, at == Contact::End, target as usize);
             let message = format!(
                 "expected @contactPoint, found none; read as {} because that end is nearer",
                 ContactPoint::from_code(contact).name()
@@ -108,7 +106,7 @@ fn resolve_road(draft: &mut Draft, number: usize, names: &Named, findings: &mut 
         }
         let kind = if found.is_some() { known } else { missing }.code();
         let row = &mut draft.rows.roads[number];
-        if i == 0 {
+        if at == Contact::Start {
             (row.predecessor, row.predecessor_kind, row.predecessor_contact) =
                 (found.unwrap_or(NONE), kind, contact);
         } else {
@@ -118,11 +116,11 @@ fn resolve_road(draft: &mut Draft, number: usize, names: &Named, findings: &mut 
     }
 }
 
-fn contact_code(contact: Option<xodr::ContactPoint>) -> u8 {
+fn contact_code(contact: Option<Contact>) -> u8 {
     match contact {
-        Some(xodr::ContactPoint::Start) => ContactPoint::Start,
-        Some(xodr::ContactPoint::End) => ContactPoint::End,
-        _ => ContactPoint::None,
+        Some(Contact::Start) => ContactPoint::Start,
+        Some(Contact::End) => ContactPoint::End,
+        None => ContactPoint::None,
     }
     .code()
 }
@@ -147,22 +145,21 @@ fn nearer_end(draft: &Draft, road: usize, at_end: bool, target: usize) -> u8 {
     if squared(start) <= squared(end) { ContactPoint::Start } else { ContactPoint::End }.code()
 }
 
-fn resolve_connections(draft: &mut Draft, names: &Named) {
-    let Draft { rows, strings, links, .. } = draft;
-    for (number, junction) in links.junctions.iter().enumerate() {
+fn resolve_connections(draft: &mut Draft, links: &Links<'_>, names: &Named) {
+    let Draft { rows, strings, .. } = draft;
+    let none = Name::default();
+    for (number, junction) in links.junctions().enumerate() {
         let before = rows.connections.len();
-        for connection in junction.connections.of(&links.connections) {
-            let connecting = match connection.linked {
-                0 => connection.connecting,
-                linked => linked,
-            };
-            let row = |id: u32| Some(id).filter(|id| *id != 0).and_then(|id| names.road(id));
-            let written = connection.lane_links.of(&links.connected);
+        for connection in links.network.connections_of(junction) {
+            let is_direct = connection.linked != none;
+            let connecting = if is_direct { connection.linked } else { connection.connecting };
+            let row = |id: Name| Some(id).filter(|id| *id != none).and_then(|id| names.road(id));
             let before = rows.connection_lane_links.len();
-            let pairs = written.iter().map(|l| ConnectionLaneLinkRow { from: l.from, to: l.to });
+            let written = links.connected(connection);
+            let pairs = written.map(|l| ConnectionLaneLinkRow { from: l.from, to: l.to });
             rows.connection_lane_links.extend(pairs);
             rows.connections.push(ConnectionRow {
-                id: strings.add(links.name(connection.id)),
+                id: strings.add(links.network.name(connection.id)),
                 incoming_road: row(connection.incoming).unwrap_or(NONE),
                 connecting_road: row(connecting).unwrap_or(NONE),
                 lane_links: between(before, rows.connection_lane_links.len()),

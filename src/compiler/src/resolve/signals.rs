@@ -1,10 +1,11 @@
 //! Ids become rows: signals, controllers, groups, priorities.
 
-use crate::draft::{Draft, OnCarrier, Position, Signals, between};
+use crate::draft::{Draft, Links, OnCarrier, Position, Signals, between};
 use crate::findings::finding;
 use glam::DVec3;
 use mapd_archive::{JunctionControllerRow, JunctionPriorityRow, NONE, Range, Rows};
 use mapd_rules::catalog::building;
+use mapd_rules::network::Name;
 use mapd_xodr::source::Places;
 use mapd_xodr::{Finding, Severity, Span};
 use std::collections::HashMap;
@@ -53,7 +54,12 @@ impl Resolved {
 }
 
 /// Resolves every id of signals. What is named but not there is a finding where something is lost by it.
-pub(crate) fn resolve(draft: &mut Draft, places: &Places, findings: &mut Vec<Finding>) -> Resolved {
+pub(crate) fn resolve(
+    draft: &mut Draft,
+    links: &Links<'_>,
+    places: &Places,
+    findings: &mut Vec<Finding>,
+) -> Resolved {
     let pending = std::mem::take(&mut draft.signals);
     // Of signals with one id, the first is meant.
     let mut signals = ById::new();
@@ -80,7 +86,7 @@ pub(crate) fn resolve(draft: &mut Draft, places: &Places, findings: &mut Vec<Fin
             .board_groups
             .push(mapd_archive::BoardGroupRow { signal: found(group.id), ..*group });
     }
-    junctions(draft);
+    junctions(draft, links);
     sort_by_id(draft);
     let roads = draft.rows.roads.iter().enumerate().map(|(row, road)| (road.id, row as u32));
     let mut roads: Vec<(u32, u32)> = roads.collect();
@@ -202,32 +208,33 @@ fn controllers(draft: &mut Draft, pending: &Signals, signals: &ById, places: &Pl
 }
 
 /// Synchronisation groups and priorities of junctions.
-fn junctions(draft: &mut Draft) {
-    let Draft { rows, strings, links, .. } = draft;
+fn junctions(draft: &mut Draft, links: &Links<'_>) {
+    let Draft { rows, strings, .. } = draft;
+    let network = links.network;
     let by_id = |ids: Vec<u32>| -> ById {
         // Of those with one id, the first is meant.
         ids.into_iter().enumerate().rev().map(|(row, id)| (id, row as u32)).collect()
     };
     let controllers = by_id(rows.controllers.iter().map(|row| row.id).collect());
     let roads = by_id(rows.roads.iter().map(|row| row.id).collect());
-    for (number, junction) in links.junctions.iter().enumerate() {
+    for (number, junction) in links.junctions().enumerate() {
         let junction_row = number as u32;
-        for controller in junction.controllers.of(&links.controllers) {
-            let id = strings.add(links.name(controller.id));
+        for controller in network.controllers_of(junction) {
+            let id = strings.add(network.name(controller.id));
             rows.junction_controllers.push(JunctionControllerRow {
                 junction: junction_row,
                 controller: controllers.get(&id).copied().unwrap_or(NONE),
                 id,
-                r#type: strings.add(links.name(controller.r#type)),
+                r#type: strings.add(network.name(controller.kind)),
                 sequence: controller.sequence.unwrap_or(-1),
             });
         }
-        for named in junction.priorities.of(&links.priorities) {
-            let road = |named: u32| {
-                let id = strings.number_of(links.names.bytes_of(named));
+        for priority in network.priorities_of(junction) {
+            let road = |named: Name| {
+                let id = strings.number(network.name(named));
                 id.and_then(|id| roads.get(&id)).copied().unwrap_or(NONE)
             };
-            let [high, low] = named.map(road);
+            let [high, low] = [priority.high, priority.low].map(road);
             rows.junction_priorities.push(JunctionPriorityRow {
                 junction: junction_row,
                 high,

@@ -26,6 +26,6 @@ pub(crate) fn tables(draft: Draft, options: &CompileOptions) -> Rows {
     let (bytes, offsets) = draft.strings.into_tables();
     rows.string_bytes = bytes.into();
     rows.string_offsets = offsets.into();
-    joints::transitions(&mut rows, &draft.links.joints);
+    joints::transitions(&mut rows, &draft.joints);
     rows
 }

@@ -1,7 +1,8 @@
 //! Puts what was kept of the next elements behind what was kept of those before.
 
 use super::Network;
-use super::facts::{LinkTarget, RoadFacts};
+use super::facts::{LinkTarget, RoadApart, RoadFacts};
+use super::junctions::Before;
 use super::names::Name;
 use super::references::renamed;
 use std::ops::Range;
@@ -26,14 +27,13 @@ fn rename(road: &mut RoadFacts, names: &[Name]) {
 impl Network {
     /// Takes what was kept of the elements that come next. Neither part is finished.
     pub(crate) fn append(&mut self, next: Self) {
-        let [roads, sections, lanes, lane_links, lines, profiles, connections, connected] = [
+        let [roads, sections, lanes, lane_links, lines, profiles, connected] = [
             self.roads.len(),
             self.sections.len(),
             self.lanes.len(),
             self.lane_links.len(),
             self.lines.len(),
             self.profiles.len(),
-            self.connections.len(),
             self.connected_lanes.len(),
         ]
         .map(|count| count as u32);
@@ -50,6 +50,11 @@ impl Network {
             rename(&mut road, &names);
             road
         }));
+        self.roads_apart.extend(next.roads_apart.into_iter().map(|road| RoadApart {
+            id: renamed(road.id, &names),
+            junction: road.junction.map(|junction| renamed(junction, &names)),
+            ..road
+        }));
         self.sections.extend(next.sections.into_iter().map(|mut section| {
             shift(&mut section.lanes, lanes);
             section
@@ -63,8 +68,17 @@ impl Network {
         self.lane_links.extend(next.lane_links);
         self.lines.extend(next.lines);
         self.profiles.extend(next.profiles);
+        let before = Before {
+            connections: self.connections.len() as u32,
+            controllers: self.controllers.len() as u32,
+            priorities: self.priorities.len() as u32,
+        };
         let junctions = next.junctions.into_iter();
-        self.junctions.extend(junctions.map(|junction| junction.moved(connections, &names)));
+        self.junctions.extend(junctions.map(|junction| junction.moved(before, &names)));
+        let controllers = next.controllers.into_iter();
+        self.controllers.extend(controllers.map(|controller| controller.renamed(&names)));
+        let priorities = next.priorities.into_iter();
+        self.priorities.extend(priorities.map(|priority| priority.renamed(&names)));
         let next_connections = next.connections.into_iter();
         self.connections.extend(next_connections.map(|c| c.moved(connected, &names)));
         self.connected_lanes.extend(next.connected_lanes);

@@ -1,11 +1,11 @@
 //! Takes from each element what is kept of it.
 
 use super::facts::{
-    Contact, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, Part, PartKind, RoadFacts,
-    SectionFacts,
+    Contact, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, Part, PartKind, RoadApart, RoadFacts,
+    SectionFacts, rank_of,
 };
 use super::references::{Kinds, NamedAt, Reference};
-use super::{Name, Network};
+use super::{NONE, Name, Network};
 use crate::line::ReferenceLine;
 use crate::place::{SectionIn, Side, is_left_hand, junction_of, number, text, value};
 use crate::profile::borders_at;
@@ -13,7 +13,11 @@ use mapd_xodr::{
     Attribute, ContactPoint, ElementType, Item, LaneDirection, LaneType, LayerType, LinkedElement,
     Objects, Road, Span,
 };
+use std::cmp::Reverse;
 use std::ops::Range;
+
+/// Word for the temporary layer of a linked lane (OpenDRIVE 1.9, e_layerType).
+const TEMPORARY: &str = "temporary";
 
 pub(super) type Text = Option<Attribute<Box<str>>>;
 
@@ -102,6 +106,13 @@ impl Network {
         for object in &objects.object_reference {
             self.refer((at, Kinds::Object), &object.id, from, object.span);
         }
+    }
+
+    /// Takes a road that the rules do not look at.
+    pub(crate) fn add_apart(&mut self, road: &Road) {
+        let id = self.names.add(text(&road.id));
+        let junction = junction_of(road).map(|junction| self.names.add(junction));
+        self.roads_apart.push(RoadApart { span: road.span, id, junction });
     }
 
     fn add_road(&mut self, road: &Road, line: &ReferenceLine) {
@@ -205,20 +216,27 @@ impl Network {
                     inner[at].extend(borders_at(&section, side, ds));
                 }
             }
+            for borders in &mut inner {
+                borders.sort_by_key(|(id, ..)| Reverse(*id));
+            }
             for lane in section.lanes() {
                 let Some(id) = value(&lane.id) else { continue };
                 let find = |at: usize| {
                     let borders: &[(i32, f64, f64)] = &inner[at];
-                    borders.iter().find(|border| border.0 == id).map_or([0.0; 2], |b| [b.1, b.2])
+                    let own = rank_of(borders, id, |border| border.0);
+                    own.map_or([0.0; 2], |own| [borders[own].1, borders[own].2])
                 };
                 let (start, end) = (find(0), find(1));
                 let links = lane.link.as_deref();
                 let first = self.lane_links.len() as u32;
                 let ends =
                     [links.map(|l| &l.predecessor), links.map(|l| &l.successor)].map(|list| {
-                        for link in list.into_iter().flatten() {
+                        let links = list.into_iter().flatten();
+                        for link in links {
                             if let Some(id) = value(&link.id) {
-                                self.lane_links.push(LaneLinkFacts::new(link.span, id));
+                                let to_temporary = text(&link.layer) == TEMPORARY;
+                                let link = LaneLinkFacts { span: link.span, id, to_temporary };
+                                self.lane_links.push(link);
                             }
                         }
                         self.lane_links.len() as u32
@@ -236,15 +254,19 @@ impl Network {
                     is_level: value(&lane.level) == Some(true),
                 });
             }
-            self.lanes[first..].sort_by_key(|lane| std::cmp::Reverse(lane.id));
+            // Of lanes with one id, of which a rule tells, the first one written is meant.
+            self.lanes[first..].sort_by_key(|lane| (Reverse(lane.id), lane.span.start));
             self.sections.push(SectionFacts {
                 span: section.section.span,
                 s: section.s(),
                 ends: sides.map(|side| section.s_end_of(side)),
                 holds: sides.map(|side| section.holds(side)),
+                before: [NONE; 2],
+                behind: [NONE; 2],
                 lanes: first as u32..self.lanes.len() as u32,
             });
         }
+        SectionFacts::join(&mut self.sections[before..]);
         before as u32..self.sections.len() as u32
     }
 }

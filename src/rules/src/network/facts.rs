@@ -1,6 +1,6 @@
 //! What is kept of roads, sections, lanes, and of whatever has or names an id.
 
-use super::Name;
+use super::{NONE, Name};
 use mapd_xodr::{ElementDir, LaneDirection, LaneType, Span};
 use std::ops::Range;
 
@@ -85,6 +85,17 @@ impl RoadFacts {
     }
 }
 
+/// A road that the rules do not look at, because its reference line alone is built.
+#[derive(Clone, Copy, Debug)]
+pub struct RoadApart {
+    /// The start tag.
+    pub span: Span,
+    /// Id.
+    pub id: Name,
+    /// Junction that it belongs to.
+    pub junction: Option<Name>,
+}
+
 /// The side of a lane: 0 to the left, 1 to the right.
 fn side_of(id: i32) -> usize {
     usize::from(id < 0)
@@ -101,6 +112,10 @@ pub struct SectionFacts {
     pub(super) ends: [f64; 2],
     /// Whether it says what lies to the left, to the right.
     pub(super) holds: [bool; 2],
+    /// Rank in its road of the last section before it that says what lies to the left, to the right.
+    pub(super) before: [u32; 2],
+    /// Rank in its road of the first section behind it that does.
+    pub(super) behind: [u32; 2],
     pub(super) lanes: Range<u32>,
 }
 
@@ -115,10 +130,51 @@ impl SectionFacts {
         id == 0 || self.holds[side_of(id)]
     }
 
+    /// Rank in its road, from its own, of the nearest section towards an end that says what lies on the side of an id; there need
+    /// be none of that rank.
+    pub(super) fn next(&self, own: usize, end: Contact, id: i32) -> Option<usize> {
+        match (end, id) {
+            (Contact::Start, 0) => own.checked_sub(1),
+            (Contact::End, 0) => own.checked_add(1),
+            (Contact::Start, id) => Some(self.before[side_of(id)] as usize),
+            (Contact::End, id) => Some(self.behind[side_of(id)] as usize),
+        }
+    }
+
+    /// Tells the sections of a road of each other.
+    pub(super) fn join(road: &mut [Self]) {
+        let ranks = 0..road.len();
+        Self::pass(road, ranks.clone(), |section| &mut section.before);
+        Self::pass(road, ranks.rev(), |section| &mut section.behind);
+    }
+
+    fn pass(
+        road: &mut [Self],
+        ranks: impl Iterator<Item = usize>,
+        passed: impl Fn(&mut Self) -> &mut [u32; 2],
+    ) {
+        let mut last = [NONE; 2];
+        for rank in ranks {
+            let Some(section) = road.get_mut(rank) else { continue };
+            *passed(section) = last;
+            for (last, holds) in last.iter_mut().zip(section.holds) {
+                if holds {
+                    *last = rank as u32;
+                }
+            }
+        }
+    }
+
     /// Ranks of its lanes in [`Network::lanes`](super::Network::lanes).
     pub fn lane_ranks(&self) -> Range<usize> {
         self.lanes.start as usize..self.lanes.end as usize
     }
+}
+
+/// Rank of the first row of an id among rows by falling id.
+pub(super) fn rank_of<T>(rows: &[T], id: i32, id_of: impl Fn(&T) -> i32) -> Option<usize> {
+    let at = rows.partition_point(|row| id_of(row) > id);
+    rows.get(at).is_some_and(|row| id_of(row) == id).then_some(at)
 }
 
 /// A lane to the left or right.
@@ -157,12 +213,8 @@ pub struct LaneLinkFacts {
     pub span: Span,
     /// The lane that it names.
     pub id: i32,
-}
-
-impl LaneLinkFacts {
-    pub(super) fn new(span: Span, id: i32) -> Self {
-        Self { span, id }
-    }
+    /// It names one of the temporary layer (1.9): no link between permanent lanes.
+    pub to_temporary: bool,
 }
 
 /// Kinds of parts whose ids form a class of their own.
@@ -258,5 +310,57 @@ impl Part {
         let is_along = self.road != u32::MAX;
         let road = if is_along { self.road.saturating_add(roads) } else { self.road };
         Self { id, road, ..self }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::Cell;
+
+    /// All rows of a section were looked at for each lane and for each link to one.
+    #[test]
+    fn a_lane_is_found_with_few_looks() {
+        let ids: Vec<i32> = (-30_000..30_000).rev().flat_map(|id| [2 * id; 2]).collect();
+        let looks = Cell::new(0);
+        let find = |id: i32| {
+            looks.set(0);
+            let found = rank_of(&ids, id, |own| {
+                looks.set(looks.get() + 1);
+                *own
+            });
+            assert!(looks.get() <= 20, "{} looks at {} rows", looks.get(), ids.len());
+            found
+        };
+        for id in (-60_010..60_010).step_by(7) {
+            assert_eq!(find(id), ids.iter().position(|own| *own == id), "{id}");
+        }
+    }
+
+    /// The sections between one and the next that says what lies on a side were passed one by one.
+    #[test]
+    fn sections_know_the_next_one_that_says_what_lies_on_a_side() {
+        let held = [[true, true], [true, false], [false, true], [true, false], [true, false]];
+        let section = |holds: [bool; 2]| SectionFacts {
+            span: Span::default(),
+            s: 0.0,
+            ends: [0.0; 2],
+            holds,
+            before: [0; 2],
+            behind: [0; 2],
+            lanes: 0..0,
+        };
+        let mut road = held.map(section);
+        SectionFacts::join(&mut road);
+        for (own, section) in road.iter().enumerate() {
+            for id in [-1, 0, 1] {
+                let holds = |rank: &usize| road[*rank].holds(id);
+                let is_there = |rank: &usize| *rank < road.len();
+                let before = section.next(own, Contact::Start, id).filter(is_there);
+                assert_eq!(before, (0..own).rev().find(holds), "before {own}, {id}");
+                let behind = section.next(own, Contact::End, id).filter(is_there);
+                assert_eq!(behind, (own + 1..road.len()).find(holds), "behind {own}, {id}");
+            }
+        }
     }
 }

@@ -113,12 +113,9 @@ impl Network {
         end: Contact,
         lane: i32,
     ) -> Option<Neighbor<'a>> {
-        let (before, after) = self.sections_of(road).split_at_checked(rank)?;
-        let next = match end {
-            Contact::Start => before.iter().rev().find(|section| section.holds(lane)),
-            Contact::End => after.iter().skip(1).find(|section| section.holds(lane)),
-        };
-        if let Some(section) = next {
+        let sections = self.sections_of(road);
+        let next = sections.get(rank).and_then(|own| own.next(rank, end, lane));
+        if let Some(section) = next.and_then(|next| sections.get(next)) {
             return Some(Neighbor { road, section, end: end.other() });
         }
         let (target, contact) = self.linked_road(road, end)?;

@@ -1,12 +1,13 @@
-//! What is kept of junctions: their connections, and of the few that have more than that the element.
+//! What is kept of junctions: connections, controllers and priorities, and of the few that have more than that the element.
 
+use super::append::shift;
 use super::collect::contact;
 use super::facts::{Contact, PartKind};
-use super::references::{Kinds, NamedAt};
+use super::references::{Kinds, NamedAt, renamed};
 use super::{Name, Network, rows};
 use crate::catalog::junctions::kind;
 use crate::place::{text, value};
-use mapd_xodr::{Junction, JunctionType, Span};
+use mapd_xodr::{Connection, ConnectionType, Junction, JunctionType, Span};
 use std::ops::Range;
 
 /// A junction.
@@ -17,10 +18,32 @@ pub struct JunctionFacts {
     /// Id.
     pub id: Option<Name>,
     pub(super) connections: Range<u32>,
+    pub(super) controllers: Range<u32>,
+    pub(super) priorities: Range<u32>,
     /// Kind.
     pub kind: JunctionType,
     /// The element without objects, where it says more than which lanes it connects.
-    pub(super) written: Option<Box<Junction>>,
+    pub written: Option<Box<Junction>>,
+}
+
+/// A controller that a junction names.
+#[derive(Clone, Copy, Debug)]
+pub struct ControllerFacts {
+    /// Id of the controller.
+    pub id: Name,
+    /// Type of control, as written.
+    pub kind: Name,
+    /// Its rank among those that control the junction; none where it is not written or does not fit.
+    pub sequence: Option<i32>,
+}
+
+/// Which road of a junction has priority over which.
+#[derive(Clone, Copy, Debug)]
+pub struct PriorityFacts {
+    /// The road with priority.
+    pub high: Name,
+    /// The road that gives way.
+    pub low: Name,
 }
 
 /// A connection of a junction.
@@ -63,7 +86,16 @@ fn is_kept(junction: &Junction) -> bool {
         || junction.plan_view.is_some()
         || junction.boundary.is_some()
         || junction.elevation_grid.is_some()
-        || junction.connection.iter().any(|c| c.predecessor.is_some() && c.successor.is_some())
+        || junction.s_start.is_some()
+        || junction.connection.iter().any(says_more)
+}
+
+/// Whether a connection says more than which lanes it connects: where inside roads it begins and ends, or how far lanes overlap.
+fn says_more(connection: &Connection) -> bool {
+    value(&connection.r#type) == Some(ConnectionType::Virtual)
+        || connection.predecessor.is_some()
+        || connection.successor.is_some()
+        || connection.lane_link.iter().any(|link| link.overlap_zone.is_some())
 }
 
 impl Network {
@@ -104,11 +136,14 @@ impl Network {
             self.add_objects(objects, (NamedAt::JunctionObject, from), None);
         }
         let connections = self.add_connections(junction);
+        let (controllers, priorities) = self.add_right_of_way(junction);
         let written = || Box::new(Junction { objects: None, ..junction.clone() });
         self.junctions.push(JunctionFacts {
             span: junction.span,
             id: junction.id.is_some().then_some(from),
             connections,
+            controllers,
+            priorities,
             kind: kind(junction),
             written: is_kept(junction).then(written),
         });
@@ -138,6 +173,33 @@ impl Network {
             });
         }
         before..self.connections.len() as u32
+    }
+
+    /// Takes a junction's controllers and priorities.
+    fn add_right_of_way(&mut self, junction: &Junction) -> (Range<u32>, Range<u32>) {
+        let before = [self.controllers.len(), self.priorities.len()].map(|count| count as u32);
+        for controller in &junction.controller {
+            let sequence = value(&controller.sequence).and_then(|s| i32::try_from(s).ok());
+            let [id, kind] =
+                [&controller.id, &controller.r#type].map(|name| self.names.add(text(name)));
+            self.controllers.push(ControllerFacts { id, kind, sequence });
+        }
+        for priority in &junction.priority {
+            let [high, low] = [&priority.high, &priority.low].map(|id| self.names.add(text(id)));
+            self.priorities.push(PriorityFacts { high, low });
+        }
+        let after = [self.controllers.len(), self.priorities.len()].map(|count| count as u32);
+        (before[0]..after[0], before[1]..after[1])
+    }
+
+    /// Controllers that a junction names.
+    pub fn controllers_of(&self, junction: &JunctionFacts) -> &[ControllerFacts] {
+        rows(&self.controllers, &junction.controllers)
+    }
+
+    /// Priorities of a junction.
+    pub fn priorities_of(&self, junction: &JunctionFacts) -> &[PriorityFacts] {
+        rows(&self.priorities, &junction.priorities)
     }
 
     /// Connections of a junction.
@@ -175,22 +237,48 @@ impl Network {
     }
 }
 
+/// Rows of junctions' tables that come before.
+#[derive(Clone, Copy)]
+pub(super) struct Before {
+    pub(super) connections: u32,
+    pub(super) controllers: u32,
+    pub(super) priorities: u32,
+}
+
 impl JunctionFacts {
     /// Moves its rows and ids to those of the whole.
-    pub(super) fn moved(mut self, connections: u32, names: &[Name]) -> Self {
-        self.id = self.id.map(|id| super::references::renamed(id, names));
-        super::append::shift(&mut self.connections, connections);
+    pub(super) fn moved(mut self, before: Before, names: &[Name]) -> Self {
+        self.id = self.id.map(|id| renamed(id, names));
+        shift(&mut self.connections, before.connections);
+        shift(&mut self.controllers, before.controllers);
+        shift(&mut self.priorities, before.priorities);
         self
+    }
+}
+
+impl ControllerFacts {
+    /// Moves its ids to those of the whole.
+    pub(super) fn renamed(self, names: &[Name]) -> Self {
+        let [id, kind] = [self.id, self.kind].map(|name| renamed(name, names));
+        Self { id, kind, ..self }
+    }
+}
+
+impl PriorityFacts {
+    /// Moves its ids to those of the whole.
+    pub(super) fn renamed(self, names: &[Name]) -> Self {
+        let [high, low] = [self.high, self.low].map(|name| renamed(name, names));
+        Self { high, low }
     }
 }
 
 impl ConnectionFacts {
     /// Moves its rows and ids to those of the whole.
     pub(super) fn moved(mut self, lanes: u32, names: &[Name]) -> Self {
-        super::append::shift(&mut self.lane_links, lanes);
+        shift(&mut self.lane_links, lanes);
         let ids = [&mut self.id, &mut self.incoming, &mut self.connecting, &mut self.linked];
         for id in ids {
-            *id = super::references::renamed(*id, names);
+            *id = renamed(*id, names);
         }
         self
     }

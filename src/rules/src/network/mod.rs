@@ -1,5 +1,5 @@
-//! What rules need to keep of a document after it has streamed by: a few hundred bytes for each road, lane and part with an
-//! id, never the elements themselves.
+//! What is kept of a document after it has streamed by: a few hundred bytes for each road, lane and part with an id, never the
+//! elements themselves. The rules look at it, and who builds the document takes its links from here.
 
 mod append;
 mod collect;
@@ -19,11 +19,13 @@ mod stretch;
 pub use collect_stations::extent;
 pub use connected::{ConnectedEnds, ConnectedJoint, LaneEnd};
 pub use facts::{
-    Contact, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, Part, PartKind, RoadFacts,
+    Contact, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, Part, PartKind, RoadApart, RoadFacts,
     SectionFacts,
 };
 pub use joints::{LaneJoint, Neighbor};
-pub use junctions::{ConnectedLanes, ConnectionFacts, JunctionFacts};
+pub use junctions::{
+    ConnectedLanes, ConnectionFacts, ControllerFacts, JunctionFacts, PriorityFacts,
+};
 pub use names::Name;
 pub use overlap::{CLEARANCE, Overlap, TOUCH};
 pub use references::{Kinds, NamedAt, Reference};
@@ -46,6 +48,8 @@ pub struct Network {
     pub has_offset: bool,
     /// Roads in file order.
     pub roads: Vec<RoadFacts>,
+    /// Roads that the rules do not look at, in file order.
+    pub roads_apart: Vec<RoadApart>,
     /// Sections of all roads.
     pub sections: Vec<SectionFacts>,
     /// Lanes of all sections, each section's by falling id.
@@ -66,6 +70,10 @@ pub struct Network {
     connections: Vec<ConnectionFacts>,
     /// Lane links of all connections.
     connected_lanes: Vec<ConnectedLanes>,
+    /// Controllers of all junctions.
+    controllers: Vec<ControllerFacts>,
+    /// Priorities of all junctions.
+    priorities: Vec<PriorityFacts>,
     overlaps: std::sync::OnceLock<overlap::Overlaps>,
     /// By road and end: rank of the road that it is linked to, doubled, and the end of that.
     linked: Vec<[u32; 2]>,
@@ -101,8 +109,8 @@ impl Network {
         self.names.is_incomplete()
     }
 
-    /// How many ids there are.
-    pub(crate) fn names(&self) -> usize {
+    /// How many ids there are, the empty one among them: numbers of names are smaller.
+    pub fn names(&self) -> usize {
         self.names.len()
     }
 
@@ -141,21 +149,41 @@ impl Network {
 
     /// The lane of an id in a section.
     pub fn lane<'a>(&'a self, section: &SectionFacts, id: i32) -> Option<&'a LaneFacts> {
-        self.lanes_of(section).iter().find(|lane| lane.id == id)
+        self.lanes.get(self.lane_rank(section, id)?)
     }
 
     /// Rank among all lanes of the lane of an id in a section.
     pub fn lane_rank(&self, section: &SectionFacts, id: i32) -> Option<usize> {
-        let at = self.lanes_of(section).iter().position(|lane| lane.id == id)?;
+        let at = facts::rank_of(self.lanes_of(section), id, |lane| lane.id)?;
         Some(section.lane_ranks().start + at)
     }
 
     /// The section of a road that touches one of its ends on the side of a lane.
     pub fn section_at(&self, road: &RoadFacts, end: Contact, lane: i32) -> Option<&SectionFacts> {
-        let mut sections = self.sections_of(road).iter();
-        match end {
-            Contact::Start => sections.find(|section| section.holds(lane)),
-            Contact::End => sections.rev().find(|section| section.holds(lane)),
+        let sections = self.sections_of(road);
+        let rank = match end {
+            Contact::Start => 0,
+            Contact::End => sections.len().checked_sub(1)?,
+        };
+        let own = sections.get(rank)?;
+        // The search goes on into the road, away from its end.
+        if own.holds(lane) { Some(own) } else { sections.get(own.next(rank, end.other(), lane)?) }
+    }
+
+    /// The section that says what lies on the side of a lane in the stretch from a section's start, given by its rank in its road,
+    /// to the next one's: that section or one before it.
+    pub fn section_written(
+        &self,
+        road: &RoadFacts,
+        rank: usize,
+        lane: i32,
+    ) -> Option<&SectionFacts> {
+        let sections = self.sections_of(road);
+        let own = sections.get(rank)?;
+        if own.holds(lane) {
+            Some(own)
+        } else {
+            sections.get(own.next(rank, Contact::Start, lane)?)
         }
     }
 
@@ -163,8 +191,14 @@ impl Network {
     pub fn section_over(&self, road: &RoadFacts, s: f64, lane: i32) -> Option<&SectionFacts> {
         let sections = self.sections_of(road);
         let after = sections.partition_point(|section| section.s <= s);
-        let begun = sections.get(..after.max(1)).unwrap_or(sections);
-        begun.iter().rev().find(|section| section.holds(lane))
+        self.section_written(road, after.saturating_sub(1), lane)
+    }
+
+    /// The links alone, for who builds from them: what only rules look at is forgotten.
+    pub(crate) fn into_links(self) -> Self {
+        let (parts, references, overlaps) = (Vec::new(), Vec::new(), std::sync::OnceLock::new());
+        let (lines, profiles) = (Vec::new(), Vec::new());
+        Self { parts, references, overlaps, lines, profiles, ..self }
     }
 
     /// Completes what needs the whole document.

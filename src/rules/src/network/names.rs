@@ -8,7 +8,7 @@ pub struct Name(u32);
 
 impl Name {
     /// Its number, from 0.
-    pub(crate) fn number(self) -> usize {
+    pub fn number(self) -> usize {
         self.0 as usize
     }
 }

@@ -191,6 +191,8 @@ mod tests {
                 span: Span::default(),
                 id: Some(id),
                 connections: 0..0,
+                controllers: 0..0,
+                priorities: 0..0,
                 kind: JunctionType::Default,
                 written: None,
             });
