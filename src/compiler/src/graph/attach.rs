@@ -33,7 +33,7 @@ impl Attachments {
         let mut edges = Vec::new();
         for road in 0..draft.rows.roads.len() as u32 {
             for end in Contact::BOTH {
-                out_of_road(source, cuts, (road, end), problems, &mut edges);
+                out_of_road(source, cuts, road, end, problems, &mut edges);
             }
         }
         for row in draft.rows.junctions.iter() {
@@ -76,7 +76,8 @@ fn link_inside(source: Source<'_>, road: u32, end: Contact) -> Option<Place> {
 fn out_of_road(
     source: Source<'_>,
     cuts: &Cuts,
-    (road, end): (u32, Contact),
+    road: u32,
+    end: Contact,
     problems: &mut Problems,
     edges: &mut Vec<Edge>,
 ) {

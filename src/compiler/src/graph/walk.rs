@@ -98,9 +98,7 @@ impl Walk<'_> {
                     self.written(node, own.lane, forward, EdgeKind::Road, entry);
                 }
             }
-            LinkKind::Junction => {
-                self.through_junction(node, row, (section.road, road), target, forward)
-            }
+            LinkKind::Junction => self.through_junction(node, row, section.road, target, forward),
             _ => {}
         }
     }
@@ -113,7 +111,7 @@ impl Walk<'_> {
     /// Follows the lane's links as written: its successors (`forward`) or predecessors.
     fn written(&mut self, node: u32, lane: u32, forward: bool, kind: EdgeKind, entry: Entry) {
         for link in self.links.of_lane(&self.draft.rows, lane, ahead(forward)) {
-            self.enter((node, kind, link.span), entry, link.id);
+            self.enter(node, kind, link.span, entry, link.id);
         }
     }
 
@@ -133,12 +131,13 @@ impl Walk<'_> {
         &mut self,
         node: u32,
         row: &LaneRow,
-        (number, road): (u32, &RoadRow),
+        number: u32,
         junction: u32,
         forward: bool,
     ) {
         let draft = self.draft;
         let rows = &draft.rows;
+        let Some(road) = rows.roads.get(number as usize) else { return };
         let incoming = self.incoming;
         for (of, connection_row) in incoming.of_road(number) {
             let Some(connection) =
@@ -158,12 +157,12 @@ impl Walk<'_> {
             if self.links.connected(written).next().is_none() {
                 // OpenDRIVE 1.4: without lane links, lanes keep their numbers, as far as both roads have them.
                 if self.find(entry, row.number).is_some_and(|lane| self.travels(lane, entry)) {
-                    self.enter((node, EdgeKind::Implied, written.span), entry, row.number);
+                    self.enter(node, EdgeKind::Implied, written.span, entry, row.number);
                 }
             }
             let links = self.links;
             for link in links.connected(written).filter(|link| link.from == row.number) {
-                self.enter((node, EdgeKind::Connection, link.span), entry, link.to);
+                self.enter(node, EdgeKind::Connection, link.span, entry, link.to);
             }
         }
     }
@@ -202,7 +201,7 @@ impl Walk<'_> {
     }
 
     /// Adds an edge to a lane of a section if that lane travels the way it is entered.
-    fn enter(&mut self, (from, kind, span): (u32, EdgeKind, Span), entry: Entry, number: i32) {
+    fn enter(&mut self, from: u32, kind: EdgeKind, span: Span, entry: Entry, number: i32) {
         let rows = &self.draft.rows;
         let Some(lane) = self.find(entry, number) else {
             if !self.only_walked(from) {

@@ -20,7 +20,8 @@ impl Draft {
     /// Appends the grid of the junction whose row comes next.
     pub(super) fn elevation_grid(
         &mut self,
-        (junction, line): (&Junction, &ReferenceLine),
+        junction: &Junction,
+        line: &ReferenceLine,
         path: &str,
         findings: &mut Vec<Finding>,
     ) {

@@ -36,7 +36,7 @@ use mapd_xodr::{
 use need::Part;
 pub(crate) use objects::Owner;
 use objects::{assumed_unit, lanes, orientation};
-use sections::Layer;
+use sections::{Layer, OnRoad};
 use speeds::speed;
 
 impl Draft {
@@ -65,7 +65,8 @@ impl Draft {
     /// Appends a road. Its links are resolved later, from the network; whatever makes it unusable is an error finding.
     pub(crate) fn road(
         &mut self,
-        (road, line): (&Road, &ReferenceLine),
+        road: &Road,
+        line: &ReferenceLine,
         position: Position,
         findings: &mut Vec<Finding>,
     ) {
@@ -91,7 +92,7 @@ impl Draft {
         let (Some(_), Some(length)) = (id, length.filter(|length| *length >= 0.0)) else { return };
         let number = self.rows.roads.len() as u32;
         let geometries = plan_view.map_or_else(Range::default, |plan_view| {
-            self.geometries((plan_view, line), &path, findings)
+            self.geometries(plan_view, line, &path, findings)
         });
         let records = road.elevation_profile.as_ref().map_or(&[][..], |p| &p.elevation);
         let elevations = self.cubics(records, 0.0, (&path, "elevationProfile/elevation"), findings);
@@ -102,11 +103,11 @@ impl Draft {
         let lane_offsets = self.cubics(records, 0.0, (&path, "lanes/laneOffset"), findings);
         let types = self.types(road, &path, findings);
         let sections = lanes.map_or(&[][..], |lanes| &lanes.lane_section);
-        let permanent = Layer { is_temporary: false };
-        let sections =
-            self.sections(road, (sections, permanent), (number, length), &path, findings);
+        let right_hand = road.rule.value() != Some(TrafficRule::Lht);
+        let on = OnRoad { row: number, length, right_hand, path: &path };
+        let sections = self.sections(on, Layer { is_temporary: false }, sections, findings);
         if let Some(lanes) = road.temporary_lanes() {
-            self.temporary(road, lanes, (number, length), &path, findings);
+            self.temporary(on, lanes, findings);
         }
         self.road_spans.push(road.span);
         self.surface(road, number, &path, findings);
@@ -130,7 +131,7 @@ impl Draft {
             successor_kind: LinkKind::None.code(),
             predecessor_contact: ContactPoint::None.code(),
             successor_contact: ContactPoint::None.code(),
-            rule: u8::from(road.rule.value() == Some(TrafficRule::Lht)),
+            rule: u8::from(!right_hand),
             reserved: [0; 7],
         };
         self.rows.roads.push(row);
@@ -167,20 +168,12 @@ impl Draft {
     }
 
     /// Appends the lanes of a temporary layer. They hang on no other row than their own.
-    fn temporary(
-        &mut self,
-        road: &Road,
-        lanes: &xodr::Lanes,
-        (number, length): (u32, f64),
-        path: &str,
-        findings: &mut Vec<Finding>,
-    ) {
-        let lane_offsets =
-            self.cubics(&lanes.lane_offset, 0.0, (path, "lanes/laneOffset"), findings);
+    fn temporary(&mut self, on: OnRoad<'_>, lanes: &xodr::Lanes, findings: &mut Vec<Finding>) {
+        let path = (on.path, "lanes/laneOffset");
+        let lane_offsets = self.cubics(&lanes.lane_offset, 0.0, path, findings);
         let layer = Layer { is_temporary: true };
-        let sections = (lanes.lane_section.as_slice(), layer);
-        let sections = self.sections(road, sections, (number, length), path, findings);
-        self.rows.lane_layers.push(LaneLayerRow { road: number, sections, lane_offsets });
+        let sections = self.sections(on, layer, &lanes.lane_section, findings);
+        self.rows.lane_layers.push(LaneLayerRow { road: on.row, sections, lane_offsets });
     }
 
     fn types(&mut self, road: &Road, path: &str, findings: &mut Vec<Finding>) -> Range {
@@ -207,7 +200,8 @@ impl Draft {
     /// Appends a junction. Its connections are resolved later, from the network.
     pub(crate) fn junction(
         &mut self,
-        (junction, line): (&Junction, &ReferenceLine),
+        junction: &Junction,
+        line: &ReferenceLine,
         position: Position,
         findings: &mut Vec<Finding>,
     ) {
@@ -217,7 +211,8 @@ impl Draft {
             return;
         }
         self.elevation_grid(
-            (junction, line),
+            junction,
+            line,
             &format!("{path}[@id={}]", junction.id.text()),
             findings,
         );

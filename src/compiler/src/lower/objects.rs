@@ -106,7 +106,7 @@ impl Draft {
         let path = format!("OpenDRIVE/junction[@id={}]", junction.id.text());
         match junction.plan_view.as_deref() {
             Some(plan_view) => {
-                let line = self.geometries((plan_view, line), &path, findings);
+                let line = self.geometries(plan_view, line, &path, findings);
                 self.objects.junction_lines.push((number, line));
             }
             None => {

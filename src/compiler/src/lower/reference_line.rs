@@ -15,7 +15,8 @@ impl Draft {
     /// Appends the geometries of a reference line, which are the curves that the rules looked at.
     pub(super) fn geometries(
         &mut self,
-        (plan_view, line): (&xodr::PlanView, &ReferenceLine),
+        plan_view: &xodr::PlanView,
+        line: &ReferenceLine,
         road: &str,
         findings: &mut Vec<Finding>,
     ) -> Range {

@@ -10,9 +10,7 @@ use mapd_archive::{
     VehicleClass, lane_flags,
 };
 use mapd_rules::catalog::building;
-use mapd_xodr::{
-    self as xodr, Finding, LaneDirection, Road, Severity, Span, Text as _, TrafficRule, Value as _,
-};
+use mapd_xodr::{self as xodr, Finding, LaneDirection, Severity, Span, Text as _, Value as _};
 
 /// Path of lanes below their road.
 const LANE: &str = "lanes/laneSection/lane";
@@ -51,6 +49,18 @@ impl Layer {
     fn flags(self) -> u8 {
         if self.is_temporary { lane_flags::TEMPORARY } else { 0 }
     }
+}
+
+/// The road on which lanes lie.
+#[derive(Clone, Copy)]
+pub(super) struct OnRoad<'a> {
+    pub(super) row: u32,
+    /// Length `[m]`.
+    pub(super) length: f64,
+    /// Traffic keeps to the right.
+    pub(super) right_hand: bool,
+    /// Path of the element in findings.
+    pub(super) path: &'a str,
 }
 
 /// Lanes that go on past sections for the other side, at most: so many for each section of their road, all together. Each is a
@@ -183,12 +193,12 @@ impl Draft {
     /// Appends a road's sections.
     pub(super) fn sections(
         &mut self,
-        road: &Road,
-        (sections, layer): (&[xodr::LaneSection], Layer),
-        (number, length): (u32, f64),
-        path: &str,
+        on: OnRoad<'_>,
+        layer: Layer,
+        sections: &[xodr::LaneSection],
         findings: &mut Vec<Finding>,
     ) -> Range {
+        let path = on.path;
         let before = self.rows.sections.len();
         // A section without s has no place: it is passed over, and the map with it.
         let placed: Vec<(f64, &xodr::LaneSection)> = sections
@@ -199,12 +209,11 @@ impl Draft {
                 Some((part.need_along(section.s.value(), "s")?, section))
             })
             .collect();
-        let right_hand = road.rule.value() != Some(TrafficRule::Lht);
         let sides = sides(&placed, layer, path, findings);
         let mut lanes = [Vec::new(), Vec::new()];
         let mut spare = CONTINUED_LANES * placed.len();
         for (i, (s, section)) in placed.iter().enumerate() {
-            let next = placed.get(i + 1).map_or(length, |(next, _)| *next);
+            let next = placed.get(i + 1).map_or(on.length, |(next, _)| *next);
             // Only sections of the temporary layer have a length of their own (OpenDRIVE 1.9, laneSection@length).
             let own = section.length.value().filter(|_| layer.is_temporary);
             let s_end = own.map_or(next, |own| next.min(s + own)).max(*s);
@@ -231,11 +240,11 @@ impl Draft {
             }
             let center = center.first();
             let stretch = Stretch { span: section.span, sides: sides[i], lanes: &lanes, center };
-            let lanes = self.stretch(&stretch, right_hand, path, findings);
+            let lanes = self.stretch(on, &stretch, findings);
             self.rows.sections.push(SectionRow {
                 s_start: *s,
                 s_end,
-                road: number,
+                road: on.row,
                 lanes,
                 number: i as u32,
                 ..SectionRow::zeroed()
@@ -247,9 +256,8 @@ impl Draft {
     /// Appends the lanes of a stretch between two section starts.
     fn stretch(
         &mut self,
+        on: OnRoad<'_>,
         stretch: &Stretch<'_, '_>,
-        right_hand: bool,
-        road: &str,
         findings: &mut Vec<Finding>,
     ) -> Range {
         let [left_side, right_side] = stretch.sides;
@@ -260,37 +268,39 @@ impl Draft {
                 "expected a center lane with id 0, found none; the reference line stands in"
                     .to_owned();
             let tail = format!("lanes/laneSection[@s={s}]");
-            let mut part = Part { span: stretch.span, path: (road, &tail), findings };
+            let mut part = Part { span: stretch.span, path: (on.path, &tail), findings };
             part.add(&building::CENTER_LANE, Severity::Warning, message);
         }
         let section_row = self.rows.sections.len() as u32;
         let before = self.rows.lanes.len();
         for lane in left {
-            self.lane(section_row, left_side, right_hand, lane, road, findings);
+            self.lane(on, section_row, left_side, lane, findings);
         }
         match stretch.center {
-            Some(lane) => self.lane(section_row, right_side, right_hand, lane, road, findings),
-            None => {
-                let (kind, flags) = (LaneType::None.code(), left_side.layer.flags());
-                self.push_lane(section_row, (0, kind, flags, 0), (Range::default(), NONE));
-            }
+            Some(lane) => self.lane(on, section_row, right_side, lane, findings),
+            None => self.rows.lanes.push(LaneRow {
+                section: section_row,
+                first_mark: NONE,
+                kind: LaneType::None.code(),
+                flags: left_side.layer.flags(),
+                ..LaneRow::zeroed()
+            }),
         }
         for lane in right {
-            self.lane(section_row, right_side, right_hand, lane, road, findings);
+            self.lane(on, section_row, right_side, lane, findings);
         }
         between(before, self.rows.lanes.len())
     }
 
     fn lane(
         &mut self,
+        on: OnRoad<'_>,
         section: u32,
         side: Side,
-        right_hand: bool,
         lane: &AnyLane<'_>,
-        road: &str,
         findings: &mut Vec<Finding>,
     ) {
-        let section_s = side.s;
+        let (road, section_s) = (on.path, side.s);
         self.lane_surface(lane.height, lane.material, section_s, road, findings);
         let marks = self.lane_marks(lane.road_mark, section_s, road, findings);
         // Width and border both present: width wins (OpenDRIVE 1.8.1, 11.6.2).
@@ -326,7 +336,7 @@ impl Draft {
             });
         }
         self.lane_words(lane.visibility, lane.rule, section_s, road, findings);
-        let mut forward = (lane.id < 0) == right_hand && lane.id != 0;
+        let mut forward = (lane.id < 0) == on.right_hand && lane.id != 0;
         let kind = LaneType::from_name(lane.kind.map_or("", xodr::LaneType::name));
         let mut flags = side.layer.flags();
         match lane.direction {
@@ -359,26 +369,16 @@ impl Draft {
             let path = (road, "lanes/laneSection/lane/link");
             place(link.id.value(), "id", &mut Part { span: link.span, path, findings });
         }
-        let continues = if lane.id == 0 { 0 } else { side.continues };
-        self.push_lane(section, (lane.id, kind.code(), flags, continues), (widths, marks));
-    }
-
-    fn push_lane(
-        &mut self,
-        section: u32,
-        (number, kind, flags, continues): (i32, u8, u8, u16),
-        (widths, first_mark): (Range, u32),
-    ) {
         self.rows.lanes.push(LaneRow {
             section,
             first_width: widths.first,
-            first_mark,
+            first_mark: marks,
             // More are an error.
             width_count: u16::try_from(widths.count).unwrap_or(u16::MAX),
-            number,
-            kind,
+            number: lane.id,
+            kind: kind.code(),
             flags,
-            continues,
+            continues: if lane.id == 0 { 0 } else { side.continues },
             ..LaneRow::zeroed()
         });
     }

@@ -115,7 +115,7 @@ fn round(
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Round> {
-    let mut document = read(input, reading, (without, options.without), progress)?;
+    let mut document = read(input, reading, without, options.without, progress)?;
     let roads = document.draft.rows.roads.len();
     let length = document.draft.rows.roads.iter().map(|road| road.length).sum();
     let rows = document.sample(options, progress)?;
@@ -201,7 +201,8 @@ impl Document {
 fn read(
     input: impl Read + Send,
     reading: &ReadOptions,
-    (without, extras): (&Exclusions, Without),
+    without: &Exclusions,
+    extras: Without,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Document> {
     let mut hashing = HashingReader::new(input);
@@ -257,7 +258,7 @@ fn read(
                             _ => checker.item(&mut item),
                         };
                         checked = checker.take_findings();
-                        part::lower(&mut draft, (item, &line), &places, &mut checked);
+                        part::lower(&mut draft, item, &line, &places, &mut checked);
                     }
                 }
             }

@@ -64,7 +64,7 @@ impl Plan {
             units.add(&item);
             let (examined, line) = examiner.item(&mut item);
             let mut built = Vec::new();
-            lower(&mut draft, (item, &line), &places, &mut built);
+            lower(&mut draft, item, &line, &places, &mut built);
             elements.push_back(Element { examined, built, roads: draft.roads() - none });
             None
         });
@@ -94,7 +94,8 @@ pub(crate) fn examine(whole: &Whole) -> Vec<Examined> {
 /// Appends what a top-level element says to the rows; its reference line is the one that the rules examined.
 pub(crate) fn lower(
     draft: &mut Draft,
-    (item, line): (Item, &ReferenceLine),
+    item: Item,
+    line: &ReferenceLine,
     places: &Places,
     findings: &mut Vec<Finding>,
 ) {
@@ -109,7 +110,7 @@ pub(crate) fn lower(
         }
         Item::Road(road) => {
             let number = draft.roads();
-            draft.road((&road, line), position(road.span), findings);
+            draft.road(&road, line, position(road.span), findings);
             if draft.roads() == number {
                 return;
             }
@@ -138,7 +139,7 @@ pub(crate) fn lower(
                 draft.annotate(&*junction, (owner, ""), places);
             }
             let at = position(junction.span);
-            draft.junction((&junction, line), at, findings);
+            draft.junction(&junction, line, at, findings);
         }
         Item::Controller(controller) => {
             let owner = (AnnotationOwner::Controller, draft.signals.controllers() as u32);
