@@ -937,6 +937,10 @@ typedef struct mapd_map_facts {
    */
   double road_length;
   /*
+   First eight bytes of the content's hash, as in every id.
+   */
+  uint64_t content;
+  /*
    Number of roads.
    */
   uint32_t roads;
@@ -960,10 +964,6 @@ typedef struct mapd_map_facts {
    OpenDRIVE's version: minor.
    */
   uint16_t revision_minor;
-  /*
-   First four bytes of the content's hash, as in every id.
-   */
-  uint32_t content;
 } mapd_map_facts;
 
 /*
@@ -997,9 +997,13 @@ typedef struct mapd_road_id {
    */
   uint32_t row;
   /*
-   First four bytes of the content's hash.
+   The tile of a set of maps: 0.
    */
-  uint32_t content;
+  uint32_t tile;
+  /*
+   First eight bytes of the content's hash.
+   */
+  uint64_t content;
 } mapd_road_id;
 
 /*
@@ -1011,9 +1015,13 @@ typedef struct mapd_junction_id {
    */
   uint32_t row;
   /*
-   First four bytes of the content's hash.
+   The tile of a set of maps: 0.
    */
-  uint32_t content;
+  uint32_t tile;
+  /*
+   First eight bytes of the content's hash.
+   */
+  uint64_t content;
 } mapd_junction_id;
 
 /*
@@ -1025,9 +1033,13 @@ typedef struct mapd_signal_id {
    */
   uint32_t row;
   /*
-   First four bytes of the content's hash.
+   The tile of a set of maps: 0.
    */
-  uint32_t content;
+  uint32_t tile;
+  /*
+   First eight bytes of the content's hash.
+   */
+  uint64_t content;
 } mapd_signal_id;
 
 /*
@@ -1039,9 +1051,13 @@ typedef struct mapd_object_id {
    */
   uint32_t row;
   /*
-   First four bytes of the content's hash.
+   The tile of a set of maps: 0.
    */
-  uint32_t content;
+  uint32_t tile;
+  /*
+   First eight bytes of the content's hash.
+   */
+  uint64_t content;
 } mapd_object_id;
 
 /*
@@ -1053,9 +1069,13 @@ typedef struct mapd_lane_id {
    */
   uint32_t row;
   /*
-   First four bytes of the content's hash.
+   The tile of a set of maps: 0.
    */
-  uint32_t content;
+  uint32_t tile;
+  /*
+   First eight bytes of the content's hash.
+   */
+  uint64_t content;
 } mapd_lane_id;
 
 /*
@@ -1813,9 +1833,13 @@ typedef struct mapd_node_id {
    */
   uint32_t row;
   /*
-   First four bytes of the content's hash.
+   The tile of a set of maps: 0.
    */
-  uint32_t content;
+  uint32_t tile;
+  /*
+   First eight bytes of the content's hash.
+   */
+  uint64_t content;
 } mapd_node_id;
 
 /*

@@ -316,12 +316,14 @@ inline std::string_view word(std::uint32_t vocabulary, std::uint16_t code) noexc
 
 // Ids compare and hash.
 #define MAPD_ID(Id)                                                                                                  \
-  constexpr bool operator==(const Id& a, const Id& b) noexcept { return a.row == b.row && a.content == b.content; } \
+  constexpr bool operator==(const Id& a, const Id& b) noexcept {                                                     \
+    return a.row == b.row && a.tile == b.tile && a.content == b.content;                                             \
+  }                                                                                                                  \
   constexpr bool operator!=(const Id& a, const Id& b) noexcept { return !(a == b); }                                \
   template <>                                                                                                        \
   struct std::hash<Id> {                                                                                             \
     std::size_t operator()(const Id& id) const noexcept {                                                            \
-      return std::hash<std::uint64_t>()(std::uint64_t{id.content} << 32 | id.row);                                   \
+      return std::hash<std::uint64_t>()(id.content ^ (std::uint64_t{id.tile} << 32 | id.row));                       \
     }                                                                                                                \
   };
 MAPD_ID(mapd_road_id)

@@ -11,8 +11,10 @@ pub const MAPD_NO_ROW: u32 = u32::MAX;
 pub struct mapd_road_id {
     /// Row in the archive's table.
     pub row: u32,
-    /// First four bytes of the content's hash.
-    pub content: u32,
+    /// The tile of a set of maps: 0.
+    pub tile: u32,
+    /// First eight bytes of the content's hash.
+    pub content: u64,
 }
 
 /// A lane of a section; as `mapd_road_id` otherwise. What may leave the process is the lane's key: `mapd_lane_key`.
@@ -21,8 +23,10 @@ pub struct mapd_road_id {
 pub struct mapd_lane_id {
     /// Row in the archive's table.
     pub row: u32,
-    /// First four bytes of the content's hash.
-    pub content: u32,
+    /// The tile of a set of maps: 0.
+    pub tile: u32,
+    /// First eight bytes of the content's hash.
+    pub content: u64,
 }
 
 /// A junction; as `mapd_road_id` otherwise.
@@ -31,8 +35,10 @@ pub struct mapd_lane_id {
 pub struct mapd_junction_id {
     /// Row in the archive's table.
     pub row: u32,
-    /// First four bytes of the content's hash.
-    pub content: u32,
+    /// The tile of a set of maps: 0.
+    pub tile: u32,
+    /// First eight bytes of the content's hash.
+    pub content: u64,
 }
 
 /// A node of the lane graph: a lane, or a piece of one, travelled in one direction; as `mapd_road_id` otherwise.
@@ -41,8 +47,10 @@ pub struct mapd_junction_id {
 pub struct mapd_node_id {
     /// Row in the archive's table.
     pub row: u32,
-    /// First four bytes of the content's hash.
-    pub content: u32,
+    /// The tile of a set of maps: 0.
+    pub tile: u32,
+    /// First eight bytes of the content's hash.
+    pub content: u64,
 }
 
 /// A signal; as `mapd_road_id` otherwise.
@@ -51,8 +59,10 @@ pub struct mapd_node_id {
 pub struct mapd_signal_id {
     /// Row in the archive's table.
     pub row: u32,
-    /// First four bytes of the content's hash.
-    pub content: u32,
+    /// The tile of a set of maps: 0.
+    pub tile: u32,
+    /// First eight bytes of the content's hash.
+    pub content: u64,
 }
 
 /// An object; as `mapd_road_id` otherwise.
@@ -61,21 +71,23 @@ pub struct mapd_signal_id {
 pub struct mapd_object_id {
     /// Row in the archive's table.
     pub row: u32,
-    /// First four bytes of the content's hash.
-    pub content: u32,
+    /// The tile of a set of maps: 0.
+    pub tile: u32,
+    /// First eight bytes of the content's hash.
+    pub content: u64,
 }
 
 macro_rules! ids {
     ($($c:ident $rust:ident;)*) => { $(
         impl $c {
-            pub(crate) const NONE: Self = Self { row: MAPD_NO_ROW, content: 0 };
+            pub(crate) const NONE: Self = Self { row: MAPD_NO_ROW, tile: 0, content: 0 };
         }
 
         impl From<$rust> for $c {
             #[inline]
             fn from(id: $rust) -> Self {
                 let bits = id.to_bits();
-                Self { row: bits as u32, content: (bits >> 32) as u32 }
+                Self { row: id.row(), tile: (bits >> 96) as u32, content: bits as u64 }
             }
         }
 
@@ -89,7 +101,8 @@ macro_rules! ids {
         impl From<$c> for $rust {
             #[inline]
             fn from(id: $c) -> Self {
-                Self::from_bits(u64::from(id.row) | u64::from(id.content) << 32)
+                let row = u128::from(id.row) << 64 | u128::from(id.tile) << 96;
+                Self::from_bits(row | u128::from(id.content))
             }
         }
     )* };

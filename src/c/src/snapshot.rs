@@ -38,6 +38,8 @@ pub struct mapd_map_facts {
     pub high: mapd_vec3,
     /// Sum of the roads' lengths \[m\].
     pub road_length: f64,
+    /// First eight bytes of the content's hash, as in every id.
+    pub content: u64,
     /// Number of roads.
     pub roads: u32,
     /// Number of junctions.
@@ -50,8 +52,6 @@ pub struct mapd_map_facts {
     pub revision_major: u16,
     /// OpenDRIVE's version: minor.
     pub revision_minor: u16,
-    /// First four bytes of the content's hash, as in every id.
-    pub content: u32,
 }
 
 /// Latitudes and longitudes of a map's bounds on WGS 84 \[deg\].
@@ -66,6 +66,12 @@ pub struct mapd_geodetic_bounds {
     pub west: f64,
     /// Eastern longitude; it passes 180 where the map crosses the antimeridian.
     pub east: f64,
+}
+
+/// What ids are bound to: the first eight bytes of the content's hash.
+fn content_of(hash: &[u8; 32]) -> u64 {
+    let [a, b, c, d, e, f, g, h, ..] = *hash;
+    u64::from_le_bytes([a, b, c, d, e, f, g, h])
 }
 
 /// The map of a handle.
@@ -197,7 +203,7 @@ pub unsafe extern "C" fn mapd_map_facts_of(
                     objects: tables.objects.len() as u32,
                     revision_major: major,
                     revision_minor: minor,
-                    content: u32::from_le_bytes([hash[0], hash[1], hash[2], hash[3]]),
+                    content: content_of(&hash),
                 },
             )
         })

@@ -120,11 +120,13 @@ impl Client {
     ) -> Result<Self, ClientError> {
         #[cfg(feature = "subscriber")]
         let beside = Observer::idle(domain, map);
+        #[cfg(feature = "subscriber")]
         let observer = match &source {
             Source::Observer(observer) => observer,
-            #[cfg(feature = "subscriber")]
             Source::Subscriber(_) => &beside,
         };
+        #[cfg(not(feature = "subscriber"))]
+        let Source::Observer(observer) = &source;
         let current = loop {
             let pinned = source.wait_newer(0, until)?;
             let snapshot = Snapshot::from_pinned(pinned, map)?;

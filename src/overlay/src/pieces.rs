@@ -6,6 +6,7 @@
 use mapd_archive::{OverlayNodeRow, OverlayRows, PieceRow, Range, TouchedRow};
 use mapd_query::Map;
 use mapd_query::SRange;
+use mapd_query::compiling::ByRow as _;
 use mapd_query::graph::LaneNode;
 use std::collections::BTreeMap;
 

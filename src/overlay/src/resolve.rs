@@ -11,6 +11,7 @@ use mapd_archive::{
 };
 use mapd_query::Map;
 use mapd_query::SRange;
+use mapd_query::compiling::ByRow as _;
 use mapd_query::roads::travel_speed;
 
 /// What is taken.

@@ -32,7 +32,7 @@ impl Drop for Held {
     }
 }
 
-/// First four bytes of the content's hash: what ids are bound to.
+/// First four bytes of the content's hash: what ids in arrays are bound to. Beside the row, an id of 64 bits has room for no more.
 pub(crate) fn content(map: Map<'_>) -> u32 {
     let hash = map.content_hash();
     u32::from_le_bytes([hash[0], hash[1], hash[2], hash[3]])

@@ -1,6 +1,7 @@
 //! By rows of the archive's tables, for who has them.
 
 use crate::area;
+use crate::graph::LaneNode;
 use crate::junction::Junction;
 use crate::lane::Lane;
 use crate::map::Map;
@@ -22,6 +23,8 @@ pub trait ByRow<'a> {
     fn junction_by_row(&self, row: u32) -> Option<Junction<'a>>;
     /// The object.
     fn object_by_row(&self, row: u32) -> Option<Object<'a>>;
+    /// The node of the lane graph.
+    fn lane_node_by_row(&self, row: u32) -> Option<LaneNode<'a>>;
 }
 
 impl<'a> ByRow<'a> for Map<'a> {
@@ -43,6 +46,10 @@ impl<'a> ByRow<'a> for Map<'a> {
 
     fn object_by_row(&self, row: u32) -> Option<Object<'a>> {
         Object::new(*self, row)
+    }
+
+    fn lane_node_by_row(&self, row: u32) -> Option<LaneNode<'a>> {
+        LaneNode::new(*self, row)
     }
 }
 

@@ -59,7 +59,7 @@ impl<'a> LaneNode<'a> {
 
     /// Dense id.
     pub fn node_id(&self) -> NodeId {
-        NodeId { row: self.number, content: self.map.content() }
+        NodeId::new(self.number, self.map.content())
     }
 
     /// The lane.
@@ -279,13 +279,8 @@ impl<'a> Map<'a> {
     ///
     /// Errors: an id of another map content; a damaged archive.
     pub fn lane_node(&self, id: NodeId) -> Result<LaneNode<'a>, QueryError> {
-        self.known(id.content)?;
+        self.known(id.content, id.tile)?;
         LaneNode::new(*self, id.row).ok_or(QueryError::Corrupt)
-    }
-
-    /// The node of a row of the archive's table.
-    pub fn lane_node_by_row(&self, row: u32) -> Option<LaneNode<'a>> {
-        LaneNode::new(*self, row)
     }
 
     /// All nodes of the lane graph.

@@ -1,34 +1,46 @@
-//! Dense ids: rows of the archive's tables, valid for one map content.
+//! Dense ids: rows of the archive's tables, bound to one map content.
 
 use std::fmt;
+
+/// The tile of an id: maps are not parts of a larger set yet, so each is its only tile.
+pub(crate) const ONLY_TILE: u32 = 0;
 
 macro_rules! ids {
     ($($(#[$doc:meta])* $name:ident;)*) => { $(
         $(#[$doc])*
         ///
-        /// Dense and cheap, but bound to the content it came from: a map with other content refuses it. What may leave
-        /// a process is a name (`LaneKey`, OpenDRIVE's own ids).
+        /// Dense and cheap, but bound to the content that it came from: a map with other content refuses it, one with the same content
+        /// takes it, also in another process. What names the same part in another content is its key (`LaneKey`) or OpenDRIVE's own id.
+        #[repr(C)]
         #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
         pub struct $name {
             pub(crate) row: u32,
-            pub(crate) content: u32,
+            pub(crate) tile: u32,
+            pub(crate) content: u64,
         }
 
         impl $name {
+            #[inline]
+            pub(crate) fn new(row: u32, content: u64) -> Self {
+                Self { row, tile: ONLY_TILE, content }
+            }
+
             /// Row in the archive's table.
             pub fn row(self) -> u32 {
                 self.row
             }
 
-            /// The whole id as a number, for programs in other languages of the same process.
-            pub fn to_bits(self) -> u64 {
-                u64::from(self.row) | u64::from(self.content) << 32
+            /// The id as a plain integer: bits 0 to 63 are the first eight bytes of the content's hash (little-endian), bits 64 to 95
+            /// the row, bits 96 to 127 the tile, which is 0.
+            pub const fn to_bits(self) -> u128 {
+                self.content as u128 | (self.row as u128) << 64 | (self.tile as u128) << 96
             }
 
-            /// The id of [`Self::to_bits`]. Any number is one: a map refuses what it has not handed out, as an id of other content
-            /// or of no row.
-            pub fn from_bits(bits: u64) -> Self {
-                Self { row: bits as u32, content: (bits >> 32) as u32 }
+            /// The id of [`Self::to_bits`]. Every integer is an id; a map answers one that it has not handed out with
+            /// [`QueryError::ForeignId`](crate::QueryError::ForeignId), or [`QueryError::Corrupt`](crate::QueryError::Corrupt) if
+            /// only the row does not exist.
+            pub const fn from_bits(bits: u128) -> Self {
+                Self { row: (bits >> 64) as u32, tile: (bits >> 96) as u32, content: bits as u64 }
             }
         }
 
@@ -57,4 +69,19 @@ ids! {
     ControllerId;
     /// An object.
     ObjectId;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bits_are_content_then_row_then_tile() {
+        let id = LaneId::new(7, 0x1122_3344_5566_7788);
+        assert_eq!(id.to_bits(), 0x0000_0000_0000_0007_1122_3344_5566_7788);
+        assert_eq!(size_of::<LaneId>(), 16);
+        for bits in [0, 1, u128::MAX, id.to_bits(), 1 << 64, 1 << 96] {
+            assert_eq!(LaneId::from_bits(bits).to_bits(), bits);
+        }
+    }
 }

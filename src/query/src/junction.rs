@@ -20,7 +20,7 @@ impl<'a> Junction<'a> {
 
     /// Dense id.
     pub fn junction_id(&self) -> JunctionId {
-        JunctionId { row: self.number, content: self.map.content() }
+        JunctionId::new(self.number, self.map.content())
     }
 
     /// OpenDRIVE's id, verbatim.

@@ -56,7 +56,7 @@ impl<'a> JunctionGroup<'a> {
     pub fn ring(&self) -> impl ExactSizeIterator<Item = LaneId> + use<'a> {
         let content = self.map.content();
         let lanes = self.row.ring().of(self.map.tables().ring_lanes).iter();
-        lanes.map(move |row| LaneId { row: *row, content })
+        lanes.map(move |row| LaneId::new(*row, content))
     }
 
     /// Line and column of the start tag, from 1.

@@ -53,7 +53,7 @@ impl<'a> Lane<'a> {
 
     /// Dense id.
     pub fn lane_id(&self) -> LaneId {
-        LaneId { row: self.number, content: self.map.content() }
+        LaneId::new(self.number, self.map.content())
     }
 
     /// Row in the archive's table.
@@ -454,7 +454,7 @@ impl<'a> Lane<'a> {
             edges.iter().filter_map(move |target| {
                 let own = node.wrapping_add_signed(step) == *target && own_way.contains(target);
                 let row = list.get(*target as usize).filter(|_| !own)?;
-                Some(LaneId { row: row.lane(), content })
+                Some(LaneId::new(row.lane(), content))
             })
         })
     }

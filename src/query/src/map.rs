@@ -2,7 +2,7 @@
 
 use crate::error::QueryError;
 use crate::extents::{Bounds, HeaderOffset, Revision};
-use crate::ids::{JunctionId, LaneId, LaneSectionId, RoadId};
+use crate::ids::{JunctionId, LaneId, LaneSectionId, ONLY_TILE, RoadId};
 use crate::junction::Junction;
 use crate::key::{LaneKey, LaneLayer};
 use crate::lane::Lane;
@@ -47,9 +47,9 @@ impl<'a> Map<'a> {
 
     /// Ties ids to this content.
     #[inline]
-    pub(crate) fn content(&self) -> u32 {
-        let hash = &self.archive.header.content_hash;
-        u32::from_le_bytes([hash[0], hash[1], hash[2], hash[3]])
+    pub(crate) fn content(&self) -> u64 {
+        let [a, b, c, d, e, f, g, h, ..] = self.archive.header.content_hash;
+        u64::from_le_bytes([a, b, c, d, e, f, g, h])
     }
 
     fn row(&self) -> Option<&'a ArchivedMapRow> {
@@ -121,31 +121,33 @@ impl<'a> Map<'a> {
         self.row().map_or(DVec2::ZERO, |row| DVec2::new(row.origin_x(), row.origin_y()))
     }
 
-    pub(crate) fn known(&self, content: u32) -> Result<(), QueryError> {
-        if content == self.content() { Ok(()) } else { Err(QueryError::ForeignId) }
+    #[inline]
+    pub(crate) fn known(&self, content: u64, tile: u32) -> Result<(), QueryError> {
+        let own = content == self.content() && tile == ONLY_TILE;
+        if own { Ok(()) } else { Err(QueryError::ForeignId) }
     }
 
     /// The road of an id.
     pub fn road(&self, id: RoadId) -> Result<Road<'a>, QueryError> {
-        self.known(id.content)?;
+        self.known(id.content, id.tile)?;
         Road::new(*self, id.row).ok_or(QueryError::Corrupt)
     }
 
     /// The lane section of an id.
     pub fn section(&self, id: LaneSectionId) -> Result<LaneSection<'a>, QueryError> {
-        self.known(id.content)?;
+        self.known(id.content, id.tile)?;
         LaneSection::new(*self, id.row).ok_or(QueryError::Corrupt)
     }
 
     /// The lane of an id.
     pub fn lane(&self, id: LaneId) -> Result<Lane<'a>, QueryError> {
-        self.known(id.content)?;
+        self.known(id.content, id.tile)?;
         Lane::new(*self, id.row).ok_or(QueryError::Corrupt)
     }
 
     /// The junction of an id.
     pub fn junction(&self, id: JunctionId) -> Result<Junction<'a>, QueryError> {
-        self.known(id.content)?;
+        self.known(id.content, id.tile)?;
         Junction::new(*self, id.row).ok_or(QueryError::Corrupt)
     }
 

@@ -157,7 +157,7 @@ impl Map<'_> {
         index::visit_box(self.tables(), low, high, |leaf| {
             let known = leaf.lane().iter().copied().filter(|lane| *lane != NONE);
             for row in known {
-                let id = LaneId { row, content };
+                let id = LaneId::new(row, content);
                 // Neighbouring places are mostly of one lane.
                 if out.last() != Some(&id) {
                     out.push(id);

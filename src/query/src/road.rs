@@ -70,7 +70,7 @@ impl<'a> Road<'a> {
 
     /// Dense id.
     pub fn road_id(&self) -> RoadId {
-        RoadId { row: self.number, content: self.map.content() }
+        RoadId::new(self.number, self.map.content())
     }
 
     /// OpenDRIVE's id, verbatim.

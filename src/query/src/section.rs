@@ -21,7 +21,7 @@ impl<'a> LaneSection<'a> {
 
     /// Dense id.
     pub fn section_id(&self) -> LaneSectionId {
-        LaneSectionId { row: self.number, content: self.map.content() }
+        LaneSectionId::new(self.number, self.map.content())
     }
 
     /// The road.

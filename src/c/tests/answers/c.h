@@ -13,6 +13,8 @@ extern mapd_snapshot *map;
 extern mapd_scratch *scratch;
 extern mapd_projector *projector;
 extern mapd_error error;
+/* What the map's ids are bound to. Files have its lower half above the row, as the number of an id. */
+extern uint64_t content;
 
 /* Ends the program unless the call did what it should. */
 void must(mapd_code code);
@@ -21,7 +23,8 @@ int is(mapd_code code);
 
 #define ID(kind)                                                                              \
   static inline uint64_t kind##_bits(mapd_##kind##_id id) {                                   \
-    return id.row == MAPD_NO_ROW ? MAPD_NO_ROW : (uint64_t)id.content << 32 | id.row;         \
+    if (id.row == MAPD_NO_ROW) return MAPD_NO_ROW;                                            \
+    return id.content == content && id.tile == 0 ? content << 32 | id.row : 0;                \
   }
 ID(lane)
 ID(signal)
@@ -30,7 +33,7 @@ ID(junction)
 #undef ID
 
 static inline mapd_lane_id lane_of(uint64_t bits) {
-  const mapd_lane_id id = {(uint32_t)bits, (uint32_t)(bits >> 32)};
+  const mapd_lane_id id = {(uint32_t)bits, 0, content};
   return id;
 }
 

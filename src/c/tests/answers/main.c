@@ -5,6 +5,7 @@ mapd_snapshot *map;
 mapd_scratch *scratch;
 mapd_projector *projector;
 mapd_error error;
+uint64_t content;
 
 void must(mapd_code code) {
   if (code == MAPD_CODE_OK) return;
@@ -67,6 +68,9 @@ static int one_of(const char *kind, const char *all) {
 int main(int argc, char **argv) {
   if (argc != 3) return EXIT_FAILURE;
   must(mapd_snapshot_open(argv[1], &map, &error));
+  mapd_map_facts facts;
+  must(mapd_map_facts_of(map, &facts, &error));
+  content = facts.content;
   must(mapd_scratch_new(&scratch, &error));
   if (mapd_projector_new(map, &projector, &error) != MAPD_CODE_OK) projector = NULL;
   FILE *file = fopen(argv[2], "r");

@@ -9,6 +9,8 @@
 namespace {
 
 constexpr std::uint8_t car = MAPD_VEHICLE_CLASS_PASSENGER_CAR;
+/// What the map's ids are bound to. Files have its lower half above the row, as the number of an id.
+std::uint64_t content = 0;
 constexpr const char* yields[] = {"yields", "priority", "lights", "open", "unknown"};
 
 /// Numbers of an answer.
@@ -29,7 +31,7 @@ class Numbers {
   }
   template <class Id>
   Numbers& id(Id id) {
-    return u(mapd::is_some(id) ? std::uint64_t{id.content} << 32 | id.row : MAPD_NO_ROW);
+    return u(!mapd::is_some(id) ? MAPD_NO_ROW : id.content == content && id.tile == 0 ? content << 32 | id.row : 0);
   }
   template <class Id>
   Numbers& id(const std::optional<Id>& some) {
@@ -69,7 +71,7 @@ class Question {
   template <class Id = mapd::LaneId>
   Id id() {
     const std::uint64_t bits = u();
-    return {static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)};
+    return {static_cast<std::uint32_t>(bits), 0, content};
   }
   mapd::LanePlace place() {
     const mapd::LaneId lane = id();
@@ -90,6 +92,7 @@ class Question {
 class Answerer {
  public:
   explicit Answerer(const char* archive) : map_(mapd::Snapshot::open(archive)) {
+    content = map_.facts().content;
     if (auto projector = map_.try_projector()) projector_.emplace(*std::move(projector));
   }
 

@@ -2,7 +2,7 @@
 #include "c.h"
 
 static mapd_road_id road_of(uint64_t bits) {
-  const mapd_road_id id = {(uint32_t)bits, (uint32_t)(bits >> 32)};
+  const mapd_road_id id = {(uint32_t)bits, 0, content};
   return id;
 }
 

@@ -107,7 +107,7 @@ pub enum Tracked {
 /// The fix before.
 #[derive(Clone, Copy, Debug)]
 struct Last {
-    content: u32,
+    content: u64,
     time: f64,
     position: DVec2,
     odometer: Option<f64>,

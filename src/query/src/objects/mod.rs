@@ -36,7 +36,7 @@ impl<'a> Map<'a> {
     ///
     /// Errors: an id of another map content; a damaged archive.
     pub fn object(&self, id: ObjectId) -> Result<Object<'a>, QueryError> {
-        self.known(id.content)?;
+        self.known(id.content, id.tile)?;
         Object::new(*self, id.row).ok_or(QueryError::Corrupt)
     }
 

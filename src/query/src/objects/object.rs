@@ -28,7 +28,7 @@ impl<'a> Object<'a> {
 
     /// Dense id.
     pub fn object_id(&self) -> ObjectId {
-        ObjectId { row: self.number, content: self.map.content() }
+        ObjectId::new(self.number, self.map.content())
     }
 
     /// OpenDRIVE's id, verbatim.

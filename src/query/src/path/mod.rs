@@ -37,7 +37,7 @@ pub use segments::PathSegment;
 pub use speed::PathSpeed;
 
 use crate::error::QueryError;
-use crate::ids::LaneId;
+use crate::ids::{LaneId, ONLY_TILE};
 use crate::lane::Lane;
 use crate::map::Map;
 use crate::route::Enter;
@@ -73,7 +73,7 @@ pub struct PathBuffer {
     joints: Vec<PathJoint>,
     shifts: Vec<change::Shift>,
     boxes: boxes::Boxes,
-    content: u32,
+    content: u64,
 }
 
 /// A place where the driven line is not continuous, or changes lanes.
@@ -153,7 +153,7 @@ impl<'a, 'b> Path<'a, 'b> {
     ///
     /// Errors: it was built on a map of other content.
     pub fn of(map: Map<'a>, buffer: &'b PathBuffer) -> Result<Self, QueryError> {
-        map.known(buffer.content)?;
+        map.known(buffer.content, ONLY_TILE)?;
         Ok(Self { map, buffer })
     }
 
@@ -180,7 +180,7 @@ impl<'a, 'b> Path<'a, 'b> {
             let (first, last) = (spans.first(), spans.last());
             let end = |span: &Span| span.along + span.length;
             PathLane {
-                lane: LaneId { row: piece.lane, content: path.map.content() },
+                lane: LaneId::new(piece.lane, path.map.content()),
                 forward: piece.forward,
                 step: piece.step as usize,
                 along: [first.map_or(0.0, |span| span.along), last.map_or(0.0, end)],
@@ -192,7 +192,7 @@ impl<'a, 'b> Path<'a, 'b> {
     /// S of a place on one of the path's lanes `[m]`: the first where it is driven over several times. None for one that the path
     /// does not pass.
     pub fn along_of(&self, lane: LaneId, s: f64) -> Option<f64> {
-        let known = lane.content == self.buffer.content;
+        let known = (lane.content, lane.tile) == (self.buffer.content, ONLY_TILE);
         let own = self.buffer.pieces.iter().filter(|piece| known && piece.lane == lane.row);
         own.filter_map(|piece| self.spans_of(piece).iter().find_map(|span| span.along_at(s))).next()
     }

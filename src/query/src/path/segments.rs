@@ -93,7 +93,7 @@ impl<'a> Path<'a, '_> {
             let is_driven = own.number == node.number;
             out.push(PathSegment {
                 along,
-                lane: LaneId { row: own.row.lane(), content: self.map.content() },
+                lane: LaneId::new(own.row.lane(), self.map.content()),
                 forward: own.is_forward(),
                 driven: is_driven,
                 changes: NEVER,

@@ -36,7 +36,7 @@ impl<'a> Map<'a> {
         out.clear();
         let content = self.content();
         reach(*self, from, (limit, vehicle), cost, scratch, |row, cost| {
-            out.push(Reached { node: NodeId { row, content }, cost });
+            out.push(Reached { node: NodeId::new(row, content), cost });
         })
     }
 }

@@ -48,7 +48,7 @@ impl<'a> Map<'a> {
                 continue;
             }
             let Some(node) = LaneNode::new(map, open.node) else { continue };
-            out.push(Reached { node: NodeId { row: open.node, content }, cost: open.key() });
+            out.push(Reached { node: NodeId::new(open.node, content), cost: open.key() });
             for before in node.predecessors() {
                 enter(&before, open.key() + price(cost.pass(&before)), limit, vehicle, scratch);
             }

@@ -158,7 +158,7 @@ impl<'a> Map<'a> {
         let mut last: Option<u32> = None;
         for (node, ..) in &out.open {
             let Some(own) = LaneNode::new(*self, *node) else { continue };
-            let lane = LaneId { row: own.row.lane(), content: self.content() };
+            let lane = LaneId::new(own.row.lane(), self.content());
             let piece = last.is_some_and(|last| last.abs_diff(*node) == 1)
                 && last.and_then(|last| LaneNode::new(*self, last)).is_some_and(|before| {
                     before.row.lane() == own.row.lane() && before.is_forward() == own.is_forward()

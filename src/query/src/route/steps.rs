@@ -87,7 +87,7 @@ pub(super) fn write<'a>(
                 route.travel_time += node.travel_time() * (length / node.length());
             }
         }
-        let lane = LaneId { row: node.row.lane(), content: map.content() };
+        let lane = LaneId::new(node.row.lane(), map.content());
         let goes_on = out.len() > first_step
             && step.enter == Enter::Ahead
             && last.is_some_and(|last| ways.follows(last, step.node));

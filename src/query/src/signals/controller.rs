@@ -28,7 +28,7 @@ impl<'a> Controller<'a> {
 
     /// Dense id.
     pub fn controller_id(&self) -> ControllerId {
-        ControllerId { row: self.number, content: self.map.content() }
+        ControllerId::new(self.number, self.map.content())
     }
 
     /// OpenDRIVE's id, verbatim.

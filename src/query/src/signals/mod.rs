@@ -107,7 +107,7 @@ impl<'a> Signal<'a> {
 
     /// Dense id.
     pub fn signal_id(&self) -> SignalId {
-        SignalId { row: self.number, content: self.map.content() }
+        SignalId::new(self.number, self.map.content())
     }
 
     /// OpenDRIVE's id, verbatim.
@@ -306,9 +306,7 @@ impl<'a> Map<'a> {
     ///
     /// Errors: an id of another map.
     pub fn signal(&self, id: SignalId) -> Result<Signal<'a>, QueryError> {
-        if id.content != self.content() {
-            return Err(QueryError::ForeignId);
-        }
+        self.known(id.content, id.tile)?;
         Signal::new(*self, id.row).ok_or(QueryError::Corrupt)
     }
 

@@ -77,7 +77,7 @@ impl<'a> View<'a> {
             let lane = LaneNode::new(view.map, node).map(|node| node.row.lane());
             view.active_on(tables, row).filter_map(move |(number, _)| {
                 let entry = OverlayEntry::new(overlay, number)?;
-                let lane = LaneId { row: lane?, content };
+                let lane = LaneId::new(lane?, content);
                 Some(Restriction { entry, lane, s_from: row.s_from(), s_to: row.s_to() })
             })
         });
@@ -198,7 +198,7 @@ impl<'a> View<'a> {
         reach(ways, from, (limit, vehicle), cost, scratch, |number, cost| {
             let Some(node) = ways.node(number) else { return };
             let crate::SRange { low: s_from, high: s_to } = node.s_range();
-            let lane = LaneId { row: node.row.lane(), content };
+            let lane = LaneId::new(node.row.lane(), content);
             out.push(ReachedPiece { lane, forward: node.is_forward(), s_from, s_to, cost });
         })
     }

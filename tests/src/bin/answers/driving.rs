@@ -19,7 +19,7 @@ impl Asker<'_> {
             LanePlace { lane: to.lane_id(), s: s_to },
         ];
         let (mut q, mut a, mut steps) = (Numbers::default(), Numbers::default(), Vec::new());
-        q.u(from.lane_id().to_bits()).f(s_from).u(to.lane_id().to_bits()).f(s_to).u(by_time);
+        q.id(from.lane_id().to_bits()).f(s_from).id(to.lane_id().to_bits()).f(s_to).u(by_time);
         let class = VehicleClass::PassengerCar;
         let route = if by_time == 1 {
             map.route_via(&places, class, &ShortestTime::default(), scratch, &mut steps)?
@@ -31,7 +31,7 @@ impl Asker<'_> {
             a.f(route.cost).f(route.length).f(route.travel_time).u(route.lane_changes);
             a.u(steps.len() as u64);
             for step in &steps {
-                a.u(step.lane.to_bits()).u(u64::from(step.forward)).u(step.enter as u64);
+                a.id(step.lane.to_bits()).u(u64::from(step.forward)).u(step.enter as u64);
                 a.f(step.s_from).f(step.s_to).f(step.s_latest);
             }
             self.write("route", &q, &a);
@@ -43,7 +43,7 @@ impl Asker<'_> {
                     LineSource::Signal(signal) => (Some(signal), None),
                     LineSource::Object(object) => (None, Some(object)),
                 };
-                a.u(signal_bits(signal)).u(object_bits(object)).u(one.line.lane.to_bits());
+                a.u(signal_bits(signal)).u(object_bits(object)).id(one.line.lane.to_bits());
                 a.f(one.line.s).f(one.distance).u(one.line.class.code());
             }
             self.write("lines", &q, &a);
@@ -62,7 +62,7 @@ impl Asker<'_> {
             a.u(lane_bits(node.lane())).u(u64::from(node.is_forward()));
             a.f(s_from).f(s_to).f(one.cost);
         }
-        self.write("reachable", q.u(from.lane_id().to_bits()).f(s_from).f(limit), &a);
+        self.write("reachable", q.id(from.lane_id().to_bits()).f(s_from).f(limit), &a);
         Ok(())
     }
 
@@ -83,16 +83,16 @@ impl Asker<'_> {
         a.f(length).u(u64::from(path.is_broken())).lanes(path.lanes().map(|own| own.lane));
         a.f(at.along).v(at.position).f(at.heading).f(at.curvature).f(at.curvature_rate);
         a.f(at.grade).f(at.superelevation).f(at.left).f(at.right).f(at.s);
-        a.u(at.lane.to_bits()).u(clamped(at.clamped));
+        a.id(at.lane.to_bits()).u(clamped(at.clamped));
         let found = path.project(point, None)?;
         a.f(found.along).f(found.d).f(found.distance).f(found.heading).f(found.s);
-        a.u(found.lane.to_bits()).u(clamped(found.clamped));
+        a.id(found.lane.to_bits()).u(clamped(found.clamped));
         a.option(path.speed_at(along).and_then(|rule| rule.max));
         let mut room = Corridor::default();
         path.corridor(0.0, length, step, VehicleClass::PassengerCar, &mut room)?;
         a.u(room.len() as u64);
         for i in 0..room.len() {
-            a.f(room.along[i]).u(room.lane[i].to_bits()).v(room.left[i]).v(room.right[i]);
+            a.f(room.along[i]).id(room.lane[i].to_bits()).v(room.left[i]).v(room.right[i]);
             a.v(room.outer_left[i]).v(room.outer_right[i]);
             for mark in [room.left_mark[i], room.right_mark[i]] {
                 a.u(mark.kind.code()).u(mark.color.code()).u(u64::from(mark.may_cross));
@@ -102,7 +102,7 @@ impl Asker<'_> {
         path.conflicts(&mut conflicts);
         a.u(conflicts.len() as u64);
         for one in &conflicts {
-            a.f(one.along[0]).f(one.along[1]).u(one.other.to_bits());
+            a.f(one.along[0]).f(one.along[1]).id(one.other.to_bits());
             a.f(one.other_s[0]).f(one.other_s[1]).f(one.wait);
             a.u(hash(one.kind.name())).u(hash(one.yields.name())).u(hash(one.reason.name()));
         }

@@ -39,7 +39,7 @@ impl Asker<'_> {
                 .v(one.normal)
                 .f(one.s)
                 .f(one.t)
-                .u(one.lane.to_bits())
+                .id(one.lane.to_bits())
                 .u(one.level)
                 .u(one.levels),
             None => a.u(0u64),
@@ -51,7 +51,7 @@ impl Asker<'_> {
         match map.nearest_mark(at, &MarkFilter::default())? {
             Some(one) => a
                 .u(1u64)
-                .u(one.lane.to_bits())
+                .id(one.lane.to_bits())
                 .f(one.s)
                 .f(one.place.x)
                 .f(one.place.y)

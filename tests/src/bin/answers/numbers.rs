@@ -18,6 +18,10 @@ impl Numbers {
         self
     }
 
+    pub(crate) fn id(&mut self, bits: u128) -> &mut Self {
+        self.u(short(bits))
+    }
+
     pub(crate) fn v(&mut self, at: DVec3) -> &mut Self {
         self.f(at.x).f(at.y).f(at.z)
     }
@@ -33,12 +37,12 @@ impl Numbers {
 
     pub(crate) fn nearest(&mut self, one: &Nearest) -> &mut Self {
         let p = one.position;
-        self.u(one.lane.to_bits()).f(p.s).f(p.t).f(p.offset).f(p.offset_of_reference_line);
+        self.id(one.lane.to_bits()).f(p.s).f(p.t).f(p.offset).f(p.offset_of_reference_line);
         self.f(p.distance).f(p.z).f(p.heading).f(p.heading_of_reference_line).u(clamped(p.clamped))
     }
 
     pub(crate) fn lanes(&mut self, lanes: impl Iterator<Item = LaneId>) -> &mut Self {
-        let all: Vec<u64> = lanes.map(LaneId::to_bits).collect();
+        let all: Vec<u64> = lanes.map(|lane| short(lane.to_bits())).collect();
         self.u(all.len() as u64);
         self.0.extend(all);
         self
@@ -53,19 +57,24 @@ pub(crate) fn clamped(clamped: mapd_client::Clamped) -> u64 {
     }
 }
 
+/// An id as one number: the lower half of what it is bound to, then its row.
+pub(crate) fn short(bits: u128) -> u64 {
+    (bits as u64) << 32 | u64::from((bits >> 64) as u32)
+}
+
 /// What names nothing.
 pub(crate) const NOTHING: u64 = u32::MAX as u64;
 
 pub(crate) fn signal_bits(id: Option<SignalId>) -> u64 {
-    id.map_or(NOTHING, SignalId::to_bits)
+    id.map_or(NOTHING, |id| short(id.to_bits()))
 }
 
 pub(crate) fn object_bits(id: Option<ObjectId>) -> u64 {
-    id.map_or(NOTHING, ObjectId::to_bits)
+    id.map_or(NOTHING, |id| short(id.to_bits()))
 }
 
 pub(crate) fn lane_bits(lane: Option<Lane<'_>>) -> u64 {
-    lane.map_or(NOTHING, |lane| lane.lane_id().to_bits())
+    lane.map_or(NOTHING, |lane| short(lane.lane_id().to_bits()))
 }
 
 /// FNV-1a of a text.

@@ -1,12 +1,12 @@
 //! Questions about places, roads and lanes.
 
-use crate::numbers::{NOTHING, Numbers, clamped, hash, lane_bits, object_bits, signal_bits};
+use crate::numbers::{NOTHING, Numbers, clamped, hash, lane_bits, object_bits, short, signal_bits};
 use crate::{Asker, RADII, Result};
 use mapd_client::localisation::LandmarkSource;
 use mapd_client::route::{LanePlace, LaneSequences};
 use mapd_client::signals::SignalsAhead;
 use mapd_client::vocabulary::{ClassSet, VehicleClass};
-use mapd_client::{LaneId, Nearest, NearestOptions, Point, Track};
+use mapd_client::{Nearest, NearestOptions, Point, Track};
 
 impl Asker<'_> {
     pub(crate) fn points(&mut self) -> Result<()> {
@@ -39,7 +39,7 @@ impl Asker<'_> {
         a.u(objects.len() as u64);
         for one in &objects {
             let copy = one.place.copy.map_or(NOTHING, u64::from);
-            a.u(one.place.object.to_bits()).u(copy).f(one.distance);
+            a.id(one.place.object.to_bits()).u(copy).f(one.distance);
         }
         self.write("objects", &q, &a);
 
@@ -70,7 +70,7 @@ impl Asker<'_> {
 
         let road = self.random.one_of(&self.roads);
         let (mut q, mut a) = (Numbers::default(), Numbers::default());
-        q.u(road.road_id().to_bits()).f(at.x).f(at.y).f(z).u(has_z);
+        q.id(road.road_id().to_bits()).f(at.x).f(at.y).f(z).u(has_z);
         let track = road.to_track(point)?;
         a.f(track.s).f(track.t).option(track.h).f(track.distance).u(clamped(track.clamped));
         a.u(u64::from(track.exact));
@@ -94,24 +94,26 @@ impl Asker<'_> {
         let s = self.random.between(-1.0, road.length() + 1.0);
         let (t, h) = (self.random.between(-12.0, 12.0), self.random.between(-1.0, 1.0));
         let (mut q, mut a) = (Numbers::default(), Numbers::default());
-        q.u(road.road_id().to_bits()).f(s).f(t).f(h);
+        q.id(road.road_id().to_bits()).f(s).f(t).f(h);
         a.pose(&road.to_inertial(Track { s, t, h })?);
         self.write("inertial", &q, &a);
 
         let (mut q, mut a) = (Numbers::default(), Numbers::default());
         let surface = road.surface_at(s, t)?;
-        a.v(surface.position).v(surface.normal).u(surface.lane.map_or(NOTHING, LaneId::to_bits));
+        a.v(surface.position)
+            .v(surface.normal)
+            .u(surface.lane.map_or(NOTHING, |lane| short(lane.to_bits())));
         a.u(u64::from(surface.material.is_some()));
         a.f(surface.material.and_then(|one| one.friction).unwrap_or(-1.0))
             .u(clamped(surface.clamped));
-        self.write("surface", q.u(road.road_id().to_bits()).f(s).f(t), &a);
+        self.write("surface", q.id(road.road_id().to_bits()).f(s).f(t), &a);
         Ok(())
     }
 
     pub(crate) fn lanes(&mut self) -> Result<()> {
         let map = self.map;
         let (lane, s) = self.place();
-        let id = lane.lane_id().to_bits();
+        let id = short(lane.lane_id().to_bits());
         let offset = self.random.between(-2.0, 2.0);
         let (mut q, mut a) = (Numbers::default(), Numbers::default());
         a.pose(&lane.pose_at(s, offset)?);
@@ -162,7 +164,7 @@ impl Asker<'_> {
         let lights: Vec<_> = lane.movement_lights().collect();
         a.u(lights.len() as u64);
         for one in &lights {
-            a.u(one.signal().signal_id().to_bits()).u(lane_bits(one.lane()));
+            a.id(one.signal().signal_id().to_bits()).u(lane_bits(one.lane()));
         }
         self.write("movement", &q, &a);
 
@@ -182,7 +184,7 @@ impl Asker<'_> {
         let mut a = Numbers::default();
         a.u(ahead.iter().len() as u64);
         for one in ahead.iter() {
-            a.u(hash(map.signal(one.signal)?.id())).u(one.lane.to_bits()).f(one.distance).f(one.s);
+            a.u(hash(map.signal(one.signal)?.id())).id(one.lane.to_bits()).f(one.distance).f(one.s);
         }
         self.write("ahead", &q, &a);
 
@@ -196,7 +198,7 @@ impl Asker<'_> {
 
         let mut a = Numbers::default();
         match map.next_junction(from, reach, VehicleClass::PassengerCar)? {
-            Some(next) => a.u(1u64).u(next.junction.to_bits()).f(next.distance),
+            Some(next) => a.u(1u64).id(next.junction.to_bits()).f(next.distance),
             None => a.u(0u64),
         };
         self.write("junction", &q, &a);
