@@ -15,6 +15,7 @@
 //! They use `carla/Town05.xodr` of the shared corpus and its 6×6 tiling, and say so where these are missing.
 
 use mapd_client::{Map, Snapshot};
+pub use mapd_planner::places;
 pub use mapd_tests::maps::Random;
 use quick_xml::events::Event;
 use std::io::Write;
@@ -150,25 +151,6 @@ pub fn percentiles(mut times: Vec<Duration>) -> (Duration, Duration) {
         times.get(((times.len() as f64 - 1.0) * share) as usize).copied().unwrap_or_default()
     };
     (at(0.5), at(0.99))
-}
-
-/// Places on roads: (road row, s, t), at random over the map, or in small steps along roads.
-pub fn places(map: Map<'_>, along: bool, count: usize) -> Vec<(u32, f64, f64)> {
-    let mut random = Random(7);
-    let roads: Vec<_> = map.roads().filter(|road| road.length() > 1.0).collect();
-    let mut places = Vec::new();
-    while places.len() < count {
-        let road = &roads[(random.unit() * roads.len() as f64) as usize];
-        let row = road.road_id().row();
-        if along {
-            let steps = (road.length() / 0.5) as usize;
-            places.extend((0..steps).map(|i| (row, i as f64 * 0.5, -1.5)));
-        } else {
-            places.push((row, random.unit() * road.length(), random.unit() * 8.0 - 4.0));
-        }
-    }
-    places.truncate(count);
-    places
 }
 
 /// The floor of reading: quick-xml's loop over every event, every attribute, every number. The sum of the numbers.

@@ -3,9 +3,7 @@
 //! The index proposes a slab: a lane between two values of s within one plan-view geometry. Here the curve itself
 //! decides: foot on the reference line, edges from the file's polynomials.
 
-use crate::index;
 use crate::lane::Lane;
-use crate::nearest::round_up;
 use crate::polyline::segment_ends;
 use crate::profile::At;
 use crate::road::Piece;
@@ -366,49 +364,4 @@ impl Border<'_, '_> {
         }
         best
     }
-}
-
-/// Segments of a lane that are looked at for a first bound on its distance.
-const PROBES: usize = 16;
-
-/// Position with respect to the whole lane: the nearest of its slabs; of equally near ones that nearer to the lane's centre, then the
-/// first. The index leaves out what is farther than the best so far, so that long lanes cost little more than short ones.
-pub(crate) fn position_in(lane: &Lane<'_>, local: DVec2) -> Option<LanePosition> {
-    let segments = lane.center_points().len().saturating_sub(1);
-    let mut best: Option<Place<'_>> = None;
-    let mut consider = |segment: usize| {
-        let found = slab(lane, segment).map(|slab| place(lane, &slab, local));
-        let key = |place: &Place<'_>| (place.distance, place.offset.abs(), place.s());
-        if let Some(found) = found
-            && best.as_ref().is_none_or(|best| key(&found) < key(best))
-        {
-            best = Some(found);
-        }
-        best.as_ref().map_or(f64::INFINITY, |best| best.distance)
-    };
-    // Queries in space leave temporary lanes out, and so does the index.
-    if segments <= PROBES || lane.is_temporary() {
-        for segment in 0..segments {
-            consider(segment);
-        }
-        return best.map(|best| best.position(lane));
-    }
-    let mut bound = f64::INFINITY;
-    for probe in 0..PROBES {
-        bound = consider(probe * segments / PROBES);
-    }
-    let own = lane.row_number();
-    // Single precision rounds the bound; a little more loses nothing.
-    let bound = round_up(bound);
-    index::visit(lane.map.tables(), local, None, bound, |leaf, qx, qy, mut bound| {
-        let (lanes, numbers) = (leaf.lane(), leaf.segment());
-        let lower = index::lower_bounds(leaf, qx, qy, None);
-        for k in 0..lanes.len() {
-            if lanes[k] == own && lower[k] <= bound {
-                bound = bound.min(round_up(consider(usize::from(numbers[k]))));
-            }
-        }
-        bound
-    });
-    best.map(|best| best.position(lane))
 }

@@ -1,11 +1,11 @@
 //! Lanes: edges, poses, polylines, neighbours and links.
 
-use crate::area;
 use crate::error::QueryError;
 use crate::ids::LaneId;
 use crate::key::{LaneKey, LaneLayer};
 use crate::map::Map;
 use crate::polyline::{Points, Polyline};
+use crate::position;
 use crate::profile::{self, At, Slope};
 use crate::road::{JOINT, Road};
 use crate::section::LaneSection;
@@ -275,7 +275,7 @@ impl<'a> Lane<'a> {
         if !point.xy.is_finite() {
             return Err(QueryError::NotFinite);
         }
-        area::position_in(self, point.xy - self.map.origin()).ok_or(QueryError::Corrupt)
+        position::position_in(self, point.xy - self.map.origin()).ok_or(QueryError::Corrupt)
     }
 
     /// Whether a point lies in the lane's area, edges included, in plan view.

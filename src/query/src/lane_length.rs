@@ -73,7 +73,9 @@ impl<'a> Lane<'a> {
         let (mut sum, mut last) = (0.0, from);
         let mut held = Held::NONE;
         let even = self.even_growth(&mut held, from, to);
-        for s in line.stations().filter(|s| *s > from && *s < to).chain([to]) {
+        let within = line.points_before(from)..line.len();
+        let cuts = within.map_while(|i| line.station(i).filter(|s| *s < to));
+        for s in cuts.chain([to]) {
             if s > last {
                 sum += match even {
                     Some(growth) => 0.5 * (s - last) * (growth + growth),

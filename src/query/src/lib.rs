@@ -80,6 +80,7 @@ pub mod objects;
 mod packed;
 pub mod path;
 mod polyline;
+mod position;
 mod profile;
 mod quarantine;
 pub mod railway;

@@ -121,6 +121,11 @@ impl<'a> Map<'a> {
         self.row().map_or(DVec2::ZERO, |row| DVec2::new(row.origin_x(), row.origin_y()))
     }
 
+    /// Largest distance of a lane's centre line from its polyline `[m]`.
+    pub(crate) fn index_tolerance(&self) -> f64 {
+        self.row().map_or(f64::INFINITY, |row| row.index_tolerance())
+    }
+
     #[inline]
     pub(crate) fn known(&self, content: u64, tile: u32) -> Result<(), QueryError> {
         let own = content == self.content() && tile == ONLY_TILE;

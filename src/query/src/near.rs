@@ -27,23 +27,22 @@ impl Map<'_> {
         index::visit(self.tables(), local, heights, radius, |leaf, qx, qy, bound| {
             let (lanes, segments) = (leaf.lane(), leaf.segment());
             let lower = index::lower_bounds(leaf, qx, qy, heights);
-            for k in 0..lower.len() {
-                if lower[k] > bound {
-                    continue;
-                }
+            let mut open = index::places_within(&lower, bound);
+            // The most promising comes first: what is farther of its lane costs nothing then.
+            while let Some(k) = index::least(&lower, open) {
+                open &= !(1 << k);
+                let known = out.iter().position(|known| known.lane.row() == lanes[k]);
+                let most = known
+                    .and_then(|at| out.get(at))
+                    .map_or(options.radius, |known| known.position.distance);
                 // A stretch that is farther than one already found of its lane changes nothing.
-                let is_farther = |known: &Nearest| {
-                    known.lane.row() == lanes[k] && f64::from(lower[k]) > known.position.distance
-                };
-                if out.iter().any(is_farther) {
+                if f64::from(lower[k]) > most {
                     continue;
                 }
                 let found = self.candidate((lanes[k], segments[k]), point, local, options);
-                let Some(found) = found.filter(|found| found.distance() <= options.radius) else {
-                    continue;
-                };
-                let Some(found) = found.nearest(*self) else { continue };
-                match out.iter_mut().find(|known| known.lane == found.lane) {
+                let found = found.filter(|found| found.distance() <= most);
+                let Some(found) = found.and_then(|found| found.nearest(*self)) else { continue };
+                match known.and_then(|at| out.get_mut(at)) {
                     None => out.push(found),
                     Some(known) if self.is_better(&found, known, point, options) => *known = found,
                     Some(_) => {}
@@ -51,7 +50,7 @@ impl Map<'_> {
             }
             bound
         });
-        // Sorting in place allocates nothing. What ties go by is made again.
+        // Sorting in place allocates nothing.
         out.sort_unstable_by(|a, b| self.compare(a, b, point, options));
         Ok(())
     }
@@ -68,7 +67,7 @@ impl Map<'_> {
         Ok(self.nearest_lane(point, &options)?.is_some())
     }
 
-    /// As [`Map::nearest_lane`] prefers.
+    /// As [`Map::nearest_lane`] prefers. What ties go by is made again.
     fn compare(
         &self,
         a: &Nearest,
@@ -76,10 +75,11 @@ impl Map<'_> {
         point: Point,
         options: &NearestOptions,
     ) -> Ordering {
-        match [a, b].map(|nearest| self.rank_of(nearest, point, options)) {
+        let tied = || match [a, b].map(|nearest| self.rank_of(nearest, point, options)) {
             [Some(a), Some(b)] => a.order(&b, *self),
             _ => Ordering::Equal,
-        }
+        };
+        a.position.distance.total_cmp(&b.position.distance).then_with(tied)
     }
 
     fn is_better(&self, a: &Nearest, b: &Nearest, point: Point, options: &NearestOptions) -> bool {

@@ -253,7 +253,15 @@ impl<'a> Map<'a> {
         point: impl Into<Point>,
         options: &NearestOptions,
     ) -> Result<Option<Nearest>, QueryError> {
-        let point = point.into();
+        self.nearest_lane_to(point.into(), options)
+    }
+
+    /// As [`Map::nearest_lane`]: generated once, here, however many programs and places ask.
+    fn nearest_lane_to(
+        &self,
+        point: Point,
+        options: &NearestOptions,
+    ) -> Result<Option<Nearest>, QueryError> {
         options.check(point)?;
         let local = point.xy - self.origin();
         // Whether a lane holds the point is cheaper to tell than how far off it is, and mostly one does.

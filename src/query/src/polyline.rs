@@ -1,6 +1,6 @@
 //! Polylines as they lie in the archive.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use mapd_archive::{ArchivedLaneRow, ArchivedSectionRow, PointCode, Tables};
 
 /// The points of a line, from the frame of their section.
@@ -69,6 +69,17 @@ impl<'a> Points<'a> {
     #[inline]
     fn offset(&self, i: usize) -> Option<DVec3> {
         self.point(i).map(|bytes| DVec3::from_array(self.code.offset(bytes)))
+    }
+
+    /// The points in plan view, from the section's frame `[m]`: some of them from one on.
+    #[inline]
+    pub(crate) fn in_plan(&self, i: usize) -> impl Iterator<Item = DVec2> + use<'a> {
+        let (reader, bytes) = (self.code.reader(), self.code.bytes());
+        let from = self.bytes.get(i * bytes..).unwrap_or(&[]);
+        (0..self.count.saturating_sub(i)).map(move |i| {
+            let (_, [x, y, _]) = reader.read(from.get(i * bytes..).unwrap_or(&[]));
+            DVec2::new(x, y)
+        })
     }
 
     /// Number of points before the first one whose s is not `before` this.

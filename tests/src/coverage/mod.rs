@@ -162,7 +162,7 @@ fn judge(all: &[Difference], (written, value): (&str, &str), place: &Place) -> O
     }
     let holds: Vec<&Difference> =
         all.iter().filter(|one| !place.is_element && one.holds(written, value)).collect();
-    let only_kept = all.iter().all(|one| one.table.starts_with("annotation"));
+    let only_kept = all.iter().all(|one| one.table == "annotations");
     let (word, mut places): (&str, Vec<String>) = if only_kept {
         if holds.is_empty() && !place.is_element {
             return None;

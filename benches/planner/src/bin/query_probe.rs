@@ -1,12 +1,13 @@
 //! One process that opens an archive and asks a number of queries: `query_probe PATH KIND COUNT`, for counting
 //! instructions. Kinds: `nearest` (random over the roads), `trajectory` (in steps of half a metre), `beside` (the same
 //! beside the road, in no lane), `hinted` (that with the last answer as a hint), `inertial` and `inertial-trajectory` (s, t to x, y, z), `route` (the shortest way between random
-//! places that have one), `border` (all points of a lane's border), `none`.
+//! places that have one), `border` (all points of a lane's border), `near` (all lanes within the radius), `near-few` (within a metre); of the nearest lane or its road
+//! `track` (x, y to s, t), `position`, `contains`, `length` and `short-length` (along the whole longest lane and over a metre of it); `none`.
 
-use mapd_benches::{Random, places};
 use mapd_client::route::{LanePlace, RouteScratch, ShortestLength};
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{Lane, Map, NearestOptions, Snapshot, Track, glam::DVec2};
+use mapd_planner::{Random, places};
 use std::hint::black_box;
 use std::process::ExitCode;
 
@@ -60,10 +61,22 @@ fn main() -> ExitCode {
     let points: Vec<DVec2> =
         places.iter().filter_map(|place| Some(point(place)?.truncate())).collect();
     let mut options = NearestOptions::default();
+    if kind == "near-few" {
+        options.radius = 1.0;
+    }
     let mut scratch = RouteScratch::with_capacity(map.lane_nodes().len());
     let ways = if kind == "route" { ways(map, &mut scratch) } else { Vec::new() };
     let lanes: Vec<Lane<'_>> = map.lanes().collect();
     let (mut steps, cost) = (Vec::new(), ShortestLength::default());
+    let own = |point: &DVec2| {
+        let hit = map.nearest_lane(*point, &NearestOptions::default()).ok().flatten();
+        hit.and_then(|hit| map.lane(hit.lane).ok())
+    };
+    let own: Vec<Option<Lane<'_>>> = points.iter().map(own).collect();
+    let uneven = |lane: &&Lane<'_>| lane.center_line().len();
+    let Some(longest) = lanes.iter().max_by_key(uneven) else { return ExitCode::from(1) };
+    let [low, high] = [longest.section().s_start(), longest.section().s_end()];
+    let mut near = Vec::new();
     for i in 0..count {
         match kind.as_str() {
             "nearest" | "trajectory" | "beside" => {
@@ -80,6 +93,31 @@ fn main() -> ExitCode {
                 // A map may have no ways.
                 let Some([from, to]) = ways.get(i % ways.len().max(1)) else { continue };
                 black_box(map.route(*from, *to, CAR, &cost, &mut scratch, &mut steps).ok());
+            }
+            "near" | "near-few" => {
+                black_box(map.lanes_near(points[i % points.len()], &options, &mut near).ok());
+            }
+            "track" | "position" | "contains" => {
+                let at = i % points.len();
+                let Some(lane) = &own[at] else { continue };
+                match kind.as_str() {
+                    "track" => {
+                        black_box(lane.road().to_track(points[at]).ok());
+                    }
+                    "position" => {
+                        black_box(lane.position_of(points[at]).ok());
+                    }
+                    _ => {
+                        black_box(lane.contains(points[at]).ok());
+                    }
+                }
+            }
+            "length" => {
+                black_box(longest.length_between(black_box(low), high));
+            }
+            "short-length" => {
+                let middle = low.midpoint(high);
+                black_box(longest.length_between(black_box(middle), middle + 1.0));
             }
             "border" => {
                 for position in lanes[i % lanes.len()].border().positions() {
