@@ -57,6 +57,29 @@ macro_rules! codes {
                 match self { $(Self::$variant => $text,)* Self::Unknown => "unknown" }
             }
         }
+
+        #[cfg(feature = "serde")]
+        impl serde::Serialize for $name {
+            /// As its name.
+            fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+                to.serialize_str(self.name())
+            }
+        }
+
+        #[cfg(feature = "serde")]
+        impl<'de> serde::Deserialize<'de> for $name {
+            /// From its name; one that this version does not know is an error.
+            fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+                let name = String::deserialize(from)?;
+                match Self::from_name(&name) {
+                    Self::Unknown if name != Self::Unknown.name() => {
+                        let what = stringify!($name);
+                        Err(serde::de::Error::custom(format_args!("expected a {what}, found {name:?}")))
+                    }
+                    known => Ok(known),
+                }
+            }
+        }
     };
 }
 

@@ -18,6 +18,7 @@ pub enum ClientError {
         /// File or map name.
         source_name: String,
         /// What is wrong.
+        #[source]
         error: OpenError,
     },
     /// The archive does not prove.
@@ -26,6 +27,7 @@ pub enum ClientError {
         /// File or map name.
         source_name: String,
         /// What is wrong.
+        #[source]
         error: VerifyError,
     },
     /// The archive is not signed by a trusted key, or not what was signed.
@@ -38,6 +40,20 @@ pub enum ClientError {
         /// The file.
         path: PathBuf,
         /// What the system says.
+        #[source]
         error: std::io::Error,
     },
+}
+
+#[cfg(test)]
+mod tests {
+    use std::error::Error as _;
+
+    #[test]
+    fn a_file_that_cannot_be_opened_has_the_system_s_error_as_its_source() {
+        let error = crate::Snapshot::open("/no/such/folder/town.mapd").err().expect("no file");
+        assert!(error.to_string().starts_with("/no/such/folder/town.mapd: "), "{error}");
+        let cause = error.source().and_then(|cause| cause.downcast_ref::<std::io::Error>());
+        assert_eq!(cause.map(std::io::Error::kind), Some(std::io::ErrorKind::NotFound));
+    }
 }

@@ -52,6 +52,7 @@ pub enum TrustError {
         /// Where its signature should be.
         signature: PathBuf,
         /// What the system says.
+        #[source]
         reason: std::io::Error,
     },
     /// The signature is none that can be read.

@@ -51,6 +51,7 @@ pub struct CompileOptions {
 /// By the standard a point of the file lies at its turned coordinates plus the offset; netconvert of Eclipse SUMO writes the
 /// offset that it has added itself, which must be subtracted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum OffsetSign {
     /// As written, unless the file is known to be, or can only be, one of the other sign.
     #[default]
@@ -66,6 +67,7 @@ pub enum OffsetSign {
 /// Lawful networks have cycles (blocks, roundabouts, ring roads); a cycle within the connecting roads of one junction,
 /// or one of at most 1 m, is none of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum CyclePolicy {
     /// Cycles within a junction and cycles without length are errors; others are condensed.
     #[default]

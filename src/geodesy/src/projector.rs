@@ -29,6 +29,7 @@ pub struct Geodetic {
 
 /// Why a definition is of no use.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum DefinitionError {
     /// There is none: the map has no georeference, or one that was found to be of no use when it was compiled.
     #[error("the map has no georeference that can be used")]

@@ -15,8 +15,9 @@ use crate::commands::sign::SignCommand;
 use crate::commands::status::StatusCommand;
 use crate::commands::trace::{self, TraceCommand};
 use crate::commands::view::{self, ViewCommand};
+use crate::control::AskError;
 use crate::daemon::{self, DaemonArgs};
-use crate::exit::{Exit, UsageError};
+use crate::exit::{Exit, UsageError, explained};
 use crate::oversight::OversightArgs;
 use crate::trust::is_distrust;
 use anyhow::{Context, Result};
@@ -138,7 +139,7 @@ pub fn run() -> ExitCode {
         // The reader of our output has gone: nobody is left to be told.
         Err(error) if is_broken_pipe(&error) => Exit::Done.into(),
         Err(error) => {
-            let _ = writeln!(io::stderr(), "mapd: {error:#}");
+            let _ = writeln!(io::stderr(), "mapd: {}", explained(&error));
             let exit = match error {
                 error if error.is::<UsageError>() => Exit::Usage,
                 error if is_distrust(&error) => Exit::Rejected,
@@ -176,8 +177,10 @@ fn check_room() -> Result<()> {
     Ok(())
 }
 
+/// Whether the reader of our output has gone. A pipe to a daemon that breaks is another matter.
 fn is_broken_pipe(error: &anyhow::Error) -> bool {
-    error.chain().any(|cause| {
+    let mut causes = error.chain().take_while(|cause| !cause.is::<AskError>());
+    causes.any(|cause| {
         let io = cause.downcast_ref::<io::Error>();
         io.is_some_and(|e| e.kind() == io::ErrorKind::BrokenPipe)
             || matches!(cause.downcast_ref::<csv::Error>().map(csv::Error::kind), Some(csv::ErrorKind::Io(e)) if e.kind() == io::ErrorKind::BrokenPipe)

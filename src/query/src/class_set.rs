@@ -9,6 +9,7 @@ const LAST: usize = 255;
 
 /// A set of classes of signals and objects (docs/ontology.md).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ClassSet([u64; 4]);
 
 impl ClassSet {

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 /// Both ends of a stretch on a road `[m]`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SRange {
     /// The smaller s.
     pub low: f64,
@@ -13,6 +14,7 @@ pub struct SRange {
 
 /// A box along the axes, in inertial coordinates `[m]`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Bounds {
     /// Smallest x, y and z.
     pub low: DVec3,
@@ -22,6 +24,7 @@ pub struct Bounds {
 
 /// Numbers of the lanes from one to another, both among them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LaneRange {
     /// The lower number.
     pub from: i32,
@@ -31,6 +34,7 @@ pub struct LaneRange {
 
 /// A place in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SourcePosition {
     /// Line, from 1.
     pub line: u32,
@@ -40,6 +44,7 @@ pub struct SourcePosition {
 
 /// A header's offset: a point p becomes R(heading)·p + shift (ASAM OpenDRIVE 1.8.1, 8.4.3).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct HeaderOffset {
     /// Shift `[m]`.
     pub shift: DVec3,
@@ -49,6 +54,7 @@ pub struct HeaderOffset {
 
 /// The version of OpenDRIVE that a file states; zeros where it states none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Revision {
     /// `revMajor`
     pub major: u16,

@@ -119,6 +119,7 @@ pub(crate) fn of_junction<'a>(
 
 /// An elevation grid at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct GridHeight {
     /// Height `[m]`.
     pub height: f64,

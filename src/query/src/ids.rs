@@ -44,6 +44,25 @@ macro_rules! ids {
             }
         }
 
+        #[cfg(feature = "serde")]
+        impl serde::Serialize for $name {
+            /// As the 32 hexadecimal digits of [`Self::to_bits`]: few languages have integers of 128 bits.
+            fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+                to.collect_str(&format_args!("{:032x}", self.to_bits()))
+            }
+        }
+
+        #[cfg(feature = "serde")]
+        impl<'de> serde::Deserialize<'de> for $name {
+            fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+                let digits = String::deserialize(from)?;
+                let bits = u128::from_str_radix(&digits, 16).map_err(|_| {
+                    serde::de::Error::custom(format_args!("expected the digits of an id, found {digits:?}"))
+                })?;
+                Ok(Self::from_bits(bits))
+            }
+        }
+
         impl fmt::Debug for $name {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 write!(f, "{}({})", stringify!($name), self.row)

@@ -54,6 +54,7 @@ pub struct Connection<'a> {
 
 /// A link of lanes by their numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ConnectedLanes {
     /// Number of the lane of the incoming road.
     pub from: i32,

@@ -19,6 +19,7 @@ const RESERVED: [char; 5] = ['%', ':', ';', ',', '@'];
 /// assert_eq!(key.to_string(), "A%3A1:0:-2");
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LaneKey<'a> {
     /// OpenDRIVE's id of the road.
     pub road: Cow<'a, str>,
@@ -32,6 +33,12 @@ pub struct LaneKey<'a> {
 
 /// Layer of a lane (OpenDRIVE 1.9, e_layerType).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
+#[non_exhaustive]
 pub enum LaneLayer {
     /// There for good; before 1.9 all are.
     #[default]

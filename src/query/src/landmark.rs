@@ -14,6 +14,7 @@ use mapd_archive::Class;
 
 /// Where a landmark is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum LandmarkSource {
     /// A signal.
     Signal(SignalId),
@@ -23,6 +24,7 @@ pub enum LandmarkSource {
 
 /// A thing that localisers find again.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Landmark {
     /// What it is in the map.
     pub source: LandmarkSource,

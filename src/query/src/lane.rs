@@ -26,6 +26,7 @@ pub struct Lane<'a> {
 
 /// A `lane/speed` record.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LaneSpeed {
     /// Start on the road `[m]`.
     pub s: f64,

@@ -5,6 +5,7 @@ use mapd_archive::{ArchivedLaneRuleRow, ArchivedLaneVisibilityRow, string};
 
 /// How far one sees from a lane (`lane/visibility` of OpenDRIVE 1.4 and 1.5).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LaneVisibility {
     /// Start on the road `[m]`; it holds until the next record.
     pub s: f64,
@@ -20,6 +21,7 @@ pub struct LaneVisibility {
 
 /// A rule in words (`lane/rule`).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LaneRule<'a> {
     /// Start on the road `[m]`; it holds until the next record.
     pub s: f64,

@@ -19,6 +19,7 @@ const DEFAULT_RADIUS: f64 = 10.0;
 
 /// A set of lane types.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LaneTypes(u64);
 
 impl LaneTypes {
@@ -73,6 +74,7 @@ impl LaneTypes {
 
 /// What counts as a match.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct NearestOptions {
     /// Largest plan-view distance from the lane's area `[m]`; the search is always bounded. Default 10.
     pub radius: f64,
@@ -128,6 +130,7 @@ impl NearestOptions {
 
 /// The nearest lane and the point in its coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Nearest {
     /// The lane.
     pub lane: LaneId,

@@ -125,6 +125,7 @@ pub struct Polyline<'a> {
 
 /// A point of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LinePoint {
     /// s on the road `[m]`.
     pub s: f64,

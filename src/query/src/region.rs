@@ -15,6 +15,7 @@ use mapd_archive::NONE;
 
 /// A rectangle along the axes, in inertial coordinates `[m]`, edges included.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Region {
     /// Smallest x and y.
     pub low: DVec2,
@@ -24,6 +25,7 @@ pub struct Region {
 
 /// A straight piece of a lane's border.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct BoundarySegment {
     /// The lane whose outer border it is; lane 0 for the line between left and right lanes.
     pub lane: LaneId,

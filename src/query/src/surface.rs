@@ -18,6 +18,7 @@ use mapd_geometry::{Cubic, clamp};
 
 /// A point of the road's surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Surface<'a> {
     /// Inertial position `[m]`.
     pub position: DVec3,
@@ -33,6 +34,7 @@ pub struct Surface<'a> {
 
 /// A `lane/material` record.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Material<'a> {
     /// Start on the road `[m]`.
     pub s: f64,
@@ -46,6 +48,7 @@ pub struct Material<'a> {
 
 /// What a lane lies above the road's surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LaneHeight {
     /// At the edge nearer to lane 0 `[m]`.
     pub inner: f64,

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 
 /// Track coordinates of a road (OpenDRIVE 1.8.1, 8.3).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Track {
     /// Along the reference line `[m]`, s ∈ [0, length].
     pub s: f64,
@@ -16,6 +17,11 @@ pub struct Track {
 
 /// Whether a place along a line was moved to one of the line's ends, because what was asked for lies beyond it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum Clamped {
     /// It was not.
     #[default]
@@ -58,6 +64,7 @@ impl Clamped {
 /// A place on or beside a road or lane, with the frame there: of a road ([`crate::Road::to_inertial`]) ahead is the way its reference
 /// line runs, of a lane ([`crate::Lane::pose_at`]) the way its traffic goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Pose {
     /// Inertial position `[m]`.
     pub position: DVec3,
@@ -96,6 +103,7 @@ pub(crate) fn turned(heading: f64) -> f64 {
 
 /// Foot of a point on a road's reference line.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TrackPosition {
     /// Along the reference line `[m]`.
     pub s: f64,
@@ -114,6 +122,7 @@ pub struct TrackPosition {
 
 /// A point to be matched.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Point {
     /// Plan-view position `[m]`, inertial.
     pub xy: DVec2,
@@ -135,6 +144,7 @@ impl From<DVec3> for Point {
 
 /// Both edges of a lane at s, as lateral coordinates.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LaneEdges {
     /// t of the edge nearer to lane 0 `[m]`.
     pub inner: f64,
@@ -160,6 +170,7 @@ impl LaneEdges {
 /// A point in a lane's own coordinates. Left, right and ahead are those of the lane's traffic ([`crate::Lane::is_forward`]) unless a
 /// name says `of_reference_line`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LanePosition {
     /// Along the road's reference line `[m]`, within the lane's section.
     pub s: f64,

@@ -8,6 +8,7 @@ use mapd_geometry::normalize_angle;
 
 /// A place on a lane's centre line.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Waypoint {
     /// On the road's reference line `[m]`.
     pub s: f64,

@@ -41,6 +41,7 @@ pub enum ClaimError {
         /// The lock file.
         path: PathBuf,
         /// What the system says.
+        #[source]
         error: io::Error,
     },
 }

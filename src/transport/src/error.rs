@@ -185,6 +185,7 @@ pub enum AttachError {
         /// The file.
         path: PathBuf,
         /// What the system says.
+        #[source]
         error: std::io::Error,
     },
     /// iceoryx2 refused something that should work.

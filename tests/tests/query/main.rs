@@ -1,6 +1,7 @@
 //! What a compiled map answers: lanes, positions, graph, routes, signals, objects, heights.
 
 mod annotations;
+mod as_json;
 mod batches;
 mod brute_force;
 mod conflicts;

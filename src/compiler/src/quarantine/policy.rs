@@ -2,6 +2,7 @@
 
 /// What is done about an error.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum OnError {
     /// The smallest part that holds it is left out.
     #[default]

@@ -42,6 +42,7 @@ pub enum AskError {
         /// The map.
         map: String,
         /// What the system says.
+        #[source]
         error: io::Error,
     },
 }

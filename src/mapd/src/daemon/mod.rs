@@ -29,7 +29,7 @@ pub(crate) use args::DaemonArgs;
 pub(crate) use changes::sentence;
 
 use crate::control::{Board, CacheStatus, ControlListener, Request, Response, Trigger};
-use crate::exit::Exit;
+use crate::exit::{Exit, explained};
 use crate::oversight::{Oversight, OversightArgs};
 use crate::serve::{Doorbell, ServeError, Server, StopSignal};
 use anyhow::{Context, Result};
@@ -142,7 +142,7 @@ pub(crate) fn run(
         Err(error)
             if matches!(error.downcast_ref::<ServeError>(), Some(ServeError::Fill { .. })) =>
         {
-            say(&format!("nothing is served: {error:#}"));
+            say(&format!("nothing is served: {}", explained(&error)));
             return Ok(Exit::Rejected);
         }
         Err(error) => return Err(error),

@@ -5,6 +5,7 @@ use super::maps::Maps;
 use super::prepare::Prepared;
 use crate::clock::{since_epoch, unix_ns};
 use crate::control::{ListedEntry, OverlayAction, OverlayReport, Response};
+use crate::exit::explained;
 use crate::serve::{OverlayBytes, ServeError};
 use anyhow::{Context, Result, bail};
 use mapd_archive::{AlignedBytes, HEADER_LENGTH, Header, encode_overlay};
@@ -204,7 +205,7 @@ impl Maps {
                 self.listed(map)
             }
             Ok(Some(reason)) => Response::Wrong { reason },
-            Err(error) => Response::Refused { reason: format!("{error:#}") },
+            Err(error) => Response::Refused { reason: explained(&error) },
         }
     }
 

@@ -71,6 +71,7 @@ pub enum ServeError {
         /// The limit of this process, in words.
         limit: String,
         /// What the system says.
+        #[source]
         error: std::io::Error,
     },
     /// Shared memory has no room even for what serves a map.
@@ -112,6 +113,7 @@ pub enum ServeError {
         /// The map.
         map: String,
         /// What the writer says.
+        #[source]
         error: Box<dyn Error + Send + Sync>,
     },
     /// A killed process left files that cannot be removed while another process holds the attach lock.
@@ -128,6 +130,7 @@ pub enum ServeError {
         /// The file.
         path: PathBuf,
         /// What the system says.
+        #[source]
         error: std::io::Error,
     },
     /// A process of another release has the map's service open, with limits that are too small for this one.

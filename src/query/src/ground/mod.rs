@@ -14,6 +14,7 @@ const LEVEL_GAP: f64 = 2.0;
 
 /// The ground at a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Ground<'a> {
     /// Height of the surface at the place `[m]`.
     pub z: f64,

@@ -20,6 +20,7 @@ const DEFAULT_RADIUS: f64 = 5.0;
 
 /// A set of kinds of road marks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MarkKinds(u64);
 
 impl MarkKinds {
@@ -57,6 +58,7 @@ impl MarkKinds {
 
 /// Which road marks count.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct MarkFilter {
     /// Largest distance in plan view `[m]`; the search is always bounded. Default 5.
     pub radius: f64,
@@ -74,6 +76,11 @@ impl Default for MarkFilter {
 
 /// Where something lies, for one who looks along the reference line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum Side {
     /// To the left.
     Left,
@@ -93,6 +100,7 @@ impl Side {
 
 /// The place of a road mark that is nearest to a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NearMark {
     /// The lane on whose outer border the mark lies; lane 0 for marks of the centre.
     pub lane: LaneId,

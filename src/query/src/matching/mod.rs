@@ -42,6 +42,7 @@ const UNLIKELY: f64 = 0.05;
 
 /// What somebody measured: where a vehicle is and which way it heads.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct VehiclePose {
     /// Place, inertial `[m]`; z only if known.
     pub position: Point,
@@ -51,6 +52,7 @@ pub struct VehiclePose {
 
 /// How hypotheses are weighed.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct MatchOptions<'a> {
     /// Lane types that are hypotheses. Default all.
     pub types: LaneTypes,
@@ -66,6 +68,7 @@ pub struct MatchOptions<'a> {
     pub closed: f64,
     /// Lanes that are expected, such as those of a route, or those that can be reached from the last known lane
     /// ([`Map::reachable`]); all others have the prior `unexpected`. Default none, which expects nothing.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub expected: &'a [LaneId],
     /// Share of the prior that lanes have which are not expected, in (0, 1]: routes are left, and last lanes were wrong.
     /// Default 0.05.
@@ -89,6 +92,7 @@ impl Default for MatchOptions<'_> {
 
 /// A lane that a vehicle may be in, in one of its directions.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LaneMatch {
     /// The lane.
     pub lane: LaneId,

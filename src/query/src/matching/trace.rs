@@ -42,6 +42,7 @@ const RETURN: f64 = -3.0;
 
 /// A place of a trace.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TraceFix {
     /// When `[s]`; does not fall along the trace.
     pub time: f64,
@@ -53,6 +54,7 @@ pub struct TraceFix {
 
 /// How a trace is matched.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct TraceOptions {
     /// Standard deviation of x and of y `[m]`, positive. Default 1.
     pub deviation: f64,
@@ -80,6 +82,7 @@ impl Default for TraceOptions {
 
 /// A place on a lane.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TracePlace {
     /// The lane.
     pub lane: LaneId,
@@ -89,6 +92,7 @@ pub struct TracePlace {
 
 /// Where a fix of a trace was.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TraceMatch {
     /// The lane and the place with respect to it; `None` where the trace is on no lane.
     pub place: Option<TracePlace>,

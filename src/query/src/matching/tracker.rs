@@ -35,6 +35,7 @@ const LEAST_PROBABILITY: f64 = 1e-9;
 
 /// What is known of a vehicle at a moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TrackerFix {
     /// When `[s]`; does not fall from fix to fix.
     pub time: f64,
@@ -48,6 +49,7 @@ pub struct TrackerFix {
 
 /// How a running drive is matched.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct TrackerOptions<'a> {
     /// How fixes are weighed. The priors of lanes (`vehicle`, `expected`) weigh the lanes of the first fix, and then the ways at forks. Default that of
     /// [`MatchOptions`] with the types that motor vehicles travel on.
@@ -95,6 +97,7 @@ impl TrackerOptions<'_> {
 
 /// Where a tracked vehicle is.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Tracked {
     /// In this lane.
     Lane(LaneMatch),

@@ -139,6 +139,7 @@ impl<'a> ObjectBorder<'a> {
 
 /// A vertex of a skeleton.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SkeletonVertex {
     /// Inertial `[m]`.
     pub position: DVec3,

@@ -16,6 +16,7 @@ const REACH: f64 = 0.05;
 
 /// A place on a path, as who drives there has it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PathPoint {
     /// S `[m]`.
     pub along: f64,

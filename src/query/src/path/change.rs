@@ -11,6 +11,11 @@ const ROUNDING: f64 = 1e-6;
 
 /// How the driven line changes lanes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 #[non_exhaustive]
 pub enum LaneChange {
     /// At one place: S goes on, and the line jumps to the side.

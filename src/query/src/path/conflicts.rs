@@ -9,6 +9,7 @@ use mapd_archive::{ConflictKind, Relation, RelationReason, RoadRules};
 
 /// Who goes first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Yields {
     /// Who drives along the path gives way.
@@ -55,6 +56,7 @@ impl Yields {
 
 /// A place where the traffic of another lane meets a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PathConflict {
     /// S of the first and last common place `[m]`; too long by up to half a metre at either end.
     pub along: [f64; 2],

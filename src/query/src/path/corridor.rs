@@ -50,6 +50,7 @@ pub struct Corridor {
 
 /// The road's surface at a station.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CorridorSurface {
     /// Inertial position of the lane's middle on the surface `[m]`.
     pub position: DVec3,

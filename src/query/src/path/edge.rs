@@ -12,6 +12,7 @@ const NO_WIDTH: f64 = 0.01;
 
 /// What bounds a lane beside its road mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum EdgeKind {
     /// Another lane of the road, of whatever type, on the same level.
@@ -35,6 +36,7 @@ impl EdgeKind {
 
 /// What lies on an edge of a lane.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct EdgeMark {
     /// Kind of the road mark; `None` where there is none.
     pub kind: RoadMarkKind,

@@ -50,6 +50,7 @@ const BROKEN_KINK: f64 = 0.3;
 
 /// How a path is built.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct PathOptions {
     /// A joint with a larger gap is `broken` `[m]`. Default 0.1.
     pub broken_gap: f64,
@@ -78,6 +79,7 @@ pub struct PathBuffer {
 
 /// A place where the driven line is not continuous, or changes lanes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PathJoint {
     /// S `[m]`.
     pub along: f64,
@@ -135,6 +137,7 @@ pub struct Path<'a, 'b> {
 
 /// A lane of a path and what of it is driven.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PathLane {
     /// The lane.
     pub lane: LaneId,

@@ -23,6 +23,7 @@ const EQUAL: f64 = 1e-9;
 
 /// A point in a path's coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PathPosition {
     /// S of the foot: the nearest point of the driven line in plan view `[m]`.
     pub along: f64,

@@ -14,6 +14,7 @@ const NEVER: u32 = u32::MAX;
 
 /// A lane from which the goal of a path is reached along the path's own roads by allowed changes of lane.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PathSegment {
     /// S of the stretch over which this holds `[m]`.
     pub along: [f64; 2],

@@ -6,6 +6,7 @@ use crate::rules::{SpeedOrigin, SpeedRule, SpeedSigns, Zone, is_of_speed};
 
 /// A stretch of a path on which one speed limit holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PathSpeed {
     /// S of its beginning and end `[m]`.
     pub along: [f64; 2],

@@ -4,6 +4,8 @@ use crate::graph::LaneNode;
 
 /// A bound that a cost keeps, which lets a search go straight for its target.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+#[non_exhaustive]
 pub enum CostBound {
     /// None: Dijkstra's algorithm.
     #[default]
@@ -40,6 +42,7 @@ pub trait RouteCost {
 
 /// Metres along centre lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ShortestLength {
     /// What a change of lane costs `[m]`. Default 20: rather a change than a way round by more than that.
     pub lane_change: f64,
@@ -47,6 +50,7 @@ pub struct ShortestLength {
 
 /// Seconds at the speed limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ShortestTime {
     /// What a change of lane costs `[s]`. Default 2.
     pub lane_change: f64,
@@ -54,6 +58,7 @@ pub struct ShortestTime {
 
 /// Another cost, times a factor for each lane: what bindings and configuration give instead of code.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct WithFactors<'f, C> {
     /// The cost without factors.
     pub base: C,

@@ -36,6 +36,7 @@ use mapd_archive::VehicleClass;
 
 /// A place on a lane.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LanePlace {
     /// The lane.
     pub lane: LaneId,
@@ -45,6 +46,7 @@ pub struct LanePlace {
 
 /// What a route costs in all.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Route {
     /// What the [`RouteCost`] adds up to.
     pub cost: f64,

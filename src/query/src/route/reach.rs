@@ -12,6 +12,7 @@ use mapd_archive::VehicleClass;
 
 /// A node that can be reached.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Reached {
     /// The node.
     pub node: NodeId,

@@ -30,6 +30,7 @@ pub struct LaneSequences {
 
 /// The next junction on a lane's way.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NextJunction {
     /// The junction.
     pub junction: JunctionId,

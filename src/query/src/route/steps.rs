@@ -10,6 +10,11 @@ use crate::map::Map;
 
 /// How a lane of a route is entered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum Enter {
     /// The route starts on it.
     Start,
@@ -23,6 +28,7 @@ pub enum Enter {
 
 /// A lane of a route. A lane that is only changed from is driven for no length: the change may happen at once.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RouteStep {
     /// The lane.
     pub lane: LaneId,
@@ -40,6 +46,7 @@ pub struct RouteStep {
 
 /// The next change of lane on a route.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LaneChangeAhead {
     /// Number of the step that is entered by it.
     pub step: usize,

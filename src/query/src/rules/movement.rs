@@ -20,6 +20,7 @@ const BACK: f64 = PI - FRAC_PI_4 / 2.0;
 
 /// Where a movement leads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Turn {
     /// To the left.
     Left,
@@ -52,6 +53,7 @@ pub struct RightOfWay<'a> {
 
 /// What an answer about right of way rests on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Basis {
     /// The file says so: signs, lights, `junction/priority`.

@@ -12,6 +12,7 @@ const MOST_ENTRIES: usize = 64;
 
 /// Where a speed limit comes from, the strongest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum SpeedOrigin {
     /// A sign.
@@ -47,6 +48,7 @@ impl SpeedOrigin {
 
 /// The speed limit at a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SpeedRule {
     /// Limit `[m/s]`; infinite where there is none; `None` where the map says nothing.
     pub max: Option<f64>,

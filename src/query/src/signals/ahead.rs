@@ -18,6 +18,7 @@ const MOST_NODES: usize = 4096;
 
 /// A signal ahead.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SignalAhead {
     /// The signal.
     pub signal: SignalId,

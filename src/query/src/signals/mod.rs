@@ -29,6 +29,7 @@ use mapd_archive::{
 
 /// A value as a file has it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct WrittenValue<'a> {
     /// The number.
     pub value: f64,
@@ -46,6 +47,7 @@ pub struct Signal<'a> {
 
 /// What a traffic light can show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LightStates {
     /// Lamps: 1 red, 2 yellow, 4 green.
     pub bulbs: u8,
@@ -75,6 +77,7 @@ impl LightStates {
 
 /// A child of `signal/semantics`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SignalSemantics<'a> {
     /// Name of the element, such as `speed`.
     pub element: &'a str,

@@ -10,6 +10,7 @@ use glam::DVec2;
 
 /// A signal near a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NearSignal {
     /// The signal.
     pub signal: SignalId,

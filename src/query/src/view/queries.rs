@@ -31,6 +31,7 @@ pub struct SpeedToday<'a> {
 
 /// A node, or a piece of one where an overlay cuts it, that can be reached.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ReachedPiece {
     /// The lane.
     pub lane: LaneId,
