@@ -135,6 +135,32 @@ fn pieces_are_linked_in_driving_direction() {
     assert_eq!(passed, ["1:1:2", "1:1:2", "1:0:1"]);
 }
 
+/// They counted from the section in which the lanes to the right are written.
+#[test]
+fn marks_of_the_center_lane_count_from_its_own_section() {
+    let center = |marks: [(f64, &str); 2]| {
+        let mark = |(s, kind)| {
+            format!(
+                "<roadMark sOffset=\"{s}\" type=\"{kind}\" color=\"standard\" laneChange=\"both\"/>"
+            )
+        };
+        format!("<lane id=\"0\" type=\"none\">{}</lane>", marks.map(mark).concat())
+    };
+    let plain = "<lane id=\"0\" type=\"none\"/>";
+    let (left, right) = (lane(1, &width(0.0, 3.0, 0.0)), lane(-1, &width(0.0, 3.0, 0.0)));
+    let first = section(0.0, false, &left, &right);
+    let for_left = section(40.0, true, &left, "");
+    let snapshot = open(
+        &(first.replace(plain, &center([(0.0, "solid"), (10.0, "broken")]))
+            + &for_left.replace(plain, &center([(0.0, "solid"), (20.0, "broken")]))),
+    );
+    let road = snapshot.map().road_by_id("1").expect("the road");
+    for (number, expected) in [(0, [0.0, 10.0]), (1, [40.0, 60.0])] {
+        let lane = road.section(number).and_then(|section| section.lane(0)).expect("lane 0");
+        assert_eq!(lane.road_marks().map(|mark| mark.s()).collect::<Vec<_>>(), expected);
+    }
+}
+
 #[test]
 fn borders_stand_for_themselves() {
     // A border counts from the reference line, not from the lane inside: from 3 m, growing by 0.02 per metre; from s = 50 on

@@ -83,6 +83,8 @@ struct Side {
 struct Stretch<'a, 'b> {
     /// The section's start tag.
     span: Span,
+    /// Its start `[m]`.
+    s: f64,
     sides: [Side; 2],
     /// Lanes to the left and to the right, each from the leftmost on.
     lanes: &'b [Vec<AnyLane<'a>>; 2],
@@ -239,7 +241,8 @@ impl Draft {
                 }
             }
             let center = center.first();
-            let stretch = Stretch { span: section.span, sides: sides[i], lanes: &lanes, center };
+            let (span, sides) = (section.span, sides[i]);
+            let stretch = Stretch { span, s: *s, sides, lanes: &lanes, center };
             let lanes = self.stretch(on, &stretch, findings);
             self.rows.sections.push(SectionRow {
                 s_start: *s,
@@ -263,7 +266,7 @@ impl Draft {
         let [left_side, right_side] = stretch.sides;
         let [left, right] = stretch.lanes;
         if stretch.center.is_none() {
-            let s = if left_side.continues == 0 { left_side.s } else { right_side.s };
+            let s = stretch.s;
             let message =
                 "expected a center lane with id 0, found none; the reference line stands in"
                     .to_owned();
@@ -277,7 +280,11 @@ impl Draft {
             self.lane(on, section_row, left_side, lane, findings);
         }
         match stretch.center {
-            Some(lane) => self.lane(on, section_row, right_side, lane, findings),
+            Some(lane) => {
+                let Stretch { s, .. } = *stretch;
+                let side = Side { s, begins: s, continues: 0, ..right_side };
+                self.lane(on, section_row, side, lane, findings);
+            }
             None => self.rows.lanes.push(LaneRow {
                 section: section_row,
                 first_mark: NONE,
@@ -355,10 +362,9 @@ impl Draft {
             ),
         ];
         flags |= set.iter().filter(|(on, _)| *on).fold(0, |all, (_, flag)| all | flag);
-        // Lane 0 is always that of the stretch's own section.
-        let shift = if lane.id == 0 { 0.0 } else { side.begins - side.s };
+        let shift = side.begins - side.s;
         let row = self.rows.lanes.len() as u32;
-        if side.continues == 0 || lane.id == 0 {
+        if side.continues == 0 {
             self.owners.add(lane.span, AnnotationOwner::Lane, row);
         }
         self.permissions.lane((row, shift), kind, lane.road_mark, lane.access);
@@ -378,7 +384,7 @@ impl Draft {
             number: lane.id,
             kind: kind.code(),
             flags,
-            continues: if lane.id == 0 { 0 } else { side.continues },
+            continues: side.continues,
             ..LaneRow::zeroed()
         });
     }
