@@ -28,6 +28,11 @@ const BOUNDS: [(&str, u64); 12] = [
     ("short-length", 1_175),
 ];
 
+/// Instructions that one particle of a cloud may take as part of a batch, on the carried town; a part of them lie beside all lanes.
+const PARTICLE: f64 = 1_400.0;
+/// How many batches of particles, in the short and in the long run.
+const CLOUDS: [usize; 2] = [1, 3];
+
 /// Blocks of the town that is compiled, in either direction: some batches of text.
 const BLOCKS: usize = 12;
 /// Times that it is compiled in the short and in the long run.
@@ -99,6 +104,14 @@ fn main() -> ExitCode {
             return ExitCode::SUCCESS;
         };
         exceeded |= exceeds(kind, each, bound as f64, 0);
+    }
+    let particle = |kind: &str| {
+        let batch = of_one(&probe, &[&path, kind], CLOUDS)?;
+        Some(batch / mapd_benches::PARTICLES as f64)
+    };
+    if let Some((batch, single)) = particle("cloud").zip(particle("cloud-single")) {
+        exceeded |= exceeds("cloud, per particle", batch, PARTICLE, 0);
+        print(&format!("the same one by one: {single:.0}, {:.1} ×", single / batch));
     }
     if let Some(each) = of_one(env!("CARGO_BIN_EXE_compile_probe"), &[&town], COMPILATIONS) {
         exceeded |= exceeds("compile, per byte", each / text.len() as f64, PER_BYTE, 1);

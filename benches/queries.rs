@@ -1,8 +1,9 @@
 //! Nearest lane and (s, t) → (x, y, z), against rstar and the crate `xodr`, in one run.
 
-use mapd_benches::{maps, percentiles, places, print};
+use mapd_benches::{PARTICLES, best, cloud, maps, percentiles, places, print};
+use mapd_client::batch::{BatchScratch, NearestLanes, Places};
 use mapd_client::compiling::ByRow as _;
-use mapd_client::{NearestOptions, Snapshot, Track, glam::DVec2};
+use mapd_client::{Map, NearestOptions, Snapshot, Track, glam::DVec2};
 use mapd_compiler::{CompileOptions, compile};
 use rstar::RTree;
 use rstar::primitives::{GeomWithData, Line};
@@ -13,6 +14,10 @@ use std::time::{Duration, Instant};
 const QUERIES: usize = 20_000;
 /// Queries timed together: a single one is near the clock's resolution.
 const BATCH: usize = 8;
+/// Places of a batch strewn over the map; times that each batch is asked; clouds of particles.
+const STREWN: usize = 100_000;
+const ROUNDS: usize = 5;
+const CLOUDS: usize = 4;
 /// The slow peer gets fewer.
 const PEER_QUERIES: usize = 2_000;
 
@@ -36,6 +41,32 @@ fn round<T>(inputs: &[T], query: &mut impl FnMut(&T)) -> (Duration, Duration) {
         start.elapsed() / BATCH as u32
     });
     percentiles(batches.collect())
+}
+
+/// Best times of one place each, of single calls and of a batch, in turns.
+fn batch(map: Map<'_>, what: &str, points: &[DVec2]) {
+    let (x, y): (Vec<f64>, Vec<f64>) = points.iter().map(|p| (p.x, p.y)).unzip();
+    let places = Places { x: &x, y: &y, z: None, heading: None };
+    let (options, mut scratch, mut out) =
+        (NearestOptions::default(), BatchScratch::default(), NearestLanes::default());
+    let (mut single, mut together) = (Duration::MAX, Duration::MAX);
+    for _ in 0..ROUNDS {
+        single = single.min(best(1, || {
+            for point in points {
+                black_box(map.nearest_lane(*point, &options).expect("an answer"));
+            }
+        }));
+        together = together.min(best(1, || {
+            map.nearest_lanes(places, &options, &mut scratch, &mut out).expect("answers");
+        }));
+    }
+    let each = |time: Duration| time.as_secs_f64() * 1e9 / points.len() as f64;
+    print(&format!(
+        "{what}: {:.0} ns one by one, {:.0} ns as a batch ({:.1} ×)",
+        each(single),
+        each(together),
+        each(single) / each(together)
+    ));
 }
 
 fn main() {
@@ -63,6 +94,17 @@ fn main() {
         let tree = RTree::bulk_load(segments);
         let peer =
             if std::env::var_os("NOPEER").is_some() { None } else { xodr::load_file(&path).ok() };
+        let on_roads = |count: usize| -> Vec<DVec2> {
+            let at = |&(road, s, t): &(u32, f64, f64)| {
+                let pose = roads[road as usize].to_inertial(Track { s, t, h: 0.0 });
+                pose.expect("a pose").position.truncate()
+            };
+            places(map, false, count).iter().map(at).collect()
+        };
+        for (i, middle) in on_roads(CLOUDS).into_iter().enumerate() {
+            batch(map, &format!("cloud {i} of particles, {name}"), &cloud(middle, PARTICLES));
+        }
+        batch(map, &format!("{STREWN} places, {name}"), &on_roads(STREWN));
         for (kind, along) in [("random", false), ("along a trajectory", true)] {
             let places = places(map, along, QUERIES);
             let track = |&(road, s, t): &(u32, f64, f64)| {

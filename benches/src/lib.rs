@@ -15,7 +15,7 @@
 //! They use `carla/Town05.xodr` of the shared corpus and its 6×6 tiling, and say so where these are missing.
 
 use mapd_client::{Map, Snapshot};
-pub use mapd_planner::places;
+pub use mapd_planner::{PARTICLES, cloud, places};
 pub use mapd_tests::maps::Random;
 use quick_xml::events::Event;
 use std::io::Write;

@@ -2,6 +2,7 @@
 //! from outside of the crates that answer them, and its instructions are counted.
 
 use mapd_client::Map;
+use mapd_client::glam::DVec2;
 
 /// A xorshift generator: the same numbers on every machine.
 pub struct Random(pub u64);
@@ -33,4 +34,22 @@ pub fn places(map: Map<'_>, along: bool, count: usize) -> Vec<(u32, f64, f64)> {
     }
     places.truncate(count);
     places
+}
+
+/// Particles of a [`cloud`].
+pub const PARTICLES: usize = 5_000;
+/// Radius of a [`cloud`] `[m]`.
+const CLOUD: f64 = 5.0;
+
+/// Particles of a filter around a place, evenly over a circle.
+pub fn cloud(middle: DVec2, count: usize) -> Vec<DVec2> {
+    let mut random = Random(3);
+    let mut particles = Vec::with_capacity(count);
+    while particles.len() < count {
+        let away = DVec2::new(random.unit(), random.unit()) * 2.0 - 1.0;
+        if away.length() <= 1.0 {
+            particles.push(middle + CLOUD * away);
+        }
+    }
+    particles
 }

@@ -4,8 +4,9 @@ use crate::errors::query_in_row;
 use crate::held::{Held, id};
 use crate::input::NONE_ID;
 use crate::signal::Signal;
+use mapd_client::batch::{self, NearestLanes};
 use mapd_client::rules::SpeedRule;
-use mapd_client::{Clamped, LanePosition, Pose, QueryError, TrackPosition};
+use mapd_client::{Clamped, LaneId, LanePosition, Pose, QueryError};
 use numpy::{IntoPyArray, ndarray::Array2};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -80,6 +81,14 @@ pub(crate) fn answer<T: Send>(
     py.detach(ask).map_err(query_in_row)
 }
 
+/// The row of a batch's error, and the error as of a single place.
+pub(crate) fn in_row(error: QueryError) -> (usize, QueryError) {
+    match error {
+        QueryError::NotFiniteAt(row) => (row, QueryError::NotFinite),
+        other => (0, other),
+    }
+}
+
 /// −1 before, 0 within, 1 after.
 pub(crate) fn clamped_code(clamped: Clamped) -> i8 {
     match clamped {
@@ -103,6 +112,17 @@ impl Positions {
             lane: Vec::with_capacity(rows),
             numbers: std::array::from_fn(|_| Vec::with_capacity(rows)),
             clamped: Vec::with_capacity(rows),
+        }
+    }
+
+    /// Nearest lanes as they are.
+    pub(crate) fn of(content: u32, found: NearestLanes) -> Self {
+        let NearestLanes { lane, s, t, offset, distance, z, heading, clamped, .. } = found;
+        let id_of = |lane: LaneId| id(content, lane.row());
+        Self {
+            lane: lane.into_iter().map(|lane| lane.map_or(NONE_ID, id_of)).collect(),
+            numbers: [s, t, offset, distance, z, heading],
+            clamped: clamped.into_iter().map(clamped_code).collect(),
         }
     }
 
@@ -195,32 +215,22 @@ impl Poses {
     }
 }
 
-/// Columns of feet on a road's reference line.
-pub(crate) struct Tracks {
-    numbers: [Vec<f64>; 4],
-    clamped: Vec<i8>,
-    exact: Vec<bool>,
+/// Columns of a batch's poses.
+pub(crate) fn pose_columns(poses: batch::Poses) -> Vec<Column> {
+    let batch::Poses { x, y, z, heading, curvature, slope, superelevation, clamped } = poses;
+    let numbers = [x, y, z, heading, curvature, slope, superelevation];
+    let mut columns: Vec<_> = numbers.into_iter().map(Column::Numbers).collect();
+    columns.push(Column::Codes(clamped.into_iter().map(clamped_code).collect()));
+    columns
 }
 
-impl Tracks {
-    pub(crate) fn with_capacity(rows: usize) -> Self {
-        let numbers = std::array::from_fn(|_| Vec::with_capacity(rows));
-        Self { numbers, clamped: Vec::with_capacity(rows), exact: Vec::with_capacity(rows) }
-    }
-
-    pub(crate) fn push(&mut self, at: &TrackPosition) {
-        let values = [at.s, at.t, at.h.unwrap_or(f64::NAN), at.distance];
-        self.numbers.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
-        self.clamped.push(clamped_code(at.clamped));
-        self.exact.push(at.exact);
-    }
-
-    pub(crate) fn columns(self) -> Vec<Column> {
-        let mut columns: Vec<_> = self.numbers.into_iter().map(Column::Numbers).collect();
-        columns.push(Column::Codes(self.clamped));
-        columns.push(Column::Flags(self.exact));
-        columns
-    }
+/// Columns of feet on a road's reference line.
+pub(crate) fn track_columns(feet: batch::TrackPositions) -> Vec<Column> {
+    let batch::TrackPositions { s, t, h, distance, clamped, exact } = feet;
+    let mut columns: Vec<_> = [s, t, h, distance].into_iter().map(Column::Numbers).collect();
+    columns.push(Column::Codes(clamped.into_iter().map(clamped_code).collect()));
+    columns.push(Column::Flags(exact));
+    columns
 }
 
 /// A pose as a result.

@@ -3,6 +3,7 @@
 use crate::errors::{query, raise};
 use crate::held::content;
 use crate::lane::Lane;
+use mapd_client::batch::Places;
 use mapd_client::compiling::ByRow as _;
 use mapd_client::glam::{DVec2, DVec3};
 use mapd_client::route::LanePlace;
@@ -48,9 +49,22 @@ impl Rows {
         self.numbers.chunks_exact(self.width)
     }
 
+    /// The rows' numbers column by column.
+    pub(crate) fn columns(&self) -> Vec<Vec<f64>> {
+        let column = |k: usize| self.rows().map(|row| row[k]).collect();
+        (0..self.width).map(column).collect()
+    }
+
     pub(crate) fn points(&self) -> impl ExactSizeIterator<Item = Point> {
         self.rows().map(point_of)
     }
+}
+
+/// Columns of points, x, y and perhaps z, as places.
+pub(crate) fn places(columns: &[Vec<f64>]) -> Places<'_> {
+    let column = |k: usize| columns.get(k).map(Vec::as_slice);
+    let [x, y] = [column(0), column(1)].map(Option::unwrap_or_default);
+    Places { x, y, z: column(2), heading: None }
 }
 
 fn shapes(widths: &[usize]) -> String {

@@ -1,16 +1,18 @@
 //! A map: one pinned generation and what is asked of all of it.
 
-use crate::batch::{Column, Positions, Speeds, answer, columns, fields, result};
+use crate::batch::{Column, Positions, Speeds, answer, columns, fields, in_row, result};
 use crate::errors::{client, query, raise};
 use crate::held::{Held, content};
 use crate::input::{
-    Rows, column, finite, lane_of, lane_of_id, one_point, region_of, triple, types_of, vehicle_of,
+    Rows, column, finite, lane_of, lane_of_id, one_point, places, region_of, triple, types_of,
+    vehicle_of,
 };
 use crate::lane::{self, Lane};
 use crate::object::Object;
 use crate::road::Road;
 use crate::signal::Signal;
 use mapd_client::Bounds;
+use mapd_client::batch::{BatchScratch, NearestLanes, Places};
 use mapd_client::document::Revision;
 use mapd_client::geodesy::Geodetic;
 use mapd_client::glam::{DVec2, DVec3};
@@ -204,21 +206,11 @@ impl Map {
         let points = Rows::of(points, "points", &[2, 3])?;
         let headings = headings(heading, points.len())?;
         let found = answer(py, || {
-            let map = self.map();
-            let content = content(map);
-            let mut found = Positions::with_capacity(points.len());
-            for (row, point) in points.points().enumerate() {
-                options.heading = headings.as_ref().map(|headings| headings[row]);
-                match map.nearest_lane(point, &options).map_err(|error| (row, error))? {
-                    Some(hit) => {
-                        found.push(content, hit.lane.row(), &hit.position);
-                        // Points of a trajectory lie near each other: it changes the cost alone.
-                        options.hint = Some(hit);
-                    }
-                    None => found.push_none(),
-                }
-            }
-            Ok(found)
+            let (map, columns) = (self.map(), points.columns());
+            let places = Places { heading: headings.as_deref(), ..places(&columns) };
+            let (mut scratch, mut found) = (BatchScratch::default(), NearestLanes::default());
+            map.nearest_lanes(places, &options, &mut scratch, &mut found).map_err(in_row)?;
+            Ok(Positions::of(content(map), found))
         })?;
         columns(py, "NearestLanes", found.columns(), out).map(Some)
     }

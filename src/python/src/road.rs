@@ -1,10 +1,13 @@
 //! Roads and their track coordinates.
 
-use crate::batch::{Poses, Tracks, answer, clamped_code, columns, fields, pose, result};
+use crate::batch::{
+    answer, clamped_code, columns, fields, in_row, pose, pose_columns, result, track_columns,
+};
 use crate::errors::query;
 use crate::held::{Held, content, id};
-use crate::input::{Rows, one, one_point};
+use crate::input::{Rows, one, one_point, places};
 use crate::lane::Lane;
+use mapd_client::batch::{Poses, TrackPositions, Tracks};
 use mapd_client::compiling::ByRow as _;
 use mapd_client::{QueryError, Track};
 use pyo3::prelude::*;
@@ -88,13 +91,13 @@ impl Road {
         }
         let tracks = Rows::of(tracks, "tracks", &[2, 3])?;
         let found = answer(py, || {
-            let mut found = Poses::with_capacity(tracks.len());
-            for (row, one) in tracks.rows().enumerate() {
-                found.push(&road.to_inertial(track(one)).map_err(|error| (row, error))?);
-            }
+            let (columns, mut found) = (tracks.columns(), Poses::default());
+            let column = |k: usize| columns.get(k).map(Vec::as_slice);
+            let [s, t] = [column(0), column(1)].map(Option::unwrap_or_default);
+            road.to_inertial_batch(Tracks { s, t, h: column(2) }, &mut found).map_err(in_row)?;
             Ok(found)
         })?;
-        columns(py, "Poses", found.columns(), out)
+        columns(py, "Poses", pose_columns(found), out)
     }
 
     #[pyo3(signature = (points, *, out = None))]
@@ -120,13 +123,11 @@ impl Road {
         }
         let points = Rows::of(points, "points", &[2, 3])?;
         let found = answer(py, || {
-            let mut found = Tracks::with_capacity(points.len());
-            for (row, point) in points.points().enumerate() {
-                found.push(&road.to_track(point).map_err(|error| (row, error))?);
-            }
+            let (columns, mut found) = (points.columns(), TrackPositions::default());
+            road.to_track_batch(places(&columns), &mut found).map_err(in_row)?;
             Ok(found)
         })?;
-        columns(py, "Tracks", found.columns(), out)
+        columns(py, "Tracks", track_columns(found), out)
     }
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {

@@ -87,6 +87,28 @@ pub(crate) fn segment_at(lane: &Lane<'_>, s: f64) -> Option<usize> {
     Some(after.saturating_sub(1).min(last))
 }
 
+/// What a lane looks like across, at a place along it.
+pub(crate) trait Cross {
+    /// Cosine and sine of the superelevation.
+    fn roll(&self, at: At) -> (f64, f64);
+
+    /// Both edges.
+    fn edges(&self, at: At) -> LaneEdges;
+}
+
+impl Cross for Lane<'_> {
+    #[inline]
+    fn roll(&self, at: At) -> (f64, f64) {
+        self.road.roll(at)
+    }
+
+    #[inline]
+    fn edges(&self, at: At) -> LaneEdges {
+        let slopes = self.edge_slopes(at);
+        LaneEdges { inner: slopes.inner.value, outer: slopes.outer.value }
+    }
+}
+
 /// A place across a lane, at a foot on the reference line.
 struct Across {
     at: At,
@@ -98,13 +120,11 @@ struct Across {
 }
 
 impl Across {
-    #[inline]
-    fn new(lane: &Lane<'_>, slab: &Slab<'_>, u: f64, lateral: f64) -> Self {
+    #[inline(always)]
+    fn new(cross: &impl Cross, slab: &Slab<'_>, u: f64, lateral: f64) -> Self {
         let at = slab.at(clamp(slab.piece.s + u, slab.s_lo, slab.s_hi));
-        let roll = lane.road.roll(at);
-        let slopes = lane.edge_slopes(at);
-        let edges = LaneEdges { inner: slopes.inner.value, outer: slopes.outer.value };
-        Self { at, roll, t: lateral / roll.0, edges }
+        let roll = cross.roll(at);
+        Self { at, roll, t: lateral / roll.0, edges: cross.edges(at) }
     }
 
     /// t of the lane's edges, the lower one first `[m]`.
@@ -178,12 +198,6 @@ impl<'a> Place<'a> {
         lane.road.elevation(self.at) + (self.t - self.beside) * self.roll_sin
     }
 
-    /// Height of the lane's plane at t, beside the lane too `[m]`.
-    #[inline]
-    pub(crate) fn z(&self, lane: &Lane<'_>) -> f64 {
-        lane.road.elevation(self.at) + self.t * self.roll_sin
-    }
-
     /// Heading of the reference line `[rad]`.
     #[inline]
     pub(crate) fn heading(&self, lane: &Lane<'_>) -> f64 {
@@ -193,7 +207,17 @@ impl<'a> Place<'a> {
 
     #[inline]
     pub(crate) fn position(&self, lane: &Lane<'_>) -> LanePosition {
-        let heading = self.heading(lane);
+        self.position_with(lane, self.heading(lane), lane.road.elevation(self.at))
+    }
+
+    /// As [`Self::position`], where the heading and height of the reference line are known.
+    #[inline]
+    pub(crate) fn position_with(
+        &self,
+        lane: &Lane<'_>,
+        heading: f64,
+        elevation: f64,
+    ) -> LanePosition {
         let (s, start, end) = (self.at.s, lane.section.s_start(), lane.section.s_end());
         let clamped = match self.is_beyond {
             true if s <= start => Clamped::Before,
@@ -207,7 +231,7 @@ impl<'a> Place<'a> {
             offset: if forward { self.offset } else { -self.offset },
             offset_of_reference_line: self.offset,
             distance: self.distance,
-            z: self.z(lane),
+            z: elevation + self.t * self.roll_sin,
             heading: if forward { heading } else { turned(heading) },
             heading_of_reference_line: heading,
             clamped,
@@ -215,10 +239,12 @@ impl<'a> Place<'a> {
     }
 }
 
-/// The place of a point that a slab holds, or misses by no more than rounding; `local` is relative to the map's origin.
-#[inline]
+/// The place of a point that a slab holds, or misses by no more than rounding; `local` is relative to the map's origin, `cross`
+/// is the lane or what was made ready of it.
+#[inline(always)]
 pub(crate) fn place_inside<'a>(
     lane: &Lane<'a>,
+    cross: &impl Cross,
     slab: &Slab<'a>,
     local: DVec2,
 ) -> Option<Place<'a>> {
@@ -230,7 +256,7 @@ pub(crate) fn place_inside<'a>(
         slab.s_lo - piece.s,
         slab.s_hi - piece.s,
     )?;
-    let across = Across::new(lane, slab, u, lateral);
+    let across = Across::new(cross, slab, u, lateral);
     let [low, high] = across.sides();
     if !(across.t - high <= EDGE && low - across.t <= EDGE) {
         return None;

@@ -64,7 +64,7 @@ pub fn position_along(
     let slab = area::slab(lane, segment)?;
     let local = point - lane.map.origin();
     let place = match limit {
-        0.0 => area::place_inside(lane, &slab, local)?,
+        0.0 => area::place_inside(lane, lane, &slab, local)?,
         _ => area::place(lane, &slab, local),
     };
     Some(place.position(lane))

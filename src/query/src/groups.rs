@@ -32,9 +32,9 @@ pub mod junctions {
 
 /// Where something is: poses and traces matched to lanes; ground, road marks and landmarks to compare with.
 pub mod localisation {
-    pub use crate::ground::{Ground, GroundScratch};
-    pub use crate::landmark::{Landmark, LandmarkSource};
-    pub use crate::marks::{MarkFilter, MarkKinds, NearMark, Side};
+    pub use crate::ground::{Ground, GroundScratch, Stance};
+    pub use crate::landmark::{Landmark, LandmarkInView, LandmarkSource, Sensor};
+    pub use crate::marks::{MarkFilter, MarkKinds, MarkPoint, NearMark, Side};
     pub use crate::matching::{
         LaneMatch, MatchError, MatchOptions, TraceFix, TraceMatch, TraceOptions, TracePlace,
         TraceScratch, Tracked, Tracker, TrackerFix, TrackerOptions, VehiclePose,

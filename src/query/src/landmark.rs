@@ -11,6 +11,8 @@ use crate::region::Region;
 use crate::signals::Signal;
 use glam::{DVec2, DVec3};
 use mapd_archive::Class;
+use mapd_geometry::normalize_angle;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Where a landmark is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -43,6 +45,30 @@ pub struct Landmark {
     /// Plan-view distance `[m]` from the point that was asked about: of a signal from where it stands, of an object from what
     /// it covers; 0 where none was.
     pub distance: f64,
+}
+
+/// A sensor that looks for landmarks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sensor {
+    /// Where it is, inertial `[m]`.
+    pub position: DVec2,
+    /// Where it looks `[rad]`, counter-clockwise from x.
+    pub heading: f64,
+    /// How far it sees in plan view `[m]`.
+    pub range: f64,
+    /// Angle that it sees, half of it to either side `[rad]`; 2π and more is all round.
+    pub field_of_view: f64,
+}
+
+/// A landmark as a sensor sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LandmarkInView {
+    /// The landmark; its `distance` is the range from the sensor.
+    pub landmark: Landmark,
+    /// Direction of where it stands from the sensor's heading `[rad]`, positive to the left, in (−π, π].
+    pub bearing: f64,
+    /// How far it is turned away from the sensor `[rad]`, counter-clockwise, in (−π, π]: 0 looks at the sensor, π away from it. Of an object that of its u axis.
+    pub facing: f64,
 }
 
 impl Landmark {
@@ -90,21 +116,7 @@ impl<'a> Map<'a> {
         out: &mut Vec<Landmark>,
     ) -> Result<(), QueryError> {
         out.clear();
-        let region = Region::around_circle(point, radius)?;
-        let mut add = |landmark: Landmark, distance: f64| {
-            if distance <= radius {
-                out.push(Landmark { distance, ..landmark });
-            }
-        };
-        self.visit_signals(region, |signal| {
-            if classes.contains(signal.class()) {
-                let distance = signal.position().truncate().distance(point);
-                add(Landmark::of_signal(&signal), distance);
-            }
-        });
-        self.visit_fixed(region, classes, |place| {
-            add(Landmark::of_object(&place), place.distance(point));
-        });
+        self.visit_landmarks(point, radius, classes, |landmark| out.push(landmark))?;
         // Sorting in place allocates nothing.
         out.sort_unstable_by(|a, b| {
             a.distance.total_cmp(&b.distance).then(a.source.cmp(&b.source))
@@ -135,6 +147,65 @@ impl<'a> Map<'a> {
             }
         });
         out.sort_unstable_by_key(|landmark| landmark.source);
+        Ok(())
+    }
+
+    /// What a sensor sees of the signals and places of objects of these classes, nearest first; objects that move are left out. Signals are seen from
+    /// the front only, objects from all sides. What stands in between hides nothing: occlusion is not modelled. `out` is emptied first; it grows
+    /// only if its capacity is too small.
+    ///
+    /// Errors: numbers that are not finite.
+    pub fn landmarks_in_view(
+        &self,
+        sensor: &Sensor,
+        classes: ClassSet,
+        out: &mut Vec<LandmarkInView>,
+    ) -> Result<(), QueryError> {
+        out.clear();
+        if !(sensor.heading.is_finite() && sensor.field_of_view.is_finite()) {
+            return Err(QueryError::NotFinite);
+        }
+        self.visit_landmarks(sensor.position, sensor.range, classes, |landmark| {
+            let way = landmark.position.truncate() - sensor.position;
+            let direction = libm::atan2(way.y, way.x);
+            let bearing = normalize_angle(direction - sensor.heading);
+            let facing = normalize_angle(landmark.heading - direction - PI);
+            let is_signal = matches!(landmark.source, LandmarkSource::Signal(_));
+            let is_seen = !is_signal || facing.abs() < FRAC_PI_2;
+            if is_seen && bearing.abs() <= 0.5 * sensor.field_of_view {
+                out.push(LandmarkInView { landmark, bearing, facing });
+            }
+        })?;
+        out.sort_unstable_by(|a, b| {
+            let (a, b) = (&a.landmark, &b.landmark);
+            a.distance.total_cmp(&b.distance).then(a.source.cmp(&b.source))
+        });
+        Ok(())
+    }
+
+    /// Landmarks near a point, in no order.
+    fn visit_landmarks(
+        &self,
+        point: DVec2,
+        radius: f64,
+        classes: ClassSet,
+        mut visit: impl FnMut(Landmark),
+    ) -> Result<(), QueryError> {
+        let region = Region::around_circle(point, radius)?;
+        let mut add = |landmark: Landmark, distance: f64| {
+            if distance <= radius {
+                visit(Landmark { distance, ..landmark });
+            }
+        };
+        self.visit_signals(region, |signal| {
+            if classes.contains(signal.class()) {
+                let distance = signal.position().truncate().distance(point);
+                add(Landmark::of_signal(&signal), distance);
+            }
+        });
+        self.visit_fixed(region, classes, |place| {
+            add(Landmark::of_object(&place), place.distance(point));
+        });
         Ok(())
     }
 

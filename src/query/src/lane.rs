@@ -6,7 +6,7 @@ use crate::key::{LaneKey, LaneLayer};
 use crate::map::Map;
 use crate::polyline::{Points, Polyline};
 use crate::position;
-use crate::profile::{self, At, Slope};
+use crate::profile::At;
 use crate::road::{JOINT, Road};
 use crate::section::LaneSection;
 use crate::types::{Clamped, LaneEdges, LanePosition, Point, Pose};
@@ -34,13 +34,6 @@ pub struct LaneSpeed {
     pub kind: SpeedKind,
     /// Limit `[m/s]` if `kind` is `Value`, else 0.
     pub max: f64,
-}
-
-/// t of both edges with their derivatives by s.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct EdgeSlopes {
-    pub(crate) inner: Slope,
-    pub(crate) outer: Slope,
 }
 
 impl<'a> Lane<'a> {
@@ -178,50 +171,6 @@ impl<'a> Lane<'a> {
     #[inline]
     pub(crate) fn at(&self, s: f64) -> At {
         At::within(s, self.section.s_start(), self.section.s_end())
-    }
-
-    /// Walks from lane 0 outwards: widths add up from the lane offset; a border stands for itself.
-    #[inline]
-    pub(crate) fn edge_slopes(&self, at: At) -> EdgeSlopes {
-        let mut edge = if self.is_temporary() {
-            profile::slope(self.road.temporary_lane_offsets(), at)
-        } else {
-            self.road.lane_offset_slope(at)
-        };
-        let mut edges = EdgeSlopes { inner: edge, outer: edge };
-        let number = self.number();
-        let lanes = self.section.rows();
-        let own = (self.number.wrapping_sub(self.section.row.lanes().first)) as usize;
-        // Numbers fall one by one in nearly every section.
-        let guess = own.wrapping_add_signed(number as isize);
-        let center = if lanes.get(guess).is_some_and(|lane| lane.number() == 0) {
-            guess
-        } else {
-            match lanes.binary_search_by(|lane| 0.cmp(&lane.number())) {
-                Ok(center) => center,
-                Err(_) => return edges,
-            }
-        };
-        let steps = own.abs_diff(center);
-        for step in 1..=steps {
-            let row = if number > 0 { center.wrapping_sub(step) } else { center + step };
-            let Some(lane) = lanes.get(row) else { return edges };
-            let record = profile::slope(lane.widths().of(self.map.tables().cubics), at);
-            edges.inner = edge;
-            edge = if lane.flags() & lane_flags::BORDER != 0 {
-                record
-            } else {
-                let sign = if number > 0 { 1.0 } else { -1.0 };
-                let (width, growth) =
-                    if record.value > 0.0 { (record.value, record.derivative) } else { (0.0, 0.0) };
-                Slope {
-                    value: edge.value + sign * width,
-                    derivative: edge.derivative + sign * growth,
-                }
-            };
-            edges.outer = edge;
-        }
-        edges
     }
 
     /// Every s on the road at which a record begins that shapes this lane in space, in no order, repeated ones included:

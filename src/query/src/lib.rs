@@ -14,8 +14,8 @@
 //! # By task
 //!
 //! Where am I?
-//! - The nearest lane to a point: [`Map::nearest_lane`]. The lanes that an uncertain pose may be in: [`Map::match_pose`]. The lane of a
-//!   running drive: [`localisation::Tracker`]. The lanes of a recorded trace: [`Map::match_trace`]. See [`localisation`]. Thousands of places at once: [`batch`].
+//! - The nearest lane to a point: [`Map::nearest_lane`]. The lanes that an uncertain pose may be in: [`Map::match_pose`]. The lanes of a
+//!   recorded trace: [`Map::match_trace`]. See [`localisation`].
 //! - What sensors see there: [`Map::ground_at`], [`Map::nearest_mark`], [`Map::landmarks_near`].
 //! - Frenet coordinates: [`Road::to_track`] and [`Road::to_inertial`] on a road, [`Lane::position_of`] on a lane. Latitudes and longitudes: `geodesy`, with
 //!   the feature of that name.
@@ -69,6 +69,7 @@ mod junction_group;
 mod key;
 mod landmark;
 mod lane;
+mod lane_edges;
 mod lane_length;
 mod lane_words;
 mod map;
@@ -85,6 +86,7 @@ mod profile;
 mod quarantine;
 pub mod railway;
 mod rank;
+mod ready;
 mod region;
 mod road;
 mod road_mark;

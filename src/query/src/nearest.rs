@@ -1,6 +1,6 @@
 //! The nearest lane to a point.
 
-use crate::area::{self, Place, Slab};
+use crate::area::{self, Cross, Place, Slab};
 use crate::error::QueryError;
 use crate::fetch::{TOGETHER, fetch};
 use crate::ids::LaneId;
@@ -142,14 +142,14 @@ pub struct Nearest {
 #[derive(Clone, Copy)]
 pub(crate) struct Candidate<'a> {
     lane: u32,
-    place: Place<'a>,
+    pub(crate) place: Place<'a>,
     heading_difference: f64,
     z_difference: f64,
 }
 
 impl<'a> Candidate<'a> {
     /// None where the options exclude it.
-    #[inline]
+    #[inline(always)]
     fn new(
         lane: &Lane<'a>,
         place: Place<'a>,
@@ -171,15 +171,15 @@ impl<'a> Candidate<'a> {
     }
 
     /// As [`Self::new`], in a stretch that holds the point.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn around(
         lane: &Lane<'a>,
+        cross: &impl Cross,
         slab: &Slab<'a>,
-        point: Point,
-        local: DVec2,
+        (point, local): (Point, DVec2),
         options: &NearestOptions,
     ) -> Option<Self> {
-        Self::new(lane, area::place_inside(lane, slab, local)?, point, options)
+        Self::new(lane, area::place_inside(lane, cross, slab, local)?, point, options)
     }
 
     #[inline]
@@ -230,17 +230,21 @@ impl<'a> Best<'a> {
         self.0
     }
 
-    #[inline]
+    /// Whether it is the best now.
+    #[inline(always)]
     pub(crate) fn consider(
         &mut self,
         found: Option<Candidate<'a>>,
         map: Map<'a>,
         options: &NearestOptions,
-    ) {
-        let Some(found) = found.filter(|found| found.distance() <= options.radius) else { return };
-        if self.0.as_ref().is_none_or(|best| found.order(best, map) == Ordering::Less) {
+    ) -> bool {
+        let found = found.filter(|found| found.distance() <= options.radius);
+        let Some(found) = found else { return false };
+        let is_better = self.0.as_ref().is_none_or(|best| found.order(best, map).is_lt());
+        if is_better {
             self.0 = Some(found);
         }
+        is_better
     }
 }
 
@@ -420,7 +424,7 @@ impl<'a> Map<'a> {
     ) -> Option<Candidate<'a>> {
         let lane = Lane::new(*self, lane).filter(|lane| options.types.contains(lane.kind()))?;
         let slab = area::slab(&lane, usize::from(segment))?;
-        Candidate::around(&lane, &slab, point, local, options)
+        Candidate::around(&lane, &lane, &slab, (point, local), options)
     }
 }
 

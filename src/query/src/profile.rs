@@ -46,6 +46,28 @@ fn record(records: &[ArchivedCubicRow], at: At) -> Option<&ArchivedCubicRow> {
     }
 }
 
+/// A record apart from the archive.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Record {
+    s: f64,
+    cubic: Cubic,
+}
+
+impl Record {
+    /// What holds before the first record: 0.
+    pub(crate) const NONE: Self = Self { s: 0.0, cubic: Cubic { a: 0.0, b: 0.0, c: 0.0, d: 0.0 } };
+
+    #[inline]
+    pub(crate) fn value(&self, s: f64) -> f64 {
+        self.cubic.value(s - self.s)
+    }
+}
+
+/// The record that holds at a place: its [`Record::value`] is [`value`] wherever the same holds.
+pub(crate) fn held(records: &[ArchivedCubicRow], at: At) -> Record {
+    record(records, at).map_or(Record::NONE, |r| Record { s: r.s(), cubic: cubic(r) })
+}
+
 #[inline]
 pub(crate) fn value(records: &[ArchivedCubicRow], at: At) -> f64 {
     record(records, at).map_or(0.0, |r| cubic(r).value(at.s - r.s()))

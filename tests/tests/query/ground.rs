@@ -1,10 +1,11 @@
 //! The ground below a place: that of the road's surface, on the level that z says.
 
 use mapd_client::glam::DVec2;
-use mapd_client::localisation::GroundScratch;
+use mapd_client::localisation::{GroundScratch, VehiclePose};
 use mapd_client::{Map, Point, QueryError};
 use mapd_tests::carried;
 use mapd_tests::maps::{self, Random};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A road at the height 0 from west to east, one at the height 6 above it from south to north, 3.5 m for each way.
 fn bridge() -> String {
@@ -55,6 +56,45 @@ fn z_decides_between_a_bridge_and_the_road_below() {
     assert!(
         (ground.normal.z - slope).abs() < 1e-12 && (ground.normal.x + 0.01 * slope).abs() < 1e-12
     );
+}
+
+/// On roads that rise by 1 % ahead of the one and to the side of the other, at the pose's level.
+#[test]
+fn four_wheels_stand_on_the_ground() {
+    let snapshot = maps::open_text(&bridge());
+    let (map, mut scratch) = (snapshot.map(), GroundScratch::default());
+    let wheels = [[2.8, 0.8], [2.8, -0.8], [0.0, 0.8], [0.0, -0.8]].map(DVec2::from_array);
+    let mut ask = |x: f64, y: f64, z: Option<f64>, heading: f64, wheels: &[DVec2; 4]| {
+        let pose = VehiclePose { position: point(x, y, z), heading };
+        map.stance(&pose, wheels, &mut scratch)
+    };
+    let slope = 0.01f64.atan();
+    // Along the lower road, up and down, and along the upper one.
+    for (at, heading, expected) in [
+        ((20.0, -1.0, None), 0.0, [0.7, 0.0, -slope]),
+        ((20.0, 1.0, None), PI, [0.7, 0.0, slope]),
+        ((20.0, 0.0, None), FRAC_PI_2, [0.7, -slope, 0.0]),
+        ((20.0, 0.0, None), -FRAC_PI_2, [0.7, slope, 0.0]),
+        ((1.0, 0.0, Some(6.0)), FRAC_PI_2, [6.5, 0.0, -slope]),
+    ] {
+        let (x, y, z) = at;
+        let found = ask(x, y, z, heading, &wheels).expect("an answer").expect("ground");
+        for (got, expected) in [found.z, found.roll, found.pitch].iter().zip(expected) {
+            assert!((got - expected).abs() < 1e-9, "{at:?} {heading}: {found:?}");
+        }
+        assert!(found.wheels.iter().all(Option::is_some));
+    }
+    // Three wheels on the road are enough, two are not.
+    let beside = ask(20.0, -3.4, None, 0.3, &wheels).expect("an answer");
+    let count = beside.map_or(2, |found| found.wheels.iter().flatten().count());
+    assert!((2..4).contains(&count), "{beside:?}");
+    assert_eq!(ask(20.0, 30.0, None, 0.0, &wheels), Ok(None));
+    let line = [0.0, 1.0, 2.0, 3.0].map(|x| DVec2::new(x, 0.0));
+    assert_eq!(ask(20.0, -1.0, None, 0.0, &line), Ok(None));
+    let mut lost = wheels;
+    lost[2].y = f64::NAN;
+    assert_eq!(ask(20.0, -1.0, None, 0.0, &lost), Err(QueryError::NotFiniteAt(2)));
+    assert_eq!(ask(20.0, -1.0, None, f64::NAN, &wheels), Err(QueryError::NotFinite));
 }
 
 /// Of many places the answers are those of each, and what is wrong has its number.

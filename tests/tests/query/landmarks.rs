@@ -5,10 +5,11 @@ use mapd::commands::query::{Kind, RouteArgs};
 use mapd_client::glam::DVec2;
 use mapd_client::{Map, NearestOptions, Region};
 use mapd_query::SignalId;
-use mapd_query::localisation::{Landmark, LandmarkSource};
+use mapd_query::localisation::{Landmark, LandmarkSource, Sensor};
 use mapd_query::vocabulary::{Class, ClassSet};
 use mapd_tests::maps::{self, Random};
 use mapd_tests::object_maps::{PLAIN, document, open};
+use std::f64::consts::{PI, TAU};
 
 /// Signals and places of objects of these classes, by asking all of them for their distance.
 fn expected(map: Map<'_>, point: DVec2, radius: f64, classes: ClassSet) -> Vec<LandmarkSource> {
@@ -194,4 +195,44 @@ fn the_command_line_lists_a_row_for_each() {
         "{other}"
     );
     assert_eq!(lines.len(), 3);
+}
+
+/// What a sensor sees, by asking for all landmarks near it and turning each into its frame.
+#[test]
+fn sensors_see_what_lies_before_them_and_signs_from_the_front() {
+    let snapshot = maps::open_text(&mapd_tests::crossroads::furnished());
+    let (map, mut random) = (snapshot.map(), Random(13));
+    let (mut seen, mut near, mut counts) = (Vec::new(), Vec::new(), [0usize; 3]);
+    let turn = |angle: f64| (angle + PI).rem_euclid(TAU) - PI;
+    for _ in 0..200 {
+        let (position, heading) = (random.point(map), random.between(-PI, PI));
+        let sensor = Sensor { position, heading, range: 60.0, field_of_view: 1.2 };
+        map.landmarks_in_view(&sensor, ClassSet::ALL, &mut seen).expect("an answer");
+        map.landmarks_near(position, 60.0, ClassSet::ALL, &mut near).expect("an answer");
+        let mut expected = Vec::new();
+        for landmark in &near {
+            let way = landmark.position.truncate() - position;
+            let direction = way.y.atan2(way.x);
+            let facing = turn(landmark.heading - direction - PI);
+            let from_behind =
+                matches!(landmark.source, LandmarkSource::Signal(_)) && facing.abs() >= 0.5 * PI;
+            counts[0] += usize::from(from_behind);
+            if !from_behind && turn(direction - heading).abs() <= 0.6 {
+                expected.push((*landmark, turn(direction - heading), facing));
+            }
+        }
+        assert_eq!(seen.len(), expected.len());
+        for (seen, (landmark, bearing, facing)) in seen.iter().zip(expected) {
+            assert_eq!(seen.landmark, landmark);
+            assert!(turn(seen.bearing - bearing).abs() < 1e-9);
+            assert!(turn(seen.facing - facing).abs() < 1e-9);
+            counts[1] += 1;
+        }
+        let all = Sensor { field_of_view: TAU, ..sensor };
+        map.landmarks_in_view(&all, ClassSet::ALL, &mut seen).expect("an answer");
+        counts[2] += seen.len();
+    }
+    assert!(counts[0] > 0 && counts[1] > 0 && counts[2] > counts[1], "{counts:?}");
+    let lost = Sensor { position: DVec2::ZERO, heading: f64::NAN, range: 10.0, field_of_view: 1.0 };
+    assert!(map.landmarks_in_view(&lost, ClassSet::ALL, &mut seen).is_err());
 }

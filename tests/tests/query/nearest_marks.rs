@@ -2,9 +2,9 @@
 
 use mapd_client::compiling::ByRow as _;
 use mapd_client::glam::DVec2;
-use mapd_client::localisation::{MarkFilter, MarkKinds, Side};
+use mapd_client::localisation::{MarkFilter, MarkKinds, MarkPoint, Side};
 use mapd_client::vocabulary::{RoadMarkColor, RoadMarkKind};
-use mapd_client::{Map, QueryError, Track};
+use mapd_client::{Map, QueryError, Region, Track};
 use mapd_tests::carried;
 use mapd_tests::maps::{self, Random};
 
@@ -148,4 +148,49 @@ fn many_points_answer_as_each_does() {
     assert_eq!(map.nearest_marks(&points, &filter, &mut out), Err(QueryError::NotFiniteAt(42)));
     let endless = MarkFilter { radius: f64::INFINITY, ..filter };
     assert_eq!(map.nearest_mark(DVec2::ZERO, &endless), Err(QueryError::NotFinite));
+}
+
+/// Points lie on marks, painted places have one at every multiple of the spacing, and each comes once, by whatever rectangle.
+#[test]
+fn points_of_marks_are_every_painted_place_once() {
+    let snapshot = maps::open(&carried("marks.xodr"));
+    let (map, mut random) = (snapshot.map(), Random(23));
+    let (filter, mut out) = (MarkFilter::default(), Vec::new());
+    let whole = Region { low: DVec2::splat(-1e4), high: DVec2::splat(1e4) };
+    map.mark_points(whole, 0.25, &filter, &mut out).expect("an answer");
+    let all = out.clone();
+    assert!(all.len() > 500, "only {} points", all.len());
+    let bits = |point: &MarkPoint| point.position.to_array().map(f64::to_bits);
+    let mut places: Vec<_> = all.iter().map(bits).collect();
+    places.sort_unstable();
+    places.dedup();
+    assert_eq!(places.len(), all.len(), "some points come twice");
+    for point in &all {
+        let near = map.nearest_mark(point.position.truncate(), &filter).expect("an answer");
+        let near = near.expect("a mark");
+        assert!(near.distance < 1e-6 && near.painted != Some(false), "{point:?}: {near:?}");
+    }
+    // A solid line has its length over the spacing; of the broken one a third is painted.
+    let lane = map.lane_by_key(&"1:0:1".parse().expect("a key")).expect("a lane").lane_id();
+    let solid = all.iter().filter(|point| point.lane == lane && point.s < 40.0).count();
+    assert_eq!(solid, 160);
+    let lane = map.lane_by_key(&"1:0:-1".parse().expect("a key")).expect("a lane").lane_id();
+    let broken = all.iter().filter(|p| p.lane == lane && (30.0..39.0).contains(&p.s)).count();
+    assert!((12..=15).contains(&broken), "{broken}");
+    for _ in 0..50 {
+        let low = random.point(map);
+        let size = DVec2::new(random.between(0.1, 30.0), random.between(0.1, 8.0));
+        let region = Region { low, high: low + size };
+        map.mark_points(region, 0.25, &filter, &mut out).expect("an answer");
+        let held = |point: &&MarkPoint| {
+            let p = point.position.truncate();
+            p.cmpge(region.low).all() && p.cmple(region.high).all()
+        };
+        let mut expected: Vec<_> = all.iter().filter(held).map(bits).collect();
+        let mut got: Vec<_> = out.iter().map(bits).collect();
+        expected.sort_unstable();
+        got.sort_unstable();
+        assert_eq!(got, expected, "{region:?}");
+    }
+    assert!(map.mark_points(whole, f64::NAN, &filter, &mut out).is_err());
 }

@@ -2,12 +2,13 @@
 //! instructions. Kinds: `nearest` (random over the roads), `trajectory` (in steps of half a metre), `beside` (the same
 //! beside the road, in no lane), `hinted` (that with the last answer as a hint), `inertial` and `inertial-trajectory` (s, t to x, y, z), `route` (the shortest way between random
 //! places that have one), `border` (all points of a lane's border), `near` (all lanes within the radius), `near-few` (within a metre); of the nearest lane or its road
-//! `track` (x, y to s, t), `position`, `contains`, `length` and `short-length` (along the whole longest lane and over a metre of it); `none`.
+//! `track` (x, y to s, t), `position`, `contains`, `length` and `short-length` (along the whole longest lane and over a metre of it); `cloud` and `cloud-single` (5,000 particles as a batch, and one by one); `none`.
 
+use mapd_client::batch::{BatchScratch, NearestLanes, Places};
 use mapd_client::route::{LanePlace, RouteScratch, ShortestLength};
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{Lane, Map, NearestOptions, Snapshot, Track, glam::DVec2};
-use mapd_planner::{Random, places};
+use mapd_planner::{PARTICLES, Random, cloud, places};
 use std::hint::black_box;
 use std::process::ExitCode;
 
@@ -77,6 +78,9 @@ fn main() -> ExitCode {
     let Some(longest) = lanes.iter().max_by_key(uneven) else { return ExitCode::from(1) };
     let [low, high] = [longest.section().s_start(), longest.section().s_end()];
     let mut near = Vec::new();
+    let particles = cloud(points[0], PARTICLES);
+    let (x, y): (Vec<f64>, Vec<f64>) = particles.iter().map(|p| (p.x, p.y)).unzip();
+    let (mut scratch_of_batch, mut found) = (BatchScratch::default(), NearestLanes::default());
     for i in 0..count {
         match kind.as_str() {
             "nearest" | "trajectory" | "beside" => {
@@ -118,6 +122,17 @@ fn main() -> ExitCode {
             "short-length" => {
                 let middle = low.midpoint(high);
                 black_box(longest.length_between(black_box(middle), middle + 1.0));
+            }
+            "cloud" => {
+                let places = Places { x: &x, y: &y, z: None, heading: None };
+                black_box(
+                    map.nearest_lanes(places, &options, &mut scratch_of_batch, &mut found).ok(),
+                );
+            }
+            "cloud-single" => {
+                for point in &particles {
+                    black_box(map.nearest_lane(*point, &options).ok());
+                }
             }
             "border" => {
                 for position in lanes[i % lanes.len()].border().positions() {

@@ -1,6 +1,6 @@
 //! The nearest lanes to many points.
 
-use super::tile::{self, Tile};
+use super::tile::{Around, Cut, Tile};
 use super::{BatchScratch, Places};
 use crate::error::QueryError;
 use crate::ids::LaneId;
@@ -125,33 +125,35 @@ impl Map<'_> {
         options.check(Point::from(DVec2::ZERO))?;
         out.reset(places.len());
         let (origin, xy) = (self.origin(), |i| places.xy(i));
-        let mut hint = options.hint;
-        let ask = |i: usize, hint| NearestOptions {
-            heading: places.heading(i).or(options.heading),
-            hint,
-            ..*options
-        };
+        let (mut tile, mut own) = (Tile::new(*self), *options);
+        let mut last = None;
         scratch.order.each_part(places.len(), xy, |part| {
             let mut from = 0;
             while from < part.len() {
-                let cut = tile::cut(part, from, xy);
-                let numbers = (from..from + cut.count).map(|k| part.number(k));
-                from += cut.count;
-                let tile =
-                    if cut.is_worth_it() { Tile::new(*self, &cut, options.types) } else { None };
-                for i in numbers {
-                    let (point, own) = (places.point(i), ask(i, hint));
+                let cut = Cut::first(part, from, xy);
+                let is_tile = tile.fill(&cut, options.types);
+                for i in part.numbers(from, cut.count) {
+                    let point = places.point(i);
                     let local = point.xy - origin;
-                    let around = match &tile {
-                        Some(tile) => tile.lane_around(point, local, &own),
-                        None => self.lane_around(point, local, &own),
+                    own.heading = places.heading(i).or(options.heading);
+                    let around = match is_tile {
+                        true => tile.around(point, local, &own),
+                        false => Around::Open(self.lane_around(point, local, &own)),
                     };
-                    if let Some(found) = self.nearest_of(around, point, local, &own) {
+                    let found = match around {
+                        Around::Held(found) => Some(found),
+                        Around::Open(best) => {
+                            // The last point lies near this one: it changes the cost alone.
+                            own.hint = last.and_then(|last| out.get(last)).or(options.hint);
+                            self.nearest_of(best, point, local, &own)
+                        }
+                    };
+                    if let Some(found) = found {
                         out.set(i, &found);
-                        // The next point lies near this one: it changes the cost alone.
-                        hint = Some(found);
+                        last = Some(i);
                     }
                 }
+                from += cut.count;
             }
             Ok(())
         })

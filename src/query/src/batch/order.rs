@@ -4,22 +4,31 @@ use glam::DVec2;
 
 /// Places that are ordered at once; of more, one such part after another, so that memory is bounded.
 const PART: usize = 1 << 20;
-/// Cells of the curve in either direction.
-const CELLS: f64 = 65_536.0;
+/// Cells of the curve in either direction at most.
+const CELLS: f64 = 65_535.0;
+/// Width of a cell at least `[m]`: a finer order brings places no nearer to what they share.
+const SMALLEST_CELL: f64 = 0.5;
+
+/// Fewer keys than this are compared with each other.
+const FEW: usize = 512;
+/// Bits of a digit, and how many values it has.
+const DIGIT: u32 = 11;
+const DIGITS: usize = 1 << DIGIT;
 
 /// Memory of the order: the place's cell along the curve above its number within the part.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Order {
     keys: Vec<u64>,
+    spare: Vec<u64>,
 }
 
 impl Order {
     pub(crate) fn with_capacity(places: usize) -> Self {
-        Self { keys: Vec::with_capacity(places.min(PART)) }
+        let room = places.min(PART);
+        Self { keys: Vec::with_capacity(room), spare: Vec::with_capacity(room) }
     }
 
-    /// Tells the numbers of all places, part by part, each part in the order of the curve. `number_of` makes a place's number of an entry and the
-    /// part's first number.
+    /// Tells the numbers of all places, part by part, each part in the order of the curve.
     pub(crate) fn each_part<E>(
         &mut self,
         count: usize,
@@ -34,14 +43,16 @@ impl Order {
                 (low, high) = (low.min(at), high.max(at));
             }
             // Square cells: what is near along one axis is as near as along the other.
-            let scale = CELLS / (high - low).max_element().max(f64::MIN_POSITIVE);
+            let extent = (high - low).max_element();
+            let scale = (CELLS / extent.max(f64::MIN_POSITIVE)).min(1.0 / SMALLEST_CELL);
+            let bits = 2 * (u64::BITS - ((extent * scale) as u64).leading_zeros());
             self.keys.clear();
             self.keys.extend((first..end).map(|i| {
                 let cell = (place(i) - low) * scale;
                 let curve = interleaved(cell.x as u16) | interleaved(cell.y as u16) << 1;
                 u64::from(curve) << 32 | (i - first) as u64
             }));
-            self.keys.sort_unstable();
+            sort(&mut self.keys, &mut self.spare, bits);
             visit(&Part { first, keys: &self.keys })?;
         }
         Ok(())
@@ -54,7 +65,35 @@ impl Order {
         place: impl Fn(usize) -> DVec2,
         mut visit: impl FnMut(usize) -> Result<(), E>,
     ) -> Result<(), E> {
-        self.each_part(count, place, |part| (0..part.len()).try_for_each(|k| visit(part.number(k))))
+        self.each_part(count, place, |part| part.numbers(0, part.len()).try_for_each(&mut visit))
+    }
+}
+
+/// Sorts by so many of the lowest bits of the upper half, the only ones that are set, equal ones as they stood: digit by digit, which thousands of keys make worth while.
+fn sort(keys: &mut Vec<u64>, spare: &mut Vec<u64>, bits: u32) {
+    if keys.len() < FEW {
+        // The lower halves ascend already.
+        keys.sort_unstable();
+        return;
+    }
+    spare.clear();
+    spare.resize(keys.len(), 0);
+    for pass in 0..bits.div_ceil(DIGIT) {
+        let digit = |key: &u64| (key >> (32 + pass * DIGIT)) as usize & (DIGITS - 1);
+        let mut starts = [0u32; DIGITS];
+        keys.iter().for_each(|key| starts[digit(key)] += 1);
+        let mut sum = 0;
+        for start in &mut starts {
+            (*start, sum) = (sum, sum + *start);
+        }
+        for key in keys.iter() {
+            let start = &mut starts[digit(key)];
+            if let Some(place) = spare.get_mut(*start as usize) {
+                *place = *key;
+            }
+            *start += 1;
+        }
+        std::mem::swap(keys, spare);
     }
 }
 
@@ -69,10 +108,12 @@ impl Part<'_> {
         self.keys.len()
     }
 
-    /// Number of the k-th place along the curve.
+    /// Numbers of so many places along the curve, or of those that are left.
     #[inline]
-    pub(crate) fn number(&self, k: usize) -> usize {
-        self.first + self.keys.get(k).map_or(0, |key| *key as u32 as usize)
+    pub(crate) fn numbers(&self, from: usize, count: usize) -> impl Iterator<Item = usize> + '_ {
+        let end = self.keys.len().min(from + count);
+        let keys = self.keys.get(from..end).unwrap_or_default();
+        keys.iter().map(|key| self.first + *key as u32 as usize)
     }
 }
 

@@ -6,6 +6,7 @@ use mapd_archive::ArchivedIndexLeafRow;
 use mapd_archive::packed_index::{ANY, REACH_UNIT};
 
 /// What [`crate::index::places_around`] tests for one place of a leaf, in the same numbers.
+#[derive(Clone, Copy)]
 pub(super) struct Rectangle {
     /// The leaf's corner.
     corner: DVec2,
@@ -19,6 +20,16 @@ pub(super) struct Rectangle {
 }
 
 impl Rectangle {
+    /// One that holds nothing.
+    pub(super) const NOWHERE: Self = Self {
+        corner: DVec2::ZERO,
+        start: [0.0; 2],
+        delta: [0.0; 2],
+        squared: 0.0,
+        reach: -1.0,
+        overshoot: -1.0,
+    };
+
     /// Of the k-th place; `k` is below the leaf's width.
     pub(super) fn of(leaf: &ArchivedIndexLeafRow, k: usize) -> Self {
         let step = leaf.step();
@@ -43,7 +54,7 @@ impl Rectangle {
     }
 
     /// Whether it holds a point, relative to the local origin. What is no number is not outside.
-    #[inline]
+    #[inline(always)]
     pub(super) fn holds(&self, local: DVec2) -> bool {
         let (qx, qy) = ((local.x - self.corner.x) as f32, (local.y - self.corner.y) as f32);
         let (ex, ey) = (qx - self.start[0], qy - self.start[1]);

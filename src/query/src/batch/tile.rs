@@ -6,13 +6,15 @@ use crate::area::{self, Slab};
 use crate::index;
 use crate::lane::Lane;
 use crate::map::Map;
-use crate::nearest::{Best, Candidate, LaneTypes, NearestOptions};
+use crate::nearest::{Best, Candidate, LaneTypes, Nearest, NearestOptions};
+use crate::ready::Ready;
 use crate::types::Point;
 use glam::DVec2;
 use mapd_archive::NONE;
+use mapd_geometry::normalize_angle;
 
 /// Places of a tile at most.
-const MOST_PLACES: usize = 128;
+const MOST_PLACES: usize = 256;
 /// Fewer places than this are asked one by one, which then costs less.
 const FEWEST_PLACES: usize = 3;
 /// Largest extent of a tile along x and y `[m]`: over more than a lane's width too many stretches are looked at for nothing.
@@ -23,23 +25,7 @@ const MOST_STRETCHES: usize = 32;
 const SLACK: f64 = 1e-3;
 const SLACK_SHARE: f64 = 1e-6;
 
-/// Cuts the first tile off the ordered places that begin at `from`: how many there are, and their box in inertial coordinates.
-pub(super) fn cut(part: &Part<'_>, from: usize, place: impl Fn(usize) -> DVec2) -> Cut {
-    let start = place(part.number(from));
-    let mut cut = Cut { count: 1, low: start, high: start };
-    let end = part.len().min(from + MOST_PLACES);
-    for k in from + 1..end {
-        let at = place(part.number(k));
-        let (low, high) = (cut.low.min(at), cut.high.max(at));
-        if (high - low).max_element() > EXTENT {
-            break;
-        }
-        cut = Cut { count: cut.count + 1, low, high };
-    }
-    cut
-}
-
-/// Places near each other.
+/// Places near each other, which follow each other along the curve.
 pub(super) struct Cut {
     pub(super) count: usize,
     low: DVec2,
@@ -47,75 +33,135 @@ pub(super) struct Cut {
 }
 
 impl Cut {
-    pub(super) fn is_worth_it(&self) -> bool {
-        self.count >= FEWEST_PLACES
+    /// Cuts the first tile off the ordered places that begin at `from`.
+    pub(super) fn first(part: &Part<'_>, from: usize, place: impl Fn(usize) -> DVec2) -> Self {
+        let mut cut = Self { count: 0, low: DVec2::INFINITY, high: DVec2::NEG_INFINITY };
+        for i in part.numbers(from, MOST_PLACES) {
+            let at = place(i);
+            let (low, high) = (cut.low.min(at), cut.high.max(at));
+            if high.x - low.x > EXTENT || high.y - low.y > EXTENT {
+                break;
+            }
+            cut = Self { count: cut.count + 1, low, high };
+        }
+        cut
     }
 }
 
-/// A stretch of a lane with its rectangle in the index.
+/// A stretch of a lane.
 struct Stretch<'a> {
     lane: Lane<'a>,
     slab: Slab<'a>,
-    rectangle: Rectangle,
+    ready: Ready,
 }
 
-/// What may hold places of a tile.
+/// What a tile knows of a point.
+pub(super) enum Around<'a> {
+    /// A lane holds it: this one is the nearest.
+    Held(Nearest),
+    /// No lane holds it, or it lies on an edge; the best so far.
+    Open(Option<Candidate<'a>>),
+}
+
+/// What may hold places of a tile. It is filled again for the next one.
 pub(super) struct Tile<'a> {
     map: Map<'a>,
+    rectangles: [Rectangle; MOST_STRETCHES],
     stretches: [Option<Stretch<'a>>; MOST_STRETCHES],
     count: usize,
 }
 
 impl<'a> Tile<'a> {
-    /// None where there is too much.
-    pub(super) fn new(map: Map<'a>, cut: &Cut, types: LaneTypes) -> Option<Self> {
+    pub(super) fn new(map: Map<'a>) -> Self {
+        Self {
+            map,
+            rectangles: [Rectangle::NOWHERE; MOST_STRETCHES],
+            stretches: [const { None }; MOST_STRETCHES],
+            count: 0,
+        }
+    }
+
+    /// Finds what may hold the places; whether that is worth while and everything has room.
+    pub(super) fn fill(&mut self, cut: &Cut, types: LaneTypes) -> bool {
+        self.count = 0;
+        if cut.count < FEWEST_PLACES {
+            return false;
+        }
+        let map = self.map;
         let (low, high) = (cut.low - map.origin(), cut.high - map.origin());
         let slack = SLACK + SLACK_SHARE * low.abs().max(high.abs()).max_element();
         let (low, high) = (low - slack, high + slack);
         let (middle, reach) = (0.5 * (low + high), 0.5 * (high - low).length() + slack);
-        let mut tile = Self { map, stretches: [const { None }; MOST_STRETCHES], count: 0 };
         let mut fits = true;
         index::visit_box(map.tables(), low, high, |leaf| {
             let (lanes, segments) = (leaf.lane(), leaf.segment());
             let from = middle - DVec2::new(f64::from(leaf.x()), f64::from(leaf.y()));
             let lower = index::lower_bounds(leaf, from.x as f32, from.y as f32, None);
             for k in 0..lower.len() {
-                if f64::from(lower[k]) > reach || lanes[k] == NONE {
-                    continue;
+                if fits && f64::from(lower[k]) <= reach && lanes[k] != NONE {
+                    let place = (lanes[k], usize::from(segments[k]));
+                    fits = self.add(place, Rectangle::of(leaf, k), types);
                 }
-                let lane = Lane::new(map, lanes[k]).filter(|lane| types.contains(lane.kind()));
-                let Some(lane) = lane else { continue };
-                let Some(slab) = area::slab(&lane, usize::from(segments[k])) else { continue };
-                let Some(place) = tile.stretches.get_mut(tile.count) else {
-                    fits = false;
-                    return;
-                };
-                *place = Some(Stretch { lane, slab, rectangle: Rectangle::of(leaf, k) });
-                tile.count += 1;
             }
         });
-        fits.then_some(tile)
+        fits
     }
 
-    /// The best of the lanes that hold a point, as [`Map::nearest_lane`] begins.
-    #[inline]
-    pub(super) fn lane_around(
+    /// Whether there is room; what cannot hold anything needs none.
+    fn add(
+        &mut self,
+        (lane, segment): (u32, usize),
+        rectangle: Rectangle,
+        types: LaneTypes,
+    ) -> bool {
+        let lane = Lane::new(self.map, lane).filter(|lane| types.contains(lane.kind()));
+        let Some(lane) = lane else { return true };
+        let Some(slab) = area::slab(&lane, segment) else { return true };
+        let Some(ready) = Ready::new(&lane, &slab) else { return false };
+        let room = (self.rectangles.get_mut(self.count), self.stretches.get_mut(self.count));
+        let (Some(own), Some(stretch)) = room else { return false };
+        (*own, *stretch) = (rectangle, Some(Stretch { lane, slab, ready }));
+        self.count += 1;
+        true
+    }
+
+    /// What the lanes that hold a point say, as [`Map::nearest_lane`] begins.
+    #[inline(always)]
+    pub(super) fn around(
         &self,
         point: Point,
         local: DVec2,
         options: &NearestOptions,
-    ) -> Option<Candidate<'a>> {
-        let mut best = Best::default();
-        for stretch in self.stretches.iter().take(self.count).flatten() {
-            if stretch.rectangle.holds(local) {
-                let Stretch { lane, slab, .. } = stretch;
-                best.consider(
-                    Candidate::around(lane, slab, point, local, options),
-                    self.map,
-                    options,
-                );
+    ) -> Around<'a> {
+        let (mut best, mut nearest) = (Best::default(), None);
+        let rectangles = self.rectangles.get(..self.count).unwrap_or_default();
+        for (k, rectangle) in rectangles.iter().enumerate() {
+            if !rectangle.holds(local) {
+                continue;
+            }
+            let Some(Some(stretch)) = self.stretches.get(k) else { continue };
+            let Stretch { lane, slab, ready } = stretch;
+            let found = Candidate::around(lane, ready, slab, (point, local), options);
+            if best.consider(found, self.map, options) {
+                nearest = Some(stretch);
             }
         }
-        best.found()
+        match (best.found(), nearest) {
+            (Some(found), Some(stretch)) if found.distance() == 0.0 => {
+                Around::Held(stretch.nearest(&found))
+            }
+            (found, _) => Around::Open(found),
+        }
+    }
+}
+
+impl<'a> Stretch<'a> {
+    /// As [`Candidate::nearest`].
+    #[inline(always)]
+    fn nearest(&self, found: &Candidate<'a>) -> Nearest {
+        let (s, piece) = (found.place.s(), &self.slab.piece);
+        let heading = normalize_angle(piece.curve.heading(s - piece.s));
+        let position = found.place.position_with(&self.lane, heading, self.ready.elevation(s));
+        Nearest { lane: self.lane.lane_id(), position }
     }
 }

@@ -1,5 +1,9 @@
 //! The ground below a place: the surface of the lane that holds it, on the level that a height says.
 
+mod stance;
+
+pub use stance::Stance;
+
 use crate::error::QueryError;
 use crate::ids::LaneId;
 use crate::map::Map;

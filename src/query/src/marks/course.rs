@@ -1,11 +1,11 @@
 //! The course of one line of a road mark within a stretch of a lane, and its place that is nearest to a point.
 
-use super::{MarkFilter, NearMark, Side};
+use super::{MarkFilter, MarkPoint, NearMark, Side};
 use crate::area::Slab;
 use crate::lane::Lane;
 use crate::profile::At;
 use crate::road_mark::{RoadMark, RoadMarkLine};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use mapd_archive::{RoadMarkColor, RoadMarkKind};
 use mapd_geometry::clamp;
 
@@ -84,12 +84,62 @@ impl<'a, 'm> Course<'a, 'm> {
         let at = self.slab.at(s);
         let point = self.slab.piece.curve.evaluate(s - self.slab.piece.s);
         let normal = DVec2::new(-point.sin, point.cos);
-        let sway = self.mark.sway(At::within(s, self.mark.s(), self.mark.s_end()));
-        let t = self.owner.edge_slopes(at).outer.value
-            + sway
-            + self.line.map_or(0.0, |line| line.t_offset);
-        let lateral = t * self.owner.road().roll(at).0;
+        let lateral = self.t(at) * self.owner.road().roll(at).0;
         (DVec2::new(point.x, point.y) + normal * lateral, normal)
+    }
+
+    /// The line's lateral coordinate.
+    fn t(&self, at: At) -> f64 {
+        let sway = self.mark.sway(At::within(at.s, self.mark.s(), self.mark.s_end()));
+        let offset = self.line.map_or(0.0, |line| line.t_offset);
+        self.owner.edge_slopes(at).outer.value + sway + offset
+    }
+
+    /// Tells of the places at multiples of a spacing that are painted, or may be: s, and where, relative to the local origin.
+    pub(super) fn points(&self, spacing: f64, mut visit: impl FnMut(f64, DVec3)) {
+        let [from, to] = self.s;
+        let mut number = (from / spacing).ceil();
+        // What ends a stretch belongs to the next one.
+        while number * spacing < to {
+            let s = number * spacing;
+            if self.painted(s) != Some(false) {
+                let (at, road) = (self.slab.at(s), self.owner.road());
+                let z = road.elevation(at) + self.t(at) * road.roll(at).1;
+                visit(s, self.at(s).0.extend(z));
+            }
+            number += 1.0;
+        }
+    }
+
+    pub(super) fn mark_point(&self, s: f64, position: DVec3) -> MarkPoint {
+        let (color, width) = self.look();
+        let (lane, kind) = (self.owner.lane_id(), self.mark.kind());
+        MarkPoint { position, lane, s, kind, color, width }
+    }
+
+    /// Colour and width: the line's own, or the mark's.
+    fn look(&self) -> (RoadMarkColor, f64) {
+        let line = self.line;
+        let own_color = line.map(|l| l.color).filter(|color| *color != RoadMarkColor::NotGiven);
+        let own_width = line.and_then(|line| line.width).filter(|width| *width > 0.0);
+        let (color, width) = (self.mark.color(), self.mark.width_or_default());
+        (own_color.unwrap_or(color), own_width.unwrap_or(width))
+    }
+
+    /// Whether a place is painted, if the file says so.
+    fn painted(&self, s: f64) -> Option<bool> {
+        let Some(line) = self.line else {
+            use RoadMarkKind::{Curb, Edge, Grass, Solid, SolidSolid};
+            let whole = [Solid, SolidSolid, Curb, Edge, Grass].contains(&self.mark.kind());
+            return whole.then_some(true);
+        };
+        let period = line.length + line.space.unwrap_or(0.0);
+        let gone = s - (self.mark.written_s() + line.s_offset);
+        // An explicit line ends where its course does.
+        if line.space.is_none_or(|space| space <= 0.0) || period <= 0.0 {
+            return Some(true);
+        }
+        Some(gone.rem_euclid(period) <= line.length)
     }
 
     /// The nearest place: the best of several is narrowed down between its neighbours.
@@ -143,9 +193,7 @@ fn less(best: (f64, f64), found: (f64, f64)) -> (f64, f64) {
 
 impl Found<'_, '_, '_> {
     pub(super) fn near_mark(&self, origin: DVec2) -> NearMark {
-        let (mark, line) = (self.course.mark, self.course.line);
-        let own_color = line.map(|l| l.color).filter(|color| *color != RoadMarkColor::NotGiven);
-        let own_width = line.and_then(|line| line.width).filter(|width| *width > 0.0);
+        let (color, width) = self.course.look();
         let left = self.away.dot(self.normal) > 0.0;
         NearMark {
             lane: self.course.owner.lane_id(),
@@ -153,25 +201,10 @@ impl Found<'_, '_, '_> {
             place: self.place + origin,
             distance: self.away.length(),
             side_of_reference_line: if left { Side::Left } else { Side::Right },
-            kind: mark.kind(),
-            color: own_color.unwrap_or(mark.color()),
-            width: own_width.unwrap_or(mark.width_or_default()),
-            painted: self.painted(),
+            kind: self.course.mark.kind(),
+            color,
+            width,
+            painted: self.course.painted(self.s),
         }
-    }
-
-    fn painted(&self) -> Option<bool> {
-        let Some(line) = self.course.line else {
-            use RoadMarkKind::{Curb, Edge, Grass, Solid, SolidSolid};
-            let whole = [Solid, SolidSolid, Curb, Edge, Grass].contains(&self.course.mark.kind());
-            return whole.then_some(true);
-        };
-        let period = line.length + line.space.unwrap_or(0.0);
-        let gone = self.s - (self.course.mark.written_s() + line.s_offset);
-        // An explicit line ends where its course does.
-        if line.space.is_none_or(|space| space <= 0.0) || period <= 0.0 {
-            return Some(true);
-        }
-        Some(gone.rem_euclid(period) <= line.length)
     }
 }

@@ -1,6 +1,9 @@
 //! The road mark that is nearest to a point: on its exact course, with what is painted there.
 
 mod course;
+mod points;
+
+pub use points::MarkPoint;
 
 use crate::area;
 use crate::error::QueryError;

@@ -1,7 +1,8 @@
 //! Changes of lane: a jump at their place, or a curve over a length.
 
 use super::{Path, Span};
-use crate::lane::{EdgeSlopes, Lane};
+use crate::lane::Lane;
+use crate::lane_edges::EdgeSlopes;
 use crate::profile::{At, Slope};
 
 /// Spans that a curve is cut into: S grows evenly enough on each.

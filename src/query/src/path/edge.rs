@@ -1,7 +1,8 @@
 //! What lies on and beyond the edges of a path's lanes.
 
 use crate::extents::SRange;
-use crate::lane::{EdgeSlopes, Lane};
+use crate::lane::Lane;
+use crate::lane_edges::EdgeSlopes;
 use crate::profile::{self, At};
 use mapd_archive::{LaneType, RoadMarkColor, RoadMarkKind, lane_flags};
 

@@ -1,0 +1,67 @@
+//! Both edges of a lane, from the widths of all lanes between it and lane 0.
+
+use crate::lane::Lane;
+use crate::profile::{self, At, Slope};
+use mapd_archive::{ArchivedLaneRow, lane_flags};
+
+/// t of both edges with their derivatives by s.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct EdgeSlopes {
+    pub(crate) inner: Slope,
+    pub(crate) outer: Slope,
+}
+
+impl<'a> Lane<'a> {
+    /// Tells of the section's lanes from the one beside lane 0 outwards to this one.
+    #[inline(always)]
+    pub(crate) fn walk_outwards(&self, mut lane: impl FnMut(&'a ArchivedLaneRow)) {
+        let number = self.number();
+        let lanes = self.section.rows();
+        let own = (self.row_number().wrapping_sub(self.section.row.lanes().first)) as usize;
+        // Numbers fall one by one in nearly every section.
+        let guess = own.wrapping_add_signed(number as isize);
+        let center = if lanes.get(guess).is_some_and(|lane| lane.number() == 0) {
+            guess
+        } else {
+            match lanes.binary_search_by(|lane| 0.cmp(&lane.number())) {
+                Ok(center) => center,
+                Err(_) => return,
+            }
+        };
+        let steps = own.abs_diff(center);
+        for step in 1..=steps {
+            let row = if number > 0 { center.wrapping_sub(step) } else { center + step };
+            let Some(row) = lanes.get(row) else { return };
+            lane(row);
+        }
+    }
+
+    /// Walks from lane 0 outwards: widths add up from the lane offset; a border stands for itself.
+    #[inline]
+    pub(crate) fn edge_slopes(&self, at: At) -> EdgeSlopes {
+        let mut edge = if self.is_temporary() {
+            profile::slope(self.road.temporary_lane_offsets(), at)
+        } else {
+            self.road.lane_offset_slope(at)
+        };
+        let mut edges = EdgeSlopes { inner: edge, outer: edge };
+        let sign = if self.number() > 0 { 1.0 } else { -1.0 };
+        let cubics = self.map.tables().cubics;
+        self.walk_outwards(|lane| {
+            let record = profile::slope(lane.widths().of(cubics), at);
+            edges.inner = edge;
+            edge = if lane.flags() & lane_flags::BORDER != 0 {
+                record
+            } else {
+                let (width, growth) =
+                    if record.value > 0.0 { (record.value, record.derivative) } else { (0.0, 0.0) };
+                Slope {
+                    value: edge.value + sign * width,
+                    derivative: edge.derivative + sign * growth,
+                }
+            };
+            edges.outer = edge;
+        });
+        edges
+    }
+}
