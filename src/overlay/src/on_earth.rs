@@ -9,6 +9,7 @@ use mapd_query::geodesy::{Geodetic, Projector};
 use mapd_query::glam::DVec2;
 use mapd_query::{Lane, LaneTypes, Map, NearestOptions, Region};
 use std::f64::consts::FRAC_PI_4;
+use std::ops::RangeInclusive;
 
 /// How far apart a line is looked at `[m]`.
 const STEP: f64 = 2.0;
@@ -59,7 +60,7 @@ pub(crate) fn on_earth<'a>(
         let tolerance = place.tolerance.unwrap_or(LINE_TOLERANCE);
         Walk { map, points: &points, tolerance, place }.stretches()
     } else {
-        Area { ring: &points, tolerance: place.tolerance.unwrap_or(0.0) }.stretches(map)
+        Area::new(&points, place.tolerance.unwrap_or(0.0)).stretches(map)
     }
 }
 
@@ -233,13 +234,56 @@ impl<'a> Run<'a> {
     }
 }
 
+/// Rows into which an area is cut at most, so that a cross-section is compared with the sides near it alone.
+const MOST_ROWS: usize = 256;
+
 /// An area and what is not farther from it than a tolerance.
 struct Area<'p> {
     ring: &'p [DVec2],
     tolerance: f64,
+    /// Lowest y, and rows for each metre upwards.
+    low: f64,
+    rows_per_metre: f64,
+    /// Of each row the sides that touch it, by the number of the corner that they begin at.
+    rows: Vec<Vec<u32>>,
 }
 
-impl Area<'_> {
+impl<'p> Area<'p> {
+    fn new(ring: &'p [DVec2], tolerance: f64) -> Self {
+        let ends = ring.iter().map(|corner| corner.y);
+        let (low, high) = ends
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
+        let count = ring.len().clamp(1, MOST_ROWS);
+        let rows_per_metre = count as f64 / (high - low).max(EXACT);
+        let rows = vec![Vec::new(); count];
+        let mut area = Self { ring, tolerance, low, rows_per_metre, rows };
+        for number in 0..ring.len() as u32 {
+            let [p, q] = area.side(number);
+            for row in area.rows_of(p.y.min(q.y), p.y.max(q.y)) {
+                area.rows[row].push(number);
+            }
+        }
+        area
+    }
+
+    fn side(&self, number: u32) -> [DVec2; 2] {
+        let i = number as usize;
+        [self.ring[i], self.ring[(i + 1) % self.ring.len()]]
+    }
+
+    /// Rows between two y; the outermost ones have all beyond.
+    fn rows_of(&self, from: f64, to: f64) -> RangeInclusive<usize> {
+        let row =
+            |y: f64| (((y - self.low) * self.rows_per_metre) as usize).min(self.rows.len() - 1);
+        row(from)..=row(to)
+    }
+
+    /// Sides that may have a place between two y; one may be told several times.
+    fn sides(&self, from: f64, to: f64) -> impl Iterator<Item = [DVec2; 2]> {
+        let rows = self.rows_of(from, to);
+        rows.flat_map(|row| &self.rows[row]).map(|number| self.side(*number))
+    }
+
     fn stretches<'a>(&self, map: Map<'a>) -> Result<Placed<'a>, Unfit> {
         let unfit = |why: String| ("area".to_owned(), why);
         let low = self.ring.iter().copied().reduce(DVec2::min).unwrap_or_default();
@@ -277,7 +321,15 @@ impl Area<'_> {
             }
         }
         // What is narrower than a step.
-        let corners = self.ring.iter().filter_map(|corner| lane.position_of(*corner).ok());
+        let lows = line.iter().map(|point| point.position.truncate()).reduce(DVec2::min);
+        let highs = line.iter().map(|point| point.position.truncate()).reduce(DVec2::max);
+        let (Some(low), Some(high)) = (lows, highs) else { return };
+        let widest = line.iter().map(|point| lane.width_at(point.s)).fold(0.0, f64::max);
+        let reach = widest + self.tolerance;
+        let is_near =
+            |corner: &&DVec2| corner.cmpge(low - reach).all() && corner.cmple(high + reach).all();
+        let corners = self.ring.iter().filter(is_near);
+        let corners = corners.filter_map(|corner| lane.position_of(*corner).ok());
         stations.extend(corners.filter(|at| at.distance <= self.tolerance).map(|at| at.s));
         stations.sort_by(f64::total_cmp);
         let mut last: Option<(f64, bool)> = None;
@@ -318,13 +370,14 @@ impl Area<'_> {
         let Some([a, b]) = lane.edge_points_at(s).map(|ends| ends.map(|end| end.truncate())) else {
             return false;
         };
-        let edges = || self.ring.iter().zip(self.ring.iter().cycle().skip(1));
-        let crossed = edges().filter(|(p, q)| {
+        let crossed = self.sides(a.y, a.y).filter(|[p, q]| {
             let is_between = (p.y > a.y) != (q.y > a.y);
             is_between && a.x < p.x + (a.y - p.y) / (q.y - p.y) * (q.x - p.x)
         });
         crossed.count() % 2 == 1
-            || edges().any(|(p, q)| distance([a, b], [*p, *q]) <= self.tolerance)
+            || self
+                .sides(a.y.min(b.y) - self.tolerance, a.y.max(b.y) + self.tolerance)
+                .any(|side| distance([a, b], side) <= self.tolerance)
     }
 }
 

@@ -4,9 +4,6 @@ use mapd_tests::workspace;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Crates whose calls a reader of the pages may use.
-const LIBRARIES: [&str; 4] = ["src/query", "src/client", "src/transport", "src/python"];
-
 /// Crates whose messages a user may see.
 const SPEAKERS: [&str; 6] =
     ["src/query", "src/client", "src/transport", "src/archive", "src/mapd", "src/overlay"];
@@ -63,26 +60,43 @@ fn messages_that_troubleshooting_explains_exist() {
     assert!(gone.is_empty(), "no source says {gone:?}");
 }
 
+/// Variables of the page and the types that they have.
+const OWNERS: [(&str, &str); 6] = [
+    ("map", "mapd_query::Map"),
+    ("lane", "mapd_query::Lane"),
+    ("road", "mapd_query::Road"),
+    ("node", "mapd_query::graph::LaneNode"),
+    ("path", "mapd_query::path::Path"),
+    ("projector", "mapd_geodesy::Projector"),
+];
+
+/// Each call is one of the type that the page calls it on, not only of some type.
 #[test]
 fn calls_that_migration_names_exist() {
-    let known = sources(&LIBRARIES);
+    let libraries = ["mapd-query.txt", "mapd-geodesy.txt"].map(|name| page(&format!("api/{name}")));
+    let known = |of: &str, name: &str| {
+        let lines = libraries.iter().flat_map(|text| text.lines());
+        let mut calls = lines.filter_map(|line| line.split_once(&format!("fn {of}")));
+        calls.any(|(_, rest)| {
+            let generic = rest.strip_prefix('<').and_then(|rest| rest.split_once('>'));
+            let call = generic.map_or(rest, |(_, rest)| rest).strip_prefix("::");
+            let end = call.and_then(|call| call.strip_prefix(name));
+            end.is_some_and(|end| end.starts_with(['(', '<']))
+        })
+    };
     let page = page("migration.md");
     let mut calls = 0;
     for line in page.lines().filter(|line| line.starts_with('|')) {
         let ours = line.trim_end_matches('|').rsplit('|').next().unwrap_or_default();
         for code in ours.split('`').skip(1).step_by(2) {
-            for owner in ["map.", "lane.", "road.", "node.", "path."] {
-                let Some((before, call)) = code.split_once(owner) else { continue };
+            for (owner, of) in OWNERS {
+                let Some((before, call)) = code.split_once(&format!("{owner}.")) else { continue };
                 if before.ends_with(|c: char| c.is_alphanumeric() || c == '"') {
                     continue;
                 }
-                let name: String =
-                    call.chars().take_while(|c| c.is_ascii_alphanumeric() || *c == '_').collect();
-                assert!(
-                    known.contains(&format!("fn {name}("))
-                        || known.contains(&format!("fn {name}<")),
-                    "no library has `{owner}{name}`: {line}"
-                );
+                let is_name = |c: &char| c.is_ascii_alphanumeric() || *c == '_';
+                let name: String = call.chars().take_while(is_name).collect();
+                assert!(known(of, &name), "{of} has no `{name}`: {line}");
                 calls += 1;
             }
         }

@@ -156,6 +156,27 @@ fn areas() {
     assert!(area(&square(20.0, 50.0, 1.0), "").is_err());
 }
 
+/// Of an area with many corners a cross-section is compared with the sides near it alone.
+#[test]
+fn areas_of_many_corners() {
+    let snapshot = crossing();
+    let map = snapshot.map();
+    let projector = map.projector().expect("a projector");
+    let corner = |i: u16| {
+        let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 3000.0).sin_cos();
+        [20.0 + 10.0 * cos, 10.0 * sin]
+    };
+    let ring = points(&projector, &(0..3000).map(corner).collect::<Vec<_>>());
+    let lanes = |[a, b]: [f64; 2], [c, d]: [f64; 2]| {
+        [("A", 2, c, d), ("A", 1, a, b), ("A", -1, a, b), ("A", -2, c, d)]
+    };
+    is(closed(map, &format!(r#"{{"area":{ring}}}"#)), &lanes([10.0, 30.0], [10.63, 29.37]));
+    is(
+        closed(map, &format!(r#"{{"area":{ring},"tolerance":2}}"#)),
+        &lanes([8.0, 32.0], [8.52, 31.48]),
+    );
+}
+
 /// What cannot be.
 #[test]
 fn wrong_places() {

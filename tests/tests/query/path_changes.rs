@@ -1,7 +1,7 @@
 //! Changes of lane as a curve over a length.
 
 use crate::paths::{each_path_with, is_near_joint};
-use mapd_query::path::{LaneChange, PathBuffer, PathOptions};
+use mapd_query::path::{LaneChange, PathBuffer, PathError, PathOptions, steps_of_lanes};
 use mapd_query::route::{Enter, RouteStep};
 use mapd_tests::graph_maps::{Line, document, lane, road, section, wide};
 use mapd_tests::maps::open_text;
@@ -100,4 +100,65 @@ fn from_one_middle_to_the_next() {
     let path = map.path(&steps, &options(50.0), &mut buffer).expect("a path");
     assert!(path.joints()[0].short && (path.joints()[0].gap - 3.5).abs() < TOLERANCE);
     assert_eq!(path.length(), 80.0);
+}
+
+#[test]
+fn options_out_of_their_domain_are_refused_by_name() {
+    let line = Line(0.0, 0.0, 0.0, 100.0, 0.0);
+    let snapshot = open_text(&document(&road("1", "", line, "", &section(0.0, "", &lane(-1, "")))));
+    let map = snapshot.map();
+    let (mut steps, mut buffer) = (Vec::new(), PathBuffer::default());
+    let id = map.lanes().find(|lane| lane.number() == -1).expect("a lane").lane_id();
+    steps_of_lanes(map, &[id], [0.0, 100.0], &mut steps).expect("steps");
+    let mut built = |options: PathOptions| map.path(&steps, &options, &mut buffer).err();
+    let normal = PathOptions::default();
+    let never = PathOptions { broken_gap: f64::INFINITY, broken_kink: f64::INFINITY, ..normal };
+    assert_eq!((built(normal), built(never)), (None, None));
+    for bad in [f64::NAN, -1.0] {
+        let refused = |name| Some(PathError::Option(name));
+        assert_eq!(built(PathOptions { broken_gap: bad, ..normal }), refused("broken_gap"));
+        assert_eq!(built(PathOptions { broken_kink: bad, ..normal }), refused("broken_kink"));
+        assert_eq!(built(options(bad)), refused("change"));
+    }
+    assert_eq!(built(options(f64::INFINITY)), Some(PathError::Option("change")));
+}
+
+/// The lane that is left narrows from a place within the change on, where the other lane goes on as before.
+#[test]
+fn the_lane_that_is_left_may_change_its_width_on_the_way() {
+    let free = "<roadMark sOffset=\"0\" type=\"broken\" laneChange=\"both\"/>";
+    let taper = "<width sOffset=\"50\" a=\"3.5\" b=\"-0.05\" c=\"0\" d=\"0\"/>";
+    let width = "a=\"3.5\" b=\"0\" c=\"0\" d=\"0\"";
+    let lanes = wide(-1, "", "", width, free) + &wide(-2, "", "", width, &format!("{taper}{free}"));
+    let line = Line(0.0, 0.0, 0.0, 100.0, 0.0);
+    let text = document(&road("1", "junction=\"-1\"", line, "", &section(0.0, "", &lanes)));
+    let snapshot = open_text(&text);
+    let map = snapshot.map();
+    let id = |key: &str| map.lane_by_key(&key.parse().expect("a key")).expect("a lane").lane_id();
+    let step = |key: &str, enter, [s_from, s_to]: [f64; 2], s_latest| RouteStep {
+        lane: id(key),
+        forward: true,
+        enter,
+        s_from,
+        s_to,
+        s_latest,
+    };
+    let steps = [
+        step("1:0:-2", Enter::Start, [0.0, 10.0], 0.0),
+        step("1:0:-1", Enter::Left, [10.0, 95.0], 90.0),
+    ];
+    let mut buffer = PathBuffer::default();
+    let path = map.path(&steps, &options(80.0), &mut buffer).expect("a path");
+    let gaps = path.joints().iter().map(|joint| joint.gap).fold(0.0, f64::max);
+    assert!(gaps < TOLERANCE, "{:?}", path.joints());
+    for along in (0..95).map(f64::from) {
+        let at = path.at(along).expect("a place");
+        let u = mapd_geometry::clamp((at.s - 10.0) / 80.0, 0.0, 1.0);
+        let share = 1.0 - u * u * u * (10.0 - u * (15.0 - 6.0 * u));
+        let width = 3.5 - 0.05 * (at.s - 50.0).max(0.0);
+        let expected = -1.75 - share * 0.5 * (3.5 + width);
+        assert!((at.position.y - expected).abs() < TOLERANCE, "{expected}: {at:?}");
+        let found = path.project(at.position.truncate(), Some(along)).expect("a foot");
+        assert!((found.along - along).abs() < 1e-3 && found.distance < TOLERANCE, "{found:?}");
+    }
 }

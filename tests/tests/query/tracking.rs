@@ -9,6 +9,7 @@ use mapd_client::localisation::{
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{LaneId, Map, NearestOptions};
 use mapd_tests::drives::{self, Truth};
+use mapd_tests::graph_maps::{Line, document, lane, road, section};
 use mapd_tests::maps::{self, Random};
 use mapd_tests::{carried, shared};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -191,6 +192,29 @@ fn fixes_that_err_together_count_once() {
         tracker.hypotheses()[0].probability
     };
     assert!(sure(0.0) > 0.95 && sure(5.0) < 0.9, "{} {}", sure(0.0), sure(5.0));
+}
+
+/// Between two fixes a drive may pass many short nodes with lanes beside them: the way straight ahead is not forgotten for them.
+#[test]
+fn many_short_nodes_between_fixes_end_no_way() {
+    let each = |number: u16| {
+        let before = if number > 0 { "p" } else { "" };
+        let next = if number < 99 { "s" } else { "" };
+        let link =
+            |way: &str, id: i32| if way.is_empty() { String::new() } else { format!("{way}{id} ") };
+        let one = |id: i32| lane(id, &(link(before, id) + &link(next, id)));
+        section(f64::from(number) * 3.0, "", &(one(-1) + &one(-2) + &one(-3)))
+    };
+    let sections: String = (0..100).map(each).collect();
+    let line = Line(0.0, 0.0, 0.0, 300.0, 0.0);
+    let snapshot = maps::open_text(&document(&road("a", "", line, "", &sections)));
+    let (map, mut tracker, options) = (snapshot.map(), Tracker::new(), TrackerOptions::default());
+    for (time, x) in [(0.0, 5.0), (10.0, 150.0), (20.0, 295.0)] {
+        let fix = TrackerFix { odometer: Some(x), ..fix(time, [x, -5.25], 0.0) };
+        let found = tracker.update(map, &fix, &options).expect("an answer");
+        let Tracked::Lane(found) = found else { panic!("at {x} m: {found:?}") };
+        assert_eq!(map.lane(found.lane).expect("a lane").number(), -2, "at {x} m");
+    }
 }
 
 #[test]

@@ -66,7 +66,7 @@ pub(super) fn spread(
     let (low, high) = (drive.way - window, drive.way + window);
     go_back(&node, &own, low, open);
     let mut visits = 0;
-    while let Some(visit) = open.pop().filter(|_| visits < MOST_VISITS) {
+    while let Some(visit) = likeliest(open).filter(|_| visits < MOST_VISITS) {
         visits += 1;
         let Some(node) = LaneNode::new(map, visit.node) else { continue };
         arrive(&visit);
@@ -83,10 +83,25 @@ pub(super) fn spread(
     }
 }
 
+/// Adds a visit; to a list that is full, in place of the one with the least share.
 fn push(open: &mut Vec<Visit>, visit: Visit) {
-    if open.len() < MOST_OPEN && visit.share > LEAST_SHARE {
-        open.push(visit);
+    if visit.share <= LEAST_SHARE {
+        return;
     }
+    if open.len() < MOST_OPEN {
+        return open.push(visit);
+    }
+    let least = open.iter_mut().min_by(|a, b| a.share.total_cmp(&b.share));
+    if let Some(least) = least.filter(|least| least.share < visit.share) {
+        *least = visit;
+    }
+}
+
+/// Takes the visit with the greatest share: where lanes are cut into many nodes, the limits must not end the likeliest way.
+fn likeliest(open: &mut Vec<Visit>) -> Option<Visit> {
+    let each = open.iter().enumerate();
+    let (number, _) = each.max_by(|(_, a), (_, b)| a.share.total_cmp(&b.share))?;
+    Some(open.swap_remove(number))
 }
 
 /// How much of what comes to a fork goes into a node; 0 into those that are no hypotheses.

@@ -34,7 +34,7 @@ impl<'a> Map<'a> {
     /// The path along a route's steps, written into a buffer. The steps may be those of [`Map::route`] or [`steps_of_lanes`], or made
     /// by hand.
     ///
-    /// Errors: [`PathError`], which names the step.
+    /// Errors: [`PathError`], which names the step; options out of their domain.
     pub fn path<'b>(
         &self,
         steps: &[RouteStep],
@@ -47,6 +47,7 @@ impl<'a> Map<'a> {
         buffer.shifts.clear();
         buffer.boxes.clear();
         buffer.content = self.content();
+        options.check()?;
         let mut before: Option<&RouteStep> = None;
         let mut builder = Builder {
             map: *self,

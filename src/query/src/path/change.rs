@@ -22,7 +22,7 @@ pub enum LaneChange {
     /// At one place: S goes on, and the line jumps to the side.
     #[default]
     Jump,
-    /// Over a length of the road's s `[m]`, from the first place where the change is allowed, for each lane that is changed to: the line lies
+    /// Over a length of the road's s `[m]`, positive, from the first place where the change is allowed, for each lane that is changed to: the line lies
     /// beside the new lane's centre by the distance of both centre lines times 1 − 10u³ + 15u⁴ − 6u⁵, u from 0 to 1 along the length, so that heading
     /// and curvature are continuous. Where the change has to be done on less, it stays a jump, and its joint is `short`.
     Lateral(f64),
@@ -41,7 +41,8 @@ impl Shift {
     /// How far beside a lane's centre the line runs, to the left of the reference line.
     pub(super) fn at(&self, lane: &Lane<'_>, at: At, own: &EdgeSlopes) -> Slope {
         let Some(from) = Lane::new(lane.map, self.from) else { return Slope::default() };
-        let other = from.edge_slopes(at);
+        // Spans are cut where records of the own lane begin; those of the other one may begin anywhere.
+        let other = from.edge_slopes(from.at(at.s));
         let apart =
             0.5 * (other.inner.value + other.outer.value - own.inner.value - own.outer.value);
         let growth = 0.5

@@ -42,6 +42,9 @@ pub enum PathError {
         /// The step.
         step: usize,
     },
+    /// An option out of its domain.
+    #[error("the option {0} is out of its domain")]
+    Option(&'static str),
     /// Two S that should be finite and in order are not.
     #[error("a part of a path begins and ends at finite S, the smaller one first")]
     NotInOrder,

@@ -52,9 +52,9 @@ const BROKEN_KINK: f64 = 0.3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct PathOptions {
-    /// A joint with a larger gap is `broken` `[m]`. Default 0.1.
+    /// A joint with a larger gap is `broken` `[m]`; not negative, infinite for never. Default 0.1.
     pub broken_gap: f64,
-    /// A joint with a larger kink is `broken` `[rad]`. Default 0.3.
+    /// A joint with a larger kink is `broken` `[rad]`; as above. Default 0.3.
     pub broken_kink: f64,
     /// How the line changes lanes. Default: by a jump.
     pub change: LaneChange,
@@ -63,6 +63,25 @@ pub struct PathOptions {
 impl Default for PathOptions {
     fn default() -> Self {
         Self { broken_gap: BROKEN_GAP, broken_kink: BROKEN_KINK, change: LaneChange::Jump }
+    }
+}
+
+impl PathOptions {
+    /// Errors: by name, an option out of its domain.
+    fn check(&self) -> Result<(), PathError> {
+        let length = match self.change {
+            LaneChange::Jump => 1.0,
+            LaneChange::Lateral(length) => length,
+        };
+        let rules = [
+            ("broken_gap", self.broken_gap >= 0.0),
+            ("broken_kink", self.broken_kink >= 0.0),
+            ("change", length > 0.0 && length.is_finite()),
+        ];
+        match rules.iter().find(|(_, holds)| !holds) {
+            Some((name, _)) => Err(PathError::Option(name)),
+            None => Ok(()),
+        }
     }
 }
 
