@@ -1,18 +1,18 @@
-//! The tables' part of `docs/format.md`.
+//! The tables' parts of `docs/format.md`: the archive's and the overlay's.
 
 use crate::archive::{Layout, size_of};
 use anyhow::{Context, Result};
 use std::fmt::Write as _;
 
-const START: &str = "<!-- tables: written from schemas/archive.toml -->\n";
 const END: &str = "<!-- end of tables -->\n";
 
-/// Replaces what stands between the two marks of the page.
-pub(crate) fn splice(page: &str, layout: &Layout) -> Result<String> {
-    let start =
-        page.find(START).context("docs/format.md lacks the mark where tables start")? + START.len();
-    let end = page.find(END).context("docs/format.md lacks the mark where tables end")?;
-    Ok(format!("{}{}{}", &page[..start], render(layout)?, &page[end..]))
+/// Replaces what stands between the mark of a source and the next end.
+pub(crate) fn splice(page: &str, source: &str, layout: &Layout) -> Result<String> {
+    let mark = format!("<!-- tables: written from schemas/{source} -->\n");
+    let start = page.find(&mark).with_context(|| format!("docs/format.md lacks {mark:?}"))?;
+    let start = start + mark.len();
+    let end = page[start..].find(END).context("docs/format.md lacks the mark where tables end")?;
+    Ok(format!("{}{}{}", &page[..start], render(layout)?, &page[start + end..]))
 }
 
 fn render(layout: &Layout) -> Result<String> {

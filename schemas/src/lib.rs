@@ -46,11 +46,13 @@ pub fn outputs(root: &Path) -> Result<Vec<Output>> {
         (format!("{folder}/unknown_codes.rs"), archive_code::unknown_codes(&layout)),
         (format!("{folder}/verify_rows.rs"), archive_code::verification(&layout)),
         ("src/python/python/mapd/_layout.py".to_owned(), python_code::layout(&layout)),
-        ("docs/format.md".to_owned(), archive_doc::splice(&page, &layout)?),
     ];
     let rows = archive_code::row_files(&layout).into_iter();
     outputs.extend(rows.map(|(name, code)| (format!("{folder}/{name}"), code)));
     let overlay = archive::Layout::read(&root.join("schemas/overlay.toml"))?;
+    let page = archive_doc::splice(&page, "archive.toml", &layout)?;
+    let page = archive_doc::splice(&page, "overlay.toml", &overlay)?;
+    outputs.push(("docs/format.md".to_owned(), page));
     let rows = overlay_code::files(&overlay).into_iter();
     outputs.extend(rows.map(|(name, code)| (format!("{folder}/{name}"), code)));
     outputs.extend(ontology::outputs(root)?);

@@ -130,6 +130,17 @@ impl Document {
         Ok(())
     }
 
+    /// Says of all entries that they come from a feed.
+    pub fn set_feed(&mut self, feed: &str) {
+        self.entries.iter_mut().for_each(|entry| feed.clone_into(&mut entry.feed));
+    }
+
+    /// Removes entries of a feed that another document does not have.
+    pub fn forget_of_feed(&mut self, feed: &str, kept: &Self) {
+        let kept: BTreeSet<&str> = kept.entries.iter().map(|entry| entry.id.as_str()).collect();
+        self.entries.retain(|entry| entry.feed != feed || kept.contains(entry.id.as_str()));
+    }
+
     /// Removes entries by name; the first name that there is none of, if there is one: nothing is removed then.
     pub fn remove(&mut self, ids: &[String]) -> Result<(), String> {
         let known: BTreeSet<&str> = self.entries.iter().map(|entry| entry.id.as_str()).collect();

@@ -26,6 +26,9 @@ pub struct Entry {
     /// Who says so.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub source: String,
+    /// The feed that it comes from: when that is applied anew, what it has no more is removed.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub feed: String,
     /// What is said, for people.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub text: String,

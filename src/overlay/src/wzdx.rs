@@ -137,6 +137,7 @@ impl Reader<'_> {
             id: feature.id,
             kind: Kind::Warning,
             source: core.data_source_id.clone(),
+            feed: String::new(),
             text,
             value: None,
             lanes: Vec::new(),

@@ -28,6 +28,7 @@ mod ontology;
 mod overlays;
 mod overlays_oracle;
 mod overlays_places;
+mod overlays_schema;
 mod path_ahead;
 mod path_changes;
 mod path_feet;

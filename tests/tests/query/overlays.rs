@@ -5,7 +5,11 @@ use mapd_client::view::OverlayKind;
 use mapd_client::{Map, Snapshot};
 use mapd_overlay::{Document, DocumentError, Limits, Policy, resolve};
 use mapd_query::LaneId;
+use mapd_query::glam::{DMat3, DVec2, DVec3};
+use mapd_query::localisation::{MatchOptions, VehiclePose};
+use mapd_query::path::{Corridor, PathBuffer, PathOptions, steps_of_lanes};
 use mapd_query::route::{LanePlace, RouteScratch, ShortestLength};
+use mapd_query::signals::SignalsAhead;
 use mapd_query::view::View;
 use mapd_query::vocabulary::VehicleClass;
 use mapd_tests::graph_maps::{Line, document, lane, road, section};
@@ -21,6 +25,15 @@ fn two_lanes() -> Snapshot {
     let left = lane(2, "") + &lane(1, "");
     let line = Line(0.0, 0.0, 0.0, 100.0, 0.0);
     open_text(&document(&road("A", "", line, "", &section(0.0, &left, &right))))
+}
+
+/// The same with a light at 80 m for the lanes on the right.
+fn with_signal() -> String {
+    let right = lane(-1, "") + &lane(-2, "");
+    let line = Line(0.0, 0.0, 0.0, 100.0, 0.0);
+    let light = r#"<signals><signal s="80" t="-8" id="light" dynamic="yes" orientation="+" type="1000001" subtype="-1" country="OpenDRIVE" zOffset="3" height="1" width="0.4"/></signals>"#;
+    let text = road("A", "", line, "", &section(0.0, "", &right));
+    document(&text.replace("</lanes>", &format!("</lanes>{light}")))
 }
 
 fn lane_id(map: Map<'_>, number: i32) -> LaneId {
@@ -97,6 +110,79 @@ fn routes_lead_round_it() {
         let pieces: Vec<_> = own.map(|piece| (piece.s_from, piece.s_to)).collect();
         assert_eq!(pieces, [(0.0, 40.0), (60.0, 100.0)]);
     });
+}
+
+/// Along a path: entries by S, limits, the room beside it; signals ahead, and where a pose may be.
+#[test]
+fn ways_heed_it() {
+    let beside = entry("works", r#""kind":"closed""#);
+    let slow = entry("slow", r#""kind":"speed","value":5"#).replace("[40,60]", "[30,50]");
+    let text = entries(&[beside, slow.replace(r#""lane":-1"#, r#""lane":-2"#)]);
+    with(&text, at(0.0), |view| {
+        let map = view.map();
+        let mut steps = Vec::new();
+        steps_of_lanes(map, &[lane_id(map, -2)], [10.0, 90.0], &mut steps).expect("steps");
+        let mut buffer = PathBuffer::default();
+        let path = map.path(&steps, &PathOptions::default(), &mut buffer).expect("a path");
+        let mut met = Vec::new();
+        view.restrictions_on_path(&path, CAR, &mut met).expect("an answer");
+        let near = |a: f64, b: f64| (a - b).abs() < 1e-6;
+        let [one] = met[..] else { panic!("{met:?}") };
+        assert!(near(one.along[0], 20.0) && near(one.along[1], 40.0), "{met:?}");
+        assert_eq!(one.restriction.entry.id(), "slow");
+        for (along, max) in [(10.0, None), (30.0, Some(5.0)), (50.0, None)] {
+            let today = view.speed_on_path(&path, along, CAR).expect("an answer");
+            assert_eq!(today.max, max, "at {along}");
+        }
+        let (mut plain, mut heeded) = (Corridor::default(), Corridor::default());
+        path.corridor(0.0, 80.0, 10.0, CAR, &mut plain).expect("an answer");
+        view.corridor(&path, 0.0, 80.0, 10.0, CAR, &mut heeded).expect("an answer");
+        for (i, along) in plain.along.iter().enumerate() {
+            let closed = (30.0..50.0).contains(along);
+            assert!(plain.left_mark[i].may_cross, "at {along}");
+            assert_eq!(heeded.left_mark[i].may_cross, !closed, "at {along}");
+            let is_narrow = heeded.outer_left[i] == heeded.left[i];
+            assert_eq!(is_narrow, closed, "at {along}");
+        }
+        // A pose between both lanes.
+        let pose = VehiclePose { position: DVec2::new(50.0, -3.5).into(), heading: 0.0 };
+        let covariance = DMat3::from_diagonal(DVec3::new(1.0, 1.0, 0.01));
+        let options = MatchOptions { vehicle: Some(CAR), ..MatchOptions::default() };
+        let mut found = Vec::new();
+        let mut share = |view: View<'_>| {
+            view.match_pose(&pose, &covariance, &options, &mut found).expect("an answer");
+            let own = found.iter().find(|one| one.lane == lane_id(map, -1));
+            own.map_or(0.0, |one| one.probability)
+        };
+        let bare = View::new(map, None, at(0.0)).expect("a view");
+        let (open, closed) = (share(bare), share(view));
+        assert!(open > 0.45 && closed < 0.1, "{open} {closed}");
+    });
+}
+
+/// Ways through closed lanes are not followed.
+#[test]
+fn signals_behind_what_is_closed() {
+    let snapshot = open_text(&with_signal());
+    let map = snapshot.map();
+    let mut ahead = SignalsAhead::default();
+    let mut count = |text: &str| {
+        let (bytes, resolved) = over(map, text, false);
+        assert_eq!(resolved.unplaced, []);
+        let overlay = open_overlay(&bytes).expect("opens");
+        let view = View::new(map, Some(&overlay), at(0.0)).expect("its own");
+        let from = LanePlace { lane: lane_id(map, -1), s: 10.0 };
+        view.signals_ahead(from, 200.0, CAR, &mut ahead).expect("an answer");
+        let signal = map.signal_by_id("light").expect("a signal").signal_id();
+        let off = view.signal_out_of_service(signal).expect("an answer");
+        (ahead.iter().count(), off.map(|entry| entry.id().to_owned()))
+    };
+    assert_eq!(count(&entries(&[])), (1, None));
+    assert_eq!(count(&entries(&[entry("works", r#""kind":"closed""#)])), (0, None));
+    let wet = entry("rain", r#""kind":"wet""#);
+    assert_eq!(count(&entries(&[wet])), (1, None));
+    let off = r#"{"id":"off","kind":"signal-off","signals":["light"]}"#.to_owned();
+    assert_eq!(count(&entries(&[off])), (1, Some("off".to_owned())));
 }
 
 /// When an entry holds, for whom, and what wins.

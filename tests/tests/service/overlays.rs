@@ -10,8 +10,8 @@ use std::fs;
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::{Output, Stdio};
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, UNIX_EPOCH};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::time::{Duration, Instant, UNIX_EPOCH};
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 
@@ -123,6 +123,35 @@ fn readers_see_it() {
     drop((held, clients));
     assert_eq!(daemon.stop(), 0);
     assert!(!scene.place.domain().root().exists());
+}
+
+/// Status and drawings of a live map show it.
+#[test]
+fn it_is_shown() {
+    let scene = Scene::new();
+    let _daemon = scene.place.serve(&scene.args());
+    let run = |args: &[&str]| {
+        let output = scene.place.command().args(args).output().expect("ends");
+        assert!(output.status.success(), "{args:?}: {output:?}");
+        String::from_utf8(output.stdout).expect("text")
+    };
+    let svg = ["export", "shm:town", "--format", "svg"];
+    let layer =
+        ["export", "shm:town", "--format", "geojson", "--layers", "overlay", "--origin", "48,11"];
+    assert!(!run(&svg).contains("class=\"overlay"));
+    assert!(!run(&["status"]).contains("overlay:"));
+    scene.ends(&["apply", "-"], &closed("a<b", -1), 0);
+    assert!(run(&svg).contains("class=\"overlay closed\""));
+    assert!(run(&svg).contains("a&lt;b: closed"));
+    let features: Value = serde_json::from_str(&run(&layer)).expect("JSON");
+    let told = &features["features"][0]["properties"];
+    assert_eq!(
+        (&told["entry"], &told["s_from_m"], &told["lane"]),
+        (&"a<b".into(), &10.0.into(), &(-1).into())
+    );
+    let revision = scene.list()["revision"].as_u64();
+    let said = format!("overlay: revision {}, 1 entries", revision.expect("a number"));
+    assert!(run(&["status"]).contains(&said), "{}", run(&["status"]));
 }
 
 /// Whoever waits is woken by a change, and by nothing else.
@@ -256,9 +285,131 @@ fn swaps_never_open_what_is_closed() {
     scene.place.reload("town");
     let list = scene.list();
     assert_eq!(list["entries"][0]["state"], "unplaced");
+    let told = scene.place.state("town").overlay;
+    assert_eq!((told.entries, told.unplaced, told.in_part), (1, 1, 0));
     assert!(list["entries"][0]["why"].as_str().is_some_and(|why| why.contains("road")), "{list}");
     fs::write(&scene.map, &texts[0]).expect("written");
     scene.place.reload("town");
     assert_eq!(scene.list()["entries"][0]["state"], "active");
     assert_eq!(closes(&scene.client(Attach::Observer).snapshot()).as_deref(), Some("works"));
+}
+
+/// What a fetcher writes into a folder is followed: applied, replaced, removed; what is wrong changes nothing.
+#[test]
+fn a_folder_is_followed() {
+    let scene = Scene::new();
+    let _daemon = scene.place.serve(&scene.args());
+    let folder = scene.folder.path().join("works");
+    fs::create_dir(&folder).expect("a folder");
+    let put = |name: &str, text: &str| fs::write(folder.join(name), text).expect("written");
+    let mut command = scene.place.command();
+    let path = folder.to_str().expect("a name");
+    let follows = command.args(["overlay", "town", "apply", "--watch", path]).spawn();
+    let _follows = Ended(follows.expect("starts"));
+    let becomes = |expected: &[&str]| {
+        let until = Instant::now() + PATIENCE;
+        loop {
+            let list = scene.list();
+            let entries = list["entries"].as_array().expect("a list");
+            let mut ids: Vec<_> = entries.iter().filter_map(|e| e["id"].as_str()).collect();
+            ids.sort_unstable();
+            if ids == expected {
+                return;
+            }
+            assert!(Instant::now() < until, "{ids:?} instead of {expected:?}");
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    };
+    scene.ends(&["apply", "-"], &closed("own", -1), 0);
+    put("a.json", &closed("a", -1));
+    put("b.json", &closed("b", -1));
+    becomes(&["a", "b", "own"]);
+    put("a.json", &closed("other", -1));
+    becomes(&["b", "other", "own"]);
+    put("a.json", "{");
+    fs::remove_file(folder.join("b.json")).expect("removed");
+    becomes(&["other", "own"]);
+    put("a.json", &closed("a", 1));
+    becomes(&["a", "own"]);
+}
+
+/// A process that ends with the test.
+struct Ended(std::process::Child);
+
+impl Drop for Ended {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+/// Applies, readers and swaps of the short form; `MAPD_OVERLAYS=1000,16,50` is the long one.
+const STORM: [usize; 3] = [100, 4, 5];
+const VARIABLE: &str = "MAPD_OVERLAYS";
+
+/// Every answer under a storm of applies and swaps is that of one overlay, made for the map that it comes with.
+#[test]
+fn no_answer_is_torn() {
+    let text = std::env::var(VARIABLE).unwrap_or_default();
+    let wanted: Vec<usize> = text.split(',').filter_map(|n| n.parse().ok()).collect();
+    let [applies, readers, swaps] = wanted.try_into().unwrap_or(STORM);
+    let scene = Scene::new();
+    let _daemon = scene.place.serve(&scene.args());
+    let texts = [town(3, 3), town(3, 2)];
+    let (done, answers) = (AtomicBool::new(false), AtomicUsize::new(0));
+    // Each entry closes lane −1 of road 1 on a metre of its own, and says the number of its overlay.
+    let document = |number: usize| {
+        let entry = |i: usize| {
+            let (from, to) = (10 + i, 11 + i);
+            format!(
+                r#"{{"id":"{i}","kind":"closed","text":"{number}","lanes":[{{"road":"1","s":[{from},{to}],"lane":-1}}]}}"#
+            )
+        };
+        let all: Vec<String> = (0..8).map(entry).collect();
+        format!(r#"{{"entries":[{}]}}"#, all.join(","))
+    };
+    scene.ends(&["apply", "-"], &document(0), 0);
+    std::thread::scope(|scope| {
+        for i in 0..readers {
+            let attach = if i % 4 == 0 { Attach::Subscriber } else { Attach::Observer };
+            let client = scene.client(attach);
+            let (done, answers) = (&done, &answers);
+            scope.spawn(move || {
+                let mut last = (0, 0);
+                while !done.load(Ordering::Relaxed) {
+                    let snapshot = client.refresh().expect("the newest");
+                    let now = (snapshot.generation(), snapshot.overlay_revision());
+                    assert!(now >= last, "{now:?} after {last:?}");
+                    last = now;
+                    let view = snapshot.view(UNIX_EPOCH);
+                    let road = snapshot.map().road_by_id("1").expect("a road");
+                    let lane = road.section(0).and_then(|s| s.lane(-1)).expect("a lane").lane_id();
+                    let said = |i: u32| {
+                        let s = f64::from(10 + i) + 0.5;
+                        let answer = view.allows(lane, s, VehicleClass::PassengerCar);
+                        let one = answer.expect("an answer").restriction.expect("closed");
+                        assert_eq!(one.entry.id(), i.to_string());
+                        one.entry.text()
+                    };
+                    let first = said(0);
+                    assert!((1..8).all(|i| said(i) == first), "torn");
+                    answers.fetch_add(1, Ordering::Relaxed);
+                }
+            });
+        }
+        for number in 1..=applies {
+            scene.ends(&["apply", "-"], &document(number), 0);
+            if number % (applies / swaps).max(1) == 0 {
+                fs::write(&scene.map, &texts[number / (applies / swaps).max(1) % 2])
+                    .expect("written");
+                scene.place.reload("town");
+            }
+        }
+        done.store(true, Ordering::Relaxed);
+    });
+    let answers = answers.into_inner();
+    mapd_tests::say(&format!(
+        "{applies} applies, {swaps} swaps, {readers} readers: {answers} answers"
+    ));
+    assert!(answers > applies);
 }

@@ -2,7 +2,7 @@
 
 use crate::args::DomainArgs;
 use crate::clock::since_epoch;
-use crate::control::{CacheStatus, DaemonStatus, MapState, Request, Response, ask};
+use crate::control::{CacheStatus, DaemonStatus, MapState, OverlayStatus, Request, Response, ask};
 use crate::exit::Exit;
 use crate::report::hex;
 use anyhow::Result;
@@ -150,6 +150,16 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<()> {
         let Some(state) = map.state else { continue };
         if let Some(staged) = state.staged {
             writeln!(out, "    staged: generation {}, {} bytes", staged.generation, staged.bytes)?;
+        }
+        if state.overlay.entries > 0 {
+            let OverlayStatus { revision, entries, unplaced, in_part } = state.overlay;
+            write!(out, "    overlay: revision {revision}, {entries} entries")?;
+            for (count, what) in [(unplaced, "do not fit"), (in_part, "fit in part")] {
+                if count > 0 {
+                    write!(out, ", {count} {what}")?;
+                }
+            }
+            writeln!(out)?;
         }
         for held in state.held {
             writeln!(

@@ -46,6 +46,9 @@ pub enum OverlayAction {
     Apply {
         /// The document, as JSON.
         document: String,
+        /// The feed that it is all of: of that, what it does not have is removed.
+        #[serde(default)]
+        feed: Option<String>,
     },
     /// Change nothing.
     List,

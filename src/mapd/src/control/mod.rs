@@ -23,8 +23,8 @@ pub use board::Board;
 pub use listener::ControlListener;
 pub use message::{ListedEntry, OverlayAction, OverlayReport, Request, Response};
 pub use status::{
-    CacheStatus, CheckStatus, DaemonStatus, GenerationStatus, MapCounts, MapState, ReloadReport,
-    ReloadResult, Trigger,
+    CacheStatus, CheckStatus, DaemonStatus, GenerationStatus, MapCounts, MapState, OverlayStatus,
+    ReloadReport, ReloadResult, Trigger,
 };
 
 use mapd_client::Domain;

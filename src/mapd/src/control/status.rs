@@ -64,6 +64,9 @@ pub struct MapState {
     /// Generations that are not served any more, and that readers hold, when last looked.
     #[serde(default)]
     pub held: Vec<HeldGeneration>,
+    /// What is laid over the map.
+    #[serde(default)]
+    pub overlay: OverlayStatus,
     /// Whether the source is watched.
     pub watched: bool,
     /// Whether the map is being compiled or published just now.
@@ -80,6 +83,19 @@ pub struct MapState {
     /// Proofs of what is served; see `--scrub`.
     #[serde(default)]
     pub scrubs: CheckStatus,
+}
+
+/// What is laid over a map.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct OverlayStatus {
+    /// Rises with each change that readers see.
+    pub revision: u64,
+    /// Entries that are kept.
+    pub entries: u64,
+    /// Those of them that do not fit the map that is served, and are left out.
+    pub unplaced: u64,
+    /// Those of which a part is left out.
+    pub in_part: u64,
 }
 
 /// A generation.

@@ -258,6 +258,7 @@ impl Maps {
             state.rollbacks = rollbacks;
             state.published += 1;
         });
+        self.tell_overlay(map);
     }
 
     /// Looks how many subscribe, and what readers hold.

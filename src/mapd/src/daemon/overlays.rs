@@ -4,7 +4,7 @@ use super::ByName;
 use super::maps::Maps;
 use super::prepare::Prepared;
 use crate::clock::{since_epoch, unix_ns};
-use crate::control::{ListedEntry, OverlayAction, OverlayReport, Response};
+use crate::control::{ListedEntry, OverlayAction, OverlayReport, OverlayStatus, Response};
 use crate::exit::explained;
 use crate::serve::{OverlayBytes, ServeError};
 use anyhow::{Context, Result, bail};
@@ -155,7 +155,27 @@ fn make(map: Map<'_>, kept: &mut Kept, policy: Policy) -> (Option<OverlayBytes>,
     (overlay, resolved.unplaced)
 }
 
+impl Overlays {
+    /// What is laid over a map, in numbers.
+    fn status(&self, map: &str) -> OverlayStatus {
+        let Some(kept) = self.maps.get(map) else { return OverlayStatus::default() };
+        let count = |is_part| kept.unplaced.iter().filter(|one| one.is_part == is_part).count();
+        OverlayStatus {
+            revision: kept.revision,
+            entries: kept.document.entries.len() as u64,
+            unplaced: count(false) as u64,
+            in_part: count(true) as u64,
+        }
+    }
+}
+
 impl Maps {
+    /// Writes down what is laid over a map.
+    pub(super) fn tell_overlay(&self, map: &str) {
+        let overlay = self.overlays.status(map);
+        self.board.map(map, |state| state.overlay = overlay);
+    }
+
     /// Does what is asked, and answers.
     pub(super) fn overlay(&mut self, order: OverlayOrder) {
         let OverlayOrder { map, action, reply } = order;
@@ -178,9 +198,13 @@ impl Maps {
         let limits = &self.overlays.rules.limits;
         let (what, applied) = match action {
             OverlayAction::List => return self.listed(map),
-            OverlayAction::Apply { document } => {
+            OverlayAction::Apply { document, feed } => {
                 let read = Document::read(document.as_bytes(), limits);
-                let applied = read.and_then(|document| {
+                let applied = read.and_then(|mut document| {
+                    if let Some(feed) = &feed {
+                        document.set_feed(feed);
+                        next.document.forget_of_feed(feed, &document);
+                    }
                     let ids: Vec<String> = document.entries.iter().map(|e| e.id.clone()).collect();
                     next.document.apply(document, limits).map(|()| ids)
                 });
@@ -229,6 +253,7 @@ impl Maps {
             return Err(error.into());
         }
         self.overlays.maps.insert(map.to_owned(), next);
+        self.tell_overlay(map);
         Ok(None)
     }
 

@@ -31,7 +31,7 @@ struct Build {
 type Value = fn(&MapState) -> Option<f64>;
 
 /// What goes up and down, for each map; left out where there is nothing to tell.
-const GAUGES: [(&str, &str, Value); 13] = [
+const GAUGES: [(&str, &str, Value); 16] = [
     ("generation", "Generation that is served", |m| Some(m.served.as_ref()?.generation as f64)),
     ("staged_generation", "Generation that waits to be activated", |m| {
         Some(m.staged.as_ref()?.generation as f64)
@@ -47,6 +47,13 @@ const GAUGES: [(&str, &str, Value); 13] = [
     ("held_generations", "Generations before that readers hold", |m| Some(m.held.len() as f64)),
     ("held_bytes", "Shared memory of generations before that readers hold", |m| {
         Some(m.held.iter().map(|held| held.bytes).sum::<u64>() as f64)
+    }),
+    ("overlay_revision", "Revision of what is laid over the map", |m| {
+        Some(m.overlay.revision as f64)
+    }),
+    ("overlay_entries", "Entries of what is laid over the map", |m| Some(m.overlay.entries as f64)),
+    ("overlay_unplaced", "Entries that do not fit the served map, or not all of them", |m| {
+        Some((m.overlay.unplaced + m.overlay.in_part) as f64)
     }),
     ("lanes", "Lanes of the served map", |m| Some(m.served.as_ref()?.counts.lanes as f64)),
     ("quarantined_parts", "Parts that are left out of the served map", |m| {

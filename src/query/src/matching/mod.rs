@@ -25,6 +25,7 @@ use crate::index;
 use crate::lane::Lane;
 use crate::map::Map;
 use crate::nearest::{LaneTypes, round_up};
+use crate::route::Ways;
 use crate::types::{LanePosition, Point, turned};
 use density::PoseDensity;
 use glam::{DMat3, DVec2};
@@ -124,26 +125,7 @@ impl Map<'_> {
         options: &MatchOptions<'_>,
         out: &mut Vec<LaneMatch>,
     ) -> Result<f64, MatchError> {
-        self.match_at_most(usize::MAX, pose, covariance, options, out)
-    }
-
-    /// [`Map::match_pose`] with no more than so many candidates: where there are more, the least probable give way.
-    fn match_at_most(
-        &self,
-        most: usize,
-        pose: &VehiclePose,
-        covariance: &DMat3,
-        options: &MatchOptions<'_>,
-        out: &mut Vec<LaneMatch>,
-    ) -> Result<f64, MatchError> {
-        out.clear();
-        error::check_pose(pose)?;
-        error::check_options(options)?;
-        error::check_covariance(covariance)?;
-        let local = pose.position.xy - self.origin();
-        let density = PoseDensity::new(pose.heading, covariance, options.drive_deviation)?;
-        self.weigh((pose, local), &density, options, most, out);
-        Ok(self.normalise(pose, &density, options, out))
+        match_at_most(*self, usize::MAX, pose, covariance, options, out)
     }
 
     /// Puts the integral over each lane into its `probability`.
@@ -209,10 +191,11 @@ impl Map<'_> {
         pose: &VehiclePose,
         density: &PoseDensity,
         options: &MatchOptions<'_>,
+        prior: impl Fn(&LaneMatch) -> f64,
         out: &mut Vec<LaneMatch>,
     ) -> f64 {
         for found in out.iter_mut() {
-            found.probability *= self.prior(found, options);
+            found.probability *= prior(found);
         }
         // Sorting in place allocates nothing; the sum is one of sorted numbers, whatever the index's order.
         out.sort_unstable_by(|a, b| {
@@ -237,12 +220,31 @@ impl Map<'_> {
         }
         none / sum
     }
+}
 
-    fn prior(&self, found: &LaneMatch, options: &MatchOptions<'_>) -> f64 {
-        let lane = self.lane(found.lane).ok();
-        let node = || lane?.node_at(found.position.s, found.forward);
+/// The lanes of a pose, on a map or under an overlay, as [`Map::match_pose`] has them; no more than so many, the most probable.
+pub(crate) fn match_at_most<'a>(
+    ways: impl Ways<'a>,
+    most: usize,
+    pose: &VehiclePose,
+    covariance: &DMat3,
+    options: &MatchOptions<'_>,
+    out: &mut Vec<LaneMatch>,
+) -> Result<f64, MatchError> {
+    out.clear();
+    error::check_pose(pose)?;
+    error::check_options(options)?;
+    error::check_covariance(covariance)?;
+    let map = ways.map();
+    let local = pose.position.xy - map.origin();
+    let density = PoseDensity::new(pose.heading, covariance, options.drive_deviation)?;
+    map.weigh((pose, local), &density, options, most, out);
+    let prior = |found: &LaneMatch| {
+        let lane = map.lane(found.lane).ok();
+        let node = || ways.node(ways.at(&lane?, found.position.s, found.forward)?);
         options.prior(found.lane, node)
-    }
+    };
+    Ok(map.normalise(pose, &density, options, prior, out))
 }
 
 impl MatchOptions<'_> {

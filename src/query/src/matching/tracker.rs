@@ -5,7 +5,7 @@
 //! fix says of it, as [`Map::match_pose`] weighs it without its priors, and all are made to add up to 1.
 
 use super::spread::{Drive, MOST_OPEN, Visit, spread};
-use super::{LaneMatch, MatchError, MatchOptions, VehiclePose, error};
+use super::{LaneMatch, MatchError, MatchOptions, VehiclePose, error, match_at_most};
 use crate::ids::LaneId;
 use crate::map::Map;
 use crate::nearest::LaneTypes;
@@ -219,7 +219,8 @@ impl Tracker {
         let seen =
             MatchOptions { vehicle: None, expected: &[], none: ANYWHERE, ..options.matching };
         let matching = if known.is_some() { &seen } else { &options.matching };
-        let none = map.match_at_most(
+        let none = match_at_most(
+            map,
             MOST_CANDIDATES,
             &fix.pose,
             &fix.covariance,

@@ -8,6 +8,7 @@ use crate::extents::SRange;
 use crate::graph::LaneNode;
 use crate::ids::LaneId;
 use crate::lane::Lane;
+use crate::route::Ways;
 use crate::rules::SpeedRule;
 use glam::DVec3;
 use mapd_archive::VehicleClass;
@@ -105,28 +106,38 @@ struct Side<'a> {
 }
 
 impl<'a> Driven<'a> {
-    fn new(lane: Lane<'a>, piece: &Piece, number: u32, s: f64, vehicle: VehicleClass) -> Self {
-        let node = lane.node_at(s, piece.forward);
+    fn new(
+        ways: impl Ways<'a>,
+        lane: Lane<'a>,
+        piece: &Piece,
+        piece_number: u32,
+        s: f64,
+        vehicle: VehicleClass,
+    ) -> Self {
+        let named = |number: u32| Some((number, ways.node(number)?));
+        let node = ways.at(&lane, s, piece.forward).and_then(named);
         let side = |is_left: bool| {
             let is_outer = |lane: &Lane<'a>| is_left == ((lane.number() > 0) == piece.forward);
-            let change = |node: &LaneNode<'a>| {
-                let to = if is_left { node.change_left() } else { node.change_right() };
+            let change = |(number, node): &(u32, LaneNode<'a>)| {
+                let to = ways.change(*number, node, is_left).and_then(|to| ways.node(to));
                 to.is_some_and(|to| to.allows(vehicle))
             };
-            let next = |n: &LaneNode<'a>| if is_left { n.left() } else { n.right() };
-            let open = |n: &LaneNode<'a>| next(n).filter(|next| next.allows(vehicle));
+            let open = |(number, node): &(u32, LaneNode<'a>)| {
+                let next = ways.beside(*number, node, is_left).and_then(named);
+                next.filter(|(_, next)| next.allows(vehicle))
+            };
             let beside = node.as_ref().and_then(open);
             let last = std::iter::successors(beside, open).take(MOST_BESIDE).last();
-            let far = last.and_then(|node| {
-                let lane = node.lane()?;
-                Some(Edge::new(lane, is_outer(&lane), change(&node)))
+            let far = last.and_then(|outermost| {
+                let lane = outermost.1.lane()?;
+                Some(Edge::new(lane, is_outer(&lane), change(&outermost)))
             });
             let near = Edge::new(lane, is_outer(&lane), node.as_ref().is_some_and(change));
             Side { near, far }
         };
-        let held = node.as_ref().map_or(SRange { low: s, high: s }, LaneNode::s_range);
+        let held = node.map_or(SRange { low: s, high: s }, |(_, node)| node.s_range());
         let sides = [side(true), side(false)];
-        Self { piece: number, lane, s: held, sides, limit: Limit::NONE }
+        Self { piece: piece_number, lane, s: held, sides, limit: Limit::NONE }
     }
 }
 
@@ -137,6 +148,19 @@ impl<'a> Path<'a, '_> {
     /// Errors: numbers that are not finite, a step that is not positive or gives more than a million stations; a damaged archive.
     pub fn corridor(
         &self,
+        from: f64,
+        length: f64,
+        step: f64,
+        vehicle: VehicleClass,
+        out: &mut Corridor,
+    ) -> Result<(), QueryError> {
+        self.corridor_on(self.map, from, length, step, vehicle, out)
+    }
+
+    /// As [`Path::corridor`], on the path's map or under an overlay of it.
+    pub(crate) fn corridor_on(
+        &self,
+        ways: impl Ways<'a>,
         from: f64,
         length: f64,
         step: f64,
@@ -159,7 +183,7 @@ impl<'a> Path<'a, '_> {
             let along = if next < end { next } else { end };
             span = self.span_from(span, along);
             let own = self.buffer.spans.get(span).ok_or(QueryError::Corrupt)?;
-            self.station(own, along, vehicle, &mut driven, out)?;
+            self.station(ways, own, along, vehicle, &mut driven, out)?;
             if along >= end {
                 return Ok(());
             }
@@ -201,6 +225,7 @@ impl<'a> Path<'a, '_> {
 
     fn station(
         &self,
+        ways: impl Ways<'a>,
         span: &Span,
         along: f64,
         vehicle: VehicleClass,
@@ -213,7 +238,7 @@ impl<'a> Path<'a, '_> {
             Some(own) if holds(own) => own,
             _ => {
                 let (piece, lane) = self.piece(span).ok_or(QueryError::Corrupt)?;
-                driven.insert(Driven::new(lane, piece, span.piece, s, vehicle))
+                driven.insert(Driven::new(ways, lane, piece, span.piece, s, vehicle))
             }
         };
         if along >= own.limit.until {

@@ -179,6 +179,11 @@ impl<'a, 'b> Path<'a, 'b> {
         Ok(Self { map, buffer })
     }
 
+    /// Errors: it is on a map of other content.
+    pub(crate) fn check(&self, map: Map<'_>) -> Result<(), QueryError> {
+        map.known(self.buffer.content, ONLY_TILE)
+    }
+
     /// Length: the largest S `[m]`.
     pub fn length(&self) -> f64 {
         self.buffer.spans.last().map_or(0.0, |span| span.along + span.length)
@@ -217,6 +222,11 @@ impl<'a, 'b> Path<'a, 'b> {
         let known = (lane.content, lane.tile) == (self.buffer.content, ONLY_TILE);
         let own = self.buffer.pieces.iter().filter(|piece| known && piece.lane == lane.row);
         own.filter_map(|piece| self.spans_of(piece).iter().find_map(|span| span.along_at(s))).next()
+    }
+
+    /// S of a place on the lane of this number among [`Path::lanes`], or of the nearer end of what is driven of it.
+    pub(crate) fn along_lane(&self, number: usize, s: f64) -> Option<f64> {
+        self.buffer.pieces.get(number).map(|piece| self.along_in(piece, s))
     }
 
     fn spans_of(&self, piece: &Piece) -> &'b [Span] {

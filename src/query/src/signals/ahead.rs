@@ -1,14 +1,13 @@
-//! Signals ahead: along all ways that lanes lead, or along a route.
+//! Signals ahead: along all ways that lanes lead, on a map or under an overlay, or along a route.
 
 use super::Signal;
 use super::lane::LaneSignal;
 use crate::error::QueryError;
 use crate::extents::SRange;
-use crate::graph::LaneNode;
 use crate::ids::{LaneId, SignalId};
 use crate::lane::Lane;
 use crate::map::Map;
-use crate::route::{LanePlace, RouteStep};
+use crate::route::{LanePlace, RouteStep, Ways};
 use mapd_archive::VehicleClass;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -92,62 +91,7 @@ impl<'a> Map<'a> {
         vehicle: VehicleClass,
         out: &mut SignalsAhead,
     ) -> Result<(), QueryError> {
-        out.begin();
-        let lane = self.lane(from.lane)?;
-        if !(from.s.is_finite() && distance.is_finite()) {
-            return Err(QueryError::NotFinite);
-        }
-        let section = lane.section();
-        let (low, high) = (section.s_start(), section.s_end());
-        let s = mapd_geometry::clamp(from.s, low, high.max(low));
-        let Some(first) = lane.node_at(s, lane.is_forward()) else { return Ok(()) };
-        self.pass(&first, s, 0.0, distance, vehicle, out);
-        while let Some(Reverse((bits, number))) = out.open.pop() {
-            let Err(at) = out.done.binary_search(&number) else { continue };
-            if out.done.len() >= MOST_NODES {
-                break;
-            }
-            out.done.insert(at, number);
-            let Some(node) = LaneNode::new(*self, number) else { continue };
-            let SRange { low, high } = node.s_range();
-            let begin = if node.is_forward() { low } else { high };
-            self.pass(&node, begin, f64::from_bits(bits), distance, vehicle, out);
-        }
-        out.finish();
-        Ok(())
-    }
-
-    /// Adds the signals of a piece from s on, and the pieces that it leads to.
-    fn pass(
-        &self,
-        node: &LaneNode<'a>,
-        s: f64,
-        before: f64,
-        reach: f64,
-        vehicle: VehicleClass,
-        out: &mut SignalsAhead,
-    ) {
-        let Some(lane) = node.lane() else { return };
-        let forward = node.is_forward();
-        for one in lane.signals().filter(|one| one.is_for(forward)) {
-            let at = one.s_on(&lane);
-            let ahead = if forward { at >= s } else { at <= s };
-            let here = lane.node_at(at, forward).is_some_and(|n| n.number == node.number);
-            let distance = before + lane.length_between(s, at);
-            if ahead && here && distance <= reach {
-                out.add(&one, lane.lane_id(), at, distance);
-            }
-        }
-        let SRange { low, high } = node.s_range();
-        let end = before + lane.length_between(s, if forward { high } else { low });
-        if end <= reach {
-            for next in node.edges().filter_map(|edge| edge.target()) {
-                if next.allows(vehicle) {
-                    // Bits of numbers that are not negative sort as the numbers do.
-                    out.open.push(Reverse((end.max(0.0).to_bits(), next.number)));
-                }
-            }
-        }
+        ahead(*self, from, distance, vehicle, out)
     }
 
     /// Signals along a route, with distances from its start. `out` holds them.
@@ -178,6 +122,74 @@ impl<'a> Map<'a> {
     /// The signal of one that is ahead.
     pub fn signal_of(&self, ahead: &SignalAhead) -> Option<Signal<'a>> {
         self.signal(ahead.signal).ok()
+    }
+}
+
+/// Signals along all ways from a place, as [`Map::signals_ahead`] has them.
+pub(crate) fn ahead<'a>(
+    ways: impl Ways<'a>,
+    from: LanePlace,
+    distance: f64,
+    vehicle: VehicleClass,
+    out: &mut SignalsAhead,
+) -> Result<(), QueryError> {
+    out.begin();
+    let lane = ways.map().lane(from.lane)?;
+    if !(from.s.is_finite() && distance.is_finite()) {
+        return Err(QueryError::NotFinite);
+    }
+    let section = lane.section();
+    let (low, high) = (section.s_start(), section.s_end());
+    let s = mapd_geometry::clamp(from.s, low, high.max(low));
+    let Some(first) = ways.at(&lane, s, lane.is_forward()) else { return Ok(()) };
+    let look = Look { ways, reach: distance, vehicle };
+    look.pass(first, Some(s), 0.0, out);
+    while let Some(Reverse((bits, number))) = out.open.pop() {
+        let Err(at) = out.done.binary_search(&number) else { continue };
+        if out.done.len() >= MOST_NODES {
+            break;
+        }
+        out.done.insert(at, number);
+        look.pass(number, None, f64::from_bits(bits), out);
+    }
+    out.finish();
+    Ok(())
+}
+
+/// How far is looked, for whom.
+struct Look<W> {
+    ways: W,
+    reach: f64,
+    vehicle: VehicleClass,
+}
+
+impl<'a, W: Ways<'a>> Look<W> {
+    /// Adds the signals of a piece from s on, or from its beginning, and the pieces that it leads to.
+    fn pass(&self, number: u32, from: Option<f64>, before: f64, out: &mut SignalsAhead) {
+        let Some(node) = self.ways.node(number) else { return };
+        let Some(lane) = node.lane() else { return };
+        let forward = node.is_forward();
+        let SRange { low, high } = node.s_range();
+        let [begin, end] = if forward { [low, high] } else { [high, low] };
+        let s = from.unwrap_or(begin);
+        for one in lane.signals().filter(|one| one.is_for(forward)) {
+            let at = one.s_on(&lane);
+            let ahead = if forward { at >= s } else { at <= s };
+            let here = self.ways.at(&lane, at, forward) == Some(number);
+            let distance = before + lane.length_between(s, at);
+            if ahead && here && distance <= self.reach {
+                out.add(&one, lane.lane_id(), at, distance);
+            }
+        }
+        let end = before + lane.length_between(s, end);
+        if end <= self.reach {
+            self.ways.ahead(number, |next| {
+                if self.ways.node(next).is_some_and(|node| node.allows(self.vehicle)) {
+                    // Bits of numbers that are not negative sort as the numbers do.
+                    out.open.push(Reverse((end.max(0.0).to_bits(), next)));
+                }
+            });
+        }
     }
 }
 

@@ -8,8 +8,8 @@ mod lane;
 mod link;
 mod near;
 
-pub(crate) use ahead::met;
 pub use ahead::{SignalAhead, SignalsAhead};
+pub(crate) use ahead::{ahead, met};
 pub use board::{BoardGroupMember, DisplayArea, SignalBoard};
 pub use controller::{Controller, JunctionController};
 pub use lane::LaneSignal;

@@ -4,10 +4,12 @@
 //! and heeds the entries that hold at its moment elsewhere; each answer names the entry that decides. The moment is the caller's: nothing here reads a clock.
 //! Without an overlay a view is the map.
 
+mod along;
 mod entry;
 mod heed;
 mod queries;
 
+pub use along::PathRestriction;
 pub use entry::{OverlayEntry, Restriction};
 pub use mapd_archive::{Overlay, OverlayKind};
 pub use queries::{Permission, ReachedPiece, SpeedToday};

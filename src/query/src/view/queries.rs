@@ -45,6 +45,25 @@ pub struct ReachedPiece {
     pub cost: f64,
 }
 
+impl<'a> SpeedToday<'a> {
+    /// What the map says, and entries of a place.
+    pub(super) fn of(
+        map: SpeedRule,
+        entries: impl Iterator<Item = Restriction<'a>>,
+        vehicle: VehicleClass,
+    ) -> Self {
+        let mut today = Self { max: map.max, map, restriction: None };
+        let mut lowest = f64::INFINITY;
+        for one in entries.filter(|one| one.entry.concerns(vehicle)) {
+            if let Some(value) = one.entry.value().filter(|value| *value < lowest) {
+                lowest = value;
+                (today.max, today.restriction) = (Some(value), Some(one));
+            }
+        }
+        today
+    }
+}
+
 impl<'a> View<'a> {
     /// Entries that hold now at s of a lane, in its own direction, whoever they concern, in the order in which they were given.
     ///
@@ -65,7 +84,7 @@ impl<'a> View<'a> {
     }
 
     /// Entries that hold now on a piece.
-    fn restrictions_on(
+    pub(super) fn restrictions_on(
         &self,
         piece: Option<u32>,
     ) -> impl Iterator<Item = Restriction<'a>> + use<'a> {
@@ -83,6 +102,13 @@ impl<'a> View<'a> {
             })
         });
         found.into_iter().flatten()
+    }
+
+    /// What holds now, wherever it does: each entry once for each piece of a lane, for each way in which that is travelled.
+    pub fn restrictions(&self) -> impl Iterator<Item = Restriction<'a>> + use<'a> {
+        let view = *self;
+        let count = self.tables().map_or(0, |tables| tables.pieces.len());
+        (0..count as u32).flat_map(move |piece| view.restrictions_on(Some(piece)))
     }
 
     /// Whether a class of vehicles may use a lane at s, in its own direction: as [`crate::Lane::allows_at`], unless an entry closes or opens it. What one
@@ -119,15 +145,10 @@ impl<'a> View<'a> {
         vehicle: VehicleClass,
     ) -> Result<SpeedToday<'a>, QueryError> {
         let map = self.map.lane(lane)?.speed_rule_at(s);
-        let mut today = SpeedToday { max: map.max, map, restriction: None };
-        let mut lowest = f64::INFINITY;
-        for one in self.restrictions_at(lane, s)?.filter(|one| one.entry.concerns(vehicle)) {
-            if let Some(value) = one.entry.value().filter(|value| *value < lowest) {
-                lowest = value;
-                (today.max, today.restriction) = (Some(value), Some(one));
-            }
+        if self.overlay.is_none() && s.is_finite() {
+            return Ok(SpeedToday { max: map.max, map, restriction: None });
         }
-        Ok(today)
+        Ok(SpeedToday::of(map, self.restrictions_at(lane, s)?, vehicle))
     }
 
     /// The entry by which a signal is out of service now, if one says so.

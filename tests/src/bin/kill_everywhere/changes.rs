@@ -17,8 +17,11 @@ use syscalls::Sysno;
 /// What a daemon is asked, one after the other; the map's file has changed before each.
 const ASKED: [&[&str]; 4] = [&["reload"], &["rollback"], &["reload", "--stage"], &["activate"]];
 
+/// The arguments of what a daemon is asked to do with a map.
+pub(crate) type Asked = Vec<Vec<String>>;
+
 /// A domain of its own, with a map that can be changed.
-fn stage(mapd: &Path) -> Checked<(Stage, tempfile::TempDir)> {
+pub(crate) fn stage(mapd: &Path) -> Checked<(Stage, tempfile::TempDir)> {
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
     let map = folder.path().join("one_road.xodr");
     let from = mapd_tests::carried("one_road.xodr");
@@ -28,12 +31,28 @@ fn stage(mapd: &Path) -> Checked<(Stage, tempfile::TempDir)> {
 
 pub(crate) fn daemon(mapd: &Path, choice: Choice<'_>) -> Checked<Report> {
     let (stage, _folder) = stage(mapd)?;
+    let whole = |what: &[&str]| {
+        let own = [&stage.name(), "--wait", "5"];
+        what.iter().chain(&own).map(|arg| (*arg).to_owned()).collect()
+    };
+    let asked: Asked = ASKED.into_iter().map(whole).collect();
+    killed(&stage, "daemon, while it changes what it serves", &asked, choice, |_| Ok(()))
+}
+
+/// Kills a daemon wherever it is asked to change something. What else must hold is examined after each kill, and after the next daemon's start.
+pub(crate) fn killed(
+    stage: &Stage,
+    name: &str,
+    asked: &Asked,
+    choice: Choice<'_>,
+    holds: impl Fn(&Stage) -> Checked<()>,
+) -> Checked<Report> {
     let first = stage.serve()?;
-    let mut witness = Witness::new(&stage)?;
+    let mut witness = Witness::new(stage)?;
     first.stop()?;
     let mut moments = Vec::new();
     let mut first_wait = None;
-    serving(&stage, |moment| {
+    serving(stage, asked, |moment| {
         moments.push(*moment);
         if first_wait.is_none() && waits(moment) {
             first_wait = Some(moments.len());
@@ -43,7 +62,6 @@ pub(crate) fn daemon(mapd: &Path, choice: Choice<'_>) -> Checked<Report> {
     // Starting is another victim's matter.
     let moments = moments.split_off(first_wait.unwrap_or_default());
     let chosen = choice.of(&moments);
-    let name = "daemon, while it changes what it serves";
     let mut report = Report::new(name, moments.len(), chosen.len());
     let daemon = stage.serve()?;
     witness.follows()?;
@@ -51,8 +69,9 @@ pub(crate) fn daemon(mapd: &Path, choice: Choice<'_>) -> Checked<Report> {
     let before = stage.files();
     for moment in &chosen {
         watchdog::step(&format!("{name}, killed {moment}"));
-        report.ran(moment.kill(|at| serving(&stage, at))?);
-        report.note(moment, is_found_whole_or_not(&stage));
+        report.ran(moment.kill(|at| serving(stage, asked, at))?);
+        report.note(moment, is_found_whole_or_not(stage));
+        report.note(moment, holds(stage));
         report.note(moment, witness.still_reads());
         // What the killed one served last is as right.
         report.note(moment, witness.keeps_up());
@@ -62,12 +81,13 @@ pub(crate) fn daemon(mapd: &Path, choice: Choice<'_>) -> Checked<Report> {
         if let Some(time) = report.note(moment, stage.fresh_client()) {
             report.attached(time);
         }
+        report.note(moment, holds(stage));
         report.note(moment, witness.follows());
         report.note(moment, daemon.stop());
-        report.note(moment, settles(&stage, &before));
+        report.note(moment, settles(stage, &before));
     }
     drop(witness);
-    let end = stage.serve().and_then(|daemon| daemon.stop()).and_then(|()| nothing_left(&stage));
+    let end = stage.serve().and_then(|daemon| daemon.stop()).and_then(|()| nothing_left(stage));
     report.note(&"everywhere, in the end", end);
     Ok(report)
 }
@@ -77,20 +97,21 @@ fn waits(moment: &Moment) -> bool {
 }
 
 /// Runs a daemon, which is asked everything as soon as it serves, and then to stop; whether it was killed.
-fn serving(stage: &Stage, mut at: impl FnMut(&Moment) -> Then) -> Checked<bool> {
+fn serving(stage: &Stage, asked: &Asked, mut at: impl FnMut(&Moment) -> Then) -> Checked<bool> {
     let (traced, _) = Traced::start(&stage.daemon_command(), "", Stdio::null())
         .map_err(|error| error.to_string())?;
     let pid = traced.pid();
     std::thread::scope(|scope| {
-        let mut asked = false;
+        let mut has_asked = false;
         let status = traced.run(|moment| {
-            if waits(moment) && !asked {
-                asked = true;
+            if waits(moment) && !has_asked {
+                has_asked = true;
                 scope.spawn(move || {
-                    for what in ASKED {
+                    for what in asked {
                         // Whoever does not get an answer from a killed daemon goes on, and gets none either.
                         let _ = stage.touch_map();
-                        let mut command = stage.ask_command(what);
+                        let args: Vec<&str> = what.iter().map(String::as_str).collect();
+                        let mut command = stage.command(&args);
                         let _ = command.stderr(Stdio::null()).status();
                     }
                     // Fails only if it has ended.

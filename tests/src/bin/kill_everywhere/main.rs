@@ -5,6 +5,7 @@ mod changes;
 mod check;
 mod client;
 mod daemon;
+mod overlays;
 mod random;
 mod report;
 mod watchdog;
@@ -69,6 +70,8 @@ enum Victim {
     Changes,
     /// Whoever asks a daemon to do so
     Asker,
+    /// A daemon that lays overlays over what it serves
+    Overlays,
     /// Daemons and clients, at random moments
     Random,
 }
@@ -108,6 +111,7 @@ fn run(options: &Options) -> Checked<bool> {
             Victim::DaemonWithClient => daemon::run(&stage, true, choice)?,
             Victim::Changes => changes::daemon(&mapd, choice)?,
             Victim::Asker => changes::asker(&mapd, choice)?,
+            Victim::Overlays => overlays::daemon(&mapd, choice)?,
             Victim::Random => {
                 let short = if options.short { SHORT_RANDOM_KILLS } else { RANDOM_KILLS };
                 let kills = options.kills.unwrap_or(short);

@@ -9,6 +9,7 @@ use flatgeobuf::{ColumnType, FgbCrs, FgbWriter, FgbWriterOptions, GeometryType, 
 use mapd_client::Map;
 use mapd_client::document::HeaderOffset;
 use mapd_client::geodesy::{Offset, Projector};
+use mapd_query::view::View;
 use std::io::Write;
 
 /// EPSG's code of latitude and longitude on WGS 84.
@@ -125,7 +126,8 @@ fn crs(definition: &str) -> Option<Crs> {
 /// cannot hold.
 ///
 /// Errors: a point outside the area of the map's projection; what writing gives.
-pub(super) fn write(map: Map<'_>, layers: &[Layer], out: &mut dyn Write) -> Result<usize> {
+pub(super) fn write(view: View<'_>, layers: &[Layer], out: &mut dyn Write) -> Result<usize> {
+    let map = view.map();
     let (frame, crs) = Frame::of(map)?;
     // A table of one layer has the type of its shapes.
     let (name, only) = match layers {
@@ -140,7 +142,7 @@ pub(super) fn write(map: Map<'_>, layers: &[Layer], out: &mut dyn Write) -> Resu
         has_z: true,
         title: Some(map.name()),
         // An index of nothing is an error to those who read it.
-        write_index: layers.iter().any(|layer| has_any(*layer, map, &kept)),
+        write_index: layers.iter().any(|layer| has_any(*layer, view, &kept)),
         crs: FgbCrs { code: crs.code, wkt: crs.text.as_deref(), ..FgbCrs::default() },
         ..FgbWriterOptions::default()
     };
@@ -165,7 +167,7 @@ pub(super) fn write(map: Map<'_>, layers: &[Layer], out: &mut dyn Write) -> Resu
         let own = layer.columns().iter();
         let place_of = |column| columns.iter().position(|there| there == column);
         let numbers: Vec<usize> = own.filter_map(place_of).collect();
-        layer.visit(map, &mut |shape, values| {
+        layer.visit(view, &mut |shape, values| {
             if !kept(&shape) {
                 left_out += 1;
                 return Ok(());
@@ -191,9 +193,9 @@ pub(super) fn write(map: Map<'_>, layers: &[Layer], out: &mut dyn Write) -> Resu
 }
 
 /// Whether a layer has a feature that will be written. Looks no farther than to the first.
-fn has_any(layer: Layer, map: Map<'_>, kept: &dyn Fn(&Shape) -> bool) -> bool {
+fn has_any(layer: Layer, view: View<'_>, kept: &dyn Fn(&Shape) -> bool) -> bool {
     layer
-        .visit(map, &mut |shape, _| if kept(&shape) { Err(anyhow!("found")) } else { Ok(()) })
+        .visit(view, &mut |shape, _| if kept(&shape) { Err(anyhow!("found")) } else { Ok(()) })
         .is_err()
 }
 

@@ -4,22 +4,22 @@ use super::earth::{self, Place};
 use super::layers::{Layer, Shape, Value};
 use anyhow::{Context, Result};
 use geojson::{Feature, FeatureWriter, Geometry, GeometryValue, JsonObject, JsonValue, Position};
-use mapd_client::Map;
 use mapd_client::geodesy::Projector;
+use mapd_query::view::View;
 use std::io::Write;
 
 /// Writes the layers, one after the other; each feature says its own.
 ///
 /// Errors: a point outside the area of the map's projection; what writing gives.
 pub(super) fn write(
-    map: Map<'_>,
+    view: View<'_>,
     layers: &[Layer],
     projector: &Projector,
     out: &mut dyn Write,
 ) -> Result<()> {
     let mut writer = FeatureWriter::from_writer(out);
     for layer in layers {
-        layer.visit(map, &mut |shape, values| {
+        layer.visit(view, &mut |shape, values| {
             let places = earth::on_earth(&shape, projector)
                 .with_context(|| format!("writing the layer {}", layer.name()))?;
             let mut properties = JsonObject::new();

@@ -9,6 +9,7 @@ mod lanelet2;
 mod layers;
 mod marks;
 mod objects;
+mod overlay;
 mod route;
 mod style;
 mod svg;
@@ -25,6 +26,7 @@ use mapd_web::page;
 pub use route::RouteEnds;
 use std::io::{self, Write};
 use std::path::Path;
+use std::time::SystemTime;
 
 /// What a map is written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -102,6 +104,7 @@ pub(crate) fn write(
     out: &mut dyn Write,
 ) -> Result<LeftOut> {
     let map = snapshot.map();
+    let view = snapshot.view(SystemTime::now());
     let line = options.route.as_ref().map(|ends| route::line(map, ends)).transpose()?;
     let mut layers = options.layers.clone();
     layers.sort_unstable();
@@ -113,9 +116,9 @@ pub(crate) fn write(
     let projector = || earth::projector(map, options.origin);
     let mut write_to = |out: &mut dyn Write| -> Result<()> {
         match format {
-            Format::Svg => svg::write(map, options, line.as_deref(), out)?,
-            Format::GeoJson => geojson::write(map, &layers, &projector()?, out)?,
-            Format::FlatGeobuf => left_out.features = flatgeobuf::write(map, &layers, out)?,
+            Format::Svg => svg::write(view, options, line.as_deref(), out)?,
+            Format::GeoJson => geojson::write(view, &layers, &projector()?, out)?,
+            Format::FlatGeobuf => left_out.features = flatgeobuf::write(view, &layers, out)?,
             Format::Lanelet2 => {
                 let report = lanelet2::write(map, &projector()?, options.autoware, out)?;
                 left_out.report = Some(report);

@@ -1,12 +1,13 @@
 //! A map as a drawing: x to the right, y up, one unit a metre.
 
-use super::{Options, index_boxes, marks, objects, style};
+use super::{Options, index_boxes, marks, objects, overlay, style};
 use mapd_client::glam::{DVec2, DVec3};
 use mapd_client::roads::Polyline;
 use mapd_client::vocabulary::LaneType;
-use mapd_client::{Lane, LaneSection, Map};
+use mapd_client::{Lane, LaneSection};
 use mapd_query::Bounds;
 use mapd_query::signals::Signal;
+use mapd_query::view::View;
 use std::io::{Result, Write};
 
 /// Room around the map `[m]`.
@@ -38,11 +39,12 @@ impl Paper {
 ///
 /// Errors: what writing gives.
 pub(super) fn write(
-    map: Map<'_>,
+    view: View<'_>,
     options: &Options,
     route: Option<&[DVec2]>,
     out: &mut dyn Write,
 ) -> Result<()> {
+    let map = view.map();
     let Bounds { low, high } = map.bounds();
     let size = (high - low).truncate() + 2.0 * MARGIN;
     let paper = Paper { left: low.x - MARGIN, top: high.y + MARGIN };
@@ -89,6 +91,16 @@ pub(super) fn write(
     objects::write(map, paper, out)?;
     for signal in map.signals() {
         mark(&signal, paper, out)?;
+    }
+    for one in view.restrictions() {
+        let (Some(corners), class) = (overlay::area(map, &one), overlay::class(one.entry.kind()))
+        else {
+            continue;
+        };
+        write!(out, "<path class=\"overlay {class}\" d=\"")?;
+        points(corners.into_iter(), paper, 'M', out)?;
+        let (id, kind, text) = (one.entry.id(), one.entry.kind().name(), one.entry.text());
+        writeln!(out, "z\"><title>{}: {kind} {}</title></path>", escape(id), escape(text))?;
     }
     if let Some(line) = route {
         super::route::write(line, paper, out)?;

@@ -1,6 +1,7 @@
 //! `mapd overlay`: what is laid over a map that is served.
 
 mod feed;
+mod follow;
 
 use crate::args::{DomainArgs, Seconds, not_negative};
 use crate::clock::since_epoch;
@@ -50,6 +51,9 @@ enum Action {
         /// Of a feed, how far beside its lines lanes may lie [m]
         #[arg(long, value_name = "M", default_value_t = WZDX_TOLERANCE, value_parser = not_negative)]
         tolerance: f64,
+        /// Go on: apply the file, or each file of a folder, whenever it changes; what it has no more is removed
+        #[arg(long)]
+        watch: bool,
     },
     /// List the entries, and which of them hold
     List {
@@ -95,7 +99,10 @@ impl OverlayCommand {
     /// Errors: what was given is wrong (usage); no daemon, no answer, no such map.
     pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
         match &self.action {
-            Action::Apply { file, tolerance } => self.apply(file, *tolerance, out)?,
+            Action::Apply { file, tolerance, watch: true } => {
+                follow::follow(&self, file, *tolerance, out)?;
+            }
+            Action::Apply { file, tolerance, .. } => self.apply(file, *tolerance, None, out)?,
             Action::List { how } => {
                 let report = self.ask(OverlayAction::List)?;
                 if how.json {
@@ -128,7 +135,14 @@ impl OverlayCommand {
         Ok(Exit::Done)
     }
 
-    fn apply(&self, file: &Path, tolerance: f64, out: &mut dyn Write) -> Result<()> {
+    /// Applies a file; as a feed of this name, what it has no more is removed.
+    fn apply(
+        &self,
+        file: &Path,
+        tolerance: f64,
+        feed: Option<&str>,
+        out: &mut dyn Write,
+    ) -> Result<()> {
         let mut document = read(file)?;
         let mut findings = None;
         if mapd_overlay::is_feed(&document) {
@@ -141,7 +155,7 @@ impl OverlayCommand {
         if document.len() > LONGEST {
             bail!(UsageError(format!("{}: longer than {LONGEST} bytes", file.display())));
         }
-        let report = self.ask(OverlayAction::Apply { document })?;
+        let report = self.ask(OverlayAction::Apply { document, feed: feed.map(str::to_owned) })?;
         writeln!(out, "{}: {} entries", self.name, report.entries.len())?;
         for FeedFinding { place, why } in findings.iter().flatten() {
             writeln!(out, "{}: {place}: {why}", file.display())?;

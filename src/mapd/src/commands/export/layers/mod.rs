@@ -4,12 +4,14 @@ mod edges;
 mod findings;
 mod lanes;
 mod lines;
+mod overlay;
 mod things;
 
 use anyhow::Result;
 use clap::ValueEnum;
 use mapd_client::glam::DVec3;
 use mapd_client::{Lane, LaneSection, Map};
+use mapd_query::view::View;
 use std::borrow::Cow;
 
 /// Features of one kind.
@@ -34,11 +36,13 @@ pub enum Layer {
     Edges,
     /// Parts of the file that are in quarantine, as boxes
     Findings,
+    /// What is laid over a live map now, as polygons
+    Overlay,
 }
 
 impl Layer {
     /// All layers, in the order in which they are written.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Lanes,
         Self::CenterLines,
         Self::Borders,
@@ -48,6 +52,7 @@ impl Layer {
         Self::Objects,
         Self::Edges,
         Self::Findings,
+        Self::Overlay,
     ];
 
     /// What files and the command line call it.
@@ -62,6 +67,7 @@ impl Layer {
             Self::Objects => "objects",
             Self::Edges => "edges",
             Self::Findings => "findings",
+            Self::Overlay => "overlay",
         }
     }
 
@@ -77,13 +83,14 @@ impl Layer {
             Self::Objects => things::OBJECT_COLUMNS,
             Self::Edges => edges::COLUMNS,
             Self::Findings => findings::COLUMNS,
+            Self::Overlay => overlay::COLUMNS,
         }
     }
 
     /// What its shapes are; none where they are not all of one kind.
     pub(super) fn shapes(self) -> Option<ShapeKind> {
         match self {
-            Self::Lanes | Self::Findings => Some(ShapeKind::Polygon),
+            Self::Lanes | Self::Findings | Self::Overlay => Some(ShapeKind::Polygon),
             Self::CenterLines | Self::Borders | Self::StopLines | Self::Edges => {
                 Some(ShapeKind::Line)
             }
@@ -95,7 +102,8 @@ impl Layer {
     /// Hands over all features, in the order of the map's own lists.
     ///
     /// Errors: the first that `sink` gives.
-    pub(super) fn visit(self, map: Map<'_>, sink: &mut Sink<'_>) -> Result<()> {
+    pub(super) fn visit(self, view: View<'_>, sink: &mut Sink<'_>) -> Result<()> {
+        let map = view.map();
         match self {
             Self::Lanes => lanes::areas(map, sink),
             Self::CenterLines => lanes::center_lines(map, sink),
@@ -106,6 +114,7 @@ impl Layer {
             Self::Objects => things::objects(map, sink),
             Self::Edges => edges::edges(map, sink),
             Self::Findings => findings::findings(map, sink),
+            Self::Overlay => overlay::stretches(view, sink),
         }
     }
 }

@@ -1,0 +1,29 @@
+//! What is laid over a map now, as it is drawn.
+
+use mapd_client::Map;
+use mapd_client::glam::DVec3;
+use mapd_query::view::{OverlayKind, Restriction};
+
+/// How far apart the corners of a drawn stretch are at most `[m]`.
+const STEP: f64 = 2.0;
+
+/// Its class in a drawing.
+pub(super) fn class(kind: OverlayKind) -> &'static str {
+    match kind {
+        OverlayKind::Closed => "closed",
+        OverlayKind::Open => "opened",
+        OverlayKind::Speed => "slower",
+        _ => "told",
+    }
+}
+
+/// Corners of the stretch of a lane on which an entry holds: along its inner edge, back along the outer one. None on a damaged archive.
+pub(super) fn area(map: Map<'_>, one: &Restriction<'_>) -> Option<Vec<DVec3>> {
+    let lane = map.lane(one.lane).ok()?;
+    let length = one.s_to - one.s_from;
+    let count = (length / STEP).ceil().max(1.0) as usize;
+    let at = |i: usize| lane.edge_points_at(one.s_from + length * i as f64 / count as f64);
+    let edges: Vec<[DVec3; 2]> = (0..=count).map(at).collect::<Option<_>>()?;
+    let inner = edges.iter().map(|[inner, _]| *inner);
+    Some(inner.chain(edges.iter().rev().map(|[_, outer]| *outer)).collect())
+}

@@ -1,0 +1,131 @@
+//! Following files that a fetcher writes.
+//!
+//! Looked at a few times a second, as the daemon looks at its sources. A file that cannot be applied is told once, and what it said before stays.
+
+use super::OverlayCommand;
+use crate::cache::Identity;
+use crate::control::OverlayAction;
+use crate::exit::UsageError;
+use anyhow::{Result, bail};
+use mapd_overlay::Document;
+use mapd_transport::list_maps;
+use std::collections::{BTreeMap, BTreeSet};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Time between two looks. A file must have been the same in two of them: whoever writes it has finished then.
+const LOOK: Duration = Duration::from_millis(300);
+
+/// What is followed: a file, or all files of a folder.
+struct Followed<'a> {
+    path: &'a Path,
+    /// What feeds are called: the file, or the folder and the file.
+    name: String,
+    is_folder: bool,
+}
+
+/// A state that a file was applied in, and the generation that it was matched with.
+type Applied = (Identity, Option<u64>);
+
+/// Applies what is followed whenever it changes, or the map does. Ends only with the process.
+///
+/// Errors: the path is stdin, or cannot be named; writing to `out` fails.
+pub(super) fn follow(
+    command: &OverlayCommand,
+    path: &Path,
+    tolerance: f64,
+    out: &mut dyn Write,
+) -> Result<()> {
+    let name = path.file_name().and_then(|name| name.to_str());
+    let Some(name) = name.filter(|name| *name != "-") else {
+        bail!(UsageError(format!(
+            "{}: --watch needs a file or folder with a name",
+            path.display()
+        )));
+    };
+    let followed = Followed { path, name: name.to_owned(), is_folder: path.is_dir() };
+    let domain = command.domain.domain()?;
+    let (mut last, mut done) = (BTreeMap::new(), BTreeMap::<PathBuf, Applied>::new());
+    let (mut said, mut swept) = (String::new(), None);
+    loop {
+        let now = followed.look();
+        let served = list_maps(&domain).ok().and_then(|maps| {
+            let own = maps.into_iter().find(|map| map.name == command.name)?;
+            Some(own.info?.generation)
+        });
+        let mut failed = None;
+        if now == last {
+            for (file, identity) in &now {
+                let state = (*identity, served);
+                if done.get(file) == Some(&state) {
+                    continue;
+                }
+                let feed = followed.feed(file);
+                match command.apply(file, tolerance, Some(&feed), out) {
+                    Ok(()) => drop(done.insert(file.clone(), state)),
+                    Err(error) => {
+                        // What is wrong with a file stays so until it changes; a daemon may come back.
+                        if error.is::<UsageError>() {
+                            done.insert(file.clone(), state);
+                        }
+                        failed = Some(format!("{}: {error:#}; what it said stays", file.display()));
+                    }
+                }
+            }
+            let files: BTreeSet<PathBuf> = now.keys().cloned().collect();
+            if followed.is_folder && swept.as_ref() != Some(&files) {
+                match followed.sweep(command, &files) {
+                    Ok(()) => swept = Some(files),
+                    Err(error) => failed = Some(format!("{error:#}")),
+                }
+            }
+            out.flush()?;
+        }
+        if let Some(why) = failed.filter(|why| *why != said) {
+            // A closed stderr is nobody's loss.
+            let _ = writeln!(io::stderr(), "mapd: {why}");
+            said = why;
+        }
+        last = now;
+        std::thread::sleep(LOOK);
+    }
+}
+
+impl Followed<'_> {
+    /// The files that are there, and their states.
+    fn look(&self) -> BTreeMap<PathBuf, Identity> {
+        let mut files = vec![self.path.to_owned()];
+        if self.is_folder {
+            let found = std::fs::read_dir(self.path).into_iter().flatten().flatten();
+            // Fetchers write beside the name, under one that begins with a dot, and rename.
+            let is_seen = |path: &PathBuf| {
+                let name = path.file_name().and_then(|name| name.to_str());
+                name.is_some_and(|name| !name.starts_with('.')) && path.is_file()
+            };
+            files = found.map(|entry| entry.path()).filter(is_seen).collect();
+        }
+        let known = |file: PathBuf| Identity::of(&file).ok().map(|identity| (file, identity));
+        files.into_iter().filter_map(known).collect()
+    }
+
+    fn feed(&self, file: &Path) -> String {
+        let own = file.file_name().unwrap_or_default().to_string_lossy();
+        if self.is_folder { format!("{}/{own}", self.name) } else { self.name.clone() }
+    }
+
+    /// Removes what files said that are no longer in the folder.
+    fn sweep(&self, command: &OverlayCommand, files: &BTreeSet<PathBuf>) -> Result<()> {
+        let known: BTreeSet<String> = files.iter().map(|file| self.feed(file)).collect();
+        let own = format!("{}/", self.name);
+        let listed = command.ask(OverlayAction::List)?.entries;
+        let feeds: BTreeSet<String> = listed.into_iter().map(|one| one.entry.feed).collect();
+        for feed in feeds.into_iter().filter(|feed| feed.starts_with(&own)) {
+            if !known.contains(&feed) {
+                let document = Document::default().to_json();
+                command.ask(OverlayAction::Apply { document, feed: Some(feed) })?;
+            }
+        }
+        Ok(())
+    }
+}
