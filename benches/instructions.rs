@@ -33,6 +33,18 @@ const PARTICLE: f64 = 1_400.0;
 /// How many batches of particles, in the short and in the long run.
 const CLOUDS: [usize; 2] = [1, 3];
 
+/// Kinds of [`path_probe`](../src/bin/path_probe.rs), on a path of at least 500 m over the carried town, as for queries.
+const PATH_BOUNDS: [(&str, u64); 6] = [
+    ("project", 1_290),
+    ("build", 745_300),
+    ("corridor", 190_500),
+    ("surface", 571_100),
+    ("segments", 11_790),
+    ("conflicts", 1_318_000),
+];
+/// Questions of the short and of the long run.
+const PATH_RUNS: [usize; 2] = [50, 250];
+
 /// Blocks of the town that is compiled, in either direction: some batches of text.
 const BLOCKS: usize = 12;
 /// Times that it is compiled in the short and in the long run.
@@ -112,6 +124,11 @@ fn main() -> ExitCode {
     if let Some((batch, single)) = particle("cloud").zip(particle("cloud-single")) {
         exceeded |= exceeds("cloud, per particle", batch, PARTICLE, 0);
         print(&format!("the same one by one: {single:.0}, {:.1} ×", single / batch));
+    }
+    for (kind, bound) in PATH_BOUNDS {
+        let each = of_one(env!("CARGO_BIN_EXE_path_probe"), &[&path, kind], PATH_RUNS);
+        exceeded |=
+            each.is_some_and(|each| exceeds(&format!("path, {kind}"), each, bound as f64, 0));
     }
     if let Some(each) = of_one(env!("CARGO_BIN_EXE_compile_probe"), &[&town], COMPILATIONS) {
         exceeded |= exceeds("compile, per byte", each / text.len() as f64, PER_BYTE, 1);

@@ -235,6 +235,7 @@ fn paths_do_not_allocate_after_the_first_call() {
     let (mut segments, mut facts, mut speeds, mut part) =
         (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let (mut ring, mut other) = (Vec::new(), PathBuffer::default());
+    let (mut crossings, mut approaches) = (Vec::new(), Vec::new());
     let lateral = PathOptions { change: LaneChange::Lateral(5.0), ..PathOptions::default() };
     let stations = [0.0, 5.0, 10.0, 1e9];
     let mut round = || {
@@ -256,6 +257,12 @@ fn paths_do_not_allocate_after_the_first_call() {
             let curved = map.path(&steps, &lateral, &mut other).expect("a path");
             seen += curved.joints().len();
             path.conflicts(&mut conflicts);
+            path.crossings(&mut crossings);
+            seen += crossings.len();
+            for conflict in &conflicts {
+                map.approaches(conflict, 100.0, car, &mut approaches).expect("lanes");
+                seen += approaches.len();
+            }
             path.segments(car, &mut segments);
             path.facts(&mut facts);
             path.speeds(&mut speeds);

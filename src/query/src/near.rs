@@ -2,12 +2,13 @@
 
 use crate::error::QueryError;
 use crate::index;
+use crate::lane::Lane;
 use crate::map::Map;
 use crate::nearest::{Nearest, NearestOptions, round_up};
 use crate::types::Point;
 use std::cmp::Ordering;
 
-impl Map<'_> {
+impl<'a> Map<'a> {
     /// Every lane whose area lies within the options' radius of a point, nearest first, each once and in the order that
     /// [`Map::nearest_lane`] prefers. `out` is emptied first; it grows only if its capacity is too small.
     ///
@@ -53,6 +54,32 @@ impl Map<'_> {
         // Sorting in place allocates nothing.
         out.sort_unstable_by(|a, b| self.compare(a, b, point, options));
         Ok(())
+    }
+
+    /// Every lane that counts and whose area holds a point, and s there; in no order, some more than once. With a z and a tolerance only those on
+    /// its level.
+    pub(crate) fn each_lane_at(
+        &self,
+        point: Point,
+        options: &NearestOptions,
+        counts: impl Fn(&Lane<'a>) -> bool,
+        mut each: impl FnMut(&Lane<'a>, f64),
+    ) {
+        let local = point.xy - self.origin();
+        let heights = options.heights(point);
+        index::visit(self.tables(), local, heights, 0.0, |leaf, qx, qy, bound| {
+            let (lanes, segments) = (leaf.lane(), leaf.segment());
+            let lower = index::lower_bounds(leaf, qx, qy, heights);
+            for k in (0..lower.len()).filter(|k| lower[*k] <= bound) {
+                let Some(lane) = Lane::new(*self, lanes[k]).filter(&counts) else { continue };
+                let found = self.candidate((lanes[k], segments[k]), point, local, options);
+                let found = found.filter(|found| found.distance() <= 0.0);
+                if let Some(nearest) = found.and_then(|found| found.nearest(*self)) {
+                    each(&lane, nearest.position.s);
+                }
+            }
+            bound
+        });
     }
 
     /// Whether a point lies on a lane, edges included, in plan view; a point with z only on one within `z_tolerance`.

@@ -32,6 +32,7 @@ mod overlays_schema;
 mod path_ahead;
 mod path_changes;
 mod path_feet;
+mod path_meets;
 mod path_room;
 mod paths;
 mod polylines;

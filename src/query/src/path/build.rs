@@ -1,6 +1,7 @@
 //! From a route's steps to a path.
 
 use super::along::center;
+use super::arc::Arc;
 use super::change::{LaneChange, Shift};
 use super::{Path, PathBuffer, PathError, PathJoint, PathOptions, Piece, Span};
 use crate::area;
@@ -27,6 +28,10 @@ const MEASURE: f64 = 1e-3;
 const SCALED: f64 = 1e-6;
 /// Bound on a span's `bend`: S grows with s all along.
 const MOST_BENT: f64 = 0.99;
+/// Shares of a span at which it is compared with a circle.
+const PLACES: [f64; 3] = [0.2, 0.5, 0.8];
+/// A span that lies this near to a circle is one `[m]`.
+const EXACT: f64 = 1e-9;
 /// What is added to the bound on a span's distance from its chord, for the rounding of its length `[m]`.
 const ROUNDING: f64 = 1e-3;
 
@@ -77,8 +82,9 @@ impl<'a> Map<'a> {
         if builder.buffer.spans.is_empty() {
             return Err(PathError::Empty);
         }
-        let PathBuffer { boxes, spans, .. } = buffer;
+        let PathBuffer { boxes, spans, slack, .. } = buffer;
         boxes.rebuild(spans);
+        *slack = spans.iter().map(|span| span.slack).fold(0.0, f64::max);
         Ok(Path { map: *self, buffer })
     }
 }
@@ -324,7 +330,16 @@ impl Builder<'_, '_, '_> {
         self.joint(along, ends[0], a.heading, piece, curve.is_some());
         let turn = normalize_angle(b.heading - a.heading);
         let heading = a.heading;
-        let span = Span { along, length, s, bend, ends, heading, turn, slack, piece, shift };
+        let arc = Arc::new(ends, length, turn);
+        let mut span =
+            Span { along, length, s, bend, ends, heading, turn, slack, arc, piece, shift };
+        // Whether it lies on the circle shows in places between.
+        let off = |share: f64| {
+            let gone = share * length;
+            let own = at(span.s_at(gone)).map(|own| own.position.truncate() - origin);
+            own.map_or(f64::INFINITY, |own| own.distance(span.arc.at(gone)))
+        };
+        span.arc.is_exact = PLACES.into_iter().all(|share| off(share) <= EXACT);
         self.buffer.spans.push(span);
     }
 

@@ -4,6 +4,7 @@ use super::{Path, Piece};
 use crate::extents::SRange;
 use crate::graph::Conflict;
 use crate::ids::LaneId;
+use crate::lane::Lane;
 use crate::rules::{Basis, by_rules};
 use mapd_archive::{ConflictKind, Relation, RelationReason, RoadRules};
 
@@ -93,16 +94,19 @@ impl PathConflict {
 }
 
 impl Path<'_, '_> {
-    /// Where lanes of junctions and other lanes that the map knows to conflict meet the path, in ascending S. Lanes that the path itself drives on
-    /// are left out. `out` is emptied first; it grows only if its capacity is too small.
+    /// Where other lanes meet the path, in ascending S: those of junctions that the map knows to conflict; lanes that lead into the path's own from
+    /// elsewhere, and lanes beside it that end and have to be left for it ([`ConflictKind::Merge`]); and lanes of other roads in whose area the
+    /// driven line lies on the same level ([`ConflictKind::Overlap`], looked for every 2 m). Lanes that the path itself drives on, and lanes that are
+    /// closed to every vehicle outside junctions, are left out. `out` is emptied first; it grows only if its capacity is too small. What people on foot and
+    /// bicycles cross on is [`Path::crossings`].
     pub fn conflicts(&self, out: &mut Vec<PathConflict>) {
         out.clear();
-        for piece in &self.buffer.pieces {
-            let Some(lane) = crate::lane::Lane::new(self.map, piece.lane) else { continue };
+        for (number, piece) in self.buffer.pieces.iter().enumerate() {
+            let Some(lane) = Lane::new(self.map, piece.lane) else { continue };
             let stop = lane.movement_stop();
             for conflict in lane.conflicts() {
                 let Some(other) = conflict.other() else { continue };
-                if self.buffer.pieces.iter().any(|own| own.lane == other.row_number()) {
+                if self.drives_on(other.row_number()) {
                     continue;
                 }
                 let Some(along) = self.common(piece, &conflict) else { continue };
@@ -121,6 +125,8 @@ impl Path<'_, '_> {
                     wait: line.unwrap_or(along[0]),
                 });
             }
+            self.merges(number, &lane, out);
+            self.overlaps(number, &lane, out);
         }
         // Sorting in place allocates nothing.
         out.sort_unstable_by(|a, b| {

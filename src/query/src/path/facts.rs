@@ -171,7 +171,7 @@ impl<'a> Path<'a, '_> {
     }
 
     /// S of what a piece has between two s of its road; none where that has no length.
-    fn overlap(&self, piece: &Piece, [low, high]: [f64; 2]) -> Option<[f64; 2]> {
+    pub(super) fn overlap(&self, piece: &Piece, [low, high]: [f64; 2]) -> Option<[f64; 2]> {
         let spans = self.spans_of(piece);
         let (a, b) = (spans.first()?.s[0], spans.last()?.s[1]);
         let (from, to) = (low.max(a.min(b)), high.min(a.max(b)));

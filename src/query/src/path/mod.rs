@@ -8,14 +8,18 @@
 //! and s follow from each other in closed form; positions and headings are the file's own polynomials at that s.
 
 mod along;
+mod approaches;
+mod arc;
 mod boxes;
 mod build;
 mod change;
 mod conflicts;
 mod corridor;
+mod crossings;
 mod edge;
 mod error;
 mod facts;
+mod meets;
 mod outline;
 mod project;
 mod rebase;
@@ -23,10 +27,12 @@ mod segments;
 mod speed;
 
 pub use along::PathPoint;
+pub use approaches::ConflictApproach;
 pub use build::steps_of_lanes;
 pub use change::LaneChange;
 pub use conflicts::{PathConflict, Yields};
 pub use corridor::{Corridor, CorridorSurface};
+pub use crossings::PathCrossing;
 pub use edge::{EdgeKind, EdgeMark};
 pub use error::PathError;
 pub use facts::{PathFact, PathFactKind};
@@ -93,6 +99,8 @@ pub struct PathBuffer {
     joints: Vec<PathJoint>,
     shifts: Vec<change::Shift>,
     boxes: boxes::Boxes,
+    /// The largest slack of a span `[m]`.
+    slack: f64,
     content: u64,
 }
 
@@ -142,6 +150,8 @@ struct Span {
     turn: f64,
     /// How far the line may lie from the chord between its ends `[m]`.
     slack: f64,
+    /// The circle or line through both ends.
+    arc: arc::Arc,
     piece: u32,
     /// The curve of a change of lane that it is part of, or none.
     shift: u32,

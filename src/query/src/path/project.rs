@@ -1,6 +1,7 @@
 //! A point in a path's coordinates.
 
 use super::along::tangent;
+use super::arc::Near;
 use super::boxes::WIDTH;
 use super::{Path, Span};
 use crate::error::QueryError;
@@ -8,16 +9,17 @@ use crate::ids::LaneId;
 use crate::types::Clamped;
 use glam::DVec2;
 use mapd_geometry::normalize_angle;
-use std::ops::Range;
 
 /// How far along the path from a hint the foot is looked for first `[m]`.
 const HINT_REACH: f64 = 30.0;
 /// Steps towards a foot at most; each gains several digits.
 const STEPS: usize = 24;
 /// A step by less than this is the last one towards a foot `[m]`: it leaves an error of its square.
-const STEP: f64 = 1e-7;
+const STEP: f64 = 5e-7;
 /// Nearness to the line's centre of curvature, as a share of the radius, below which steps are not made longer.
 const MIN_CONTRACTION: f64 = 0.2;
+/// Between these S lies all of a path.
+const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 /// Distances that differ by less are equal; the smaller S then wins `[m]`.
 const EQUAL: f64 = 1e-9;
 
@@ -66,6 +68,17 @@ impl Foot<'_> {
     fn along(&self) -> f64 {
         self.span.along + self.gone
     }
+
+    /// Of the driven line `[rad]`, in (−π, π].
+    fn heading(&self) -> f64 {
+        let Span { heading, turn, length, arc, .. } = self.span;
+        // On a circle it turns evenly.
+        if arc.is_exact {
+            normalize_angle(heading + turn * (self.gone / length))
+        } else {
+            mapd_geometry::atan2(self.way.y, self.way.x)
+        }
+    }
 }
 
 impl<'b> Path<'_, 'b> {
@@ -82,9 +95,9 @@ impl<'b> Path<'_, 'b> {
         let near = hint.and_then(|hint| self.near_hint(local, hint));
         let foot = match near {
             Some(foot) => foot,
-            None => self.nearest(local, 0..self.buffer.spans.len()).ok_or(QueryError::Corrupt)?,
+            None => self.nearest(local, EVERYWHERE).ok_or(QueryError::Corrupt)?,
         };
-        let (_, lane) = self.piece(foot.span).ok_or(QueryError::Corrupt)?;
+        let piece = self.buffer.pieces.get(foot.span.piece as usize).ok_or(QueryError::Corrupt)?;
         let (along, end) = (foot.along(), self.length());
         let clamped = match foot.ahead {
             ahead if ahead < -EQUAL && along <= 0.0 => Clamped::Before,
@@ -95,8 +108,8 @@ impl<'b> Path<'_, 'b> {
             along,
             d: foot.d,
             distance: foot.distance,
-            heading: mapd_geometry::atan2(foot.way.y, foot.way.x),
-            lane: lane.lane_id(),
+            heading: foot.heading(),
+            lane: LaneId::new(piece.lane, self.map.content()),
             s: foot.span.s_at(foot.gone),
             clamped,
         })
@@ -119,30 +132,34 @@ impl<'b> Path<'_, 'b> {
 
     /// The nearest place around a hint; none where it is the end of the stretch that is looked at.
     fn near_hint(&self, local: DVec2, hint: f64) -> Option<Foot<'b>> {
-        let spans = &self.buffer.spans;
         let (low, high) = (hint - HINT_REACH, hint + HINT_REACH);
-        let first = spans.partition_point(|span| span.end() < low);
-        let end = spans.partition_point(|span| span.along <= high);
-        let foot = self.nearest(local, first..end)?;
-        let along = foot.along();
-        let is_start = first > 0 && spans.get(first).is_some_and(|span| along <= span.along);
-        let is_end = end < spans.len() && spans.get(end).is_some_and(|span| along >= span.along);
+        let foot = self.nearest(local, [low, high])?;
+        let (from, to) = (foot.span.along, foot.span.end());
+        // Spans that reach into the stretch are looked at whole.
+        let is_start = foot.along() <= from && from < low && from > 0.0;
+        let is_end = foot.along() >= to && to > high && to < self.length();
         (!is_start && !is_end).then_some(foot)
     }
 
-    /// The nearest place of some spans that follow each other.
-    fn nearest(&self, local: DVec2, among: Range<usize>) -> Option<Foot<'b>> {
-        let mut search = Search { path: *self, local, among, best: None };
+    /// The nearest place of the spans that reach between two S.
+    fn nearest(&self, local: DVec2, among: [f64; 2]) -> Option<Foot<'b>> {
+        let mut search = Search { path: *self, local, among, best: None, bound: f64::MAX };
         search.under(self.buffer.boxes.top(), 0);
         search.best
     }
 
     /// The nearest place of one span, by steps along the line's own direction.
     fn foot(&self, span: &'b Span, local: DVec2) -> Option<Foot<'b>> {
+        if span.arc.is_exact
+            && let Some(near) = span.arc.nearest(local)
+        {
+            let Near { gone, distance, ahead, d, way } = near;
+            return Some(Foot { span, gone, distance, ahead, d, way });
+        }
         let (piece, lane) = self.piece(span)?;
         let shift = self.shift(span);
         let curvature = span.turn / span.length;
-        let mut gone = mapd_geometry::clamp(span.guess(local), 0.0, span.length);
+        let mut gone = mapd_geometry::clamp(span.arc.guess(local), 0.0, span.length);
         let mut best: Option<Foot<'b>> = None;
         for _ in 0..STEPS {
             let at = span.place(span.s_at(gone));
@@ -169,95 +186,71 @@ impl<'b> Path<'_, 'b> {
     }
 }
 
-impl Span {
-    /// Square of a point's distance from the chord.
-    #[inline]
-    fn squared_from_chord(&self, local: DVec2) -> f64 {
-        let [a, b] = self.ends;
-        let (edge, away) = (b - a, local - a);
-        let along = away.dot(edge) / edge.length_squared().max(f64::MIN_POSITIVE);
-        (away - edge * mapd_geometry::clamp(along, 0.0, 1.0)).length_squared()
-    }
-
-    /// About where the foot of a point is, from the span's start: exact for a line, and for an arc but for the series of the arc tangent.
-    fn guess(&self, local: DVec2) -> f64 {
-        let [a, b] = self.ends;
-        let chord = b - a;
-        let length = chord.length().max(f64::MIN_POSITIVE);
-        let way = chord / length;
-        // An arc's middle lies beside that of its chord, away from the centre.
-        let middle = 0.5 * (a + b) - way.perp() * (0.125 * self.length * self.turn);
-        let away = local - middle;
-        let curvature = self.turn / self.length;
-        let room = (1.0 - curvature * way.perp_dot(away)).max(MIN_CONTRACTION);
-        let u = away.dot(way) * curvature / room;
-        let series = if u.abs() < 1.0 { 1.0 - u * u * (1.0 / 3.0 - u * u * 0.2) } else { 1.0 };
-        0.5 * self.length + away.dot(way) / room * series
-    }
-}
-
 /// A search for the nearest place.
 struct Search<'a, 'b> {
     path: Path<'a, 'b>,
     local: DVec2,
-    among: Range<usize>,
+    /// S between which spans count that have a part there.
+    among: [f64; 2],
     best: Option<Foot<'b>>,
+    /// Square of the distance beyond which nothing is looked at: the best one's and the largest slack.
+    bound: f64,
 }
 
 impl<'b> Search<'_, 'b> {
     /// Looks at what lies under a box, the nearest first.
     fn under(&mut self, level: usize, number: usize) {
         let first = number * WIDTH;
-        let mut near = [(f64::INFINITY, 0); WIDTH];
-        let mut count = 0;
-        let mut add = |squared: f64, number: usize| {
-            let mut at = count;
-            while at > 0 && near[at - 1].0 > squared {
-                near[at] = near[at - 1];
-                at -= 1;
-            }
-            near[at] = (squared, number);
-            count += 1;
-        };
-        let path = self.path;
+        let buffer = self.path.buffer;
+        let mut squares = [f64::INFINITY; WIDTH];
         if level == 0 {
-            let (from, end) = (first.max(self.among.start), (first + WIDTH).min(self.among.end));
-            for (i, span) in (from..).zip(path.buffer.spans.get(from..end).unwrap_or(&[])) {
-                add(span.squared_from_chord(self.local), i);
+            let chords = buffer.boxes.chords().get(first..).unwrap_or(&[]);
+            for (square, own) in squares.iter_mut().zip(chords) {
+                *square = own.squared_distance(self.local, self.among);
             }
         } else {
-            let below = path.buffer.boxes.level(level - 1);
-            let size = WIDTH.pow(level as u32);
-            let end = (first + WIDTH).min(below.len());
-            for (i, own) in (first..).zip(below.get(first..end).unwrap_or(&[])) {
-                if i * size < self.among.end && (i + 1) * size > self.among.start {
-                    add(own.squared_distance(self.local), i);
-                }
+            let below = buffer.boxes.level(level - 1).get(first..).unwrap_or(&[]);
+            for (square, own) in squares.iter_mut().zip(below) {
+                *square = own.squared_distance(self.local, self.among);
             }
         }
-        for (squared, i) in near.into_iter().take(count) {
-            let within = |slack: f64| {
-                self.best.is_none_or(|best| {
-                    let reach = best.distance + slack + EQUAL;
-                    squared <= reach * reach
-                })
-            };
-            if level > 0 {
-                if within(0.0) {
-                    self.under(level - 1, i);
-                }
-            } else if let Some(span) = path.buffer.spans.get(i)
-                && within(span.slack)
-                && let Some(foot) = path.foot(span, self.local)
-            {
-                self.consider(foot);
+        // The nearest one bounds the search for the others.
+        let nearest = (1..WIDTH).fold(0, |a, b| if squares[b] < squares[a] { b } else { a });
+        self.look_at(level, first + nearest, squares[nearest]);
+        squares[nearest] = f64::INFINITY;
+        for (i, square) in squares.into_iter().enumerate() {
+            self.look_at(level, first + i, square);
+        }
+    }
+
+    /// Looks at a span, or at what lies under a box of the level below, unless it is too far away.
+    #[inline(always)]
+    fn look_at(&mut self, level: usize, number: usize, squared: f64) {
+        if squared > self.bound {
+            return;
+        }
+        if level > 0 {
+            self.under(level - 1, number);
+        } else if let Some(span) = self.path.buffer.spans.get(number) {
+            self.look_at_span(span, squared);
+        }
+    }
+
+    fn look_at_span(&mut self, span: &'b Span, squared: f64) {
+        if let Some(best) = &self.best {
+            let reach = best.distance + span.slack + EQUAL;
+            if squared > reach * reach {
+                return;
             }
+        }
+        if let Some(foot) = self.path.foot(span, self.local) {
+            self.consider(foot);
         }
     }
 
     fn consider(&mut self, foot: Foot<'b>) {
         let Some(best) = self.best else {
-            self.best = Some(foot);
+            self.take(foot);
             return;
         };
         let equal = (foot.distance - best.distance).abs() <= EQUAL;
@@ -271,7 +264,12 @@ impl<'b> Search<'_, 'b> {
             foot.distance < best.distance
         };
         if wins {
-            self.best = Some(foot);
+            self.take(foot);
         }
+    }
+
+    fn take(&mut self, foot: Foot<'b>) {
+        let reach = foot.distance + self.path.buffer.slack + EQUAL;
+        (self.best, self.bound) = (Some(foot), reach * reach);
     }
 }

@@ -138,7 +138,8 @@ impl<'a> Lane<'a> {
     }
 
     /// Where the movement through this lane of a junction stops: at the marked line nearest to the junction, up to 30 m before
-    /// it or on the movement's first lane; without one at its light. None where neither is known.
+    /// it or on the movement's first lane; without one at its light; under a stop or yield sign without marking at the last place before the movement
+    /// meets another lane, or where it enters the junction if it meets none. None where none of these is known.
     pub fn movement_stop(&self) -> Option<LaneLine> {
         let start = self.movement_start();
         let leading = self.approaches().flat_map(|(lane, before)| {
@@ -147,13 +148,37 @@ impl<'a> Lane<'a> {
         let inside = start.lines_to_stop_at().map(|line| (start.away(line.s, false), line));
         let near = leading.chain(inside).filter(|(distance, _)| *distance <= ENTRY_REACH);
         let marked = near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, line)| line);
-        marked.or_else(|| {
+        let at_light = || {
             let light = self.movement_lights().next()?;
             let lane = light.lane()?;
             let source = LineSource::Signal(light.signal().signal_id());
             let (class, s) = (light.signal().class(), light.s_on(&lane));
             Some(LaneLine { source, class, lane: lane.lane_id(), s })
-        })
+        };
+        marked.or_else(at_light).or_else(|| self.stop_at_sign(&start))
+    }
+
+    /// Where the movement waits that a stop or yield sign at its entry tells to give way, if nothing is marked.
+    fn stop_at_sign(&self, start: &Lane<'a>) -> Option<LaneLine> {
+        let gives_way = |class: Class| matches!(class, Class::Stop | Class::Yield);
+        let signs = self.entry_signals().map(|one| one.signal.signal());
+        let sign = signs.into_iter().find(|sign| gives_way(sign.class()))?;
+        let source = LineSource::Signal(sign.signal_id());
+        let line = |lane: &Lane<'a>, s: f64| {
+            let (class, lane) = (sign.class(), lane.lane_id());
+            LaneLine { source, class, lane, s }
+        };
+        let first = |lane: Lane<'a>| {
+            let all = lane.conflicts().map(|conflict| conflict.s_range());
+            let s = match lane.is_forward() {
+                true => all.map(|range| range.low).min_by(f64::total_cmp),
+                false => all.map(|range| range.high).max_by(f64::total_cmp),
+            };
+            s.map(|s| line(&lane, s))
+        };
+        let section = start.section();
+        let entry = if start.is_forward() { section.s_start() } else { section.s_end() };
+        start.movement_lanes().find_map(first).or_else(|| Some(line(start, entry)))
     }
 
     /// Crosswalks and bicycle crossings that the movement through this lane of a junction passes: up to 30 m before it, on its

@@ -135,7 +135,7 @@ impl<'a> Lane<'a> {
     }
 
     /// s where the lane's traffic leaves it.
-    fn exit_s(&self) -> f64 {
+    pub(crate) fn exit_s(&self) -> f64 {
         let section = self.section();
         if self.is_forward() { section.s_end() } else { section.s_start() }
     }

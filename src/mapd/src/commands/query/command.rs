@@ -40,7 +40,7 @@ Columns:
                                    the road),speed,friction (empty if unknown)
   project     as route, and x,y[,hdg]
                                    S,d,heading_difference,lane,clamped of the nearest point of the driven line
-  conflicts   as route             a row for each lane that meets the path: S_from,S_to,other_lane,other_s_from,other_s_to,
+  conflicts   as route             a row for each lane or crosswalk that meets the path: S_from,S_to,other_lane,other_s_from,other_s_to,
                                    kind,yields,reason,wait_S
   speed       road_id,s,lane_id    speed,origin
   objects     x,y,radius           a row for each placement of an object, nearest first:

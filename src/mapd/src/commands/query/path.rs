@@ -6,9 +6,9 @@ use super::route::Router;
 use super::row::Row;
 use mapd_client::Map;
 use mapd_query::glam::DVec2;
-use mapd_query::path::{Corridor, Path, PathBuffer, PathOptions};
+use mapd_query::path::{Corridor, Path, PathBuffer, PathCrossing, PathOptions, Yields};
 use mapd_query::rules::Basis;
-use mapd_query::vocabulary::RoadRules;
+use mapd_query::vocabulary::{RelationReason, RoadRules};
 
 /// Columns that a route is found by.
 pub(super) const ROUTE: [&str; 6] =
@@ -156,9 +156,14 @@ fn conflicts(
     rules: Option<&RoadRules>,
     out: &mut Vec<String>,
 ) -> Result<(), String> {
-    let mut found = Vec::new();
+    let (mut found, mut crossings) = (Vec::new(), Vec::new());
     path.conflicts(&mut found);
+    path.crossings(&mut crossings);
+    let mut crossings = crossings.into_iter().peekable();
     for one in found {
+        while let Some(before) = crossings.next_if(|own| own.along[0] < one.along[0]) {
+            crossing(&before, out);
+        }
         numbers(out, &one.along);
         out.push(map.lane(one.other).map_err(text)?.key().to_string());
         numbers(out, &one.other_s);
@@ -173,7 +178,22 @@ fn conflicts(
         numbers(out, &[one.wait]);
         out.push(basis.name().to_owned());
     }
+    crossings.for_each(|own| crossing(&own, out));
     Ok(())
+}
+
+/// A crosswalk's row among `conflicts`.
+fn crossing(own: &PathCrossing, out: &mut Vec<String>) {
+    numbers(out, &own.along);
+    out.extend([const { String::new() }; 3]);
+    let (reason, basis) = match own.yields {
+        Yields::Lights => (RelationReason::Lights, Basis::Written),
+        _ => (RelationReason::None, Basis::Unknown),
+    };
+    let words = [own.line.class.name(), own.yields.name(), reason.name()];
+    out.extend(words.map(str::to_owned));
+    numbers(out, &[own.wait]);
+    out.push(basis.name().to_owned());
 }
 
 fn check_step(step: f64, length: f64) -> Result<(), String> {

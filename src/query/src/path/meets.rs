@@ -1,0 +1,139 @@
+//! Where other traffic meets a path outside the junctions' own lists: lanes that merge into it, and lanes of other roads at the same place.
+
+use super::Path;
+use super::along::center;
+use super::conflicts::{PathConflict, Yields};
+use crate::extents::SRange;
+use crate::graph::LaneNode;
+use crate::lane::Lane;
+use crate::nearest::NearestOptions;
+use crate::types::Point;
+use mapd_archive::{ConflictKind, Relation, RelationReason};
+
+/// Distance of the places of the driven line at which lanes of other roads are looked for `[m]`.
+const STEP: f64 = 2.0;
+/// A lane farther above or below is on another level `[m]`: less than any vehicle passes under.
+const LEVEL: f64 = 2.0;
+
+impl<'a> Path<'a, '_> {
+    /// Whether the path drives on a lane.
+    pub(super) fn drives_on(&self, lane: u32) -> bool {
+        self.buffer.pieces.iter().any(|own| own.lane == lane)
+    }
+
+    /// Adds lanes that lead into the path's own from elsewhere, and lanes beside it that end and have to be left for it.
+    pub(super) fn merges(&self, number: usize, lane: &Lane<'a>, out: &mut Vec<PathConflict>) {
+        let Some(piece) = self.buffer.pieces.get(number) else { return };
+        let [begin, _] = self.ends_of(piece);
+        // Where the path begins or has changed onto the lane, what leads into it is behind.
+        let first = self.spans_of(piece).first().map(|span| span.s[0]);
+        let entry = if piece.forward { lane.section().s_start() } else { lane.section().s_end() };
+        if number > 0 && first == Some(entry) {
+            for id in lane.predecessors_towards(piece.forward) {
+                let Some(other) = Lane::new(self.map, id.row()) else { continue };
+                let is_open = other.nodes().any(|node| node.is_open());
+                if !is_open || self.drives_on(id.row()) {
+                    continue;
+                }
+                let end = other.exit_s();
+                self.add(lane, &other, [begin; 2], [end; 2], ConflictKind::Merge, out);
+            }
+        }
+        for node in lane.nodes().filter(|node| node.is_forward() == piece.forward) {
+            let SRange { low, high } = node.s_range();
+            let Some(along) = self.overlap(piece, [low, high]) else { continue };
+            if node.edges().len() == 0 {
+                continue;
+            }
+            let beside = |other: LaneNode<'a>, back: Option<LaneNode<'a>>| {
+                let leads_here = back.is_some_and(|back| back.node_id() == node.node_id());
+                let ends = other.edges().len() == 0 && other.is_open() && leads_here;
+                other.lane().filter(|_| ends)
+            };
+            let left = node.left().and_then(|other| beside(other, other.change_right()));
+            let right = node.right().and_then(|other| beside(other, other.change_left()));
+            for other in left.into_iter().chain(right) {
+                if !self.drives_on(other.row_number()) {
+                    self.add(lane, &other, along, [low, high], ConflictKind::Merge, out);
+                }
+            }
+        }
+    }
+
+    /// Adds lanes of other roads in whose area the driven line lies, on the same level.
+    pub(super) fn overlaps(&self, number: usize, lane: &Lane<'a>, out: &mut Vec<PathConflict>) {
+        let Some(piece) = self.buffer.pieces.get(number) else { return };
+        let options =
+            NearestOptions { radius: 0.0, z_tolerance: Some(LEVEL), ..Default::default() };
+        let (road, junction) = (lane.road().road_id(), lane.road().junction_row());
+        let counts = |other: &Lane<'a>| {
+            // Lanes of one junction that meet are the map's own to tell.
+            let told = junction.is_some() && other.road().junction_row() == junction;
+            other.road().road_id() != road && !told
+        };
+        let before = out.len();
+        for span in self.spans_of(piece) {
+            let parts = (span.length / STEP).ceil().max(1.0);
+            let mut part = 0.5;
+            while part < parts {
+                let gone = span.length * part / parts;
+                let reach = 0.5 * span.length / parts;
+                part += 1.0;
+                let at = span.place(span.s_at(gone));
+                let Ok(own) = center(lane, at, piece.forward, self.shift(span)) else { continue };
+                let along = [span.along + gone - reach, span.along + gone + reach];
+                self.map.each_lane_at(Point::from(own.position), &options, counts, |other, s| {
+                    if self.drives_on(other.row_number()) {
+                        return;
+                    }
+                    let linked = |id: crate::ids::LaneId| id.row() == other.row_number();
+                    let follows = lane.successors_towards(piece.forward).any(linked)
+                        || lane.predecessors_towards(piece.forward).any(linked);
+                    if follows || !other.nodes().any(|node| node.is_open()) {
+                        return;
+                    }
+                    let known = out.get_mut(before..).unwrap_or(&mut []).iter_mut().find(|known| {
+                        known.other == other.lane_id() && known.along[1] + STEP >= along[0]
+                    });
+                    match known {
+                        Some(known) => {
+                            known.along[1] = known.along[1].max(along[1]);
+                            known.other_s[0] = known.other_s[0].min(s);
+                            known.other_s[1] = known.other_s[1].max(s);
+                        }
+                        None => self.add(lane, other, along, [s; 2], ConflictKind::Overlap, out),
+                    }
+                });
+            }
+        }
+    }
+
+    fn add(
+        &self,
+        lane: &Lane<'a>,
+        other: &Lane<'a>,
+        along: [f64; 2],
+        other_s: [f64; 2],
+        kind: ConflictKind,
+        out: &mut Vec<PathConflict>,
+    ) {
+        // What a junction's own list tells is told.
+        let told = |known: &PathConflict| {
+            known.other == other.lane_id() && known.along[1] + STEP >= along[0]
+        };
+        if out.iter().any(told) {
+            return;
+        }
+        out.push(PathConflict {
+            along,
+            other: other.lane_id(),
+            other_s,
+            kind,
+            yields: Yields::Unknown,
+            reason: RelationReason::None,
+            relation: Relation::Unknown,
+            equal_roads: lane.comes_by_equal_road(other),
+            wait: along[0],
+        });
+    }
+}

@@ -1,0 +1,147 @@
+//! Who meets a path: lanes that merge into it, lanes of other roads at the same place, crosswalks, and the lanes that lead there.
+
+use crate::paths::each_path;
+use mapd_client::vocabulary::{Class, ConflictKind, VehicleClass};
+use mapd_client::{Lane, Map};
+use mapd_query::path::{PathBuffer, PathConflict, PathOptions, Yields, steps_of_lanes};
+use mapd_tests::crossroads::{ARMS, crossroads, furnished, signal};
+use mapd_tests::graph_maps::{Line, document, lane, road, section, wide};
+use mapd_tests::maps::open_text;
+use std::f64::consts::FRAC_PI_2;
+
+const CAR: VehicleClass = VehicleClass::PassengerCar;
+/// How far back lanes are followed `[m]`.
+const BACK: f64 = 120.0;
+
+fn lane_by<'a>(map: Map<'a>, key: &str) -> Lane<'a> {
+    map.lane_by_key(&key.parse().expect("a key")).unwrap_or_else(|| panic!("no lane {key}"))
+}
+
+/// What meets the path over a lane from s to s.
+fn meets(map: Map<'_>, keys: &[&str], ends: [f64; 2]) -> Vec<PathConflict> {
+    let lanes: Vec<_> = keys.iter().map(|key| lane_by(map, key).lane_id()).collect();
+    let (mut steps, mut buffer, mut found) = (Vec::new(), PathBuffer::default(), Vec::new());
+    steps_of_lanes(map, &lanes, ends, &mut steps).expect("steps");
+    let path = map.path(&steps, &PathOptions::default(), &mut buffer).expect("a path");
+    path.conflicts(&mut found);
+    found
+}
+
+/// Two roads that cross at x = 50 m without a junction, one as high above the other as told.
+#[test]
+fn a_road_at_the_same_place_is_met_on_the_same_level() {
+    for (height, count) in [(0.0, 1), (1.0, 1), (6.0, 0)] {
+        let one = section(0.0, "", &lane(-1, ""));
+        let line = |x, y, heading| Line(x, y, heading, 100.0, 0.0);
+        let high = format!(
+            "<elevationProfile><elevation s=\"0\" a=\"{height}\" b=\"0\" c=\"0\" d=\"0\"/></elevationProfile>"
+        );
+        let flat = road("1", "junction=\"-1\"", line(0.0, 0.0, 0.0), "", &one);
+        let across = road("2", "junction=\"-1\"", line(50.0, -50.0, FRAC_PI_2), "", &one)
+            .replace("<lanes>", &format!("{high}<lanes>"));
+        let snapshot = open_text(&document(&format!("{flat}{across}")));
+        let found = meets(snapshot.map(), &["1:0:-1"], [10.0, 90.0]);
+        assert_eq!(found.len(), count, "{height}: {found:?}");
+        for own in found {
+            assert_eq!((own.kind, own.yields), (ConflictKind::Overlap, Yields::Unknown));
+            assert_eq!(own.other, lane_by(snapshot.map(), "2:0:-1").lane_id());
+            // The other lane lies at x from 50 to 53.5 m.
+            let [from, to] = own.along;
+            assert!(from > 36.0 && from < 42.5 && to > 41.0 && to < 48.0, "{own:?}");
+            assert_eq!(own.wait, from);
+        }
+    }
+}
+
+/// The right lane ends where its section does: its traffic comes into the lane beside it.
+#[test]
+fn a_lane_that_ends_beside_merges() {
+    let free = "<roadMark sOffset=\"0\" type=\"broken\" laneChange=\"both\"/>";
+    let width = "a=\"3.5\" b=\"0\" c=\"0\" d=\"0\"";
+    let two = wide(-1, "", "s-1", width, free) + &wide(-2, "", "", width, free);
+    let one = lane(-1, "p-1");
+    let line = Line(0.0, 0.0, 0.0, 100.0, 0.0);
+    let both = section(0.0, "", &two) + &section(60.0, "", &one);
+    let text = document(&road("1", "junction=\"-1\"", line, "", &both));
+    let snapshot = open_text(&text);
+    let map = snapshot.map();
+    let found = meets(map, &["1:0:-1", "1:1:-1"], [10.0, 90.0]);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert_eq!((found[0].kind, found[0].along), (ConflictKind::Merge, [0.0, 50.0]));
+    assert_eq!(found[0].other, lane_by(map, "1:0:-2").lane_id());
+}
+
+#[test]
+fn lanes_that_lead_to_a_conflict_are_told_with_their_distance() {
+    each_path(|map, path, _, name, _| {
+        let (mut conflicts, mut out) = (Vec::new(), Vec::new());
+        path.conflicts(&mut conflicts);
+        for conflict in conflicts.iter().take(5) {
+            map.approaches(conflict, BACK, CAR, &mut out).expect("lanes");
+            let mut last = 0.0;
+            for own in &out {
+                let [far, near] = own.distance;
+                assert!(last <= near && near <= far && far <= BACK + 1e-6, "{name}: {own:?}");
+                last = near;
+                let lane = map.lane(own.lane).expect("a lane");
+                let [from, to] = own.s;
+                let off = (lane.length_between(from, to) - (far - near)).abs();
+                assert!(off < 1e-2 * (1.0 + far - near), "{name}: {off} of {own:?}");
+                if near == 0.0 {
+                    continue;
+                }
+                let leads = out.iter().any(|next| {
+                    let linked = lane.successors_towards(own.forward).any(|id| id == next.lane);
+                    let goes_on = next.lane == own.lane;
+                    (linked || goes_on) && (next.distance[0] - near).abs() < 1e-9
+                });
+                assert!(leads, "{name}: {own:?}");
+            }
+            assert!(out.first().is_none_or(|own| own.lane == conflict.other), "{name}");
+        }
+    });
+}
+
+#[test]
+fn crosswalks_are_waited_for_before() {
+    let snapshot = open_text(&furnished());
+    let map = snapshot.map();
+    let mut seen = 0;
+    for key in ["02", "20", "13", "31"] {
+        let (mut steps, mut buffer, mut found) = (Vec::new(), PathBuffer::default(), Vec::new());
+        let (from, to) = (&key[..1], &key[1..]);
+        let keys = [format!("{from}:0:1"), format!("{key}:0:-1"), format!("{to}:0:-1")];
+        let lanes: Vec<_> = keys.iter().map(|key| lane_by(map, key).lane_id()).collect();
+        steps_of_lanes(map, &lanes, [70.0, 70.0], &mut steps).expect("steps");
+        let path = map.path(&steps, &PathOptions::default(), &mut buffer).expect("a path");
+        path.crossings(&mut found);
+        let mut last = 0.0;
+        for own in &found {
+            let [from, to] = own.along;
+            assert!(last <= from && from <= to && to <= path.length(), "{key}: {own:?}");
+            last = from;
+            assert!(own.wait <= from && from - own.wait <= 30.0, "{key}: {own:?}");
+            assert!(matches!(own.line.class, Class::Crosswalk | Class::BicycleCrossing));
+            assert!(map.lane(own.line.lane).is_ok());
+        }
+        seen += found.len();
+    }
+    assert!(seen > 0, "no crosswalk");
+}
+
+/// A stop sign without a line: the movement waits before it meets the first other lane.
+#[test]
+fn a_sign_without_marking_is_waited_at() {
+    let mut signals: [String; ARMS] = std::array::from_fn(|_| String::new());
+    signals[0] = signal("S", 5.0, 5.0, "-", "206", "");
+    let snapshot = open_text(&crossroads(signals, "", ""));
+    let map = snapshot.map();
+    for key in ["01:0:-1", "02:0:-1", "03:0:-1"] {
+        let lane = lane_by(map, key);
+        let stop = lane.movement_stop().unwrap_or_else(|| panic!("{key}: nothing to wait at"));
+        assert_eq!((stop.class, stop.lane), (Class::Stop, lane.lane_id()), "{key}");
+        let first = lane.conflicts().map(|one| one.s_range().low).fold(f64::INFINITY, f64::min);
+        assert_eq!(stop.s, first, "{key}");
+    }
+    assert_eq!(lane_by(map, "12:0:-1").movement_stop(), None);
+}
