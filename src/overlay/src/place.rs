@@ -115,7 +115,7 @@ impl EarthPlace {
                 ));
             }
         }
-        if self.tolerance.is_some_and(|m| !(0.0..=WIDEST).contains(&m)) {
+        if self.tolerance.is_some_and(|m| !(0.0..=WIDEST_TOLERANCE).contains(&m)) {
             return field("tolerance", "expected a distance from 0 m to 100 m");
         }
         match (&self.lanes, self.of) {
@@ -134,8 +134,8 @@ impl EarthPlace {
     }
 }
 
-/// Widest tolerance `[m]`.
-const WIDEST: f64 = 100.0;
+/// Widest tolerance of a place on Earth `[m]`.
+pub const WIDEST_TOLERANCE: f64 = 100.0;
 
 impl LanePlace {
     pub(crate) fn wrong(&self) -> Option<(&'static str, &'static str)> {

@@ -130,8 +130,8 @@ impl Reader<'_> {
         let core = &zone.core_details;
         let said = core.description.as_deref().or(core.name.as_deref()).unwrap_or_default();
         let text = match said.is_empty() {
-            true => zone.vehicle_impact.clone(),
-            false => format!("{}: {said}", zone.vehicle_impact),
+            true => zone.vehicle_impact.0.clone(),
+            false => format!("{}: {said}", zone.vehicle_impact.0),
         };
         let base = Entry {
             id: feature.id,
@@ -158,7 +158,7 @@ impl Reader<'_> {
         let all = Across::Word(AcrossWord::All);
         let travelled = travelled(&zone.lanes);
         self.add(own, "", "", (&all, None), |_| {});
-        match zone.vehicle_impact.as_str() {
+        match zone.vehicle_impact.0.as_str() {
             "all-lanes-closed" => {
                 self.add(own, "closed", ".properties.vehicle_impact", (&all, None), |entry| {
                     entry.kind = Kind::Closed;

@@ -333,6 +333,57 @@ fn a_folder_is_followed() {
     becomes(&["a", "own"]);
 }
 
+/// What a feed no longer says does not hold any more: by the file's name for WZDx, by `--feed` for others.
+#[test]
+fn a_feed_applied_again_is_all_that_it_says() {
+    let scene = Scene::new();
+    let georeference = "+proj=tmerc +lat_0=48 +lon_0=11 +k=1 +x_0=0 +y_0=0 +datum=WGS84";
+    let text = town(3, 3).replacen(
+        "vendor=\"mapd\"/>",
+        &format!(
+            "vendor=\"mapd\"><geoReference><![CDATA[{georeference}]]></geoReference></header>"
+        ),
+        1,
+    );
+    fs::write(&scene.map, text).expect("written");
+    let _daemon = scene.place.serve(&scene.args());
+    let ids = || -> Vec<String> {
+        let list = scene.list();
+        let entries = list["entries"].as_array().expect("a list");
+        entries.iter().filter_map(|entry| entry["id"].as_str()).map(str::to_owned).collect()
+    };
+    scene.ends(&["apply", "-"], &closed("own", -1), 0);
+    scene.ends(&["apply", "-", "--feed", "works"], &closed("first", -1), 0);
+    scene.ends(&["apply", "-", "--feed", "works"], &closed("second", -1), 0);
+    assert_eq!(ids(), ["own", "second"]);
+
+    // A work zone along the lane at the place of `own`, as many kilometres as it takes degrees.
+    let zone = |status: &str| {
+        let at = |x: f64| [11.0 + x / 74_600.0, 48.0 - 1.75 / 111_200.0];
+        serde_json::json!({"type": "FeatureCollection", "features": [{
+            "type": "Feature", "id": "zone",
+            "properties": {
+                "core_details": {"event_type": "work-zone", "data_source_id": "test", "road_names": []},
+                "start_date": "2026-01-01T00:00:00Z", "end_date": "2036-01-01T00:00:00Z",
+                "vehicle_impact": "all-lanes-closed", "event_status": status,
+                "lanes": null, "restrictions": null,
+            },
+            "geometry": {"type": "LineString", "coordinates": [at(20.0), at(60.0)]},
+        }]})
+    };
+    let feed = scene.folder.path().join("feed.geojson");
+    let apply = |status: &str| {
+        fs::write(&feed, zone(status).to_string()).expect("written");
+        scene.ends(&["apply", feed.to_str().expect("a name")], "", 0)
+    };
+    let said = apply("active");
+    assert_eq!(ids(), ["own", "second", "zone", "zone/closed"], "{said}");
+    apply("cancelled");
+    assert_eq!(ids(), ["own", "second"]);
+    let said = scene.ends(&["apply", feed.to_str().expect("a name"), "--tolerance", "500"], "", 2);
+    assert!(said.contains("at most 100 m"), "{said}");
+}
+
 /// A process that ends with the test.
 struct Ended(std::process::Child);
 

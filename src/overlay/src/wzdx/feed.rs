@@ -60,20 +60,34 @@ pub(super) struct WorkZone {
     pub(super) core_details: CoreDetails,
     pub(super) start_date: Moment,
     pub(super) end_date: Moment,
-    #[serde(default = "unknown")]
-    pub(super) vehicle_impact: String,
+    #[serde(default, deserialize_with = "or_default")]
+    pub(super) vehicle_impact: Impact,
     #[serde(default)]
     pub(super) event_status: Option<String>,
     #[serde(default)]
     pub(super) reduced_speed_limit_kph: Option<f64>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "or_default")]
     pub(super) restrictions: Vec<Restriction>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "or_default")]
     pub(super) lanes: Vec<Lane>,
 }
 
-fn unknown() -> String {
-    "unknown".to_owned()
+/// What a zone does to traffic, in the feed's word.
+#[derive(Deserialize)]
+#[serde(transparent)]
+pub(super) struct Impact(pub(super) String);
+
+impl Default for Impact {
+    fn default() -> Self {
+        Self("unknown".to_owned())
+    }
+}
+
+/// Reads a null as what is missing: feeds write both.
+fn or_default<'de, D: Deserializer<'de>, T: Deserialize<'de> + Default>(
+    from: D,
+) -> Result<T, D::Error> {
+    Option::deserialize(from).map(Option::unwrap_or_default)
 }
 
 #[derive(Deserialize)]
@@ -102,7 +116,7 @@ pub(super) struct Lane {
     pub(super) order: u32,
     pub(super) r#type: String,
     pub(super) status: String,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "or_default")]
     pub(super) restrictions: Vec<Restriction>,
 }
 

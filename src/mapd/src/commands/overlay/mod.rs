@@ -11,7 +11,7 @@ use anyhow::{Context, Result, bail};
 use clap::{Args, Subcommand};
 use feed::matched;
 use mapd_client::{Attach, Client};
-use mapd_overlay::{FeedFinding, Moment, WZDX_TOLERANCE};
+use mapd_overlay::{FeedFinding, Moment, WIDEST_TOLERANCE, WZDX_TOLERANCE};
 use serde_json::{Value, json};
 use std::fs::File;
 use std::io::{self, Read, Write};
@@ -49,8 +49,11 @@ enum Action {
         /// The file (schemas/overlay.schema.json, or a WZDx 4.2 feed of work zones), or - for stdin
         file: PathBuf,
         /// Of a feed, how far beside its lines lanes may lie [m]
-        #[arg(long, value_name = "M", default_value_t = WZDX_TOLERANCE, value_parser = not_negative)]
+        #[arg(long, value_name = "M", default_value_t = WZDX_TOLERANCE, value_parser = tolerance)]
         tolerance: f64,
+        /// The entries are all that this feed says now: of what it said before, the rest is removed [default for WZDx: the file's name]
+        #[arg(long, value_name = "NAME", conflicts_with = "watch")]
+        feed: Option<String>,
         /// Go on: apply the file, or each file of a folder, whenever it changes; what it has no more is removed
         #[arg(long)]
         watch: bool,
@@ -99,10 +102,12 @@ impl OverlayCommand {
     /// Errors: what was given is wrong (usage); no daemon, no answer, no such map.
     pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
         match &self.action {
-            Action::Apply { file, tolerance, watch: true } => {
+            Action::Apply { file, tolerance, watch: true, .. } => {
                 follow::follow(&self, file, *tolerance, out)?;
             }
-            Action::Apply { file, tolerance, .. } => self.apply(file, *tolerance, None, out)?,
+            Action::Apply { file, tolerance, feed, .. } => {
+                self.apply(file, *tolerance, feed.as_deref(), out)?;
+            }
             Action::List { how } => {
                 let report = self.ask(OverlayAction::List)?;
                 if how.json {
@@ -135,7 +140,7 @@ impl OverlayCommand {
         Ok(Exit::Done)
     }
 
-    /// Applies a file; as a feed of this name, what it has no more is removed.
+    /// Applies a file; as a feed of this name, what it has no more is removed. A WZDx feed is a whole state, so it always has a name.
     fn apply(
         &self,
         file: &Path,
@@ -145,17 +150,19 @@ impl OverlayCommand {
     ) -> Result<()> {
         let mut document = read(file)?;
         let mut findings = None;
+        let mut feed = feed.map(str::to_owned);
         if mapd_overlay::is_feed(&document) {
             let wrong = |error| UsageError(format!("{}: {error:#}", file.display()));
             let (domain, own) = (self.domain.domain()?, Attach::Observer);
             let client = Client::connect_as(own, &domain, &self.name, self.wait.0)?;
             let fits = matched(client.snapshot().map(), &document, tolerance).map_err(wrong)?;
             (document, findings) = (fits.document.to_json(), Some(fits.findings));
+            feed = feed.or_else(|| Some(file.file_name()?.to_string_lossy().into_owned()));
         }
         if document.len() > LONGEST {
             bail!(UsageError(format!("{}: longer than {LONGEST} bytes", file.display())));
         }
-        let report = self.ask(OverlayAction::Apply { document, feed: feed.map(str::to_owned) })?;
+        let report = self.ask(OverlayAction::Apply { document, feed })?;
         writeln!(out, "{}: {} entries", self.name, report.entries.len())?;
         for FeedFinding { place, why } in findings.iter().flatten() {
             writeln!(out, "{}: {place}: {why}", file.display())?;
@@ -181,6 +188,14 @@ impl OverlayCommand {
             _ => bail!("map {:?}: the daemon answers something else", self.name),
         }
     }
+}
+
+/// A tolerance that places of a feed may have.
+fn tolerance(text: &str) -> Result<f64, String> {
+    not_negative(text).and_then(|metres| match metres {
+        metres if metres <= WIDEST_TOLERANCE => Ok(metres),
+        _ => Err(format!("expected at most {WIDEST_TOLERANCE} m")),
+    })
 }
 
 /// The document: UTF-8, of bounded length.
