@@ -297,7 +297,7 @@ fn a_tile_that_needs_too_much_memory_fails_alone() {
 
 /// A town that needs some megabytes more than the program itself.
 fn large_town() -> String {
-    mapd_tests::town::town(12, 12)
+    mapd_tests::town::town(18, 18)
 }
 
 #[test]

@@ -121,8 +121,8 @@ fn into_road(
         ContactPoint::End => false,
         _ => return,
     };
-    let away = if start { Contact::End } else { Contact::Start };
-    let Some(mut place) = link_inside(source, row.connecting_road, away) else { return };
+    let joined = if start { Contact::Start } else { Contact::End };
+    let Some(mut place) = link_inside(source, row.connecting_road, joined) else { return };
     if place.road != row.incoming_road {
         return;
     }
