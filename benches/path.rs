@@ -6,7 +6,7 @@
 use mapd_benches::{Random, best, long_way, maps, print};
 use mapd_client::glam::DVec2;
 use mapd_client::path::{Corridor, Path, PathBuffer, PathOptions};
-use mapd_client::route::{LanePlace, RouteScratch, RouteStep, ShortestLength};
+use mapd_client::route::{PositionOnLane, RouteScratch, RouteStep, ShortestLength};
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{Map, NearestOptions};
 use std::hint::black_box;
@@ -116,14 +116,14 @@ fn segments(name: &str, map: Map<'_>, path: &Path<'_, '_>, scratch: &mut RouteSc
     let mut found = Vec::new();
     let own = best(ROUNDS, || path.segments(CAR, &mut found));
     let Some(last) = path.lanes().last() else { return };
-    let to = LanePlace { lane: last.lane, s: last.s[1] };
+    let to = PositionOnLane { lane: last.lane, s: last.s[1] };
     let (cost, mut steps) = (ShortestLength::default(), Vec::new());
     let by_hand = best(1, || {
         for segment in &found {
             let Ok(lane) = map.lane(segment.lane) else { continue };
             let section = lane.section();
             let s = 0.5 * (section.s_start() + section.s_end());
-            let from = LanePlace { lane: segment.lane, s };
+            let from = PositionOnLane { lane: segment.lane, s };
             black_box(map.route(from, to, CAR, &cost, scratch, &mut steps).ok());
         }
     });

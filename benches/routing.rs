@@ -6,7 +6,7 @@
 
 use mapd_benches::{Random, maps, percentiles, print};
 use mapd_client::compiling::ByRow as _;
-use mapd_client::route::{LanePlace, RouteScratch, ShortestLength, ShortestTime};
+use mapd_client::route::{PositionOnLane, RouteScratch, ShortestLength, ShortestTime};
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{Map, Snapshot};
 use mapd_compiler::{CompileOptions, compile};
@@ -52,7 +52,7 @@ fn network(folder: &Path) -> (&'static str, PathBuf) {
 }
 
 /// Pairs of places with a way between them, and its length.
-fn pairs(map: Map<'_>) -> Vec<(LanePlace, LanePlace, f64)> {
+fn pairs(map: Map<'_>) -> Vec<(PositionOnLane, PositionOnLane, f64)> {
     let car = VehicleClass::PassengerCar;
     let lanes: Vec<_> =
         map.lanes().filter(|lane| lane.nodes().any(|node| node.allows(car))).collect();
@@ -61,7 +61,7 @@ fn pairs(map: Map<'_>) -> Vec<(LanePlace, LanePlace, f64)> {
         let lane = &lanes[(random.unit() * lanes.len() as f64) as usize];
         let section = lane.section();
         let s = section.s_start() + random.unit() * (section.s_end() - section.s_start());
-        LanePlace { lane: lane.lane_id(), s }
+        PositionOnLane { lane: lane.lane_id(), s }
     };
     let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
     let mut out = Vec::new();
@@ -74,7 +74,7 @@ fn pairs(map: Map<'_>) -> Vec<(LanePlace, LanePlace, f64)> {
             // And a short one: to a lane on the way.
             let at = steps.len().min(SHORT_STEPS).saturating_sub(1);
             if let Some(step) = steps.get(at) {
-                let to = LanePlace { lane: step.lane, s: 0.5 * (step.s_from + step.s_to) };
+                let to = PositionOnLane { lane: step.lane, s: 0.5 * (step.s_from + step.s_to) };
                 let short = map.route(from, to, car, &cost, &mut scratch, &mut steps);
                 let short = short.expect("an answer").map_or(f64::INFINITY, |route| route.length);
                 if short < SHORT {
@@ -88,7 +88,7 @@ fn pairs(map: Map<'_>) -> Vec<(LanePlace, LanePlace, f64)> {
 
 fn time_routes(
     map: Map<'_>,
-    pairs: &[(LanePlace, LanePlace)],
+    pairs: &[(PositionOnLane, PositionOnLane)],
     by_time: bool,
 ) -> (Duration, Duration) {
     let mut scratch = RouteScratch::with_capacity(map.lane_nodes().len());
@@ -107,7 +107,7 @@ fn time_routes(
 }
 
 /// `pathfinding` over the archive's own rows, through closures: Dijkstra, and A* with the straight line as bound.
-fn time_peer(map: Map<'_>, pairs: &[(LanePlace, LanePlace)]) -> (Duration, Duration) {
+fn time_peer(map: Map<'_>, pairs: &[(PositionOnLane, PositionOnLane)]) -> (Duration, Duration) {
     let tables = map.tables();
     let change = ShortestLength::default().lane_change;
     // Costs in millimetres: the crate wants an order.
@@ -129,7 +129,7 @@ fn time_peer(map: Map<'_>, pairs: &[(LanePlace, LanePlace)]) -> (Duration, Durat
         let beside = sides.into_iter().filter(move |(flag, _)| row.flags() & flag != 0);
         ahead.chain(beside.map(move |(_, to)| (to, millimetres(change)))).collect::<Vec<_>>()
     };
-    let node = |place: &LanePlace| {
+    let node = |place: &PositionOnLane| {
         let lane = map.lane(place.lane).expect("known");
         let node = lane.node_at(place.s, lane.is_forward()).expect("a node");
         node.node_id().row()
@@ -153,9 +153,13 @@ fn time_peer(map: Map<'_>, pairs: &[(LanePlace, LanePlace)]) -> (Duration, Durat
 }
 
 /// `route` of the crate `xodr` between the same points; it also projects both and samples what it finds.
-fn time_xodr(map: Map<'_>, path: &Path, pairs: &[(LanePlace, LanePlace)]) -> Option<Duration> {
+fn time_xodr(
+    map: Map<'_>,
+    path: &Path,
+    pairs: &[(PositionOnLane, PositionOnLane)],
+) -> Option<Duration> {
     let net = xodr::load_file(path).ok()?;
-    let point = |place: &LanePlace| {
+    let point = |place: &PositionOnLane| {
         let pose = map.lane(place.lane).expect("known").pose_at(place.s, 0.0).expect("a pose");
         let p = pose.position;
         xodr::Point::new(p.x as f32, p.y as f32, p.z as f32)
@@ -241,11 +245,11 @@ fn measure(name: &str, path: &Path) {
 fn translated(
     from: Map<'_>,
     to: Map<'_>,
-    pairs: &[(LanePlace, LanePlace)],
-) -> Vec<(LanePlace, LanePlace)> {
-    let place = |place: &LanePlace| {
+    pairs: &[(PositionOnLane, PositionOnLane)],
+) -> Vec<(PositionOnLane, PositionOnLane)> {
+    let place = |place: &PositionOnLane| {
         let key = from.lane(place.lane).expect("known").key();
-        LanePlace { lane: to.lane_by_key(&key).expect("a lane").lane_id(), s: place.s }
+        PositionOnLane { lane: to.lane_by_key(&key).expect("a lane").lane_id(), s: place.s }
     };
     pairs.iter().map(|(a, b)| (place(a), place(b))).collect()
 }

@@ -6,7 +6,7 @@
 use anyhow::{Context, Result, bail};
 use mapd_client::glam::DVec2;
 use mapd_client::path::{Corridor, PathBuffer, PathOptions, Yields};
-use mapd_client::route::{LanePlace, RouteScratch, ShortestTime};
+use mapd_client::route::{PositionOnLane, RouteScratch, ShortestTime};
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{Client, LaneTypes, Map, NearestOptions};
 use std::io::Write;
@@ -64,8 +64,8 @@ fn plan(
     let (s, number): (f64, i32) = (s.parse()?, lane.parse()?);
     let section = map.road_by_id(road).and_then(|road| road.section_at(s));
     let goal = section.and_then(|section| section.lane(number)).context("no such goal")?;
-    let from = LanePlace { lane: here.lane, s: here.position.s };
-    let to = LanePlace { lane: goal.lane_id(), s };
+    let from = PositionOnLane { lane: here.lane, s: here.position.s };
+    let to = PositionOnLane { lane: goal.lane_id(), s };
     let route = map.route(from, to, car, &ShortestTime::default(), scratch, steps)?;
     let route = route.context("no way there")?;
     let path = map.path(steps, &PathOptions::default(), path)?;

@@ -15,7 +15,7 @@
 //!
 //! They use `carla/Town05.xodr` of the shared corpus and its 6×6 tiling, and say so where these are missing.
 
-use mapd_client::route::{LanePlace, RouteScratch, RouteStep, ShortestLength};
+use mapd_client::route::{PositionOnLane, RouteScratch, RouteStep, ShortestLength};
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{Lane, Map, Snapshot};
 pub use mapd_planner::{PARTICLES, cloud, places};
@@ -120,7 +120,7 @@ pub fn long_way(map: Map<'_>, length: f64, scratch: &mut RouteScratch) -> Option
         let lane = &lanes[(random.unit() * lanes.len() as f64) as usize];
         let section = lane.section();
         let s = 0.5 * (section.s_start() + section.s_end());
-        places.push(LanePlace { lane: lane.lane_id(), s });
+        places.push(PositionOnLane { lane: lane.lane_id(), s });
         if places.len() < 2 {
             continue;
         }

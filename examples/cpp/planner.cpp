@@ -33,7 +33,7 @@ class Planner {
     const auto road = map.road_by_id(road_);
     const auto goal = road ? map.lane_numbered(*road, s_, lane_) : std::nullopt;
     if (!goal) throw std::runtime_error("no such goal");
-    const mapd::LanePlace places[] = {{here->lane, here->position.s}, {*goal, s_}};
+    const mapd::PositionOnLane places[] = {{here->lane, here->position.s}, {*goal, s_}};
     const auto route = map.route(places, {MAPD_COST_TIME, car, 2.0}, scratch_);
     if (!route) throw std::runtime_error("no way there");
     const auto path = map.path(route->steps);

@@ -51,7 +51,7 @@ class Planner {
     if (limit.has_max) std::printf(", limit %.1f m/s", limit.max);
     std::printf("\n");
 
-    const mapd::LanePlace place{here->lane, here->position.s};
+    const mapd::PositionOnLane place{here->lane, here->position.s};
     if (const auto junction = map_.next_junction(place, 100.0, MAPD_VEHICLE_CLASS_PASSENGER_CAR)) {
       const std::string id(mapd::view(map_.junction(junction->junction).id));
       std::printf("junction %s in %.1f m\n", id.c_str(), junction->distance);

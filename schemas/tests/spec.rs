@@ -56,7 +56,7 @@ fn ranks(set: VersionSet) -> Vec<usize> {
 }
 
 /// An element at a path, and the versions in which it stands there.
-struct Place<'a> {
+struct ElementAt<'a> {
     element: &'a Element,
     versions: VersionSet,
     occurs: Option<String>,
@@ -66,9 +66,9 @@ struct Place<'a> {
 fn walk<'a>(
     table: &'a Table,
     path: String,
-    place: Place<'a>,
+    place: ElementAt<'a>,
     wanted: &HashMap<String, ()>,
-    out: &mut BTreeMap<String, Place<'a>>,
+    out: &mut BTreeMap<String, ElementAt<'a>>,
 ) {
     for child in &place.element.children {
         let path = format!("{path}/{}", child.name);
@@ -79,7 +79,7 @@ fn walk<'a>(
             let occurs = child.occurs.at(newest).map(|o| {
                 format!("{}..{}", o.min, o.max.map_or("*".to_owned(), |max| max.to_string()))
             });
-            walk(table, path, Place { element, versions, occurs }, wanted, out);
+            walk(table, path, ElementAt { element, versions, occurs }, wanted, out);
         }
     }
     out.insert(path, place);
@@ -93,12 +93,12 @@ fn every_element_and_attribute_is_in_the_table() {
         rows.iter().filter(|r| r["kind"] == "E").map(|r| (r["path"].clone(), ())).collect();
     let root = table.element("OpenDrive").expect("the root");
     let mut places = BTreeMap::new();
-    let place = Place { element: root, versions: VersionSet::ALL, occurs: None };
+    let place = ElementAt { element: root, versions: VersionSet::ALL, occurs: None };
     walk(&table, "OpenDRIVE".to_owned(), place, &wanted, &mut places);
     // The list has what may stand in many elements once.
     for (tag, kind) in ADDITIONAL {
         let element = table.element(kind).expect("the table is checked");
-        let place = Place { element, versions: element.versions(), occurs: None };
+        let place = ElementAt { element, versions: element.versions(), occurs: None };
         walk(&table, format!("*/{tag}"), place, &wanted, &mut places);
     }
     let mut wrong = Vec::new();

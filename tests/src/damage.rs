@@ -3,7 +3,7 @@
 use mapd_archive::{AlignedBytes, HEADER_LENGTH};
 use mapd_client::{LaneTypes, Map, NearestOptions, Region, Snapshot, Track, glam::DVec2};
 use mapd_query::route::{
-    LanePlace, LaneSequences, RouteScratch, ShortestLength, ShortestTime, next_lane_change,
+    LaneSequences, PositionOnLane, RouteScratch, ShortestLength, ShortestTime, next_lane_change,
 };
 use mapd_query::signals::SignalsAhead;
 use mapd_query::vocabulary::{ClassSet, VehicleClass};
@@ -120,7 +120,7 @@ fn ask_signals(map: Map<'_>) {
         let _ = (lane.movement_crossings().count(), lane.movement_lanes().count());
         let _ = (lane.lines_to_stop_at().count(), lane.crossings().count(), lane.movement_stop());
         let _ = (lane.stop_lines().count(), lane.crosswalks().count(), lane.access_at(1.0).count());
-        let from = LanePlace { lane: lane.lane_id(), s: 1.0 };
+        let from = PositionOnLane { lane: lane.lane_id(), s: 1.0 };
         let _ = map.signals_ahead(from, 50.0, VehicleClass::PassengerCar, &mut ahead);
     }
 }
@@ -187,7 +187,7 @@ fn ask_graph(map: Map<'_>) {
     let (mut scratch, mut steps, mut reached) = (RouteScratch::default(), Vec::new(), Vec::new());
     let mut sequences = LaneSequences::default();
     let (car, length) = (VehicleClass::PassengerCar, ShortestLength::default());
-    let mut places = map.lanes().map(|lane| LanePlace { lane: lane.lane_id(), s: 5.0 });
+    let mut places = map.lanes().map(|lane| PositionOnLane { lane: lane.lane_id(), s: 5.0 });
     let (Some(first), Some(last)) = (places.next(), places.nth(20).or(places.last())) else {
         return;
     };

@@ -1,6 +1,6 @@
 //! A service manager, as far as a daemon knows it: a socket that hears READY=1 and WATCHDOG=1.
 
-use crate::place::PATIENCE;
+use crate::test_domain::PATIENCE;
 use std::os::unix::net::UnixDatagram;
 use std::path::PathBuf;
 use std::process::Command;

@@ -1,6 +1,6 @@
 //! Processes of another user, which only root can start.
 
-use crate::place::Place;
+use crate::test_domain::TestDomain;
 use std::path::Path;
 use std::process::Command;
 
@@ -11,7 +11,7 @@ pub const GROUP: u32 = 61_002;
 const USER: u32 = 61_001;
 
 /// A program of another user in this domain, in these groups; `None` with a word to whoever runs the tests where that cannot be done.
-pub fn command(place: &Place, groups: &str, program: impl AsRef<Path>) -> Option<Command> {
+pub fn command(place: &TestDomain, groups: &str, program: impl AsRef<Path>) -> Option<Command> {
     let as_other = || {
         let mut command = place.command_of("setpriv");
         command.arg(format!("--reuid={USER}")).arg(format!("--regid={USER}"));

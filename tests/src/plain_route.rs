@@ -3,7 +3,7 @@
 use mapd_query::Map;
 use mapd_query::SRange;
 use mapd_query::graph::LaneNode;
-use mapd_query::route::{LanePlace, RouteCost};
+use mapd_query::route::{PositionOnLane, RouteCost};
 use mapd_query::vocabulary::VehicleClass;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -40,7 +40,12 @@ impl PlainGraph {
     }
 
     /// Costs of the cheapest ways from one place to each of several; `None` where there is none.
-    pub fn costs(&self, map: Map<'_>, from: LanePlace, to: &[LanePlace]) -> Vec<Option<f64>> {
+    pub fn costs(
+        &self,
+        map: Map<'_>,
+        from: PositionOnLane,
+        to: &[PositionOnLane],
+    ) -> Vec<Option<f64>> {
         let all: Vec<LaneNode<'_>> = map.lane_nodes().collect();
         let share = |node: usize, s: f64| {
             let SRange { low, high } = all[node].s_range();
@@ -133,7 +138,7 @@ impl PlainGraph {
 }
 
 /// Nodes at a place, one for each direction of travel.
-fn at(map: Map<'_>, place: LanePlace) -> impl Iterator<Item = usize> {
+fn at(map: Map<'_>, place: PositionOnLane) -> impl Iterator<Item = usize> {
     let lane = map.lane(place.lane).expect("known");
     let ways = [true, false].into_iter().filter_map(move |way| lane.node_at(place.s, way));
     ways.map(|node| node.node_id().row() as usize).collect::<Vec<_>>().into_iter()

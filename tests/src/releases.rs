@@ -4,7 +4,7 @@ use crate::damage::seal;
 use mapd_archive::{AlignedBytes, HEADER_LENGTH, TableEntry, directory};
 use mapd_client::{Map, NearestOptions, glam::DVec2};
 use mapd_query::Bounds;
-use mapd_query::route::{LanePlace, RouteScratch, ShortestLength};
+use mapd_query::route::{PositionOnLane, RouteScratch, ShortestLength};
 use mapd_query::vocabulary::VehicleClass;
 use std::fmt::{self, Write as _};
 use std::path::PathBuf;
@@ -129,7 +129,7 @@ pub fn answers(map: Map<'_>) -> Result<String, fmt::Error> {
     let places: Vec<_> = map.lanes().take(ROUTED).collect();
     let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
     for (from, to) in places.iter().flat_map(|a| places.iter().map(move |b| (a, b))) {
-        let place = |lane: &mapd_query::Lane<'_>| LanePlace { lane: lane.lane_id(), s: 1.0 };
+        let place = |lane: &mapd_query::Lane<'_>| PositionOnLane { lane: lane.lane_id(), s: 1.0 };
         let (car, cost) = (VehicleClass::PassengerCar, ShortestLength::default());
         if let Ok(Some(_)) = map.route(place(from), place(to), car, &cost, &mut scratch, &mut steps)
         {

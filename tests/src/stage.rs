@@ -1,6 +1,6 @@
 //! A domain of its own with one map, where daemons and clients are processes that may be killed.
 
-use crate::place::Place;
+use crate::test_domain::TestDomain;
 use mapd_client::{Attach, Client, ClientError, Domain};
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
@@ -28,7 +28,7 @@ pub type Checked<T> = Result<T, String>;
 
 /// A domain of its own with one map.
 pub struct Stage {
-    place: Place,
+    place: TestDomain,
     map: PathBuf,
     question: String,
     answer: String,
@@ -41,7 +41,7 @@ impl Stage {
     /// Errors: the file cannot be queried.
     pub fn new(mapd: &Path, map: &Path, question: &str) -> Checked<Self> {
         let (map, question) = (map.to_owned(), question.to_owned());
-        let stage = Self { place: Place::new(mapd), map, question, answer: String::new() };
+        let stage = Self { place: TestDomain::new(mapd), map, question, answer: String::new() };
         let output = stage.ask(&stage.map.display().to_string(), DAEMON_PATIENCE)?;
         if !output.status.success() {
             return Err(format!("from the file: {}", stderr_of(&output)));

@@ -2,8 +2,8 @@
 //! nothing about who lives; the kernel's locks do.
 
 use mapd_client::Client;
-use mapd_tests::place::{PATIENCE, Place};
 use mapd_tests::say;
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
@@ -12,7 +12,7 @@ const PROBE: &str = env!("CARGO_BIN_EXE_planner_probe");
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 
 /// A command that becomes process 1 of a namespace of its own.
-fn alone(place: &Place, program: &str, args: &[&str]) -> Command {
+fn alone(place: &TestDomain, program: &str, args: &[&str]) -> Command {
     let mut command = place.command_of("unshare");
     command.args(["--pid", "--fork", "--kill-child", "--mount-proc", program]).args(args);
     command
@@ -28,7 +28,7 @@ impl Drop for Contained {
     }
 }
 
-fn possible(place: &Place) -> bool {
+fn possible(place: &TestDomain) -> bool {
     let possible = alone(place, "true", &[]).output().is_ok_and(|output| output.status.success());
     if !possible {
         say("SKIPPED: this user may not make a process namespace");
@@ -37,7 +37,7 @@ fn possible(place: &Place) -> bool {
 }
 
 /// A daemon in a container, once it serves.
-fn serve(place: &Place) -> Contained {
+fn serve(place: &TestDomain) -> Contained {
     let town = mapd_tests::carried("town.xodr").display().to_string();
     let mut daemon = Contained(alone(place, MAPD, &["--load", &town]).spawn().expect("starts"));
     let mut lines = BufReader::new(daemon.0.stderr.take().expect("stderr"));
@@ -50,7 +50,7 @@ fn serve(place: &Place) -> Contained {
 
 /// A client in a container that has attached and waits for a line before it waits for the next generation; and the one that
 /// it holds.
-fn holder(place: &Place) -> (Contained, BufReader<std::process::ChildStdout>, u64) {
+fn holder(place: &TestDomain) -> (Contained, BufReader<std::process::ChildStdout>, u64) {
     let wait = PATIENCE.as_millis().to_string();
     let mut command = alone(place, PROBE, &["wait", "town", &wait]);
     // Observers have nothing that could be cleared away.
@@ -65,7 +65,7 @@ fn holder(place: &Place) -> (Contained, BufReader<std::process::ChildStdout>, u6
 
 #[test]
 fn clients_attach_across_namespaces() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     if !possible(&place) {
         return;
     }
@@ -82,7 +82,7 @@ fn clients_attach_across_namespaces() {
 /// somebody else's here: nor the other way round.
 #[test]
 fn the_living_are_left_alone_and_the_dead_are_cleared_away() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     if !possible(&place) {
         return;
     }

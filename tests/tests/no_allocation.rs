@@ -6,7 +6,9 @@ use mapd_client::batch::{BatchScratch, NearestLanes, Places, PoseMatches};
 use mapd_client::localisation::{
     GroundScratch, MarkFilter, MatchOptions, Tracker, TrackerOptions, VehiclePose,
 };
-use mapd_client::route::{LanePlace, LaneSequences, RouteScratch, ShortestTime, next_lane_change};
+use mapd_client::route::{
+    LaneSequences, PositionOnLane, RouteScratch, ShortestTime, next_lane_change,
+};
 use mapd_client::signals::SignalsAhead;
 use mapd_client::vocabulary::ClassSet;
 use mapd_client::vocabulary::VehicleClass;
@@ -66,7 +68,7 @@ fn queries_about_signals_do_not_allocate() {
     );
     let place = |key: &str| {
         let lane = map.lane_by_key(&key.parse().expect("a key")).expect("a lane");
-        LanePlace { lane: lane.lane_id(), s: 80.0 }
+        PositionOnLane { lane: lane.lane_id(), s: 80.0 }
     };
     let (from, to, cost) = (place("0:0:1"), place("2:0:-1"), ShortestTime::default());
     let before = COUNT.with(Cell::get);
@@ -78,7 +80,7 @@ fn queries_about_signals_do_not_allocate() {
     seen += map.signals().flat_map(|s| s.boards()).map(|b| b.areas().len()).sum::<usize>();
     seen += map.objects().map(|object| object.signals().count()).sum::<usize>();
     for lane in map.lanes() {
-        let from = LanePlace { lane: lane.lane_id(), s: 80.0 };
+        let from = PositionOnLane { lane: lane.lane_id(), s: 80.0 };
         map.signals_ahead(from, 200.0, VehicleClass::PassengerCar, &mut ahead).expect("an answer");
         seen += ahead.iter().filter(|one| map.signal_of(one).is_some()).count();
         seen += lane.movement_lights().count() + lane.yields_to().count();
@@ -119,8 +121,11 @@ fn queries_do_not_allocate() {
         Vec::with_capacity(ROOM),
     );
     let (car, cost) = (VehicleClass::PassengerCar, ShortestTime::default());
-    let all: Vec<LanePlace> =
-        snapshot.map().lanes().map(|lane| LanePlace { lane: lane.lane_id(), s: 1.0 }).collect();
+    let all: Vec<PositionOnLane> = snapshot
+        .map()
+        .lanes()
+        .map(|lane| PositionOnLane { lane: lane.lane_id(), s: 1.0 })
+        .collect();
     let (mut scratch, mut steps, mut reached, mut sequences) = (
         RouteScratch::with_capacity(snapshot.map().lane_nodes().len()),
         Vec::with_capacity(ROOM),
@@ -226,8 +231,8 @@ fn paths_do_not_allocate_after_the_first_call() {
     let snapshot = mapd_tests::maps::open(&mapd_tests::carried("town.xodr"));
     let map = snapshot.map();
     let (car, cost) = (VehicleClass::PassengerCar, ShortestTime::default());
-    let all: Vec<LanePlace> =
-        map.lanes().map(|lane| LanePlace { lane: lane.lane_id(), s: 1.0 }).collect();
+    let all: Vec<PositionOnLane> =
+        map.lanes().map(|lane| PositionOnLane { lane: lane.lane_id(), s: 1.0 }).collect();
     let (mut scratch, mut steps, mut buffer) =
         (RouteScratch::default(), Vec::new(), PathBuffer::default());
     let (mut room, mut conflicts, mut places, mut feet) =

@@ -5,7 +5,7 @@
 //! MAPD_TEST_ARCHIVE=big104.mapd cargo test -p mapd-tests --test shared_once -- --nocapture   another one
 //! ```
 
-use mapd_tests::place::Place;
+use mapd_tests::test_domain::TestDomain;
 use mapd_tests::{say, town};
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader};
@@ -25,14 +25,14 @@ const SEGMENT: u64 = 64;
 
 /// An archive that is served: the one that the environment names, or that of a generated town.
 struct Served {
-    place: Place,
+    place: TestDomain,
     archive: PathBuf,
     _folder: tempfile::TempDir,
 }
 
 impl Served {
     fn new() -> Self {
-        let place = Place::new(env!("CARGO_BIN_EXE_mapd_under_test"));
+        let place = TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test"));
         let folder = tempfile::tempdir().expect("a folder");
         let archive = match std::env::var_os("MAPD_TEST_ARCHIVE") {
             Some(path) => path.into(),
@@ -57,7 +57,7 @@ impl Served {
 struct Held(Child);
 
 impl Held {
-    fn new(place: &Place, args: &[&str]) -> Self {
+    fn new(place: &TestDomain, args: &[&str]) -> Self {
         let mut child =
             place.command_of(PROBE).args(args).stdin(Stdio::piped()).spawn().expect("starts");
         let mut line = String::new();

@@ -6,8 +6,8 @@
 
 use iceoryx2::prelude::{NodeBuilder, ServiceName, SignalHandlingMode};
 use mapd_client::{Attach, Client, ClientError};
-use mapd_tests::place::{PATIENCE, Place};
 use mapd_tests::say;
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use mapd_transport::{
     AttachError, Chunk64, GenerationInfo, MAX_SUBSCRIBERS, Subscription, TransportService,
     iceoryx2_config, service_name, wake_name,
@@ -24,8 +24,8 @@ const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 /// A user without rights.
 const NOBODY: &str = "65534";
 
-fn place() -> Place {
-    Place::new(MAPD)
+fn place() -> TestDomain {
+    TestDomain::new(MAPD)
 }
 
 fn town() -> String {
@@ -33,7 +33,7 @@ fn town() -> String {
 }
 
 /// Runs a shell script with `/dev/shm` replaced by an empty file system of so many KiB; `None` where that is not allowed.
-fn with_small_shared_memory(place: &Place, kilobytes: u32, script: &str) -> Option<Output> {
+fn with_small_shared_memory(place: &TestDomain, kilobytes: u32, script: &str) -> Option<Output> {
     let mount = format!("mount -t tmpfs -o size={kilobytes}k none /dev/shm");
     let unshare = || {
         let mut command = place.command_of("unshare");
@@ -239,7 +239,7 @@ fn more_clients_than_places() {
 }
 
 /// As another user, if this one may become another.
-fn as_nobody(place: &Place, program: &str, args: &[&str]) -> Option<Output> {
+fn as_nobody(place: &TestDomain, program: &str, args: &[&str]) -> Option<Output> {
     let become_nobody = |program: &str| {
         let mut command = place.command_of("setpriv");
         command.args(["--reuid", NOBODY, "--regid", NOBODY, "--clear-groups", program]);

@@ -41,7 +41,7 @@ pub const ADDITIONAL: [(&str, &str); 3] =
 /// The whole table.
 pub struct Table {
     /// Elements by part.
-    pub parts: Vec<Part>,
+    pub parts: Vec<SchemaPart>,
     /// Enumerations.
     pub words: Vec<Words>,
 }
@@ -49,7 +49,7 @@ pub struct Table {
 /// The elements of one part.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Part {
+pub struct SchemaPart {
     /// Name of the part and of its file.
     #[serde(skip)]
     pub name: &'static str,
@@ -198,7 +198,8 @@ impl Table {
         };
         let mut parts = Vec::new();
         for name in PARTS {
-            let mut part: Part = toml::from_str(&text(name)?).with_context(|| name.to_owned())?;
+            let mut part: SchemaPart =
+                toml::from_str(&text(name)?).with_context(|| name.to_owned())?;
             part.name = name;
             for element in &mut part.elements {
                 element.children.sort_by_key(|child| child.order);

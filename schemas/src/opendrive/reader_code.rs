@@ -2,12 +2,12 @@
 
 use super::names::{constant, field};
 use super::struct_code::{child_field, is_root, rust_type};
-use super::{Element, Part, Table, note};
+use super::{Element, SchemaPart, Table, note};
 use anyhow::{Result, bail};
 use std::fmt::Write as _;
 
 /// One implementation for each element of a part.
-pub(super) fn readers(_table: &Table, part: &Part) -> Result<String> {
+pub(super) fn readers(_table: &Table, part: &SchemaPart) -> Result<String> {
     let name = part.name;
     let mut out = format!("//! Reads the elements of `{name}`.\n{}", note(name));
     let root = part.elements.iter().any(is_root);

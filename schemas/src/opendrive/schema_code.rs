@@ -1,12 +1,14 @@
 //! The schema as statics that the reader checks against.
 
 use super::names::constant;
-use super::{Attribute, Child, Element, Part, Table, VERSIONS, VersionSet, note, split_range};
+use super::{
+    Attribute, Child, Element, SchemaPart, Table, VERSIONS, VersionSet, note, split_range,
+};
 use anyhow::{Context, Result, bail};
 use std::fmt::Write as _;
 
 /// One static for each element of a part.
-pub(super) fn statics(table: &Table, part: &Part) -> Result<String> {
+pub(super) fn statics(table: &Table, part: &SchemaPart) -> Result<String> {
     let mut out = format!("//! The schema of `{}`.\n{}", part.name, note(part.name));
     out += "#[allow(unused_imports, reason = \"each part needs some\")]\n";
     out += "use crate::generated::schema_words::*;\n";

@@ -1,12 +1,12 @@
 //! The document's types.
 
 use super::names::field;
-use super::{Attribute, Child, Element, Part, Table, VersionSet, note, split_range};
+use super::{Attribute, Child, Element, SchemaPart, Table, VersionSet, note, split_range};
 use anyhow::Result;
 use std::fmt::Write as _;
 
 /// One struct for each element of a part, and the items of the stream for the root.
-pub(super) fn structs(table: &Table, part: &Part) -> Result<String> {
+pub(super) fn structs(table: &Table, part: &SchemaPart) -> Result<String> {
     let mut out = format!("//! Elements of `{}`.\n{}", part.name, note(part.name));
     let root = part.elements.iter().any(is_root);
     if !root || part.elements.len() > 1 {

@@ -2,11 +2,11 @@
 
 use super::names::field;
 use super::struct_code::{child_field, is_root};
-use super::{Element, Part, note};
+use super::{Element, SchemaPart, note};
 use std::fmt::Write as _;
 
 /// One implementation of `Written` for each element of a part.
-pub(super) fn walks(part: &Part) -> String {
+pub(super) fn walks(part: &SchemaPart) -> String {
     let name = part.name;
     let elements = part.elements.iter().filter(|element| !is_root(element));
     let code: String = elements.map(walk).collect();

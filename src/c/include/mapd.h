@@ -1957,18 +1957,18 @@ typedef struct mapd_conflict {
 } mapd_conflict;
 
 /*
- A place on a lane.
+ A position on a lane by s alone: an end of a route, or where a search begins.
  */
-typedef struct mapd_lane_place {
+typedef struct mapd_position_on_lane {
   /*
    The lane.
    */
   struct mapd_lane_id lane;
   /*
-   On the road [m]; outside the lane's section its nearer end counts.
+   The road's s [m]; outside the lane's section its nearer end counts.
    */
   double s;
-} mapd_lane_place;
+} mapd_position_on_lane;
 
 /*
  What a route keeps small, and for whom.
@@ -3906,7 +3906,7 @@ mapd_code mapd_lane_conflicts(const struct mapd_snapshot *snapshot,
  Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for an unknown cost or class.
  */
 mapd_code mapd_route(const struct mapd_snapshot *snapshot,
-                     const struct mapd_lane_place *places,
+                     const struct mapd_position_on_lane *places,
                      size_t place_count,
                      struct mapd_cost cost,
                      struct mapd_scratch *scratch,
@@ -3922,7 +3922,7 @@ mapd_code mapd_route(const struct mapd_snapshot *snapshot,
  Errors: as `mapd_route`.
  */
 mapd_code mapd_reachable(const struct mapd_snapshot *snapshot,
-                         struct mapd_lane_place from,
+                         struct mapd_position_on_lane from,
                          double limit,
                          struct mapd_cost cost,
                          struct mapd_scratch *scratch,
@@ -3939,7 +3939,7 @@ mapd_code mapd_reachable(const struct mapd_snapshot *snapshot,
  Errors: as `mapd_route`.
  */
 mapd_code mapd_lane_sequences(const struct mapd_snapshot *snapshot,
-                              struct mapd_lane_place from,
+                              struct mapd_position_on_lane from,
                               double distance,
                               uint8_t vehicle,
                               uint8_t ahead,
@@ -3960,7 +3960,7 @@ mapd_code mapd_lane_sequences(const struct mapd_snapshot *snapshot,
  Errors: as `mapd_route`.
  */
 mapd_code mapd_next_junction_of(const struct mapd_snapshot *snapshot,
-                                struct mapd_lane_place from,
+                                struct mapd_position_on_lane from,
                                 double distance,
                                 uint8_t vehicle,
                                 struct mapd_next_junction *out,
@@ -3975,7 +3975,7 @@ mapd_code mapd_next_lane_change(const struct mapd_snapshot *snapshot,
                                 const struct mapd_route_step *steps,
                                 size_t step_count,
                                 size_t at,
-                                struct mapd_lane_place place,
+                                struct mapd_position_on_lane place,
                                 struct mapd_scratch *scratch,
                                 struct mapd_lane_change *out,
                                 struct mapd_error *error);
@@ -4228,7 +4228,7 @@ mapd_code mapd_signals_in(const struct mapd_snapshot *snapshot,
  Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for an unknown class.
  */
 mapd_code mapd_signals_ahead(const struct mapd_snapshot *snapshot,
-                             struct mapd_lane_place from,
+                             struct mapd_position_on_lane from,
                              double distance,
                              uint8_t vehicle,
                              struct mapd_scratch *scratch,

@@ -143,7 +143,7 @@ class Snapshot : public Queries {
 #endif
 
   /// The cheapest way through these places, in driving direction and by allowed lane changes; none if there is no way.
-  Result<std::optional<Route>> try_route(span<const LanePlace> places, Cost cost, Scratch& scratch) const {
+  Result<std::optional<Route>> try_route(span<const PositionOnLane> places, Cost cost, Scratch& scratch) const {
     Route route;
     mapd_error error;
     route.steps.resize(64);
@@ -158,7 +158,7 @@ class Snapshot : public Queries {
     }
   }
 #if MAPD_EXCEPTIONS
-  std::optional<Route> route(span<const LanePlace> places, Cost cost, Scratch& scratch) const {
+  std::optional<Route> route(span<const PositionOnLane> places, Cost cost, Scratch& scratch) const {
     return try_route(places, cost, scratch).value();
   }
 #endif
@@ -172,7 +172,7 @@ class Snapshot : public Queries {
 #endif
 
   /// All sequences of lanes ahead of a place, or behind it.
-  Result<LaneSequences> try_lane_sequences(LanePlace from, double distance, std::uint8_t vehicle, bool ahead,
+  Result<LaneSequences> try_lane_sequences(PositionOnLane from, double distance, std::uint8_t vehicle, bool ahead,
                                            Scratch& scratch) const {
     std::vector<LaneId> lanes(64);
     std::vector<std::size_t> ends(16);
@@ -199,7 +199,7 @@ class Snapshot : public Queries {
     return out;
   }
 #if MAPD_EXCEPTIONS
-  LaneSequences lane_sequences(LanePlace from, double distance, std::uint8_t vehicle, bool ahead,
+  LaneSequences lane_sequences(PositionOnLane from, double distance, std::uint8_t vehicle, bool ahead,
                                Scratch& scratch) const {
     return try_lane_sequences(from, distance, vehicle, ahead, scratch).value();
   }

@@ -7,16 +7,16 @@ use crate::list::{List, entries, get_mut, put, put_raw, put_some};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
 use mapd_client::QueryError;
-use mapd_client::route::{Enter, LanePlace, Route, RouteStep, ShortestLength, ShortestTime};
+use mapd_client::route::{Enter, PositionOnLane, Route, RouteStep, ShortestLength, ShortestTime};
 use mapd_client::vocabulary::VehicleClass;
 
-/// A place on a lane.
+/// A position on a lane by s alone: an end of a route, or where a search begins.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct mapd_lane_place {
+pub struct mapd_position_on_lane {
     /// The lane.
     pub lane: mapd_lane_id,
-    /// On the road \[m\]; outside the lane's section its nearer end counts.
+    /// The road's s \[m\]; outside the lane's section its nearer end counts.
     pub s: f64,
 }
 
@@ -122,8 +122,8 @@ pub(crate) fn enter_code(enter: Enter) -> u8 {
     }
 }
 
-impl From<mapd_lane_place> for LanePlace {
-    fn from(place: mapd_lane_place) -> Self {
+impl From<mapd_position_on_lane> for PositionOnLane {
+    fn from(place: mapd_position_on_lane) -> Self {
         Self { lane: place.lane.into(), s: place.s }
     }
 }
@@ -206,7 +206,7 @@ fn no_cost(by: u32) -> Failure {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_route(
     snapshot: *const mapd_snapshot,
-    places: *const mapd_lane_place,
+    places: *const mapd_position_on_lane,
     place_count: usize,
     cost: mapd_cost,
     scratch: *mut mapd_scratch,
@@ -222,7 +222,9 @@ pub unsafe extern "C" fn mapd_route(
             let mapd_scratch { route, steps, places: own, .. } = get_mut(scratch, "a scratch")?;
             own.clear();
             own.extend(
-                entries(places, place_count, "the places")?.iter().map(|p| LanePlace::from(*p)),
+                entries(places, place_count, "the places")?
+                    .iter()
+                    .map(|p| PositionOnLane::from(*p)),
             );
             let lane_change = cost.lane_change;
             let found = match cost.by {
@@ -248,7 +250,7 @@ pub unsafe extern "C" fn mapd_route(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_reachable(
     snapshot: *const mapd_snapshot,
-    from: mapd_lane_place,
+    from: mapd_position_on_lane,
     limit: f64,
     cost: mapd_cost,
     scratch: *mut mapd_scratch,
@@ -289,7 +291,7 @@ pub unsafe extern "C" fn mapd_reachable(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_lane_sequences(
     snapshot: *const mapd_snapshot,
-    from: mapd_lane_place,
+    from: mapd_position_on_lane,
     distance: f64,
     vehicle: u8,
     ahead: u8,
@@ -332,7 +334,7 @@ pub unsafe extern "C" fn mapd_lane_sequences(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_next_junction_of(
     snapshot: *const mapd_snapshot,
-    from: mapd_lane_place,
+    from: mapd_position_on_lane,
     distance: f64,
     vehicle: u8,
     out: *mut mapd_next_junction,
@@ -360,7 +362,7 @@ pub unsafe extern "C" fn mapd_next_lane_change(
     steps: *const mapd_route_step,
     step_count: usize,
     at: usize,
-    place: mapd_lane_place,
+    place: mapd_position_on_lane,
     scratch: *mut mapd_scratch,
     out: *mut mapd_lane_change,
     error: *mut mapd_error,

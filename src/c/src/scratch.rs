@@ -9,7 +9,7 @@ use mapd_client::localisation::{
 use mapd_client::objects::{NearObject, PlacementId};
 use mapd_client::path::{Corridor, PathConflict};
 use mapd_client::roads::{BoundarySegment, RoadMarkSegment};
-use mapd_client::route::{LanePlace, LaneSequences, Reached, RouteScratch, RouteStep};
+use mapd_client::route::{LaneSequences, PositionOnLane, Reached, RouteScratch, RouteStep};
 use mapd_client::rules::LineAhead;
 use mapd_client::signals::{NearSignal, SignalsAhead};
 use mapd_client::{LaneId, Nearest, SignalId};
@@ -20,7 +20,7 @@ use mapd_client::{LaneId, Nearest, SignalId};
 pub struct mapd_scratch {
     pub(crate) route: RouteScratch,
     pub(crate) steps: Vec<RouteStep>,
-    pub(crate) places: Vec<LanePlace>,
+    pub(crate) places: Vec<PositionOnLane>,
     pub(crate) reached: Vec<Reached>,
     pub(crate) sequences: LaneSequences,
     pub(crate) signals_ahead: SignalsAhead,

@@ -4,7 +4,7 @@ use crate::code::{answer, mapd_code, mapd_error};
 use crate::graph::vehicle_of;
 use crate::ids::{mapd_lane_id, mapd_object_id, mapd_signal_id};
 use crate::list::{List, get_mut};
-use crate::route::{mapd_lane_place, mapd_route_step, take_steps};
+use crate::route::{mapd_position_on_lane, mapd_route_step, take_steps};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
 use mapd_client::rules::{LaneLine, LineAhead, LineSource};
@@ -78,7 +78,7 @@ fn line_ahead(one: &LineAhead) -> mapd_lane_line_at {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_signals_ahead(
     snapshot: *const mapd_snapshot,
-    from: mapd_lane_place,
+    from: mapd_position_on_lane,
     distance: f64,
     vehicle: u8,
     scratch: *mut mapd_scratch,

@@ -131,7 +131,7 @@ int main(int argc, char **argv) {
   /* Routes. */
   const mapd_cost by_length = {MAPD_COST_LENGTH, MAPD_VEHICLE_CLASS_PASSENGER_CAR, 20.0};
   mapd_cost wrong_cost = by_length;
-  mapd_lane_place places[2] = {{hit.lane, hit.position.s}, {hit.lane, NAN}};
+  mapd_position_on_lane places[2] = {{hit.lane, hit.position.s}, {hit.lane, NAN}};
   mapd_route_step steps[64];
   mapd_route_sum sum;
   EXPECT(MAPD_CODE_NOT_FINITE, mapd_route(map, places, 2, by_length, scratch, &sum, steps, 64, &count, &error));

@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
   CHECK(map.try_waypoints(lane, 0.0).code() == MAPD_CODE_NOT_FINITE);
 
   const mapd::Cost cost{MAPD_COST_LENGTH, MAPD_VEHICLE_CLASS_PASSENGER_CAR, 20.0};
-  const mapd::LanePlace places[] = {{lane, 10.0}, {lane, 40.0}};
+  const mapd::PositionOnLane places[] = {{lane, 10.0}, {lane, 40.0}};
   const auto route = map.try_route(places, cost, scratch);
   CHECK(route && *route && !(*route)->steps.empty());
   CHECK(route && *route && std::fabs(*map.try_steps_length((*route)->steps) - (*route)->sum.length) < 1e-9);

@@ -2,7 +2,7 @@
 //!
 //! Positions are turned as `+towgs84` has it (position vector, EPSG method 9606), about the centre of the Earth.
 
-use crate::ellipsoid::{Ellipsoid, Place, WGS84};
+use crate::ellipsoid::{Ellipsoid, GeodeticRadians, WGS84};
 use glam::DVec3;
 
 /// Seconds of arc in a radian.
@@ -77,14 +77,14 @@ impl Shift {
     }
 
     /// Exactly undoes [`Self::of_wgs84`]: a = (p + r×p + (r·p)r)/(1 + r²) solves a − r×a = p.
-    pub(crate) fn to_wgs84(self, place: Place) -> Place {
+    pub(crate) fn to_wgs84(self, place: GeodeticRadians) -> GeodeticRadians {
         let (p, r) = (self.ellipsoid.to_geocentric(place), self.turn);
         let turned = (p + r.cross(p) + r * r.dot(p)) / (1.0 + r.length_squared());
         WGS84.to_geodetic(turned * self.scale + self.by)
     }
 
     /// As PROJ has it: turned back by the transposed matrix, which is the inverse but for the square of the turn.
-    pub(crate) fn of_wgs84(self, place: Place) -> Place {
+    pub(crate) fn of_wgs84(self, place: GeodeticRadians) -> GeodeticRadians {
         let aim = (WGS84.to_geocentric(place) - self.by) / self.scale;
         self.ellipsoid.to_geodetic(aim - self.turn.cross(aim))
     }

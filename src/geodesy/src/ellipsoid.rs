@@ -4,7 +4,7 @@ use glam::DVec3;
 
 /// A place on or above an ellipsoid: longitude and latitude `[rad]`, height `[m]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Place {
+pub(crate) struct GeodeticRadians {
     pub(crate) longitude: f64,
     pub(crate) latitude: f64,
     pub(crate) height: f64,
@@ -37,7 +37,7 @@ impl Ellipsoid {
     }
 
     /// Geocentric coordinates `[m]`: x towards longitude 0, z towards the north pole.
-    pub(crate) fn to_geocentric(self, place: Place) -> DVec3 {
+    pub(crate) fn to_geocentric(self, place: GeodeticRadians) -> DVec3 {
         let (sin_lat, cos_lat) = libm::sincos(place.latitude);
         let (sin_lon, cos_lon) = libm::sincos(place.longitude);
         let e2 = self.e2();
@@ -48,7 +48,7 @@ impl Ellipsoid {
     }
 
     /// The place at geocentric coordinates `[m]`, by Bowring's iteration (1976) of the reduced latitude's tangent.
-    pub(crate) fn to_geodetic(self, point: DVec3) -> Place {
+    pub(crate) fn to_geodetic(self, point: DVec3) -> GeodeticRadians {
         let e2 = self.e2();
         let b = self.a * (1.0 - self.f);
         // Second eccentricity squared times b, and first eccentricity squared times a.
@@ -63,7 +63,7 @@ impl Ellipsoid {
         }
         let (sin_lat, cos_lat) = unit(up, out);
         let normal = self.a * (1.0 - e2 * sin_lat * sin_lat).sqrt();
-        Place {
+        GeodeticRadians {
             longitude: libm::atan2(point.y, point.x),
             latitude: libm::atan2(up, out),
             height: across * cos_lat + point.z * sin_lat - normal,

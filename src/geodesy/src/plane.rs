@@ -1,6 +1,6 @@
 //! From an ellipsoid to a plane and back, by whichever projection a definition names.
 
-use crate::ellipsoid::{Ellipsoid, Place, WGS84};
+use crate::ellipsoid::{Ellipsoid, GeodeticRadians, WGS84};
 use crate::projector::ProjectionError;
 use crate::topocentric::Topocentric;
 use crate::transverse_mercator::TransverseMercator;
@@ -67,7 +67,7 @@ impl Plane {
                 );
             }
             let (latitude, longitude) = (latitude.to_radians(), longitude.to_radians());
-            let origin = Place { longitude, latitude, height: number("h_0")? };
+            let origin = GeodeticRadians { longitude, latitude, height: number("h_0")? };
             return Ok((Self::Topocentric(Topocentric::new(origin)), WGS84));
         }
         let build = |text: &str| Proj::from_proj_string(text).map_err(|error| error.to_string());

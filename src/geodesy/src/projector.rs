@@ -1,7 +1,7 @@
 //! A projection that is ready for use.
 
 use crate::datum::Shift;
-use crate::ellipsoid::Place;
+use crate::ellipsoid::GeodeticRadians;
 use crate::offset::Offset;
 use crate::plane::Plane;
 use crate::values;
@@ -111,7 +111,7 @@ impl Projector {
         let plane = self.offset.apply(point);
         let (longitude, latitude) = self.plane.inverse(plane.truncate())?;
         let height = self.plane.height(plane.z);
-        let mut place = Place { longitude, latitude, height };
+        let mut place = GeodeticRadians { longitude, latitude, height };
         if let Some(shift) = self.shift {
             place = shift.to_wgs84(place);
         }
@@ -136,7 +136,7 @@ impl Projector {
             return Err(ProjectionError::OutOfRange);
         }
         let (longitude, latitude) = (longitude.to_radians(), latitude.to_radians());
-        let mut place = Place { longitude, latitude, height: altitude };
+        let mut place = GeodeticRadians { longitude, latitude, height: altitude };
         if let Some(shift) = self.shift {
             place = shift.of_wgs84(place);
         }

@@ -5,7 +5,7 @@
 //! the height of the origin. The third coordinate is the height above that of the origin, along the plumb line of the place
 //! itself, so that level ground stays level; it exceeds the topocentric "up" by d²/2R: 8 cm at 1 km.
 
-use crate::ellipsoid::{Place, WGS84};
+use crate::ellipsoid::{GeodeticRadians, WGS84};
 use crate::projector::ProjectionError;
 use glam::{DVec2, DVec3};
 
@@ -28,7 +28,7 @@ pub(crate) struct Topocentric {
 
 impl Topocentric {
     /// About an origin on WGS 84.
-    pub(crate) fn new(origin: Place) -> Self {
+    pub(crate) fn new(origin: GeodeticRadians) -> Self {
         let (sin_lat, cos_lat) = libm::sincos(origin.latitude);
         let (sin_lon, cos_lon) = libm::sincos(origin.longitude);
         Self {
@@ -42,7 +42,8 @@ impl Topocentric {
 
     /// From longitude and latitude `[rad]` to the plane `[m]`.
     pub(crate) fn forward(&self, longitude: f64, latitude: f64) -> Result<DVec2, ProjectionError> {
-        let place = WGS84.to_geocentric(Place { longitude, latitude, height: self.height });
+        let place =
+            WGS84.to_geocentric(GeodeticRadians { longitude, latitude, height: self.height });
         // The other half of the Earth would fall onto the same plane.
         if place.dot(self.up) <= 0.0 {
             return Err(ProjectionError::Outside);

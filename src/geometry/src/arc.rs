@@ -1,7 +1,7 @@
 //! Circular arcs in closed form, stable down to zero curvature.
 
 use crate::clamp;
-use crate::point::Frame;
+use crate::point::LocalPoint;
 use core::f64::consts::{PI, TAU};
 use glam::DVec2;
 
@@ -17,13 +17,13 @@ const SNAP: f64 = 1e-9;
 
 /// Position and tangent at `u`: a chord of length u·sinc(κu/2) in direction κu/2, and the double angle.
 #[inline]
-pub(crate) fn frame(curvature: f64, u: f64) -> Frame {
+pub(crate) fn frame(curvature: f64, u: f64) -> LocalPoint {
     let half = 0.5 * curvature * u;
     let (sin, cos) = libm::sincos(half);
     let sinc = if half.abs() < SMALL_HALF_ANGLE { 1.0 - half * half / 6.0 } else { sin / half };
     let direction = DVec2::new(cos, sin);
     let position = direction * (u * sinc);
-    Frame { position, tangent: direction.rotate(direction), curvature, speed: 1.0 }
+    LocalPoint { position, tangent: direction.rotate(direction), curvature, speed: 1.0 }
 }
 
 /// Offset along the left normal of the foot of `target`, for any foot that is perpendicular: (1 − r)/κ, where r is 1/κ less the

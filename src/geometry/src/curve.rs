@@ -2,7 +2,7 @@
 
 use crate::parametric::{Cubics, IDENTITY, Parametric};
 use crate::piecewise::Pieces;
-use crate::point::{CurvePoint, Frame, Projection, Tangent};
+use crate::point::{CurvePoint, LocalPoint, Projection, Tangent};
 use crate::primitive::{CurveKind, Start};
 use crate::spiral::Spiral;
 use crate::transformed::Transformed;
@@ -307,11 +307,11 @@ impl<'a> Curve<'a> {
 
     /// In the curve's own frame; `u` lies on the curve.
     #[inline(always)]
-    fn frame(&self, u: f64) -> Frame {
+    fn frame(&self, u: f64) -> LocalPoint {
         match &self.shape {
             Shape::Line => {
                 let position = DVec2::new(u, 0.0);
-                Frame { position, tangent: DVec2::X, curvature: 0.0, speed: 1.0 }
+                LocalPoint { position, tangent: DVec2::X, curvature: 0.0, speed: 1.0 }
             }
             Shape::Arc { curvature } => arc::frame(*curvature, u),
             Shape::Spiral(spiral) => spiral.frame(u),

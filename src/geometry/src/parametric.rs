@@ -1,7 +1,7 @@
 //! Plane cubics u(p), v(p) run through by arc length: poly3 (with u(p) = p) and paramPoly3.
 
 use crate::piecewise::{Pieces, value, value_and_derivative};
-use crate::point::{Frame, Jet};
+use crate::point::{Jet, LocalPoint};
 use crate::primitive::PARAMETER_PIECE;
 use core::f64::consts::TAU;
 use glam::DVec2;
@@ -76,11 +76,11 @@ impl Parametric<'_> {
     }
 
     #[inline]
-    pub(crate) fn frame(&self, u: f64) -> Frame {
+    pub(crate) fn frame(&self, u: f64) -> LocalPoint {
         let p = self.parameter(u);
         let (first, second) = (self.cubics.first(p), self.cubics.second(p));
         let per_speed = 1.0 / first.length();
-        Frame {
+        LocalPoint {
             position: self.cubics.position(p),
             tangent: first * per_speed,
             curvature: first.perp_dot(second) * (per_speed * per_speed * per_speed),

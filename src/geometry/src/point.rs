@@ -58,7 +58,7 @@ pub struct Projection {
 
 /// Position, unit tangent and curvature in the geometry's own frame.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Frame {
+pub(crate) struct LocalPoint {
     pub(crate) position: DVec2,
     pub(crate) tangent: DVec2,
     pub(crate) curvature: f64,

@@ -1,7 +1,7 @@
 //! Clothoids: position from polynomial pieces, heading and curvature exact.
 
 use crate::piecewise::{Pieces, point, point_and_derivative, reciprocal};
-use crate::point::{Frame, Jet};
+use crate::point::{Jet, LocalPoint};
 use crate::primitive::SPIRAL_PIECE;
 use glam::DVec2;
 
@@ -44,10 +44,10 @@ impl<'a> Spiral<'a> {
     }
 
     #[inline]
-    pub(crate) fn frame(&self, u: f64) -> Frame {
+    pub(crate) fn frame(&self, u: f64) -> LocalPoint {
         let (piece, t) = self.pieces.find(u);
         let (sin, cos) = libm::sincos(self.heading(u));
-        Frame {
+        LocalPoint {
             position: point(piece, t),
             tangent: DVec2::new(cos, sin),
             curvature: self.curvature(u),

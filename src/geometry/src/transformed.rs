@@ -1,7 +1,7 @@
 //! Curves that were moved into another plane: position from polynomial pieces, direction and curvature from their derivatives.
 
 use crate::piecewise::{Pieces, derivatives};
-use crate::point::{Frame, Jet};
+use crate::point::{Jet, LocalPoint};
 use crate::primitive::{TERMS, TRANSFORMED_PIECE};
 use glam::DVec2;
 
@@ -42,12 +42,12 @@ impl Transformed<'_> {
     }
 
     #[inline]
-    pub(crate) fn frame(&self, u: f64) -> Frame {
+    pub(crate) fn frame(&self, u: f64) -> LocalPoint {
         let (piece, t) = self.pieces.find(u);
         let (position, first, second) = derivatives(split(piece), t);
         let length = first.length();
         let per_length = 1.0 / length;
-        Frame {
+        LocalPoint {
             position,
             tangent: first * per_length,
             curvature: first.perp_dot(second) * (per_length * per_length * per_length),

@@ -1,6 +1,6 @@
 //! What is said, as it was given.
 
-use crate::place::{EarthPlace, LanePlace};
+use crate::place::{EarthPlace, LaneStretch};
 use crate::time::{Day, Moment, TimeOfDay};
 use mapd_archive::{OverlayKind, VehicleClass};
 use serde::{Deserialize, Serialize};
@@ -37,7 +37,7 @@ pub struct Entry {
     pub value: Option<f64>,
     /// Stretches of lanes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub lanes: Vec<LanePlace>,
+    pub lanes: Vec<LaneStretch>,
     /// Lines and areas on Earth.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub places: Vec<EarthPlace>,
@@ -237,7 +237,7 @@ impl Entry {
         if let Some(wrong) = self.places.iter().enumerate().find_map(on_earth) {
             return Some(wrong);
         }
-        let place = |(i, place): (usize, &LanePlace)| {
+        let place = |(i, place): (usize, &LaneStretch)| {
             let (field, why) = place.wrong()?;
             Some((format!("lanes[{i}].{field}"), why.to_owned()))
         };

@@ -6,7 +6,7 @@ use std::fmt;
 /// A stretch of a road's lanes: by road, or by the key of a lane.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct LanePlace {
+pub struct LaneStretch {
     /// The road.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub road: Option<RoadId>,
@@ -137,7 +137,7 @@ impl EarthPlace {
 /// Widest tolerance of a place on Earth `[m]`.
 pub const WIDEST_TOLERANCE: f64 = 100.0;
 
-impl LanePlace {
+impl LaneStretch {
     pub(crate) fn wrong(&self) -> Option<(&'static str, &'static str)> {
         match (&self.road, &self.key) {
             (None, None) => return Some(("road", "names neither a road nor a key")),

@@ -2,7 +2,7 @@
 
 use crate::entry::Entry;
 use crate::on_earth::{Placed, on_earth};
-use crate::place::LanePlace;
+use crate::place::LaneStretch;
 use mapd_query::geodesy::Projector;
 use mapd_query::{Lane, LaneKey, Map, Road, SRange};
 use std::cell::OnceCell;
@@ -82,7 +82,7 @@ pub(crate) fn stretches<'a>(ground: &Ground<'a>, entry: &Entry) -> Result<Placed
 
 fn of_lanes<'a>(
     map: Map<'a>,
-    place: &LanePlace,
+    place: &LaneStretch,
     found: &mut Vec<Stretch<'a>>,
 ) -> Result<(), (&'static str, String)> {
     if let Some(text) = &place.key {
@@ -122,7 +122,7 @@ fn of_lanes<'a>(
 }
 
 /// From where to where, on the road.
-fn range(place: &LanePlace, road: &Road<'_>) -> Result<(f64, f64), (&'static str, String)> {
+fn range(place: &LaneStretch, road: &Road<'_>) -> Result<(f64, f64), (&'static str, String)> {
     let length = road.length();
     let Some([from, to]) = place.s else { return Ok((0.0, length)) };
     if from < -ROUNDED || to > length + ROUNDED {

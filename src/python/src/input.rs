@@ -6,7 +6,7 @@ use crate::lane::Lane;
 use mapd_client::batch::Places;
 use mapd_client::compiling::ByRow as _;
 use mapd_client::glam::{DVec2, DVec3};
-use mapd_client::route::LanePlace;
+use mapd_client::route::PositionOnLane;
 use mapd_client::vocabulary::{LaneType, VehicleClass};
 use mapd_client::{LaneKey, LaneTypes, Map, Point, QueryError, Region};
 use numpy::{PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
@@ -229,12 +229,12 @@ pub(crate) fn lane_of<'a>(
 }
 
 /// A place: a tuple that begins with a lane and s.
-pub(crate) fn place_of(map: Map<'_>, what: &Bound<'_, PyAny>) -> PyResult<LanePlace> {
+pub(crate) fn place_of(map: Map<'_>, what: &Bound<'_, PyAny>) -> PyResult<PositionOnLane> {
     let tuple = what.cast::<PyTuple>().ok().filter(|tuple| tuple.len() >= 2).ok_or_else(|| {
         PyTypeError::new_err("expected a place: (lane, s), or what nearest_lane found")
     })?;
     let lane = lane_of(map, &tuple.get_item(0)?)?.lane_id();
-    Ok(LanePlace { lane, s: tuple.get_item(1)?.extract()? })
+    Ok(PositionOnLane { lane, s: tuple.get_item(1)?.extract()? })
 }
 
 /// A rectangle: (x_min, y_min, x_max, y_max).

@@ -10,7 +10,7 @@ use mapd_client::glam::DVec3;
 use mapd_client::path::{
     Corridor, EdgeMark, PathBuffer, PathConflict, PathOptions, PathPoint, PathPosition,
 };
-use mapd_client::route::{Enter, LanePlace, RouteStep};
+use mapd_client::route::{Enter, PositionOnLane, RouteStep};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::sync::Arc;
@@ -131,7 +131,7 @@ impl Path {
     }
 
     fn along_of(&self, place: &Bound<'_, PyAny>) -> PyResult<Option<f64>> {
-        let LanePlace { lane, s } = crate::input::place_of(self.held.map(), place)?;
+        let PositionOnLane { lane, s } = crate::input::place_of(self.held.map(), place)?;
         Ok(self.path().map_err(query)?.along_of(lane, s))
     }
 

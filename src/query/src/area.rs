@@ -155,7 +155,7 @@ impl Across {
 
 /// A place found in a stretch of a lane. What nothing is decided by, it tells when asked.
 #[derive(Clone, Copy)]
-pub(crate) struct Place<'a> {
+pub(crate) struct SlabPosition<'a> {
     geometry: &'a ArchivedGeometryRow,
     at: At,
     roll_sin: f64,
@@ -171,7 +171,7 @@ pub(crate) struct Place<'a> {
     pub(crate) distance: f64,
 }
 
-impl<'a> Place<'a> {
+impl<'a> SlabPosition<'a> {
     #[inline]
     fn new(slab: &Slab<'a>, across: &Across, (distance, is_beyond): (f64, bool)) -> Self {
         Self {
@@ -247,7 +247,7 @@ pub(crate) fn place_inside<'a>(
     cross: &impl Cross,
     slab: &Slab<'a>,
     local: DVec2,
-) -> Option<Place<'a>> {
+) -> Option<SlabPosition<'a>> {
     let piece = &slab.piece;
     let [u, lateral] = piece.curve.beside(
         local.x,
@@ -263,12 +263,12 @@ pub(crate) fn place_inside<'a>(
     }
     let beside = across.is_beside();
     let distance = if beside { across.border_distance(lane, slab, local) } else { 0.0 };
-    Some(Place::new(slab, &across, (distance, false)))
+    Some(SlabPosition::new(slab, &across, (distance, false)))
 }
 
 /// The place of a point with respect to one slab, wherever the point is; `local` is relative to the map's origin.
 #[inline]
-pub(crate) fn place<'a>(lane: &Lane<'a>, slab: &Slab<'a>, local: DVec2) -> Place<'a> {
+pub(crate) fn place<'a>(lane: &Lane<'a>, slab: &Slab<'a>, local: DVec2) -> SlabPosition<'a> {
     let piece = &slab.piece;
     let foot = piece.curve.project_from(
         local.x,
@@ -293,7 +293,7 @@ pub(crate) fn place<'a>(lane: &Lane<'a>, slab: &Slab<'a>, local: DVec2) -> Place
     if beside {
         distance = distance.min(across.border_distance(lane, slab, local));
     }
-    Place::new(slab, &across, (distance, foot.clamped))
+    SlabPosition::new(slab, &across, (distance, foot.clamped))
 }
 
 /// One border of a lane within a slab, as seen from a point.

@@ -56,7 +56,7 @@ pub struct SectionCutter<'a> {
     section: LaneSection<'a>,
     /// Where the reference line ends.
     end: f64,
-    frame: Option<Frame<'a>>,
+    frame: Option<LineStretch<'a>>,
     lanes: Option<Widths>,
 }
 
@@ -68,7 +68,7 @@ struct Held {
 }
 
 /// What the reference line is made of for a while.
-struct Frame<'a> {
+struct LineStretch<'a> {
     held: Held,
     piece: Piece<'a>,
     elevation: Record,
@@ -182,7 +182,7 @@ impl<'a> SectionCutter<'a> {
         }
         let s = clamp(s, 0.0, self.end);
         if !self.frame.as_ref().is_some_and(|frame| frame.held.contains(s)) {
-            self.frame = Some(Frame::at(&self.road, s)?);
+            self.frame = Some(LineStretch::at(&self.road, s)?);
         }
         let frame = self.frame.as_ref()?;
         let point = frame.piece.curve.tangent(s - frame.piece.s);
@@ -298,7 +298,7 @@ impl SectionCutter<'_> {
     }
 }
 
-impl<'a> Frame<'a> {
+impl<'a> LineStretch<'a> {
     fn at(road: &Road<'a>, s: f64) -> Option<Self> {
         let mut held = Held::ALWAYS;
         let rows = road.geometries();

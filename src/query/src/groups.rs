@@ -36,7 +36,7 @@ pub mod localisation {
     pub use crate::landmark::{Landmark, LandmarkInView, LandmarkSource, Sensor};
     pub use crate::marks::{MarkFilter, MarkKinds, MarkPoint, NearMark, Side};
     pub use crate::matching::{
-        LaneMatch, MatchError, MatchOptions, TraceFix, TraceMatch, TraceOptions, TracePlace,
+        LaneMatch, MatchError, MatchOptions, TraceFix, TraceMatch, TraceOptions, TracePosition,
         TraceScratch, Tracked, Tracker, TrackerFix, TrackerOptions, VehiclePose,
     };
 }

@@ -29,12 +29,12 @@ pub struct SegmentHit {
 /// A node or leaf to be visited: its squared distance (whose bits are ordered as it is, for it is not negative) above its
 /// level and number, so that comparing places compares distances first.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
-struct Place(u64);
+struct NodeToVisit(u64);
 
 /// Bits of the number of a node or leaf within its level: 2²⁸ leaves hold 2³² segments.
 const NUMBER_BITS: u32 = 28;
 
-impl Place {
+impl NodeToVisit {
     #[inline]
     fn new(squared: f32, level: u32, at: u32) -> Self {
         let node = level << NUMBER_BITS | at & ((1 << NUMBER_BITS) - 1);
@@ -72,7 +72,7 @@ pub(crate) fn visit<'a>(
 ) {
     let Some(depth) = depth(tables) else { return };
     let (px, py) = (local.x as f32, local.y as f32);
-    let mut stack = [Place(0); STACK];
+    let mut stack = [NodeToVisit(0); STACK];
     let mut top = 1;
     while top > 0 {
         top -= 1;
@@ -113,7 +113,7 @@ pub(crate) fn visit<'a>(
                 return;
             }
             let child = at.wrapping_mul(WIDTH as u32).wrapping_add(k as u32);
-            let new = Place::new(squares[k], level + 1, child);
+            let new = NodeToVisit::new(squares[k], level + 1, child);
             // Insertion keeps the nearest child on top.
             let mut place = top;
             while place > base && stack[place - 1] < new {

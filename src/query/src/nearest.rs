@@ -1,6 +1,6 @@
 //! The nearest lane to a point.
 
-use crate::area::{self, Cross, Place, Slab};
+use crate::area::{self, Cross, Slab, SlabPosition};
 use crate::error::QueryError;
 use crate::fetch::{TOGETHER, fetch};
 use crate::ids::LaneId;
@@ -142,7 +142,7 @@ pub struct Nearest {
 #[derive(Clone, Copy)]
 pub(crate) struct Candidate<'a> {
     lane: u32,
-    pub(crate) place: Place<'a>,
+    pub(crate) place: SlabPosition<'a>,
     heading_difference: f64,
     z_difference: f64,
 }
@@ -152,7 +152,7 @@ impl<'a> Candidate<'a> {
     #[inline(always)]
     fn new(
         lane: &Lane<'a>,
-        place: Place<'a>,
+        place: SlabPosition<'a>,
         point: Point,
         options: &NearestOptions,
     ) -> Option<Self> {

@@ -1,6 +1,6 @@
 //! A point's place with respect to one lane as a whole.
 
-use crate::area::{Place, place, slab};
+use crate::area::{SlabPosition, place, slab};
 use crate::index;
 use crate::lane::Lane;
 use crate::nearest::round_up;
@@ -61,10 +61,10 @@ impl Lane<'_> {
 pub(crate) fn position_in(lane: &Lane<'_>, local: DVec2) -> Option<LanePosition> {
     let points = lane.center_points();
     let segments = points.len().saturating_sub(1);
-    let mut best: Option<Place<'_>> = None;
+    let mut best: Option<SlabPosition<'_>> = None;
     let mut consider = |segment: usize| {
         let found = slab(lane, segment).map(|slab| place(lane, &slab, local));
-        let key = |place: &Place<'_>| (place.distance, place.offset.abs(), place.s());
+        let key = |place: &SlabPosition<'_>| (place.distance, place.offset.abs(), place.s());
         if let Some(found) = found
             && best.as_ref().is_none_or(|best| key(&found) < key(best))
         {

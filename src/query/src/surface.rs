@@ -93,7 +93,7 @@ fn normal_of(slope: DVec2) -> DVec3 {
 }
 
 /// The frame of the reference line at an s (see [`Road::to_inertial`]): origin, axes and their derivatives by s.
-struct Frame {
+struct FrenetFrame {
     origin: DVec3,
     origin_by_s: DVec3,
     tangent: DVec3,
@@ -103,7 +103,7 @@ struct Frame {
     roll_by_s: f64,
 }
 
-impl Frame {
+impl FrenetFrame {
     /// The point at t and a height above the rolled plane. With T the tangent, N the rolled lateral axis, U its normal:
     /// N′ = −κ cos σ T + σ′ U and U′ = κ sin σ T − σ′ N.
     fn patch(&self, t: f64, height: Height) -> Patch {
@@ -182,11 +182,11 @@ impl<'a> Road<'a> {
         })
     }
 
-    fn frame(&self, at: At) -> Result<Frame, QueryError> {
+    fn frame(&self, at: At) -> Result<FrenetFrame, QueryError> {
         let point = self.reference_at(at).ok_or(QueryError::Corrupt)?;
         let elevation = self.elevation_slope(at);
         let tangent = DVec3::new(point.cos, point.sin, 0.0);
-        Ok(Frame {
+        Ok(FrenetFrame {
             origin: DVec3::new(point.x, point.y, elevation.value),
             origin_by_s: tangent + DVec3::Z * elevation.derivative,
             tangent,

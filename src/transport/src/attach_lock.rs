@@ -137,9 +137,9 @@ mod tests {
     use std::sync::atomic::{AtomicBool, Ordering};
 
     /// A domain with a root folder, which is removed at the end.
-    struct Place(Domain);
+    struct DomainFolder(Domain);
 
-    impl Place {
+    impl DomainFolder {
         fn new(name: &str) -> Self {
             let domain = Domain::new(&format!("{name}{}_", std::process::id())).expect("a prefix");
             std::fs::create_dir_all(domain.root()).expect("a root folder");
@@ -147,7 +147,7 @@ mod tests {
         }
     }
 
-    impl Drop for Place {
+    impl Drop for DomainFolder {
         fn drop(&mut self) {
             let _ = std::fs::remove_dir_all(self.0.root());
         }
@@ -158,7 +158,7 @@ mod tests {
         const CLIENTS: usize = 4;
         /// Each holds the lock so long, and has it again at once: some hold it at any moment.
         const HOLD: Duration = Duration::from_millis(4);
-        let place = Place::new("lockfair");
+        let place = DomainFolder::new("lockfair");
         let lock = AttachLock::create(&place.0).expect("a lock");
         let (end, begun) = (AtomicBool::new(false), Barrier::new(CLIENTS + 1));
         let far = || Instant::now() + Duration::from_secs(10);
@@ -187,7 +187,7 @@ mod tests {
 
     #[test]
     fn a_wait_in_vain_leaves_the_turnstile_free() {
-        let place = Place::new("lockvain");
+        let place = DomainFolder::new("lockvain");
         let daemon = AttachLock::create(&place.0).expect("a lock");
         let stopped = AttachLock::open(&place.0).expect("a lock");
         let other = AttachLock::open(&place.0).expect("a lock");

@@ -23,7 +23,7 @@ mod way;
 pub use drawing::{Chunk, Corner, Drawing, LEVEL, Pen, Stroke, TILE};
 pub use find::{MOST_FOUND, find};
 pub use paint::Paint;
-pub use place::{LaneHere, Place, pick};
+pub use place::{LaneHere, PlanPoint, pick};
 pub use question::Question;
 pub use scene::Layer;
 pub use sheet::{Fact, Kind, Link, Sheet, Words};

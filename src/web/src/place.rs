@@ -11,7 +11,7 @@ const BESIDE: f64 = 10.0;
 
 /// A place in plan view.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Place {
+pub struct PlanPoint {
     /// Inertial `[m]`.
     pub x: f64,
     /// Inertial `[m]`.
@@ -45,7 +45,7 @@ pub struct LaneHere {
     pub heading: f64,
 }
 
-impl Place {
+impl PlanPoint {
     /// What lies at x and y: of lanes above each other the highest, on one level one that is driven on first.
     ///
     /// Errors: coordinates that are not finite.

@@ -2,7 +2,7 @@
 
 use crate::drawing::Drawing;
 use crate::paint::Paint;
-use crate::place::{Place, pick};
+use crate::place::{PlanPoint, pick};
 use crate::sheet::{Kind, Link, Sheet, Words};
 use crate::{find, scene, way};
 use mapd_query::Bounds;
@@ -18,7 +18,7 @@ const MOST_LISTED: usize = 5000;
 pub enum Question<'a> {
     /// What the map is: its name, extent, numbers of things and paints.
     Map,
-    /// What lies at x and y `[m]`: [`Place`].
+    /// What lies at x and y `[m]`: [`PlanPoint`].
     Place([f64; 2]),
     /// What can be chosen at x and y within a radius `[m]`: links.
     Pick([f64; 2], f64),
@@ -75,7 +75,7 @@ impl Question<'_> {
     pub fn answer(&self, map: Map<'_>) -> (String, Option<Drawing>) {
         match self {
             Self::Map => (json(&overview(map)), None),
-            Self::Place([x, y]) => (result(Place::at(map, *x, *y)), None),
+            Self::Place([x, y]) => (result(PlanPoint::at(map, *x, *y)), None),
             Self::Pick([x, y], radius) => (result(pick(map, *x, *y, *radius)), None),
             Self::Sheet(link) => (json(&Sheet::of(map, *link)), Some(way::highlight(map, *link))),
             Self::Find(text) => (json(&find::find(map, text)), None),

@@ -8,7 +8,7 @@ use crate::sheet::{Kind, Link, Words};
 use mapd_query::compiling::ByRow as _;
 use mapd_query::glam::{DVec2, DVec3};
 use mapd_query::path::{Corridor, Path, PathBuffer, PathOptions};
-use mapd_query::route::{Enter, LanePlace, RouteScratch, RouteStep, ShortestTime};
+use mapd_query::route::{Enter, PositionOnLane, RouteScratch, RouteStep, ShortestTime};
 use mapd_query::vocabulary::VehicleClass;
 use mapd_query::{Lane, Map, QueryError};
 use serde::Serialize;
@@ -98,12 +98,12 @@ pub fn way(map: Map<'_>, from: [f64; 2], to: [f64; 2]) -> Result<(Way, Drawing),
     Ok((way, drawing))
 }
 
-fn place(map: Map<'_>, [x, y]: [f64; 2], which: &str) -> Result<LanePlace, String> {
+fn place(map: Map<'_>, [x, y]: [f64; 2], which: &str) -> Result<PositionOnLane, String> {
     let is_open =
         |lane: &Lane<'_>| lane.nodes().any(|node| node.allows(VehicleClass::PassengerCar));
     let found = top_lane(map, DVec2::new(x, y), is_open).map_err(|error| error.to_string())?;
     let found = found.ok_or_else(|| format!("{NO_LANE} {which}"))?;
-    Ok(LanePlace { lane: found.lane, s: found.position.s })
+    Ok(PositionOnLane { lane: found.lane, s: found.position.s })
 }
 
 fn table_row(map: Map<'_>, step: &RouteStep) -> Option<Step> {

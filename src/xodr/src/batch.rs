@@ -162,7 +162,7 @@ pub(crate) struct Known {
 }
 
 /// A child of the root.
-pub(crate) enum Part {
+pub(crate) enum RootChild {
     Item(Item),
     /// An item that was taken away.
     Taken,
@@ -173,7 +173,7 @@ pub(crate) enum Part {
 pub(crate) struct ReadPart {
     /// Its slot, if the schema has it.
     pub(crate) slot: Option<usize>,
-    pub(crate) part: Part,
+    pub(crate) part: RootChild,
     pub(crate) findings: Vec<Kept>,
     pub(crate) entered: Entered,
 }
@@ -250,11 +250,11 @@ impl Context {
                 Step::Child(slot) => match read_document::item(slot, &mut cursor) {
                     Some(item) => {
                         has_header |= matches!(item, Item::Header(_));
-                        (Some(slot), take(item).map_or(Part::Taken, Part::Item))
+                        (Some(slot), take(item).map_or(RootChild::Taken, RootChild::Item))
                     }
                     None => break,
                 },
-                Step::Extension(extension) => (None, Part::Extension(extension)),
+                Step::Extension(extension) => (None, RootChild::Extension(extension)),
                 Step::End => break,
             };
             cursor.spent = 0;

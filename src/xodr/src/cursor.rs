@@ -45,7 +45,7 @@ pub(crate) enum Name {
 }
 
 /// An open element.
-pub(crate) struct Frame {
+pub(crate) struct OpenTag {
     pub(crate) name: Name,
     /// What tells it from others of its kind, in the cursor's names: the attribute, from where on, and how long.
     pub(crate) key: Option<(&'static str, usize, usize)>,
@@ -123,7 +123,7 @@ pub(crate) struct Cursor<'a> {
     pub(crate) version: usize,
     /// The version as the file states it.
     pub(crate) stated: String,
-    pub(crate) frames: Vec<Frame>,
+    pub(crate) frames: Vec<OpenTag>,
     /// Names and keys of open elements, one behind the other.
     pub(crate) names: Vec<u8>,
     /// The child whose start tag has been read, and the variant of its parent.
@@ -160,7 +160,7 @@ pub(crate) enum Scope {
 }
 
 /// Path of open elements, such as `OpenDRIVE/road[@id=12]/planView`.
-pub(crate) fn path_of(frames: &[Frame], names: &[u8]) -> String {
+pub(crate) fn path_of(frames: &[OpenTag], names: &[u8]) -> String {
     /// Bytes of a name or a key that are shown.
     const SHOWN: usize = 64;
     let text = |from: usize, len: usize| {
@@ -220,7 +220,7 @@ impl<'a> Cursor<'a> {
     pub(crate) fn open(&mut self, schema: &'static ElementSchema) -> Open {
         self.spend(self.tag.span.len as usize + ELEMENT_BYTES);
         let name = Name::Known(self.pending);
-        self.frames.push(Frame { name, key: None, names: self.names.len() });
+        self.frames.push(OpenTag { name, key: None, names: self.names.len() });
         let counts = self.counts.len();
         if schema.counted != 0 {
             self.counts.resize(counts + schema.children.len(), 0);
@@ -437,7 +437,7 @@ impl<'a> Cursor<'a> {
     }
 
     pub(crate) fn push_frame(&mut self, name: Name, names: usize) {
-        self.frames.push(Frame { name, key: None, names });
+        self.frames.push(OpenTag { name, key: None, names });
     }
 
     pub(crate) fn pop_frame(&mut self) {

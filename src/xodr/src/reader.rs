@@ -1,6 +1,6 @@
 //! The stream of top-level elements.
 
-use crate::batch::{Batch, Context, Cutter, Entered, Known, Part, ReadBatch, ReadPart};
+use crate::batch::{Batch, Context, Cutter, Entered, Known, ReadBatch, ReadPart, RootChild};
 use crate::cursor::{Cursor, Markup, Open, Step};
 use crate::extension::{Extension, Extensions};
 use crate::finding::{Finding, Severity, Span};
@@ -50,7 +50,7 @@ pub enum Delivered {
 /// A step of what was read ahead.
 enum Accepted {
     /// A child of the root, and what was found about it.
-    Part(Part, Vec<Kept>, Option<Misplaced>),
+    Child(RootChild, Vec<Kept>, Option<Misplaced>),
     /// The batch has ended.
     Rest(Findings),
 }
@@ -326,7 +326,7 @@ impl<'a> Reader<'a> {
             if let Some(slot) = slot {
                 cursor.count(root, slot);
             }
-            self.accepted.push_back(Accepted::Part(part, findings, misplaced));
+            self.accepted.push_back(Accepted::Child(part, findings, misplaced));
         }
         if !read.kind.is_empty() {
             cursor.kind = read.kind;
@@ -349,7 +349,7 @@ impl<'a> Reader<'a> {
     pub fn delivered(&mut self) -> Option<Delivered> {
         loop {
             match self.accepted.pop_front()? {
-                Accepted::Part(part, mut findings, misplaced) => {
+                Accepted::Child(part, mut findings, misplaced) => {
                     let cursor = &mut self.cursor;
                     if let Some(Misplaced { name, entered, message }) = misplaced {
                         let behind = findings.split_off(entered.findings.min(findings.len()));
@@ -362,9 +362,9 @@ impl<'a> Reader<'a> {
                     }
                     findings.into_iter().for_each(|kept| cursor.findings.add_again(kept));
                     match part {
-                        Part::Item(item) => return Some(Delivered::Item(item)),
-                        Part::Taken => return Some(Delivered::Taken),
-                        Part::Extension(extension) => {
+                        RootChild::Item(item) => return Some(Delivered::Item(item)),
+                        RootChild::Taken => return Some(Delivered::Taken),
+                        RootChild::Extension(extension) => {
                             let kept = (&mut self.extensions, &mut self.extended);
                             keep(extension, kept, cursor);
                         }

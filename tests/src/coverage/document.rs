@@ -5,7 +5,7 @@ use std::ops::Range;
 
 /// Where a value stands: of an attribute, of the text of an element, or an element as a whole.
 #[derive(Clone, Debug)]
-pub(super) struct Place {
+pub(super) struct ValueLocation {
     element: String,
     attribute: String,
     pub(super) range: Range<usize>,
@@ -16,7 +16,7 @@ pub(super) struct Place {
 /// A document and the places of its values.
 pub(super) struct Document {
     pub(super) text: String,
-    pub(super) places: Vec<Place>,
+    pub(super) places: Vec<ValueLocation>,
 }
 
 /// Elements that may stand anywhere.
@@ -26,7 +26,7 @@ const ANYWHERE: [(&str, &str); 3] =
 impl Document {
     /// Finds the values of a text by the table.
     pub(super) fn read(table: &Table, text: String) -> Self {
-        let (mut places, mut open): (Vec<Place>, Vec<(&Element, usize, usize)>) =
+        let (mut places, mut open): (Vec<ValueLocation>, Vec<(&Element, usize, usize)>) =
             Default::default();
         let mut at = 0;
         while let Some(start) = text[at..].find('<').map(|start| at + start) {
@@ -54,12 +54,16 @@ impl Document {
     }
 
     /// Where an attribute of a type of element stands; without a name, its text, or the element itself.
-    pub(super) fn places(&self, element: &str, attribute: &str) -> impl Iterator<Item = &Place> {
+    pub(super) fn places(
+        &self,
+        element: &str,
+        attribute: &str,
+    ) -> impl Iterator<Item = &ValueLocation> {
         self.places.iter().filter(move |p| p.element == element && p.attribute == attribute)
     }
 
     /// The text with another value at a place.
-    pub(super) fn with(&self, place: &Place, value: &str) -> String {
+    pub(super) fn with(&self, place: &ValueLocation, value: &str) -> String {
         let (before, behind) = (&self.text[..place.range.start], &self.text[place.range.end..]);
         // Lines stay what they are.
         let lines = self.text[place.range.clone()].matches('\n').count();
@@ -70,7 +74,7 @@ impl Document {
     }
 
     /// The value at a place.
-    pub(super) fn value(&self, place: &Place) -> &str {
+    pub(super) fn value(&self, place: &ValueLocation) -> &str {
         &self.text[place.range.clone()]
     }
 }
@@ -78,13 +82,13 @@ impl Document {
 fn close(
     element: &Element,
     (from, inside, until, end): (usize, usize, usize, usize),
-    places: &mut Vec<Place>,
+    places: &mut Vec<ValueLocation>,
 ) {
     let (is_element, range) = match element.content {
         Some(_) => (false, inside..until),
         None => (true, from..end),
     };
-    places.push(Place {
+    places.push(ValueLocation {
         element: element.name.clone(),
         attribute: String::new(),
         range,
@@ -92,13 +96,13 @@ fn close(
     });
 }
 
-fn attributes(element: &Element, tag: &str, start: usize, places: &mut Vec<Place>) {
+fn attributes(element: &Element, tag: &str, start: usize, places: &mut Vec<ValueLocation>) {
     let mut at = 0;
     while let Some(equals) = tag[at..].find("=\"").map(|equals| at + equals) {
         let name = tag[..equals].rsplit(char::is_whitespace).next().unwrap_or_default();
         let from = equals + 2;
         let until = from + tag[from..].find('"').expect("a value ends");
-        places.push(Place {
+        places.push(ValueLocation {
             element: element.name.clone(),
             attribute: name.to_owned(),
             range: start + from..start + until,

@@ -9,7 +9,7 @@ mod other_values;
 
 use crate::workspace;
 use compare::{Difference, compile, differences};
-use document::{Document, Place};
+use document::{Document, ValueLocation};
 use mapd_schemas::opendrive::coverage::Shown;
 use mapd_schemas::opendrive::{Element, Table};
 use rayon::prelude::*;
@@ -156,7 +156,11 @@ fn fixed(kind: &str) -> Option<&str> {
 }
 
 /// What differences say of a value.
-fn judge(all: &[Difference], (written, value): (&str, &str), place: &Place) -> Option<Shown> {
+fn judge(
+    all: &[Difference],
+    (written, value): (&str, &str),
+    place: &ValueLocation,
+) -> Option<Shown> {
     if all.is_empty() {
         return None;
     }

@@ -1,6 +1,6 @@
 //! Other values that a place may have.
 
-use super::document::{Document, Place};
+use super::document::{Document, ValueLocation};
 use mapd_schemas::opendrive::{Element, Table, split_range};
 
 /// Texts to be tried where a text means something.
@@ -12,7 +12,7 @@ pub(super) fn of(
     element: &Element,
     name: &str,
     document: &Document,
-    place: &Place,
+    place: &ValueLocation,
 ) -> Vec<String> {
     if place.is_element {
         return vec![String::new()];

@@ -1,10 +1,10 @@
 //! `mapd bench`: every line is there, on a file and on a running daemon's map, and nothing is left behind.
 
-use mapd_tests::place::Place;
+use mapd_tests::test_domain::TestDomain;
 use serde_json::Value;
 
-fn place() -> Place {
-    Place::new(env!("CARGO_BIN_EXE_mapd_under_test"))
+fn place() -> TestDomain {
+    TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test"))
 }
 
 fn town() -> String {

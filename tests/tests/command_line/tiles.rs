@@ -1,6 +1,6 @@
 //! `mapd compile` of many files: one archive and one report each, whatever becomes of the others.
 
-use mapd_tests::place::PATIENCE;
+use mapd_tests::test_domain::PATIENCE;
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
 use serde_json::Value;

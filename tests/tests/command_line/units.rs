@@ -2,8 +2,8 @@
 
 use mapd_client::Client;
 use mapd_tests::manager::Manager;
-use mapd_tests::place::{PATIENCE, Place};
 use mapd_tests::say;
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use std::process::{Child, Command};
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
@@ -57,7 +57,7 @@ fn command(setting: &str, map: &str, cache: &str) -> String {
 
 #[test]
 fn its_commands_check_the_map_and_are_ready_once_it_answers() {
-    let (place, manager) = (Place::new(MAPD), Manager::new());
+    let (place, manager) = (TestDomain::new(MAPD), Manager::new());
     let cache = tempfile::tempdir().expect("a folder");
     let cache = cache.path().display().to_string();
     let (map, bad) = (mapd_tests::carried("town.xodr"), format!("{cache}/bad.xodr"));

@@ -4,7 +4,7 @@ use mapd_archive::{
     AlignedBytes, AnnotationEntry, AnnotationRow, HEADER_LENGTH, Header, Provenance, encode,
 };
 use mapd_compiler::{CompileOptions, Extra, ReadOptions, compile_from};
-use mapd_tests::place::{PATIENCE, Place};
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use std::fs::{self, File};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -143,7 +143,7 @@ fn has_threads(process: u32, expected: usize, what: &str) {
 /// The number that is asked for is the number that there are: seen while a pipe is waited for.
 #[test]
 fn as_many_threads_as_are_asked_for() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let folder = tempfile::tempdir().expect("a folder");
     let pipe = text(&folder.path().join("map.xodr"));
     assert!(Command::new("mkfifo").arg(&pipe).status().expect("runs").success());

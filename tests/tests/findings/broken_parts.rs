@@ -5,12 +5,12 @@ use mapd_compiler::{Compilation, Verdict};
 use mapd_tests::damage::ask_everything;
 use mapd_tests::object_maps::{ObjectRoad, PLAIN, compile, document};
 
-use Place::{Beside, InJunction, InObject, InObjects, InSignal, InSignals, Railway};
+use InsertionPoint::{Beside, InJunction, InObject, InObjects, InSignal, InSignals, Railway};
 use Verdict::{Accepted, Quarantined};
 
 /// Where a case's text stands.
 #[derive(Clone, Copy, Debug)]
-enum Place {
+enum InsertionPoint {
     /// In the object `1`.
     InObject,
     /// In the road's `objects`.
@@ -28,13 +28,19 @@ enum Place {
 }
 
 /// What is tried, where, as it should be, what makes it wrong, the rule that says so, and what becomes of the map.
-type Case =
-    (&'static str, Place, &'static str, (&'static str, &'static str), &'static str, Verdict);
+type Case = (
+    &'static str,
+    InsertionPoint,
+    &'static str,
+    (&'static str, &'static str),
+    &'static str,
+    Verdict,
+);
 
 const SIGNAL: &str = r#"s="20" t="-7" zOffset="2" orientation="+" dynamic="no" country="DE" type="274" subtype="-1" value="50" unit="km/h""#;
 
-fn map(place: Place, text: &str) -> String {
-    let at = |wanted: Place| {
+fn map(place: InsertionPoint, text: &str) -> String {
+    let at = |wanted: InsertionPoint| {
         if std::mem::discriminant(&wanted) == std::mem::discriminant(&place) { text } else { "" }
     };
     let objects = format!(

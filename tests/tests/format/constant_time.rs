@@ -2,8 +2,8 @@
 
 use mapd::serve::{PublishMeta, Server, StopSignal};
 use mapd_archive::{Provenance, Rows, encode_into, encoded_length};
-use mapd_tests::place::{PATIENCE, Place};
 use mapd_tests::say;
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use std::collections::BTreeMap;
 use std::os::unix::fs::PermissionsExt;
 use std::os::unix::process::ExitStatusExt;
@@ -26,7 +26,7 @@ fn rows(bytes: usize) -> Rows {
 }
 
 /// Runs the probe and returns its report.
-fn probe(place: &Place, kind: &str) -> (BTreeMap<String, String>, std::process::ExitStatus) {
+fn probe(place: &TestDomain, kind: &str) -> (BTreeMap<String, String>, std::process::ExitStatus) {
     let output = place.command_of(PROBE).args([kind, "big"]).output().expect("the probe runs");
     let text = String::from_utf8(output.stdout).expect("text");
     let pair = |line: &str| line.split_once(' ').map(|(k, v)| (k.to_owned(), v.to_owned()));
@@ -34,7 +34,7 @@ fn probe(place: &Place, kind: &str) -> (BTreeMap<String, String>, std::process::
 }
 
 /// Serves an archive of this size while `work` runs.
-fn while_serving(place: &Place, bytes: usize, work: impl FnOnce()) {
+fn while_serving(place: &TestDomain, bytes: usize, work: impl FnOnce()) {
     let rows = rows(bytes);
     let length = encoded_length(&rows).expect("a length");
     let stop = StopSignal::new().expect("a signal");
@@ -78,7 +78,7 @@ fn room() -> u64 {
 
 #[test]
 fn the_checked_access_touches_two_pages_whatever_the_size() {
-    let place = Place::new(env!("CARGO_BIN_EXE_mapd_under_test"));
+    let place = TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test"));
     let mut counts = Vec::new();
     for bytes in [1 << 20, 512 << 20] {
         if room() < 2 * bytes {
@@ -105,7 +105,7 @@ const ATTACH_FAULTS: u64 = 6;
 
 #[test]
 fn an_observer_touches_as_many_pages_whatever_the_size() {
-    let place = Place::new(env!("CARGO_BIN_EXE_mapd_under_test"));
+    let place = TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test"));
     let mut counts = Vec::new();
     for bytes in [1 << 20, 512 << 20] {
         if room() < 2 * bytes {
@@ -127,7 +127,7 @@ fn an_observer_touches_as_many_pages_whatever_the_size() {
 
 #[test]
 fn the_segment_is_read_only_for_everyone() {
-    let place = Place::new(env!("CARGO_BIN_EXE_mapd_under_test"));
+    let place = TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test"));
     while_serving(&place, 1 << 20, || {
         let (report, status) = probe(&place, "faults");
         assert!(status.success(), "{report:?}");

@@ -4,7 +4,7 @@
 use mapd_archive::encode;
 use mapd_client::Snapshot;
 use mapd_compiler::{CompileOptions, ReadOptions, compile_from};
-use mapd_query::route::{LanePlace, RouteScratch, ShortestLength};
+use mapd_query::route::{PositionOnLane, RouteScratch, ShortestLength};
 use mapd_query::rules::{LaneLine, LineAhead, LineSource, SpeedOrigin, Turn};
 use mapd_query::signals::SignalsAhead;
 use mapd_query::vocabulary::{Class, Relation, VehicleClass};
@@ -177,7 +177,7 @@ fn a_validity_goes_before_the_orientation() {
     let governed: Vec<&str> = light.movements().map(|lane| lane.road().id()).collect();
     assert_eq!(governed, ["02"]);
     // Traffic from arm 0 meets it half a metre behind the arm's end.
-    let from = LanePlace { lane: lane(map, "0:0:1").lane_id(), s: 80.0 };
+    let from = PositionOnLane { lane: lane(map, "0:0:1").lane_id(), s: 80.0 };
     let mut ahead = SignalsAhead::default();
     map.signals_ahead(from, 200.0, CAR, &mut ahead).expect("an answer");
     assert_eq!(met(map, &ahead), [("X".to_owned(), 80.5)]);
@@ -316,7 +316,7 @@ fn lines_and_crosswalks_may_be_objects() {
     assert_eq!(crossings.iter().map(|line| id(map, line)).collect::<Vec<_>>(), ["zebra"]);
     assert!((crossings[0].s - 7.0).abs() < 1e-4, "{crossings:?}");
     // A route from arm 1 to arm 3 passes both, and nothing of the other arm.
-    let place = |key: &str| LanePlace { lane: lane(map, key).lane_id(), s: 80.0 };
+    let place = |key: &str| PositionOnLane { lane: lane(map, key).lane_id(), s: 80.0 };
     let (mut scratch, mut steps, mut lines) = (RouteScratch::default(), Vec::new(), Vec::new());
     let (from, to) = (place("1:0:1"), place("3:0:-1"));
     let route = map.route(from, to, CAR, &ShortestLength::default(), &mut scratch, &mut steps);
@@ -368,8 +368,8 @@ fn met(map: Map<'_>, ahead: &SignalsAhead) -> Vec<(String, f64)> {
 fn a_route_meets_signals_in_their_order() {
     let snapshot = lit();
     let map = snapshot.map();
-    let from = LanePlace { lane: lane(map, "0:0:1").lane_id(), s: 80.0 };
-    let to = LanePlace { lane: lane(map, "2:0:-1").lane_id(), s: 80.0 };
+    let from = PositionOnLane { lane: lane(map, "0:0:1").lane_id(), s: 80.0 };
+    let to = PositionOnLane { lane: lane(map, "2:0:-1").lane_id(), s: 80.0 };
     let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
     let route = map.route(from, to, CAR, &ShortestLength::default(), &mut scratch, &mut steps);
     assert!(route.expect("an answer").is_some());

@@ -7,7 +7,7 @@ use glam::DVec2;
 use mapd_archive::{encode, verify};
 use mapd_compiler::{CompileOptions, compile};
 use mapd_query::Bounds;
-use mapd_query::route::{LanePlace, RouteScratch, ShortestTime};
+use mapd_query::route::{PositionOnLane, RouteScratch, ShortestTime};
 use mapd_query::vocabulary::{ClassSet, VehicleClass};
 use mapd_query::{LaneTypes, Map, NearestOptions, Region, Track};
 use mapd_tests::ends;
@@ -213,7 +213,7 @@ fn routes(map: Map<'_>) -> String {
     let lanes: Vec<_> = map.lanes().filter(|lane| lane.number() != 0).collect();
     for (i, from) in lanes.iter().enumerate().step_by(5) {
         let to = &lanes[(i * 7 + 3) % lanes.len()];
-        let [from, to] = [from, to].map(|lane| LanePlace { lane: lane.lane_id(), s: 1.0 });
+        let [from, to] = [from, to].map(|lane| PositionOnLane { lane: lane.lane_id(), s: 1.0 });
         let (car, cost) = (VehicleClass::PassengerCar, ShortestTime::default());
         let route = map.route(from, to, car, &cost, &mut scratch, &mut steps).expect("an answer");
         let ends = steps.iter().map(|step| (step.s_from, step.s_to)).collect::<Vec<_>>();

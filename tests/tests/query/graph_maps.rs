@@ -4,7 +4,9 @@ use mapd_client::{Map, Snapshot};
 use mapd_compiler::{Compilation, CompileOptions, CyclePolicy, Verdict, compile};
 use mapd_query::SRange;
 use mapd_query::graph::LaneNode;
-use mapd_query::route::{LanePlace, LaneSequences, RouteScratch, ShortestLength, next_lane_change};
+use mapd_query::route::{
+    LaneSequences, PositionOnLane, RouteScratch, ShortestLength, next_lane_change,
+};
 use mapd_query::vocabulary::{ConflictKind, EdgeKind, VehicleClass};
 use mapd_tests::ends;
 use mapd_tests::graph_maps::*;
@@ -66,7 +68,7 @@ fn a_virtual_junction_cuts_nodes_but_no_lane() {
     assert_eq!(ranges, [(0.0, 45.0), (45.0, 75.0), (75.0, 120.0)]);
     assert_eq!(map.road_by_id("1").expect("a road").sections().count(), 1);
     // Past the side road, into it, and out of it again.
-    let place = |key: &str, s| LanePlace {
+    let place = |key: &str, s| PositionOnLane {
         lane: map.lane_by_key(&key.parse().expect("a key")).expect("a lane").lane_id(),
         s,
     };
@@ -537,9 +539,9 @@ fn lanes_that_cross_know_where() {
     assert_eq!((turned.2, turned.3), (*other, *own));
 }
 
-fn place(map: Map<'_>, key: &str, s: f64) -> LanePlace {
+fn place(map: Map<'_>, key: &str, s: f64) -> PositionOnLane {
     let lane = map.lane_by_key(&key.parse().expect("a key")).expect("a lane");
-    LanePlace { lane: lane.lane_id(), s }
+    PositionOnLane { lane: lane.lane_id(), s }
 }
 
 fn named(name: &str) -> Snapshot {

@@ -8,7 +8,7 @@ use mapd_query::LaneId;
 use mapd_query::glam::{DMat3, DVec2, DVec3};
 use mapd_query::localisation::{MatchOptions, VehiclePose};
 use mapd_query::path::{Corridor, PathBuffer, PathOptions, steps_of_lanes};
-use mapd_query::route::{LanePlace, RouteScratch, ShortestLength};
+use mapd_query::route::{PositionOnLane, RouteScratch, ShortestLength};
 use mapd_query::signals::SignalsAhead;
 use mapd_query::view::View;
 use mapd_query::vocabulary::VehicleClass;
@@ -90,7 +90,7 @@ fn routes_lead_round_it() {
         let lane = lane_id(view.map(), -1);
         let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
         let mut cost = |from: f64, to: f64| {
-            let [from, to] = [from, to].map(|s| LanePlace { lane, s });
+            let [from, to] = [from, to].map(|s| PositionOnLane { lane, s });
             let cost = ShortestLength::default();
             let route =
                 view.route(from, to, CAR, &cost, &mut scratch, &mut steps).expect("an answer");
@@ -102,7 +102,7 @@ fn routes_lead_round_it() {
         let mut met = Vec::new();
         view.restrictions_along(&steps, CAR, &mut met).expect("an answer");
         assert!(met.is_empty());
-        let from = LanePlace { lane, s: 10.0 };
+        let from = PositionOnLane { lane, s: 10.0 };
         let mut reached = Vec::new();
         let cost = ShortestLength::default();
         view.reachable(from, 1e3, CAR, &cost, &mut scratch, &mut reached).expect("an answer");
@@ -171,7 +171,7 @@ fn signals_behind_what_is_closed() {
         assert_eq!(resolved.unplaced, []);
         let overlay = open_overlay(&bytes).expect("opens");
         let view = View::new(map, Some(&overlay), at(0.0)).expect("its own");
-        let from = LanePlace { lane: lane_id(map, -1), s: 10.0 };
+        let from = PositionOnLane { lane: lane_id(map, -1), s: 10.0 };
         view.signals_ahead(from, 200.0, CAR, &mut ahead).expect("an answer");
         let signal = map.signal_by_id("light").expect("a signal").signal_id();
         let off = view.signal_out_of_service(signal).expect("an answer");
@@ -370,7 +370,7 @@ fn damaged_overlays() {
             let _ = view.allows(lane, s, CAR);
             let _ = view.speed_rule_at(lane, s, CAR);
         }
-        let [from, to] = [10.0, 90.0].map(|s| LanePlace { lane, s });
+        let [from, to] = [10.0, 90.0].map(|s| PositionOnLane { lane, s });
         let cost = ShortestLength::default();
         let _ = view.route(from, to, CAR, &cost, &mut scratch, &mut steps);
         view.entries().for_each(|entry| assert!(entry.id().len() < 10_000));

@@ -3,7 +3,7 @@
 use mapd_archive::open_overlay;
 use mapd_client::Snapshot;
 use mapd_query::route::{
-    LanePlace, RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime,
+    PositionOnLane, RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime,
 };
 use mapd_query::rules::SpeedOrigin;
 use mapd_query::view::View;
@@ -168,7 +168,7 @@ fn routes(
     let (mut steps, mut expected_steps, mut found) = (Vec::new(), Vec::new(), 0);
     for _ in 0..PAIRS {
         let ((a, s_a), (b, s_b)) = (place(random), place(random));
-        let at = |lane: &Lane<'_>, s| LanePlace { lane: lane.lane_id(), s };
+        let at = |lane: &Lane<'_>, s| PositionOnLane { lane: lane.lane_id(), s };
         let route = view
             .route(at(&a, s_a), at(&b, s_b), CAR, cost, &mut scratch, &mut steps)
             .expect("an answer");

@@ -1,7 +1,7 @@
 //! What lies along a path: lanes that reach the goal, speed limits, signals, lines, junctions.
 
 use crate::paths::each_path;
-use mapd_client::route::{LanePlace, RouteScratch, ShortestLength};
+use mapd_client::route::{PositionOnLane, RouteScratch, ShortestLength};
 use mapd_client::vocabulary::{Relation, RelationReason, VehicleClass};
 use mapd_client::{Lane, Map};
 use mapd_query::path::{
@@ -29,7 +29,7 @@ fn along(
     to: (&str, f64),
     ask: impl Fn(mapd_query::path::Path<'_, '_>),
 ) {
-    let place = |(key, s): (&str, f64)| LanePlace { lane: lane_by(map, key).lane_id(), s };
+    let place = |(key, s): (&str, f64)| PositionOnLane { lane: lane_by(map, key).lane_id(), s };
     let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
     let cost = ShortestLength::default();
     let route = map.route(place(from), place(to), CAR, &cost, &mut scratch, &mut steps);

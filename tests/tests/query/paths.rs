@@ -2,7 +2,7 @@
 
 use mapd_client::Map;
 use mapd_client::glam::DVec2;
-use mapd_client::route::{LanePlace, RouteScratch, RouteStep, ShortestLength};
+use mapd_client::route::{PositionOnLane, RouteScratch, RouteStep, ShortestLength};
 use mapd_client::vocabulary::{ConflictKind, VehicleClass};
 use mapd_query::path::{
     Corridor, LaneChange, Path, PathBuffer, PathError, PathOptions, Yields, steps_of_lanes,
@@ -52,7 +52,7 @@ pub(crate) fn each_path_with(
             let mut place = || {
                 let lane = &lanes[(random.unit() * lanes.len() as f64) as usize];
                 let (low, high) = (lane.section().s_start(), lane.section().s_end());
-                LanePlace { lane: lane.lane_id(), s: random.between(low, high) }
+                PositionOnLane { lane: lane.lane_id(), s: random.between(low, high) }
             };
             let (from, to) = (place(), place());
             let (car, cost) = (VehicleClass::PassengerCar, ShortestLength::default());

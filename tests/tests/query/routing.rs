@@ -4,7 +4,7 @@ use mapd_client::{Map, Snapshot};
 use mapd_query::SRange;
 use mapd_query::graph::LaneNode;
 use mapd_query::route::{
-    CostBound, Enter, LanePlace, Reached, RouteCost, RouteScratch, RouteStep, ShortestLength,
+    CostBound, Enter, PositionOnLane, Reached, RouteCost, RouteScratch, RouteStep, ShortestLength,
     ShortestTime, WithFactors,
 };
 use mapd_query::vocabulary::{LaneType, VehicleClass};
@@ -54,7 +54,11 @@ impl RouteCost for Own {
 }
 
 /// Starts, each with its targets.
-fn places(map: Map<'_>, vehicle: VehicleClass, pairs: usize) -> Vec<(LanePlace, Vec<LanePlace>)> {
+fn places(
+    map: Map<'_>,
+    vehicle: VehicleClass,
+    pairs: usize,
+) -> Vec<(PositionOnLane, Vec<PositionOnLane>)> {
     let open: Vec<_> =
         map.lanes().filter(|lane| lane.nodes().any(|node| node.allows(vehicle))).collect();
     let mut random = Random(11);
@@ -62,7 +66,7 @@ fn places(map: Map<'_>, vehicle: VehicleClass, pairs: usize) -> Vec<(LanePlace, 
         let lane = &open[(random.unit() * open.len() as f64) as usize];
         let section = lane.section();
         let s = random.between(section.s_start(), section.s_end());
-        LanePlace { lane: lane.lane_id(), s }
+        PositionOnLane { lane: lane.lane_id(), s }
     };
     if open.is_empty() {
         return Vec::new();
@@ -102,7 +106,7 @@ fn check(map: Map<'_>, vehicle: VehicleClass, cost: &impl RouteCost, pairs: usiz
 fn check_steps(
     map: Map<'_>,
     vehicle: VehicleClass,
-    (from, to): (LanePlace, LanePlace),
+    (from, to): (PositionOnLane, PositionOnLane),
     steps: &[RouteStep],
     expected: f64,
 ) {
@@ -219,8 +223,10 @@ fn reachable_is_what_routes_reach() {
         for lane in map.lanes().filter(|lane| lane.lane_id() != from.lane) {
             let Some(node) = lane.nodes().find(|node| node.allows(car)) else { continue };
             let SRange { low, high } = node.s_range();
-            let to =
-                LanePlace { lane: lane.lane_id(), s: if node.is_forward() { low } else { high } };
+            let to = PositionOnLane {
+                lane: lane.lane_id(),
+                s: if node.is_forward() { low } else { high },
+            };
             let route = map.route(from, to, car, &cost, &mut scratch, &mut steps);
             let route = route.expect("an answer").filter(|route| route.cost <= limit);
             let own = reached.iter().find(|reached| reached.node == node.node_id());
@@ -250,7 +256,7 @@ fn reachable_to_is_what_routes_come_from() {
             let Some(node) = lane.nodes().find(|node| node.allows(car)) else { continue };
             let SRange { low, high } = node.s_range();
             let s = if node.is_forward() { low } else { high };
-            let from = LanePlace { lane: lane.lane_id(), s };
+            let from = PositionOnLane { lane: lane.lane_id(), s };
             let route = map.route(from, to, car, &cost, &mut scratch, &mut steps);
             let route = route.expect("an answer").filter(|route| route.cost <= limit);
             let own = reached.iter().find(|reached| reached.node == node.node_id());

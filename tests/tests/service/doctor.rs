@@ -1,22 +1,22 @@
 //! `mapd doctor`: each trouble is named with what to do about it, and a sound domain has none.
 
-use mapd_tests::place::{PATIENCE, Place};
 use mapd_tests::say;
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use serde_json::Value;
 use std::process::{Command, Output};
 use std::time::Instant;
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 
-fn place() -> Place {
-    Place::new(MAPD)
+fn place() -> TestDomain {
+    TestDomain::new(MAPD)
 }
 
 fn town() -> String {
     mapd_tests::carried("town.xodr").display().to_string()
 }
 
-fn doctor(place: &Place) -> Output {
+fn doctor(place: &TestDomain) -> Output {
     place.command().args(["doctor", "--json", "--wait", "5"]).output().expect("runs")
 }
 
@@ -171,7 +171,7 @@ fn rights_that_are_too_wide() {
 }
 
 /// The program with limits, by the shell's `ulimit`.
-fn limited(place: &Place, limit: &str, archive: &str) -> Output {
+fn limited(place: &TestDomain, limit: &str, archive: &str) -> Output {
     let script = format!("ulimit {limit} && exec {MAPD} doctor --json {archive}");
     place.command_of("sh").args(["-c", &script]).output().expect("runs")
 }

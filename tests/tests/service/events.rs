@@ -3,7 +3,7 @@
 use mapd::serve::{Doorbell, PublishMeta, Server, StopSignal};
 use mapd_archive::OpenError;
 use mapd_client::{Attach, Client, ClientError, Events, MapEvent};
-use mapd_tests::place::{PATIENCE, Place};
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use mapd_transport::{AttachError, AttachLock, MAX_PINNED, Pinned, Subscription};
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -11,8 +11,8 @@ use std::time::{Duration, Instant};
 /// A wait that ends without a map.
 const SHORT: Duration = Duration::from_millis(300);
 
-fn place() -> Place {
-    Place::new(env!("CARGO_BIN_EXE_mapd_under_test"))
+fn place() -> TestDomain {
+    TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test"))
 }
 
 fn town() -> String {
@@ -91,7 +91,7 @@ fn staged(attach: Attach) {
 }
 
 /// Why a wait ended without a map, and how long it took.
-fn refused(attach: Attach, place: &Place, map: &str) -> (ClientError, Duration) {
+fn refused(attach: Attach, place: &TestDomain, map: &str) -> (ClientError, Duration) {
     let start = Instant::now();
     let error = Client::connect_as(attach, &place.domain(), map, SHORT).err().expect("no map");
     (error, start.elapsed())

@@ -1,6 +1,6 @@
 //! The program on the README's first screen, word for word, works at boot in any order of starting.
 
-use mapd_tests::place::{PATIENCE, Place};
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use std::process::Child;
 use std::time::{Duration, Instant};
 
@@ -25,7 +25,7 @@ fn the_readme_shows_this_program() {
     assert!(readme.contains(code.trim()), "the README shows another program than\n{code}");
 }
 
-fn start(place: &Place) -> Child {
+fn start(place: &TestDomain) -> Child {
     place.command_of(PROGRAM).spawn().expect("starts")
 }
 
@@ -39,7 +39,7 @@ fn answers(child: Child) {
 
 #[test]
 fn in_any_order_of_starting() {
-    let place = Place::new(env!("CARGO_BIN_EXE_mapd_under_test"));
+    let place = TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test"));
     // Before there is any daemon.
     let first = start(&place);
     std::thread::sleep(Duration::from_millis(300));

@@ -2,13 +2,13 @@
 
 use mapd::serve::{PublishMeta, ServeError, Server};
 use mapd_client::{Attach, Client};
-use mapd_tests::place::{PATIENCE, Place};
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use mapd_tests::two_maps::TwoMaps;
 use std::time::{Duration, Instant};
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 
-fn held(place: &Place) -> Vec<(u64, u64)> {
+fn held(place: &TestDomain) -> Vec<(u64, u64)> {
     place.state("map").held.iter().map(|held| (held.generation, held.bytes)).collect()
 }
 
@@ -16,7 +16,7 @@ fn held(place: &Place) -> Vec<(u64, u64)> {
 #[test]
 fn what_is_held_is_told() {
     for attach in [Attach::Observer, Attach::Subscriber] {
-        let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+        let (place, maps) = (TestDomain::new(MAPD), TwoMaps::new());
         let _daemon = place.serve(&[maps.path().to_str().expect("text")]);
         let client =
             Client::connect_as(attach, &place.domain(), "map", PATIENCE).expect("attaches");
@@ -47,7 +47,7 @@ fn what_is_held_is_told() {
 /// A map that does not fit names what readers hold.
 #[test]
 fn too_little_room_names_what_is_held() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let rows = mapd_archive::Rows::default();
     let bytes = mapd_archive::encode(&rows, &mapd_archive::Provenance::default()).expect("encodes");
     let mut server = Server::start(&place.domain()).expect("starts");
@@ -75,7 +75,7 @@ fn too_little_room_names_what_is_held() {
 /// A core dump of a planner does not hold the map.
 #[test]
 fn core_dumps_leave_the_map_out() {
-    let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+    let (place, maps) = (TestDomain::new(MAPD), TwoMaps::new());
     let _daemon = place.serve(&[maps.path().to_str().expect("text")]);
     for attach in [Attach::Observer, Attach::Subscriber] {
         let client =

@@ -1,8 +1,8 @@
 //! Files that are not what their names say: pipes that nobody writes to, folders, devices that never end, other maps' archives.
 
 use mapd_client::Client;
-use mapd_tests::place::{PATIENCE, Place};
 use mapd_tests::small::in_small_folder;
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use mapd_tests::two_maps::TwoMaps;
 use std::fs;
 use std::os::unix::fs::symlink;
@@ -58,7 +58,7 @@ fn files(folder: &Path) -> Vec<PathBuf> {
 
 #[test]
 fn an_archive_of_another_map_in_the_cache_is_not_served() {
-    let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+    let (place, maps) = (TestDomain::new(MAPD), TwoMaps::new());
     let map = maps.path().display().to_string();
     let archives = || {
         let all = files(place.cache()).into_iter();
@@ -84,7 +84,7 @@ fn an_archive_of_another_map_in_the_cache_is_not_served() {
 /// A pipe in the cache once held the start up, past SIGTERM; a folder ended it.
 #[test]
 fn nothing_in_the_cache_keeps_a_map_from_being_served() {
-    let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+    let (place, maps) = (TestDomain::new(MAPD), TwoMaps::new());
     maps.put(0);
     let map = maps.path().display().to_string();
     assert_eq!(place.serve(&[&map]).stop(), 0);
@@ -116,7 +116,7 @@ fn nothing_in_the_cache_keeps_a_map_from_being_served() {
 /// A full cache once ended the start.
 #[test]
 fn a_full_cache_is_done_without() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     fs::create_dir(place.cache()).expect("made");
     in_small_folder(place.cache(), TOO_SMALL, || {
         let daemon = place.serve(&[&town()]);
@@ -133,7 +133,7 @@ fn a_full_cache_is_done_without() {
 /// Whatever a daemon opens at its start, it opens no pipe that nobody writes to, and reads nothing that has no end.
 #[test]
 fn files_that_are_none_end_the_start_with_a_reason() {
-    let (place, folder) = (Place::new(MAPD), tempfile::tempdir().expect("a folder"));
+    let (place, folder) = (TestDomain::new(MAPD), tempfile::tempdir().expect("a folder"));
     let archive = folder.path().join("town.mapd");
     let mut compile = place.command();
     let compiled = compile.args(["compile", &town(), "-o"]).arg(&archive).output().expect("runs");

@@ -1,7 +1,7 @@
 //! Limits of a process: a daemon that may open too few files, a client likewise, files that may not grow, memory that is not there.
 //! Each ends with an exit code and a reason, never by a signal.
 
-use mapd_tests::place::Place;
+use mapd_tests::test_domain::TestDomain;
 use std::process::{Command, Output, Stdio};
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
@@ -17,13 +17,13 @@ fn town() -> String {
 }
 
 /// The program with these arguments, within a limit.
-fn within(place: &Place, limit: &str, args: &[&str]) -> Command {
+fn within(place: &TestDomain, limit: &str, args: &[&str]) -> Command {
     let mut command = place.command_of("sh");
     command.args(["-c", &format!("ulimit {limit}; exec \"$0\" \"$@\""), MAPD]).args(args);
     command
 }
 
-fn run(place: &Place, limit: &str, args: &[&str]) -> (Option<i32>, String) {
+fn run(place: &TestDomain, limit: &str, args: &[&str]) -> (Option<i32>, String) {
     let Output { status, stderr, .. } = within(place, limit, args).output().expect("ends");
     (status.code(), String::from_utf8_lossy(&stderr).into_owned())
 }
@@ -31,7 +31,7 @@ fn run(place: &Place, limit: &str, args: &[&str]) -> (Option<i32>, String) {
 /// Too few descriptors once were `InternalFailure`, with the advice to stop every process of the domain.
 #[test]
 fn too_few_descriptors_are_named() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let town = town();
     let is_named = |said: &str| said.contains("ulimit -n") || said.contains("Too many open files");
     let (mut served, mut refused) = (0, 0);
@@ -76,7 +76,7 @@ fn too_few_descriptors_are_named() {
 /// SIGXFSZ once ended whoever wrote beyond the limit.
 #[test]
 fn a_limit_of_file_sizes_is_an_error() {
-    let (place, folder) = (Place::new(MAPD), tempfile::tempdir().expect("a folder"));
+    let (place, folder) = (TestDomain::new(MAPD), tempfile::tempdir().expect("a folder"));
     let archive = folder.path().join("town.mapd").display().to_string();
     let town = town();
     // Blocks of 512 bytes or of 1,024, as the shell has it: too few in both.
@@ -90,7 +90,7 @@ fn a_limit_of_file_sizes_is_an_error() {
 /// Just above the least memory in which it starts, a program once ended by SIGABRT or a panic.
 #[test]
 fn too_little_memory_is_an_exit_code() {
-    let (place, folder) = (Place::new(MAPD), tempfile::tempdir().expect("a folder"));
+    let (place, folder) = (TestDomain::new(MAPD), tempfile::tempdir().expect("a folder"));
     let archive = folder.path().join("town.mapd").display().to_string();
     let town = town();
     let starts = |kib: u64| run(&place, &format!("-v {kib}"), &["--version"]).0 == Some(0);

@@ -1,8 +1,8 @@
 //! `--lock-memory`: what is served is kept from swap, one generation of it, and a limit that is too low is said at once.
 
 use mapd_client::Client;
-use mapd_tests::place::{PATIENCE, Place};
 use mapd_tests::say;
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use std::path::Path;
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
@@ -19,7 +19,7 @@ fn locked(pid: u32) -> u64 {
 
 #[test]
 fn one_generation_is_locked() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let folder = tempfile::tempdir().expect("a folder");
     let map = folder.path().join("town.xodr");
     let put =
@@ -44,7 +44,7 @@ fn one_generation_is_locked() {
 
 #[test]
 fn a_limit_that_is_too_low_is_said() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let town = mapd_tests::carried("town.xodr").display().to_string();
     // Root may lock without limit: as root, without that right.
     let drop = "setpriv --bounding-set -ipc_lock --inh-caps -ipc_lock";
@@ -65,7 +65,7 @@ fn a_limit_that_is_too_low_is_said() {
     assert!(text.lines().any(|line| line.starts_with("note    locked memory")), "{text}");
 }
 
-fn possible(place: &Place, script: &str) -> bool {
+fn possible(place: &TestDomain, script: &str) -> bool {
     place.command_of("sh").args(["-c", script]).output().is_ok_and(|o| o.status.success())
 }
 

@@ -1,6 +1,6 @@
 //! What attaching does to the process that attaches: nothing but what it says. And deadlines hold, whatever the daemon does.
 
-use mapd_tests::place::{PATIENCE, Place};
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Write};
 use std::process::Stdio;
@@ -11,8 +11,8 @@ const PROBE: &str = env!("CARGO_BIN_EXE_planner_probe");
 /// Deadline that is given to calls which cannot succeed.
 const DEADLINE: Duration = Duration::from_millis(300);
 
-fn place() -> Place {
-    Place::new(env!("CARGO_BIN_EXE_mapd_under_test"))
+fn place() -> TestDomain {
+    TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test"))
 }
 
 fn town() -> String {

@@ -1,8 +1,8 @@
 //! One daemon with many maps: what it does at its start and at its end is done once for all maps, or once for each, and never
 //! once for each and all.
 
-use mapd_tests::place::Place;
 use mapd_tests::say;
+use mapd_tests::test_domain::TestDomain;
 use mapd_tests::tracer::{Then, Traced};
 use nix::errno::Errno;
 use nix::sys::signal::{Signal, kill};
@@ -27,7 +27,7 @@ const STOPPED_AT: [usize; 4] = [30, 45, 60, 75];
 /// System calls of a daemon that serves this many maps, from its start until it waits for clients, and then to its end;
 /// those that are compiled come from the cache. `None` where tracing is not permitted.
 fn calls(files: &[String]) -> Option<usize> {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     if files.iter().any(|file| file.ends_with(".xodr")) {
         let files: Vec<&str> = files.iter().map(String::as_str).collect();
         assert_eq!(place.serve(&files).stop(), 0);
@@ -88,7 +88,7 @@ fn check(ending: &str) {
 /// A daemon of these files that is told to end at a call of its first thread: after how many calls it first waits for clients,
 /// and what it says, if it ended well. `None` where tracing is not permitted.
 fn stopped_at(files: &[String], call: usize) -> Option<(usize, String)> {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let mut command = place.command();
     command.args(files.iter().flat_map(|file| ["--load", file.as_str()]));
     let (traced, stderr) = match Traced::start(&command, "", Stdio::piped()) {

@@ -2,8 +2,8 @@
 
 use mapd::serve::{Doorbell, PublishMeta, Server, StopSignal};
 use mapd_client::{Attach, Client};
-use mapd_tests::place::{PATIENCE, Place};
 use mapd_tests::say;
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use mapd_tests::tracer::{Side, Then, Traced};
 use nix::errno::Errno;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -36,7 +36,7 @@ fn number<T: std::str::FromStr>(variable: &str, otherwise: T) -> T {
 
 #[test]
 fn attaching_takes_few_system_calls_and_leaves_nothing() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let _daemon = place.serve(&[&town()]);
     let files = place.segments();
     let mut command = place.command_of(PROBE);
@@ -74,7 +74,7 @@ fn attaching_takes_few_system_calls_and_leaves_nothing() {
 #[test]
 fn swaps_under_many_observers() {
     let (swaps, observers) = (number("MAPD_SWAPS", SWAPS), number("MAPD_OBSERVERS", OBSERVERS));
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let archives = ["one_road.xodr", "town.xodr"].map(|name| {
         let map = mapd_tests::carried(name);
         let file = std::fs::File::open(map).expect("opens");
@@ -133,7 +133,7 @@ fn swaps_under_many_observers() {
 /// What a killed daemon served last is found, and its age seen; whoever waits gets the successor's.
 #[test]
 fn after_the_daemons_death() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let daemon = place.serve(&[&town()]);
     let before = Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
     assert_eq!(before.attachment(), Attach::Observer);
@@ -159,7 +159,7 @@ fn after_the_daemons_death() {
 /// A clean end removes the record; who waits on it is told, and finds the next daemon's.
 #[test]
 fn after_a_clean_end() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let daemon = place.serve(&[&town()]);
     let client = Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
     let held = client.snapshot();
@@ -184,7 +184,7 @@ fn after_a_clean_end() {
 /// Everything of the domain is removed by hand under a daemon and a reader, and another daemon comes.
 #[test]
 fn after_the_root_folder_was_removed() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let daemon = place.serve(&[&town()]);
     let client = Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
     let held = client.snapshot().generation();
@@ -198,7 +198,7 @@ fn after_the_root_folder_was_removed() {
 /// A map that is withdrawn and comes again, in one daemon.
 #[test]
 fn a_map_is_withdrawn_and_comes_again() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let rows = mapd_archive::Rows::default();
     let bytes = mapd_archive::encode(&rows, &mapd_archive::Provenance::default()).expect("encodes");
     let mut server = Server::start(&place.domain()).expect("starts");
@@ -234,7 +234,7 @@ fn a_map_is_withdrawn_and_comes_again() {
 #[test]
 fn every_generation_is_waited_for() {
     const ROUNDS: usize = 40;
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let rows = mapd_archive::Rows::default();
     let bytes = mapd_archive::encode(&rows, &mapd_archive::Provenance::default()).expect("encodes");
     let (stop, door) = (StopSignal::new().expect("a signal"), Doorbell::new().expect("a bell"));

@@ -1,8 +1,8 @@
 //! Records and segments that are not what a daemon makes: an observer says so, and neither hangs nor crashes.
 
 use mapd_client::{Client, ClientError};
-use mapd_tests::place::{Daemon, PATIENCE, Place};
 use mapd_tests::say;
+use mapd_tests::test_domain::{Daemon, PATIENCE, TestDomain};
 use mapd_transport::AttachError;
 use std::fs::File;
 use std::ops::Range;
@@ -23,7 +23,7 @@ const SLOTS: usize = 24;
 
 /// A served map, its record, and its segment.
 struct Served {
-    place: Place,
+    place: TestDomain,
     _daemon: Daemon,
     record: PathBuf,
     segment: PathBuf,
@@ -32,7 +32,7 @@ struct Served {
 
 impl Served {
     fn new() -> Self {
-        let place = Place::new(MAPD);
+        let place = TestDomain::new(MAPD);
         let daemon = place.serve(&[&mapd_tests::carried("town.xodr").display().to_string()]);
         let record = place.domain().root().join("town.published");
         let is_data =

@@ -3,7 +3,7 @@
 use mapd_client::view::OverlayKind;
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{Attach, Client, Snapshot};
-use mapd_tests::place::{PATIENCE, Place};
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use mapd_tests::town::town;
 use serde_json::Value;
 use std::fs;
@@ -17,7 +17,7 @@ const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 
 /// A place with a town in a file.
 struct Scene {
-    place: Place,
+    place: TestDomain,
     folder: tempfile::TempDir,
     map: PathBuf,
 }
@@ -27,7 +27,7 @@ impl Scene {
         let folder = tempfile::tempdir().expect("a folder");
         let map = folder.path().join("town.xodr");
         fs::write(&map, town(3, 3)).expect("written");
-        Self { place: Place::new(MAPD), folder, map }
+        Self { place: TestDomain::new(MAPD), folder, map }
     }
 
     fn args(&self) -> [&str; 1] {

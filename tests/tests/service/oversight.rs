@@ -1,7 +1,7 @@
 //! What a daemon shows while it runs: logs, metrics, the service manager's socket, proofs of what is served.
 
 use mapd_tests::manager::{Manager, WATCHDOG};
-use mapd_tests::place::{PATIENCE, Place};
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use mapd_transport::{AttachLock, Subscription};
 use serde_json::Value;
 use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
@@ -13,8 +13,8 @@ use std::time::{Duration, Instant};
 /// Queries in an interval: see `oversight::attendant`.
 const PER_INTERVAL: u32 = 3;
 
-fn place() -> Place {
-    Place::new(env!("CARGO_BIN_EXE_mapd_under_test"))
+fn place() -> TestDomain {
+    TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test"))
 }
 
 fn town() -> String {

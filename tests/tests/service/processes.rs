@@ -1,14 +1,14 @@
 //! Daemon and clients as processes: any order of starting, crashes, restarts, one name twice.
 
 use mapd_client::{Attach, Client, NearestOptions, glam::DVec2};
-use mapd_tests::place::{PATIENCE, Place};
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use std::io::Write;
 use std::path::Path;
 use std::process::{Child, Stdio};
 use std::time::{Duration, Instant};
 
-fn place() -> Place {
-    Place::new(env!("CARGO_BIN_EXE_mapd_under_test"))
+fn place() -> TestDomain {
+    TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test"))
 }
 
 fn town() -> String {

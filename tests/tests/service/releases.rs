@@ -5,14 +5,14 @@ use mapd_archive::AlignedBytes;
 use mapd_client::Snapshot;
 use mapd_tests::crossroads;
 use mapd_tests::maps;
-use mapd_tests::place::{PATIENCE, Place};
 use mapd_tests::releases::{Parts, UNKNOWN_TABLE, answers};
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 const PROBE: &str = env!("CARGO_BIN_EXE_planner_probe");
 
 /// What the map of a daemon answers to a client that is a process of its own.
-fn asked(place: &Place) -> String {
+fn asked(place: &TestDomain) -> String {
     let wait = PATIENCE.as_millis().to_string();
     let output = place.command_of(PROBE).args(["answers", "map", &wait]).output().expect("runs");
     String::from_utf8(output.stdout).expect("text")
@@ -42,7 +42,7 @@ fn expected(bytes: &AlignedBytes) -> String {
 #[test]
 fn archives_of_other_releases_are_served() {
     for (name, bytes) in of_other_releases() {
-        let (place, folder) = (Place::new(MAPD), tempfile::tempdir().expect("a folder"));
+        let (place, folder) = (TestDomain::new(MAPD), tempfile::tempdir().expect("a folder"));
         let file = folder.path().join("map.mapd");
         std::fs::write(&file, &bytes).expect("written");
         let mut daemon = place.start(&[file.to_str().expect("text")]);
@@ -57,7 +57,7 @@ fn archives_of_other_releases_are_served() {
 /// A daemon of another release publishes what it writes, and says so.
 #[test]
 fn a_client_reads_what_another_release_publishes() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let archives = of_other_releases();
     let mut server = Server::start(&place.domain()).expect("starts");
     for (name, bytes) in &archives {

@@ -3,8 +3,8 @@
 //! `MAPD_RELOADS=1000 cargo test -p mapd-tests --test service reload_storm::` is the long form.
 
 use mapd::control::ReloadResult;
-use mapd_tests::place::Place;
 use mapd_tests::say;
+use mapd_tests::test_domain::TestDomain;
 use mapd_tests::two_maps::TwoMaps;
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Read};
@@ -24,9 +24,9 @@ const SETTLE: Duration = Duration::from_secs(10);
 #[test]
 fn each_client_sees_generations_rise_and_every_answer_is_one_generations_truth() {
     let reloads = std::env::var(VARIABLE).ok().and_then(|n| n.parse().ok()).unwrap_or(RELOADS);
-    let (place, maps) = (Place::new(env!("CARGO_BIN_EXE_mapd_under_test")), TwoMaps::new());
+    let (place, maps) = (TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test")), TwoMaps::new());
     let daemon = place.serve(&[maps.path().to_str().expect("text")]);
-    let archives = |place: &Place| {
+    let archives = |place: &TestDomain| {
         let data = |path: &std::path::PathBuf| path.extension().is_some_and(|e| e == "data");
         place.segments().into_iter().filter(data).count()
     };

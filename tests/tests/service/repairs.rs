@@ -2,7 +2,7 @@
 
 use mapd::control::ReloadResult;
 use mapd_client::Client;
-use mapd_tests::place::{PATIENCE, Place};
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use mapd_transport::GenerationInfo;
 use std::fs::{self, OpenOptions, Permissions};
 use std::os::unix::fs::{FileExt, PermissionsExt};
@@ -12,7 +12,7 @@ const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 
 /// What may go bad of a generation, and the byte of its segment where it lies.
 #[derive(Clone, Copy, Debug)]
-enum Part {
+enum DamagedPart {
     /// Of what is said about it: the number.
     Generation,
     /// Its length.
@@ -31,15 +31,15 @@ enum Part {
     End,
 }
 
-const PARTS: [Part; 8] = [
-    Part::Generation,
-    Part::Length,
-    Part::Said,
-    Part::Magic,
-    Part::Hash,
-    Part::Places,
-    Part::Middle,
-    Part::End,
+const PARTS: [DamagedPart; 8] = [
+    DamagedPart::Generation,
+    DamagedPart::Length,
+    DamagedPart::Said,
+    DamagedPart::Magic,
+    DamagedPart::Hash,
+    DamagedPart::Places,
+    DamagedPart::Middle,
+    DamagedPart::End,
 ];
 
 fn find(bytes: &[u8], wanted: &[u8], from: usize) -> usize {
@@ -48,7 +48,7 @@ fn find(bytes: &[u8], wanted: &[u8], from: usize) -> usize {
 }
 
 /// Changes a bit of a part of what is served; no process is told.
-fn damage(place: &Place, part: Part, info: &GenerationInfo) {
+fn damage(place: &TestDomain, part: DamagedPart, info: &GenerationInfo) {
     let data = place.segments().into_iter().find(|path| {
         let is_data = path.extension().is_some_and(|e| e == "data");
         is_data
@@ -62,14 +62,14 @@ fn damage(place: &Place, part: Part, info: &GenerationInfo) {
     let archive = find(&bytes, &mapd_archive::MAGIC, said);
     let length = usize::try_from(info.length).expect("a length");
     let at = match part {
-        Part::Generation => said,
-        Part::Length => find(&bytes, &info.length.to_le_bytes(), said),
-        Part::Said => find(&bytes, &info.content_hash, said),
-        Part::Magic => archive,
-        Part::Hash => find(&bytes, &info.content_hash, archive),
-        Part::Places => archive + mapd_archive::HEADER_LENGTH,
-        Part::Middle => archive + length / 2,
-        Part::End => archive + length - 1,
+        DamagedPart::Generation => said,
+        DamagedPart::Length => find(&bytes, &info.length.to_le_bytes(), said),
+        DamagedPart::Said => find(&bytes, &info.content_hash, said),
+        DamagedPart::Magic => archive,
+        DamagedPart::Hash => find(&bytes, &info.content_hash, archive),
+        DamagedPart::Places => archive + mapd_archive::HEADER_LENGTH,
+        DamagedPart::Middle => archive + length / 2,
+        DamagedPart::End => archive + length - 1,
     };
     fs::set_permissions(&path, Permissions::from_mode(0o600)).expect("our own");
     let file = OpenOptions::new().write(true).open(&path).expect("opens");
@@ -80,7 +80,7 @@ fn damage(place: &Place, part: Part, info: &GenerationInfo) {
 /// could attach; and a reload said that nothing had changed.
 #[test]
 fn damage_is_damage_and_a_reload_publishes_anew() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let town = mapd_tests::carried("town.xodr").display().to_string();
     let _daemon = place.serve(&[&town, "--scrub", "1"]);
     let newest = || Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");

@@ -4,7 +4,7 @@
 use mapd::control::{ReloadReport, ReloadResult, Request, Response, Trigger};
 use mapd_archive::{Feature, FeatureRow};
 use mapd_client::Client;
-use mapd_tests::place::{Daemon, PATIENCE, Place};
+use mapd_tests::test_domain::{Daemon, PATIENCE, TestDomain};
 use mapd_tests::two_maps::TwoMaps;
 use std::fs;
 use std::process::{Command, Output};
@@ -15,7 +15,7 @@ const PROBE: &str = env!("CARGO_BIN_EXE_planner_probe");
 
 /// A daemon that serves the first of two maps, and a client that has it.
 struct Scene {
-    place: Place,
+    place: TestDomain,
     maps: TwoMaps,
     daemon: Daemon,
     client: Client,
@@ -23,7 +23,7 @@ struct Scene {
 
 impl Scene {
     fn new(args: &[&str]) -> Self {
-        let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+        let (place, maps) = (TestDomain::new(MAPD), TwoMaps::new());
         let daemon = serve(&place, &maps, args);
         let client = Client::connect_in(&place.domain(), "map", PATIENCE).expect("attaches");
         assert!(maps.is(&client.snapshot(), 0));
@@ -91,7 +91,7 @@ impl Scene {
     }
 }
 
-fn serve(place: &Place, maps: &TwoMaps, args: &[&str]) -> Daemon {
+fn serve(place: &TestDomain, maps: &TwoMaps, args: &[&str]) -> Daemon {
     let path = maps.path().display().to_string();
     place.serve(&[&[path.as_str()], args].concat())
 }
@@ -154,7 +154,7 @@ fn a_watched_file_is_reloaded_when_it_is_renamed_or_written_in_place() {
 
 #[test]
 fn what_a_map_includes_is_watched_as_well() {
-    let (place, folder) = (Place::new(MAPD), tempfile::tempdir().expect("a folder"));
+    let (place, folder) = (TestDomain::new(MAPD), tempfile::tempdir().expect("a folder"));
     let road = |length: f64| {
         format!(
             "<OpenDRIVE><road id=\"1\" length=\"{length}\" junction=\"-1\"><planView><geometry s=\"0\" x=\"0\" y=\"0\" hdg=\"0\" length=\"{length}\"><line/></geometry></planView>\
@@ -402,7 +402,7 @@ fn what_was_served_last_stands_in_where_it_may() {
 
 #[test]
 fn generations_rise_whatever_the_clock_does() {
-    let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+    let (place, maps) = (TestDomain::new(MAPD), TwoMaps::new());
     let generation = || {
         let daemon = serve(&place, &maps, &[]);
         let generation = place.state("map").served.expect("served").generation;
@@ -497,7 +497,7 @@ fn a_compiler_that_needs_too_much_memory_hurts_nobody() {
 
 #[test]
 fn an_archive_larger_than_its_map_may_be_is_refused() {
-    let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+    let (place, maps) = (TestDomain::new(MAPD), TwoMaps::new());
     let config = maps.folder().join("mapd.toml");
     let largest = 50_000;
     fs::write(&config, format!("[[map]]\nfile = 'map.xodr'\nmax_bytes = {largest}\n"))
@@ -514,7 +514,7 @@ fn an_archive_larger_than_its_map_may_be_is_refused() {
 
 #[test]
 fn a_file_of_settings_names_maps_and_errors_name_lines() {
-    let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+    let (place, maps) = (TestDomain::new(MAPD), TwoMaps::new());
     let config = maps.folder().join("mapd.toml");
     let run = |text: &str| {
         fs::write(&config, text).expect("written");
@@ -575,7 +575,7 @@ fn a_second_daemon_for_a_name_does_not_disturb_the_first() {
 /// The program is replaced by another while it runs, as an upgrade does; then the daemon is.
 #[test]
 fn an_upgrade_under_a_living_client() {
-    let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+    let (place, maps) = (TestDomain::new(MAPD), TwoMaps::new());
     let program = maps.folder().join("mapd");
     fs::copy(MAPD, &program).expect("copied");
     let start = || {
@@ -675,7 +675,7 @@ fn of_a_later_release(maps: &TwoMaps) -> Vec<u8> {
 #[test]
 fn what_this_release_must_not_read_is_named_and_leaves_what_is_held() {
     use mapd::serve::{PublishMeta, Server, StopSignal};
-    let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+    let (place, maps) = (TestDomain::new(MAPD), TwoMaps::new());
     let daemon = serve(&place, &maps, &[]);
     let client = Client::connect_in(&place.domain(), "map", PATIENCE).expect("attaches");
     let other = of_a_later_release(&maps);
@@ -723,7 +723,7 @@ fn what_this_release_must_not_read_is_named_and_leaves_what_is_held() {
 
 #[test]
 fn an_archive_is_served_as_it_is_and_replaced_by_renaming() {
-    let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+    let (place, maps) = (TestDomain::new(MAPD), TwoMaps::new());
     let archive = maps.folder().join("map.mapd");
     let compile = || {
         let mut command = place.command();

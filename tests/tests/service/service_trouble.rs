@@ -4,8 +4,8 @@
 use mapd::control::{ReloadResult, Request, Response, ask};
 use mapd_client::{Attach, AttachError, Client, ClientError};
 use mapd_tests::manager::{Manager, WATCHDOG};
-use mapd_tests::place::{PATIENCE, Place};
 use mapd_tests::small::{Filler, in_small_shared_memory};
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use mapd_tests::two_maps::TwoMaps;
 use std::fs;
 use std::io::Write;
@@ -23,7 +23,7 @@ fn town() -> String {
 }
 
 /// The socket on which the only map of this place is asked about.
-fn control_socket(place: &Place) -> std::path::PathBuf {
+fn control_socket(place: &TestDomain) -> std::path::PathBuf {
     let entries = fs::read_dir(place.domain().root()).expect("the root folder");
     let mut sockets = entries
         .flatten()
@@ -36,7 +36,7 @@ fn control_socket(place: &Place) -> std::path::PathBuf {
 #[test]
 fn full_shared_memory_is_no_reason_to_be_killed() {
     in_small_shared_memory(SHARED_MEMORY, || {
-        let (place, manager) = (Place::new(MAPD), Manager::new());
+        let (place, manager) = (TestDomain::new(MAPD), Manager::new());
         let mut command = place.command();
         manager.listen_to(&mut command).args(["--scrub", "1", "--load", &town()]);
         let _daemon = place.spawn(command);
@@ -62,7 +62,7 @@ fn full_shared_memory_is_no_reason_to_be_killed() {
 #[test]
 fn places_are_kept_for_the_daemon() {
     use mapd_transport::MAX_SUBSCRIBERS;
-    let (place, manager) = (Place::new(MAPD), Manager::new());
+    let (place, manager) = (TestDomain::new(MAPD), Manager::new());
     let mut command = place.command();
     manager.listen_to(&mut command).args(["--load", &town()]);
     let _daemon = place.spawn(command);
@@ -86,7 +86,7 @@ fn places_are_kept_for_the_daemon() {
 
 #[test]
 fn who_waits_for_ever_may_say_so() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let _daemon = place.serve(&[&town()]);
     let client = Client::connect_in(&place.domain(), "town", Duration::MAX).expect("attaches");
     let generation = client.snapshot().generation();
@@ -101,7 +101,7 @@ fn who_waits_for_ever_may_say_so() {
 /// A signal that came while maps were compiled ended the daemon as if it knew none.
 #[test]
 fn signals_at_the_start_are_obeyed() {
-    let (place, folder) = (Place::new(MAPD), tempfile::tempdir().expect("a folder"));
+    let (place, folder) = (TestDomain::new(MAPD), tempfile::tempdir().expect("a folder"));
     // A file whose text comes later: the compiler waits for it.
     let start = |name: &str| {
         let file = folder.path().join(name);
@@ -124,7 +124,7 @@ fn signals_at_the_start_are_obeyed() {
 /// The daemon's own queries wait for the daemon, which at the end waits for them.
 #[test]
 fn a_daemon_ends_at_once_whatever_it_looks_at() {
-    let (place, folder) = (Place::new(MAPD), tempfile::tempdir().expect("a folder"));
+    let (place, folder) = (TestDomain::new(MAPD), tempfile::tempdir().expect("a folder"));
     for number in 0..12 {
         fs::copy(town(), folder.path().join(format!("m{number}.xodr"))).expect("copied");
     }
@@ -142,7 +142,7 @@ fn a_daemon_ends_at_once_whatever_it_looks_at() {
 /// Either all maps are served or none: an archive that does not prove shows only when it is copied.
 #[test]
 fn of_several_maps_all_are_served_or_none() {
-    let (place, folder) = (Place::new(MAPD), tempfile::tempdir().expect("a folder"));
+    let (place, folder) = (TestDomain::new(MAPD), tempfile::tempdir().expect("a folder"));
     let [good, bad] = ["a.mapd", "b.mapd"].map(|name| folder.path().join(name));
     let mut compile = place.command();
     let compiled = compile.args(["compile", &town(), "-o"]).arg(&good).output().expect("runs");
@@ -175,7 +175,7 @@ fn of_several_maps_all_are_served_or_none() {
 /// What the file does not hold any more is not served later.
 #[test]
 fn a_map_that_is_withdrawn_cannot_be_activated() {
-    let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+    let (place, maps) = (TestDomain::new(MAPD), TwoMaps::new());
     let _daemon = place.serve(&[&maps.path().display().to_string()]);
     let reload = |stage| place.change("map", &Request::Reload { map: "map".to_owned(), stage });
     for stage in [true, false] {
@@ -197,7 +197,7 @@ fn a_map_that_is_withdrawn_cannot_be_activated() {
 /// An archive that was written over in place while it could be gone back to.
 #[test]
 fn what_is_lost_is_left_out_when_going_back() {
-    let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+    let (place, maps) = (TestDomain::new(MAPD), TwoMaps::new());
     let archive = maps.folder().join("map.mapd");
     let compile = |number| {
         maps.put(number);
@@ -232,7 +232,7 @@ fn what_is_lost_is_left_out_when_going_back() {
 /// Who sends a byte now and then has two seconds in all, and who is refused meanwhile hears why.
 #[test]
 fn dawdlers_keep_others_out_for_a_moment_only() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let _daemon = place.serve(&[&town()]);
     let socket = control_socket(&place);
     let mut dawdlers: Vec<_> =
@@ -259,7 +259,7 @@ fn dawdlers_keep_others_out_for_a_moment_only() {
 /// A daemon that is stopped keeps whoever asks waiting no longer than they wish, however many have asked before.
 #[test]
 fn nobody_waits_for_ever_for_a_daemon_that_is_stopped() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let daemon = place.serve(&[&town()]);
     daemon.signal("STOP");
     let socket = control_socket(&place);
@@ -286,7 +286,7 @@ fn nobody_waits_for_ever_for_a_daemon_that_is_stopped() {
 
 #[test]
 fn wrong_usage_is_told_from_a_failing_environment() {
-    let (place, folder) = (Place::new(MAPD), tempfile::tempdir().expect("a folder"));
+    let (place, folder) = (TestDomain::new(MAPD), tempfile::tempdir().expect("a folder"));
     let (town, empty) = (town(), folder.path().display().to_string());
     let check = |args: &[&str]| {
         let mut command = place.command();

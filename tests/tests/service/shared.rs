@@ -3,8 +3,8 @@
 use mapd::control::ReloadResult;
 use mapd_client::{AttachError, Client, ClientError, Domain};
 use mapd_tests::other_user::{GROUP, command};
-use mapd_tests::place::{Daemon, PATIENCE, Place};
 use mapd_tests::say;
+use mapd_tests::test_domain::{Daemon, PATIENCE, TestDomain};
 use mapd_tests::two_maps::TwoMaps;
 use std::io::{BufRead, BufReader};
 use std::os::unix::fs::{MetadataExt, PermissionsExt};
@@ -21,7 +21,7 @@ fn town() -> String {
 }
 
 /// A daemon that shares, with a umask that would let everybody write.
-fn share(place: &Place, map: &Path, options: &str) -> Daemon {
+fn share(place: &TestDomain, map: &Path, options: &str) -> Daemon {
     let mut shell = place.command_of("sh");
     shell.args(["-c", "umask 0; exec \"$0\" \"$@\"", MAPD, "--load"]).arg(map);
     shell.args(options.split_whitespace());
@@ -48,7 +48,7 @@ fn us() -> String {
 /// Who may attach: members of the group that name the owner, and nobody else.
 #[test]
 fn members_of_the_group_read() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let member = GROUP.to_string();
     let (Some(mut reads), Some(mut other), Some(mut unnamed)) = (
         command(&place, &member, PROBE),
@@ -71,7 +71,7 @@ fn members_of_the_group_read() {
 /// A private daemon after one that shared, and one that shares after a private one.
 #[test]
 fn what_is_private_stays_so() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     for (options, folder, record) in [
         ("", 0o700, 0o600),
         (&*group(), 0o750, 0o640),
@@ -104,7 +104,7 @@ fn what_is_private_stays_so() {
 #[test]
 fn a_hostile_member_holds_and_delays_and_no_more() {
     const ROUNDS: usize = 10;
-    let (place, maps) = (Place::new(MAPD), TwoMaps::new());
+    let (place, maps) = (TestDomain::new(MAPD), TwoMaps::new());
     let Some(mut hostile) = command(&place, &GROUP.to_string(), HOSTILE) else { return };
     let daemon = share(&place, &maps.path(), &group());
     hostile.env("MAPD_OWNER", us()).arg("map").stdin(Stdio::piped());
@@ -137,7 +137,7 @@ fn a_hostile_member_holds_and_delays_and_no_more() {
 /// Whoever makes the folder first is not taken for the daemon.
 #[test]
 fn a_squatted_folder_is_refused() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let Some(mut squats) = command(&place, "", "/bin/mkdir") else { return };
     assert!(
         squats.args(["-m", "755"]).arg(place.domain().root()).status().is_ok_and(|s| s.success())
@@ -156,7 +156,7 @@ fn a_squatted_folder_is_refused() {
 /// In a user namespace that maps nobody, all files seem to be this process's own.
 #[test]
 fn an_owner_that_is_not_mapped_is_nobody() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let _daemon = place.serve(&[&town()]);
     let mut unmapped = place.command_of("unshare");
     let output = unmapped.args(["--user", PROBE, "connect", "town", "0"]).output();
@@ -172,7 +172,7 @@ fn an_owner_that_is_not_mapped_is_nobody() {
 /// A daemon is its own user's, whoever is named.
 #[test]
 fn a_daemon_serves_as_itself() {
-    let place = Place::new(MAPD);
+    let place = TestDomain::new(MAPD);
     let output = place
         .command()
         .env("MAPD_OWNER", "61001")

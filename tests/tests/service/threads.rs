@@ -4,7 +4,7 @@ use mapd::serve::{PublishMeta, Server, StopSignal};
 use mapd_archive::{AlignedBytes, encode};
 use mapd_client::{Client, LaneId, Nearest, NearestOptions, Snapshot, glam::DVec2};
 use mapd_compiler::{CompileOptions, compile};
-use mapd_tests::place::{PATIENCE, Place};
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use std::collections::VecDeque;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -46,7 +46,7 @@ fn generations_change_under_readers() {
     // A lane's id of one map must be refused by the other.
     let foreign: [LaneId; 2] = whole.each_ref().map(|snapshot| hit(snapshot).lane);
 
-    let place = Place::new(env!("CARGO_BIN_EXE_mapd_under_test"));
+    let place = TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test"));
     let domain = place.domain();
     let stop = StopSignal::new().expect("a signal");
     let (ended, asked) = (AtomicBool::new(false), AtomicU64::new(0));

@@ -1,8 +1,8 @@
 //! Signed archives: what is signed by the trusted key is served and queried, everything else is refused with its reason.
 
 use mapd_client::{Client, Snapshot, TrustError, TrustedKey, signature_path};
-use mapd_tests::place::{PATIENCE, Place};
 use mapd_tests::say;
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use std::path::{Path, PathBuf};
 use std::process::Output;
 use tempfile::TempDir;
@@ -11,14 +11,14 @@ const REJECTED: Option<i32> = Some(4);
 
 /// Two pairs of keys, an archive and a place.
 struct Signed {
-    place: Place,
+    place: TestDomain,
     folder: TempDir,
     archive: PathBuf,
 }
 
 impl Signed {
     fn new() -> Self {
-        let place = Place::new(env!("CARGO_BIN_EXE_mapd_under_test"));
+        let place = TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test"));
         let folder = tempfile::tempdir().expect("a folder");
         for name in ["ours", "theirs"] {
             let pair = minisign::KeyPair::generate_unencrypted_keypair().expect("keys");

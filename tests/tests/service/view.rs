@@ -2,13 +2,13 @@
 
 use mapd_client::Client;
 use mapd_tests::maps::open;
-use mapd_tests::place::{PATIENCE, Place};
+use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 use std::process::{Child, Stdio};
 
-fn place() -> Place {
-    Place::new(env!("CARGO_BIN_EXE_mapd_under_test"))
+fn place() -> TestDomain {
+    TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test"))
 }
 
 struct View {
@@ -17,7 +17,7 @@ struct View {
 }
 
 impl View {
-    fn start(place: &Place, source: &str) -> Self {
+    fn start(place: &TestDomain, source: &str) -> Self {
         let mut command = place.command();
         let mut child =
             command.args(["view", source]).stdout(Stdio::piped()).spawn().expect("runs");

@@ -5,7 +5,7 @@
 //! `track` (x, y to s, t), `position`, `contains`, `length` and `short-length` (along the whole longest lane and over a metre of it); `cloud` and `cloud-single` (5,000 particles as a batch, and one by one); `none`.
 
 use mapd_client::batch::{BatchScratch, NearestLanes, Places};
-use mapd_client::route::{LanePlace, RouteScratch, ShortestLength};
+use mapd_client::route::{PositionOnLane, RouteScratch, ShortestLength};
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{Lane, Map, NearestOptions, Snapshot, Track, glam::DVec2};
 use mapd_planner::{PARTICLES, Random, cloud, places};
@@ -22,7 +22,7 @@ const WAYS: usize = 64;
 const CAR: VehicleClass = VehicleClass::PassengerCar;
 
 /// Pairs of places with a way between them.
-fn ways(map: Map<'_>, scratch: &mut RouteScratch) -> Vec<[LanePlace; 2]> {
+fn ways(map: Map<'_>, scratch: &mut RouteScratch) -> Vec<[PositionOnLane; 2]> {
     let open = |lane: &Lane<'_>| lane.nodes().any(|node| node.allows(CAR));
     let lanes: Vec<Lane<'_>> = map.lanes().filter(open).collect();
     let (mut random, mut steps) = (Random(3), Vec::new());
@@ -30,11 +30,11 @@ fn ways(map: Map<'_>, scratch: &mut RouteScratch) -> Vec<[LanePlace; 2]> {
         let lane = &lanes[(random.unit() * lanes.len() as f64) as usize];
         let section = lane.section();
         let s = section.s_start() + random.unit() * (section.s_end() - section.s_start());
-        LanePlace { lane: lane.lane_id(), s }
+        PositionOnLane { lane: lane.lane_id(), s }
     };
     let pairs = std::iter::repeat_with(|| [place(), place()]);
     let cost = ShortestLength::default();
-    let mut found = |[from, to]: &[LanePlace; 2]| {
+    let mut found = |[from, to]: &[PositionOnLane; 2]| {
         map.route(*from, *to, CAR, &cost, scratch, &mut steps).is_ok_and(|route| route.is_some())
     };
     pairs.filter(|pair| found(pair)).take(WAYS).collect()

@@ -51,7 +51,7 @@ using LinePoint = mapd_line_point;
 using NodeFacts = mapd_node_facts;
 using Edge = mapd_edge;
 using Conflict = mapd_conflict;
-using LanePlace = mapd_lane_place;
+using PositionOnLane = mapd_position_on_lane;
 using Cost = mapd_cost;
 using RouteStep = mapd_route_step;
 using RouteSum = mapd_route_sum;
@@ -415,7 +415,7 @@ class Path : public detail::Owner<mapd_path, mapd_path_close> {
     return detail::list<PathLane>([&](auto... out) { return mapd_path_lanes(get(), out...); });
   }
   /// S of a place on one of the path's lanes [m].
-  Result<std::optional<double>> try_along_of(LanePlace place) const {
+  Result<std::optional<double>> try_along_of(PositionOnLane place) const {
     return detail::optional<double>(
         [&](auto... out) { return mapd_path_along_of(get(), place.lane, place.s, out...); });
   }
@@ -448,7 +448,7 @@ class Path : public detail::Owner<mapd_path, mapd_path_close> {
   std::vector<PathJoint> joints() const { return try_joints().value(); }
   bool is_broken() const { return try_is_broken().value(); }
   std::vector<PathLane> lanes() const { return try_lanes().value(); }
-  std::optional<double> along_of(LanePlace place) const { return try_along_of(place).value(); }
+  std::optional<double> along_of(PositionOnLane place) const { return try_along_of(place).value(); }
   std::vector<CorridorStation> corridor(double from, double length, double step, std::uint8_t vehicle,
                                         Scratch& scratch) const {
     return try_corridor(from, length, step, vehicle, scratch).value();

@@ -388,12 +388,12 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   }
 
   /// Every node that can be reached within a cost.
-  Result<std::vector<Reached>> try_reachable(LanePlace from, double limit, Cost cost, Scratch& scratch) const {
+  Result<std::vector<Reached>> try_reachable(PositionOnLane from, double limit, Cost cost, Scratch& scratch) const {
     return detail::list<Reached>([&](auto... out) { return mapd_reachable(get(), from, limit, cost, scratch.get(), out...); });
   }
 
   /// The next junction ahead.
-  Result<std::optional<NextJunction>> try_next_junction(LanePlace from, double distance, std::uint8_t vehicle) const {
+  Result<std::optional<NextJunction>> try_next_junction(PositionOnLane from, double distance, std::uint8_t vehicle) const {
     return detail::optional<NextJunction>([&](auto... out) { return mapd_next_junction_of(get(), from, distance, vehicle, out...); });
   }
 
@@ -403,7 +403,7 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   }
 
   /// The next change of lane on a route.
-  Result<std::optional<LaneChange>> try_next_lane_change(span<const RouteStep> steps, std::size_t at, LanePlace place, Scratch& scratch) const {
+  Result<std::optional<LaneChange>> try_next_lane_change(span<const RouteStep> steps, std::size_t at, PositionOnLane place, Scratch& scratch) const {
     return detail::optional<LaneChange>([&](auto... out) { return mapd_next_lane_change(get(), steps.data(), steps.size(), at, place, scratch.get(), out...); });
   }
 
@@ -420,10 +420,10 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   std::vector<NodeId> nodes(LaneId lane) const { return try_nodes(lane).value(); }
   std::optional<NodeId> node_at(LaneId lane, double s, bool forward) const { return try_node_at(lane, s, forward).value(); }
   std::vector<Conflict> conflicts(LaneId lane) const { return try_conflicts(lane).value(); }
-  std::vector<Reached> reachable(LanePlace from, double limit, Cost cost, Scratch& scratch) const { return try_reachable(from, limit, cost, scratch).value(); }
-  std::optional<NextJunction> next_junction(LanePlace from, double distance, std::uint8_t vehicle) const { return try_next_junction(from, distance, vehicle).value(); }
+  std::vector<Reached> reachable(PositionOnLane from, double limit, Cost cost, Scratch& scratch) const { return try_reachable(from, limit, cost, scratch).value(); }
+  std::optional<NextJunction> next_junction(PositionOnLane from, double distance, std::uint8_t vehicle) const { return try_next_junction(from, distance, vehicle).value(); }
   std::vector<RouteStep> steps_of_lanes(span<const LaneId> lanes, double s_from, double s_to, Scratch& scratch) const { return try_steps_of_lanes(lanes, s_from, s_to, scratch).value(); }
-  std::optional<LaneChange> next_lane_change(span<const RouteStep> steps, std::size_t at, LanePlace place, Scratch& scratch) const { return try_next_lane_change(steps, at, place, scratch).value(); }
+  std::optional<LaneChange> next_lane_change(span<const RouteStep> steps, std::size_t at, PositionOnLane place, Scratch& scratch) const { return try_next_lane_change(steps, at, place, scratch).value(); }
   double steps_length(span<const RouteStep> steps) const { return try_steps_length(steps).value(); }
 #endif
 
@@ -455,7 +455,7 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   }
 
   /// Signals ahead on any way.
-  Result<std::vector<SignalAhead>> try_signals_ahead(LanePlace from, double distance, std::uint8_t vehicle, Scratch& scratch) const {
+  Result<std::vector<SignalAhead>> try_signals_ahead(PositionOnLane from, double distance, std::uint8_t vehicle, Scratch& scratch) const {
     return detail::list<SignalAhead>([&](auto... out) { return mapd_signals_ahead(get(), from, distance, vehicle, scratch.get(), out...); });
   }
 
@@ -515,7 +515,7 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   std::optional<GridHeight> grid_height_at(JunctionId junction, Vec2 point) const { return try_grid_height_at(junction, point).value(); }
   SignalFacts signal(SignalId signal) const { return try_signal(signal).value(); }
   std::vector<LaneSignal> lane_signals(LaneId lane, std::uint32_t which) const { return try_lane_signals(lane, which).value(); }
-  std::vector<SignalAhead> signals_ahead(LanePlace from, double distance, std::uint8_t vehicle, Scratch& scratch) const { return try_signals_ahead(from, distance, vehicle, scratch).value(); }
+  std::vector<SignalAhead> signals_ahead(PositionOnLane from, double distance, std::uint8_t vehicle, Scratch& scratch) const { return try_signals_ahead(from, distance, vehicle, scratch).value(); }
   std::vector<SignalAhead> signals_along(span<const RouteStep> steps, Scratch& scratch) const { return try_signals_along(steps, scratch).value(); }
   std::vector<LaneLine> lines_along(span<const RouteStep> steps, Scratch& scratch) const { return try_lines_along(steps, scratch).value(); }
   std::uint8_t turn(LaneId lane) const { return try_turn(lane).value(); }

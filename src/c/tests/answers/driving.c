@@ -5,7 +5,7 @@ static const char *const YIELDS[] = {"yields", "priority", "lights", "open", "un
 
 /* A route by length or time. 0: none. */
 static int route(const uint64_t *q, mapd_route_sum *sum, mapd_route_step *steps, size_t *count) {
-  const mapd_lane_place places[] = {{lane_of(q[0]), as_f(q[1])}, {lane_of(q[2]), as_f(q[3])}};
+  const mapd_position_on_lane places[] = {{lane_of(q[0]), as_f(q[1])}, {lane_of(q[2]), as_f(q[3])}};
   const mapd_cost by_length = {MAPD_COST_LENGTH, CAR, 20.0}, by_time = {MAPD_COST_TIME, CAR, 2.0};
   return is(mapd_route(map, places, 2, q[4] == 1 ? by_time : by_length, scratch, sum, steps, MOST, count, &error));
 }
@@ -163,7 +163,7 @@ void routes(const char *kind, const uint64_t *q, struct numbers *out) {
 void reachable(const uint64_t *q, struct numbers *out) {
   static mapd_reached all[MOST];
   const mapd_cost cost = {MAPD_COST_LENGTH, CAR, 20.0};
-  const mapd_lane_place from = {lane_of(q[0]), as_f(q[1])};
+  const mapd_position_on_lane from = {lane_of(q[0]), as_f(q[1])};
   size_t count;
   must(mapd_reachable(map, from, as_f(q[2]), cost, scratch, all, MOST, &count, &error));
   add_u(out, count);

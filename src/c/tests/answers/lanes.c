@@ -127,7 +127,7 @@ void lanes(const char *kind, const uint64_t *q, struct numbers *out) {
     }
   } else if (strcmp(kind, "ahead") == 0) {
     static mapd_signal_ahead all[MOST];
-    const mapd_lane_place place = {lane, as_f(q[1])};
+    const mapd_position_on_lane place = {lane, as_f(q[1])};
     must(mapd_signals_ahead(map, place, as_f(q[2]), CAR, scratch, all, MOST, &count, &error));
     add_u(out, count);
     for (size_t i = 0; i < count; ++i) {
@@ -140,7 +140,7 @@ void lanes(const char *kind, const uint64_t *q, struct numbers *out) {
     static mapd_lane_id all[MOST];
     static size_t ends[MOST];
     size_t ends_count, i = 0;
-    const mapd_lane_place place = {lane, as_f(q[1])};
+    const mapd_position_on_lane place = {lane, as_f(q[1])};
     must(mapd_lane_sequences(map, place, as_f(q[2]), CAR, 1, scratch, all, MOST, &count, ends, MOST, &ends_count, NULL,
                              &error));
     add_u(out, ends_count);
@@ -149,7 +149,7 @@ void lanes(const char *kind, const uint64_t *q, struct numbers *out) {
       for (; i < ends[k]; ++i) add_u(out, lane_bits(all[i]));
     }
   } else if (strcmp(kind, "junction") == 0) {
-    const mapd_lane_place place = {lane, as_f(q[1])};
+    const mapd_position_on_lane place = {lane, as_f(q[1])};
     mapd_next_junction next;
     const int found = is(mapd_next_junction_of(map, place, as_f(q[2]), CAR, &next, &error));
     add_u(out, (uint64_t)found);

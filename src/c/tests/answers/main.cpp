@@ -73,7 +73,7 @@ class Question {
     const std::uint64_t bits = u();
     return {static_cast<std::uint32_t>(bits), 0, content};
   }
-  mapd::LanePlace place() {
+  mapd::PositionOnLane place() {
     const mapd::LaneId lane = id();
     return {lane, f()};
   }
@@ -260,7 +260,7 @@ class Answerer {
 
   std::optional<mapd::Route> found_route(Question& q) {
     const auto from = q.place(), to = q.place();
-    const mapd::LanePlace places[] = {from, to};
+    const mapd::PositionOnLane places[] = {from, to};
     const bool by_time = q.u() == 1;
     const mapd::Cost length{MAPD_COST_LENGTH, car, 20.0}, time{MAPD_COST_TIME, car, 2.0};
     return map_.route(places, by_time ? time : length, scratch_);

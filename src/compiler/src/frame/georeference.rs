@@ -2,7 +2,7 @@
 //!
 //! ASAM OpenDRIVE 1.8.1, 8.4. Nothing is moved here: that is [`crate::frame`]'s. What is stored lets a projector be built.
 
-use super::{Frame, edge};
+use super::{TargetFrame, edge};
 use crate::draft::Placed;
 use crate::findings::finding;
 use crate::options::{CompileOptions, OffsetSign};
@@ -98,7 +98,7 @@ impl Placed {
 pub(crate) fn complete(
     rows: &mut Rows,
     placed: &Placed,
-    frame: Option<&Frame>,
+    frame: Option<&TargetFrame>,
     options: &CompileOptions,
     findings: &mut Vec<Finding>,
 ) {

@@ -38,7 +38,7 @@ const EXACT: [f64; 2] = [1e-8, 2e-7];
 const UNSEEN: f64 = 1.5;
 
 /// The frame that a map is compiled into.
-pub(crate) struct Frame {
+pub(crate) struct TargetFrame {
     /// PROJ parameters.
     pub(crate) definition: String,
     target: String,
@@ -129,7 +129,7 @@ fn about(placed: &Placed, severity: Severity, message: String, hint: &str) -> Fi
     finding(&building::TARGET_FRAME, severity, placed.header, PATH.to_owned(), message, hint)
 }
 
-impl Frame {
+impl TargetFrame {
     /// What the map is to be moved by; none where it cannot be, which is an error among the findings.
     pub(crate) fn new(
         target: &Target,
@@ -268,10 +268,10 @@ pub(crate) fn apply(
     signals: &mut Resolved,
     options: &CompileOptions,
     findings: &mut Vec<Finding>,
-) -> Option<Frame> {
+) -> Option<TargetFrame> {
     let target = options.crs.as_ref()?;
     let placed = draft.placed.clone();
-    let mut frame = Frame::new(target, (&placed, &draft.rows), options, findings)?;
+    let mut frame = TargetFrame::new(target, (&placed, &draft.rows), options, findings)?;
     move_rows::all(&mut frame, draft, signals, findings);
     frame.strings = draft.retarget(&frame.definition, &frame.target);
     tell(&frame, target, &placed, findings);
@@ -294,7 +294,7 @@ fn scales([by_x, by_y]: [DVec2; 2]) -> [f64; 2] {
 }
 
 /// What is to be told of a frame besides errors.
-fn tell(frame: &Frame, target: &Target, placed: &Placed, findings: &mut Vec<Finding>) {
+fn tell(frame: &TargetFrame, target: &Target, placed: &Placed, findings: &mut Vec<Finding>) {
     for doubt in target.doubts() {
         let severity = if doubt.is_grave() { Severity::Warning } else { Severity::Info };
         findings.push(about(placed, severity, format!("target frame {target}: {doubt}"), ""));

@@ -1,6 +1,6 @@
 //! Moves what the file has in x, y and z.
 
-use super::{Frame, scales};
+use super::{TargetFrame, scales};
 use crate::draft::Draft;
 use crate::findings::finding;
 use crate::resolve::Resolved;
@@ -29,7 +29,7 @@ struct Moved {
 
 /// Moves everything; errors for what has no place in the target frame.
 pub(super) fn all(
-    frame: &mut Frame,
+    frame: &mut TargetFrame,
     draft: &mut Draft,
     signals: &mut Resolved,
     findings: &mut Vec<Finding>,
@@ -41,7 +41,7 @@ pub(super) fn all(
     signals.move_by(&|at, heading| frame.standing(at, heading));
 }
 
-fn geometries(frame: &mut Frame, draft: &mut Draft, findings: &mut Vec<Finding>) {
+fn geometries(frame: &mut TargetFrame, draft: &mut Draft, findings: &mut Vec<Finding>) {
     let rows = &mut draft.rows;
     let transform = CurveTransform::default();
     let moved: Vec<Vec<Result<Moved, String>>> = {
@@ -98,7 +98,7 @@ pub(super) fn curve<'a>(row: &GeometryRow, coefficients: &'a [f64]) -> Option<Cu
 }
 
 fn geometry(
-    frame: &Frame,
+    frame: &TargetFrame,
     transform: &CurveTransform,
     row: &GeometryRow,
     coefficients: &[f64],
@@ -163,7 +163,7 @@ fn heights(shift: f64, draft: &mut Draft) {
     }
 }
 
-fn grids(frame: &Frame, draft: &mut Draft, findings: &mut Vec<Finding>) {
+fn grids(frame: &TargetFrame, draft: &mut Draft, findings: &mut Vec<Finding>) {
     for grid in draft.rows.elevation_grids.iter_mut() {
         let at = DVec2::new(grid.x, grid.y);
         let Some(chart) = frame.charts.at(at) else {
@@ -196,7 +196,7 @@ fn grids(frame: &Frame, draft: &mut Draft, findings: &mut Vec<Finding>) {
 }
 
 /// Moves the rectangles around what was left out.
-fn quarantined(frame: &Frame, draft: &mut Draft) {
+fn quarantined(frame: &TargetFrame, draft: &mut Draft) {
     for part in draft.rows.quarantined.iter_mut().filter(|part| part.has_extent == 1) {
         let low = DVec2::new(part.min_x, part.min_y);
         let high = DVec2::new(part.max_x, part.max_y);
@@ -233,7 +233,7 @@ pub(crate) fn edge(low: DVec2, high: DVec2) -> impl Iterator<Item = DVec2> {
 }
 
 /// Smallest and largest coordinates of all lanes in the file's frame; none for a map without lanes.
-pub(super) fn file_bounds(frame: &Frame, rows: &Rows) -> Option<[DVec3; 2]> {
+pub(super) fn file_bounds(frame: &TargetFrame, rows: &Rows) -> Option<[DVec3; 2]> {
     let map = rows.map.first()?;
     let none = (DVec2::INFINITY, DVec2::NEG_INFINITY);
     let join = |a: (DVec2, DVec2), b: (DVec2, DVec2)| (a.0.min(b.0), a.1.max(b.1));

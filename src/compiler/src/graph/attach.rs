@@ -21,7 +21,7 @@ pub(crate) struct Attachments {
 
 /// A place inside a road, travelled through in one direction.
 #[derive(Clone, Copy)]
-pub(crate) struct Place {
+pub(crate) struct DirectedPosition {
     pub(crate) road: u32,
     pub(crate) s: f64,
     pub(crate) forward: bool,
@@ -60,7 +60,7 @@ fn at_place(from: u32, to: u32, span: Span) -> Edge {
 }
 
 /// A road's link at one end, if it names a place inside another road.
-fn link_inside(source: Source<'_>, road: u32, end: Contact) -> Option<Place> {
+fn link_inside(source: Source<'_>, road: u32, end: Contact) -> Option<DirectedPosition> {
     let row = source.draft.rows.roads.get(road as usize)?;
     let link = source.links.road_link(road, end)?;
     let (kind, target) = match end {
@@ -69,7 +69,7 @@ fn link_inside(source: Source<'_>, road: u32, end: Contact) -> Option<Place> {
     };
     let s = link.s.filter(|_| LinkKind::from_code(kind) == LinkKind::Road)?;
     let aligned = link.dir != Some(ElementDir::Minus);
-    Some(Place { road: target, s, forward: aligned })
+    Some(DirectedPosition { road: target, s, forward: aligned })
 }
 
 /// Edges that leave a road over a link into the middle of another.
@@ -187,7 +187,7 @@ impl Missing {
 pub(crate) fn node_at(
     draft: &Draft,
     cuts: &Cuts,
-    place: Place,
+    place: DirectedPosition,
     number: i32,
     entering: bool,
 ) -> Result<u32, Missing> {

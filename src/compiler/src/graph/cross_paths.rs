@@ -5,7 +5,7 @@
 //! lane and the lane of the path's road. Whoever travels the touched lane may turn into the path there, and out of it.
 
 use super::Source;
-use super::attach::{Missing, Place, node_at};
+use super::attach::{DirectedPosition, Missing, node_at};
 use super::cuts::Cuts;
 use super::findings::{Problem, Problems};
 use super::nodes::{first_node, pieces};
@@ -91,7 +91,7 @@ fn join(draft: &Draft, cuts: &Cuts, end: &End<'_>, edges: &mut Vec<Edge>) -> Res
     let out_of = first_node(lane, !end.start).map(|first| first + pieces(lane) - 1);
     let mut found = false;
     for forward in [true, false] {
-        let place = Place { road: touched, s, forward };
+        let place = DirectedPosition { road: touched, s, forward };
         for (entering, path_node) in [(false, into), (true, out_of)] {
             match (node_at(draft, cuts, place, from, entering), path_node) {
                 (Ok(node), Some(path_node)) => {

@@ -5,7 +5,7 @@
 //! each, and its lane links which lanes. A way that ends where the other begins needs no cut in the file: nodes end there.
 
 use super::Source;
-use super::attach::{Missing, Place, node_at};
+use super::attach::{DirectedPosition, Missing, node_at};
 use super::cuts::Cuts;
 use super::findings::{Problem, Problems};
 use super::walk::Edge;
@@ -88,7 +88,7 @@ fn ends(connection: &Connection) -> [Option<&ConnectionEnd>; 2] {
 }
 
 /// The place that an end names, or what is wrong with it.
-fn place(draft: &Draft, end: &ConnectionEnd) -> Result<Place, String> {
+fn place(draft: &Draft, end: &ConnectionEnd) -> Result<DirectedPosition, String> {
     let id = end.element_id.text();
     let road = road_of(draft, id);
     let road = road.ok_or_else(|| {
@@ -100,5 +100,5 @@ fn place(draft: &Draft, end: &ConnectionEnd) -> Result<Place, String> {
         return Err(format!("expected a place within 0 to {length} m of road {id:?}, found {s} m"));
     }
     let forward = end.element_dir.value() != Some(ElementDir::Minus);
-    Ok(Place { road, s: s.min(length), forward })
+    Ok(DirectedPosition { road, s: s.min(length), forward })
 }

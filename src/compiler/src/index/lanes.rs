@@ -26,7 +26,7 @@ const HEIGHT_UNITS: f64 = 1.0 / HEIGHT_UNIT as f64;
 /// A segment of a centre line. All of them are ordered at once, so that there is no more of each than its name; what is
 /// stored of it is computed leaf by leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Place {
+struct LaneSegment {
     lane: u32,
     segment: u16,
 }
@@ -37,7 +37,7 @@ struct Entry {
     a: DVec2,
     b: DVec2,
     extent: Extent,
-    place: Place,
+    place: LaneSegment,
 }
 
 /// How far a lane's area reaches around a segment of its centre line.
@@ -56,13 +56,13 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
     let archive = view(rows);
     let map = Map::new(&archive, 0);
     let lanes = (0..rows.lanes.len() as u32).into_par_iter();
-    let keys: Vec<Key<Place>> = lanes.flat_map_iter(|lane| places(map, lane)).collect();
+    let keys: Vec<Key<LaneSegment>> = lanes.flat_map_iter(|lane| places(map, lane)).collect();
     if keys.is_empty() {
         return Ok(());
     }
     u32::try_from(keys.len()).map_err(|_| TooLarge::new("index_leaves"))?;
     let places = ordered(keys);
-    let leaf = |lines: &mut Lines<'_>, places: &[Place]| leaf(lines, places, options);
+    let leaf = |lines: &mut Lines<'_>, places: &[LaneSegment]| leaf(lines, places, options);
     let (leaves, boxes): (Vec<_>, Vec<_>) =
         places.par_chunks(WIDTH).map_init(|| Lines::new(map), leaf).unzip();
     let (levels, nodes) = stack(boxes, node);
@@ -73,7 +73,7 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
 }
 
 /// The segments of a lane that have an area, to be ordered by their middles. Both sides of a jump have none between them.
-fn places(map: Map<'_>, lane: u32) -> Vec<Key<Place>> {
+fn places(map: Map<'_>, lane: u32) -> Vec<Key<LaneSegment>> {
     let row = map.lane_by_row(lane).filter(|lane| !lane.is_temporary());
     let Some(line) = row.map(|lane| lane.center_line()) else { return Vec::new() };
     let origin = map.local_origin();
@@ -83,7 +83,7 @@ fn places(map: Map<'_>, lane: u32) -> Vec<Key<Place>> {
         let here = (position.truncate() - origin, s);
         if let Some((place, at)) = before.replace(here) {
             if at != s {
-                keys.push(Key::new(place + here.0, Place { lane, segment }));
+                keys.push(Key::new(place + here.0, LaneSegment { lane, segment }));
             }
             segment += 1;
         }
@@ -92,7 +92,7 @@ fn places(map: Map<'_>, lane: u32) -> Vec<Key<Place>> {
 }
 
 /// Both ends of a segment.
-fn ends(lines: &mut Lines<'_>, place: &Place) -> [DVec2; 2] {
+fn ends(lines: &mut Lines<'_>, place: &LaneSegment) -> [DVec2; 2] {
     let Some(lane) = lines.of(place.lane) else { return [DVec2::ZERO; 2] };
     let first = usize::from(place.segment);
     [first, first + 1]
@@ -168,12 +168,12 @@ fn bounds(e: &Entry) -> Bounds {
 }
 
 /// Where a leaf's segments are written from, and in which steps.
-struct Frame {
+struct LeafFrame {
     corner: [f32; 2],
     step: f32,
 }
 
-impl Frame {
+impl LeafFrame {
     /// The frame in which all these places have numbers of 16 bits.
     fn around(low: DVec2, high: DVec2) -> Self {
         let corner = [low.x, low.y].map(round_down);
@@ -197,7 +197,7 @@ impl Frame {
 }
 
 /// Both ends of a segment in steps; never the same, so that each segment has a direction.
-fn ends_in_steps(frame: &Frame, ends: [DVec2; 2]) -> [[u16; 2]; 2] {
+fn ends_in_steps(frame: &LeafFrame, ends: [DVec2; 2]) -> [[u16; 2]; 2] {
     let [start, mut end] = ends.map(|end| frame.steps(end));
     if start == end {
         end[0] = if start[0] == u16::MAX { start[0] - 1 } else { start[0] + 1 };
@@ -209,7 +209,7 @@ fn ends_in_steps(frame: &Frame, ends: [DVec2; 2]) -> [[u16; 2]; 2] {
 /// writing it in steps loses nothing.
 fn leaf(
     lines: &mut Lines<'_>,
-    places: &[Place],
+    places: &[LaneSegment],
     options: &CompileOptions,
 ) -> (IndexLeafRow, Bounds) {
     let mut written = [[DVec2::ZERO; 2]; WIDTH];
@@ -219,7 +219,7 @@ fn leaf(
         low = low.min(written[0]).min(written[1]);
         high = high.max(written[0]).max(written[1]);
     }
-    let frame = Frame::around(low, high);
+    let frame = LeafFrame::around(low, high);
     let mut row = IndexLeafRow {
         x: frame.corner[0],
         y: frame.corner[1],
@@ -263,7 +263,7 @@ fn leaf(
 /// A segment between its ends as they are written.
 fn entry(
     lines: &mut Lines<'_>,
-    place: Place,
+    place: LaneSegment,
     [a, b]: [DVec2; 2],
     options: &CompileOptions,
 ) -> Entry {

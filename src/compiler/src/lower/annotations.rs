@@ -12,7 +12,7 @@ use mapd_xodr::{Extension, ExtensionKind, Span, Written};
 const MOST_QUALITY_ELEMENTS: usize = 16;
 
 /// An element on the way down.
-struct Frame {
+struct AncestorElement {
     tag: &'static str,
     /// Among those of one tag, from 1; 0 where there can be only one.
     number: u32,
@@ -27,7 +27,7 @@ struct Walk<'a> {
     owner: Owner,
     /// Path of the whole below that.
     path: &'a str,
-    frames: Vec<Frame>,
+    frames: Vec<AncestorElement>,
 }
 
 impl Draft {
@@ -81,7 +81,7 @@ impl Walk<'_> {
         });
         element.extensions().into_iter().for_each(|extension| self.extension(extension));
         element.children(&mut |tag, number, child| {
-            self.frames.push(Frame { tag, number, start: child.span().start });
+            self.frames.push(AncestorElement { tag, number, start: child.span().start });
             self.element(child, own_file);
             self.frames.pop();
         });
@@ -154,7 +154,7 @@ impl Walk<'_> {
 
     /// The owner of where the walk stands, and the path from it on.
     fn place(&self) -> (Owner, String) {
-        let row_of = |frame: &Frame| self.draft.owners.at(frame.start);
+        let row_of = |frame: &AncestorElement| self.draft.owners.at(frame.start);
         let nearest = self.frames.iter().enumerate().rev();
         let nearest = nearest.filter_map(|(i, frame)| Some((i + 1, row_of(frame)?))).next();
         let (from, owner) = nearest.unwrap_or((0, self.owner));

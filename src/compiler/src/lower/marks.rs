@@ -1,6 +1,6 @@
 //! Road marks: where each begins, and how it looks.
 
-use super::need::Part;
+use super::need::ElementContext;
 use super::surface::place;
 use crate::draft::Draft;
 use mapd_archive::{
@@ -37,7 +37,7 @@ impl Draft {
         let mut own = Vec::with_capacity(marks.len());
         for mark in marks {
             let path = (road, "lanes/laneSection/lane/roadMark");
-            let mut part = Part { span: mark.span, path, findings };
+            let mut part = ElementContext { span: mark.span, path, findings };
             let Some(s) = place(mark.s_offset.value(), "sOffset", &mut part) else { continue };
             let style = self.style(mark, section_s + s, (road, findings));
             own.push((s, style));
@@ -117,7 +117,7 @@ impl Draft {
                 [&record.ds, &record.a, &record.b, &record.c, &record.d].map(|n| n.value());
             let [Some(ds), Some(a), Some(b), Some(c), Some(d)] = numbers else {
                 let path = (road, "lanes/laneSection/lane/roadMark/sway");
-                let mut part = Part { span: record.span, path, findings };
+                let mut part = ElementContext { span: record.span, path, findings };
                 let message = "expected @ds, @a, @b, @c and @d, found one that can't be used; the record is left out";
                 part.add(&building::RECORD, Severity::Warning, message.to_owned());
                 continue;

@@ -33,7 +33,7 @@ use mapd_xodr::{
     self as xodr, Finding, Header, Junction, JunctionType, Position, Road, Severity, Span,
     Text as _, TrafficRule, Value as _,
 };
-use need::Part;
+use need::ElementContext;
 pub(crate) use objects::Owner;
 use objects::{assumed_unit, lanes, orientation};
 use sections::{Layer, OnRoad};
@@ -71,7 +71,7 @@ impl Draft {
         findings: &mut Vec<Finding>,
     ) {
         let path = format!("OpenDRIVE/road[@id={}]", road.id.text());
-        let mut part = Part { span: road.span, path: (&path, ""), findings };
+        let mut part = ElementContext { span: road.span, path: (&path, ""), findings };
         let id = part.need(road.id.as_ref(), "id");
         let length = part.need_along(road.length.value(), "length");
         if length.is_some_and(|length| length < 0.0) {
@@ -145,7 +145,7 @@ impl Draft {
         findings: &mut Vec<Finding>,
     ) -> Option<&'a xodr::Lanes> {
         let chosen = road.permanent_lanes();
-        let mut part = Part { span: road.span, path: (path, "lanes"), findings };
+        let mut part = ElementContext { span: road.span, path: (path, "lanes"), findings };
         let built = [chosen, road.temporary_lanes()].map(|lanes| lanes.map(|lanes| lanes.span));
         for lanes in road.lanes.iter().filter(|lanes| !built.contains(&Some(lanes.span))) {
             let message =
@@ -155,7 +155,7 @@ impl Draft {
         }
         match chosen {
             None => {
-                part = Part { span: road.span, path: (path, ""), ..part };
+                part = ElementContext { span: road.span, path: (path, ""), ..part };
                 part.unusable("lanes", "expected the element lanes, found none".into());
             }
             Some(lanes) if lanes.lane_section.is_empty() => {
@@ -179,7 +179,7 @@ impl Draft {
     fn types(&mut self, road: &Road, path: &str, findings: &mut Vec<Finding>) -> Range {
         let before = self.rows.road_types.len();
         for record in &road.r#type {
-            let mut part = Part { span: record.span, path: (path, "type"), findings };
+            let mut part = ElementContext { span: record.span, path: (path, "type"), findings };
             let Some(s) = surface::place(record.s.value(), "s", &mut part) else { continue };
             let stated = record.speed.as_deref();
             let max = stated.and_then(|speed| speed.max.value());
@@ -206,7 +206,7 @@ impl Draft {
         findings: &mut Vec<Finding>,
     ) {
         let path = "OpenDRIVE/junction";
-        let mut part = Part { span: junction.span, path: (path, ""), findings };
+        let mut part = ElementContext { span: junction.span, path: (path, ""), findings };
         if part.need(junction.id.as_ref(), "id").is_none() {
             return;
         }
@@ -233,7 +233,7 @@ impl Draft {
         let path = format!("OpenDRIVE/junction[@id={}]", junction.id.text());
         for link in junction.connection.iter().flat_map(|connection| &connection.lane_link) {
             let path = (path.as_str(), "connection/laneLink");
-            let mut part = Part { span: link.span, path, findings };
+            let mut part = ElementContext { span: link.span, path, findings };
             part.need(link.from.value(), "from");
             part.need(link.to.value(), "to");
         }

@@ -16,7 +16,7 @@ pub(crate) const FARTHEST: f64 = 1e9;
 pub(crate) const MOST_COEFFICIENT: f64 = 1e12;
 
 /// An element that rows are built from, and where findings about it go.
-pub(crate) struct Part<'a> {
+pub(crate) struct ElementContext<'a> {
     /// The element's start tag.
     pub(crate) span: Span,
     /// Path of the road or junction, and of the element inside.
@@ -24,7 +24,7 @@ pub(crate) struct Part<'a> {
     pub(crate) findings: &'a mut Vec<Finding>,
 }
 
-impl Part<'_> {
+impl ElementContext<'_> {
     /// The value of an attribute without which nothing can be built.
     pub(crate) fn need<T>(&mut self, value: Option<T>, name: &str) -> Option<T> {
         if value.is_none() {
@@ -34,7 +34,7 @@ impl Part<'_> {
         value
     }
 
-    /// As [`Part::need`], for a distance along or beside the road, or a length `[m]`: within [`FARTHEST`].
+    /// As [`ElementContext::need`], for a distance along or beside the road, or a length `[m]`: within [`FARTHEST`].
     pub(crate) fn need_along(&mut self, value: Option<f64>, name: &str) -> Option<f64> {
         let value = self.need(value, name)?;
         if value.abs() <= FARTHEST {
@@ -45,7 +45,7 @@ impl Part<'_> {
         None
     }
 
-    /// As [`Part::need`], for the number of a lane: within [`MOST_LANES`].
+    /// As [`ElementContext::need`], for the number of a lane: within [`MOST_LANES`].
     pub(crate) fn need_lane(&mut self, value: Option<i32>, name: &str) -> Option<i32> {
         let value = self.need(value, name)?;
         if value.unsigned_abs() <= MOST_LANES.unsigned_abs() {

@@ -1,6 +1,6 @@
 //! Markings, borders, skeletons, materials and parking of objects as written.
 
-use super::need::Part;
+use super::need::ElementContext;
 use super::objects::left_out;
 use crate::draft::Draft;
 use crate::draft::single;
@@ -22,7 +22,7 @@ impl Draft {
         &mut self,
         object: &xodr::Object,
         outlines: &[Outline],
-        part: &mut Part<'_>,
+        part: &mut ElementContext<'_>,
     ) -> Option<Box<Details>> {
         if let Some(crg) = object.surface.as_deref().and_then(|surface| surface.crg.as_deref()) {
             let message =

@@ -1,6 +1,6 @@
 //! Outlines of objects as written.
 
-use super::need::Part;
+use super::need::ElementContext;
 use super::objects::left_out;
 use crate::draft::Draft;
 use crate::draft::{Corner, Curve, Outline};
@@ -16,15 +16,22 @@ const LINEAR: [&str; 3] = ["barrier", "railing", "soundBarrier"];
 impl Draft {
     /// The outlines of an object in the old form (a child of its own) and the new one. One without two corners or a
     /// curve is left out.
-    pub(super) fn outlines(&self, object: &xodr::Object, part: &mut Part<'_>) -> Vec<Outline> {
+    pub(super) fn outlines(
+        &self,
+        object: &xodr::Object,
+        part: &mut ElementContext<'_>,
+    ) -> Vec<Outline> {
         let new = object.outlines.iter().flat_map(|outlines| &outlines.outline);
         let is_linear = LINEAR.contains(&object.r#type.text());
         let mut all = Vec::new();
         let old = object.outline.iter().map(|outline| &**outline);
         for (number, outline) in old.chain(new).enumerate() {
             let tail = format!("{}/outline", part.path.1);
-            let mut part =
-                Part { span: outline.span, path: (part.path.0, &tail), findings: part.findings };
+            let mut part = ElementContext {
+                span: outline.span,
+                path: (part.path.0, &tail),
+                findings: part.findings,
+            };
             all.extend(self::outline(outline, (number, is_linear), &mut part));
         }
         all
@@ -34,7 +41,7 @@ impl Draft {
 fn outline(
     outline: &xodr::Outline,
     (number, is_linear): (usize, bool),
-    part: &mut Part<'_>,
+    part: &mut ElementContext<'_>,
 ) -> Option<Outline> {
     let (mut corners, mut ids) = (Vec::new(), Vec::new());
     let mut add = |id: Option<u32>, corner: Option<Corner>| match corner {

@@ -1,6 +1,6 @@
 //! Repetitions of objects as written.
 
-use super::need::Part;
+use super::need::ElementContext;
 use super::objects::left_out;
 use crate::draft::{Lateral, Repeat};
 use mapd_xodr::{self as xodr, Attribute, Value as _};
@@ -9,7 +9,7 @@ use mapd_xodr::{self as xodr, Attribute, Value as _};
 pub(super) fn repeat(
     object: &xodr::Object,
     repeat: &xodr::ObjectRepeat,
-    part: &mut Part<'_>,
+    part: &mut ElementContext<'_>,
 ) -> Option<Repeat> {
     let (Some(s), Some(length)) = (repeat.s.value(), repeat.length.value()) else {
         left_out(

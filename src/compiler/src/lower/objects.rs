@@ -1,6 +1,6 @@
 //! Objects as written, in numbers. They are placed when everything else is.
 
-use super::need::Part;
+use super::need::ElementContext;
 use crate::draft::Draft;
 use crate::draft::single;
 use crate::draft::{Object, Repeat};
@@ -51,7 +51,7 @@ impl Draft {
         let base = owner.path();
         for object in &objects.object {
             let tail = format!("object[@id={}]", object.id.text());
-            let mut part = Part { span: object.span, path: (&base, &tail), findings };
+            let mut part = ElementContext { span: object.span, path: (&base, &tail), findings };
             let place = [("s", &object.s), ("t", &object.t)]
                 .map(|(name, at)| part.need_along(at.value(), name));
             let [Some(s), Some(t)] = place else { continue };
@@ -110,7 +110,8 @@ impl Draft {
                 self.objects.junction_lines.push((number, line));
             }
             None => {
-                let mut part = Part { span: objects.span, path: (&path, "objects"), findings };
+                let mut part =
+                    ElementContext { span: objects.span, path: (&path, "objects"), findings };
                 let message = "expected the element planView in a junction with objects, found none; the objects are left out";
                 left_out(&mut part, message.to_owned());
                 return;
@@ -172,13 +173,16 @@ impl Draft {
     }
 
     /// Repetitions with what the object itself says where they do not.
-    fn repeats(&self, object: &xodr::Object, part: &mut Part<'_>) -> Vec<Repeat> {
+    fn repeats(&self, object: &xodr::Object, part: &mut ElementContext<'_>) -> Vec<Repeat> {
         let mut repeats = Vec::new();
         for repeat in &object.repeat {
             let base = part.path.1;
             let tail = format!("{base}/repeat");
-            let mut part =
-                Part { span: repeat.span, path: (part.path.0, &tail), findings: part.findings };
+            let mut part = ElementContext {
+                span: repeat.span,
+                path: (part.path.0, &tail),
+                findings: part.findings,
+            };
             repeats.extend(super::object_repeats::repeat(object, repeat, &mut part));
         }
         repeats
@@ -200,7 +204,7 @@ fn meaning(ontology: &Ontology, object: &xodr::Object) -> Meaning {
 }
 
 /// Says in which unit a number is read that the file states without one.
-pub(crate) fn assumed_unit(unit: &str, part: &mut Part<'_>) {
+pub(crate) fn assumed_unit(unit: &str, part: &mut ElementContext<'_>) {
     let message =
         format!("expected the unit of its value, found none; the number is read in {unit}");
     part.add(&building::ASSUMED_UNIT, Severity::Info, message);
@@ -238,6 +242,6 @@ pub(crate) fn lanes(written: &[xodr::LaneValidity]) -> Vec<(i32, i32)> {
 }
 
 /// Says that a part of an object is left out.
-pub(super) fn left_out(part: &mut Part<'_>, message: String) {
+pub(super) fn left_out(part: &mut ElementContext<'_>, message: String) {
     part.add(&building::OBJECT_PART, Severity::Warning, message);
 }

@@ -1,6 +1,6 @@
 //! The reference line and the cubics along it.
 
-use super::need::{MOST_COEFFICIENT, Part};
+use super::need::{ElementContext, MOST_COEFFICIENT};
 use crate::draft::{Draft, between};
 use mapd_archive::{CubicRow, GeometryRow, Range};
 use mapd_geometry::ParameterRange;
@@ -23,7 +23,7 @@ impl Draft {
         let before = self.rows.geometries.len();
         for (index, g) in plan_view.geometry.iter().enumerate() {
             let found = findings.len();
-            let mut part = Part { span: g.span, path: (road, GEOMETRY), findings };
+            let mut part = ElementContext { span: g.span, path: (road, GEOMETRY), findings };
             match line.piece(index) {
                 Some(piece) => self.geometry(piece, g.param_poly3.is_some(), &mut part),
                 None => line.faults_of(index).for_each(|fault| say(fault, g.span, &mut part)),
@@ -39,7 +39,7 @@ impl Draft {
     }
 
     /// Appends a geometry.
-    fn geometry(&mut self, piece: &Piece, is_parametric: bool, part: &mut Part<'_>) {
+    fn geometry(&mut self, piece: &Piece, is_parametric: bool, part: &mut ElementContext<'_>) {
         let along = [(piece.s, "s"), (piece.length, "length")];
         if !along.iter().all(|(value, name)| part.need_along(Some(*value), name).is_some()) {
             return;
@@ -87,11 +87,11 @@ impl Draft {
         for record in records {
             let [a, b, c, d] = record.coefficients();
             let (Some(s), Some(a), Some(b), Some(c), Some(d)) = (record.start(), a, b, c, d) else {
-                incomplete(record, &mut Part { span: record.span(), path, findings });
+                incomplete(record, &mut ElementContext { span: record.span(), path, findings });
                 continue;
             };
             if let Some(value) = [a, b, c, d].iter().find(|value| value.abs() > MOST_COEFFICIENT) {
-                let mut part = Part { span: record.span(), path, findings };
+                let mut part = ElementContext { span: record.span(), path, findings };
                 too_steep(&mut part, *value);
                 continue;
             }
@@ -103,7 +103,7 @@ impl Draft {
 
 /// Says what a record lacks.
 #[cold]
-fn incomplete<R: CubicRecord>(record: &R, part: &mut Part<'_>) {
+fn incomplete<R: CubicRecord>(record: &R, part: &mut ElementContext<'_>) {
     part.need(record.start(), R::START);
     for (name, value) in ["a", "b", "c", "d"].iter().zip(record.coefficients()) {
         part.need(value, name);
@@ -112,7 +112,7 @@ fn incomplete<R: CubicRecord>(record: &R, part: &mut Part<'_>) {
 
 /// Says that a coefficient is beyond measure.
 #[cold]
-fn too_steep(part: &mut Part<'_>, value: f64) {
+fn too_steep(part: &mut ElementContext<'_>, value: f64) {
     let message = format!(
         "expected coefficients from -{MOST_COEFFICIENT:e} to {MOST_COEFFICIENT:e}, found {value:e}"
     );
@@ -121,7 +121,7 @@ fn too_steep(part: &mut Part<'_>, value: f64) {
 
 /// Says what keeps a geometry from being a curve.
 #[cold]
-fn say(fault: &Fault, geometry: Span, part: &mut Part<'_>) {
+fn say(fault: &Fault, geometry: Span, part: &mut ElementContext<'_>) {
     match fault {
         Fault::Missing { name, span } => {
             part.span = *span;

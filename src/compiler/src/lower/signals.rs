@@ -1,7 +1,7 @@
 //! Signals, controllers and groups as written.
 
 use super::semantics::{Meant, meant};
-use super::{Part, assumed_unit, lanes, orientation};
+use super::{ElementContext, assumed_unit, lanes, orientation};
 use crate::draft::{Draft, Position, SignalReference, WrittenSignal, between};
 use mapd_archive::{
     AnnotationOwner, BoardGroupRow, Class, ControlRow, ControllerRow, DisplayAreaRow, LaneRangeRow,
@@ -83,7 +83,8 @@ impl Draft {
     ) {
         let Some(signals) = road.signals.as_deref() else { return };
         for signal in &signals.signal {
-            let mut part = Part { span: signal.span, path: (path, "signals/signal"), findings };
+            let mut part =
+                ElementContext { span: signal.span, path: (path, "signals/signal"), findings };
             let (s, t) =
                 (part.need_along(signal.s.value(), "s"), part.need_along(signal.t.value(), "t"));
             let (Some(s), Some(t)) = (s, t) else { continue };
@@ -93,7 +94,7 @@ impl Draft {
         }
         for reference in &signals.signal_reference {
             let path = (path, "signals/signalReference");
-            let mut part = Part { span: reference.span, path, findings };
+            let mut part = ElementContext { span: reference.span, path, findings };
             let (s, t) = (
                 part.need_along(reference.s.value(), "s"),
                 part.need_along(reference.t.value(), "t"),
@@ -120,7 +121,7 @@ impl Draft {
         (road, carrier): (u32, u32),
         [s, t, z_offset]: [f64; 3],
         on_carrier: Option<(f64, f64)>,
-        part: &mut Part<'_>,
+        part: &mut ElementContext<'_>,
     ) -> u32 {
         let number = self.rows.signals.len() as u32;
         self.owners.add(signal.span, AnnotationOwner::Signal, number);
@@ -133,7 +134,7 @@ impl Draft {
         if let Some(unit) = meaning.assumed_unit.filter(|_| !is_written) {
             assumed_unit(
                 unit,
-                &mut Part { span: signal.span, path: part.path, findings: part.findings },
+                &mut ElementContext { span: signal.span, path: part.path, findings: part.findings },
             );
         }
         let [id, name, r#type, subtype, country, country_revision, text, unit] =
@@ -212,7 +213,7 @@ impl Draft {
         (road, carrier): (u32, u32),
         at: [f64; 3],
         deep: usize,
-        part: &mut Part<'_>,
+        part: &mut ElementContext<'_>,
     ) {
         let before = self.rows.signal_boards.len();
         for board in signal.vms_board {

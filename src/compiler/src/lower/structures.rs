@@ -1,6 +1,6 @@
 //! Bridges, tunnels and references to objects as written.
 
-use super::need::Part;
+use super::need::ElementContext;
 use super::objects::{lanes, orientation};
 use crate::draft::Draft;
 use crate::draft::single;
@@ -23,7 +23,7 @@ impl Draft {
     ) {
         for reference in references {
             let path = (base, "objectReference");
-            let mut part = Part { span: reference.span, path, findings };
+            let mut part = ElementContext { span: reference.span, path, findings };
             let place = [("s", &reference.s), ("t", &reference.t)]
                 .map(|(name, at)| part.need_along(at.value(), name));
             let id = part.need(reference.id.as_ref(), "id");
@@ -55,7 +55,7 @@ impl Draft {
         findings: &mut Vec<Finding>,
     ) {
         for bridge in &objects.bridge {
-            let part = Part { span: bridge.span, path: (base, "bridge"), findings };
+            let part = ElementContext { span: bridge.span, path: (base, "bridge"), findings };
             let place = (&bridge.s, &bridge.length);
             let Some(mut row) = structure(road, place, position(bridge.span), part) else {
                 continue;
@@ -68,7 +68,7 @@ impl Draft {
             self.objects.structures.push(Structure { row, validities });
         }
         for tunnel in &objects.tunnel {
-            let part = Part { span: tunnel.span, path: (base, "tunnel"), findings };
+            let part = ElementContext { span: tunnel.span, path: (base, "tunnel"), findings };
             let place = (&tunnel.s, &tunnel.length);
             let Some(mut row) = structure(road, place, position(tunnel.span), part) else {
                 continue;
@@ -91,7 +91,7 @@ fn structure(
     road: u32,
     (s, length): (&Option<Attribute<f64>>, &Option<Attribute<f64>>),
     at: Position,
-    mut part: Part<'_>,
+    mut part: ElementContext<'_>,
 ) -> Option<StructureRow> {
     let s = part.need_along(s.value(), "s");
     let length = part.need_along(length.value(), "length");

@@ -1,6 +1,6 @@
 //! What lies above or below the plane of elevation and superelevation, and what lanes are made of.
 
-use super::need::Part;
+use super::need::ElementContext;
 use crate::draft::{Draft, between};
 use mapd_archive::{
     CubicRow, LaneHeightRow, LaneMaterialRow, Range, ShapeStationRow, SurfaceRow, SurfaceStripRow,
@@ -24,7 +24,7 @@ impl Draft {
         findings: &mut Vec<Finding>,
     ) {
         for crg in road.surface.iter().flat_map(|surface| &surface.crg) {
-            let mut part = Part { span: crg.span, path: (path, "surface/CRG"), findings };
+            let mut part = ElementContext { span: crg.span, path: (path, "surface/CRG"), findings };
             let message = format!(
                 "the OpenCRG file {:?} is not built into the map: surface heights of this road lack it",
                 crg.file.text()
@@ -67,8 +67,11 @@ impl Draft {
         let before = self.rows.shape_stations.len();
         let mut placed: Vec<(f64, CubicRow)> = Vec::with_capacity(records.len());
         for record in records {
-            let mut part =
-                Part { span: record.span, path: (path, "lateralProfile/shape"), findings };
+            let mut part = ElementContext {
+                span: record.span,
+                path: (path, "lateralProfile/shape"),
+                findings,
+            };
             let written = [
                 ("s", &record.s),
                 ("t", &record.t),
@@ -99,7 +102,7 @@ impl Draft {
         let before = self.rows.surface_strips.len();
         for strip in strips {
             let tail = "lateralProfile/crossSectionSurface/surfaceStrips/strip";
-            let mut part = Part { span: strip.span, path: (path, tail), findings };
+            let mut part = ElementContext { span: strip.span, path: (path, tail), findings };
             let Some(id) = part.need(strip.id.value(), "id") else { continue };
             macro_rules! over_s {
                 ($name:ident) => {
@@ -143,7 +146,7 @@ impl Draft {
         let lane = self.rows.lanes.len() as u32;
         for record in heights {
             let path = (road, "lanes/laneSection/lane/height");
-            let mut part = Part { span: record.span, path, findings };
+            let mut part = ElementContext { span: record.span, path, findings };
             let Some(s) = place(record.s_offset.value(), "sOffset", &mut part) else { continue };
             self.rows.lane_heights.push(LaneHeightRow {
                 s: section_s + s,
@@ -155,7 +158,7 @@ impl Draft {
         }
         for record in materials {
             let path = (road, "lanes/laneSection/lane/material");
-            let mut part = Part { span: record.span, path, findings };
+            let mut part = ElementContext { span: record.span, path, findings };
             let Some(s) = place(record.s_offset.value(), "sOffset", &mut part) else { continue };
             let number = |value: Option<f64>| value.filter(|n| *n >= 0.0).unwrap_or(NOT_GIVEN);
             self.rows.lane_materials.push(LaneMaterialRow {
@@ -170,7 +173,7 @@ impl Draft {
 }
 
 /// What a record needs that nothing else is built from: without it, the record alone is left out.
-pub(super) fn place<T>(value: Option<T>, name: &str, part: &mut Part<'_>) -> Option<T> {
+pub(super) fn place<T>(value: Option<T>, name: &str, part: &mut ElementContext<'_>) -> Option<T> {
     if value.is_none() {
         let message = format!("expected @{name}, found none that can be used; it is left out");
         part.add(&building::RECORD, Severity::Warning, message);

@@ -26,18 +26,19 @@ const SWEPT_PROBES: usize = 64;
 
 /// Where an object lies on a lane, or beside it.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct LaneAttachment {
     stretch: Stretch,
     method: LaneMethod,
 }
 
 /// Places by row of the lane.
 #[derive(Default)]
-struct Places(BTreeMap<u32, Place>);
+struct LaneAttachments(BTreeMap<u32, LaneAttachment>);
 
-impl Places {
+impl LaneAttachments {
     fn add(&mut self, lane: &Lane<'_>, stretch: Stretch, method: LaneMethod) {
-        let place = self.0.entry(lane.lane_id().row()).or_insert(Place { stretch, method });
+        let place =
+            self.0.entry(lane.lane_id().row()).or_insert(LaneAttachment { stretch, method });
         place.stretch.s[0] = place.stretch.s[0].min(stretch.s[0]);
         place.stretch.s[1] = place.stretch.s[1].max(stretch.s[1]);
         place.stretch.distance = place.stretch.distance.min(stretch.distance);
@@ -106,7 +107,7 @@ fn lanes_of<'a>(
     references: impl Iterator<Item = &'a Reference>,
     reach: f64,
 ) -> Vec<ObjectLaneRow> {
-    let mut places = Places::default();
+    let mut places = LaneAttachments::default();
     let validities: Vec<(i32, i32)> =
         object.validities().map(|lanes| (lanes.from, lanes.to)).collect();
     let mut probes = Vec::new();
@@ -143,7 +144,7 @@ fn lanes_of<'a>(
         }
     }
     let number = object.object_id().row();
-    let row = |(lane, place): (u32, Place)| {
+    let row = |(lane, place): (u32, LaneAttachment)| {
         let start = map.lane_by_row(lane).map_or(0.0, |lane| lane.section().s_start());
         ObjectLaneRow {
             object: number,
@@ -185,7 +186,7 @@ fn area(road: &Road<'_>, placement: &ObjectPlacement<'_>) -> Option<TrackArea> {
 fn by_validity(
     area: &Profile<'_>,
     (validities, orientation): (&[(i32, i32)], Orientation),
-    places: &mut Places,
+    places: &mut LaneAttachments,
 ) -> bool {
     let is_meant =
         |number: i32| validities.iter().any(|(from, to)| *from <= number && number <= *to);
@@ -202,7 +203,7 @@ fn leads(lane: &Lane<'_>, orientation: Orientation) -> bool {
 }
 
 /// Lanes of the object's own road that its area lies on; those that lead where it is for, if any does.
-fn by_position(area: &Profile<'_>, orientation: Orientation, places: &mut Places) {
+fn by_position(area: &Profile<'_>, orientation: Orientation, places: &mut LaneAttachments) {
     add_leading(area.lanes(false).into_iter(), orientation, LaneMethod::Track, places);
 }
 
@@ -211,7 +212,7 @@ fn add_leading<'a>(
     lanes: impl Iterator<Item = (Lane<'a>, Stretch)>,
     orientation: Orientation,
     method: LaneMethod,
-    places: &mut Places,
+    places: &mut LaneAttachments,
 ) -> bool {
     let lanes: Vec<(Lane<'_>, Stretch)> = lanes.collect();
     let any_leads = lanes.iter().any(|(lane, _)| leads(lane, orientation));
@@ -244,7 +245,7 @@ fn on_other_roads(
     near: &NearLanes,
     placement: &ObjectPlacement<'_>,
     probes: &mut Vec<DVec2>,
-    places: &mut Places,
+    places: &mut LaneAttachments,
 ) {
     placement.probes(PROBES.0, PROBES.1, probes);
     let own = placement.object().road().map_or(NONE, |road| road.road_id().row());
@@ -286,7 +287,7 @@ fn nearest(
     placement: &ObjectPlacement<'_>,
     most: f64,
     probes: &mut Vec<DVec2>,
-    places: &mut Places,
+    places: &mut LaneAttachments,
 ) {
     let object = placement.object();
     let count = if placement.is_swept() { SWEPT_PROBES } else { PROBES.1 };
@@ -333,7 +334,7 @@ fn nearest(
     add_nearest(map, best, places);
 }
 
-fn add_nearest(map: Map<'_>, found: Option<Candidate>, places: &mut Places) {
+fn add_nearest(map: Map<'_>, found: Option<Candidate>, places: &mut LaneAttachments) {
     let Some(Candidate { distance, row, s, .. }) = found else { return };
     if let Some(lane) = map.lane_by_row(row) {
         places.add(&lane, Stretch { s: [s; 2], distance }, LaneMethod::Nearest);

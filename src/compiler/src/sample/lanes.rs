@@ -26,7 +26,7 @@ const ROUNDING_SHARE: f64 = 1.0 / 16.0;
 /// The sampled lines of some sections.
 struct Lines {
     /// One for each section.
-    frames: Vec<Frame>,
+    frames: Vec<SectionEncoding>,
     lanes: Vec<Line>,
     /// Stations, section by section.
     stations: Vec<f32>,
@@ -40,7 +40,7 @@ struct Lines {
 
 /// What the points of a section count from, and how they are written.
 #[derive(Clone, Copy, Default)]
-struct Frame {
+struct SectionEncoding {
     origin: [f32; 3],
     code: PointCode,
     /// Number of its stations.
@@ -237,10 +237,10 @@ fn write(
         lines.unfit.extend(lost);
         let (code, none) = (PointCode::fitting([0.0; 3], 0, step), [0.0; 3]);
         let code = code.unwrap_or_default();
-        lines.frames.push(Frame { origin: none, code, stations: 0 });
+        lines.frames.push(SectionEncoding { origin: none, code, stations: 0 });
         return;
     };
-    lines.frames.push(Frame { origin, code, stations: stations.len() });
+    lines.frames.push(SectionEncoding { origin, code, stations: stations.len() });
     let mut rest = samples.as_slice();
     for line in lines.lanes.iter_mut().skip(before) {
         let (own, others) = rest.split_at(line.center + line.border);

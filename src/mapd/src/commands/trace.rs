@@ -9,7 +9,7 @@ use crate::args::{Opening, lane_types, not_negative, vehicle};
 use crate::exit::Exit;
 use clap::Args;
 use csv::StringRecord;
-use mapd_client::localisation::{TraceFix, TraceMatch, TraceOptions, TracePlace, TraceScratch};
+use mapd_client::localisation::{TraceFix, TraceMatch, TraceOptions, TracePosition, TraceScratch};
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{LaneTypes, Map};
 use std::io::{self, Read, Write};
@@ -144,7 +144,7 @@ fn write(
         let mut answer = [const { String::new() }; COLUMNS.len()];
         if let Some(found) = found {
             answer[3] = number(found.probability);
-            if let Some(TracePlace { lane: id, position }) = found.place {
+            if let Some(TracePosition { lane: id, position }) = found.place {
                 answer[0] =
                     map.lane(id).map_or_else(|_| String::new(), |lane| lane.key().to_string());
                 answer[1] = number(position.s);

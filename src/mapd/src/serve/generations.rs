@@ -92,9 +92,9 @@ mod tests {
     use std::fs;
 
     /// A domain with a root folder, which is removed at the end.
-    struct Place(Domain);
+    struct DomainFolder(Domain);
 
-    impl Place {
+    impl DomainFolder {
         fn new(name: &str) -> Self {
             let domain = Domain::new(&format!("{name}{}_", std::process::id())).expect("a prefix");
             fs::create_dir_all(domain.root()).expect("a root folder");
@@ -102,7 +102,7 @@ mod tests {
         }
     }
 
-    impl Drop for Place {
+    impl Drop for DomainFolder {
         fn drop(&mut self) {
             let _ = fs::remove_dir_all(self.0.root());
         }
@@ -110,7 +110,7 @@ mod tests {
 
     #[test]
     fn numbers_rise_whatever_is_lost() {
-        let place = Place::new("gens");
+        let place = DomainFolder::new("gens");
         let kept = tempfile::tempdir().expect("a folder");
         let mut numbers = Generations::default();
         numbers.keep_in(kept.path().to_owned());
@@ -136,7 +136,7 @@ mod tests {
 
     #[test]
     fn a_clock_that_was_ahead_does_not_matter() {
-        let place = Place::new("gensclock");
+        let place = DomainFolder::new("gensclock");
         let kept = tempfile::tempdir().expect("a folder");
         let mut numbers = Generations::default();
         numbers.keep_in(kept.path().to_owned());
@@ -155,7 +155,7 @@ mod tests {
     /// A number that nobody handed out once left room for a single generation.
     #[test]
     fn a_number_that_makes_no_sense_is_not_gone_on_from() {
-        let (place, kept) = (Place::new("gensend"), tempfile::tempdir().expect("a folder"));
+        let (place, kept) = (DomainFolder::new("gensend"), tempfile::tempdir().expect("a folder"));
         let mut numbers = Generations::default();
         numbers.keep_in(kept.path().to_owned());
         let there = kept_file(kept.path(), &place.0, "m");
@@ -177,7 +177,7 @@ mod tests {
 
     #[test]
     fn without_any_record_the_clock_begins() {
-        let place = Place::new("gensfirst");
+        let place = DomainFolder::new("gensfirst");
         let before = unix_ms();
         let first = Generations::default().next(&place.0, "m", &|_| {}).expect("a number");
         assert!(first > before && first <= unix_ms() + 1);

@@ -5,7 +5,7 @@
 
 use super::error::ServeError;
 use super::server::Server;
-use mapd_transport::{Domain, OverlayPlace, Share, overlay_file};
+use mapd_transport::{Domain, OverlayLocation, Share, overlay_file};
 use rustix::fs::{FallocateFlags, Mode, OFlags};
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -30,7 +30,7 @@ pub struct OverlayBytes {
 #[derive(Debug)]
 pub(crate) struct OverlayFile {
     path: PathBuf,
-    pub(crate) place: OverlayPlace,
+    pub(crate) place: OverlayLocation,
 }
 
 impl OverlayFile {
@@ -51,7 +51,7 @@ impl OverlayFile {
         let (revision, content_hash) = (overlay.revision, overlay.content_hash);
         // From here on it is removed again if something fails.
         let mut made =
-            Self { path, place: OverlayPlace { revision, length, inode: 0, content_hash } };
+            Self { path, place: OverlayLocation { revision, length, inode: 0, content_hash } };
         rustix::fs::fallocate(&file, FallocateFlags::empty(), 0, length)?;
         file.write_all(&overlay.bytes)?;
         share.finished(&file)?;

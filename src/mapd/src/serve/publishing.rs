@@ -13,7 +13,7 @@ use super::served_map::{Current, MapPublisher};
 use super::server::Server;
 use crate::clock::unix_ns;
 use mapd_transport::{
-    AttachGuard, GenerationInfo, Place, SHARED_MEMORY_FOLDER, chunks_for, remove_staged,
+    AttachGuard, GenerationInfo, SHARED_MEMORY_FOLDER, SegmentLocation, chunks_for, remove_staged,
     write_staged,
 };
 use std::error::Error;
@@ -24,7 +24,7 @@ use std::io;
 /// attach lock.
 pub(crate) struct Staged {
     sample: Filled,
-    place: Place,
+    place: SegmentLocation,
     locked: Option<LockedPages>,
     kept: Option<File>,
     publisher: MapPublisher,
@@ -33,7 +33,7 @@ pub(crate) struct Staged {
 /// A generation that is filled, without its publisher.
 struct FilledSegment {
     sample: Filled,
-    place: Place,
+    place: SegmentLocation,
     locked: Option<LockedPages>,
     kept: Option<File>,
 }

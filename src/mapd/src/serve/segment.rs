@@ -3,7 +3,7 @@
 use super::loan::Mark;
 use super::locked::LockedPages;
 use super::served_map::MapPublisher;
-use mapd_transport::{Domain, Place, SHARED_MEMORY_FOLDER, Share};
+use mapd_transport::{Domain, SHARED_MEMORY_FOLDER, SegmentLocation, Share};
 use rustix::fs::FallocateFlags;
 use std::cell::OnceCell;
 use std::fs::{File, OpenOptions};
@@ -67,7 +67,7 @@ impl Segment {
     /// Where a sample lies that begins with this mark.
     ///
     /// Errors: nowhere, or at several places; what the system says.
-    pub(crate) fn place_of(&self, mark: &Mark) -> io::Result<Place> {
+    pub(crate) fn place_of(&self, mark: &Mark) -> io::Result<SegmentLocation> {
         let mut start = vec![0; SEARCHED];
         let mut read = 0;
         while read < SEARCHED {
@@ -79,7 +79,7 @@ impl Segment {
         let mut places =
             start[..read].chunks_exact(mark.len()).enumerate().filter(|(_, chunk)| chunk == mark);
         match (places.next(), places.next()) {
-            (Some((chunk, _)), None) => Ok(Place {
+            (Some((chunk, _)), None) => Ok(SegmentLocation {
                 segment: self.name.clone(),
                 inode: self.file.metadata()?.ino(),
                 offset: (chunk * mark.len()) as u64,

@@ -15,7 +15,7 @@ use iceoryx2::port::update_connections::UpdateConnections;
 use iceoryx2::prelude::{AllocationStrategy, Node};
 use iceoryx2::service::port_factory::PortFactory as _;
 use mapd_transport::{
-    AttachGuard, Chunk64, Claim, Domain, GenerationInfo, Place, RecordWriter, Share,
+    AttachGuard, Chunk64, Claim, Domain, GenerationInfo, RecordWriter, SegmentLocation, Share,
     TransportService,
 };
 use std::fs::File;
@@ -30,7 +30,7 @@ pub(crate) struct Current {
     /// To look after its segment once it is not served any more.
     pub(crate) kept: Option<File>,
     /// Where its bytes lie.
-    pub(crate) place: Place,
+    pub(crate) place: SegmentLocation,
     /// What is laid over it.
     pub(crate) overlay: Option<OverlayFile>,
 }
@@ -177,7 +177,7 @@ impl MapPorts {
             return Err(std::io::Error::other("nothing is served"));
         };
         let overlay_place = overlay.as_ref().map(|file| file.place);
-        let laid = Place { overlay: overlay_place, ..current.place.clone() };
+        let laid = SegmentLocation { overlay: overlay_place, ..current.place.clone() };
         self.record.hold(self.record.prepare(&current.info, &laid)?);
         (current.place, current.overlay) = (laid, overlay);
         Ok(())

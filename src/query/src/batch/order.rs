@@ -33,7 +33,7 @@ impl Order {
         &mut self,
         count: usize,
         place: impl Fn(usize) -> DVec2,
-        mut visit: impl FnMut(&Part<'_>) -> Result<(), E>,
+        mut visit: impl FnMut(&OrderedRun<'_>) -> Result<(), E>,
     ) -> Result<(), E> {
         for first in (0..count).step_by(PART) {
             let end = count.min(first + PART);
@@ -53,7 +53,7 @@ impl Order {
                 u64::from(curve) << 32 | (i - first) as u64
             }));
             sort(&mut self.keys, &mut self.spare, bits);
-            visit(&Part { first, keys: &self.keys })?;
+            visit(&OrderedRun { first, keys: &self.keys })?;
         }
         Ok(())
     }
@@ -98,12 +98,12 @@ fn sort(keys: &mut Vec<u64>, spare: &mut Vec<u64>, bits: u32) {
 }
 
 /// Places that are ordered.
-pub(crate) struct Part<'o> {
+pub(crate) struct OrderedRun<'o> {
     first: usize,
     keys: &'o [u64],
 }
 
-impl Part<'_> {
+impl OrderedRun<'_> {
     pub(crate) fn len(&self) -> usize {
         self.keys.len()
     }

@@ -1,6 +1,6 @@
 //! Stretches of lanes that may hold one of several places near each other, made ready once for all of them.
 
-use super::order::Part;
+use super::order::OrderedRun;
 use super::rectangle::Rectangle;
 use crate::area::{self, Slab};
 use crate::index;
@@ -34,7 +34,11 @@ pub(super) struct Cut {
 
 impl Cut {
     /// Cuts the first tile off the ordered places that begin at `from`.
-    pub(super) fn first(part: &Part<'_>, from: usize, place: impl Fn(usize) -> DVec2) -> Self {
+    pub(super) fn first(
+        part: &OrderedRun<'_>,
+        from: usize,
+        place: impl Fn(usize) -> DVec2,
+    ) -> Self {
         let mut cut = Self { count: 0, low: DVec2::INFINITY, high: DVec2::NEG_INFINITY };
         for i in part.numbers(from, MOST_PLACES) {
             let at = place(i);

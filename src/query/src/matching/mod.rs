@@ -14,7 +14,7 @@ mod trace;
 mod tracker;
 
 pub use error::MatchError;
-pub use trace::{TraceFix, TraceMatch, TraceOptions, TracePlace, TraceScratch};
+pub use trace::{TraceFix, TraceMatch, TraceOptions, TracePosition, TraceScratch};
 pub use tracker::{Tracked, Tracker, TrackerFix, TrackerOptions};
 
 use crate::area;

@@ -13,7 +13,7 @@ use crate::ids::LaneId;
 use crate::lane::Lane;
 use crate::map::Map;
 use crate::nearest::LaneTypes;
-use crate::route::{LanePlace, Reached, RouteScratch, ShortestLength, share_before};
+use crate::route::{PositionOnLane, Reached, RouteScratch, ShortestLength, share_before};
 use crate::types::{LanePosition, Point};
 use glam::{DMat3, DVec3};
 use mapd_archive::VehicleClass;
@@ -80,10 +80,10 @@ impl Default for TraceOptions {
     }
 }
 
-/// A place on a lane.
+/// A lane, and a position with respect to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct TracePlace {
+pub struct TracePosition {
     /// The lane.
     pub lane: LaneId,
     /// The place with respect to it.
@@ -95,7 +95,7 @@ pub struct TracePlace {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TraceMatch {
     /// The lane and the place with respect to it; `None` where the trace is on no lane.
-    pub place: Option<TracePlace>,
+    pub place: Option<TracePosition>,
     /// Whether it travels towards +s.
     pub forward: bool,
     /// Probability of this state, given the whole trace.
@@ -204,7 +204,7 @@ impl Map<'_> {
                 scratch.steps.extend(scratch.states[next..end].iter().map(stays));
                 continue;
             };
-            let place = LanePlace { lane: a.lane, s: a.position.s };
+            let place = PositionOnLane { lane: a.lane, s: a.position.s };
             let (route, reached) = (&mut scratch.route, &mut scratch.reached);
             self.reachable(place, limit, options.vehicle, &cost, route, reached)?;
             for b in &scratch.states[next..end] {
@@ -360,7 +360,8 @@ impl TraceScratch {
             let own = self.ahead[state] + self.behind[state];
             let found = self.states[state];
             out.push(TraceMatch {
-                place: found.map(|found| TracePlace { lane: found.lane, position: found.position }),
+                place: found
+                    .map(|found| TracePosition { lane: found.lane, position: found.position }),
                 forward: found.is_some_and(|found| found.forward),
                 probability: libm::exp(own - whole).min(1.0),
             });

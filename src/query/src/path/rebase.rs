@@ -5,7 +5,7 @@ use crate::error::QueryError;
 use crate::lane::Lane;
 use crate::map::Map;
 use crate::nearest::NearestOptions;
-use crate::route::{Enter, LanePlace, Route, RouteCost, RouteScratch, RouteStep};
+use crate::route::{Enter, PositionOnLane, Route, RouteCost, RouteScratch, RouteStep};
 use glam::DVec2;
 use mapd_archive::VehicleClass;
 use std::f64::consts::FRAC_PI_4;
@@ -60,7 +60,7 @@ impl Path<'_, '_> {
     ) -> Result<Option<Route>, QueryError> {
         steps.clear();
         changes.clear();
-        let mut places: Vec<LanePlace> = Vec::new();
+        let mut places: Vec<PositionOnLane> = Vec::new();
         let last = self.buffer.pieces.len().saturating_sub(1);
         for (number, piece) in self.buffer.pieces.iter().enumerate() {
             let [from, to] = self.ends_of(piece);
@@ -104,7 +104,7 @@ impl Path<'_, '_> {
         along: f64,
         map: Map<'_>,
         vehicle: VehicleClass,
-    ) -> Result<(Option<LanePlace>, Option<PathChangeKind>), QueryError> {
+    ) -> Result<(Option<PositionOnLane>, Option<PathChangeKind>), QueryError> {
         let lane = Lane::new(self.map, piece.lane).ok_or(QueryError::Corrupt)?;
         let spans = self.spans_of(piece);
         let span = spans.iter().rfind(|span| span.along <= along).or(spans.first());
@@ -120,7 +120,7 @@ impl Path<'_, '_> {
             let moved = there.map_or(f64::INFINITY, |there: DVec2| there.distance(point));
             if moved <= FAR {
                 let kind = (moved > SAME).then_some(PathChangeKind::Moved(moved));
-                return Ok((Some(LanePlace { lane: same.lane_id(), s }), kind));
+                return Ok((Some(PositionOnLane { lane: same.lane_id(), s }), kind));
             }
         }
         let options = NearestOptions {
@@ -135,7 +135,7 @@ impl Path<'_, '_> {
                 let (lane, s) = (found.lane, found.position.s);
                 let there = map.lane(lane)?.pose_at(s, 0.0)?;
                 let away = there.position.truncate().distance(point);
-                (Some(LanePlace { lane, s }), Some(PathChangeKind::Replaced(away)))
+                (Some(PositionOnLane { lane, s }), Some(PathChangeKind::Replaced(away)))
             }
             None => (None, Some(PathChangeKind::Gone)),
         })

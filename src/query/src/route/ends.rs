@@ -1,6 +1,6 @@
 //! Both ends of a route: lane changes beside the start and beside the target, which do not have a whole piece ahead.
 
-use super::LanePlace;
+use super::PositionOnLane;
 use super::cost::RouteCost;
 use super::ways::Ways;
 use crate::extents::SRange;
@@ -48,7 +48,7 @@ pub(super) fn inside(lane: &Lane<'_>, s: f64) -> f64 {
 }
 
 /// The lane and s of a place.
-pub(super) fn lane_of<'a>(map: Map<'a>, place: LanePlace) -> Option<(Lane<'a>, f64)> {
+pub(super) fn lane_of<'a>(map: Map<'a>, place: PositionOnLane) -> Option<(Lane<'a>, f64)> {
     let lane = map.lane(place.lane).ok()?;
     let s = inside(&lane, place.s);
     Some((lane, s))
@@ -58,7 +58,7 @@ pub(super) fn lane_of<'a>(map: Map<'a>, place: LanePlace) -> Option<(Lane<'a>, f
 /// lead to from it.
 pub(super) fn start_chain<'a>(
     ways: impl Ways<'a>,
-    (place, forward): (LanePlace, Option<bool>),
+    (place, forward): (PositionOnLane, Option<bool>),
     vehicle: VehicleClass,
     cost: &impl RouteCost,
     out: &mut Vec<ChainNode>,
@@ -88,7 +88,7 @@ pub(super) fn start_chain<'a>(
 /// Nodes from which lane changes lead to the target, itself first.
 pub(super) fn target_chain<'a>(
     ways: impl Ways<'a>,
-    place: LanePlace,
+    place: PositionOnLane,
     vehicle: VehicleClass,
     cost: &impl RouteCost,
     out: &mut Vec<ChainNode>,

@@ -34,13 +34,13 @@ use crate::ids::LaneId;
 use crate::map::Map;
 use mapd_archive::VehicleClass;
 
-/// A place on a lane.
+/// A position on a lane by s alone: an end of a route, or where a search begins. ([`LanePosition`](crate::LanePosition) has a point's offsets too.)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct LanePlace {
+pub struct PositionOnLane {
     /// The lane.
     pub lane: LaneId,
-    /// Place on the road `[m]`; outside the lane's section its nearer end counts.
+    /// The road's s `[m]`; outside the lane's section its nearer end counts.
     pub s: f64,
 }
 
@@ -68,8 +68,8 @@ impl<'a> Map<'a> {
     /// Errors: ids of another map; an s that is no finite number.
     pub fn route(
         &self,
-        from: LanePlace,
-        to: LanePlace,
+        from: PositionOnLane,
+        to: PositionOnLane,
         vehicle: VehicleClass,
         cost: &impl RouteCost,
         scratch: &mut RouteScratch,
@@ -84,7 +84,7 @@ impl<'a> Map<'a> {
     /// Errors: as [`Map::route`].
     pub fn route_via(
         &self,
-        places: &[LanePlace],
+        places: &[PositionOnLane],
         vehicle: VehicleClass,
         cost: &impl RouteCost,
         scratch: &mut RouteScratch,
@@ -99,7 +99,7 @@ impl<'a> Map<'a> {
 /// Errors: as [`Map::route_via`].
 pub(crate) fn find<'a>(
     ways: impl Ways<'a>,
-    places: &[LanePlace],
+    places: &[PositionOnLane],
     vehicle: VehicleClass,
     cost: &impl RouteCost,
     scratch: &mut RouteScratch,

@@ -1,6 +1,6 @@
 //! What can be reached within a cost.
 
-use super::LanePlace;
+use super::PositionOnLane;
 use super::cost::RouteCost;
 use super::ends::{lane_of, price, share_before, start_chain};
 use super::scratch::{Open, RouteScratch};
@@ -27,7 +27,7 @@ impl<'a> Map<'a> {
     /// Errors: ids of another map; an s that is no finite number.
     pub fn reachable(
         &self,
-        from: LanePlace,
+        from: PositionOnLane,
         limit: f64,
         vehicle: VehicleClass,
         cost: &impl RouteCost,
@@ -47,7 +47,7 @@ impl<'a> Map<'a> {
 /// Errors: as [`Map::reachable`].
 pub(crate) fn reach<'a>(
     ways: impl Ways<'a>,
-    from: LanePlace,
+    from: PositionOnLane,
     (limit, vehicle): (f64, VehicleClass),
     cost: &impl RouteCost,
     scratch: &mut RouteScratch,

@@ -3,7 +3,7 @@
 use super::cost::RouteCost;
 use super::ends::{lane_of, price, root_of, share_before, target_chain};
 use super::scratch::{Open, RouteScratch};
-use super::{LanePlace, Reached};
+use super::{PositionOnLane, Reached};
 use crate::error::QueryError;
 use crate::graph::LaneNode;
 use crate::ids::NodeId;
@@ -17,7 +17,7 @@ impl<'a> Map<'a> {
     /// Errors: as [`Map::reachable`].
     pub fn reachable_to(
         &self,
-        to: LanePlace,
+        to: PositionOnLane,
         limit: f64,
         vehicle: VehicleClass,
         cost: &impl RouteCost,

@@ -11,7 +11,7 @@ use super::cost::{CostBound, RouteCost};
 use super::ends::{price, share_before, start_chain, target_chain};
 use super::scratch::{FROM_SIDE, FROM_START, Open, PathNode, RouteScratch};
 use super::ways::Ways;
-use super::{Enter, LanePlace, Route, RouteStep, ends, steps};
+use super::{Enter, PositionOnLane, Route, RouteStep, ends, steps};
 use crate::error::QueryError;
 use crate::graph::LaneNode;
 use mapd_archive::VehicleClass;
@@ -48,8 +48,8 @@ impl<'a, 's, W: Ways<'a>, C: RouteCost> Search<'s, W, C> {
     /// Appends the way's steps; `None` if there is no way.
     pub(super) fn run(
         mut self,
-        from: (LanePlace, Option<bool>),
-        to: LanePlace,
+        from: (PositionOnLane, Option<bool>),
+        to: PositionOnLane,
         out: &mut Vec<RouteStep>,
     ) -> Result<Option<Route>, QueryError> {
         let map = self.ways.map();

@@ -1,7 +1,7 @@
 //! Lanes one after the other: all sequences ahead or behind, and the next junction.
 
 use super::ends::{lane_of, price};
-use super::{LanePlace, ShortestLength};
+use super::{PositionOnLane, ShortestLength};
 use crate::error::QueryError;
 use crate::extents::SRange;
 use crate::graph::LaneNode;
@@ -72,7 +72,7 @@ impl<'a> Map<'a> {
     /// Errors: ids of another map; numbers that are not finite.
     pub fn lane_sequences_ahead(
         &self,
-        from: LanePlace,
+        from: PositionOnLane,
         distance: f64,
         vehicle: VehicleClass,
         out: &mut LaneSequences,
@@ -86,7 +86,7 @@ impl<'a> Map<'a> {
     /// Errors: as [`Map::lane_sequences_ahead`].
     pub fn lane_sequences_behind(
         &self,
-        from: LanePlace,
+        from: PositionOnLane,
         distance: f64,
         vehicle: VehicleClass,
         out: &mut LaneSequences,
@@ -96,7 +96,7 @@ impl<'a> Map<'a> {
 
     fn sequences(
         &self,
-        from: LanePlace,
+        from: PositionOnLane,
         distance: f64,
         vehicle: VehicleClass,
         ahead: bool,
@@ -178,7 +178,7 @@ impl<'a> Map<'a> {
     /// Errors: ids of another map; numbers that are not finite.
     pub fn next_junction(
         &self,
-        from: LanePlace,
+        from: PositionOnLane,
         distance: f64,
         vehicle: VehicleClass,
     ) -> Result<Option<NextJunction>, QueryError> {

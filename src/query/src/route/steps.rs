@@ -2,7 +2,7 @@
 
 use super::scratch::PathNode;
 use super::ways::Ways;
-use super::{LanePlace, Route, ends};
+use super::{PositionOnLane, Route, ends};
 use crate::error::QueryError;
 use crate::extents::SRange;
 use crate::ids::LaneId;
@@ -127,7 +127,7 @@ pub fn next_lane_change(
     map: Map<'_>,
     steps: &[RouteStep],
     at: usize,
-    place: LanePlace,
+    place: PositionOnLane,
 ) -> Result<Option<LaneChangeAhead>, QueryError> {
     if !place.s.is_finite() {
         return Err(QueryError::NotFinite);

@@ -7,7 +7,7 @@ use crate::extents::SRange;
 use crate::ids::{LaneId, SignalId};
 use crate::lane::Lane;
 use crate::map::Map;
-use crate::route::{LanePlace, RouteStep, Ways};
+use crate::route::{PositionOnLane, RouteStep, Ways};
 use mapd_archive::VehicleClass;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -86,7 +86,7 @@ impl<'a> Map<'a> {
     /// Errors: ids of another map; numbers that are not finite.
     pub fn signals_ahead(
         &self,
-        from: LanePlace,
+        from: PositionOnLane,
         distance: f64,
         vehicle: VehicleClass,
         out: &mut SignalsAhead,
@@ -128,7 +128,7 @@ impl<'a> Map<'a> {
 /// Signals along all ways from a place, as [`Map::signals_ahead`] has them.
 pub(crate) fn ahead<'a>(
     ways: impl Ways<'a>,
-    from: LanePlace,
+    from: PositionOnLane,
     distance: f64,
     vehicle: VehicleClass,
     out: &mut SignalsAhead,

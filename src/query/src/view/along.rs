@@ -5,7 +5,7 @@ use super::{Restriction, SpeedToday, View};
 use crate::error::QueryError;
 use crate::localisation::{LaneMatch, MatchError, MatchOptions, VehiclePose};
 use crate::path::{Corridor, Path, PathLane};
-use crate::route::LanePlace;
+use crate::route::PositionOnLane;
 use crate::signals::SignalsAhead;
 use glam::DMat3;
 use mapd_archive::VehicleClass;
@@ -113,7 +113,7 @@ impl<'a> View<'a> {
     /// Errors: as [`crate::Map::signals_ahead`].
     pub fn signals_ahead(
         &self,
-        from: LanePlace,
+        from: PositionOnLane,
         distance: f64,
         vehicle: VehicleClass,
         out: &mut SignalsAhead,

@@ -5,7 +5,9 @@ use super::{OverlayEntry, Restriction, View};
 use crate::error::QueryError;
 use crate::graph::LaneNode;
 use crate::ids::{LaneId, SignalId};
-use crate::route::{LanePlace, Route, RouteCost, RouteScratch, RouteStep, Ways as _, find, reach};
+use crate::route::{
+    PositionOnLane, Route, RouteCost, RouteScratch, RouteStep, Ways as _, find, reach,
+};
 use crate::rules::SpeedRule;
 use mapd_archive::{OverlayKind, VehicleClass};
 
@@ -176,8 +178,8 @@ impl<'a> View<'a> {
     /// Errors: as [`crate::Map::route`].
     pub fn route(
         &self,
-        from: LanePlace,
-        to: LanePlace,
+        from: PositionOnLane,
+        to: PositionOnLane,
         vehicle: VehicleClass,
         cost: &impl RouteCost,
         scratch: &mut RouteScratch,
@@ -191,7 +193,7 @@ impl<'a> View<'a> {
     /// Errors: as [`crate::Map::route_via`].
     pub fn route_via(
         &self,
-        places: &[LanePlace],
+        places: &[PositionOnLane],
         vehicle: VehicleClass,
         cost: &impl RouteCost,
         scratch: &mut RouteScratch,
@@ -208,7 +210,7 @@ impl<'a> View<'a> {
     /// Errors: as [`crate::Map::reachable`].
     pub fn reachable(
         &self,
-        from: LanePlace,
+        from: PositionOnLane,
         limit: f64,
         vehicle: VehicleClass,
         cost: &impl RouteCost,

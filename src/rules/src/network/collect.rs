@@ -1,8 +1,8 @@
 //! Takes from each element what is kept of it.
 
 use super::facts::{
-    Contact, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, Part, PartKind, RoadApart, RoadFacts,
-    SectionFacts, rank_of,
+    Contact, IdentifiedPart, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, PartKind, RoadApart,
+    RoadFacts, SectionFacts, rank_of,
 };
 use super::references::{Kinds, NamedAt, Reference};
 use super::{NONE, Name, Network};
@@ -75,7 +75,7 @@ impl Network {
     ) -> Name {
         let name = self.names.add(text(id));
         if id.is_some() {
-            self.parts.push(Part::new(kind, name, span, road));
+            self.parts.push(IdentifiedPart::new(kind, name, span, road));
         }
         name
     }

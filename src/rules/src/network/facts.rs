@@ -289,7 +289,7 @@ impl PartKind {
 
 /// Something with an id.
 #[derive(Clone, Copy, Debug)]
-pub struct Part {
+pub struct IdentifiedPart {
     /// The start tag.
     pub span: Span,
     /// Its id.
@@ -300,7 +300,7 @@ pub struct Part {
     pub kind: PartKind,
 }
 
-impl Part {
+impl IdentifiedPart {
     pub(super) fn new(kind: PartKind, id: Name, span: Span, road: Option<u32>) -> Self {
         Self { span, id, road: road.unwrap_or(u32::MAX), kind }
     }

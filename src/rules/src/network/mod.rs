@@ -19,8 +19,8 @@ mod stretch;
 pub use collect_stations::extent;
 pub use connected::{ConnectedEnds, ConnectedJoint, LaneEnd};
 pub use facts::{
-    Contact, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, Part, PartKind, RoadApart, RoadFacts,
-    SectionFacts,
+    Contact, IdentifiedPart, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, PartKind, RoadApart,
+    RoadFacts, SectionFacts,
 };
 pub use joints::{LaneJoint, Neighbor};
 pub use junctions::{
@@ -59,7 +59,7 @@ pub struct Network {
     /// Junctions in file order.
     pub junctions: Vec<JunctionFacts>,
     /// Everything that has an id, but lanes.
-    pub parts: Vec<Part>,
+    pub parts: Vec<IdentifiedPart>,
     /// References to ids.
     pub references: Vec<Reference>,
     names: Names,
@@ -133,7 +133,7 @@ impl Network {
     }
 
     /// The road that something stands along.
-    pub fn road_along(&self, part: &Part) -> Option<&RoadFacts> {
+    pub fn road_along(&self, part: &IdentifiedPart) -> Option<&RoadFacts> {
         self.roads.get(part.road as usize)
     }
 

@@ -6,7 +6,7 @@
 
 use super::overlap::{CLEARANCE, Members, Overlap, Overlaps, TOUCH};
 use super::stations::Heading;
-use super::stretch::{Place, Stretch, bounds};
+use super::stretch::{Stretch, StretchSummary, bounds};
 use super::{Name, Network};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
@@ -121,7 +121,7 @@ impl<'a> Search<'a> {
     }
 
     /// Looks for overlaps in a cell.
-    fn look_in(&mut self, places: &[Place], cell: &[(Cell, u32)]) {
+    fn look_in(&mut self, places: &[StretchSummary], cell: &[(Cell, u32)]) {
         let road = |entry: &(Cell, u32)| places.get(entry.1 as usize).map(|place| place.road);
         let runs = cell.chunk_by(|a, b| road(a) == road(b));
         let mut runs: Vec<Run<'_>> = runs.filter_map(|run| self.run(places, run)).collect();
@@ -140,11 +140,11 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn run<'c>(&self, places: &[Place], stretches: &'c [(Cell, u32)]) -> Option<Run<'c>> {
+    fn run<'c>(&self, places: &[StretchSummary], stretches: &'c [(Cell, u32)]) -> Option<Run<'c>> {
         let own = || stretches.iter().filter_map(|(_, number)| places.get(*number as usize));
-        let Place { road, bounds, z, .. } = own().next()?;
+        let StretchSummary { road, bounds, z, .. } = own().next()?;
         let (mut all, mut heights) = (*bounds, [*z; 2]);
-        for Place { bounds: [x0, y0, x1, y1], z, .. } in own() {
+        for StretchSummary { bounds: [x0, y0, x1, y1], z, .. } in own() {
             all = [all[0].min(*x0), all[1].min(*y0), all[2].max(*x1), all[3].max(*y1)];
             heights = [heights[0].min(*z), heights[1].max(*z)];
         }
@@ -153,7 +153,7 @@ impl<'a> Search<'a> {
     }
 
     /// Looks for the first two stretches of a road that overlap and are no neighbors along it.
-    fn look_along(&mut self, places: &[Place], run: &Run<'_>) {
+    fn look_along(&mut self, places: &[StretchSummary], run: &Run<'_>) {
         let Some(length) = self.network.roads.get(run.road as usize).map(|road| road.length) else {
             return;
         };
@@ -175,7 +175,7 @@ impl<'a> Search<'a> {
     }
 
     /// Looks for the first stretches of two roads that overlap.
-    fn look_between(&mut self, places: &[Place], a: &Run<'_>, b: &Run<'_>) {
+    fn look_between(&mut self, places: &[StretchSummary], a: &Run<'_>, b: &Run<'_>) {
         let (a, b) = if a.road < b.road { (a, b) } else { (b, a) };
         let place = |entry: &(Cell, u32)| places.get(entry.1 as usize);
         let pair = (a.road, b.road);
@@ -192,7 +192,7 @@ impl<'a> Search<'a> {
     }
 
     /// Notes the place where two roads overlap, if these stretches do. Whether they do.
-    fn compare(&mut self, a: &Place, b: &Place) -> bool {
+    fn compare(&mut self, a: &StretchSummary, b: &StretchSummary) -> bool {
         self.steps += 1;
         if !a.is_near(b) {
             return false;
@@ -255,7 +255,7 @@ impl Network {
     fn sort_into_cells(
         &self,
         strip: &RangeInclusive<i32>,
-        places: &mut Vec<Place>,
+        places: &mut Vec<StretchSummary>,
         cells: &mut Vec<(Cell, u32)>,
     ) {
         let is_beside =
@@ -292,12 +292,12 @@ impl Network {
                     columns.flat_map(|x| (y0..=y1).map(move |y| ((x, within_32_bits(y)), number))),
                 );
                 let (road, station) = (rank as u32, station as u32);
-                places.push(Place { road, station, s: stretch.s, z: stretch.z, bounds });
+                places.push(StretchSummary { road, station, s: stretch.s, z: stretch.z, bounds });
             }
         }
     }
 
-    fn stretch(&self, place: &Place) -> Option<Stretch> {
+    fn stretch(&self, place: &StretchSummary) -> Option<Stretch> {
         let stations = self.stations_of(self.roads.get(place.road as usize)?);
         let first = place.station as usize;
         Stretch::new(place.road as usize, &stations.get(first)?, &stations.get(first + 1)?)

@@ -16,7 +16,7 @@ pub(super) struct Stretch {
 }
 
 /// What is kept of all stretches at once: enough to tell most pairs apart. The rest is computed again for those that are near.
-pub(super) struct Place {
+pub(super) struct StretchSummary {
     /// Rank of its road.
     pub(super) road: u32,
     /// Number of the first of its two cross-sections.
@@ -91,7 +91,7 @@ impl Stretch {
     }
 }
 
-impl Place {
+impl StretchSummary {
     /// Whether two stretches are not one above the other, and their boxes overlap by more than a touch.
     pub(super) fn is_near(&self, other: &Self) -> bool {
         let ([ax0, ay0, ax1, ay1], [bx0, by0, bx1, by1]) = (self.bounds, other.bounds);

@@ -36,7 +36,7 @@ mod writer;
 
 pub use overlay::{Laid, PinnedOverlay, overlay_file};
 pub use reader::Observer;
-pub use slot::{OverlayPlace, Place};
+pub use slot::{OverlayLocation, SegmentLocation};
 pub use writer::RecordWriter;
 
 pub(crate) use reader::{daemon_heard, published};

@@ -2,7 +2,7 @@
 
 use super::memory::{Refusal, map_segment};
 use super::reader::{LOOK, Observer, read, refused, sleep_on};
-use super::slot::{OverlayPlace, Said};
+use super::slot::{OverlayLocation, Said};
 use crate::domain::Domain;
 use crate::error::AttachError;
 use crate::mapping::Mapping;
@@ -40,7 +40,7 @@ pub enum Laid {
 /// An overlay's bytes, mapped read-only.
 pub struct PinnedOverlay {
     mapping: Mapping,
-    place: OverlayPlace,
+    place: OverlayLocation,
 }
 
 impl PinnedOverlay {
@@ -105,7 +105,7 @@ impl Observer {
         Err(AttachError::Record { path: self.path.clone(), why })
     }
 
-    fn open_overlay(&self, place: OverlayPlace) -> Result<Option<PinnedOverlay>, AttachError> {
+    fn open_overlay(&self, place: OverlayLocation) -> Result<Option<PinnedOverlay>, AttachError> {
         let path = overlay_file(&self.domain, &self.map, place.revision);
         match map_segment(&path, place.inode, place.length, self.owner) {
             Ok(mapping) => Ok(Some(PinnedOverlay { mapping, place })),

@@ -2,7 +2,7 @@
 
 use super::memory::{Record, Refusal, identity, map_segment};
 use super::page::{MAGIC, Page};
-use super::slot::{Place, Said, decode, says_nothing};
+use super::slot::{Said, SegmentLocation, decode, says_nothing};
 use crate::claim::served_by;
 use crate::domain::{Domain, SHARED_MEMORY_FOLDER};
 use crate::error::AttachError;
@@ -179,7 +179,11 @@ impl Observer {
 }
 
 /// Maps what a record names; `None` if it is gone.
-fn open(info: &GenerationInfo, place: &Place, owner: u32) -> Result<Option<Pinned>, AttachError> {
+fn open(
+    info: &GenerationInfo,
+    place: &SegmentLocation,
+    owner: u32,
+) -> Result<Option<Pinned>, AttachError> {
     let path = Path::new(SHARED_MEMORY_FOLDER).join(&place.segment);
     match map_segment(&path, place.inode, place.offset + info.length, owner) {
         Ok(mapping) => Ok(Some(Pinned::of_segment(mapping, place.offset, *info))),
@@ -321,9 +325,9 @@ mod tests {
     use super::*;
     use crate::share::Share;
 
-    fn served(generation: u64) -> (GenerationInfo, Place) {
+    fn served(generation: u64) -> (GenerationInfo, SegmentLocation) {
         let info = GenerationInfo { generation, length: 1, ..GenerationInfo::default() };
-        (info, Place { segment: "mapd_x".to_owned(), inode: 1, offset: 0, overlay: None })
+        (info, SegmentLocation { segment: "mapd_x".to_owned(), inode: 1, offset: 0, overlay: None })
     }
 
     /// A domain with a root folder, which is removed at the end.

@@ -28,7 +28,7 @@ const OVERLAY_CONTENT: usize = OVERLAY + 3;
 
 /// Where the bytes of a generation lie.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct SegmentLocation {
     /// Name of the file in the folder of shared memory.
     pub segment: String,
     /// Its inode: names may come back, files do not.
@@ -36,12 +36,12 @@ pub struct Place {
     /// Where the bytes begin in it; a multiple of 64 \[bytes\].
     pub offset: u64,
     /// The overlay that was made for this generation; `None` if nothing is laid over it.
-    pub overlay: Option<OverlayPlace>,
+    pub overlay: Option<OverlayLocation>,
 }
 
 /// Where the bytes of an overlay lie: in a file of the root folder that is named after map and revision, from its start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct OverlayPlace {
+pub struct OverlayLocation {
     /// Rises with every overlay of a map that is published, also with one that says the same for another generation. At least 1.
     pub revision: u64,
     /// Exact length \[bytes\].
@@ -59,7 +59,7 @@ pub(super) enum Said {
     /// Nothing is served.
     Nothing,
     /// A generation is served.
-    Served(GenerationInfo, Place),
+    Served(GenerationInfo, SegmentLocation),
 }
 
 /// Words of a slot.
@@ -140,11 +140,11 @@ pub(super) fn decode(sequence: u32, words: &Words, prefix: &str) -> Result<Said,
         input_hash: get(&words[INPUT..OFFSET]),
     };
     let overlay = overlay(words)?;
-    Ok(Said::Served(info, Place { segment, inode: words[INODE], offset, overlay }))
+    Ok(Said::Served(info, SegmentLocation { segment, inode: words[INODE], offset, overlay }))
 }
 
 /// What the words of a slot say of an overlay.
-fn overlay(words: &Words) -> Result<Option<OverlayPlace>, &'static str> {
+fn overlay(words: &Words) -> Result<Option<OverlayLocation>, &'static str> {
     if words[OVERLAY] == 0 {
         return Ok(None);
     }
@@ -152,7 +152,7 @@ fn overlay(words: &Words) -> Result<Option<OverlayPlace>, &'static str> {
     if length == 0 || length > i64::MAX as u64 / 2 {
         return Err("an overlay of no length, or longer than any file");
     }
-    Ok(Some(OverlayPlace {
+    Ok(Some(OverlayLocation {
         revision: words[OVERLAY],
         length,
         inode: words[OVERLAY_INODE],
@@ -204,13 +204,17 @@ mod tests {
             input_hash: [0xa0; 32],
         };
         let segment = "mapd_1f_42.data".to_owned();
-        let overlay = OverlayPlace { revision: 9, length: 10, inode: 11, content_hash: [0x5a; 32] };
-        Said::Served(info, Place { segment, inode: 7, offset: 384, overlay: Some(overlay) })
+        let overlay =
+            OverlayLocation { revision: 9, length: 10, inode: 11, content_hash: [0x5a; 32] };
+        Said::Served(
+            info,
+            SegmentLocation { segment, inode: 7, offset: 384, overlay: Some(overlay) },
+        )
     }
 
-    fn with_overlay(overlay: Option<OverlayPlace>) -> Said {
+    fn with_overlay(overlay: Option<OverlayLocation>) -> Said {
         let Said::Served(info, place) = said() else { unreachable!() };
-        Said::Served(info, Place { overlay, ..place })
+        Said::Served(info, SegmentLocation { overlay, ..place })
     }
 
     #[test]
@@ -243,7 +247,7 @@ mod tests {
     fn what_must_not_be_said_is_refused() {
         let name = |name: &str| {
             let Said::Served(info, place) = said() else { unreachable!() };
-            Said::Served(info, Place { segment: name.to_owned(), ..place })
+            Said::Served(info, SegmentLocation { segment: name.to_owned(), ..place })
         };
         let long = "m".repeat(NAME_BYTES + 1);
         for bad in ["", ".", "..", ".hidden", "a/b", "../x", "a\0b", "stra\u{df}e", " x", &long] {
@@ -255,11 +259,14 @@ mod tests {
         assert!(decode(1, &words, "mapd_").is_err(), "of another domain");
         for (length, offset) in [(0, 384), (1, 1), (u64::MAX, 64), (1, u64::MAX - 63)] {
             let Said::Served(info, place) = said() else { unreachable!() };
-            let said = Said::Served(GenerationInfo { length, ..info }, Place { offset, ..place });
+            let said = Said::Served(
+                GenerationInfo { length, ..info },
+                SegmentLocation { offset, ..place },
+            );
             assert!(encode(1, &said).is_err(), "{length} bytes at {offset}");
         }
         for length in [0, u64::MAX] {
-            let overlay = OverlayPlace { revision: 1, length, inode: 1, content_hash: [0; 32] };
+            let overlay = OverlayLocation { revision: 1, length, inode: 1, content_hash: [0; 32] };
             assert!(encode(1, &with_overlay(Some(overlay))).is_err(), "overlay of {length} bytes");
         }
     }

@@ -3,7 +3,7 @@
 use super::memory::{Record, Refusal, open_own};
 use super::page::{MAGIC, PAGE_BYTES, Page};
 use super::reader::monotonic_ns;
-use super::slot::{Place, Said, encode};
+use super::slot::{Said, SegmentLocation, encode};
 use crate::domain::Domain;
 use crate::limits::TRANSPORT_REVISION;
 use crate::payload::GenerationInfo;
@@ -53,7 +53,7 @@ impl RecordWriter {
     /// Writes down what is to be served, so that nobody sees it yet.
     ///
     /// Errors: what cannot be said: a segment's name that is too long, or not plain.
-    pub fn prepare(&self, info: &GenerationInfo, place: &Place) -> io::Result<Prepared> {
+    pub fn prepare(&self, info: &GenerationInfo, place: &SegmentLocation) -> io::Result<Prepared> {
         self.write(&Said::Served(*info, place.clone()))
     }
 

@@ -12,14 +12,14 @@ const OFFSET_MASK: u64 = (1 << OFFSET_BITS) - 1;
 
 /// A place as printed.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct SourceLocation {
     /// Name of the file as it was opened.
     pub file: Arc<str>,
     /// Line and column in the file's decoded text.
     pub position: Position,
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for SourceLocation {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(out, "{}:{}:{}", self.file, self.position.line, self.position.column)
     }
@@ -64,12 +64,15 @@ impl Places {
     }
 
     /// File, line and column of a start. Of an unknown file: no name.
-    pub fn place(&self, start: u64) -> Place {
+    pub fn place(&self, start: u64) -> SourceLocation {
         let files = self.lock();
         let Some(file) = files.get(usize::from(Self::file_of(start))) else {
-            return Place { file: "".into(), position: Position::default() };
+            return SourceLocation { file: "".into(), position: Position::default() };
         };
-        Place { file: file.name.clone(), position: file.lines.position(Self::offset_of(start)) }
+        SourceLocation {
+            file: file.name.clone(),
+            position: file.lines.position(Self::offset_of(start)),
+        }
     }
 
     /// Line and column of a start in its file.

@@ -5,7 +5,7 @@ use super::name::{is_name, name_len};
 
 /// Which part of a document the reading is in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-enum Part {
+enum DocumentPart {
     #[default]
     Prolog,
     Root,
@@ -15,7 +15,7 @@ enum Part {
 /// Follows the parts of one file. Every piece of markup and text is told to it once.
 #[derive(Clone, Debug, Default)]
 pub struct Structure {
-    part: Part,
+    part: DocumentPart,
     /// Open elements.
     depth: usize,
     has_declaration: bool,
@@ -33,10 +33,10 @@ impl Structure {
     #[inline]
     pub fn start(&mut self, start: u64, faults: &mut Faults) {
         if self.depth == 0 {
-            if self.part == Part::Epilog {
+            if self.part == DocumentPart::Epilog {
                 faults.add(start, Fault::SecondRoot);
             }
-            self.part = Part::Root;
+            self.part = DocumentPart::Root;
         }
         self.depth += 1;
     }
@@ -46,7 +46,7 @@ impl Structure {
     pub fn end(&mut self) {
         self.depth = self.depth.saturating_sub(1);
         if self.depth == 0 {
-            self.part = Part::Epilog;
+            self.part = DocumentPart::Epilog;
         }
     }
 
@@ -71,7 +71,7 @@ impl Structure {
 
     /// An XML declaration. `is_first` says that it is the first thing in the file.
     pub fn declaration(&mut self, start: u64, is_first: bool, faults: &mut Faults) {
-        if self.part != Part::Prolog || self.has_declaration || self.has_doctype {
+        if self.part != DocumentPart::Prolog || self.has_declaration || self.has_doctype {
             faults.add(start, Fault::ReservedTarget);
         } else if !is_first {
             faults.add(start, Fault::LateDeclaration);
@@ -81,7 +81,7 @@ impl Structure {
 
     /// A document type, given from `<!DOCTYPE` to `>`.
     pub fn document_type(&mut self, markup: &[u8], start: u64, faults: &mut Faults) {
-        if self.part != Part::Prolog || self.has_doctype {
+        if self.part != DocumentPart::Prolog || self.has_doctype {
             faults.add(start, Fault::MisplacedDocumentType);
         }
         self.has_doctype = true;
@@ -102,9 +102,9 @@ impl Structure {
     /// The end of the file. `start` is the offset behind its last byte.
     pub fn finish(&self, start: u64, faults: &mut Faults) {
         match self.part {
-            Part::Prolog => faults.add(start, Fault::NoRoot),
-            Part::Root => faults.add(start, Fault::Unclosed),
-            Part::Epilog => {}
+            DocumentPart::Prolog => faults.add(start, Fault::NoRoot),
+            DocumentPart::Root => faults.add(start, Fault::Unclosed),
+            DocumentPart::Epilog => {}
         }
     }
 }

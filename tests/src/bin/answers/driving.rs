@@ -5,7 +5,7 @@ use crate::{Asker, Result};
 use mapd_client::SRange;
 use mapd_client::glam::DVec2;
 use mapd_client::path::{Corridor, PathBuffer, PathOptions};
-use mapd_client::route::{LanePlace, RouteScratch, RouteStep, ShortestLength, ShortestTime};
+use mapd_client::route::{PositionOnLane, RouteScratch, RouteStep, ShortestLength, ShortestTime};
 use mapd_client::rules::LineSource;
 use mapd_client::vocabulary::VehicleClass;
 
@@ -15,8 +15,8 @@ impl Asker<'_> {
         let ((from, s_from), (to, s_to)) = (self.place(), self.place());
         let by_time = self.random.next() % 2;
         let places = [
-            LanePlace { lane: from.lane_id(), s: s_from },
-            LanePlace { lane: to.lane_id(), s: s_to },
+            PositionOnLane { lane: from.lane_id(), s: s_from },
+            PositionOnLane { lane: to.lane_id(), s: s_to },
         ];
         let (mut q, mut a, mut steps) = (Numbers::default(), Numbers::default(), Vec::new());
         q.id(from.lane_id().to_bits()).f(s_from).id(to.lane_id().to_bits()).f(s_to).u(by_time);

@@ -3,7 +3,7 @@
 use crate::numbers::Numbers;
 use crate::{Asker, Result};
 use mapd_client::glam::DMat3;
-use mapd_client::localisation::TracePlace;
+use mapd_client::localisation::TracePosition;
 use mapd_client::localisation::{
     GroundScratch, LaneMatch, MarkFilter, MatchOptions, Side, TraceFix, TraceMatch, TraceOptions,
     TraceScratch, VehiclePose,
@@ -103,7 +103,7 @@ impl Asker<'_> {
         map.match_trace(&fixes, &options, &mut scratch.trace, &mut scratch.traced)?;
         for one in &scratch.traced {
             a.u(u64::from(one.forward)).f(one.probability).u(u64::from(one.place.is_some()));
-            if let Some(TracePlace { lane, position }) = one.place {
+            if let Some(TracePosition { lane, position }) = one.place {
                 a.nearest(&Nearest { lane, position });
             }
         }

@@ -3,7 +3,7 @@
 use crate::numbers::{NOTHING, Numbers, clamped, hash, lane_bits, object_bits, short, signal_bits};
 use crate::{Asker, RADII, Result};
 use mapd_client::localisation::LandmarkSource;
-use mapd_client::route::{LanePlace, LaneSequences};
+use mapd_client::route::{LaneSequences, PositionOnLane};
 use mapd_client::signals::SignalsAhead;
 use mapd_client::vocabulary::{ClassSet, VehicleClass};
 use mapd_client::{Nearest, NearestOptions, Point, Track};
@@ -177,7 +177,7 @@ impl Asker<'_> {
         self.write("line", q.u(id), &a);
 
         let reach = self.random.between(5.0, 150.0);
-        let from = LanePlace { lane: lane.lane_id(), s };
+        let from = PositionOnLane { lane: lane.lane_id(), s };
         let (mut q, mut ahead) = (Numbers::default(), SignalsAhead::default());
         q.u(id).f(s).f(reach);
         map.signals_ahead(from, reach, VehicleClass::PassengerCar, &mut ahead)?;

@@ -1,6 +1,6 @@
 //! What is asked: places on the map, the same in every run.
 
-use mapd_client::route::LanePlace;
+use mapd_client::route::PositionOnLane;
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{Map, Point, Track, glam::DVec2};
 
@@ -18,13 +18,13 @@ const SHORTEST: f64 = 1.0;
 
 /// A place beside a road: row of the road, place on it, position in the plane.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Place {
+pub(crate) struct RoadPoint {
     pub(crate) road: u32,
     pub(crate) track: Track,
     pub(crate) position: DVec2,
 }
 
-impl Place {
+impl RoadPoint {
     /// The position as queries take it.
     pub(crate) fn point(&self) -> Point {
         self.position.into()
@@ -32,7 +32,7 @@ impl Place {
 }
 
 /// So many places, at random over the map or in small steps along roads; none on a map without roads.
-pub(crate) fn places(map: Map<'_>, along: bool, count: usize) -> Vec<Place> {
+pub(crate) fn places(map: Map<'_>, along: bool, count: usize) -> Vec<RoadPoint> {
     let roads: Vec<_> = map.roads().filter(|road| road.length() > SHORTEST).collect();
     let mut random = Random::default();
     let mut places = Vec::with_capacity(count);
@@ -51,7 +51,7 @@ pub(crate) fn places(map: Map<'_>, along: bool, count: usize) -> Vec<Place> {
             let track = Track { s, t, h: 0.0 };
             if let Ok(pose) = road.to_inertial(track) {
                 let position = pose.position.truncate();
-                places.push(Place { road: road.road_id().row(), track, position });
+                places.push(RoadPoint { road: road.road_id().row(), track, position });
             }
         }
         if places.len() == before {
@@ -62,7 +62,7 @@ pub(crate) fn places(map: Map<'_>, along: bool, count: usize) -> Vec<Place> {
 }
 
 /// Ends of so many routes, on lanes that are open to cars; none on a map without such lanes.
-pub(crate) fn ends(map: Map<'_>, count: usize) -> Vec<[LanePlace; 2]> {
+pub(crate) fn ends(map: Map<'_>, count: usize) -> Vec<[PositionOnLane; 2]> {
     let car = VehicleClass::PassengerCar;
     let open = |lane: &mapd_client::Lane<'_>| lane.nodes().any(|node| node.allows(car));
     let lanes: Vec<_> = map.lanes().filter(open).collect();
@@ -71,7 +71,7 @@ pub(crate) fn ends(map: Map<'_>, count: usize) -> Vec<[LanePlace; 2]> {
         let lane = lanes.get(random.below(lanes.len()))?;
         let section = lane.section();
         let s = section.s_start() + random.unit() * (section.s_end() - section.s_start());
-        Some(LanePlace { lane: lane.lane_id(), s })
+        Some(PositionOnLane { lane: lane.lane_id(), s })
     };
     (0..count).map_while(|_| Some([place()?, place()?])).collect()
 }

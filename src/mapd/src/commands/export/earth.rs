@@ -8,7 +8,7 @@ use mapd_client::glam::DVec3;
 use std::str::FromStr;
 
 /// A point of a file: x or longitude, y or latitude, z.
-pub(super) type Place = [f64; 3];
+pub(super) type Coordinate = [f64; 3];
 
 /// Digits behind the point of longitudes and latitudes: a ten thousandth of a metre.
 const DEGREE_DIGITS: f64 = 1e9;
@@ -76,7 +76,7 @@ pub(super) fn place(projector: &Projector, point: DVec3) -> Result<Geodetic> {
 /// pass 180 or −180, so that it stays in one piece.
 ///
 /// Errors: a point outside the projection's area.
-pub(super) fn on_earth(shape: &Shape, projector: &Projector) -> Result<Vec<Place>> {
+pub(super) fn on_earth(shape: &Shape, projector: &Projector) -> Result<Vec<Coordinate>> {
     let mut first = None;
     let place = |point: &DVec3| {
         let place = place(projector, *point)?;
@@ -93,9 +93,10 @@ pub(super) fn on_earth(shape: &Shape, projector: &Projector) -> Result<Vec<Place
 }
 
 /// Whether the corners of an area run clockwise in plan view.
-pub(super) fn is_clockwise(corners: &[Place]) -> bool {
+pub(super) fn is_clockwise(corners: &[Coordinate]) -> bool {
     let Some([x, y, _]) = corners.first() else { return false };
     let next = corners.iter().cycle().skip(1);
-    let cross = |(a, b): (&Place, &Place)| (a[0] - x) * (b[1] - y) - (b[0] - x) * (a[1] - y);
+    let cross =
+        |(a, b): (&Coordinate, &Coordinate)| (a[0] - x) * (b[1] - y) - (b[0] - x) * (a[1] - y);
     corners.iter().zip(next).map(cross).sum::<f64>() < 0.0
 }

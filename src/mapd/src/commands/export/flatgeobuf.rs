@@ -1,6 +1,6 @@
 //! A map as a FlatGeobuf file: one table of all layers with an index in plan view.
 
-use super::earth::{self, Place};
+use super::earth::{self, Coordinate};
 use super::layers::{Column, Kind, Layer, Shape, ShapeKind, Value};
 use anyhow::{Context, Result, anyhow};
 use flatgeobuf::geozero::error::Result as GeometryResult;
@@ -18,7 +18,7 @@ const WGS_84: i32 = 4326;
 const UTM: [i32; 2] = [32600, 32700];
 
 /// Where shapes are written.
-enum Frame {
+enum OutputFrame {
     /// In the map's own frame, which no program can place.
     Own,
     /// In the plane of the map's projection.
@@ -36,7 +36,7 @@ struct Crs {
     text: Option<String>,
 }
 
-impl Frame {
+impl OutputFrame {
     /// The frame in which a map is written: its plane where programs can place that.
     ///
     /// Errors: the map's projection cannot be used.
@@ -60,7 +60,7 @@ impl Frame {
     /// The points of a shape in the frame.
     ///
     /// Errors: a point outside the projection's area.
-    fn places(&self, shape: &Shape) -> Result<Vec<Place>> {
+    fn places(&self, shape: &Shape) -> Result<Vec<Coordinate>> {
         Ok(match self {
             Self::Own => shape.points().iter().map(|point| point.to_array()).collect(),
             Self::Plane(offset) => {
@@ -128,7 +128,7 @@ fn crs(definition: &str) -> Option<Crs> {
 /// Errors: a point outside the area of the map's projection; what writing gives.
 pub(super) fn write(view: View<'_>, layers: &[Layer], out: &mut dyn Write) -> Result<usize> {
     let map = view.map();
-    let (frame, crs) = Frame::of(map)?;
+    let (frame, crs) = OutputFrame::of(map)?;
     // A table of one layer has the type of its shapes.
     let (name, only) = match layers {
         [one] => (one.name(), one.shapes()),
@@ -235,12 +235,12 @@ fn column_value<'a>(value: &'a Value<'_>) -> Option<ColumnValue<'a>> {
 /// A shape with its points in the file's frame.
 struct Placed<'a> {
     shape: &'a Shape,
-    places: &'a [Place],
+    places: &'a [Coordinate],
 }
 
 impl GeozeroGeometry for Placed<'_> {
     fn process_geom<P: GeomProcessor>(&self, to: &mut P) -> GeometryResult<()> {
-        let points = |to: &mut P, places: &mut dyn Iterator<Item = &Place>| {
+        let points = |to: &mut P, places: &mut dyn Iterator<Item = &Coordinate>| {
             let mut places = places.enumerate();
             places
                 .try_for_each(|(i, [x, y, z])| to.coordinate(*x, *y, Some(*z), None, None, None, i))

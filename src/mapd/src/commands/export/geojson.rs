@@ -1,6 +1,6 @@
 //! A map as one GeoJSON feature collection (RFC 7946).
 
-use super::earth::{self, Place};
+use super::earth::{self, Coordinate};
 use super::layers::{Layer, Shape, Value};
 use anyhow::{Context, Result};
 use geojson::{Feature, FeatureWriter, Geometry, GeometryValue, JsonObject, JsonValue, Position};
@@ -46,8 +46,8 @@ fn json(value: &Value<'_>) -> JsonValue {
 }
 
 /// The geometry of a shape; areas run counter-clockwise, as the RFC wants them.
-fn geometry(shape: &Shape, mut places: Vec<Place>) -> Option<GeometryValue> {
-    let position = |place: Place| Position::from(place.to_vec());
+fn geometry(shape: &Shape, mut places: Vec<Coordinate>) -> Option<GeometryValue> {
+    let position = |place: Coordinate| Position::from(place.to_vec());
     match shape {
         Shape::Nowhere => None,
         Shape::Point(_) => Some(GeometryValue::Point { coordinates: position(*places.first()?) }),

@@ -4,7 +4,7 @@ use super::svg::Paper;
 use anyhow::{Context, Result, bail};
 use mapd_client::Map;
 use mapd_query::path::{PathBuffer, PathOptions};
-use mapd_query::route::{LanePlace, RouteScratch, ShortestLength};
+use mapd_query::route::{PositionOnLane, RouteScratch, ShortestLength};
 use mapd_query::vocabulary::VehicleClass;
 use std::io::{self, Write};
 use std::str::FromStr;
@@ -49,7 +49,7 @@ fn end(text: &str) -> Option<End> {
     Some(End { road: road.to_owned(), s, lane: lane.trim().parse().ok()? })
 }
 
-fn place(map: Map<'_>, end: &End) -> Result<LanePlace> {
+fn place(map: Map<'_>, end: &End) -> Result<PositionOnLane> {
     let Some(road) = map.road_by_id(&end.road) else {
         let left_out = map.left_out(mapd_query::vocabulary::QuarantinedKind::Road, &end.road);
         match left_out {
@@ -61,7 +61,7 @@ fn place(map: Map<'_>, end: &End) -> Result<LanePlace> {
     let lane = lane.with_context(|| {
         format!("road {:?} has no lane {} at s = {:?}", end.road, end.lane, end.s)
     })?;
-    Ok(LanePlace { lane: lane.lane_id(), s: end.s })
+    Ok(PositionOnLane { lane: lane.lane_id(), s: end.s })
 }
 
 /// The driven line of the shortest way of a passenger car, as places in plan view.

@@ -9,7 +9,7 @@ use mapd_client::Map;
 use mapd_overlay::Moment;
 use mapd_query::glam::DVec2;
 use mapd_query::route::{
-    Enter, LanePlace, Route, RouteScratch, RouteStep, ShortestLength, ShortestTime,
+    Enter, PositionOnLane, Route, RouteScratch, RouteStep, ShortestLength, ShortestTime,
 };
 use mapd_query::view::View;
 use mapd_query::vocabulary::{RoadRules, VehicleClass};
@@ -126,7 +126,7 @@ impl<'a> Router<'a> {
         self.steps.clear();
         let place = |road, s, lane| {
             let (lane, s) = lane_in(holes, map, row, (road, s, lane))?;
-            Ok::<_, String>(LanePlace { lane: lane.lane_id(), s })
+            Ok::<_, String>(PositionOnLane { lane: lane.lane_id(), s })
         };
         let from = place("from_road", "from_s", "from_lane")?;
         let to = place("to_road", "to_s", "to_lane")?;

@@ -2,7 +2,7 @@
 
 use super::kinds::{number, numbers, text};
 use mapd_client::{Lane, Map};
-use mapd_query::route::LanePlace;
+use mapd_query::route::PositionOnLane;
 use mapd_query::signals::{LightStates, SignalsAhead};
 use mapd_query::vocabulary::VehicleClass;
 
@@ -32,7 +32,7 @@ pub(super) fn answer(
     out: &mut Vec<String>,
 ) -> Result<(), String> {
     let mut ahead = SignalsAhead::default();
-    let from = LanePlace { lane: lane.lane_id(), s };
+    let from = PositionOnLane { lane: lane.lane_id(), s };
     map.signals_ahead(from, distance, vehicle, &mut ahead).map_err(text)?;
     let mut seen = std::collections::HashSet::new();
     for one in ahead.iter().filter(|one| seen.insert(one.signal)) {

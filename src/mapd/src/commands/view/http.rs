@@ -71,7 +71,7 @@ impl Server {
     fn answer(&self, mut stream: TcpStream) -> io::Result<()> {
         stream.set_read_timeout(Some(PATIENCE))?;
         stream.set_write_timeout(Some(PATIENCE))?;
-        let _place = Place(&self.connections);
+        let _place = ConnectionSlot(&self.connections);
         if self.connections.fetch_add(1, Ordering::Relaxed) >= MOST_CONNECTIONS {
             return refuse(&mut stream, "503 Service Unavailable", "too many connections");
         }
@@ -122,9 +122,9 @@ impl Server {
 }
 
 /// A connection's place, which is free again when it ends.
-struct Place<'a>(&'a AtomicUsize);
+struct ConnectionSlot<'a>(&'a AtomicUsize);
 
-impl Drop for Place<'_> {
+impl Drop for ConnectionSlot<'_> {
     fn drop(&mut self) {
         self.0.fetch_sub(1, Ordering::Relaxed);
     }

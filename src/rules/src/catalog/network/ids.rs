@@ -1,7 +1,7 @@
 //! Ids are unique, and what is referred to is there.
 
 use crate::example::Example::{Document, Signals};
-use crate::network::{Name, NamedAt, Network, Part, PartKind};
+use crate::network::{IdentifiedPart, Name, NamedAt, Network, PartKind};
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
 use crate::sink::Sink;
@@ -57,7 +57,7 @@ fn unique(network: &Network, sink: &mut Sink<'_>) {
     // Signs on one board may share an id: no rule gives them a class of their own.
     let parts = || network.parts.iter().filter(|part| part.kind != PartKind::Sign);
     let mut kinds = vec![0; network.names()];
-    let is_second = |part: &&Part| {
+    let is_second = |part: &&IdentifiedPart| {
         let known: Option<&mut u16> = kinds.get_mut(part.id.number());
         known.is_some_and(|known| {
             let is_known = *known & part.kind.bit() != 0;
@@ -70,7 +70,7 @@ fn unique(network: &Network, sink: &mut Sink<'_>) {
     if repeated.is_empty() {
         return;
     }
-    let mut first: HashMap<(PartKind, Name), &Part> = HashMap::new();
+    let mut first: HashMap<(PartKind, Name), &IdentifiedPart> = HashMap::new();
     let mut told: HashSet<(PartKind, Name)> = HashSet::new();
     for part in parts().filter(|part| repeated.contains(&(part.kind, part.id))) {
         let key = (part.kind, part.id);
@@ -85,7 +85,7 @@ fn unique(network: &Network, sink: &mut Sink<'_>) {
         };
         let severity = severity.min(sink.severity);
         let (name, id) = (part.kind.name(), network.name(part.id));
-        let path = |part: &Part| {
+        let path = |part: &IdentifiedPart| {
             let road = network.road_along(part).map(|road| network.name(road.id));
             let above = match (road, part.kind) {
                 (Some(road), PartKind::Signal) => format!("road[@id={road}]/signals/"),

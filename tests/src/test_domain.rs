@@ -12,14 +12,14 @@ use std::time::{Duration, Instant};
 pub const PATIENCE: Duration = Duration::from_secs(20);
 
 /// A domain of its own for each test; everything of it is removed at the end.
-pub struct Place {
+pub struct TestDomain {
     prefix: String,
     program: PathBuf,
     /// The cache of its daemons.
     cache: PathBuf,
 }
 
-impl Place {
+impl TestDomain {
     /// `program` is the `mapd` to run: `env!("CARGO_BIN_EXE_mapd_under_test")` in a test.
     pub fn new(program: impl AsRef<Path>) -> Self {
         static NEXT: AtomicU32 = AtomicU32::new(0);
@@ -141,7 +141,7 @@ impl Place {
     }
 }
 
-impl Drop for Place {
+impl Drop for TestDomain {
     fn drop(&mut self) {
         for path in self.segments() {
             let _ = std::fs::remove_file(path);
