@@ -11,6 +11,7 @@
 
 mod document;
 mod entry;
+mod line;
 mod on_earth;
 mod pieces;
 mod place;

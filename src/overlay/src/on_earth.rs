@@ -1,33 +1,18 @@
 //! Places by latitude and longitude: lines that are driven along, and areas.
 //!
-//! A line is walked: at each place of it the nearest lane that is driven its way counts, or those beside that lane. Of an area each lane's
-//! cross-sections are compared with it. Heights are not looked at: lanes above and below each other lie in the same area.
+//! Lines are of `line`. Of an area each lane's cross-sections are compared with it. Heights are not looked at: lanes above and below each other lie in
+//! the same area.
 
-use crate::place::{Across, EarthPlace};
-use crate::places::{SHORTEST, Stretch, Unfit, WIDENED};
+use crate::line::Lines;
+use crate::place::EarthPlace;
+use crate::places::{Stretch, Unfit, WIDENED};
 use mapd_query::geodesy::{Geodetic, Projector};
 use mapd_query::glam::DVec2;
-use mapd_query::{Lane, LaneTypes, Map, NearestOptions, Region};
-use std::f64::consts::FRAC_PI_4;
+use mapd_query::{Lane, LaneTypes, Map, Region};
 use std::ops::RangeInclusive;
-
-/// How far apart a line is looked at `[m]`.
-const STEP: f64 = 2.0;
-
-/// A line that goes on beyond a lane, and was last seen on it this near to its end, reaches its end `[m]`: a step of it, in a bend.
-const NEAR_END: f64 = 1.5 * STEP;
 
 /// How far apart cross-sections are compared with an area `[m]`. What is smaller is found by its corners.
 const AREA_STEP: f64 = 0.5;
-
-/// Longest line `[m]`.
-const LONGEST_LINE: f64 = 1e6;
-
-/// How far from a line a lane may lie, where nothing is said `[m]`.
-const LINE_TOLERANCE: f64 = 3.0;
-
-/// Largest difference between a line and the way a lane is driven `[rad]`: what crosses it is not meant.
-const HEADING_TOLERANCE: f64 = FRAC_PI_4;
 
 /// Ends are found to this `[m]`.
 const EXACT: f64 = 1e-3;
@@ -43,6 +28,7 @@ pub(crate) struct Placed<'a> {
 /// Errors: none can be told; the first reason.
 pub(crate) fn on_earth<'a>(
     map: Map<'a>,
+    lines: &Lines<'a>,
     projector: &Projector,
     place: &EarthPlace,
 ) -> Result<Placed<'a>, Unfit> {
@@ -57,180 +43,9 @@ pub(crate) fn on_earth<'a>(
         points.push(point.truncate());
     }
     if place.area.is_empty() {
-        let tolerance = place.tolerance.unwrap_or(LINE_TOLERANCE);
-        Walk { map, points: &points, tolerance, place }.stretches()
+        lines.stretches(&points, place)
     } else {
         Area::new(&points, place.tolerance.unwrap_or(0.0)).stretches(map)
-    }
-}
-
-/// A line along which lanes are looked for.
-struct Walk<'a, 'p> {
-    map: Map<'a>,
-    points: &'p [DVec2],
-    tolerance: f64,
-    place: &'p EarthPlace,
-}
-
-/// Where a line was on a lane.
-struct Run<'a> {
-    lane: Lane<'a>,
-    low: f64,
-    high: f64,
-    /// First and last of the places looked at.
-    first: usize,
-    last: usize,
-}
-
-/// A part of a line that could not be placed.
-#[derive(Default)]
-struct Missed {
-    /// The first reason.
-    why: Option<String>,
-    /// Places looked at.
-    count: usize,
-}
-
-impl Missed {
-    fn add(&mut self, why: impl FnOnce() -> String) {
-        self.why.get_or_insert_with(why);
-        self.count += 1;
-    }
-
-    fn unfit(self, field: &str) -> Option<Unfit> {
-        let length = self.count as f64 * STEP;
-        self.why.map(|why| (field.to_owned(), format!("{why}; over {length:.0} m in all")))
-    }
-}
-
-impl<'a> Walk<'a, '_> {
-    fn stretches(&self) -> Result<Placed<'a>, Unfit> {
-        let length: f64 = self.points.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
-        // Also false of what is no number.
-        if !(SHORTEST..=LONGEST_LINE).contains(&length) {
-            let why = format!(
-                "{length:.1} m long; lines are taken from {SHORTEST} m to {} km",
-                LONGEST_LINE / 1e3
-            );
-            return Err(("line".to_owned(), why));
-        }
-        let mut options = NearestOptions {
-            radius: self.tolerance,
-            types: LaneTypes::drivable(),
-            heading_tolerance: Some(HEADING_TOLERANCE),
-            ..NearestOptions::default()
-        };
-        let (mut off, mut other) = (Missed::default(), Missed::default());
-        let (mut open, mut runs): (Vec<Run<'a>>, Vec<Run<'a>>) = (Vec::new(), Vec::new());
-        let mut number = 0;
-        self.walk(|i, point, heading| {
-            options.heading = Some(heading);
-            let hit = self.map.nearest_lane(point, &options).ok().flatten();
-            options.hint = hit;
-            let near = hit.and_then(|hit| Some((self.map.lane(hit.lane).ok()?, hit.position.s)));
-            match near {
-                None => off.add(|| {
-                    format!(
-                        "no lane that is driven that way within {} m of it after point {i}",
-                        self.tolerance
-                    )
-                }),
-                Some((lane, s)) => match self.meant(lane) {
-                    Err(why) => other.add(|| why),
-                    Ok(lanes) => {
-                        lanes.into_iter().for_each(|lane| extend(&mut open, lane, s, number))
-                    }
-                },
-            }
-            // A lane that was left twice ago is left for good.
-            runs.extend(open.extract_if(.., |run| run.last + 1 < number));
-            number += 1;
-        });
-        runs.append(&mut open);
-        let mut stretches: Vec<Stretch<'a>> =
-            runs.into_iter().filter_map(|run| run.stretch(number - 1)).collect();
-        stretches.sort_by_key(|stretch| stretch.lane.lane_id().row());
-        let mut parts: Vec<Unfit> =
-            [off.unfit("line"), other.unfit("lanes")].into_iter().flatten().collect();
-        if stretches.is_empty() {
-            let nothing = || ("line".to_owned(), "lies on no lane".to_owned());
-            return Err(parts.pop().unwrap_or_else(nothing));
-        }
-        Ok(Placed { stretches, parts })
-    }
-
-    /// Visits places along the line, both ends included: the point of the line before each, the place, the line's heading there.
-    fn walk(&self, mut visit: impl FnMut(usize, DVec2, f64)) {
-        let mut next = 0.0;
-        let mut last = None;
-        for (i, pair) in self.points.windows(2).enumerate() {
-            let [a, b] = [pair[0], pair[1]];
-            let length = a.distance(b);
-            if length == 0.0 {
-                continue;
-            }
-            let heading = libm::atan2(b.y - a.y, b.x - a.x);
-            while next < length {
-                visit(i, a + (b - a) * (next / length), heading);
-                next += STEP;
-            }
-            next -= length;
-            last = Some((i, b, heading));
-        }
-        if let Some((i, end, heading)) = last {
-            visit(i, end, heading);
-        }
-    }
-
-    /// The lanes that are meant where the line runs along this one.
-    fn meant(&self, near: Lane<'a>) -> Result<Vec<Lane<'a>>, String> {
-        if self.place.lanes == Across::default() {
-            return Ok(vec![near]);
-        }
-        let forward = near.is_forward();
-        let driven = |lane: &Lane<'a>| {
-            lane.lane_id() == near.lane_id()
-                || (LaneTypes::drivable().contains(lane.kind())
-                    && lane.nodes().any(|node| node.is_forward() == forward))
-        };
-        let mut lanes: Vec<Lane<'a>> = near.section().lanes().filter(driven).collect();
-        // From the left as traffic goes.
-        lanes.sort_by_key(|lane| if forward { -lane.number() } else { lane.number() });
-        let (Across::Order(order), Some(of)) = (&self.place.lanes, self.place.of) else {
-            return Ok(lanes);
-        };
-        if lanes.len() != of as usize {
-            let (road, s) = (near.road(), near.section().s_start());
-            let count = lanes.len();
-            return Err(format!("road {} from {s:.1} m on has {count} lanes, not {of}", road.id()));
-        }
-        let wanted = order.iter().map(|number| *number as usize - 1);
-        Ok(wanted.filter_map(|number| lanes.get(number).copied()).collect())
-    }
-}
-
-/// Notes that a line is on a lane at s.
-fn extend<'a>(open: &mut Vec<Run<'a>>, lane: Lane<'a>, s: f64, number: usize) {
-    match open.iter_mut().find(|run| run.lane.lane_id() == lane.lane_id()) {
-        Some(run) => {
-            (run.low, run.high) = (run.low.min(s), run.high.max(s));
-            run.last = number;
-        }
-        None => open.push(Run { lane, low: s, high: s, first: number, last: number }),
-    }
-}
-
-impl<'a> Run<'a> {
-    /// As a stretch: up to where the lane begins or ends, if the line comes from or goes to beyond; none if nothing is left.
-    fn stretch(self, last: usize) -> Option<Stretch<'a>> {
-        let section = self.lane.section();
-        let (start, end) = (section.s_start(), section.s_end());
-        let comes = self.first > 0;
-        let goes = self.last < last;
-        let (before, after) = if self.lane.is_forward() { (comes, goes) } else { (goes, comes) };
-        let low = if before && self.low - start <= NEAR_END { start } else { self.low };
-        let high = if after && end - self.high <= NEAR_END { end } else { self.high };
-        (high - low >= SHORTEST).then_some(Stretch { lane: self.lane, s_from: low, s_to: high })
     }
 }
 

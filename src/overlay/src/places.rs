@@ -1,6 +1,7 @@
 //! Where an entry holds on a map: stretches of lanes.
 
 use crate::entry::Entry;
+use crate::line::Lines;
 use crate::on_earth::{Placed, on_earth};
 use crate::place::LaneStretch;
 use mapd_query::geodesy::Projector;
@@ -29,13 +30,14 @@ pub(crate) type Unfit = (String, String);
 /// A map on which places are looked for.
 pub(crate) struct Ground<'a> {
     pub(crate) map: Map<'a>,
+    lines: Lines<'a>,
     /// Made once, where a place needs it.
     projector: OnceCell<Result<Projector, String>>,
 }
 
 impl<'a> Ground<'a> {
     pub(crate) fn new(map: Map<'a>) -> Self {
-        Self { map, projector: OnceCell::new() }
+        Self { map, lines: Lines::new(map), projector: OnceCell::new() }
     }
 
     fn projector(&self) -> Result<&Projector, String> {
@@ -53,7 +55,7 @@ pub(crate) fn stretches<'a>(ground: &Ground<'a>, entry: &Entry) -> Result<Placed
         let named = |(field, why): Unfit| (format!("places[{i}].{field}"), why);
         let none = |why| (format!("places[{i}]"), why);
         let projector = ground.projector().map_err(none)?;
-        let placed = on_earth(map, projector, place).map_err(named)?;
+        let placed = on_earth(map, &ground.lines, projector, place).map_err(named)?;
         found.extend(placed.stretches);
         parts.extend(placed.parts.into_iter().map(named));
     }

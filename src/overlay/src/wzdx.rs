@@ -82,7 +82,7 @@ impl Feed {
             .iter()
             .zip(&self.places)
             .map(|(entry, place)| {
-                let twice = || ("id".to_owned(), "another feature has it".to_owned());
+                let twice = || ("id".to_owned(), "another entry of the feed has it".to_owned());
                 let twice = (!names.insert(entry.id.clone())).then(twice);
                 let wrong = twice.or_else(|| entry.wrong());
                 let wrong = wrong.map(|(field, why)| format!("{field}: {why}"));
@@ -182,7 +182,8 @@ impl Reader<'_> {
         }
         for (i, restriction) in zone.restrictions.iter().enumerate() {
             let within = format!(".properties.restrictions[{i}]");
-            self.restriction(own, restriction, &within, &restriction.r#type, (&all, None));
+            let name = name_of(&zone.restrictions, i);
+            self.restriction(own, restriction, &within, &name, (&all, None));
         }
         for (i, lane) in zone.lanes.iter().enumerate() {
             let within = format!(".properties.lanes[{i}]");
@@ -216,7 +217,7 @@ impl Reader<'_> {
         }
         for (i, restriction) in lane.restrictions.iter().enumerate() {
             let within = format!("{within}.restrictions[{i}]");
-            let name = format!("{name}-{}", restriction.r#type);
+            let name = format!("{name}-{}", name_of(&lane.restrictions, i));
             self.restriction(own, restriction, &within, &name, across);
         }
     }
@@ -271,6 +272,14 @@ impl Reader<'_> {
         self.feed.document.entries.push(entry);
         self.feed.places.push(format!("{}{within}", self.place));
     }
+}
+
+/// What a restriction of a list is called: by its type, and from the second of a type on by number.
+fn name_of(restrictions: &[Restriction], i: usize) -> String {
+    let kind = |restriction: &Restriction| restriction.r#type.clone();
+    let own = restrictions.get(i).map(kind).unwrap_or_default();
+    let before = restrictions.iter().take(i).filter(|other| other.r#type == own).count();
+    if before == 0 { own } else { format!("{own}-{}", before + 1) }
 }
 
 /// Orders of the lanes of traffic, from the left.

@@ -26,6 +26,7 @@ mod object_queries;
 mod object_shapes;
 mod ontology;
 mod overlays;
+mod overlays_lines;
 mod overlays_oracle;
 mod overlays_places;
 mod overlays_schema;

@@ -266,6 +266,8 @@ fn work_zones() {
             (-1, "wz-1", OverlayKind::Warning),
             (-1, "wz-1/speed", OverlayKind::Speed),
             (-1, "wz-1/lane-1-no-trucks", OverlayKind::Closed),
+            (-1, "wz-1/lane-1-reduced-height", OverlayKind::Warning),
+            (-1, "wz-1/lane-1-reduced-height-2", OverlayKind::Warning),
             (-2, "wz-1", OverlayKind::Warning),
             (-2, "wz-1/speed", OverlayKind::Speed),
             (-2, "wz-1/lane-2", OverlayKind::Closed),

@@ -5,7 +5,7 @@
 use super::OverlayCommand;
 use crate::cache::Identity;
 use crate::control::OverlayAction;
-use crate::exit::UsageError;
+use crate::exit::{UsageError, explained};
 use anyhow::{Result, bail};
 use mapd_overlay::Document;
 use mapd_transport::list_maps;
@@ -69,7 +69,8 @@ pub(super) fn follow(
                         if error.is::<UsageError>() {
                             done.insert(file.clone(), state);
                         }
-                        failed = Some(format!("{}: {error:#}; what it said stays", file.display()));
+                        let why = explained(&error);
+                        failed = Some(format!("{}: {why}; what it said stays", file.display()));
                     }
                 }
             }
@@ -77,7 +78,7 @@ pub(super) fn follow(
             if followed.is_folder && swept.as_ref() != Some(&files) {
                 match followed.sweep(command, &files) {
                     Ok(()) => swept = Some(files),
-                    Err(error) => failed = Some(format!("{error:#}")),
+                    Err(error) => failed = Some(explained(&error)),
                 }
             }
             out.flush()?;

@@ -6,7 +6,7 @@ mod follow;
 use crate::args::{DomainArgs, Seconds, not_negative};
 use crate::clock::since_epoch;
 use crate::control::{ListedEntry, OverlayAction, OverlayReport, Request, Response, ask};
-use crate::exit::{Exit, UsageError};
+use crate::exit::{Exit, UsageError, explained};
 use anyhow::{Context, Result, bail};
 use clap::{Args, Subcommand};
 use feed::matched;
@@ -152,7 +152,7 @@ impl OverlayCommand {
         let mut findings = None;
         let mut feed = feed.map(str::to_owned);
         if mapd_overlay::is_feed(&document) {
-            let wrong = |error| UsageError(format!("{}: {error:#}", file.display()));
+            let wrong = |error| UsageError(format!("{}: {}", file.display(), explained(&error)));
             let (domain, own) = (self.domain.domain()?, Attach::Observer);
             let client = Client::connect_as(own, &domain, &self.name, self.wait.0)?;
             let fits = matched(client.snapshot().map(), &document, tolerance).map_err(wrong)?;
