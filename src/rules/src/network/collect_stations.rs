@@ -22,6 +22,10 @@ const STATIONS_OF_A_GEOMETRY: f64 = 1024.0;
 /// Cross-sections of one road at most: a bound on memory for hostile files.
 const STATIONS_OF_A_ROAD: usize = 100_000;
 
+/// Lanes in all cross-sections of one road at most, each counted in each that it lies in: a bound on work for hostile files,
+/// whose every lane may go on past every section. Cross-sections beyond it are left out, but for the one at the road's end.
+const LANES_OF_A_ROAD: usize = 1 << 21;
+
 /// The cross-sections of a road.
 pub(super) struct Taken {
     pub(super) lines: Range<u32>,
@@ -41,9 +45,15 @@ impl Network {
         let mut heading = Heading::default();
         let sections: Vec<SectionIn<'_>> = permanent(road).collect();
         let written = written(&sections);
+        let mut lanes = 0;
         for s in places(line, &sections, end) {
+            let sides = sides_at(&sections, &written, s);
+            lanes += sides.iter().map(|side| side.lanes(&sections)).sum::<usize>();
+            if lanes > LANES_OF_A_ROAD && s < end {
+                continue;
+            }
             let Some(point) = line.at(s) else { break };
-            let [left, right] = extent_at(&sections, &written, s);
+            let [left, right] = sides.map(|side| side.outermost(&sections, s));
             let station = Station {
                 s,
                 x: point.x,
@@ -101,16 +111,33 @@ fn written(sections: &[SectionIn<'_>]) -> Vec<[Written; 2]> {
     own.collect()
 }
 
-/// t of the outermost borders at `s`: left, right `[m]`.
-fn extent_at(sections: &[SectionIn<'_>], written: &[[Written; 2]], s: f64) -> [f64; 2] {
+/// A side of a road at an s: the section in which its lanes are written.
+struct SideAt {
+    side: Side,
+    written: Written,
+}
+
+impl SideAt {
+    /// Number of its lanes.
+    fn lanes(&self, sections: &[SectionIn<'_>]) -> usize {
+        let section = self.written.and_then(|(at, _)| sections.get(at));
+        section.map_or(0, |section| section.side(self.side).len())
+    }
+
+    /// t of its outermost border at `s` `[m]`.
+    fn outermost(&self, sections: &[SectionIn<'_>], s: f64) -> f64 {
+        let Some((at, end)) = self.written else { return 0.0 };
+        let Some(section) = sections.get(at) else { return 0.0 };
+        outermost_at(section, self.side, s.min(end) - section.s())
+    }
+}
+
+/// The left and the right side at `s`.
+fn sides_at(sections: &[SectionIn<'_>], written: &[[Written; 2]], s: f64) -> [SideAt; 2] {
     let begun = sections.partition_point(|section| section.s() <= s);
     let holds = begun.checked_sub(1).and_then(|last| written.get(last)).copied();
     let [left, right] = holds.unwrap_or_default();
-    [(Side::Left, left), (Side::Right, right)].map(|(side, at)| {
-        let Some((at, end)) = at else { return 0.0 };
-        let Some(section) = sections.get(at) else { return 0.0 };
-        outermost_at(section, side, s.min(end) - section.s())
-    })
+    [SideAt { side: Side::Left, written: left }, SideAt { side: Side::Right, written: right }]
 }
 
 /// Where cross-sections are kept, ascending.

@@ -81,6 +81,8 @@ pub struct Network {
     road_of: Vec<u32>,
     /// Roads within junctions, by the junction's id and rank.
     within: Vec<(Name, u32)>,
+    /// Ends of roads that are linked to junctions: the junction's id, the road's rank, the end's number.
+    leading_in: Vec<(Name, u32, u8)>,
 }
 
 /// Rows of a table.
@@ -130,6 +132,14 @@ impl Network {
         let within = self.within.get(first..).unwrap_or_default().iter();
         let own = within.take_while(move |(id, _)| *id == junction);
         own.filter_map(|(_, rank)| self.roads.get(*rank as usize))
+    }
+
+    /// Roads that are linked to a junction, in file order; one twice that is linked to it at both ends.
+    pub fn roads_into(&self, junction: Name) -> impl Iterator<Item = &RoadFacts> {
+        let first = self.leading_in.partition_point(|(id, ..)| *id < junction);
+        let own = self.leading_in.get(first..).unwrap_or_default().iter();
+        let own = own.take_while(move |(id, ..)| *id == junction);
+        own.filter_map(|(_, rank, _)| self.roads.get(*rank as usize))
     }
 
     /// The road that something stands along.
@@ -197,8 +207,8 @@ impl Network {
     /// The links alone, for who builds from them: what only rules look at is forgotten.
     pub(crate) fn into_links(self) -> Self {
         let (parts, references, overlaps) = (Vec::new(), Vec::new(), std::sync::OnceLock::new());
-        let (lines, profiles) = (Vec::new(), Vec::new());
-        Self { parts, references, overlaps, lines, profiles, ..self }
+        let (lines, profiles, leading_in) = (Vec::new(), Vec::new(), Vec::new());
+        Self { parts, references, overlaps, lines, profiles, leading_in, ..self }
     }
 
     /// Completes what needs the whole document.
@@ -213,6 +223,13 @@ impl Network {
         let within = self.roads.iter().filter_map(|road| Some((road.junction?, road.rank)));
         self.within = within.collect();
         self.within.sort_unstable();
+        let ends = self.roads.iter().flat_map(|road| Contact::BOTH.map(|end| (road, end)));
+        let leading_in = ends.filter_map(|(road, end)| match road.link(end)?.target {
+            LinkTarget::Junction(junction) => Some((junction, road.rank, end as u8)),
+            LinkTarget::Road(_) => None,
+        });
+        self.leading_in = leading_in.collect();
+        self.leading_in.sort_unstable();
         self.link_roads();
     }
 }

@@ -1,19 +1,20 @@
 //! Boundaries of junctions.
 
 use crate::example::Example::{self, Document};
-use crate::network::{Contact, LinkTarget, Network};
+use crate::network::Network;
 use crate::place::{number, text, value};
 use crate::rule::Check::Network as All;
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
 use mapd_xodr::{BoundarySegment, Junction, PositionOrEnd, SegmentType, Span};
+use std::collections::HashSet;
 
 /// Gaps that come from rounding and from borders that are drawn straight between places.
 const GAP: Tolerance = Tolerance { name: "gap", value: 0.1, unit: "m" };
-/// Points along a lane's border are this far apart at most.
+/// Points along a lane's border are this far apart at most `[m]`, but for boundaries of more than [`POINTS`] such steps.
 const STEP: f64 = 2.0;
-/// Points along a lane's border at most.
-const POINTS: usize = 10_000;
+/// Steps along the borders of one boundary at most, beside one for each of its segments.
+const POINTS: f64 = 2000.0;
 
 /// A road into junction 9 and out of it, with a boundary and more behind.
 macro_rules! bounded {
@@ -122,10 +123,9 @@ fn border(network: &Network, road: &crate::network::RoadFacts, s: f64, lane: i32
     let section = network.section_over(road, s, lane)?;
     let t = match lane {
         // The inner border of the first lane of either side.
-        0 => network
-            .lanes_of(section)
+        0 => [1, -1]
             .iter()
-            .find(|lane| lane.id.unsigned_abs() == 1)
+            .find_map(|id| network.lane(section, *id))
             .map_or(0.0, |lane| Network::borders_over(section, lane, s)[0]),
         id => Network::borders_over(section, network.lane(section, id)?, s)[1],
     };
@@ -140,8 +140,13 @@ fn place(value: &PositionOrEnd, length: f64) -> f64 {
     }
 }
 
-/// The points of a segment in the order of the boundary; none where something that it names is missing.
-fn points(network: &Network, segment: &BoundarySegment) -> Option<Vec<Point>> {
+/// Where a segment along a lane's border begins and ends on a road of this length `[m]`.
+fn along_lane(segment: &BoundarySegment, length: f64) -> Option<[f64; 2]> {
+    Some([place(&value(&segment.s_start)?, length), place(&value(&segment.s_end)?, length)])
+}
+
+/// The points of a segment in the order of the boundary, this far apart at most; none where something that it names is missing.
+fn points(network: &Network, segment: &BoundarySegment, step: f64) -> Option<Vec<Point>> {
     let road = network.road(text(&segment.road_id))?;
     if value(&segment.r#type) == Some(SegmentType::Joint) {
         let s = place(&value(&segment.contact_point)?, road.length);
@@ -153,17 +158,22 @@ fn points(network: &Network, segment: &BoundarySegment) -> Option<Vec<Point>> {
         return Some(vec![border(network, road, s, first)?, border(network, road, s, last)?]);
     }
     let lane = value(&segment.boundary_lane)?;
-    let start = place(&value(&segment.s_start)?, road.length);
-    let end = place(&value(&segment.s_end)?, road.length);
-    let steps = (((end - start).abs() / STEP).ceil() as usize).clamp(1, POINTS);
+    let [start, end] = along_lane(segment, road.length)?;
+    let steps = (((end - start).abs() / step).ceil() as usize).clamp(1, POINTS as usize);
     let at = |step: usize| start + (end - start) * step as f64 / steps as f64;
     (0..=steps).map(|step| border(network, road, at(step), lane)).collect()
 }
 
 /// The lines of a junction's segments, with their tags; none where one cannot be built.
 fn ring(network: &Network, junction: &Junction) -> Option<Vec<(Span, Vec<Point>)>> {
-    let boundary = junction.boundary.as_ref()?;
-    boundary.segment.iter().map(|segment| Some((segment.span, points(network, segment)?))).collect()
+    let segments = &junction.boundary.as_ref()?.segment;
+    let lengths = segments.iter().filter_map(|segment| {
+        let [start, end] = along_lane(segment, network.road(text(&segment.road_id))?.length)?;
+        Some((end - start).abs())
+    });
+    let step = STEP.max(lengths.sum::<f64>() / POINTS);
+    let line = |segment| points(network, segment, step);
+    segments.iter().map(|segment| Some((segment.span, line(segment)?))).collect()
 }
 
 fn distance(a: Point, b: Point) -> f64 {
@@ -221,25 +231,20 @@ fn counter_clockwise(network: &Network, sink: &mut Sink<'_>) {
 }
 
 fn each_road(network: &Network, sink: &mut Sink<'_>) {
+    // Of junctions with one id, which is an error, the first: roads lead into all of them.
+    let mut seen = HashSet::new();
     for junction in network.junctions_as_written() {
         let Some(boundary) = &junction.boundary else { continue };
         let id = text(&junction.id);
-        let target = network.name_of(id).map(LinkTarget::Junction);
-        for road in &network.roads {
-            for end in Contact::BOTH {
-                let leads_in = road.link(end).is_some_and(|link| Some(link.target) == target);
-                let own = network.name(road.id);
-                let has_one = boundary.segment.iter().any(|segment| text(&segment.road_id) == own);
-                if leads_in && !has_one {
-                    let part = ("junction", id, "boundary");
-                    sink.add_in(
-                        part,
-                        boundary.span,
-                        format_args!("a segment at road {own}"),
-                        "none",
-                    );
-                }
-            }
+        if !seen.insert(id) {
+            continue;
+        }
+        let named: HashSet<&str> =
+            boundary.segment.iter().map(|segment| text(&segment.road_id)).collect();
+        let roads = network.name_of(id).into_iter().flat_map(|id| network.roads_into(id));
+        for own in roads.map(|road| network.name(road.id)).filter(|own| !named.contains(own)) {
+            let expected = format_args!("a segment at road {own}");
+            sink.add_in(("junction", id, "boundary"), boundary.span, expected, "none");
         }
     }
 }
