@@ -12,14 +12,14 @@ pub enum QueryError {
     /// The archive contradicts itself here.
     #[error("the archive is damaged at this place; `mapd inspect --verify` names the row")]
     Corrupt,
-    /// A coordinate that is not a finite number, of one of several places: by its number from 0.
-    #[error("the coordinates of place {0} are not finite numbers")]
+    /// As [`QueryError::NotFinite`], of one of several places: by its number from 0.
+    #[error("the coordinates of place {0} are not finite numbers of at most 1e9")]
     NotFiniteAt(usize),
     /// A column of a batch that is not as long as the others, or not there: by its name.
     #[error("the column {0} is not as long as the others")]
     Length(&'static str),
-    /// A coordinate that is not a finite number.
-    #[error("the coordinates are not finite numbers")]
+    /// A coordinate that is not a finite number, or lies farther than 10⁹ m from 0, where no map has anything.
+    #[error("the coordinates are not finite numbers of at most 1e9")]
     NotFinite,
 }
 

@@ -9,7 +9,7 @@ use crate::position;
 use crate::profile::At;
 use crate::road::{JOINT, Road};
 use crate::section::LaneSection;
-use crate::types::{Clamped, LaneEdges, LanePosition, Point, Pose};
+use crate::types::{Clamped, LaneEdges, LanePosition, Point, Pose, is_place};
 use glam::DVec3;
 use mapd_archive::{ArchivedLaneRow, LaneType, Range, SpeedKind, lane_flags};
 use std::borrow::Cow;
@@ -222,7 +222,7 @@ impl<'a> Lane<'a> {
     /// Errors: coordinates that are not finite; a damaged archive; lane 0, which has no area.
     pub fn position_of(&self, point: impl Into<Point>) -> Result<LanePosition, QueryError> {
         let point = point.into();
-        if !point.xy.is_finite() {
+        if !is_place(point.xy) {
             return Err(QueryError::NotFinite);
         }
         position::position_in(self, point.xy - self.map.origin()).ok_or(QueryError::Corrupt)

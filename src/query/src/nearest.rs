@@ -112,8 +112,8 @@ impl Default for NearestOptions {
 impl NearestOptions {
     /// Errors: numbers that are not finite.
     pub(crate) fn check(&self, point: Point) -> Result<(), QueryError> {
-        let numbers = [self.z_tolerance, self.heading, self.heading_tolerance, point.z];
-        let finite = point.xy.is_finite()
+        let numbers = [self.z_tolerance, self.heading, self.heading_tolerance];
+        let finite = point.is_place()
             && self.radius.is_finite()
             && numbers.iter().flatten().all(|n| n.is_finite());
         if finite { Ok(()) } else { Err(QueryError::NotFinite) }

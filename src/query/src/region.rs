@@ -10,6 +10,7 @@ use crate::lane::Lane;
 use crate::map::Map;
 use crate::nearest::LaneTypes;
 use crate::polyline::Polyline;
+use crate::types::is_place;
 use glam::{DVec2, DVec3};
 use mapd_archive::NONE;
 
@@ -45,7 +46,7 @@ impl Region {
     ///
     /// Errors: numbers that are not finite.
     pub(crate) fn around_circle(middle: DVec2, radius: f64) -> Result<Self, QueryError> {
-        if !(middle.is_finite() && radius.is_finite()) {
+        if !(is_place(middle) && radius.is_finite()) {
             return Err(QueryError::NotFinite);
         }
         Ok(Self::around(middle, radius.max(0.0)))

@@ -7,7 +7,7 @@ use crate::junction::Junction;
 use crate::map::Map;
 use crate::profile::{self, At};
 use crate::section::LaneSection;
-use crate::types::{Clamped, Point, Pose, Track, TrackPosition};
+use crate::types::{Clamped, Point, Pose, Track, TrackPosition, is_coordinate};
 use glam::{DVec2, DVec3};
 use mapd_archive::{
     ArchivedCubicRow, ArchivedGeometryRow, ArchivedLaneLayerRow, ArchivedRoadRow, ContactPoint,
@@ -338,7 +338,7 @@ impl<'a> Road<'a> {
     // Always: `to_inertial` is what planners ask most, and the compiler and other queries call this too.
     #[inline(always)]
     pub(crate) fn pose(&self, at: At, t: f64, h: f64) -> Result<Pose, QueryError> {
-        if !(at.s.is_finite() && t.is_finite() && h.is_finite()) {
+        if !(at.s.is_finite() && is_coordinate(t) && is_coordinate(h)) {
             return Err(QueryError::NotFinite);
         }
         let point = self.reference_at(at).ok_or(QueryError::Corrupt)?;
@@ -366,7 +366,7 @@ impl<'a> Road<'a> {
     /// Errors: coordinates that are not finite; a damaged archive.
     pub fn to_track(&self, point: impl Into<Point>) -> Result<TrackPosition, QueryError> {
         let point = point.into();
-        if !(point.xy.is_finite() && point.z.is_none_or(f64::is_finite)) {
+        if !point.is_place() {
             return Err(QueryError::NotFinite);
         }
         let local: DVec2 = point.xy - self.map.origin();

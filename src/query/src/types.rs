@@ -120,6 +120,23 @@ pub struct TrackPosition {
     pub exact: bool,
 }
 
+/// Coordinates beyond this are no place of a map `[m]`: a hundred times more than any projection of the Earth has, and little enough
+/// that squares of distances keep millimetres apart.
+pub(crate) const FARTHEST: f64 = 1e9;
+
+/// Whether a number can be a coordinate: finite, and not absurd.
+#[inline]
+pub(crate) fn is_coordinate(number: f64) -> bool {
+    // What is no number compares as false.
+    number.abs() <= FARTHEST
+}
+
+/// As [`is_coordinate`], of both.
+#[inline]
+pub(crate) fn is_place(xy: DVec2) -> bool {
+    is_coordinate(xy.x) && is_coordinate(xy.y)
+}
+
 /// A point to be matched.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -128,6 +145,14 @@ pub struct Point {
     pub xy: DVec2,
     /// Height `[m]`, if known.
     pub z: Option<f64>,
+}
+
+impl Point {
+    /// Whether its coordinates can be those of a place.
+    #[inline]
+    pub(crate) fn is_place(&self) -> bool {
+        is_place(self.xy) && self.z.is_none_or(is_coordinate)
+    }
 }
 
 impl From<DVec2> for Point {

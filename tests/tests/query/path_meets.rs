@@ -2,7 +2,7 @@
 
 use crate::paths::each_path;
 use mapd_client::vocabulary::{Class, ConflictKind, VehicleClass};
-use mapd_client::{Lane, Map};
+use mapd_client::{Lane, Map, NearestOptions};
 use mapd_query::path::{PathBuffer, PathConflict, PathOptions, Yields, steps_of_lanes};
 use mapd_tests::crossroads::{ARMS, crossroads, furnished, signal};
 use mapd_tests::graph_maps::{Line, document, lane, road, section, wide};
@@ -144,4 +144,56 @@ fn a_sign_without_marking_is_waited_at() {
         assert_eq!(stop.s, first, "{key}");
     }
     assert_eq!(lane_by(map, "12:0:-1").movement_stop(), None);
+}
+
+/// Every lane of another road that holds a place of the driven line on its level is among the conflicts, and no other overlaps.
+#[test]
+fn lanes_of_other_roads_that_hold_the_line_are_all_told() {
+    let options =
+        NearestOptions { radius: 0.0, z_tolerance: Some(2.0), ..NearestOptions::default() };
+    each_path(|map, path, _, name, _| {
+        let (mut conflicts, mut held) = (Vec::new(), Vec::new());
+        path.conflicts(&mut conflicts);
+        let driven: Vec<_> = path.lanes().collect();
+        for own in &driven {
+            let lane = map.lane(own.lane).expect("its lane");
+            let junction = lane.road().junction().map(|junction| junction.junction_id());
+            // The middle of a piece that is compared with others in one place.
+            let along = 0.5 * (own.along[0] + own.along[1]);
+            if own.along[1] - own.along[0] > 2.0 {
+                continue;
+            }
+            let at = path.at(along).expect("a place");
+            map.lanes_near(at.position, &options, &mut held).expect("an answer");
+            for found in &held {
+                let other = map.lane(found.lane).expect("a lane");
+                let linked = |id| id == found.lane;
+                let same = other.road().road_id() == lane.road().road_id()
+                    || driven.iter().any(|own| own.lane == found.lane)
+                    || (junction.is_some()
+                        && other.road().junction().map(|j| j.junction_id()) == junction)
+                    || lane.successors_towards(own.forward).any(linked)
+                    || lane.predecessors_towards(own.forward).any(linked)
+                    || !other.nodes().any(|node| node.is_open());
+                let told = conflicts.iter().any(|one| {
+                    one.other == found.lane
+                        && one.along[0] - 2.0 <= along
+                        && along <= one.along[1] + 2.0
+                });
+                assert!(same || told, "{name}: {} at {along}", other.key());
+            }
+        }
+        for one in conflicts.iter().filter(|one| one.kind == ConflictKind::Overlap) {
+            let other = map.lane(one.other).expect("a lane");
+            let spot = |share: f64| {
+                let at = path.at(one.along[0] + share * (one.along[1] - one.along[0]));
+                at.expect("a place").position.truncate()
+            };
+            let near = (0..=20).map(|i| {
+                let position = other.position_of(spot(f64::from(i) / 20.0));
+                position.expect("a position").distance
+            });
+            assert!(near.fold(f64::INFINITY, f64::min) < 1.5, "{name}: {one:?}");
+        }
+    });
 }

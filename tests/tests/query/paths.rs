@@ -254,7 +254,14 @@ fn places_on_a_bend_and_beyond_the_ends() {
         assert_eq!((found.clamped, found.along), (Clamped::After, path.length()));
         assert!((found.distance - 3.0).abs() < TOLERANCE);
         assert_eq!(path.at(f64::NAN).err(), Some(QueryError::NotFinite));
-        assert_eq!(path.project(DVec2::NAN, None).err(), Some(QueryError::NotFinite));
+        for absurd in [f64::NAN, f64::INFINITY, 1e300, -1e300, 1.1e9] {
+            for point in [DVec2::new(absurd, 0.0), DVec2::new(0.0, absurd)] {
+                assert_eq!(path.project(point, None).err(), Some(QueryError::NotFinite));
+                assert_eq!(path.project(point, Some(1.0)).err(), Some(QueryError::NotFinite));
+            }
+        }
+        let far = path.project(DVec2::splat(1e9), None).expect("a foot");
+        assert!(far.d.is_finite() && far.distance > 1.4e9, "{far:?}");
         assert_eq!(path.project(beyond, Some(f64::NAN)).err(), Some(QueryError::NotFinite));
         assert!(path.speed_at(f64::INFINITY).is_none());
         let mut room = Corridor::default();
@@ -269,6 +276,20 @@ fn places_on_a_bend_and_beyond_the_ends() {
             map.path(steps, &PathOptions::default(), &mut buffer).map(|_| ()).err()
         };
         assert_eq!(path(&turned), Some(PathError::Backwards { step: 0 }));
+        // Nothing is cut silently: a step beyond its lane is named.
+        for wrong in [101.0, 1e300, -1e-3] {
+            let outside = [
+                RouteStep { s_from: wrong, ..steps[0] },
+                RouteStep { s_to: wrong, ..steps[0] },
+                RouteStep { s_latest: wrong, ..steps[0] },
+            ];
+            for step in outside {
+                assert_eq!(path(&[step]), Some(PathError::OutsideLane { step: 0 }), "{step:?}");
+            }
+        }
+        let unknown = RouteStep { s_latest: f64::NAN, ..steps[0] };
+        let source = QueryError::NotFinite;
+        assert_eq!(path(&[unknown]), Some(PathError::Step { step: 0, source }));
         assert_eq!(path(&[]), Some(PathError::Empty));
         let twice = [steps[0], RouteStep { enter: Enter::Ahead, ..steps[0] }];
         assert_eq!(path(&twice), Some(PathError::NotLinked { step: 1 }));

@@ -1,7 +1,7 @@
 //! Roads above, beside and around each other: the right one wins.
 
 use mapd_client::glam::{DVec2, DVec3};
-use mapd_client::{Map, NearestOptions, Snapshot, Track};
+use mapd_client::{Map, NearestOptions, QueryError, Snapshot, Track};
 use mapd_tests::maps::open_text;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::fmt::Write;
@@ -263,24 +263,32 @@ fn beside_a_banked_lane_its_edge_tells_the_level() {
     }
 }
 
-/// Where squares of distances are beyond all numbers, nothing is in a lane.
+/// Absurd coordinates are refused, and far ones are in no lane.
 #[test]
-fn beyond_all_numbers_is_in_no_lane() {
+fn far_away_is_in_no_lane_and_absurd_places_are_refused() {
     let arc = Way::new(DVec2::ZERO, 0.0, &[(0.01, 0.01, 100.0)], 0.0);
     let line = Way::new(DVec2::new(0.0, 50.0), 0.0, &[(0.0, 0.0, 100.0)], 0.0);
     let snapshot = open(&[arc, line]);
     let map = snapshot.map();
-    for far in [1e150, 1e156, 1e200, f64::MAX] {
-        for point in [DVec2::new(far, 50.0), DVec2::new(0.0, -far), DVec2::new(far, far)] {
+    let options = NearestOptions { radius: f64::MAX, ..NearestOptions::default() };
+    let places = |far: f64| [DVec2::new(far, 50.0), DVec2::new(0.0, -far), DVec2::new(far, far)];
+    for point in places(1e9) {
+        for lane in map.lanes().filter(|lane| lane.number() != 0) {
+            assert!(!lane.contains(point).expect("an answer"), "{point}");
+        }
+        let found = map.nearest_lane(point, &options).expect("an answer");
+        assert!(found.is_none_or(|found| found.position.distance > 0.9e9), "{point}: {found:?}");
+    }
+    for far in [1.1e9, 1e150, 1e156, 1e300, f64::MAX, f64::INFINITY, f64::NAN] {
+        for point in places(far) {
             for lane in map.lanes().filter(|lane| lane.number() != 0) {
-                assert!(!lane.contains(point).expect("an answer"), "{point}");
+                assert_eq!(lane.contains(point), Err(QueryError::NotFinite), "{point}");
+                let road = lane.road();
+                assert_eq!(road.to_track(point).err(), Some(QueryError::NotFinite), "{point}");
+                let track = Track { s: 1.0, t: far, h: 0.0 };
+                assert_eq!(road.to_inertial(track).err(), Some(QueryError::NotFinite), "{point}");
             }
-            let options = NearestOptions { radius: f64::MAX, ..NearestOptions::default() };
-            let found = map.nearest_lane(point, &options).expect("an answer");
-            assert!(
-                found.is_none_or(|found| found.position.distance > 1e149),
-                "{point}: {found:?}"
-            );
+            assert_eq!(map.nearest_lane(point, &options), Err(QueryError::NotFinite), "{point}");
         }
     }
 }

@@ -58,7 +58,7 @@ pub(crate) const RULES: &[RoadRules] = &[
         country: "SE",
         from_side: Some(FromSide::Right),
         turn: true,
-        source: "Trafikförordning 3 kap. 18 §, 20 §",
+        source: "Trafikförordning 3 kap. 18 §",
     },
     RoadRules {
         country: "US",

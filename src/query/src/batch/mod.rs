@@ -19,7 +19,7 @@ pub use poses::{PoseError, PoseMatches};
 pub use tracks::{Poses, TrackPositions, Tracks};
 
 use crate::error::QueryError;
-use crate::types::Point;
+use crate::types::{Point, is_coordinate};
 use glam::DVec2;
 
 /// Places, a column for each coordinate. All columns are as long as `x`.
@@ -73,8 +73,12 @@ fn check_columns(columns: &[(&'static str, Option<&[f64]>)]) -> Result<(), Query
     if let Some((name, _)) = given().find(|(_, column)| column.len() != count) {
         return Err(QueryError::Length(name));
     }
-    let first = |column: &[f64]| column.iter().position(|number| !number.is_finite());
-    match given().filter_map(|(_, column)| first(column)).min() {
+    // As single calls: an s far outside is moved to the road's end, a heading may have turned often.
+    let first = |(name, column): (&&str, &[f64])| {
+        let known = if matches!(*name, "s" | "heading") { f64::is_finite } else { is_coordinate };
+        column.iter().position(|number| !known(*number))
+    };
+    match given().filter_map(first).min() {
         Some(i) => Err(QueryError::NotFiniteAt(i)),
         None => Ok(()),
     }

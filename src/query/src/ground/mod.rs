@@ -67,7 +67,7 @@ impl<'a> Map<'a> {
         scratch: &mut GroundScratch,
     ) -> Result<Option<Ground<'a>>, QueryError> {
         let point = point.into();
-        if !point.z.is_none_or(f64::is_finite) {
+        if !point.is_place() {
             return Err(QueryError::NotFinite);
         }
         let GroundScratch { near, heights } = scratch;

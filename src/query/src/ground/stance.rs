@@ -40,7 +40,7 @@ impl Map<'_> {
         scratch: &mut GroundScratch,
     ) -> Result<Option<Stance>, QueryError> {
         let Point { xy, z } = pose.position;
-        if !(xy.is_finite() && z.is_none_or(f64::is_finite) && pose.heading.is_finite()) {
+        if !(pose.position.is_place() && pose.heading.is_finite()) {
             return Err(QueryError::NotFinite);
         }
         let (cos, sin) = cos_sin(pose.heading);

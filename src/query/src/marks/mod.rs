@@ -12,6 +12,7 @@ use crate::index;
 use crate::lane::Lane;
 use crate::map::Map;
 use crate::nearest::{LaneTypes, round_up};
+use crate::types::is_place;
 use course::Course;
 use glam::DVec2;
 use mapd_archive::{NONE, RoadMarkColor, RoadMarkKind};
@@ -136,7 +137,7 @@ impl Map<'_> {
         point: DVec2,
         filter: &MarkFilter,
     ) -> Result<Option<NearMark>, QueryError> {
-        if !(point.is_finite() && filter.radius.is_finite()) {
+        if !(is_place(point) && filter.radius.is_finite()) {
             return Err(QueryError::NotFinite);
         }
         let local = point - self.origin();

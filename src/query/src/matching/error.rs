@@ -2,6 +2,7 @@
 
 use super::{MatchOptions, VehiclePose};
 use crate::error::QueryError;
+use crate::types::is_coordinate;
 use glam::DMat3;
 use thiserror::Error;
 
@@ -53,7 +54,7 @@ pub enum MatchError {
 pub(super) fn check_pose(pose: &VehiclePose) -> Result<(), MatchError> {
     let (xy, z) = (pose.position.xy, pose.position.z.unwrap_or(0.0));
     let parts = [("x", xy.x), ("y", xy.y), ("z", z), ("heading", pose.heading)];
-    match parts.iter().find(|(_, value)| !value.is_finite()) {
+    match parts.iter().find(|(_, value)| !is_coordinate(*value)) {
         Some((name, _)) => Err(MatchError::Pose(name)),
         None => Ok(()),
     }

@@ -279,8 +279,8 @@ fn check(fixes: &[TraceFix], options: &TraceOptions) -> Result<(), MatchError> {
     }
     let mut last = f64::NEG_INFINITY;
     for (number, fix) in fixes.iter().enumerate() {
-        let numbers = [Some(fix.time), fix.position.z, fix.heading];
-        if !fix.position.xy.is_finite() || !numbers.iter().flatten().all(|n| n.is_finite()) {
+        let numbers = [Some(fix.time), fix.heading];
+        if !fix.position.is_place() || !numbers.iter().flatten().all(|n| n.is_finite()) {
             return Err(MatchError::Fix(number));
         }
         if fix.time < last {

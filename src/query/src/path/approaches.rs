@@ -14,6 +14,7 @@ const CUTS: usize = 6;
 
 /// A lane, or a piece of one, on which traffic comes towards a conflict.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ConflictApproach {
     /// The lane.
     pub lane: LaneId,
@@ -23,7 +24,9 @@ pub struct ConflictApproach {
     pub s: [f64; 2],
     /// Distance of both from the conflict's first place along the centre lines `[m]`, the larger one first.
     pub distance: [f64; 2],
+    #[cfg_attr(feature = "serde", serde(skip))]
     node: u32,
+    #[cfg_attr(feature = "serde", serde(skip))]
     settled: bool,
 }
 

@@ -67,8 +67,13 @@ impl<'a> Map<'a> {
         for (number, step) in steps.iter().enumerate() {
             let wrong = |source| PathError::Step { step: number, source };
             let lane = self.lane(step.lane).map_err(wrong)?;
-            if !(step.s_from.is_finite() && step.s_to.is_finite()) {
+            let places = [step.s_from, step.s_to, step.s_latest];
+            if !places.iter().all(|s| s.is_finite()) {
                 return Err(wrong(QueryError::NotFinite));
+            }
+            let (low, high) = (lane.section().s_start(), lane.section().s_end());
+            if places.iter().any(|s| *s < low - GAP || *s > high + GAP) {
+                return Err(PathError::OutsideLane { step: number });
             }
             if (step.s_to - step.s_from) * sign(step.forward) < 0.0 {
                 return Err(PathError::Backwards { step: number });

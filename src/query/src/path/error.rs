@@ -24,6 +24,12 @@ pub enum PathError {
         /// The step.
         step: usize,
     },
+    /// A part of a step lies outside its lane's section.
+    #[error("step {step} has a part outside its lane")]
+    OutsideLane {
+        /// The step.
+        step: usize,
+    },
     /// No edge of the lane graph leads into a step's lane from the one before.
     #[error("step {step} does not follow the one before: no link leads from lane to lane")]
     NotLinked {

@@ -1,19 +1,12 @@
-//! Where other traffic meets a path outside the junctions' own lists: lanes that merge into it, and lanes of other roads at the same place.
+//! Where other traffic meets a path outside the junctions' own lists: lanes that merge into it.
 
 use super::Path;
-use super::along::center;
 use super::conflicts::{PathConflict, Yields};
+use super::overlaps::STEP;
 use crate::extents::SRange;
 use crate::graph::LaneNode;
 use crate::lane::Lane;
-use crate::nearest::NearestOptions;
-use crate::types::Point;
 use mapd_archive::{ConflictKind, Relation, RelationReason};
-
-/// Distance of the places of the driven line at which lanes of other roads are looked for `[m]`.
-const STEP: f64 = 2.0;
-/// A lane farther above or below is on another level `[m]`: less than any vehicle passes under.
-const LEVEL: f64 = 2.0;
 
 impl<'a> Path<'a, '_> {
     /// Whether the path drives on a lane.
@@ -60,55 +53,8 @@ impl<'a> Path<'a, '_> {
         }
     }
 
-    /// Adds lanes of other roads in whose area the driven line lies, on the same level.
-    pub(super) fn overlaps(&self, number: usize, lane: &Lane<'a>, out: &mut Vec<PathConflict>) {
-        let Some(piece) = self.buffer.pieces.get(number) else { return };
-        let options =
-            NearestOptions { radius: 0.0, z_tolerance: Some(LEVEL), ..Default::default() };
-        let (road, junction) = (lane.road().road_id(), lane.road().junction_row());
-        let counts = |other: &Lane<'a>| {
-            // Lanes of one junction that meet are the map's own to tell.
-            let told = junction.is_some() && other.road().junction_row() == junction;
-            other.road().road_id() != road && !told
-        };
-        let before = out.len();
-        for span in self.spans_of(piece) {
-            let parts = (span.length / STEP).ceil().max(1.0);
-            let mut part = 0.5;
-            while part < parts {
-                let gone = span.length * part / parts;
-                let reach = 0.5 * span.length / parts;
-                part += 1.0;
-                let at = span.place(span.s_at(gone));
-                let Ok(own) = center(lane, at, piece.forward, self.shift(span)) else { continue };
-                let along = [span.along + gone - reach, span.along + gone + reach];
-                self.map.each_lane_at(Point::from(own.position), &options, counts, |other, s| {
-                    if self.drives_on(other.row_number()) {
-                        return;
-                    }
-                    let linked = |id: crate::ids::LaneId| id.row() == other.row_number();
-                    let follows = lane.successors_towards(piece.forward).any(linked)
-                        || lane.predecessors_towards(piece.forward).any(linked);
-                    if follows || !other.nodes().any(|node| node.is_open()) {
-                        return;
-                    }
-                    let known = out.get_mut(before..).unwrap_or(&mut []).iter_mut().find(|known| {
-                        known.other == other.lane_id() && known.along[1] + STEP >= along[0]
-                    });
-                    match known {
-                        Some(known) => {
-                            known.along[1] = known.along[1].max(along[1]);
-                            known.other_s[0] = known.other_s[0].min(s);
-                            known.other_s[1] = known.other_s[1].max(s);
-                        }
-                        None => self.add(lane, other, along, [s; 2], ConflictKind::Overlap, out),
-                    }
-                });
-            }
-        }
-    }
-
-    fn add(
+    /// Adds a place where another lane meets the path, unless the junction's own list tells it.
+    pub(super) fn add(
         &self,
         lane: &Lane<'a>,
         other: &Lane<'a>,

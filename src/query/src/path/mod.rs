@@ -21,6 +21,7 @@ mod error;
 mod facts;
 mod meets;
 mod outline;
+mod overlaps;
 mod project;
 mod rebase;
 mod segments;

@@ -6,7 +6,7 @@ use super::boxes::WIDTH;
 use super::{Path, Span};
 use crate::error::QueryError;
 use crate::ids::LaneId;
-use crate::types::Clamped;
+use crate::types::{Clamped, is_place};
 use glam::DVec2;
 use mapd_geometry::normalize_angle;
 
@@ -88,7 +88,7 @@ impl<'b> Path<'_, 'b> {
     ///
     /// Errors: coordinates or a hint that are not finite; a damaged archive.
     pub fn project(&self, point: DVec2, hint: Option<f64>) -> Result<PathPosition, QueryError> {
-        if !(point.is_finite() && hint.is_none_or(f64::is_finite)) {
+        if !(is_place(point) && hint.is_none_or(f64::is_finite)) {
             return Err(QueryError::NotFinite);
         }
         let local = point - self.map.origin();

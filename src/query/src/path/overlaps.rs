@@ -1,0 +1,191 @@
+//! Lanes of other roads that lie where a path does.
+//!
+//! Each chunk of the path asks the index once which of them come near. Most chunks have none; on the others the driven line is compared
+//! with them every 2 m.
+
+use super::along::center;
+use super::conflicts::PathConflict;
+use super::{Path, Piece, Span};
+use crate::index;
+use crate::lane::Lane;
+use crate::nearest::{NearestOptions, round_up};
+use crate::types::Point;
+use glam::DVec2;
+use mapd_archive::{ConflictKind, NONE};
+
+/// Distance of the places of the driven line at which lanes of other roads are looked for `[m]`.
+pub(super) const STEP: f64 = 2.0;
+/// A lane farther above or below is on another level `[m]`: less than any vehicle passes under.
+const LEVEL: f64 = 2.0;
+/// Length of the chunks that ask the index once `[m]`.
+const CHUNK: f64 = 24.0;
+/// Stretches of lanes near a chunk that are kept for its places; where there are more, each place asks the index.
+const MOST_NEAR: usize = 64;
+
+/// Stretches of other roads' lanes near a chunk: row of the lane and number of the segment.
+struct Near {
+    stretches: [(u32, u16); MOST_NEAR],
+    count: usize,
+    /// Whether there was no room for all.
+    is_full: bool,
+}
+
+/// A piece that is looked along.
+struct Along<'a, 'p> {
+    piece: &'p Piece,
+    lane: &'p Lane<'a>,
+}
+
+impl<'a> Path<'a, '_> {
+    /// Adds lanes of other roads in whose area the driven line lies, on the same level.
+    pub(super) fn overlaps(&self, number: usize, lane: &Lane<'a>, out: &mut Vec<PathConflict>) {
+        let Some(piece) = self.buffer.pieces.get(number) else { return };
+        let own = Along { piece, lane };
+        let before = out.len();
+        let mut rest = self.spans_of(piece);
+        while let Some(first) = rest.first() {
+            let fits = |span: &&Span| span.end() - first.along <= CHUNK;
+            let count = rest.iter().take_while(fits).count().max(1);
+            let (chunk, later) = rest.split_at(count);
+            rest = later;
+            let parts = (first.length / CHUNK).ceil().max(1.0);
+            let mut part = 0.0;
+            while part < parts {
+                let shares = [part / parts, (part + 1.0) / parts];
+                self.overlaps_of(&own, chunk, shares, before, out);
+                part += 1.0;
+            }
+        }
+    }
+
+    /// Adds those of a chunk: of some spans, or of a share of one.
+    fn overlaps_of(
+        &self,
+        own: &Along<'a, '_>,
+        chunk: &[Span],
+        shares: [f64; 2],
+        before: usize,
+        out: &mut Vec<PathConflict>,
+    ) {
+        let Some(near) = self.near(own, chunk, shares) else { return };
+        for span in chunk {
+            let parts = (span.length / STEP).ceil().max(1.0);
+            let reach = 0.5 * span.length / parts;
+            let mut part = 0.5 + (shares[0] * parts - 0.5).ceil().max(0.0);
+            while part < parts * shares[1] {
+                let gone = span.length * part / parts;
+                part += 1.0;
+                let at = span.place(span.s_at(gone));
+                let shift = self.shift(span);
+                let Ok(place) = center(own.lane, at, own.piece.forward, shift) else { continue };
+                let along = [span.along + gone - reach, span.along + gone + reach];
+                self.overlaps_at(own, &near, Point::from(place.position), along, before, out);
+            }
+        }
+    }
+
+    /// Adds lanes that hold a place of the driven line.
+    fn overlaps_at(
+        &self,
+        own: &Along<'a, '_>,
+        near: &Near,
+        point: Point,
+        along: [f64; 2],
+        before: usize,
+        out: &mut Vec<PathConflict>,
+    ) {
+        let options =
+            NearestOptions { radius: 0.0, z_tolerance: Some(LEVEL), ..Default::default() };
+        let mut found = |other: &Lane<'a>, s: f64| {
+            let known = out.get_mut(before..).unwrap_or(&mut []).iter_mut().find(|known| {
+                known.other == other.lane_id() && known.along[1] + STEP >= along[0]
+            });
+            match known {
+                Some(known) => {
+                    known.along[1] = known.along[1].max(along[1]);
+                    known.other_s[0] = known.other_s[0].min(s);
+                    known.other_s[1] = known.other_s[1].max(s);
+                }
+                None => self.add(own.lane, other, along, [s; 2], ConflictKind::Overlap, out),
+            }
+        };
+        if near.is_full {
+            let counts = |other: &Lane<'a>| self.may_overlap(own, other);
+            return self.map.each_lane_at(point, &options, counts, found);
+        }
+        let local = point.xy - self.map.origin();
+        for stretch in &near.stretches[..near.count] {
+            let held = self.map.candidate(*stretch, point, local, &options);
+            let held = held.filter(|held| held.distance() <= 0.0).and_then(|h| h.nearest(self.map));
+            if let Some((held, other)) = held.zip(Lane::new(self.map, stretch.0)) {
+                found(&other, held.position.s);
+            }
+        }
+    }
+
+    /// The stretches of other roads' lanes near a chunk; none where there are none.
+    fn near(&self, own: &Along<'a, '_>, chunk: &[Span], shares: [f64; 2]) -> Option<Near> {
+        let (first, last) = (chunk.first()?, chunk.last()?);
+        let (middle, radius) = if shares == [0.0, 1.0] {
+            let middle = 0.5 * (first.ends[0] + last.ends[1]);
+            let far = |span: &Span| {
+                let [a, b] = span.ends.map(|end| end.distance(middle));
+                a.max(b) + span.slack
+            };
+            (middle, chunk.iter().map(far).fold(0.0, f64::max))
+        } else {
+            // A long span lies near its chord, and what it is longer is within its slack twice.
+            let [a, b] = first.ends;
+            let at = |share: f64| a + (b - a) * share;
+            let middle = at(0.5 * (shares[0] + shares[1]));
+            let beyond: DVec2 = at(shares[1]) - middle;
+            (middle, beyond.length() + 3.0 * first.slack)
+        };
+        let mut near = Near { stretches: [(NONE, 0); MOST_NEAR], count: 0, is_full: false };
+        // Segments of one lane follow each other: each lane is examined once in a row.
+        let mut last: Option<(u32, bool)> = None;
+        let radius = round_up(radius);
+        index::visit(self.map.tables(), middle, None, radius, |leaf, qx, qy, bound| {
+            let (lanes, segments) = (leaf.lane(), leaf.segment());
+            let lower = index::lower_bounds(leaf, qx, qy, None);
+            for k in (0..lower.len()).filter(|k| lower[*k] <= bound) {
+                let (row, segment) = (lanes[k], segments[k]);
+                let counts = match last {
+                    Some((known, counts)) if known == row => counts,
+                    _ => Lane::new(self.map, row).is_some_and(|lane| self.may_overlap(own, &lane)),
+                };
+                last = Some((row, counts));
+                if !counts {
+                    continue;
+                }
+                match near.stretches.get_mut(near.count) {
+                    Some(place) => (*place, near.count) = ((row, segment), near.count + 1),
+                    None => near.is_full = true,
+                }
+            }
+            bound
+        });
+        (near.count > 0).then_some(near)
+    }
+
+    /// Whether a lane counts where it lies in the same place: one of another road, open, that the path neither drives on nor comes from or goes to.
+    fn may_overlap(&self, own: &Along<'a, '_>, other: &Lane<'a>) -> bool {
+        let (road, other_road) = (own.lane.road(), other.road());
+        if road.road_id() == other_road.road_id() {
+            return false;
+        }
+        let junction = road.junction_row();
+        // Lanes of one junction that meet are the map's own to tell.
+        if junction.is_some() && other_road.junction_row() == junction {
+            return false;
+        }
+        let row = other.row_number();
+        if self.drives_on(row) {
+            return false;
+        }
+        let linked = |id: crate::ids::LaneId| id.row() == row;
+        let follows = own.lane.successors_towards(own.piece.forward).any(linked)
+            || own.lane.predecessors_towards(own.piece.forward).any(linked);
+        !follows && other.nodes().any(|node| node.is_open())
+    }
+}
