@@ -97,9 +97,10 @@ impl<'a> Path<'a, '_> {
         let options =
             NearestOptions { radius: 0.0, z_tolerance: Some(LEVEL), ..Default::default() };
         let mut found = |other: &Lane<'a>, s: f64| {
-            let known = out.get_mut(before..).unwrap_or(&mut []).iter_mut().find(|known| {
-                known.other == other.lane_id() && known.along[1] + STEP >= along[0]
-            });
+            let known =
+                out.get_mut(before..).unwrap_or(&mut []).iter_mut().find(|known| {
+                    known.other == other.lane_id() && known.along[1] + STEP >= along[0]
+                });
             match known {
                 Some(known) => {
                     known.along[1] = known.along[1].max(along[1]);
