@@ -5,7 +5,8 @@
  * of all entries comes out, and MAPD_CODE_TOO_SMALL says that only as many as there was room for were written; the buffer may be null where the
  * capacity is 0.
  *
- * Threads: a client, a snapshot, a path and a projector may be used by several threads at once; a scratch and events by one at a time.
+ * Threads: a client, a snapshot, a view, a path and a projector may be used by several threads at once; a scratch, a tracker and events by one at
+ * a time.
  * Lengths are metres, angles radians, times seconds, speeds metres per second; t is positive to the left of the reference line. A uint8_t that
  * answers yes or no is 1 or 0. docs/cpp.md begins with examples. */
 
@@ -32,6 +33,11 @@ enum {
   MAPD_WORDS_ROAD_MARK_COLOR = 14,
   MAPD_WORDS_ROAD_MARK_WEIGHT = 15,
   MAPD_WORDS_MARK_LANE_CHANGE = 16,
+  MAPD_WORDS_ROAD_TYPE = 17,
+  MAPD_WORDS_STRUCTURE_KIND = 18,
+  MAPD_WORDS_OVERLAY_KIND = 19,
+  MAPD_WORDS_QUARANTINED_KIND = 20,
+  MAPD_WORDS_JUNCTION_GROUP_KIND = 21,
 };
 
 /* MAPD_LANE_TYPE_…: codes, with the words of mapd_word. */
@@ -340,6 +346,65 @@ enum {
   MAPD_MARK_LANE_CHANGE_NONE = 4, /* none */
 };
 
+/* MAPD_ROAD_TYPE_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_ROAD_TYPE_NONE = 0, /* none */
+  MAPD_ROAD_TYPE_RURAL = 1, /* rural */
+  MAPD_ROAD_TYPE_MOTORWAY = 2, /* motorway */
+  MAPD_ROAD_TYPE_TOWN = 3, /* town */
+  MAPD_ROAD_TYPE_LOW_SPEED = 4, /* lowSpeed */
+  MAPD_ROAD_TYPE_PEDESTRIAN = 5, /* pedestrian */
+  MAPD_ROAD_TYPE_BICYCLE = 6, /* bicycle */
+  MAPD_ROAD_TYPE_TOWN_EXPRESSWAY = 7, /* townExpressway */
+  MAPD_ROAD_TYPE_TOWN_COLLECTOR = 8, /* townCollector */
+  MAPD_ROAD_TYPE_TOWN_ARTERIAL = 9, /* townArterial */
+  MAPD_ROAD_TYPE_TOWN_PRIVATE = 10, /* townPrivate */
+  MAPD_ROAD_TYPE_TOWN_LOCAL = 11, /* townLocal */
+  MAPD_ROAD_TYPE_TOWN_PLAY_STREET = 12, /* townPlayStreet */
+  MAPD_ROAD_TYPE_STATED_UNKNOWN = 13, /* unknown */
+};
+
+/* MAPD_STRUCTURE_KIND_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_STRUCTURE_KIND_BRIDGE = 0, /* bridge */
+  MAPD_STRUCTURE_KIND_TUNNEL = 1, /* tunnel */
+};
+
+/* MAPD_OVERLAY_KIND_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_OVERLAY_KIND_CLOSED = 0, /* closed */
+  MAPD_OVERLAY_KIND_OPEN = 1, /* open */
+  MAPD_OVERLAY_KIND_SPEED = 2, /* speed */
+  MAPD_OVERLAY_KIND_NO_OVERTAKING = 3, /* no-overtaking */
+  MAPD_OVERLAY_KIND_WET = 4, /* wet */
+  MAPD_OVERLAY_KIND_ICY = 5, /* icy */
+  MAPD_OVERLAY_KIND_SIGNAL_OFF = 6, /* signal-off */
+  MAPD_OVERLAY_KIND_WARNING = 7, /* warning */
+  MAPD_OVERLAY_KIND_SNOW = 8, /* snow */
+  MAPD_OVERLAY_KIND_ROUGH = 9, /* rough */
+};
+
+/* MAPD_QUARANTINED_KIND_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_QUARANTINED_KIND_ROAD = 0, /* road */
+  MAPD_QUARANTINED_KIND_JUNCTION = 1, /* junction */
+  MAPD_QUARANTINED_KIND_CONNECTION = 2, /* connection */
+  MAPD_QUARANTINED_KIND_OBJECT = 3, /* object */
+  MAPD_QUARANTINED_KIND_SIGNAL = 4, /* signal */
+  MAPD_QUARANTINED_KIND_CONTROLLER = 5, /* controller */
+  MAPD_QUARANTINED_KIND_OTHER = 6, /* group */
+  MAPD_QUARANTINED_KIND_LANE_LINK = 7, /* laneLink */
+};
+
+/* MAPD_JUNCTION_GROUP_KIND_…: codes, with the words of mapd_word. */
+enum {
+  MAPD_JUNCTION_GROUP_KIND_NONE = 0, /*  */
+  MAPD_JUNCTION_GROUP_KIND_ROUNDABOUT = 1, /* roundabout */
+  MAPD_JUNCTION_GROUP_KIND_OTHER = 2, /* unknown */
+  MAPD_JUNCTION_GROUP_KIND_COMPLEX_JUNCTION = 3, /* complexJunction */
+  MAPD_JUNCTION_GROUP_KIND_HIGHWAY_INTERCHANGE = 4, /* highwayInterchange */
+};
+
 
 /*
  Bytes of a message, its terminating 0 included. Longer ones are cut.
@@ -442,6 +507,21 @@ enum {
 #define MAPD_BESIDE_RIGHT_OF_REFERENCE_LINE 5
 
 /*
+ `state` of a tracked vehicle: it is in the lane.
+ */
+#define MAPD_TRACKED_LANE 0
+
+/*
+ `state` of a tracked vehicle: it is in no lane, or across them.
+ */
+#define MAPD_TRACKED_NO_LANE 1
+
+/*
+ `state` of a tracked vehicle: nobody knows.
+ */
+#define MAPD_TRACKED_UNKNOWN 2
+
+/*
  `painted` of a road mark: there is paint.
  */
 #define MAPD_PAINTED_YES 1
@@ -505,6 +585,86 @@ enum {
  `enter` of a step: by a change of lane to the right, in driving direction.
  */
 #define MAPD_ENTER_RIGHT 3
+
+/*
+ `kind` of a fact: a junction, from where the path enters it to where it leaves it; `junction`, and in `code` where the movement leads, a `MAPD_TURN_…`.
+ */
+#define MAPD_PATH_FACT_JUNCTION 0
+
+/*
+ `kind` of a fact: a signal for the driven lane; `signal`, `governs`.
+ */
+#define MAPD_PATH_FACT_SIGNAL 1
+
+/*
+ `kind` of a fact: a stop line, crosswalk or bicycle crossing; `line`, `left`, `right`.
+ */
+#define MAPD_PATH_FACT_LINE 2
+
+/*
+ `kind` of a fact: the road's type, where the file gives one; `code` is a `MAPD_ROAD_TYPE_…`.
+ */
+#define MAPD_PATH_FACT_ROAD_TYPE 3
+
+/*
+ `kind` of a fact: type of the driven lane; `code` is a `MAPD_LANE_TYPE_…`.
+ */
+#define MAPD_PATH_FACT_LANE_TYPE 4
+
+/*
+ `kind` of a fact: a bridge or tunnel; `number` among `mapd_structures`, `code` a `MAPD_STRUCTURE_KIND_…`.
+ */
+#define MAPD_PATH_FACT_STRUCTURE 5
+
+/*
+ `kind` of a fact: a part of the document near the path that is left out of the map; `number` among `mapd_quarantined_parts`.
+ */
+#define MAPD_PATH_FACT_HOLE 6
+
+/*
+ `kind` of a fact that this release has no word for.
+ */
+#define MAPD_PATH_FACT_OTHER 255
+
+/*
+ `kind` of a path's change: its lane has the same key and has moved, by at most `distance` where it was looked at.
+ */
+#define MAPD_PATH_CHANGE_MOVED 0
+
+/*
+ `kind` of a path's change: a lane with another key lies there, at most `distance` away where it was looked at.
+ */
+#define MAPD_PATH_CHANGE_REPLACED 1
+
+/*
+ `kind` of a path's change: no lane lies there for the vehicle and its direction.
+ */
+#define MAPD_PATH_CHANGE_GONE 2
+
+/*
+ `edge` of an edge: another lane of the road lies beyond, of whatever type, on the same level.
+ */
+#define MAPD_PATH_EDGE_LANE 0
+
+/*
+ `edge` of an edge: a kerb, by its mark, by the lane beyond, or by a step of 3 cm or more.
+ */
+#define MAPD_PATH_EDGE_KERB 1
+
+/*
+ `edge` of an edge: the road has no lane beyond. In a junction, that of another road may lie there.
+ */
+#define MAPD_PATH_EDGE_ROAD_END 2
+
+/*
+ `edges` of an outline: those of the driven lane.
+ */
+#define MAPD_CORRIDOR_EDGES_DRIVEN 0
+
+/*
+ `edges` of an outline: those of all lanes beside it that have its direction and are open to the vehicle.
+ */
+#define MAPD_CORRIDOR_EDGES_OPEN 1
 
 /*
  `yields` of a conflict: who drives along the path gives way.
@@ -635,6 +795,16 @@ enum {
  `which` of `mapd_lane_lines`: crosswalks and bicycle crossings that the movement through this lane of a junction passes.
  */
 #define MAPD_LANE_LINES_MOVEMENT_CROSSINGS 2
+
+/*
+ `which` of `mapd_signal_links`: signals that it controls or depends on.
+ */
+#define MAPD_SIGNAL_LINKS_DEPENDENCIES 0
+
+/*
+ `which` of `mapd_signal_links`: objects and signals that belong to it, such as the pole that it hangs from.
+ */
+#define MAPD_SIGNAL_LINKS_BELONGINGS 1
 
 /*
  What a call came to. Codes below `MAPD_CODE_NULL_POINTER` are no errors.
@@ -804,6 +974,16 @@ typedef struct mapd_scratch mapd_scratch;
  use it at once.
  */
 typedef struct mapd_snapshot mapd_snapshot;
+
+/*
+ A running filter over poses. All its memory is taken when it is made. It belongs to one thread at a time and to no map.
+ */
+typedef struct mapd_tracker mapd_tracker;
+
+/*
+ A map under its overlay at a moment. It keeps its snapshot; several threads may use it at once.
+ */
+typedef struct mapd_view mapd_view;
 
 /*
  Why a call failed. It is the caller's; a call that ends with an error writes it, any other leaves it as it was.
@@ -1511,6 +1691,20 @@ typedef struct mapd_lane_bounds {
 } mapd_lane_bounds;
 
 /*
+ Which signs forbid overtaking at a place.
+ */
+typedef struct mapd_overtaking_rule {
+  /*
+   The sign that forbids it to all motor vehicles, if one does.
+   */
+  struct mapd_signal_id all;
+  /*
+   The sign that forbids it to trucks, if one does.
+   */
+  struct mapd_signal_id trucks;
+} mapd_overtaking_rule;
+
+/*
  How hypotheses are weighed. Set it with `mapd_match_options_init`, then change what should differ.
  */
 typedef struct mapd_match_options {
@@ -1683,6 +1877,78 @@ typedef struct mapd_trace_match {
 } mapd_trace_match;
 
 /*
+ How a running drive is matched. Set it with `mapd_tracker_options_init`, then change what should differ.
+ */
+typedef struct mapd_tracker_options {
+  /*
+   Size of this struct as the caller knows it: later releases may append to it.
+   */
+  size_t size;
+  /*
+   How fixes are weighed. The priors of lanes (`vehicle`, `expected`) weigh the lanes of the first fix, and then the ways at forks. Default null:
+   the default of `mapd_match_options` with the types that motor vehicles travel on.
+   */
+  const struct mapd_match_options *matching;
+  /*
+   Mean time between changes of lane [s], positive. Default 30.
+   */
+  double change_interval;
+  /*
+   Time over which errors of fixes are alike [s], not negative: fixes nearer to each other count for less. Default 0.
+   */
+  double correlation_time;
+  /*
+   Time without a fix [s], after which the tracker begins anew; positive. Default 30.
+   */
+  double memory;
+  /*
+   Probability from which a lane, or none, is the answer; in (0, 1]. Default 0.5.
+   */
+  double enough;
+} mapd_tracker_options;
+
+/*
+ What is known of a vehicle at a moment.
+ */
+typedef struct mapd_tracker_fix {
+  /*
+   When [s]; does not fall from fix to fix.
+   */
+  double time;
+  /*
+   Where it is measured to be.
+   */
+  struct mapd_vehicle_pose pose;
+  /*
+   Covariance of (x, y, heading), row by row [m², m·rad, rad²], as for `mapd_match_pose`.
+   */
+  double covariance[9];
+  /*
+   Way driven since any beginning [m]; it falls while a vehicle reverses. Counts only with `has_odometer`; else the straight way from the last
+   fix counts.
+   */
+  double odometer;
+  /*
+   Not 0: `odometer` counts.
+   */
+  uint8_t has_odometer;
+} mapd_tracker_fix;
+
+/*
+ Where a tracked vehicle is.
+ */
+typedef struct mapd_tracked {
+  /*
+   The lane, of `MAPD_TRACKED_LANE`; else one with the row `MAPD_NO_ROW`, and zeros.
+   */
+  struct mapd_lane_match found;
+  /*
+   A `MAPD_TRACKED_…`.
+   */
+  uint8_t state;
+} mapd_tracked;
+
+/*
  What a lane is made of.
  */
 typedef struct mapd_material {
@@ -1745,6 +2011,32 @@ typedef struct mapd_ground {
    */
   uint8_t has_material;
 } mapd_ground;
+
+/*
+ How a vehicle stands.
+ */
+typedef struct mapd_stance {
+  /*
+   Height of the ground's plane below the vehicle's reference point [m].
+   */
+  double z;
+  /*
+   Roll [rad]; positive lifts the left side (ISO 8855).
+   */
+  double roll;
+  /*
+   Pitch [rad]; positive lowers the front (ISO 8855).
+   */
+  double pitch;
+  /*
+   Height of the ground below each wheel [m], in the order given; counts only with `has_wheel`.
+   */
+  double wheels[4];
+  /*
+   1: there is ground below the wheel.
+   */
+  uint8_t has_wheel[4];
+} mapd_stance;
 
 /*
  Which road marks count. Set it with `mapd_mark_filter_init`, then change what should differ.
@@ -1957,7 +2249,7 @@ typedef struct mapd_conflict {
 } mapd_conflict;
 
 /*
- A position on a lane by s alone: an end of a route, or where a search begins.
+ A place on a lane.
  */
 typedef struct mapd_position_on_lane {
   /*
@@ -1965,7 +2257,7 @@ typedef struct mapd_position_on_lane {
    */
   struct mapd_lane_id lane;
   /*
-   The road's s [m]; outside the lane's section its nearer end counts.
+   On the road [m]; outside the lane's section its nearer end counts.
    */
   double s;
 } mapd_position_on_lane;
@@ -2069,26 +2361,26 @@ typedef struct mapd_next_junction {
 } mapd_next_junction;
 
 /*
- The next change of lane on a route.
+ How a path is built. Set it with `mapd_path_options_init`, then change what should differ.
  */
-typedef struct mapd_lane_change {
+typedef struct mapd_path_options {
   /*
-   Number of the step that is entered by it.
+   Size of this struct as the caller knows it: later releases may append to it.
    */
-  size_t step;
+  size_t size;
   /*
-   Distance along the route to the first place where it may happen [m].
+   A joint with a larger gap is broken [m]; not negative, infinite for never. Default 0.1.
    */
-  double from;
+  double broken_gap;
   /*
-   Distance along the route to the last place where it may happen [m].
+   A joint with a larger kink is broken [rad]; as above. Default 0.3.
    */
-  double until;
+  double broken_kink;
   /*
-   1: it goes to the left.
+   Length of the road's s over which a change of lane is one smooth curve [m], for each lane that is changed to; 0, the default: the line jumps.
    */
-  uint8_t left;
-} mapd_lane_change;
+  double change_length;
+} mapd_path_options;
 
 /*
  A place on a path, as who drives there has it.
@@ -2225,9 +2517,13 @@ typedef struct mapd_path_joint {
    */
   uint8_t enter;
   /*
-   1: gap or kink are larger than a path should have. A change of lane breaks nothing by its gap.
+   1: gap or kink are larger than the options allow. A change of lane that jumps breaks nothing by its gap.
    */
   uint8_t broken;
+  /*
+   1: a change of lane that jumps because there is no room for the curve that the options ask for.
+   */
+  uint8_t is_short;
 } mapd_path_joint;
 
 /*
@@ -2265,7 +2561,192 @@ typedef struct mapd_path_lane {
 } mapd_path_lane;
 
 /*
- What lies on an edge of the driven lane.
+ A stop line or crosswalk on a lane.
+ */
+typedef struct mapd_lane_line_at {
+  /*
+   The signal that says so; one of `signal` and `object` names something.
+   */
+  struct mapd_signal_id signal;
+  /*
+   The object that says so.
+   */
+  struct mapd_object_id object;
+  /*
+   The lane.
+   */
+  struct mapd_lane_id lane;
+  /*
+   Where the lane's traffic meets it first, on the road [m].
+   */
+  double s;
+  /*
+   Of a line ahead: distance along the lanes' centre lines from the route's start [m]; else 0.
+   */
+  double distance;
+  /*
+   What it is: a `MAPD_CLASS_…`.
+   */
+  uint16_t class_code;
+} mapd_lane_line_at;
+
+/*
+ Something that a path comes by. What the kind does not name is not there: ids with the row `MAPD_NO_ROW`, zeros.
+ */
+typedef struct mapd_path_fact {
+  /*
+   S of its beginning [m].
+   */
+  double along_from;
+  /*
+   S of its end [m]; that of its beginning for what has a place alone.
+   */
+  double along_to;
+  /*
+   The driven lane at its beginning.
+   */
+  struct mapd_lane_id lane;
+  /*
+   The junction.
+   */
+  struct mapd_junction_id junction;
+  /*
+   The signal.
+   */
+  struct mapd_signal_id signal;
+  /*
+   The line.
+   */
+  struct mapd_lane_line_at line;
+  /*
+   Of a line its left end on the driven lane, inertial [m].
+   */
+  struct mapd_vec3 left;
+  /*
+   Of a line its right end.
+   */
+  struct mapd_vec3 right;
+  /*
+   Number in a list of the map; else `MAPD_NO_ROW`.
+   */
+  uint32_t number;
+  /*
+   What the kind says.
+   */
+  uint8_t code;
+  /*
+   What it is: a `MAPD_PATH_FACT_…`.
+   */
+  uint8_t kind;
+  /*
+   Of a signal, 1: it is for what the path does; a light with arrows is for some of the turns at the next junction only.
+   */
+  uint8_t governs;
+} mapd_path_fact;
+
+/*
+ A stretch of a path on which one speed limit holds.
+ */
+typedef struct mapd_path_speed {
+  /*
+   S of its beginning [m].
+   */
+  double along_from;
+  /*
+   S of its end [m].
+   */
+  double along_to;
+  /*
+   What holds there.
+   */
+  struct mapd_speed_rule rule;
+} mapd_path_speed;
+
+/*
+ A lane from which the goal of a path is reached along the path's own roads by allowed changes of lane.
+ */
+typedef struct mapd_path_segment {
+  /*
+   S of the beginning of the stretch over which this holds [m].
+   */
+  double along_from;
+  /*
+   S of its end [m].
+   */
+  double along_to;
+  /*
+   The lane.
+   */
+  struct mapd_lane_id lane;
+  /*
+   The largest S at which one can still be on this lane, with the lanes that it leads on to, and come to the goal: the last place for
+   its next change [m]. The path's end where no change is needed.
+   */
+  double last_change;
+  /*
+   S at which it leads on along the path no more [m]; the path's end where it does to the end.
+   */
+  double lane_end;
+  /*
+   Changes of lane that are left to the goal, at least.
+   */
+  uint32_t changes;
+  /*
+   1: it is travelled towards +s.
+   */
+  uint8_t forward;
+  /*
+   1: the path drives on it on this stretch.
+   */
+  uint8_t driven;
+} mapd_path_segment;
+
+/*
+ What has become of a stretch of a path on another version of its map.
+ */
+typedef struct mapd_path_change {
+  /*
+   S of its beginning on the old path [m].
+   */
+  double along_from;
+  /*
+   S of its end on the old path [m].
+   */
+  double along_to;
+  /*
+   How far away its lane lies now [m]; 0 for one that is gone.
+   */
+  double distance;
+  /*
+   A `MAPD_PATH_CHANGE_…`.
+   */
+  uint32_t kind;
+} mapd_path_change;
+
+/*
+ The next change of lane on a route.
+ */
+typedef struct mapd_lane_change {
+  /*
+   Number of the step that is entered by it.
+   */
+  size_t step;
+  /*
+   Distance along the route to the first place where it may happen [m].
+   */
+  double from;
+  /*
+   Distance along the route to the last place where it may happen [m].
+   */
+  double until;
+  /*
+   1: it goes to the left.
+   */
+  uint8_t left;
+} mapd_lane_change;
+
+/*
+ What lies on an edge of a lane.
  */
 typedef struct mapd_edge_mark {
   /*
@@ -2280,6 +2761,10 @@ typedef struct mapd_edge_mark {
    1: a change of lane over this edge is allowed, into a lane of its direction that the vehicle may use.
    */
   uint8_t may_cross;
+  /*
+   What lies beyond: a `MAPD_PATH_EDGE_…`.
+   */
+  uint8_t edge;
 } mapd_edge_mark;
 
 /*
@@ -2294,6 +2779,10 @@ typedef struct mapd_corridor_station {
    The driven lane.
    */
   struct mapd_lane_id lane;
+  /*
+   s on its road [m].
+   */
+  double s;
   /*
    Left edge of the driven lane [m].
    */
@@ -2311,6 +2800,10 @@ typedef struct mapd_corridor_station {
    */
   struct mapd_vec3 outer_right;
   /*
+   The speed limit, as `mapd_path_speed_at` has it.
+   */
+  struct mapd_speed_rule speed;
+  /*
    What lies on the left edge of the driven lane.
    */
   struct mapd_edge_mark left_mark;
@@ -2318,7 +2811,37 @@ typedef struct mapd_corridor_station {
    What lies on its right edge.
    */
   struct mapd_edge_mark right_mark;
+  /*
+   What lies on the left edge of the leftmost lane.
+   */
+  struct mapd_edge_mark outer_left_mark;
+  /*
+   What lies on the right edge of the rightmost lane.
+   */
+  struct mapd_edge_mark outer_right_mark;
 } mapd_corridor_station;
+
+/*
+ The road's surface at one station of a path.
+ */
+typedef struct mapd_corridor_surface {
+  /*
+   Inertial position of the lane's middle on the surface [m].
+   */
+  struct mapd_vec3 position;
+  /*
+   Unit normal, upwards.
+   */
+  struct mapd_vec3 normal;
+  /*
+   Friction coefficient; negative where not given.
+   */
+  double friction;
+  /*
+   Roughness as written; negative where not given.
+   */
+  double roughness;
+} mapd_corridor_surface;
 
 /*
  A place where the traffic of another lane meets a path.
@@ -2360,7 +2883,239 @@ typedef struct mapd_path_conflict {
    Why: a `MAPD_RELATION_REASON_…`; what a rule of the road would say where `yields` is `MAPD_YIELDS_UNKNOWN`.
    */
   uint8_t reason;
+  /*
+   Who goes first in the map's own terms, a `MAPD_RELATION_…`: as `yields`, and where a rule of the road would have to say, what right-before-left
+   and the rule of turns say.
+   */
+  uint8_t relation;
+  /*
+   1: both come by equal roads, as far as the file says: of one type, with one speed limit, and no motorway.
+   */
+  uint8_t equal_roads;
 } mapd_path_conflict;
+
+/*
+ A lane, or a piece of one, on which traffic comes towards a conflict.
+ */
+typedef struct mapd_conflict_approach {
+  /*
+   The lane.
+   */
+  struct mapd_lane_id lane;
+  /*
+   s on its road where the part within the distance begins, in driving direction [m].
+   */
+  double s_from;
+  /*
+   s where it ends [m].
+   */
+  double s_to;
+  /*
+   Distance of its beginning from the conflict's first place along the centre lines [m].
+   */
+  double distance_from;
+  /*
+   Distance of its end [m].
+   */
+  double distance_to;
+  /*
+   1: it is travelled towards +s.
+   */
+  uint8_t forward;
+} mapd_conflict_approach;
+
+/*
+ A crosswalk or bicycle crossing over a path.
+ */
+typedef struct mapd_path_crossing {
+  /*
+   S of its first place [m].
+   */
+  double along_from;
+  /*
+   S of its last place [m]; that of the first one where the file gives a place alone.
+   */
+  double along_to;
+  /*
+   S at which to wait [m]: the last line to stop at on the path, up to 30 m before, else where it begins.
+   */
+  double wait;
+  /*
+   The crossing, on the driven lane.
+   */
+  struct mapd_lane_line_at line;
+  /*
+   `MAPD_YIELDS_LIGHTS` where a light for vehicles stands on the path up to 30 m before it, else `MAPD_YIELDS_UNKNOWN`: a rule of the road decides,
+   nearly everywhere in favour of who crosses.
+   */
+  uint8_t yields;
+} mapd_path_crossing;
+
+/*
+ Something that an overlay says.
+ */
+typedef struct mapd_overlay_entry {
+  /*
+   Its name, which no other entry has.
+   */
+  struct mapd_text id;
+  /*
+   Who says so; empty where that is not said.
+   */
+  struct mapd_text source;
+  /*
+   What is said, for people; may be empty.
+   */
+  struct mapd_text text;
+  /*
+   Of a speed, the limit [m/s]; of other kinds negative.
+   */
+  double value;
+  /*
+   How sure the source is, from 0 to 1.
+   */
+  double confidence;
+  /*
+   Classes of vehicles that are concerned: the bit of each is `1 << code`, of a `MAPD_VEHICLE_CLASS_…`.
+   */
+  uint64_t vehicles;
+  /*
+   Its place among the overlay's entries, from 0.
+   */
+  uint32_t number;
+  /*
+   What it says: a `MAPD_OVERLAY_KIND_…`.
+   */
+  uint8_t kind;
+  /*
+   1: it holds at the view's moment.
+   */
+  uint8_t holds;
+} mapd_overlay_entry;
+
+/*
+ An entry that holds on a stretch of a lane.
+ */
+typedef struct mapd_restriction {
+  /*
+   The lane; a row of `MAPD_NO_ROW` where there is no restriction.
+   */
+  struct mapd_lane_id lane;
+  /*
+   Smaller end of the stretch on the road [m]: at least the part of it on which the same entries hold.
+   */
+  double s_from;
+  /*
+   Larger end [m].
+   */
+  double s_to;
+  /*
+   Number of the entry, see `mapd_view_entries`; `MAPD_NO_ROW` where there is no restriction.
+   */
+  uint32_t entry;
+} mapd_restriction;
+
+/*
+ An entry that holds on a stretch of a path.
+ */
+typedef struct mapd_path_restriction {
+  /*
+   S of the beginning of what is driven of it [m].
+   */
+  double along_from;
+  /*
+   S of its end [m].
+   */
+  double along_to;
+  /*
+   The entry, on the lane that is driven there.
+   */
+  struct mapd_restriction restriction;
+} mapd_path_restriction;
+
+/*
+ Whether a class of vehicles may use a lane at a place.
+ */
+typedef struct mapd_permission {
+  /*
+   The entry that decides so; none where the map does.
+   */
+  struct mapd_restriction restriction;
+  /*
+   1: it may.
+   */
+  uint8_t is_allowed;
+} mapd_permission;
+
+/*
+ The speed limit at a place, with what is said of it today.
+ */
+typedef struct mapd_speed_today {
+  /*
+   Limit [m/s], infinite where there is none; counts only with `has_max`.
+   */
+  double max;
+  /*
+   What the map says.
+   */
+  struct mapd_speed_rule map;
+  /*
+   The entry that says otherwise; none where the map's limit holds.
+   */
+  struct mapd_restriction restriction;
+  /*
+   1: somebody says something.
+   */
+  uint8_t has_max;
+} mapd_speed_today;
+
+/*
+ A node, or a piece of one where an overlay cuts it, that can be reached.
+ */
+typedef struct mapd_reached_piece {
+  /*
+   The lane.
+   */
+  struct mapd_lane_id lane;
+  /*
+   Smaller end on the road [m].
+   */
+  double s_from;
+  /*
+   Larger end on the road [m].
+   */
+  double s_to;
+  /*
+   Least cost up to its beginning; of those beside the start, of the lane changes to them.
+   */
+  double cost;
+  /*
+   1: it is travelled towards +s.
+   */
+  uint8_t forward;
+} mapd_reached_piece;
+
+/*
+ A signal ahead.
+ */
+typedef struct mapd_signal_ahead {
+  /*
+   The signal.
+   */
+  struct mapd_signal_id signal;
+  /*
+   The lane on which it counts.
+   */
+  struct mapd_lane_id lane;
+  /*
+   Distance along the lanes' centre lines [m].
+   */
+  double distance;
+  /*
+   Its place on that lane's road [m].
+   */
+  double s;
+} mapd_signal_ahead;
 
 /*
  A junction.
@@ -2601,58 +3356,6 @@ typedef struct mapd_near_signal {
 } mapd_near_signal;
 
 /*
- A signal ahead.
- */
-typedef struct mapd_signal_ahead {
-  /*
-   The signal.
-   */
-  struct mapd_signal_id signal;
-  /*
-   The lane on which it counts.
-   */
-  struct mapd_lane_id lane;
-  /*
-   Distance along the lanes' centre lines [m].
-   */
-  double distance;
-  /*
-   Its place on that lane's road [m].
-   */
-  double s;
-} mapd_signal_ahead;
-
-/*
- A stop line or crosswalk on a lane.
- */
-typedef struct mapd_lane_line_at {
-  /*
-   The signal that says so; one of `signal` and `object` names something.
-   */
-  struct mapd_signal_id signal;
-  /*
-   The object that says so.
-   */
-  struct mapd_object_id object;
-  /*
-   The lane.
-   */
-  struct mapd_lane_id lane;
-  /*
-   Where the lane's traffic meets it first, on the road [m].
-   */
-  double s;
-  /*
-   Of a line ahead: distance along the lanes' centre lines from the route's start [m]; else 0.
-   */
-  double distance;
-  /*
-   What it is: a `MAPD_CLASS_…`.
-   */
-  uint16_t class_code;
-} mapd_lane_line_at;
-
-/*
  Who goes first where a lane of a junction meets another.
  */
 typedef struct mapd_right_of_way {
@@ -2754,6 +3457,34 @@ typedef struct mapd_object_facts {
    1: it is written to hold no longer.
    */
   uint8_t is_invalidated;
+  /*
+   1: its s lies beyond the road, so that it stands beside its end.
+   */
+  uint8_t is_clamped;
+  /*
+   1: it is a parking space.
+   */
+  uint8_t is_parking_space;
+  /*
+   1: `value` is there.
+   */
+  uint8_t has_value;
+  /*
+   What its class means by its value: [m/s], [m] or [kg]; counts only with `has_value`.
+   */
+  double value;
+  /*
+   Unit in which the number of its value is read, such as `km/h`: objects state none. Empty without a value.
+   */
+  struct mapd_text assumed_unit;
+  /*
+   Of a parking space who may park, as written: all, car, women, handicapped, bus, truck, electric, residents.
+   */
+  struct mapd_text parking_access;
+  /*
+   Of a parking space its restrictions in words.
+   */
+  struct mapd_text parking_restrictions;
 } mapd_object_facts;
 
 /*
@@ -2929,6 +3660,46 @@ typedef struct mapd_landmark {
 } mapd_landmark;
 
 /*
+ A sensor that looks for landmarks.
+ */
+typedef struct mapd_sensor {
+  /*
+   Where it is, inertial [m].
+   */
+  struct mapd_vec2 position;
+  /*
+   Where it looks [rad], counter-clockwise from x.
+   */
+  double heading;
+  /*
+   How far it sees in plan view [m].
+   */
+  double range;
+  /*
+   Angle that it sees, half of it to either side [rad]; 2π and more is all round.
+   */
+  double field_of_view;
+} mapd_sensor;
+
+/*
+ A landmark as a sensor sees it.
+ */
+typedef struct mapd_landmark_in_view {
+  /*
+   The landmark; its distance is the range from the sensor.
+   */
+  struct mapd_landmark landmark;
+  /*
+   Direction of where it stands from the sensor's heading [rad], positive to the left, in (−π, π].
+   */
+  double bearing;
+  /*
+   How far it is turned away from the sensor [rad], counter-clockwise, in (−π, π]: 0 looks at the sensor. Of an object that of its u axis.
+   */
+  double facing;
+} mapd_landmark_in_view;
+
+/*
  A road mark on a lane's outer border, for lane 0 on its own line.
  */
 typedef struct mapd_road_mark {
@@ -3019,6 +3790,36 @@ typedef struct mapd_road_mark_segment {
 } mapd_road_mark_segment;
 
 /*
+ A painted place of a road mark.
+ */
+typedef struct mapd_mark_point {
+  /*
+   In the middle of the line, on the plane h = 0, inertial [m].
+   */
+  struct mapd_vec3 position;
+  /*
+   The lane on whose outer border the mark lies; lane 0 for marks of the centre.
+   */
+  struct mapd_lane_id lane;
+  /*
+   Along the road [m].
+   */
+  double s;
+  /*
+   Width of the line [m].
+   */
+  double width;
+  /*
+   A `MAPD_ROAD_MARK_KIND_…`.
+   */
+  uint8_t kind;
+  /*
+   A `MAPD_ROAD_MARK_COLOR_…`: the line's own, or the mark's.
+   */
+  uint8_t color;
+} mapd_mark_point;
+
+/*
  A point of the road's surface.
  */
 typedef struct mapd_surface {
@@ -3079,6 +3880,218 @@ typedef struct mapd_grid_height {
    */
   double by_y;
 } mapd_grid_height;
+
+/*
+ A bridge or tunnel.
+ */
+typedef struct mapd_structure {
+  /*
+   OpenDRIVE's id, verbatim.
+   */
+  struct mapd_text id;
+  /*
+   OpenDRIVE's name.
+   */
+  struct mapd_text name;
+  /*
+   Type as written, such as concrete or underpass.
+   */
+  struct mapd_text type_name;
+  /*
+   The road.
+   */
+  struct mapd_road_id road;
+  /*
+   Where it begins on the road [m].
+   */
+  double s_from;
+  /*
+   Where it ends [m].
+   */
+  double s_to;
+  /*
+   Degree of artificial light in a tunnel, 0 to 1; negative where not given.
+   */
+  double lighting;
+  /*
+   Degree of daylight in a tunnel, 0 to 1; negative where not given.
+   */
+  double daylight;
+  /*
+   Smallest number of the lanes that it is written to hold for; counts only with `has_lanes`, else it holds for all.
+   */
+  int32_t lane_from;
+  /*
+   Largest number of those lanes. Of several ranges this is the whole from the first to the last.
+   */
+  int32_t lane_to;
+  /*
+   1: it holds for some lanes only.
+   */
+  uint8_t has_lanes;
+  /*
+   A `MAPD_STRUCTURE_KIND_…`.
+   */
+  uint8_t kind;
+} mapd_structure;
+
+/*
+ An object of another road that concerns a road too.
+ */
+typedef struct mapd_object_reference {
+  /*
+   Id of the object as written.
+   */
+  struct mapd_text id;
+  /*
+   The object; one that names nothing where the map has none of this id.
+   */
+  struct mapd_object_id object;
+  /*
+   The road that refers to it.
+   */
+  struct mapd_road_id road;
+  /*
+   s on the referring road [m].
+   */
+  double s;
+  /*
+   t on the referring road [m].
+   */
+  double t;
+  /*
+   Height above the referring road's reference line [m].
+   */
+  double z_offset;
+  /*
+   Length along s over which it holds [m]; 0 where not given.
+   */
+  double valid_length;
+  /*
+   Direction of travel on the referring road that it is for: a `MAPD_ORIENTATION_…`.
+   */
+  uint8_t orientation;
+} mapd_object_reference;
+
+/*
+ A part of the document that is not in the map as written.
+ */
+typedef struct mapd_quarantined {
+  /*
+   OpenDRIVE's id, verbatim.
+   */
+  struct mapd_text id;
+  /*
+   Id of the road or junction that it belongs to; its own for a road or junction.
+   */
+  struct mapd_text owner;
+  /*
+   Id of the rule whose finding is the reason.
+   */
+  struct mapd_text rule;
+  /*
+   What the finding says.
+   */
+  struct mapd_text message;
+  /*
+   Name of the included file that the finding stands in; empty for the document itself.
+   */
+  struct mapd_text file;
+  /*
+   The rectangle around it; counts only with `has_extent`.
+   */
+  struct mapd_region extent;
+  /*
+   Length of a road as written [m]; 0 for other parts.
+   */
+  double length;
+  /*
+   Place of the finding in its file: line, from 1.
+   */
+  uint32_t line;
+  /*
+   Place of the finding in its file: column, from 1.
+   */
+  uint32_t column;
+  /*
+   What it is: a `MAPD_QUARANTINED_KIND_…`.
+   */
+  uint8_t kind;
+  /*
+   What the owner is.
+   */
+  uint8_t owner_kind;
+  /*
+   1: it is a road that is in the map as its bare reference line.
+   */
+  uint8_t is_reference_line;
+  /*
+   1: its place is known.
+   */
+  uint8_t has_extent;
+} mapd_quarantined;
+
+/*
+ Junctions that belong together: a roundabout, an interchange.
+ */
+typedef struct mapd_junction_group {
+  /*
+   OpenDRIVE's id, verbatim.
+   */
+  struct mapd_text id;
+  /*
+   OpenDRIVE's name.
+   */
+  struct mapd_text name;
+  /*
+   What the group is: a `MAPD_JUNCTION_GROUP_KIND_…`.
+   */
+  uint8_t kind;
+} mapd_junction_group;
+
+/*
+ A group of signals that switch together.
+ */
+typedef struct mapd_controller {
+  /*
+   OpenDRIVE's id, verbatim.
+   */
+  struct mapd_text id;
+  /*
+   OpenDRIVE's name.
+   */
+  struct mapd_text name;
+  /*
+   Its rank; negative where not given.
+   */
+  int32_t sequence;
+} mapd_controller;
+
+/*
+ Something that a signal names.
+ */
+typedef struct mapd_signal_link {
+  /*
+   Id as written.
+   */
+  struct mapd_text id;
+  /*
+   Type as written.
+   */
+  struct mapd_text kind;
+  /*
+   The signal, where it is one and the map has it.
+   */
+  struct mapd_signal_id signal;
+  /*
+   The object, where it is one and the map has it.
+   */
+  struct mapd_object_id object;
+  /*
+   1: an object is named.
+   */
+  uint8_t is_object;
+} mapd_signal_link;
 
 /*
  A place on Earth, on the ellipsoid of WGS 84.
@@ -3156,6 +4169,17 @@ mapd_code mapd_client_wait_next(const struct mapd_client *client_handle,
                                 double wait_s,
                                 struct mapd_snapshot **out,
                                 struct mapd_error *error);
+
+/*
+ Waits at most `wait_s` [s] for another generation, or for another overlay over the one that is served: `out` gets 1 if one has come. Then
+ `mapd_client_snapshot` has it.
+
+ Errors: as `mapd_client_refresh`.
+ */
+mapd_code mapd_client_wait_change(const struct mapd_client *client_handle,
+                                  double wait_s,
+                                  uint8_t *out,
+                                  struct mapd_error *error);
 
 /*
  Waits at most `wait_s` [s] for the generation of this number: processes that must change over together agree on the number of a staged
@@ -3247,6 +4271,25 @@ mapd_code mapd_snapshot_clone(const struct mapd_snapshot *snapshot,
  Closes a snapshot and sets the handle to null. Null, or a handle that is null, is fine.
  */
 void mapd_snapshot_close(struct mapd_snapshot **snapshot);
+
+/*
+ The same map under an overlay that was made elsewhere: what crate mapd-overlay encodes for this map, `size` bytes, which are copied. A client's snapshots
+ are under what the daemon serves without this. Close it with `mapd_snapshot_close`.
+
+ Errors: `MAPD_CODE_NOT_AN_ARCHIVE` for bytes that are no overlay; `MAPD_CODE_FOREIGN_ID` for one of another map.
+ */
+mapd_code mapd_snapshot_with_overlay(const struct mapd_snapshot *snapshot,
+                                     const uint8_t *bytes,
+                                     size_t size,
+                                     struct mapd_snapshot **out,
+                                     struct mapd_error *error);
+
+/*
+ Revision of what is laid over the map, which rises with each change; 0 where nothing is. `mapd_view_new` makes it count.
+ */
+mapd_code mapd_snapshot_overlay_revision(const struct mapd_snapshot *snapshot,
+                                         uint64_t *out,
+                                         struct mapd_error *error);
 
 /*
  Proves the whole archive, content hash included. Linear in its size; attaching and opening do not do this.
@@ -3486,6 +4529,30 @@ mapd_code mapd_road_to_track(const struct mapd_snapshot *snapshot,
                              struct mapd_error *error);
 
 /*
+ As `mapd_road_to_inertial`, of `count` track positions; `out` has room for as many.
+
+ Errors: as `mapd_road_to_inertial`; the answers before the entry that has one are written.
+ */
+mapd_code mapd_road_to_inertial_batch(const struct mapd_snapshot *snapshot,
+                                      struct mapd_road_id road,
+                                      const struct mapd_track *tracks,
+                                      size_t count,
+                                      struct mapd_pose *out,
+                                      struct mapd_error *error);
+
+/*
+ As `mapd_road_to_track`, of `count` points; `out` has room for as many.
+
+ Errors: as `mapd_road_to_track`; the answers before the point that has one are written.
+ */
+mapd_code mapd_road_to_track_batch(const struct mapd_snapshot *snapshot,
+                                   struct mapd_road_id road,
+                                   const struct mapd_point *points,
+                                   size_t count,
+                                   struct mapd_track_position *out,
+                                   struct mapd_error *error);
+
+/*
  Elevation of the reference line at s [m]. s outside the road counts as its nearer end.
 
  Errors: `MAPD_CODE_NOT_FINITE`.
@@ -3678,6 +4745,31 @@ mapd_code mapd_lane_length_between(const struct mapd_snapshot *snapshot,
                                    struct mapd_error *error);
 
 /*
+ Time to travel the centre line between two places on the road at the speed limit of `mapd_lane_speed_limit_at` [s]: 50 km/h where there is none written,
+ 130 km/h where there is no limit. s outside the lane's section counts as its nearer end.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_lane_time_between(const struct mapd_snapshot *snapshot,
+                                 struct mapd_lane_id lane,
+                                 double a,
+                                 double b,
+                                 double *out,
+                                 struct mapd_error *error);
+
+/*
+ Which signs forbid overtaking at s. A sign holds from its place on, in driving direction, until another one ends it, over lanes that lead on alone, and
+ not beyond a junction. What road marks forbid is `change_left` and `change_right` of `mapd_node_facts`.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_lane_overtaking_rule_at(const struct mapd_snapshot *snapshot,
+                                       struct mapd_lane_id lane,
+                                       double s,
+                                       struct mapd_overtaking_rule *out,
+                                       struct mapd_error *error);
+
+/*
  The lane beside this one; `side` is a `MAPD_BESIDE_…`. `MAPD_CODE_NONE` if there is none. One that shares the direction and may be
  changed to is `change_left` or `change_right` of `mapd_node_facts`.
 
@@ -3739,6 +4831,27 @@ mapd_code mapd_match_pose(const struct mapd_snapshot *snapshot,
                           struct mapd_error *error);
 
 /*
+ As `mapd_match_pose`, of `pose_count` poses. There is one covariance of nine entries for all of them, or one for each. `out` gets the lanes of all
+ poses one behind the other; `ends` and `none` have room for an entry for each pose: where its lanes end in `out`, and the probability that it is
+ in none. Null for either is fine.
+
+ Errors: as `mapd_match_pose`, by the number of the first pose that has one.
+ */
+mapd_code mapd_match_pose_batch(const struct mapd_snapshot *snapshot,
+                                const struct mapd_vehicle_pose *poses,
+                                size_t pose_count,
+                                const double *covariances,
+                                size_t covariance_count,
+                                const struct mapd_match_options *options,
+                                struct mapd_scratch *scratch,
+                                struct mapd_lane_match *out,
+                                size_t capacity,
+                                size_t *count,
+                                size_t *ends,
+                                double *none,
+                                struct mapd_error *error);
+
+/*
  The lanes of a trace: the most probable way through all its fixes. `out` has room for `fix_count` answers, one for each fix. `options`: null
  is the default.
 
@@ -3751,6 +4864,59 @@ mapd_code mapd_match_trace(const struct mapd_snapshot *snapshot,
                            struct mapd_scratch *scratch,
                            struct mapd_trace_match *out,
                            struct mapd_error *error);
+
+/*
+ Makes a tracker that has seen nothing. Close it with `mapd_tracker_close`.
+ */
+mapd_code mapd_tracker_new(struct mapd_tracker **out, struct mapd_error *error);
+
+/*
+ Closes a tracker and sets the handle to null. Null, or a handle that is null, is fine.
+ */
+void mapd_tracker_close(struct mapd_tracker **tracker);
+
+/*
+ Sets options to their defaults. `size` is `sizeof(mapd_tracker_options)`.
+ */
+mapd_code mapd_tracker_options_init(struct mapd_tracker_options *options, size_t size, struct mapd_error *error);
+
+/*
+ Takes the next fix. The first one, one after `memory` without any, and the first on a map of other content begin anew. `options`: null is the default.
+
+ Errors: `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for a covariance that is not symmetric and positive semi-definite, a time before that of the
+ last fix, and options out of their domain. The tracker stays as it was.
+ */
+mapd_code mapd_tracker_update(struct mapd_tracker *tracker,
+                              const struct mapd_snapshot *snapshot,
+                              const struct mapd_tracker_fix *fix,
+                              const struct mapd_tracker_options *options,
+                              struct mapd_tracked *out,
+                              struct mapd_error *error);
+
+/*
+ The lanes that the vehicle may be in, the most probable one first; at most 32. `none`: the probability that it is in none, or across them; null is
+ fine.
+ */
+mapd_code mapd_tracker_hypotheses(const struct mapd_tracker *tracker,
+                                  struct mapd_lane_match *out,
+                                  size_t capacity,
+                                  size_t *count,
+                                  double *none,
+                                  struct mapd_error *error);
+
+/*
+ Probability that the vehicle is in one of these lanes, such as those of its route: when it has left them, this falls.
+ */
+mapd_code mapd_tracker_probability_in(struct mapd_tracker *tracker,
+                                      const struct mapd_lane_id *lanes,
+                                      size_t lane_count,
+                                      double *out,
+                                      struct mapd_error *error);
+
+/*
+ Has the tracker forget everything.
+ */
+mapd_code mapd_tracker_reset(struct mapd_tracker *tracker, struct mapd_error *error);
 
 /*
  The ground at a place, on the level whose height is nearest to the point's z; on the lowest one of a point without z. Heights more than
@@ -3775,6 +4941,20 @@ mapd_code mapd_ground_at_batch(const struct mapd_snapshot *snapshot,
                                struct mapd_scratch *scratch,
                                struct mapd_ground *out,
                                struct mapd_error *error);
+
+/*
+ How a vehicle stands at a pose: the plane through the ground below its wheels, nearest to all four. `wheels` are four places where they touch the
+ ground, from the reference point ahead (x) and to the left (y) [m]; the pose's z, if known, decides on which level. Pitch and roll follow heading, in
+ this order. `MAPD_CODE_NONE` with ground below fewer than three wheels, or wheels in a line.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_stance_at(const struct mapd_snapshot *snapshot,
+                         struct mapd_vehicle_pose pose,
+                         const struct mapd_vec2 *wheels,
+                         struct mapd_scratch *scratch,
+                         struct mapd_stance *out,
+                         struct mapd_error *error);
 
 /*
  Sets a filter to its defaults. `size` is `sizeof(mapd_mark_filter)`.
@@ -3932,6 +5112,22 @@ mapd_code mapd_reachable(const struct mapd_snapshot *snapshot,
                          struct mapd_error *error);
 
 /*
+ Every node from whose beginning a place can be reached within a cost, nearest first: who can come here. The place's own node and those beside it
+ come with what is to be driven on them.
+
+ Errors: as `mapd_route`.
+ */
+mapd_code mapd_reachable_to(const struct mapd_snapshot *snapshot,
+                            struct mapd_position_on_lane to,
+                            double limit,
+                            struct mapd_cost cost,
+                            struct mapd_scratch *scratch,
+                            struct mapd_reached *out,
+                            size_t capacity,
+                            size_t *count,
+                            struct mapd_error *error);
+
+/*
  All sequences of lanes that a vehicle can follow from a place without changing lanes (`ahead` not 0), or on which it can have come there,
  until each is `distance` [m] long or ends. `out` gets the lanes of all sequences one behind the other, `ends` where each ends in `out`.
  `truncated`: 1 where there are more sequences than are listed; null is fine.
@@ -3967,38 +5163,20 @@ mapd_code mapd_next_junction_of(const struct mapd_snapshot *snapshot,
                                 struct mapd_error *error);
 
 /*
- The next change of lane on a route, seen from a place on step number `at`. `MAPD_CODE_NONE` if the route needs no more.
-
- Errors: as `mapd_route`.
+ Sets options to their defaults. `size` is `sizeof(mapd_path_options)`.
  */
-mapd_code mapd_next_lane_change(const struct mapd_snapshot *snapshot,
-                                const struct mapd_route_step *steps,
-                                size_t step_count,
-                                size_t at,
-                                struct mapd_position_on_lane place,
-                                struct mapd_scratch *scratch,
-                                struct mapd_lane_change *out,
-                                struct mapd_error *error);
+mapd_code mapd_path_options_init(struct mapd_path_options *options, size_t size, struct mapd_error *error);
 
 /*
- The length of a route's steps along centre lines [m].
+ The path along a route's steps. `options`: null is the default. Close it with `mapd_path_close`.
 
- Errors: as `mapd_route`.
- */
-mapd_code mapd_steps_length(const struct mapd_snapshot *snapshot,
-                            const struct mapd_route_step *steps,
-                            size_t step_count,
-                            double *out,
-                            struct mapd_error *error);
-
-/*
- The path along a route's steps. Close it with `mapd_path_close`.
-
- Errors: steps that do not follow each other, go backwards, or none: `MAPD_CODE_ARGUMENT`; `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`.
+ Errors: steps that do not follow each other, go backwards, or none, and options out of their domain: `MAPD_CODE_ARGUMENT`;
+ `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`.
  */
 mapd_code mapd_path_new(const struct mapd_snapshot *snapshot,
                         const struct mapd_route_step *steps,
                         size_t step_count,
+                        const struct mapd_path_options *options,
                         struct mapd_path **out,
                         struct mapd_error *error);
 
@@ -4053,23 +5231,6 @@ mapd_code mapd_path_joints(const struct mapd_path *path,
                            struct mapd_error *error);
 
 /*
- The steps over lanes that follow each other, as `mapd_lane_sequences` lists them, from s [m] on the first to s on the last; each in its own
- driving direction.
-
- Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`.
- */
-mapd_code mapd_steps_of_lanes(const struct mapd_snapshot *snapshot,
-                              const struct mapd_lane_id *lanes,
-                              size_t lane_count,
-                              double s_from,
-                              double s_to,
-                              struct mapd_scratch *scratch,
-                              struct mapd_route_step *out,
-                              size_t capacity,
-                              size_t *count,
-                              struct mapd_error *error);
-
-/*
  The lanes that are driven on, in ascending S; one that is only changed from is not among them.
  */
 mapd_code mapd_path_lanes(const struct mapd_path *path,
@@ -4116,6 +5277,120 @@ mapd_code mapd_path_project_batch(const struct mapd_path *path,
                                   struct mapd_error *error);
 
 /*
+ What the path comes by, in ascending S: junctions with the turn, signals, stop lines and crossings, types of roads and lanes, bridges and tunnels, and
+ holes of the map. What goes on over several lanes stands once. Speed limits are `mapd_path_speeds`.
+ */
+mapd_code mapd_path_facts(const struct mapd_path *path,
+                          struct mapd_scratch *scratch,
+                          struct mapd_path_fact *out,
+                          size_t capacity,
+                          size_t *count,
+                          struct mapd_error *error);
+
+/*
+ The speed limits along the path, in ascending S without gaps.
+ */
+mapd_code mapd_path_speeds(const struct mapd_path *path,
+                           struct mapd_scratch *scratch,
+                           struct mapd_path_speed *out,
+                           size_t capacity,
+                           size_t *count,
+                           struct mapd_error *error);
+
+/*
+ On every stretch of the path the lanes from which its goal is reached along the same roads, from left to right as the driver sees them. Stretches are
+ in ascending S and cover the path; on each it is the same who may go where. `vehicle` is a `MAPD_VEHICLE_CLASS_…`.
+
+ Errors: `MAPD_CODE_ARGUMENT` for an unknown class.
+ */
+mapd_code mapd_path_segments(const struct mapd_path *path,
+                             uint8_t vehicle,
+                             struct mapd_scratch *scratch,
+                             struct mapd_path_segment *out,
+                             size_t capacity,
+                             size_t *count,
+                             struct mapd_error *error);
+
+/*
+ The steps over lanes that follow each other, as `mapd_lane_sequences` lists them, from s [m] on the first to s on the last; each in its own
+ driving direction.
+
+ Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_steps_of_lanes(const struct mapd_snapshot *snapshot,
+                              const struct mapd_lane_id *lanes,
+                              size_t lane_count,
+                              double s_from,
+                              double s_to,
+                              struct mapd_scratch *scratch,
+                              struct mapd_route_step *out,
+                              size_t capacity,
+                              size_t *count,
+                              struct mapd_error *error);
+
+/*
+ The part of a path's steps from S, `from`, to S, `to` [m]: what a new path over it is made of. `steps` are those that the path was made from.
+
+ Errors: `MAPD_CODE_ARGUMENT` for steps that are not the path's, and where `from` is not less than `to`; `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_path_steps_between(const struct mapd_path *path,
+                                  const struct mapd_route_step *steps,
+                                  size_t step_count,
+                                  double from,
+                                  double to,
+                                  struct mapd_scratch *scratch,
+                                  struct mapd_route_step *out,
+                                  size_t capacity,
+                                  size_t *count,
+                                  struct mapd_error *error);
+
+/*
+ The way of a path on another snapshot, such as the next version of its map: its lanes are found by key, and where there is none or it lies elsewhere
+ by their place. `out` gets the steps of the new route, for `mapd_path_new`, and `sum` what it comes to; null is fine. `changes` gets what has changed and where,
+ in ascending S of the old path: nothing for a map on which all is the same. `MAPD_CODE_NONE` if no way leads along what is left of the path;
+ `changes` are written nevertheless.
+
+ Errors: `MAPD_CODE_CORRUPT`; `MAPD_CODE_ARGUMENT` for an unknown cost or class.
+ */
+mapd_code mapd_path_rebase(const struct mapd_path *path,
+                           const struct mapd_snapshot *snapshot,
+                           struct mapd_cost cost,
+                           struct mapd_scratch *scratch,
+                           struct mapd_route_sum *sum,
+                           struct mapd_route_step *out,
+                           size_t capacity,
+                           size_t *count,
+                           struct mapd_path_change *changes,
+                           size_t changes_capacity,
+                           size_t *changes_count,
+                           struct mapd_error *error);
+
+/*
+ The next change of lane on a route, seen from a place on step number `at`. `MAPD_CODE_NONE` if the route needs no more.
+
+ Errors: as `mapd_route`.
+ */
+mapd_code mapd_next_lane_change(const struct mapd_snapshot *snapshot,
+                                const struct mapd_route_step *steps,
+                                size_t step_count,
+                                size_t at,
+                                struct mapd_position_on_lane place,
+                                struct mapd_scratch *scratch,
+                                struct mapd_lane_change *out,
+                                struct mapd_error *error);
+
+/*
+ The length of a route's steps along centre lines [m].
+
+ Errors: as `mapd_route`.
+ */
+mapd_code mapd_steps_length(const struct mapd_snapshot *snapshot,
+                            const struct mapd_route_step *steps,
+                            size_t step_count,
+                            double *out,
+                            struct mapd_error *error);
+
+/*
  The room along the path from S, `from` [m], on: a station every `step` [m] and one at the end, `length` [m] on or where the path ends.
  `vehicle` is a `MAPD_VEHICLE_CLASS_…`.
 
@@ -4134,8 +5409,40 @@ mapd_code mapd_path_corridor(const struct mapd_path *path,
                              struct mapd_error *error);
 
 /*
- Where lanes of junctions and other lanes that the map knows to conflict meet the path, in ascending S. Lanes that the path itself drives on
- are left out.
+ The road's surface at the stations that `mapd_path_corridor` has for the same numbers.
+
+ Errors: as `mapd_path_corridor`; `MAPD_CODE_CORRUPT`.
+ */
+mapd_code mapd_path_corridor_surface(const struct mapd_path *path,
+                                     double from,
+                                     double length,
+                                     double step,
+                                     struct mapd_scratch *scratch,
+                                     struct mapd_corridor_surface *out,
+                                     size_t capacity,
+                                     size_t *count,
+                                     struct mapd_error *error);
+
+/*
+ The room of stations as one polygon in plan view: along the right edges, then back along the left ones, counter-clockwise where it is simple and
+ driven forwards, without the first point again at its end. `edges` is a `MAPD_CORRIDOR_EDGES_…`. `is_simple`: 1 where no two of its sides meet
+ but neighbours in their common end; null is fine.
+
+ Errors: `MAPD_CODE_ARGUMENT` for unknown edges.
+ */
+mapd_code mapd_corridor_outline(const struct mapd_corridor_station *stations,
+                                size_t station_count,
+                                uint32_t edges,
+                                struct mapd_scratch *scratch,
+                                struct mapd_vec2 *out,
+                                size_t capacity,
+                                size_t *count,
+                                uint8_t *is_simple,
+                                struct mapd_error *error);
+
+/*
+ Where other traffic meets the path, in ascending S: on lanes of junctions and others that the map knows to conflict, where lanes merge into
+ one, and on roads that lie at the same place. Lanes that the path itself drives on are left out.
  */
 mapd_code mapd_path_conflicts(const struct mapd_path *path,
                               struct mapd_scratch *scratch,
@@ -4143,6 +5450,249 @@ mapd_code mapd_path_conflicts(const struct mapd_path *path,
                               size_t capacity,
                               size_t *count,
                               struct mapd_error *error);
+
+/*
+ Who goes first at a conflict by what the file says, else by the rules of a country, by its two letters of ISO 3166-1 such as `DE`. That they hold
+ there is for the caller to know. `yields` gets a `MAPD_YIELDS_…`, `basis` what that rests on, a `MAPD_BASIS_…`; null is fine. `MAPD_CODE_NONE`
+ for a country whose rules are not known.
+ */
+mapd_code mapd_path_conflict_yields_by(const struct mapd_path_conflict *conflict,
+                                       const char *country,
+                                       uint8_t *yields,
+                                       uint8_t *basis,
+                                       struct mapd_error *error);
+
+/*
+ The lanes on which traffic comes to a conflict of a path, back to a distance [m] from its first place on the other lane, each by the shortest way,
+ nearest first. The other lane itself comes first. Changes of lane are not among the ways. `vehicle` is a `MAPD_VEHICLE_CLASS_…`.
+
+ Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for an unknown class.
+ */
+mapd_code mapd_conflict_approaches(const struct mapd_snapshot *snapshot,
+                                   const struct mapd_path_conflict *conflict,
+                                   double distance,
+                                   uint8_t vehicle,
+                                   struct mapd_scratch *scratch,
+                                   struct mapd_conflict_approach *out,
+                                   size_t capacity,
+                                   size_t *count,
+                                   struct mapd_error *error);
+
+/*
+ Crosswalks and bicycle crossings over the path, in ascending S, whether the file writes them as signals or as objects.
+ */
+mapd_code mapd_path_crossings(const struct mapd_path *path,
+                              struct mapd_scratch *scratch,
+                              struct mapd_path_crossing *out,
+                              size_t capacity,
+                              size_t *count,
+                              struct mapd_error *error);
+
+/*
+ The snapshot's map under its overlay at a moment, `at_s` [s] since 1970-01-01 00:00 UTC; where nothing is laid over it, the map. It is cheap: make one
+ for each cycle. Close it with `mapd_view_close`.
+
+ Errors: `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for a moment that no clock has.
+ */
+mapd_code mapd_view_new(const struct mapd_snapshot *snapshot,
+                        double at_s,
+                        struct mapd_view **out,
+                        struct mapd_error *error);
+
+/*
+ Closes a view and sets the handle to null. Null, or a handle that is null, is fine.
+ */
+void mapd_view_close(struct mapd_view **view);
+
+/*
+ Everything that the overlay says, whether it holds now or not, in the order in which it was given: entry k has the number k.
+ */
+mapd_code mapd_view_entries(const struct mapd_view *view,
+                            struct mapd_overlay_entry *out,
+                            size_t capacity,
+                            size_t *count,
+                            struct mapd_error *error);
+
+/*
+ What holds now, wherever it does: each entry once for each piece of a lane, for each way in which that is travelled.
+ */
+mapd_code mapd_view_restrictions(const struct mapd_view *view,
+                                 struct mapd_restriction *out,
+                                 size_t capacity,
+                                 size_t *count,
+                                 struct mapd_error *error);
+
+/*
+ Entries that hold now at s of a lane, in its own direction, whoever they concern, in the order in which they were given.
+
+ Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_view_restrictions_at(const struct mapd_view *view,
+                                    struct mapd_lane_id lane,
+                                    double s,
+                                    struct mapd_restriction *out,
+                                    size_t capacity,
+                                    size_t *count,
+                                    struct mapd_error *error);
+
+/*
+ What holds now along a route or any list of steps, in its order: each entry once for each stretch on which it holds that a step drives over. `vehicle` is a
+ `MAPD_VEHICLE_CLASS_…`.
+
+ Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for an unknown class.
+ */
+mapd_code mapd_view_restrictions_along(const struct mapd_view *view,
+                                       const struct mapd_route_step *steps,
+                                       size_t step_count,
+                                       uint8_t vehicle,
+                                       struct mapd_scratch *scratch,
+                                       struct mapd_restriction *out,
+                                       size_t capacity,
+                                       size_t *count,
+                                       struct mapd_error *error);
+
+/*
+ What holds now for a class of vehicles along a path, in ascending S: each entry once for each stretch of a driven lane. The path itself is the map's: a
+ lane that is closed stays where it is.
+
+ Errors: `MAPD_CODE_FOREIGN_ID` for a path on another map; `MAPD_CODE_ARGUMENT` for an unknown class.
+ */
+mapd_code mapd_view_restrictions_on_path(const struct mapd_view *view,
+                                         const struct mapd_path *path,
+                                         uint8_t vehicle,
+                                         struct mapd_path_restriction *out,
+                                         size_t capacity,
+                                         size_t *count,
+                                         struct mapd_error *error);
+
+/*
+ Whether a class of vehicles may use a lane at s, in its own direction: as `mapd_lane_allows_at`, unless an entry closes or opens it. What one entry
+ closes no other opens.
+
+ Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for an unknown class.
+ */
+mapd_code mapd_view_allows(const struct mapd_view *view,
+                           struct mapd_lane_id lane,
+                           double s,
+                           uint8_t vehicle,
+                           struct mapd_permission *out,
+                           struct mapd_error *error);
+
+/*
+ The speed limit at s of a lane for a class of vehicles: the lowest that an entry states, else as `mapd_lane_speed_rule_at`.
+
+ Errors: as `mapd_view_allows`.
+ */
+mapd_code mapd_view_speed_rule_at(const struct mapd_view *view,
+                                  struct mapd_lane_id lane,
+                                  double s,
+                                  uint8_t vehicle,
+                                  struct mapd_speed_today *out,
+                                  struct mapd_error *error);
+
+/*
+ The speed limit at S of a path, `along` [m], for a class of vehicles: the lowest that an entry states, else as `mapd_path_speed_at`.
+
+ Errors: as `mapd_view_allows`; `MAPD_CODE_FOREIGN_ID` for a path on another map.
+ */
+mapd_code mapd_view_speed_on_path(const struct mapd_view *view,
+                                  const struct mapd_path *path,
+                                  double along,
+                                  uint8_t vehicle,
+                                  struct mapd_speed_today *out,
+                                  struct mapd_error *error);
+
+/*
+ The number of the entry by which a signal is out of service now. `MAPD_CODE_NONE` for one that is in service.
+
+ Errors: `MAPD_CODE_FOREIGN_ID`.
+ */
+mapd_code mapd_view_signal_out_of_service(const struct mapd_view *view,
+                                          struct mapd_signal_id signal,
+                                          uint32_t *out,
+                                          struct mapd_error *error);
+
+/*
+ As `mapd_route`, heeding what holds now: closed stretches are not entered, opened ones may be, and times are those of today's speeds. The lane of the
+ start may be closed.
+
+ Errors: as `mapd_route`.
+ */
+mapd_code mapd_view_route(const struct mapd_view *view,
+                          const struct mapd_position_on_lane *places,
+                          size_t place_count,
+                          struct mapd_cost cost,
+                          struct mapd_scratch *scratch,
+                          struct mapd_route_sum *sum,
+                          struct mapd_route_step *out,
+                          size_t capacity,
+                          size_t *count,
+                          struct mapd_error *error);
+
+/*
+ As `mapd_reachable`, heeding what holds now. Where the overlay cuts a node, each piece is told of by itself.
+
+ Errors: as `mapd_reachable`.
+ */
+mapd_code mapd_view_reachable(const struct mapd_view *view,
+                              struct mapd_position_on_lane from,
+                              double limit,
+                              struct mapd_cost cost,
+                              struct mapd_scratch *scratch,
+                              struct mapd_reached_piece *out,
+                              size_t capacity,
+                              size_t *count,
+                              struct mapd_error *error);
+
+/*
+ As `mapd_path_corridor`, heeding what holds now: beside the path a lane that is closed cannot be changed to and adds no room, and one that is opened
+ may and does. The speeds are the map's: `mapd_view_speed_on_path` has today's.
+
+ Errors: as `mapd_path_corridor`; `MAPD_CODE_FOREIGN_ID` for a path on another map.
+ */
+mapd_code mapd_view_corridor(const struct mapd_view *view,
+                             const struct mapd_path *path,
+                             double from,
+                             double length,
+                             double step,
+                             uint8_t vehicle,
+                             struct mapd_scratch *scratch,
+                             struct mapd_corridor_station *out,
+                             size_t capacity,
+                             size_t *count,
+                             struct mapd_error *error);
+
+/*
+ As `mapd_signals_ahead`, heeding what holds now: ways through closed lanes are not followed. Signals that are out of service are among them;
+ `mapd_view_signal_out_of_service` tells which are.
+
+ Errors: as `mapd_signals_ahead`.
+ */
+mapd_code mapd_view_signals_ahead(const struct mapd_view *view,
+                                  struct mapd_position_on_lane from,
+                                  double distance,
+                                  uint8_t vehicle,
+                                  struct mapd_scratch *scratch,
+                                  struct mapd_signal_ahead *out,
+                                  size_t capacity,
+                                  size_t *count,
+                                  struct mapd_error *error);
+
+/*
+ As `mapd_match_pose`, heeding what holds now: a lane that is closed to the options' vehicle, without one to passenger cars, has the prior of closed ones.
+
+ Errors: as `mapd_match_pose`.
+ */
+mapd_code mapd_view_match_pose(const struct mapd_view *view,
+                               struct mapd_vehicle_pose pose,
+                               const double *covariance,
+                               const struct mapd_match_options *options,
+                               struct mapd_scratch *scratch,
+                               struct mapd_lane_match *out,
+                               size_t capacity,
+                               size_t *count,
+                               double *none,
+                               struct mapd_error *error);
 
 /*
  What a junction is.
@@ -4337,6 +5887,18 @@ mapd_code mapd_lane_right_of_way(const struct mapd_snapshot *snapshot,
                                  struct mapd_error *error);
 
 /*
+ As `mapd_lane_right_of_way` by what the file says, else by the rules of a country, by its two letters of ISO 3166-1 such as `DE`: that they hold there is
+ for the caller to know. Where neither says, the relation is unknown. `MAPD_CODE_NONE` for a country whose rules are not known.
+ */
+mapd_code mapd_lane_right_of_way_by(const struct mapd_snapshot *snapshot,
+                                    struct mapd_lane_id lane,
+                                    const char *country,
+                                    struct mapd_right_of_way *out,
+                                    size_t capacity,
+                                    size_t *count,
+                                    struct mapd_error *error);
+
+/*
  First lanes of the movements through junctions that a light governs; none of what is no light. Looks at all places of signals of the map.
  */
 mapd_code mapd_signal_movements(const struct mapd_snapshot *snapshot,
@@ -4464,6 +6026,21 @@ mapd_code mapd_landmarks_in(const struct mapd_snapshot *snapshot,
                             struct mapd_error *error);
 
 /*
+ What a sensor sees of the signals and places of objects of these classes, nearest first; objects that move are left out. Signals are seen from the front
+ only, objects from all sides. What stands in between hides nothing. `classes`: null is what localisers use.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_landmarks_in_view(const struct mapd_snapshot *snapshot,
+                                 struct mapd_sensor sensor,
+                                 const struct mapd_class_set *classes,
+                                 struct mapd_scratch *scratch,
+                                 struct mapd_landmark_in_view *out,
+                                 size_t capacity,
+                                 size_t *count,
+                                 struct mapd_error *error);
+
+/*
  A lane's road marks in ascending s, those that hold somewhere in its section. The kind `none` is among them.
  */
 mapd_code mapd_lane_road_marks(const struct mapd_snapshot *snapshot,
@@ -4513,6 +6090,23 @@ mapd_code mapd_road_mark_segments(const struct mapd_snapshot *snapshot,
                                   struct mapd_error *error);
 
 /*
+ Points along the lines of road marks in a rectangle, at every multiple of `spacing` [m] of their road's s, 1 cm at least: the same ones whatever
+ rectangle they are asked for by. Gaps of broken lines have none; where the file does not say which places are gaps, all have. Of the filter kinds and lane
+ types count; null is the default. In no particular order.
+
+ Errors: `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_mark_points(const struct mapd_snapshot *snapshot,
+                           struct mapd_region region,
+                           double spacing,
+                           const struct mapd_mark_filter *filter,
+                           struct mapd_scratch *scratch,
+                           struct mapd_mark_point *out,
+                           size_t capacity,
+                           size_t *count,
+                           struct mapd_error *error);
+
+/*
  The surface at (s, t), with lateral shape, crossfall or cross-section surface, lane heights, and in a junction its elevation grid. s beyond
  the reference line is moved to its end and flagged.
 
@@ -4557,6 +6151,141 @@ mapd_code mapd_junction_grid_height_at(const struct mapd_snapshot *snapshot,
                                        struct mapd_vec2 point,
                                        struct mapd_grid_height *out,
                                        struct mapd_error *error);
+
+/*
+ All bridges and tunnels, by road.
+ */
+mapd_code mapd_structures(const struct mapd_snapshot *snapshot,
+                          struct mapd_structure *out,
+                          size_t capacity,
+                          size_t *count,
+                          struct mapd_error *error);
+
+/*
+ All references to objects of other roads, by referring road.
+ */
+mapd_code mapd_object_references(const struct mapd_snapshot *snapshot,
+                                 struct mapd_object_reference *out,
+                                 size_t capacity,
+                                 size_t *count,
+                                 struct mapd_error *error);
+
+/*
+ Parts of the document that are not in the map as written, in the order of the document. None of a map that was accepted whole.
+ */
+mapd_code mapd_quarantined_parts(const struct mapd_snapshot *snapshot,
+                                 struct mapd_quarantined *out,
+                                 size_t capacity,
+                                 size_t *count,
+                                 struct mapd_error *error);
+
+/*
+ Those whose extent comes as near to a point as `radius` [m] in plan view: an answer about that place may lack them.
+ */
+mapd_code mapd_quarantined_near(const struct mapd_snapshot *snapshot,
+                                struct mapd_vec2 point,
+                                double radius,
+                                struct mapd_quarantined *out,
+                                size_t capacity,
+                                size_t *count,
+                                struct mapd_error *error);
+
+/*
+ Why the map has no part of this kind and id, or has a road without its lanes; `kind` is a `MAPD_QUARANTINED_KIND_…`. `MAPD_CODE_NONE` where the document
+ has no such part, or the map has it.
+ */
+mapd_code mapd_left_out(const struct mapd_snapshot *snapshot,
+                        uint8_t kind,
+                        const char *id,
+                        struct mapd_quarantined *out,
+                        struct mapd_error *error);
+
+/*
+ All groups of junctions in file order: group k has the number k.
+ */
+mapd_code mapd_junction_groups(const struct mapd_snapshot *snapshot,
+                               struct mapd_junction_group *out,
+                               size_t capacity,
+                               size_t *count,
+                               struct mapd_error *error);
+
+/*
+ Junctions of a group in file order, by its number; those that the map does not have are left out.
+
+ Errors: `MAPD_CODE_ARGUMENT` for a number that there is not.
+ */
+mapd_code mapd_junction_group_members(const struct mapd_snapshot *snapshot,
+                                      uint32_t number,
+                                      struct mapd_junction_id *out,
+                                      size_t capacity,
+                                      size_t *count,
+                                      struct mapd_error *error);
+
+/*
+ Lanes of a roundabout's ring, by its group's number; none of other groups.
+
+ Errors: `MAPD_CODE_ARGUMENT` for a number that there is not.
+ */
+mapd_code mapd_junction_group_ring(const struct mapd_snapshot *snapshot,
+                                   uint32_t number,
+                                   struct mapd_lane_id *out,
+                                   size_t capacity,
+                                   size_t *count,
+                                   struct mapd_error *error);
+
+/*
+ All controllers in file order: controller k has the number k.
+ */
+mapd_code mapd_controllers(const struct mapd_snapshot *snapshot,
+                           struct mapd_controller *out,
+                           size_t capacity,
+                           size_t *count,
+                           struct mapd_error *error);
+
+/*
+ Signals of a controller that the map has, in file order, by its number.
+
+ Errors: `MAPD_CODE_ARGUMENT` for a number that there is not.
+ */
+mapd_code mapd_controller_signals(const struct mapd_snapshot *snapshot,
+                                  uint32_t number,
+                                  struct mapd_signal_id *out,
+                                  size_t capacity,
+                                  size_t *count,
+                                  struct mapd_error *error);
+
+/*
+ Numbers of the controllers that switch a signal.
+ */
+mapd_code mapd_signal_controllers(const struct mapd_snapshot *snapshot,
+                                  struct mapd_signal_id signal,
+                                  uint32_t *out,
+                                  size_t capacity,
+                                  size_t *count,
+                                  struct mapd_error *error);
+
+/*
+ Numbers of the controllers of a junction's synchronisation group, in file order; those that the map does not have are left out.
+ */
+mapd_code mapd_junction_controllers(const struct mapd_snapshot *snapshot,
+                                    struct mapd_junction_id junction,
+                                    uint32_t *out,
+                                    size_t capacity,
+                                    size_t *count,
+                                    struct mapd_error *error);
+
+/*
+ What a signal names; `which` is a `MAPD_SIGNAL_LINKS_…`.
+
+ Errors: `MAPD_CODE_ARGUMENT` for an unknown `which`.
+ */
+mapd_code mapd_signal_links(const struct mapd_snapshot *snapshot,
+                            struct mapd_signal_id signal,
+                            uint32_t which,
+                            struct mapd_signal_link *out,
+                            size_t capacity,
+                            size_t *count,
+                            struct mapd_error *error);
 
 /*
  What converts between this map's inertial frame and WGS 84. Close it with `mapd_projector_close`.

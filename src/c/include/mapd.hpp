@@ -4,12 +4,15 @@
 /// there where the program is built with exceptions. Ids, facts and answers are the plain structs of C: doubles side by side, so that
 /// `Eigen::Map<const Eigen::Vector3d>(&pose.position.x)` and the like work.
 ///
-/// Threads: `Client`, `Snapshot` and `Projector` may be used by several threads at once; a `Scratch` and `Events` by one at a time. A text that an
+/// Threads: `Client`, `Snapshot`, `View`, `Path` and `Projector` may be used by several threads at once; a `Scratch`, a `Tracker` and `Events` by one at a time. A text that an
 /// answer points to (`view`) is there as long as a snapshot of that content is.
 #pragma once
 
 #include "mapd/base.hpp"
+#include "mapd/path.hpp"
 #include "mapd/queries.hpp"
+#include "mapd/tracker.hpp"
+#include "mapd/view.hpp"
 
 namespace mapd {
 
@@ -31,6 +34,15 @@ class Snapshot : public Queries {
   }
 #if MAPD_EXCEPTIONS
   static Snapshot open(const std::string& path) { return try_open(path).value(); }
+#endif
+
+  /// The same map under an overlay that the crate mapd-overlay encoded for it.
+  Result<Snapshot> try_with_overlay(span<const std::uint8_t> bytes) const {
+    return detail::handle<Snapshot>(
+        [&](auto... out) { return mapd_snapshot_with_overlay(get(), bytes.data(), bytes.size(), out...); });
+  }
+#if MAPD_EXCEPTIONS
+  Snapshot with_overlay(span<const std::uint8_t> bytes) const { return try_with_overlay(bytes).value(); }
 #endif
 
   /// Proves the whole archive.
@@ -99,7 +111,44 @@ class Snapshot : public Queries {
     match.lanes = *std::move(lanes);
     return match;
   }
+  /// The same of many poses; there is one covariance for all of them, or one for each.
+  Result<PoseMatches> try_match_poses(span<const VehiclePose> poses, span<const Covariance> covariances,
+                                      Scratch& scratch, const MatchOptions& options = {}) const {
+    PoseMatches match;
+    match.ends.resize(poses.size());
+    match.none.resize(poses.size());
+    const double* numbers = covariances.empty() ? nullptr : covariances[0].data();
+    auto lanes = detail::list<LaneMatch>([&](auto out, auto capacity, auto count, auto error) {
+      return mapd_match_pose_batch(get(), poses.data(), poses.size(), numbers, covariances.size(), &options,
+                                   scratch.get(), out, capacity, count, match.ends.data(), match.none.data(), error);
+    });
+    if (!lanes) return lanes.error();
+    match.lanes = *std::move(lanes);
+    return match;
+  }
+  /// Poses of many track positions of a road. `out` has as many entries as `tracks`.
+  Error try_to_inertial(RoadId road, span<const Track> tracks, span<Pose> out) const {
+    return detail::batch(tracks, out, [&](auto... rest) { return mapd_road_to_inertial_batch(get(), road, rest...); });
+  }
+  /// Track positions of many points. `out` has as many entries as `points`.
+  Error try_to_track(RoadId road, span<const mapd_point> points, span<TrackPosition> out) const {
+    return detail::batch(points, out, [&](auto... rest) { return mapd_road_to_track_batch(get(), road, rest...); });
+  }
+  using Queries::try_to_inertial;
+  using Queries::try_to_track;
 #if MAPD_EXCEPTIONS
+  using Queries::to_inertial;
+  using Queries::to_track;
+  PoseMatches match_poses(span<const VehiclePose> poses, span<const Covariance> covariances, Scratch& scratch,
+                          const MatchOptions& options = {}) const {
+    return try_match_poses(poses, covariances, scratch, options).value();
+  }
+  void to_inertial(RoadId road, span<const Track> tracks, span<Pose> out) const {
+    detail::must(try_to_inertial(road, tracks, out));
+  }
+  void to_track(RoadId road, span<const mapd_point> points, span<TrackPosition> out) const {
+    detail::must(try_to_track(road, points, out));
+  }
   void nearest_lanes(span<const mapd_point> points, span<Nearest> out, const NearestOptions& options = {}) const {
     detail::must(try_nearest_lanes(points, out, options));
   }
@@ -144,18 +193,9 @@ class Snapshot : public Queries {
 
   /// The cheapest way through these places, in driving direction and by allowed lane changes; none if there is no way.
   Result<std::optional<Route>> try_route(span<const PositionOnLane> places, Cost cost, Scratch& scratch) const {
-    Route route;
-    mapd_error error;
-    route.steps.resize(64);
-    for (;;) {
-      std::size_t count = 0;
-      const mapd_code code = mapd_route(get(), places.data(), places.size(), cost, scratch.get(), &route.sum,
-                                        route.steps.data(), route.steps.size(), &count, &error);
-      if (code == MAPD_CODE_NONE) return std::optional<Route>();
-      if (code != MAPD_CODE_OK && code != MAPD_CODE_TOO_SMALL) return detail::failed(code, error);
-      route.steps.resize(count);
-      if (code == MAPD_CODE_OK) return std::optional<Route>(std::move(route));
-    }
+    return detail::route<Route>([&](auto... out) {
+      return mapd_route(get(), places.data(), places.size(), cost, scratch.get(), out...);
+    });
   }
 #if MAPD_EXCEPTIONS
   std::optional<Route> route(span<const PositionOnLane> places, Cost cost, Scratch& scratch) const {
@@ -164,11 +204,22 @@ class Snapshot : public Queries {
 #endif
 
   /// The path along a route's steps.
-  Result<Path> try_path(span<const RouteStep> steps) const {
-    return detail::handle<Path>([&](auto... out) { return mapd_path_new(get(), steps.data(), steps.size(), out...); });
+  Result<Path> try_path(span<const RouteStep> steps, const PathOptions& options = {}) const {
+    return detail::handle<Path>(
+        [&](auto... out) { return mapd_path_new(get(), steps.data(), steps.size(), &options, out...); });
+  }
+  /// The map under what is laid over it, at a moment.
+  Result<View> try_view(std::chrono::system_clock::time_point at) const { return try_view(View::seconds(at)); }
+  /// The same at a moment in seconds since 1970-01-01 00:00 UTC.
+  Result<View> try_view(double at_s) const {
+    return detail::handle<View>([&](auto... out) { return mapd_view_new(get(), at_s, out...); });
   }
 #if MAPD_EXCEPTIONS
-  Path path(span<const RouteStep> steps) const { return try_path(steps).value(); }
+  Path path(span<const RouteStep> steps, const PathOptions& options = {}) const {
+    return try_path(steps, options).value();
+  }
+  View view(std::chrono::system_clock::time_point at) const { return try_view(at).value(); }
+  View view(double at_s) const { return try_view(at_s).value(); }
 #endif
 
   /// All sequences of lanes ahead of a place, or behind it.
@@ -275,6 +326,13 @@ class Client : public detail::Owner<mapd_client, mapd_client_close> {
   Result<Snapshot> try_wait_next(double wait_s) const {
     return detail::handle<Snapshot>([&](auto... out) { return mapd_client_wait_next(get(), wait_s, out...); });
   }
+  /// Waits at most so many seconds for another generation or another overlay; whether one has come.
+  Result<bool> try_wait_change(double wait_s) const {
+    const auto out =
+        detail::value<std::uint8_t>([&](auto... out) { return mapd_client_wait_change(get(), wait_s, out...); });
+    if (!out) return out.error();
+    return *out != 0;
+  }
   /// Waits at most so many seconds for the generation of this number.
   Result<Snapshot> try_require(std::uint64_t generation, double wait_s) const {
     return detail::handle<Snapshot>([&](auto... out) { return mapd_client_require(get(), generation, wait_s, out...); });
@@ -287,6 +345,12 @@ class Client : public detail::Owner<mapd_client, mapd_client_close> {
   Result<std::optional<std::uint32_t>> try_served_by() const {
     return detail::optional<std::uint32_t>([&](auto... out) { return mapd_client_served_by(get(), out...); });
   }
+  /// Whether generations are mapped page by page before they are handed out, so that no query waits for the kernel.
+  Error try_set_populate(bool populate) const {
+    mapd_error error;
+    const mapd_code code = mapd_client_set_populate(get(), populate ? 1 : 0, &error);
+    return code == MAPD_CODE_OK ? Error{} : detail::failed(code, error);
+  }
   /// Follows the map from now on.
   Result<Events> try_events() const {
     return detail::handle<Events>([&](auto... out) { return mapd_events_new(get(), out...); });
@@ -298,9 +362,11 @@ class Client : public detail::Owner<mapd_client, mapd_client_close> {
   Snapshot snapshot() const { return try_snapshot().value(); }
   Snapshot refresh() const { return try_refresh().value(); }
   Snapshot wait_next(double wait_s) const { return try_wait_next(wait_s).value(); }
+  bool wait_change(double wait_s) const { return try_wait_change(wait_s).value(); }
   Snapshot require(std::uint64_t generation, double wait_s) const { return try_require(generation, wait_s).value(); }
   std::optional<Generation> pending() const { return try_pending().value(); }
   std::optional<std::uint32_t> served_by() const { return try_served_by().value(); }
+  void set_populate(bool populate) const { detail::must(try_set_populate(populate)); }
   Events events() const { return try_events().value(); }
 #endif
 };

@@ -109,6 +109,25 @@ pub unsafe extern "C" fn mapd_client_wait_next(
     }
 }
 
+/// Waits at most `wait_s` \[s\] for another generation, or for another overlay over the one that is served: `out` gets 1 if one has come. Then
+/// `mapd_client_snapshot` has it.
+///
+/// Errors: as `mapd_client_refresh`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_client_wait_change(
+    client_handle: *const mapd_client,
+    wait_s: f64,
+    out: *mut u8,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            get(out, "the answer")?;
+            put(out, client(client_handle)?.wait_change(wait(wait_s)?)?.into())
+        })
+    }
+}
+
 /// Waits at most `wait_s` \[s\] for the generation of this number: processes that must change over together agree on the number of a staged
 /// generation, see `mapd_client_pending`, and each requires it. Close it with `mapd_snapshot_close`.
 ///

@@ -169,6 +169,7 @@ fn attach_code(error: &AttachError) -> mapd_code {
         | AttachError::NotShared { .. } => mapd_code::PERMISSION_DENIED,
         AttachError::Stuck { .. } => mapd_code::STUCK,
         AttachError::Busy { .. } => mapd_code::BUSY,
+        AttachError::OtherContent { .. } => mapd_code::FOREIGN_ID,
         AttachError::NoRoom { .. } | AttachError::LockLimit { .. } => mapd_code::NO_ROOM,
         AttachError::Io { .. } | AttachError::Iceoryx(_) => mapd_code::TRANSPORT,
         _ => mapd_code::OTHER,

@@ -3,13 +3,15 @@
 use crate::code::{Failure, answer, mapd_code, mapd_error};
 use crate::ids::mapd_lane_id;
 use crate::list::{entries, fill, get_mut, put_some};
+use crate::matching::mapd_vehicle_pose;
 use crate::options::{given_options, put_defaults};
 use crate::point::{mapd_point, mapd_vec2, mapd_vec3};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
 use crate::surface::{mapd_material, material_or_none};
 use mapd_client::LaneTypes;
-use mapd_client::localisation::{Ground, MarkFilter, MarkKinds, NearMark, Side};
+use mapd_client::glam::DVec2;
+use mapd_client::localisation::{Ground, MarkFilter, MarkKinds, NearMark, Side, Stance};
 
 /// The ground at a place.
 #[repr(C)]
@@ -33,6 +35,22 @@ pub struct mapd_ground {
     pub levels: u32,
     /// 1: the map says what the lane is made of.
     pub has_material: u8,
+}
+
+/// How a vehicle stands.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_stance {
+    /// Height of the ground's plane below the vehicle's reference point \[m\].
+    pub z: f64,
+    /// Roll \[rad\]; positive lifts the left side (ISO 8855).
+    pub roll: f64,
+    /// Pitch \[rad\]; positive lowers the front (ISO 8855).
+    pub pitch: f64,
+    /// Height of the ground below each wheel \[m\], in the order given; counts only with `has_wheel`.
+    pub wheels: [f64; 4],
+    /// 1: there is ground below the wheel.
+    pub has_wheel: [u8; 4],
 }
 
 /// Which road marks count. Set it with `mapd_mark_filter_init`, then change what should differ.
@@ -96,6 +114,14 @@ impl From<Ground<'_>> for mapd_ground {
     }
 }
 
+impl From<Stance> for mapd_stance {
+    fn from(stance: Stance) -> Self {
+        let Stance { z, roll, pitch, wheels } = stance;
+        let has_wheel = wheels.map(|wheel| wheel.is_some().into());
+        Self { z, roll, pitch, wheels: wheels.map(|wheel| wheel.unwrap_or(0.0)), has_wheel }
+    }
+}
+
 /// What a place without ground gets.
 fn no_ground() -> mapd_ground {
     mapd_ground {
@@ -145,7 +171,7 @@ const NO_MARK: mapd_near_mark = mapd_near_mark {
 /// # Safety
 ///
 /// As [`given_options`].
-unsafe fn filter_of(filter: *const mapd_mark_filter) -> Result<MarkFilter, Failure> {
+pub(crate) unsafe fn filter_of(filter: *const mapd_mark_filter) -> Result<MarkFilter, Failure> {
     let given = unsafe { given_options(filter, "mapd_mark_filter_init") }?;
     Ok(given.map_or_else(MarkFilter::default, |given| MarkFilter {
         radius: given.radius,
@@ -194,6 +220,32 @@ pub unsafe extern "C" fn mapd_ground_at_batch(
                 let found = map.ground_at(*point, ground);
                 found.map(|found| found.map_or_else(no_ground, mapd_ground::from))
             })
+        })
+    }
+}
+
+/// How a vehicle stands at a pose: the plane through the ground below its wheels, nearest to all four. `wheels` are four places where they touch the
+/// ground, from the reference point ahead (x) and to the left (y) \[m\]; the pose's z, if known, decides on which level. Pitch and roll follow heading, in
+/// this order. `MAPD_CODE_NONE` with ground below fewer than three wheels, or wheels in a line.
+///
+/// Errors: `MAPD_CODE_NOT_FINITE`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_stance_at(
+    snapshot: *const mapd_snapshot,
+    pose: mapd_vehicle_pose,
+    wheels: *const mapd_vec2,
+    scratch: *mut mapd_scratch,
+    out: *mut mapd_stance,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let (map, ground) = (map_of(snapshot)?, &mut get_mut(scratch, "a scratch")?.ground);
+            let mut own = [DVec2::ZERO; 4];
+            for (own, wheel) in own.iter_mut().zip(entries(wheels, 4, "the wheels")?) {
+                *own = (*wheel).into();
+            }
+            put_some(out, map.stance(&pose.into(), &own, ground)?.map(mapd_stance::from))
         })
     }
 }

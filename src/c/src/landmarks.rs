@@ -7,7 +7,7 @@ use crate::objects::mapd_placement_id;
 use crate::point::{mapd_region, mapd_vec2, mapd_vec3};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
-use mapd_client::localisation::{Landmark, LandmarkSource};
+use mapd_client::localisation::{Landmark, LandmarkInView, LandmarkSource, Sensor};
 use mapd_client::vocabulary::ClassSet;
 
 /// A set of classes of signals and objects: the bit of each is that of its code.
@@ -44,6 +44,32 @@ pub struct mapd_landmark {
     pub height: f64,
     /// Plan-view distance from the point that was asked about \[m\]; 0 where none was.
     pub distance: f64,
+}
+
+/// A sensor that looks for landmarks.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_sensor {
+    /// Where it is, inertial \[m\].
+    pub position: mapd_vec2,
+    /// Where it looks \[rad\], counter-clockwise from x.
+    pub heading: f64,
+    /// How far it sees in plan view \[m\].
+    pub range: f64,
+    /// Angle that it sees, half of it to either side \[rad\]; 2π and more is all round.
+    pub field_of_view: f64,
+}
+
+/// A landmark as a sensor sees it.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_landmark_in_view {
+    /// The landmark; its distance is the range from the sensor.
+    pub landmark: mapd_landmark,
+    /// Direction of where it stands from the sensor's heading \[rad\], positive to the left, in (−π, π].
+    pub bearing: f64,
+    /// How far it is turned away from the sensor \[rad\], counter-clockwise, in (−π, π]: 0 looks at the sensor. Of an object that of its u axis.
+    pub facing: f64,
 }
 
 fn landmark(one: &Landmark) -> mapd_landmark {
@@ -128,6 +154,37 @@ pub unsafe extern "C" fn mapd_landmarks_in(
             let found = &mut get_mut(scratch, "a scratch")?.landmarks;
             map_of(snapshot)?.landmarks_in(region.into(), classes_of(classes)?, found)?;
             List { out, capacity, count }.write(found.iter().map(landmark))
+        })
+    }
+}
+
+/// What a sensor sees of the signals and places of objects of these classes, nearest first; objects that move are left out. Signals are seen from the front
+/// only, objects from all sides. What stands in between hides nothing. `classes`: null is what localisers use.
+///
+/// Errors: `MAPD_CODE_NOT_FINITE`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_landmarks_in_view(
+    snapshot: *const mapd_snapshot,
+    sensor: mapd_sensor,
+    classes: *const mapd_class_set,
+    scratch: *mut mapd_scratch,
+    out: *mut mapd_landmark_in_view,
+    capacity: usize,
+    count: *mut usize,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let found = &mut get_mut(scratch, "a scratch")?.in_view;
+            let mapd_sensor { position, heading, range, field_of_view } = sensor;
+            let sensor = Sensor { position: position.into(), heading, range, field_of_view };
+            map_of(snapshot)?.landmarks_in_view(&sensor, classes_of(classes)?, found)?;
+            let seen = |one: &LandmarkInView| mapd_landmark_in_view {
+                landmark: landmark(&one.landmark),
+                bearing: one.bearing,
+                facing: one.facing,
+            };
+            List { out, capacity, count }.write(found.iter().map(seen))
         })
     }
 }

@@ -1,13 +1,23 @@
 //! Lanes: facts, places on them, neighbours, successors.
 
 use crate::code::{answer, mapd_code, mapd_error};
-use crate::ids::{mapd_junction_id, mapd_lane_id, mapd_road_id};
+use crate::ids::{mapd_junction_id, mapd_lane_id, mapd_road_id, mapd_signal_id};
 use crate::list::{List, finite, put, put_some};
 use crate::lookup::lane_of;
 use crate::point::{clamped_code, mapd_lane_position, mapd_point, mapd_pose, mapd_vec3};
 use crate::snapshot::mapd_snapshot;
 use mapd_client::roads::Waypoint;
 use mapd_client::{Lane, QueryError};
+
+/// Which signs forbid overtaking at a place.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_overtaking_rule {
+    /// The sign that forbids it to all motor vehicles, if one does.
+    pub all: mapd_signal_id,
+    /// The sign that forbids it to trucks, if one does.
+    pub trucks: mapd_signal_id,
+}
 
 /// A lane.
 #[repr(C)]
@@ -299,6 +309,44 @@ pub unsafe extern "C" fn mapd_lane_length_between(
 ) -> mapd_code {
     unsafe {
         answer(error, || put(out, lane_of(snapshot, lane)?.length_between(finite(a)?, finite(b)?)))
+    }
+}
+
+/// Time to travel the centre line between two places on the road at the speed limit of `mapd_lane_speed_limit_at` \[s\]: 50 km/h where there is none written,
+/// 130 km/h where there is no limit. s outside the lane's section counts as its nearer end.
+///
+/// Errors: `MAPD_CODE_NOT_FINITE`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_lane_time_between(
+    snapshot: *const mapd_snapshot,
+    lane: mapd_lane_id,
+    a: f64,
+    b: f64,
+    out: *mut f64,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || put(out, lane_of(snapshot, lane)?.time_between(finite(a)?, finite(b)?)))
+    }
+}
+
+/// Which signs forbid overtaking at s. A sign holds from its place on, in driving direction, until another one ends it, over lanes that lead on alone, and
+/// not beyond a junction. What road marks forbid is `change_left` and `change_right` of `mapd_node_facts`.
+///
+/// Errors: `MAPD_CODE_NOT_FINITE`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_lane_overtaking_rule_at(
+    snapshot: *const mapd_snapshot,
+    lane: mapd_lane_id,
+    s: f64,
+    out: *mut mapd_overtaking_rule,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let rule = lane_of(snapshot, lane)?.overtaking_rule_at(finite(s)?);
+            put(out, mapd_overtaking_rule { all: rule.all.into(), trucks: rule.trucks.into() })
+        })
     }
 }
 

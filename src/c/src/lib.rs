@@ -9,8 +9,8 @@
 //!
 //! This holds for every function. A pointer is null, which is answered with [`mapd_code::NULL_POINTER`] wherever the pointer is needed, or
 //! it points to what its type says, aligned, for as long as the call lasts; buffers have the length that is given with them. A handle is used only
-//! between its making and its closing. Clients, snapshots, paths and projectors may be used by several threads at once; scratches
-//! and events belong to one thread at a time. What a text points to lies in the snapshot and is there until the last handle of
+//! between its making and its closing. Clients, snapshots, views, paths and projectors may be used by several threads at once;
+//! scratches, trackers and events belong to one thread at a time. What a text points to lies in the snapshot and is there until the last handle of
 //! its content is closed.
 //!
 //! No panic leaves a function: what would be one becomes [`mapd_code::PANIC`].
@@ -18,10 +18,14 @@
 mod along;
 mod client;
 mod code;
+mod conflicts;
+mod corridor;
+mod details;
 mod earth;
 mod events;
 mod graph;
 mod ground;
+mod groups;
 mod ids;
 mod junction;
 mod landmarks;
@@ -36,6 +40,8 @@ mod nearest;
 mod objects;
 mod options;
 mod path;
+mod path_facts;
+mod path_steps;
 mod point;
 mod polyline;
 mod road;
@@ -46,14 +52,21 @@ mod signals_ahead;
 mod snapshot;
 mod surface;
 mod text;
+mod tracker;
+mod view;
+mod view_ways;
 
 pub use along::*;
 pub use client::*;
 pub use code::*;
+pub use conflicts::*;
+pub use corridor::*;
+pub use details::*;
 pub use earth::*;
 pub use events::*;
 pub use graph::*;
 pub use ground::*;
+pub use groups::*;
 pub use ids::*;
 pub use junction::*;
 pub use landmarks::*;
@@ -66,6 +79,8 @@ pub use names::*;
 pub use nearest::*;
 pub use objects::*;
 pub use path::*;
+pub use path_facts::*;
+pub use path_steps::*;
 pub use point::*;
 pub use polyline::*;
 pub use road::*;
@@ -76,3 +91,6 @@ pub use signals_ahead::*;
 pub use snapshot::*;
 pub use surface::*;
 pub use text::*;
+pub use tracker::*;
+pub use view::*;
+pub use view_ways::*;

@@ -1,6 +1,7 @@
 //! Road marks and borders.
 
 use crate::code::{answer, mapd_code, mapd_error};
+use crate::ground::{filter_of, mapd_mark_filter};
 use crate::ids::mapd_lane_id;
 use crate::list::{List, finite, get_mut, put_some};
 use crate::lookup::lane_of;
@@ -8,6 +9,7 @@ use crate::point::{mapd_region, mapd_vec3};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
 use mapd_client::LaneTypes;
+use mapd_client::localisation::MarkPoint;
 use mapd_client::roads::{BoundarySegment, RoadMark, RoadMarkSegment};
 
 /// A road mark on a lane's outer border, for lane 0 on its own line.
@@ -61,6 +63,24 @@ pub struct mapd_road_mark_segment {
     /// A `MAPD_ROAD_MARK_KIND_…`.
     pub kind: u8,
     /// A `MAPD_ROAD_MARK_COLOR_…`.
+    pub color: u8,
+}
+
+/// A painted place of a road mark.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_mark_point {
+    /// In the middle of the line, on the plane h = 0, inertial \[m\].
+    pub position: mapd_vec3,
+    /// The lane on whose outer border the mark lies; lane 0 for marks of the centre.
+    pub lane: mapd_lane_id,
+    /// Along the road \[m\].
+    pub s: f64,
+    /// Width of the line \[m\].
+    pub width: f64,
+    /// A `MAPD_ROAD_MARK_KIND_…`.
+    pub kind: u8,
+    /// A `MAPD_ROAD_MARK_COLOR_…`: the line's own, or the mark's.
     pub color: u8,
 }
 
@@ -173,6 +193,40 @@ pub unsafe extern "C" fn mapd_road_mark_segments(
             let types = LaneTypes::from_bits(types);
             map_of(snapshot)?.road_mark_segments(region.into(), types, lanes, bounds, marks)?;
             List { out, capacity, count }.write(marks.iter().map(mark_segment))
+        })
+    }
+}
+
+/// Points along the lines of road marks in a rectangle, at every multiple of `spacing` \[m\] of their road's s, 1 cm at least: the same ones whatever
+/// rectangle they are asked for by. Gaps of broken lines have none; where the file does not say which places are gaps, all have. Of the filter kinds and lane
+/// types count; null is the default. In no particular order.
+///
+/// Errors: `MAPD_CODE_NOT_FINITE`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_mark_points(
+    snapshot: *const mapd_snapshot,
+    region: mapd_region,
+    spacing: f64,
+    filter: *const mapd_mark_filter,
+    scratch: *mut mapd_scratch,
+    out: *mut mapd_mark_point,
+    capacity: usize,
+    count: *mut usize,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let found = &mut get_mut(scratch, "a scratch")?.mark_points;
+            map_of(snapshot)?.mark_points(region.into(), spacing, &filter_of(filter)?, found)?;
+            let point = |one: &MarkPoint| mapd_mark_point {
+                position: one.position.into(),
+                lane: one.lane.into(),
+                s: one.s,
+                width: one.width,
+                kind: one.kind.code(),
+                color: one.color.code(),
+            };
+            List { out, capacity, count }.write(found.iter().map(point))
         })
     }
 }

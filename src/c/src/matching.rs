@@ -3,7 +3,7 @@
 use crate::code::{Failure, answer, mapd_code, mapd_error};
 use crate::graph::vehicle_of;
 use crate::ids::mapd_lane_id;
-use crate::list::{List, entries, get_mut, put_raw};
+use crate::list::{List, entries, fill, get_mut, put_raw};
 use crate::options::{given_options, put_defaults};
 use crate::point::{mapd_lane_position, mapd_point};
 use crate::scratch::mapd_scratch;
@@ -132,6 +132,12 @@ impl From<MatchError> for Failure {
     }
 }
 
+impl From<mapd_vehicle_pose> for VehiclePose {
+    fn from(pose: mapd_vehicle_pose) -> Self {
+        Self { position: pose.position.into(), heading: pose.heading }
+    }
+}
+
 impl From<mapd_trace_fix> for TraceFix {
     fn from(fix: mapd_trace_fix) -> Self {
         let mapd_trace_fix { time, position, heading, has_heading } = fix;
@@ -170,7 +176,7 @@ impl From<&TraceMatch> for mapd_trace_match {
 /// # Safety
 ///
 /// As [`given_options`]; `expected` is valid for reads of `expected_count` entries.
-unsafe fn match_options(
+pub(crate) unsafe fn match_options(
     options: *const mapd_match_options,
     lanes: &mut Vec<LaneId>,
 ) -> Result<MatchOptions<'_>, Failure> {
@@ -271,11 +277,69 @@ pub unsafe extern "C" fn mapd_match_pose(
             let mapd_scratch { lanes, matches, .. } = get_mut(scratch, "a scratch")?;
             let options = match_options(options, lanes)?;
             let rows = entries(covariance, 9, "the covariance")?;
-            let pose = VehiclePose { position: pose.position.into(), heading: pose.heading };
             let covariance = DMat3::from_cols_slice(rows).transpose();
-            let left = map_of(snapshot)?.match_pose(&pose, &covariance, &options, matches)?;
+            let left =
+                map_of(snapshot)?.match_pose(&pose.into(), &covariance, &options, matches)?;
             put_raw(none, left)?;
             List { out, capacity, count }.write(matches.iter().map(mapd_lane_match::from))
+        })
+    }
+}
+
+/// As `mapd_match_pose`, of `pose_count` poses. There is one covariance of nine entries for all of them, or one for each. `out` gets the lanes of all
+/// poses one behind the other; `ends` and `none` have room for an entry for each pose: where its lanes end in `out`, and the probability that it is
+/// in none. Null for either is fine.
+///
+/// Errors: as `mapd_match_pose`, by the number of the first pose that has one.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_match_pose_batch(
+    snapshot: *const mapd_snapshot,
+    poses: *const mapd_vehicle_pose,
+    pose_count: usize,
+    covariances: *const f64,
+    covariance_count: usize,
+    options: *const mapd_match_options,
+    scratch: *mut mapd_scratch,
+    out: *mut mapd_lane_match,
+    capacity: usize,
+    count: *mut usize,
+    ends: *mut usize,
+    none: *mut f64,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let mapd_scratch {
+                lanes, poses: own, covariances: matrices, batch, batch_matches, ..
+            } = get_mut(scratch, "a scratch")?;
+            let options = match_options(options, lanes)?;
+            let numbers = covariance_count.checked_mul(9);
+            let numbers = numbers.ok_or_else(|| Failure::argument("no memory holds so many"))?;
+            let numbers = entries(covariances, numbers, "the covariances")?;
+            own.clear();
+            own.extend(
+                entries(poses, pose_count, "the poses")?.iter().map(|p| VehiclePose::from(*p)),
+            );
+            matrices.clear();
+            let nine = numbers.chunks_exact(9).map(|rows| DMat3::from_cols_slice(rows).transpose());
+            matrices.extend(nine);
+            map_of(snapshot)?
+                .match_poses(own, matrices, &options, batch, batch_matches)
+                .map_err(|error| Failure::from(error.error).of_entry(error.pose))?;
+            let found = &*batch_matches;
+            if !ends.is_null() {
+                let (mut end, mut pose) = (0, 0..);
+                fill(ends, own, |_| {
+                    end += pose.next().map_or(0, |pose| found.of(pose).len());
+                    Ok::<_, Failure>(end)
+                })?;
+            }
+            if !none.is_null() {
+                let mut all = found.none().iter();
+                fill(none, own, |_| Ok::<_, Failure>(all.next().copied().unwrap_or(0.0)))?;
+            }
+            let all = (0..own.len()).flat_map(|i| found.of(i)).map(mapd_lane_match::from);
+            List { out, capacity, count }.write(all)
         })
     }
 }

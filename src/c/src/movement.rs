@@ -7,7 +7,10 @@ use crate::lookup::lane_of;
 use crate::signals::{lane_signal, mapd_lane_signal};
 use crate::signals_ahead::{lane_line, mapd_lane_line_at};
 use crate::snapshot::{map_of, mapd_snapshot};
+use crate::text::given;
 use mapd_client::rules::{Basis, RightOfWay, Turn};
+use mapd_client::vocabulary::{Relation, RoadRules};
+use std::ffi::c_char;
 
 /// `turn` of a movement: to the left.
 pub const MAPD_TURN_LEFT: u8 = 1;
@@ -45,6 +48,35 @@ pub const MAPD_LANE_LINES_TO_STOP_AT: u32 = 0;
 pub const MAPD_LANE_LINES_CROSSINGS: u32 = 1;
 /// `which` of `mapd_lane_lines`: crosswalks and bicycle crossings that the movement through this lane of a junction passes.
 pub const MAPD_LANE_LINES_MOVEMENT_CROSSINGS: u32 = 2;
+
+fn right_of_way(one: &RightOfWay<'_>) -> mapd_right_of_way {
+    mapd_right_of_way {
+        other: one.other().map(|lane| lane.lane_id()).into(),
+        relation: one.relation().code(),
+        reason: one.reason().code(),
+        basis: basis_code(one.basis()),
+    }
+}
+
+/// `MAPD_BASIS_…`.
+pub(crate) fn basis_code(basis: Basis) -> u8 {
+    match basis {
+        Basis::Written => MAPD_BASIS_WRITTEN,
+        Basis::Rule => MAPD_BASIS_RULE,
+        _ => MAPD_BASIS_UNKNOWN,
+    }
+}
+
+/// A country's rules of the road, if they are known.
+///
+/// # Safety
+///
+/// As [`given`].
+pub(crate) unsafe fn rules_of(
+    country: *const c_char,
+) -> Result<Option<&'static RoadRules>, Failure> {
+    unsafe { Ok(RoadRules::of(given(country, "the country")?)) }
+}
 
 /// Where the movement through this lane of a junction leads: a `MAPD_TURN_…`.
 #[unsafe(no_mangle)]
@@ -176,17 +208,38 @@ pub unsafe extern "C" fn mapd_lane_right_of_way(
 ) -> mapd_code {
     unsafe {
         answer(error, || {
-            let of = |one: RightOfWay<'_>| mapd_right_of_way {
-                other: one.other().map(|lane| lane.lane_id()).into(),
-                relation: one.relation().code(),
-                reason: one.reason().code(),
-                basis: match one.basis() {
-                    Basis::Written => MAPD_BASIS_WRITTEN,
-                    Basis::Rule => MAPD_BASIS_RULE,
-                    _ => MAPD_BASIS_UNKNOWN,
-                },
+            let all = lane_of(snapshot, lane)?.right_of_way().map(|one| right_of_way(&one));
+            List { out, capacity, count }.write(all)
+        })
+    }
+}
+
+/// As `mapd_lane_right_of_way` by what the file says, else by the rules of a country, by its two letters of ISO 3166-1 such as `DE`: that they hold there is
+/// for the caller to know. Where neither says, the relation is unknown. `MAPD_CODE_NONE` for a country whose rules are not known.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_lane_right_of_way_by(
+    snapshot: *const mapd_snapshot,
+    lane: mapd_lane_id,
+    country: *const c_char,
+    out: *mut mapd_right_of_way,
+    capacity: usize,
+    count: *mut usize,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let lane = lane_of(snapshot, lane)?;
+            let Some(rules) = rules_of(country)? else { return Ok(mapd_code::NONE) };
+            let of = |one: RightOfWay<'_>| {
+                let relation = one.relation_by(rules);
+                let basis = if relation.is_some() { one.basis() } else { Basis::Unknown };
+                mapd_right_of_way {
+                    relation: relation.unwrap_or(Relation::Unknown).code(),
+                    basis: basis_code(basis),
+                    ..right_of_way(&one)
+                }
             };
-            List { out, capacity, count }.write(lane_of(snapshot, lane)?.right_of_way().map(of))
+            List { out, capacity, count }.write(lane.right_of_way().map(of))
         })
     }
 }

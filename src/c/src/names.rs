@@ -3,10 +3,12 @@
 use crate::code::{Failure, answer, mapd_code, mapd_error};
 use crate::list::put;
 use crate::text::mapd_text;
+use mapd_client::view::OverlayKind;
 use mapd_client::vocabulary::{
-    Class, ConflictKind, ContactPoint, EdgeKind, LaneMethod, LaneType, MarkLaneChange, ObjectShape,
-    Orientation, Relation, RelationReason, RoadMarkColor, RoadMarkKind, RoadMarkWeight,
-    SignalPosition, VehicleClass,
+    Class, ConflictKind, ContactPoint, EdgeKind, JunctionGroupKind, LaneMethod, LaneType,
+    MarkLaneChange, ObjectShape, Orientation, QuarantinedKind, Relation, RelationReason,
+    RoadMarkColor, RoadMarkKind, RoadMarkWeight, RoadType, SignalPosition, StructureKind,
+    VehicleClass,
 };
 
 /// Codes of one thing, with their words as OpenDRIVE or the vocabulary of classes has them.
@@ -63,6 +65,11 @@ vocabularies! {
     14 MAPD_WORDS_ROAD_MARK_COLOR "MAPD_ROAD_MARK_COLOR" RoadMarkColor;
     15 MAPD_WORDS_ROAD_MARK_WEIGHT "MAPD_ROAD_MARK_WEIGHT" RoadMarkWeight;
     16 MAPD_WORDS_MARK_LANE_CHANGE "MAPD_MARK_LANE_CHANGE" MarkLaneChange;
+    17 MAPD_WORDS_ROAD_TYPE "MAPD_ROAD_TYPE" RoadType;
+    18 MAPD_WORDS_STRUCTURE_KIND "MAPD_STRUCTURE_KIND" StructureKind;
+    19 MAPD_WORDS_OVERLAY_KIND "MAPD_OVERLAY_KIND" OverlayKind;
+    20 MAPD_WORDS_QUARANTINED_KIND "MAPD_QUARANTINED_KIND" QuarantinedKind;
+    21 MAPD_WORDS_JUNCTION_GROUP_KIND "MAPD_JUNCTION_GROUP_KIND" JunctionGroupKind;
 }
 
 /// The word of a code, as OpenDRIVE or the vocabulary of classes has it; `unknown` for a code that this release does not know. `vocabulary`

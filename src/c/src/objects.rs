@@ -63,6 +63,20 @@ pub struct mapd_object_facts {
     pub is_temporary: u8,
     /// 1: it is written to hold no longer.
     pub is_invalidated: u8,
+    /// 1: its s lies beyond the road, so that it stands beside its end.
+    pub is_clamped: u8,
+    /// 1: it is a parking space.
+    pub is_parking_space: u8,
+    /// 1: `value` is there.
+    pub has_value: u8,
+    /// What its class means by its value: \[m/s\], \[m\] or \[kg\]; counts only with `has_value`.
+    pub value: f64,
+    /// Unit in which the number of its value is read, such as `km/h`: objects state none. Empty without a value.
+    pub assumed_unit: mapd_text,
+    /// Of a parking space who may park, as written: all, car, women, handicapped, bus, truck, electric, residents.
+    pub parking_access: mapd_text,
+    /// Of a parking space its restrictions in words.
+    pub parking_restrictions: mapd_text,
 }
 
 /// An object where it stands.
@@ -136,6 +150,7 @@ impl From<mapd_placement_id> for PlacementId {
 }
 
 fn facts(object: &Object<'_>) -> mapd_object_facts {
+    let parking = object.parking_space();
     mapd_object_facts {
         object: object.object_id().into(),
         road: object.road().map(|road| road.road_id()).into(),
@@ -156,6 +171,13 @@ fn facts(object: &Object<'_>) -> mapd_object_facts {
         is_repeated: object.is_repeated().into(),
         is_temporary: object.is_temporary().into(),
         is_invalidated: object.is_invalidated().into(),
+        is_clamped: object.is_clamped().into(),
+        is_parking_space: parking.is_some().into(),
+        has_value: object.value().is_some().into(),
+        value: object.value().unwrap_or(0.0),
+        assumed_unit: object.assumed_unit().into(),
+        parking_access: parking.map_or("", |space| space.access()).into(),
+        parking_restrictions: parking.map_or("", |space| space.restrictions()).into(),
     }
 }
 

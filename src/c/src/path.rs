@@ -3,12 +3,15 @@
 use crate::code::{Failure, answer, mapd_code, mapd_error};
 use crate::ids::mapd_lane_id;
 use crate::list::{List, close, finite, get, hand_out, put, put_some};
+use crate::options::{given_options, put_defaults};
 use crate::point::{clamped_code, mapd_vec2, mapd_vec3};
 use crate::route::{mapd_route_step, take_steps};
 use crate::signals::{mapd_speed_rule, speed_rule};
 use crate::snapshot::mapd_snapshot;
 use mapd_client::Snapshot;
-use mapd_client::path::{Path, PathBuffer, PathError, PathOptions, PathPoint, PathPosition};
+use mapd_client::path::{
+    LaneChange, Path, PathBuffer, PathError, PathOptions, PathPoint, PathPosition,
+};
 
 /// A route as one line. It keeps its snapshot; several threads may use it at once.
 pub struct mapd_path {
@@ -80,8 +83,24 @@ pub struct mapd_path_joint {
     pub kink: f64,
     /// How the lane behind it is entered: a `MAPD_ENTER_…`.
     pub enter: u8,
-    /// 1: gap or kink are larger than a path should have. A change of lane breaks nothing by its gap.
+    /// 1: gap or kink are larger than the options allow. A change of lane that jumps breaks nothing by its gap.
     pub broken: u8,
+    /// 1: a change of lane that jumps because there is no room for the curve that the options ask for.
+    pub is_short: u8,
+}
+
+/// How a path is built. Set it with `mapd_path_options_init`, then change what should differ.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct mapd_path_options {
+    /// Size of this struct as the caller knows it: later releases may append to it.
+    pub size: usize,
+    /// A joint with a larger gap is broken \[m\]; not negative, infinite for never. Default 0.1.
+    pub broken_gap: f64,
+    /// A joint with a larger kink is broken \[rad\]; as above. Default 0.3.
+    pub broken_kink: f64,
+    /// Length of the road's s over which a change of lane is one smooth curve \[m\], for each lane that is changed to; 0, the default: the line jumps.
+    pub change_length: f64,
 }
 
 impl From<PathError> for Failure {
@@ -139,14 +158,50 @@ pub(crate) unsafe fn path_of<'a>(path: *const mapd_path) -> Result<Path<'a, 'a>,
     Ok(Path::of(path.snapshot.map(), &path.buffer)?)
 }
 
-/// The path along a route's steps. Close it with `mapd_path_close`.
+/// The options of a caller's; null is the default.
 ///
-/// Errors: steps that do not follow each other, go backwards, or none: `MAPD_CODE_ARGUMENT`; `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`.
+/// # Safety
+///
+/// As [`given_options`].
+unsafe fn options_of(options: *const mapd_path_options) -> Result<PathOptions, Failure> {
+    let given = unsafe { given_options(options, "mapd_path_options_init") }?;
+    Ok(given.map_or_else(PathOptions::default, |given| PathOptions {
+        broken_gap: given.broken_gap,
+        broken_kink: given.broken_kink,
+        change: if given.change_length == 0.0 {
+            LaneChange::Jump
+        } else {
+            LaneChange::Lateral(given.change_length)
+        },
+    }))
+}
+
+/// Sets options to their defaults. `size` is `sizeof(mapd_path_options)`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_path_options_init(
+    options: *mut mapd_path_options,
+    size: usize,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let PathOptions { broken_gap, broken_kink, .. } = PathOptions::default();
+            let defaults = mapd_path_options { size, broken_gap, broken_kink, change_length: 0.0 };
+            put_defaults(options, size, defaults)
+        })
+    }
+}
+
+/// The path along a route's steps. `options`: null is the default. Close it with `mapd_path_close`.
+///
+/// Errors: steps that do not follow each other, go backwards, or none, and options out of their domain: `MAPD_CODE_ARGUMENT`;
+/// `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_path_new(
     snapshot: *const mapd_snapshot,
     steps: *const mapd_route_step,
     step_count: usize,
+    options: *const mapd_path_options,
     out: *mut *mut mapd_path,
     error: *mut mapd_error,
 ) -> mapd_code {
@@ -155,7 +210,7 @@ pub unsafe extern "C" fn mapd_path_new(
             let snapshot = get(snapshot, "a snapshot")?.0.clone();
             let (mut own, mut buffer) = (Vec::new(), PathBuffer::default());
             take_steps(steps, step_count, &mut own)?;
-            snapshot.map().path(&own, &PathOptions::default(), &mut buffer)?;
+            snapshot.map().path(&own, &options_of(options)?, &mut buffer)?;
             hand_out(out, mapd_path { snapshot, buffer })
         })
     }
@@ -241,6 +296,7 @@ pub unsafe extern "C" fn mapd_path_joints(
                 kink: joint.kink,
                 enter: crate::route::enter_code(joint.enter),
                 broken: joint.broken.into(),
+                is_short: joint.short.into(),
             });
             List { out, capacity, count }.write(joints)
         })

@@ -2,7 +2,7 @@
 
 use crate::code::{answer, mapd_code, mapd_error};
 use crate::ids::{mapd_junction_id, mapd_lane_id, mapd_road_id};
-use crate::list::{List, finite, put, put_some};
+use crate::list::{List, entries, fill, finite, put, put_some};
 use crate::lookup::road_of;
 use crate::point::{mapd_point, mapd_pose, mapd_track, mapd_track_position};
 use crate::snapshot::mapd_snapshot;
@@ -146,6 +146,48 @@ pub unsafe extern "C" fn mapd_road_to_track(
     error: *mut mapd_error,
 ) -> mapd_code {
     unsafe { answer(error, || put(out, road_of(snapshot, road)?.to_track(point)?.into())) }
+}
+
+/// As `mapd_road_to_inertial`, of `count` track positions; `out` has room for as many.
+///
+/// Errors: as `mapd_road_to_inertial`; the answers before the entry that has one are written.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_road_to_inertial_batch(
+    snapshot: *const mapd_snapshot,
+    road: mapd_road_id,
+    tracks: *const mapd_track,
+    count: usize,
+    out: *mut mapd_pose,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let road = road_of(snapshot, road)?;
+            let tracks = entries(tracks, count, "the track positions")?;
+            fill(out, tracks, |track| road.to_inertial((*track).into()).map(Into::into))
+        })
+    }
+}
+
+/// As `mapd_road_to_track`, of `count` points; `out` has room for as many.
+///
+/// Errors: as `mapd_road_to_track`; the answers before the point that has one are written.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_road_to_track_batch(
+    snapshot: *const mapd_snapshot,
+    road: mapd_road_id,
+    points: *const mapd_point,
+    count: usize,
+    out: *mut mapd_track_position,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let road = road_of(snapshot, road)?;
+            let points = entries(points, count, "the points")?;
+            fill(out, points, |point| road.to_track(*point).map(Into::into))
+        })
+    }
 }
 
 /// Elevation of the reference line at s \[m\]. s outside the road counts as its nearer end.

@@ -3,20 +3,24 @@
 use crate::code::{Failure, answer, mapd_code, mapd_error};
 use crate::graph::vehicle_of;
 use crate::ids::{mapd_junction_id, mapd_lane_id, mapd_node_id};
-use crate::list::{List, entries, get_mut, put, put_raw, put_some};
+use crate::list::{List, entries, finite, get_mut, put_raw, put_some};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
 use mapd_client::QueryError;
-use mapd_client::route::{Enter, PositionOnLane, Route, RouteStep, ShortestLength, ShortestTime};
+use mapd_client::graph::LaneNode;
+use mapd_client::route::{
+    CostBound, Enter, PositionOnLane, Reached, Route, RouteCost, RouteStep, ShortestLength,
+    ShortestTime,
+};
 use mapd_client::vocabulary::VehicleClass;
 
-/// A position on a lane by s alone: an end of a route, or where a search begins.
+/// A place on a lane.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct mapd_position_on_lane {
     /// The lane.
     pub lane: mapd_lane_id,
-    /// The road's s \[m\]; outside the lane's section its nearer end counts.
+    /// On the road \[m\]; outside the lane's section its nearer end counts.
     pub s: f64,
 }
 
@@ -98,20 +102,6 @@ pub struct mapd_next_junction {
     pub distance: f64,
 }
 
-/// The next change of lane on a route.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct mapd_lane_change {
-    /// Number of the step that is entered by it.
-    pub step: usize,
-    /// Distance along the route to the first place where it may happen \[m\].
-    pub from: f64,
-    /// Distance along the route to the last place where it may happen \[m\].
-    pub until: f64,
-    /// 1: it goes to the left.
-    pub left: u8,
-}
-
 /// `MAPD_ENTER_…`.
 pub(crate) fn enter_code(enter: Enter) -> u8 {
     match enter {
@@ -144,7 +134,7 @@ impl From<RouteStep> for mapd_route_step {
 /// A step of a caller's.
 ///
 /// Errors: numbers that are not finite; an unknown way of entering.
-fn step_of(step: mapd_route_step) -> Result<RouteStep, Failure> {
+pub(crate) fn step_of(step: mapd_route_step) -> Result<RouteStep, Failure> {
     if [step.s_from, step.s_to, step.s_latest].iter().any(|s| !s.is_finite()) {
         return Err(QueryError::NotFinite.into());
     }
@@ -171,6 +161,10 @@ impl From<Route> for mapd_route_sum {
     }
 }
 
+fn reached(one: &Reached) -> mapd_reached {
+    mapd_reached { node: one.node.into(), cost: one.cost }
+}
+
 /// Takes a caller's steps into a scratch.
 ///
 /// # Safety
@@ -188,13 +182,64 @@ pub(crate) unsafe fn take_steps(
     Ok(())
 }
 
-/// The class of a cost's vehicle.
-fn class_of(cost: mapd_cost) -> Result<VehicleClass, Failure> {
-    vehicle_of(u8::try_from(cost.vehicle).unwrap_or(u8::MAX))
+/// Takes a caller's places into a scratch.
+///
+/// # Safety
+///
+/// As [`entries`].
+pub(crate) unsafe fn take_places(
+    places: *const mapd_position_on_lane,
+    count: usize,
+    into: &mut Vec<PositionOnLane>,
+) -> Result<(), Failure> {
+    into.clear();
+    let given = unsafe { entries(places, count, "the places") }?;
+    into.extend(given.iter().map(|place| PositionOnLane::from(*place)));
+    Ok(())
 }
 
-fn no_cost(by: u32) -> Failure {
-    Failure::argument(format!("{by} is no cost"))
+/// What a caller keeps small.
+pub(crate) enum Cost {
+    Length(ShortestLength),
+    Time(ShortestTime),
+}
+
+impl RouteCost for Cost {
+    #[inline]
+    fn pass(&self, node: &LaneNode<'_>) -> f64 {
+        match self {
+            Self::Length(cost) => cost.pass(node),
+            Self::Time(cost) => cost.pass(node),
+        }
+    }
+
+    #[inline]
+    fn change(&self, from: &LaneNode<'_>, to: &LaneNode<'_>) -> f64 {
+        match self {
+            Self::Length(cost) => cost.change(from, to),
+            Self::Time(cost) => cost.change(from, to),
+        }
+    }
+
+    fn bound(&self) -> CostBound {
+        match self {
+            Self::Length(cost) => cost.bound(),
+            Self::Time(cost) => cost.bound(),
+        }
+    }
+}
+
+/// Who travels, and what a caller keeps small.
+///
+/// Errors: an unknown cost or class.
+pub(crate) fn cost_of(cost: mapd_cost) -> Result<(VehicleClass, Cost), Failure> {
+    let mapd_cost { by, vehicle, lane_change } = cost;
+    let vehicle = vehicle_of(u8::try_from(vehicle).unwrap_or(u8::MAX))?;
+    match by {
+        MAPD_COST_LENGTH => Ok((vehicle, Cost::Length(ShortestLength { lane_change }))),
+        MAPD_COST_TIME => Ok((vehicle, Cost::Time(ShortestTime { lane_change }))),
+        by => Err(Failure::argument(format!("{by} is no cost"))),
+    }
 }
 
 /// The cheapest way through `place_count` places, two or more, in their order, in driving direction and by allowed lane changes only. `sum`: what
@@ -218,24 +263,10 @@ pub unsafe extern "C" fn mapd_route(
 ) -> mapd_code {
     unsafe {
         answer(error, || {
-            let (map, vehicle) = (map_of(snapshot)?, class_of(cost)?);
+            let (map, (vehicle, cost)) = (map_of(snapshot)?, cost_of(cost)?);
             let mapd_scratch { route, steps, places: own, .. } = get_mut(scratch, "a scratch")?;
-            own.clear();
-            own.extend(
-                entries(places, place_count, "the places")?
-                    .iter()
-                    .map(|p| PositionOnLane::from(*p)),
-            );
-            let lane_change = cost.lane_change;
-            let found = match cost.by {
-                MAPD_COST_LENGTH => {
-                    map.route_via(own, vehicle, &ShortestLength { lane_change }, route, steps)?
-                }
-                MAPD_COST_TIME => {
-                    map.route_via(own, vehicle, &ShortestTime { lane_change }, route, steps)?
-                }
-                by => return Err(no_cost(by)),
-            };
+            take_places(places, place_count, own)?;
+            let found = map.route_via(own, vehicle, &cost, route, steps)?;
             let code = List { out, capacity, count }.write(steps.iter().map(|s| (*s).into()))?;
             let Some(found) = found else { return Ok(mapd_code::NONE) };
             put_raw(sum, found.into())?;
@@ -261,24 +292,36 @@ pub unsafe extern "C" fn mapd_reachable(
 ) -> mapd_code {
     unsafe {
         answer(error, || {
-            let (map, vehicle) = (map_of(snapshot)?, class_of(cost)?);
-            let mapd_scratch { route, reached, .. } = get_mut(scratch, "a scratch")?;
-            let (from, lane_change) = (from.into(), cost.lane_change);
-            crate::list::finite(limit)?;
-            match cost.by {
-                MAPD_COST_LENGTH => {
-                    let cost = ShortestLength { lane_change };
-                    map.reachable(from, limit, vehicle, &cost, route, reached)?;
-                }
-                MAPD_COST_TIME => {
-                    let cost = ShortestTime { lane_change };
-                    map.reachable(from, limit, vehicle, &cost, route, reached)?;
-                }
-                by => return Err(no_cost(by)),
-            }
-            let all = reached.iter();
-            let all = all.map(|one| mapd_reached { node: one.node.into(), cost: one.cost });
-            List { out, capacity, count }.write(all)
+            let (map, (vehicle, cost)) = (map_of(snapshot)?, cost_of(cost)?);
+            let mapd_scratch { route, reached: found, .. } = get_mut(scratch, "a scratch")?;
+            map.reachable(from.into(), finite(limit)?, vehicle, &cost, route, found)?;
+            List { out, capacity, count }.write(found.iter().map(reached))
+        })
+    }
+}
+
+/// Every node from whose beginning a place can be reached within a cost, nearest first: who can come here. The place's own node and those beside it
+/// come with what is to be driven on them.
+///
+/// Errors: as `mapd_route`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_reachable_to(
+    snapshot: *const mapd_snapshot,
+    to: mapd_position_on_lane,
+    limit: f64,
+    cost: mapd_cost,
+    scratch: *mut mapd_scratch,
+    out: *mut mapd_reached,
+    capacity: usize,
+    count: *mut usize,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let (map, (vehicle, cost)) = (map_of(snapshot)?, cost_of(cost)?);
+            let mapd_scratch { route, reached: found, .. } = get_mut(scratch, "a scratch")?;
+            map.reachable_to(to.into(), finite(limit)?, vehicle, &cost, route, found)?;
+            List { out, capacity, count }.write(found.iter().map(reached))
         })
     }
 }
@@ -349,61 +392,6 @@ pub unsafe extern "C" fn mapd_next_junction_of(
                 distance: next.distance,
             });
             put_some(out, next)
-        })
-    }
-}
-
-/// The next change of lane on a route, seen from a place on step number `at`. `MAPD_CODE_NONE` if the route needs no more.
-///
-/// Errors: as `mapd_route`.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn mapd_next_lane_change(
-    snapshot: *const mapd_snapshot,
-    steps: *const mapd_route_step,
-    step_count: usize,
-    at: usize,
-    place: mapd_position_on_lane,
-    scratch: *mut mapd_scratch,
-    out: *mut mapd_lane_change,
-    error: *mut mapd_error,
-) -> mapd_code {
-    unsafe {
-        answer(error, || {
-            let own = &mut get_mut(scratch, "a scratch")?.steps;
-            take_steps(steps, step_count, own)?;
-            let next =
-                mapd_client::route::next_lane_change(map_of(snapshot)?, own, at, place.into())?;
-            let next = next.map(|next| mapd_lane_change {
-                step: next.step,
-                from: next.from,
-                until: next.until,
-                left: next.left.into(),
-            });
-            put_some(out, next)
-        })
-    }
-}
-
-/// The length of a route's steps along centre lines \[m\].
-///
-/// Errors: as `mapd_route`.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn mapd_steps_length(
-    snapshot: *const mapd_snapshot,
-    steps: *const mapd_route_step,
-    step_count: usize,
-    out: *mut f64,
-    error: *mut mapd_error,
-) -> mapd_code {
-    unsafe {
-        answer(error, || {
-            let map = map_of(snapshot)?;
-            let mut sum = 0.0;
-            for step in entries(steps, step_count, "the steps")? {
-                let step = step_of(*step)?;
-                sum += map.lane(step.lane)?.length_between(step.s_from, step.s_to);
-            }
-            put(out, sum)
         })
     }
 }

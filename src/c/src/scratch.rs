@@ -2,16 +2,22 @@
 
 use crate::code::{answer, mapd_code, mapd_error};
 use crate::list::{close, hand_out};
-use mapd_client::glam::DVec3;
+use mapd_client::batch::{BatchScratch, PoseMatches};
+use mapd_client::glam::{DMat3, DVec2, DVec3};
 use mapd_client::localisation::{
-    GroundScratch, Landmark, LaneMatch, TraceFix, TraceMatch, TraceScratch,
+    GroundScratch, Landmark, LandmarkInView, LaneMatch, MarkPoint, TraceFix, TraceMatch,
+    TraceScratch, VehiclePose,
 };
 use mapd_client::objects::{NearObject, PlacementId};
-use mapd_client::path::{Corridor, PathConflict};
+use mapd_client::path::{
+    ConflictApproach, Corridor, PathChange, PathConflict, PathCrossing, PathFact, PathSegment,
+    PathSpeed,
+};
 use mapd_client::roads::{BoundarySegment, RoadMarkSegment};
 use mapd_client::route::{LaneSequences, PositionOnLane, Reached, RouteScratch, RouteStep};
 use mapd_client::rules::LineAhead;
 use mapd_client::signals::{NearSignal, SignalsAhead};
+use mapd_client::view::ReachedPiece;
 use mapd_client::{LaneId, Nearest, SignalId};
 
 /// Memory of searches and lists, to be used again: it grows with the largest answer and is then enough. It belongs to one thread
@@ -41,7 +47,22 @@ pub struct mapd_scratch {
     pub(crate) traced: Vec<TraceMatch>,
     pub(crate) ground: GroundScratch,
     pub(crate) corridor: Corridor,
+    pub(crate) outline: Vec<DVec2>,
     pub(crate) conflicts: Vec<PathConflict>,
+    pub(crate) approaches: Vec<ConflictApproach>,
+    pub(crate) crossings: Vec<PathCrossing>,
+    pub(crate) facts: Vec<PathFact>,
+    pub(crate) segments: Vec<PathSegment>,
+    pub(crate) speeds: Vec<PathSpeed>,
+    pub(crate) part: Vec<RouteStep>,
+    pub(crate) changes: Vec<PathChange>,
+    pub(crate) poses: Vec<VehiclePose>,
+    pub(crate) covariances: Vec<DMat3>,
+    pub(crate) batch: BatchScratch,
+    pub(crate) batch_matches: PoseMatches,
+    pub(crate) in_view: Vec<LandmarkInView>,
+    pub(crate) mark_points: Vec<MarkPoint>,
+    pub(crate) pieces: Vec<ReachedPiece>,
 }
 
 /// Makes a scratch. Close it with `mapd_scratch_close`.

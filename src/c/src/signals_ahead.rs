@@ -58,7 +58,19 @@ pub(crate) fn lane_line(line: LaneLine) -> mapd_lane_line_at {
     }
 }
 
-fn signal_ahead(one: &SignalAhead) -> mapd_signal_ahead {
+impl mapd_lane_line_at {
+    /// What stands where there is none.
+    pub(crate) const NONE: Self = Self {
+        signal: mapd_signal_id::NONE,
+        object: mapd_object_id::NONE,
+        lane: mapd_lane_id::NONE,
+        s: 0.0,
+        distance: 0.0,
+        class_code: 0,
+    };
+}
+
+pub(crate) fn signal_ahead(one: &SignalAhead) -> mapd_signal_ahead {
     mapd_signal_ahead {
         signal: one.signal.into(),
         lane: one.lane.into(),

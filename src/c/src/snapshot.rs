@@ -1,10 +1,11 @@
 //! One generation, pinned, and what the map says of itself.
 
 use crate::code::{Failure, answer, mapd_code, mapd_error};
-use crate::list::{close, get, hand_out, put, put_some};
+use crate::list::{close, entries, get, hand_out, put, put_some};
 use crate::point::mapd_vec3;
 use crate::text::{given, mapd_text};
 use mapd_client::document::{HeaderOffset, Revision};
+use mapd_client::raw::AlignedBytes;
 use mapd_client::{Bounds, ClientError, Map, Snapshot, TrustedKey};
 use std::ffi::c_char;
 
@@ -137,6 +138,38 @@ pub unsafe extern "C" fn mapd_snapshot_clone(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_snapshot_close(snapshot: *mut *mut mapd_snapshot) {
     unsafe { close(snapshot) }
+}
+
+/// The same map under an overlay that was made elsewhere: what crate mapd-overlay encodes for this map, `size` bytes, which are copied. A client's snapshots
+/// are under what the daemon serves without this. Close it with `mapd_snapshot_close`.
+///
+/// Errors: `MAPD_CODE_NOT_AN_ARCHIVE` for bytes that are no overlay; `MAPD_CODE_FOREIGN_ID` for one of another map.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_snapshot_with_overlay(
+    snapshot: *const mapd_snapshot,
+    bytes: *const u8,
+    size: usize,
+    out: *mut *mut mapd_snapshot,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let bytes = entries(bytes, size, "the overlay")?;
+            let mut own = AlignedBytes::with_capacity(bytes.len());
+            own.extend_from_slice(bytes);
+            hand_out(out, mapd_snapshot(get(snapshot, "a snapshot")?.0.with_overlay(own)?))
+        })
+    }
+}
+
+/// Revision of what is laid over the map, which rises with each change; 0 where nothing is. `mapd_view_new` makes it count.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_snapshot_overlay_revision(
+    snapshot: *const mapd_snapshot,
+    out: *mut u64,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe { answer(error, || put(out, get(snapshot, "a snapshot")?.0.overlay_revision())) }
 }
 
 /// Proves the whole archive, content hash included. Linear in its size; attaching and opening do not do this.

@@ -29,7 +29,7 @@ static int is_told(mapd_code found) {
 
 int main(int argc, char **argv) {
   if (argc != 3) return EXIT_FAILURE;
-  mapd_snapshot *map = NULL, *other = NULL, *second = NULL;
+  mapd_snapshot *map = NULL, *other = NULL, *second = NULL, *laid = NULL;
   mapd_scratch *scratch = NULL;
   mapd_client *client = NULL;
   mapd_events *events = NULL;
@@ -159,9 +159,10 @@ int main(int argc, char **argv) {
   const double places_along[] = {0.5, NAN};
   const mapd_vec2 nan_place = {NAN, 0.0};
   steps[0].enter = MAPD_ENTER_START;
-  EXPECT(MAPD_CODE_ARGUMENT, mapd_path_new(map, steps, 0, &path, &error));
-  EXPECT(MAPD_CODE_FOREIGN_ID, mapd_path_new(other, steps, count, &path, &error));
-  EXPECT(MAPD_CODE_OK, mapd_path_new(map, steps, count, &path, &error));
+  const size_t step_count = count;
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_path_new(map, steps, 0, NULL, &path, &error));
+  EXPECT(MAPD_CODE_FOREIGN_ID, mapd_path_new(other, steps, count, NULL, &path, &error));
+  EXPECT(MAPD_CODE_OK, mapd_path_new(map, steps, count, NULL, &path, &error));
   EXPECT(MAPD_CODE_NOT_FINITE, mapd_path_at(path, NAN, at, &error));
   EXPECT(MAPD_CODE_NOT_FINITE, mapd_path_at_batch(path, places_along, 2, at, &error));
   if (strncmp(error.message, "entry 1:", 8) != 0 || at[0].along != 0.5) ++failures;
@@ -177,6 +178,50 @@ int main(int argc, char **argv) {
   EXPECT(MAPD_CODE_OK, mapd_path_conflicts(path, scratch, &conflict, 1, &count, &error));
   mapd_path_close(&path);
   EXPECT(MAPD_CODE_NULL_POINTER, mapd_path_length(path, &number, &error));
+
+  mapd_path_options path_options;
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_path_options_init(&path_options, 1, &error));
+  EXPECT(MAPD_CODE_OK, mapd_path_options_init(&path_options, sizeof path_options, &error));
+  path_options.change_length = -1.0;
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_path_new(map, steps, step_count, &path_options, &path, &error));
+  EXPECT(MAPD_CODE_OK, mapd_path_new(map, steps, step_count, NULL, &path, &error));
+  mapd_path_fact fact;
+  mapd_route_step part[64];
+  mapd_path_change change;
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_path_facts(path, NULL, &fact, 1, &count, &error));
+  EXPECT(MAPD_CODE_OK, mapd_path_steps_between(path, steps, step_count, 0.25, 0.5, scratch, part, 64, &count, &error));
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_path_steps_between(path, steps, step_count, NAN, 0.5, scratch, part, 64, &count, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_path_steps_between(path, steps, 0, 0.25, 0.5, scratch, part, 64, &count, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER,
+         mapd_path_rebase(path, NULL, by_length, scratch, &sum, part, 64, &count, &change, 1, &length, &error));
+  const mapd_path_conflict nan_conflict = {0.0, 1.0, hit.lane, NAN, 1.0, 0.0, 0, 0, 0, 0, 0};
+  mapd_conflict_approach approach;
+  uint8_t who;
+  EXPECT(MAPD_CODE_NOT_FINITE,
+         mapd_conflict_approaches(map, &nan_conflict, 10.0, 0, scratch, &approach, 1, &count, &error));
+  EXPECT(MAPD_CODE_NONE, mapd_path_conflict_yields_by(&nan_conflict, "XX", &who, NULL, &error));
+  EXPECT(MAPD_CODE_OK, mapd_path_conflict_yields_by(&nan_conflict, "de", &who, NULL, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_corridor_outline(&station, 1, 9, scratch, NULL, 0, &count, NULL, &error));
+
+  /* What is laid over the map. */
+  mapd_view *view = NULL;
+  mapd_permission permission;
+  mapd_speed_today speed;
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_view_new(map, NAN, &view, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_view_new(map, 1e300, &view, &error));
+  EXPECT(MAPD_CODE_NOT_AN_ARCHIVE, mapd_snapshot_with_overlay(map, (const uint8_t *)"no overlay", 10, &laid, &error));
+  EXPECT(MAPD_CODE_NOT_AN_ARCHIVE, mapd_snapshot_with_overlay(map, NULL, 0, &laid, &error));
+  EXPECT(MAPD_CODE_OK, mapd_view_new(map, -1.5, &view, &error));
+  EXPECT(MAPD_CODE_OK, mapd_view_allows(view, hit.lane, 1.0, 0, &permission, &error));
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_view_allows(view, hit.lane, NAN, 0, &permission, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_view_allows(view, hit.lane, 1.0, 200, &permission, &error));
+  EXPECT(MAPD_CODE_FOREIGN_ID, mapd_view_speed_rule_at(view, wrong, 1.0, 0, &speed, &error));
+  mapd_view_close(&view);
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_view_allows(view, hit.lane, 1.0, 0, &permission, &error));
+  EXPECT(MAPD_CODE_OK, mapd_view_new(other, 0.0, &view, &error));
+  EXPECT(MAPD_CODE_FOREIGN_ID, mapd_view_speed_on_path(view, path, 0.0, 0, &speed, &error));
+  mapd_view_close(&view);
+  mapd_path_close(&path);
 
   /* Ground, marks and matches. */
   mapd_ground ground[2];
@@ -217,6 +262,33 @@ int main(int argc, char **argv) {
   EXPECT(MAPD_CODE_ARGUMENT, mapd_match_trace(map, fixes, 2, NULL, scratch, traced, &error));
   EXPECT(MAPD_CODE_OK, mapd_match_trace(map, fixes, 1, NULL, scratch, traced, &error));
   EXPECT(MAPD_CODE_NULL_POINTER, mapd_match_trace(map, fixes, 1, NULL, scratch, NULL, &error));
+
+  mapd_tracker *tracker = NULL;
+  mapd_tracker_options tracker_options;
+  mapd_tracked tracked;
+  const mapd_tracker_fix fix = {1.0, pose, {0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1}, 0.0, 0};
+  mapd_tracker_fix wrong_fix = fix;
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_tracker_update(tracker, map, &fix, NULL, &tracked, &error));
+  EXPECT(MAPD_CODE_OK, mapd_tracker_new(&tracker, &error));
+  EXPECT(MAPD_CODE_OK, mapd_tracker_update(tracker, map, &fix, NULL, &tracked, &error));
+  wrong_fix.time = 0.5;
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_tracker_update(tracker, map, &wrong_fix, NULL, &tracked, &error));
+  wrong_fix.time = NAN;
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_tracker_update(tracker, map, &wrong_fix, NULL, &tracked, &error));
+  EXPECT(MAPD_CODE_OK, mapd_tracker_options_init(&tracker_options, sizeof tracker_options, &error));
+  tracker_options.enough = 2.0;
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_tracker_update(tracker, map, &fix, &tracker_options, &tracked, &error));
+  tracker_options.size = 1;
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_tracker_update(tracker, map, &fix, &tracker_options, &tracked, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_tracker_update(tracker, map, &fix, NULL, NULL, &error));
+  mapd_tracker_close(&tracker);
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_tracker_reset(tracker, &error));
+  const mapd_sensor blind = {here, NAN, 10.0, 1.0};
+  mapd_landmark_in_view seen;
+  mapd_stance stance;
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_landmarks_in_view(map, blind, NULL, scratch, &seen, 1, &count, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_stance_at(map, pose, NULL, scratch, &stance, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_controller_signals(map, 1000000, NULL, 0, &count, &error));
 
   /* Words. */
   mapd_text text;

@@ -27,7 +27,7 @@ SINGLES = 100
 NOTHING = 0xFFFFFFFF
 ENTER = {"start": 0, "ahead": 1, "left": 2, "right": 3}
 # What this language has no form for.
-ABSENT = {"landmarks", "objects", "surface", "edges", "movement", "junction", "lines"}
+ABSENT = {"landmarks", "objects", "surface", "edges", "movement", "junction", "lines"} | {"along", "room", "comes", "today", "tracker", "stance", "sees", "paint"}
 
 
 def as_float(bits: int) -> float:

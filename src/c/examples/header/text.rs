@@ -21,12 +21,19 @@ const SOURCES: &[&str] = &[
     "road",
     "lane",
     "matching",
+    "tracker",
     "ground",
     "polyline",
     "graph",
     "route",
     "path",
     "along",
+    "path_facts",
+    "path_steps",
+    "corridor",
+    "conflicts",
+    "view",
+    "view_ways",
     "junction",
     "signals",
     "signals_ahead",
@@ -35,6 +42,8 @@ const SOURCES: &[&str] = &[
     "landmarks",
     "marks",
     "surface",
+    "details",
+    "groups",
     "earth",
     "names",
 ];
@@ -48,7 +57,8 @@ const PREAMBLE: &str = "\
  * of all entries comes out, and MAPD_CODE_TOO_SMALL says that only as many as there was room for were written; the buffer may be null where the
  * capacity is 0.
  *
- * Threads: a client, a snapshot, a path and a projector may be used by several threads at once; a scratch and events by one at a time.
+ * Threads: a client, a snapshot, a view, a path and a projector may be used by several threads at once; a scratch, a tracker and events by one at
+ * a time.
  * Lengths are metres, angles radians, times seconds, speeds metres per second; t is positive to the left of the reference line. A uint8_t that
  * answers yes or no is 1 or 0. docs/cpp.md begins with examples. */";
 

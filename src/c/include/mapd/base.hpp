@@ -87,12 +87,37 @@ using PathJoint = mapd_path_joint;
 using PathLane = mapd_path_lane;
 using CorridorStation = mapd_corridor_station;
 using PathConflict = mapd_path_conflict;
+using ConflictApproach = mapd_conflict_approach;
+using PathCrossing = mapd_path_crossing;
+using PathFact = mapd_path_fact;
+using PathSpeed = mapd_path_speed;
+using PathSegment = mapd_path_segment;
+using PathChange = mapd_path_change;
+using CorridorSurface = mapd_corridor_surface;
+using OverlayEntry = mapd_overlay_entry;
+using Restriction = mapd_restriction;
+using PathRestriction = mapd_path_restriction;
+using Permission = mapd_permission;
+using SpeedToday = mapd_speed_today;
+using ReachedPiece = mapd_reached_piece;
 using Ground = mapd_ground;
 using NearMark = mapd_near_mark;
 using VehiclePose = mapd_vehicle_pose;
 using LaneMatch = mapd_lane_match;
 using TraceFix = mapd_trace_fix;
 using TraceMatch = mapd_trace_match;
+using Tracked = mapd_tracked;
+using Stance = mapd_stance;
+using Sensor = mapd_sensor;
+using LandmarkInView = mapd_landmark_in_view;
+using MarkPoint = mapd_mark_point;
+using OvertakingRule = mapd_overtaking_rule;
+using Structure = mapd_structure;
+using ObjectReference = mapd_object_reference;
+using Quarantined = mapd_quarantined;
+using JunctionGroup = mapd_junction_group;
+using Controller = mapd_controller;
+using SignalLink = mapd_signal_link;
 
 /// For ever.
 inline constexpr double forever = std::numeric_limits<double>::infinity();
@@ -179,6 +204,25 @@ struct TraceOptions : mapd_trace_options {
   TraceOptions() noexcept { mapd_trace_options_init(this, sizeof(mapd_trace_options), nullptr); }
 };
 
+/// How a path is built: see `mapd_path_options`.
+struct PathOptions : mapd_path_options {
+  PathOptions() noexcept { mapd_path_options_init(this, sizeof(mapd_path_options), nullptr); }
+};
+
+/// How a running drive is matched: see `mapd_tracker_options`.
+struct TrackerOptions : mapd_tracker_options {
+  TrackerOptions() noexcept { mapd_tracker_options_init(this, sizeof(mapd_tracker_options), nullptr); }
+};
+
+/// What is known of a vehicle at a moment, without an odometer unless one is given: see `mapd_tracker_fix`.
+struct TrackerFix : mapd_tracker_fix {
+  TrackerFix(double at, const VehiclePose& measured, const std::array<double, 9>& deviations,
+             std::optional<double> way = std::nullopt) noexcept
+      : mapd_tracker_fix{at, measured, {}, way.value_or(0.0), way ? std::uint8_t{1} : std::uint8_t{0}} {
+    for (std::size_t i = 0; i < deviations.size(); ++i) covariance[i] = deviations[i];
+  }
+};
+
 /// A covariance of (x, y, heading), row by row [m², m·rad, rad²].
 using Covariance = std::array<double, 9>;
 
@@ -186,6 +230,13 @@ using Covariance = std::array<double, 9>;
 struct PoseMatch {
   std::vector<LaneMatch> lanes;
   double none = 0.0;
+};
+
+/// The lanes that many vehicles may be in: those of pose k are `lanes[ends[k - 1]]` to `lanes[ends[k]]`, of the first from 0 on.
+struct PoseMatches {
+  std::vector<LaneMatch> lanes;
+  std::vector<std::size_t> ends;
+  std::vector<double> none;
 };
 
 /// Why a call failed.
@@ -295,6 +346,22 @@ Error batch(span<Q> questions, span<A> answers, F call) {
   return code == MAPD_CODE_OK ? Error{} : failed(code, error);
 }
 
+/// A route and its steps, if there is one.
+template <class R, class F>
+Result<std::optional<R>> route(F call) {
+  R out;
+  mapd_error error;
+  out.steps.resize(64);
+  for (;;) {
+    std::size_t count = 0;
+    const mapd_code code = call(&out.sum, out.steps.data(), out.steps.size(), &count, &error);
+    if (code == MAPD_CODE_NONE) return std::optional<R>();
+    if (code != MAPD_CODE_OK && code != MAPD_CODE_TOO_SMALL) return failed(code, error);
+    out.steps.resize(count);
+    if (code == MAPD_CODE_OK) return std::optional<R>(std::move(out));
+  }
+}
+
 #if MAPD_EXCEPTIONS
 inline void must(const Error& error) {
   if (error.code != MAPD_CODE_OK) throw Exception(error);
@@ -353,6 +420,18 @@ struct Route {
   std::vector<RouteStep> steps;
 };
 
+/// The way of a path on another snapshot, if there is one, and what has changed.
+struct Rebased {
+  std::optional<Route> route;
+  std::vector<PathChange> changes;
+};
+
+/// The room of a corridor as one polygon [m], and whether no two of its sides meet but neighbours.
+struct Outline {
+  std::vector<Vec2> points;
+  bool is_simple = false;
+};
+
 /// Sequences of lanes.
 struct LaneSequences {
   std::vector<std::vector<LaneId>> sequences;
@@ -375,87 +454,6 @@ class Projector : public detail::Owner<mapd_projector, mapd_projector_close> {
 #if MAPD_EXCEPTIONS
   Geodetic to_geodetic(Vec3 point) const { return try_to_geodetic(point).value(); }
   Vec3 from_geodetic(Geodetic place) const { return try_from_geodetic(place).value(); }
-#endif
-};
-
-/// A route as one line. It keeps its snapshot; several threads may use it at once.
-class Path : public detail::Owner<mapd_path, mapd_path_close> {
- public:
-  using Owner::Owner;
-
-  /// Length: the largest S [m].
-  Result<double> try_length() const {
-    return detail::value<double>([&](auto... out) { return mapd_path_length(get(), out...); });
-  }
-  /// The place at S [m].
-  Result<PathPoint> try_at(double along) const {
-    return detail::value<PathPoint>([&](auto... out) { return mapd_path_at(get(), along, out...); });
-  }
-  /// A point in the path's coordinates; the search begins at the hint.
-  Result<PathPosition> try_project(Vec2 point, std::optional<double> hint = std::nullopt) const {
-    const double* begin = hint ? &*hint : nullptr;
-    return detail::value<PathPosition>([&](auto... out) { return mapd_path_project(get(), point, begin, out...); });
-  }
-  /// The speed limit at S.
-  Result<std::optional<SpeedRule>> try_speed_at(double along) const {
-    return detail::optional<SpeedRule>([&](auto... out) { return mapd_path_speed_at(get(), along, out...); });
-  }
-  /// Where the line is not continuous, or changes lanes.
-  Result<std::vector<PathJoint>> try_joints() const {
-    return detail::list<PathJoint>([&](auto... out) { return mapd_path_joints(get(), out...); });
-  }
-  /// Whether some joint is broken.
-  Result<bool> try_is_broken() const {
-    const auto out = detail::value<std::uint8_t>([&](auto... out) { return mapd_path_is_broken(get(), out...); });
-    if (!out) return out.error();
-    return *out != 0;
-  }
-  /// The lanes that are driven on.
-  Result<std::vector<PathLane>> try_lanes() const {
-    return detail::list<PathLane>([&](auto... out) { return mapd_path_lanes(get(), out...); });
-  }
-  /// S of a place on one of the path's lanes [m].
-  Result<std::optional<double>> try_along_of(PositionOnLane place) const {
-    return detail::optional<double>(
-        [&](auto... out) { return mapd_path_along_of(get(), place.lane, place.s, out...); });
-  }
-  /// The room along the path, a station every `step` [m] from S on.
-  Result<std::vector<CorridorStation>> try_corridor(double from, double length, double step, std::uint8_t vehicle,
-                                                    Scratch& scratch) const {
-    return detail::list<CorridorStation>([&](auto... out) {
-      return mapd_path_corridor(get(), from, length, step, vehicle, scratch.get(), out...);
-    });
-  }
-  /// Where other traffic meets the path.
-  Result<std::vector<PathConflict>> try_conflicts(Scratch& scratch) const {
-    return detail::list<PathConflict>([&](auto... out) { return mapd_path_conflicts(get(), scratch.get(), out...); });
-  }
-  /// Many places; `out` has as many entries as `along`.
-  Error try_at(span<const double> along, span<PathPoint> out) const {
-    return detail::batch(along, out, [&](auto... rest) { return mapd_path_at_batch(get(), rest...); });
-  }
-  /// Many points in the path's coordinates; `out` has as many entries as `points`.
-  Error try_project(span<const Vec2> points, span<PathPosition> out) const {
-    return detail::batch(points, out, [&](auto... rest) { return mapd_path_project_batch(get(), rest...); });
-  }
-#if MAPD_EXCEPTIONS
-  double length() const { return try_length().value(); }
-  PathPoint at(double along) const { return try_at(along).value(); }
-  PathPosition project(Vec2 point, std::optional<double> hint = std::nullopt) const {
-    return try_project(point, hint).value();
-  }
-  std::optional<SpeedRule> speed_at(double along) const { return try_speed_at(along).value(); }
-  std::vector<PathJoint> joints() const { return try_joints().value(); }
-  bool is_broken() const { return try_is_broken().value(); }
-  std::vector<PathLane> lanes() const { return try_lanes().value(); }
-  std::optional<double> along_of(PositionOnLane place) const { return try_along_of(place).value(); }
-  std::vector<CorridorStation> corridor(double from, double length, double step, std::uint8_t vehicle,
-                                        Scratch& scratch) const {
-    return try_corridor(from, length, step, vehicle, scratch).value();
-  }
-  std::vector<PathConflict> conflicts(Scratch& scratch) const { return try_conflicts(scratch).value(); }
-  void at(span<const double> along, span<PathPoint> out) const { detail::must(try_at(along, out)); }
-  void project(span<const Vec2> points, span<PathPosition> out) const { detail::must(try_project(points, out)); }
 #endif
 };
 

@@ -114,6 +114,26 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
     return detail::list<Landmark>([&](auto... out) { return mapd_landmarks_in(get(), region, classes, scratch.get(), out...); });
   }
 
+  /// What a sensor sees of them, nearest first.
+  Result<std::vector<LandmarkInView>> try_landmarks_in_view(const Sensor& sensor, const ClassSet* classes, Scratch& scratch) const {
+    return detail::list<LandmarkInView>([&](auto... out) { return mapd_landmarks_in_view(get(), sensor, classes, scratch.get(), out...); });
+  }
+
+  /// Points along the paint in a rectangle.
+  Result<std::vector<MarkPoint>> try_mark_points(Region region, double spacing, Scratch& scratch, const MarkFilter& filter = {}) const {
+    return detail::list<MarkPoint>([&](auto... out) { return mapd_mark_points(get(), region, spacing, &filter, scratch.get(), out...); });
+  }
+
+  /// How a vehicle stands on the ground below its four wheels.
+  Result<std::optional<Stance>> try_stance_at(const VehiclePose& pose, const std::array<Vec2, 4>& wheels, Scratch& scratch) const {
+    return detail::optional<Stance>([&](auto... out) { return mapd_stance_at(get(), pose, wheels.data(), scratch.get(), out...); });
+  }
+
+  /// Parts of the document that are left out near a point.
+  Result<std::vector<Quarantined>> try_quarantined_near(Vec2 point, double radius) const {
+    return detail::list<Quarantined>([&](auto... out) { return mapd_quarantined_near(get(), point, radius, out...); });
+  }
+
   /// Every signal that stands so near, nearest first.
   Result<std::vector<NearSignal>> try_signals_near(Vec2 point, double radius, Scratch& scratch) const {
     return detail::list<NearSignal>([&](auto... out) { return mapd_signals_near(get(), point, radius, scratch.get(), out...); });
@@ -152,6 +172,10 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   std::optional<NearMark> nearest_mark(Vec2 point, const MarkFilter& filter = {}) const { return try_nearest_mark(point, filter).value(); }
   std::vector<Landmark> landmarks_near(Vec2 point, double radius, const ClassSet* classes, Scratch& scratch) const { return try_landmarks_near(point, radius, classes, scratch).value(); }
   std::vector<Landmark> landmarks_in(Region region, const ClassSet* classes, Scratch& scratch) const { return try_landmarks_in(region, classes, scratch).value(); }
+  std::vector<LandmarkInView> landmarks_in_view(const Sensor& sensor, const ClassSet* classes, Scratch& scratch) const { return try_landmarks_in_view(sensor, classes, scratch).value(); }
+  std::vector<MarkPoint> mark_points(Region region, double spacing, Scratch& scratch, const MarkFilter& filter = {}) const { return try_mark_points(region, spacing, scratch, filter).value(); }
+  std::optional<Stance> stance_at(const VehiclePose& pose, const std::array<Vec2, 4>& wheels, Scratch& scratch) const { return try_stance_at(pose, wheels, scratch).value(); }
+  std::vector<Quarantined> quarantined_near(Vec2 point, double radius) const { return try_quarantined_near(point, radius).value(); }
   std::vector<NearSignal> signals_near(Vec2 point, double radius, Scratch& scratch) const { return try_signals_near(point, radius, scratch).value(); }
   std::vector<SignalId> signals_in(Region region, Scratch& scratch) const { return try_signals_in(region, scratch).value(); }
   std::vector<NearObject> objects_near(Vec2 point, double radius, Scratch& scratch) const { return try_objects_near(point, radius, scratch).value(); }
@@ -287,6 +311,16 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
     return detail::value<double>([&](auto... out) { return mapd_lane_length_between(get(), lane, a, b, out...); });
   }
 
+  /// Time on the centre line between two s at the limits [s].
+  Result<double> try_time_between(LaneId lane, double a, double b) const {
+    return detail::value<double>([&](auto... out) { return mapd_lane_time_between(get(), lane, a, b, out...); });
+  }
+
+  /// The signs that forbid overtaking.
+  Result<OvertakingRule> try_overtaking_rule_at(LaneId lane, double s) const {
+    return detail::value<OvertakingRule>([&](auto... out) { return mapd_lane_overtaking_rule_at(get(), lane, s, out...); });
+  }
+
   /// The lane beside; side is a MAPD_BESIDE_….
   Result<std::optional<LaneId>> try_beside(LaneId lane, std::uint32_t side) const {
     return detail::optional<LaneId>([&](auto... out) { return mapd_lane_beside(get(), lane, side, out...); });
@@ -340,6 +374,8 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   std::optional<double> speed_limit_at(LaneId lane, double s) const { return try_speed_limit_at(lane, s).value(); }
   SpeedRule speed_rule_at(LaneId lane, double s) const { return try_speed_rule_at(lane, s).value(); }
   double length_between(LaneId lane, double a, double b) const { return try_length_between(lane, a, b).value(); }
+  double time_between(LaneId lane, double a, double b) const { return try_time_between(lane, a, b).value(); }
+  OvertakingRule overtaking_rule_at(LaneId lane, double s) const { return try_overtaking_rule_at(lane, s).value(); }
   std::optional<LaneId> beside(LaneId lane, std::uint32_t side) const { return try_beside(lane, side).value(); }
   std::vector<LaneId> successors(LaneId lane) const { return try_successors(lane).value(); }
   std::vector<LaneId> predecessors(LaneId lane) const { return try_predecessors(lane).value(); }
@@ -392,6 +428,11 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
     return detail::list<Reached>([&](auto... out) { return mapd_reachable(get(), from, limit, cost, scratch.get(), out...); });
   }
 
+  /// Every node from which a place can be reached within a cost.
+  Result<std::vector<Reached>> try_reachable_to(PositionOnLane to, double limit, Cost cost, Scratch& scratch) const {
+    return detail::list<Reached>([&](auto... out) { return mapd_reachable_to(get(), to, limit, cost, scratch.get(), out...); });
+  }
+
   /// The next junction ahead.
   Result<std::optional<NextJunction>> try_next_junction(PositionOnLane from, double distance, std::uint8_t vehicle) const {
     return detail::optional<NextJunction>([&](auto... out) { return mapd_next_junction_of(get(), from, distance, vehicle, out...); });
@@ -421,6 +462,7 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   std::optional<NodeId> node_at(LaneId lane, double s, bool forward) const { return try_node_at(lane, s, forward).value(); }
   std::vector<Conflict> conflicts(LaneId lane) const { return try_conflicts(lane).value(); }
   std::vector<Reached> reachable(PositionOnLane from, double limit, Cost cost, Scratch& scratch) const { return try_reachable(from, limit, cost, scratch).value(); }
+  std::vector<Reached> reachable_to(PositionOnLane to, double limit, Cost cost, Scratch& scratch) const { return try_reachable_to(to, limit, cost, scratch).value(); }
   std::optional<NextJunction> next_junction(PositionOnLane from, double distance, std::uint8_t vehicle) const { return try_next_junction(from, distance, vehicle).value(); }
   std::vector<RouteStep> steps_of_lanes(span<const LaneId> lanes, double s_from, double s_to, Scratch& scratch) const { return try_steps_of_lanes(lanes, s_from, s_to, scratch).value(); }
   std::optional<LaneChange> next_lane_change(span<const RouteStep> steps, std::size_t at, PositionOnLane place, Scratch& scratch) const { return try_next_lane_change(steps, at, place, scratch).value(); }
@@ -504,6 +546,56 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
     return detail::list<RightOfWay>([&](auto... out) { return mapd_lane_right_of_way(get(), lane, out...); });
   }
 
+  /// The same by the rules of a country where the file does not say; none for a country whose rules are not known.
+  Result<std::vector<RightOfWay>> try_right_of_way_by(LaneId lane, const std::string& country) const {
+    return detail::list<RightOfWay>([&](auto... out) { return mapd_lane_right_of_way_by(get(), lane, country.c_str(), out...); });
+  }
+
+  /// The lanes on which traffic comes to a conflict of a path.
+  Result<std::vector<ConflictApproach>> try_approaches(const PathConflict& conflict, double distance, std::uint8_t vehicle, Scratch& scratch) const {
+    return detail::list<ConflictApproach>([&](auto... out) { return mapd_conflict_approaches(get(), &conflict, distance, vehicle, scratch.get(), out...); });
+  }
+
+  /// What a signal names; which is a MAPD_SIGNAL_LINKS_….
+  Result<std::vector<SignalLink>> try_signal_links(SignalId signal, std::uint32_t which) const {
+    return detail::list<SignalLink>([&](auto... out) { return mapd_signal_links(get(), signal, which, out...); });
+  }
+
+  /// All controllers: the groups of signals that switch together.
+  Result<std::vector<Controller>> try_controllers() const {
+    return detail::list<Controller>([&](auto... out) { return mapd_controllers(get(), out...); });
+  }
+
+  /// Signals of a controller, by its number.
+  Result<std::vector<SignalId>> try_controller_signals(std::uint32_t number) const {
+    return detail::list<SignalId>([&](auto... out) { return mapd_controller_signals(get(), number, out...); });
+  }
+
+  /// Numbers of the controllers that switch a signal.
+  Result<std::vector<std::uint32_t>> try_signal_controllers(SignalId signal) const {
+    return detail::list<std::uint32_t>([&](auto... out) { return mapd_signal_controllers(get(), signal, out...); });
+  }
+
+  /// Numbers of the controllers of a junction.
+  Result<std::vector<std::uint32_t>> try_junction_controllers(JunctionId junction) const {
+    return detail::list<std::uint32_t>([&](auto... out) { return mapd_junction_controllers(get(), junction, out...); });
+  }
+
+  /// All groups of junctions.
+  Result<std::vector<JunctionGroup>> try_junction_groups() const {
+    return detail::list<JunctionGroup>([&](auto... out) { return mapd_junction_groups(get(), out...); });
+  }
+
+  /// Junctions of a group, by its number.
+  Result<std::vector<JunctionId>> try_junction_group_members(std::uint32_t number) const {
+    return detail::list<JunctionId>([&](auto... out) { return mapd_junction_group_members(get(), number, out...); });
+  }
+
+  /// Lanes of a roundabout's ring, by its group's number.
+  Result<std::vector<LaneId>> try_junction_group_ring(std::uint32_t number) const {
+    return detail::list<LaneId>([&](auto... out) { return mapd_junction_group_ring(get(), number, out...); });
+  }
+
   /// First lanes of the movements that a light governs.
   Result<std::vector<LaneId>> try_signal_movements(SignalId signal) const {
     return detail::list<LaneId>([&](auto... out) { return mapd_signal_movements(get(), signal, out...); });
@@ -525,6 +617,16 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   std::optional<LaneLine> movement_stop(LaneId lane) const { return try_movement_stop(lane).value(); }
   std::vector<LaneLine> lane_lines(LaneId lane, std::uint32_t which) const { return try_lane_lines(lane, which).value(); }
   std::vector<RightOfWay> right_of_way(LaneId lane) const { return try_right_of_way(lane).value(); }
+  std::vector<RightOfWay> right_of_way_by(LaneId lane, const std::string& country) const { return try_right_of_way_by(lane, country).value(); }
+  std::vector<ConflictApproach> approaches(const PathConflict& conflict, double distance, std::uint8_t vehicle, Scratch& scratch) const { return try_approaches(conflict, distance, vehicle, scratch).value(); }
+  std::vector<SignalLink> signal_links(SignalId signal, std::uint32_t which) const { return try_signal_links(signal, which).value(); }
+  std::vector<Controller> controllers() const { return try_controllers().value(); }
+  std::vector<SignalId> controller_signals(std::uint32_t number) const { return try_controller_signals(number).value(); }
+  std::vector<std::uint32_t> signal_controllers(SignalId signal) const { return try_signal_controllers(signal).value(); }
+  std::vector<std::uint32_t> junction_controllers(JunctionId junction) const { return try_junction_controllers(junction).value(); }
+  std::vector<JunctionGroup> junction_groups() const { return try_junction_groups().value(); }
+  std::vector<JunctionId> junction_group_members(std::uint32_t number) const { return try_junction_group_members(number).value(); }
+  std::vector<LaneId> junction_group_ring(std::uint32_t number) const { return try_junction_group_ring(number).value(); }
   std::vector<LaneId> signal_movements(SignalId signal) const { return try_signal_movements(signal).value(); }
 #endif
 
@@ -576,6 +678,31 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
     return detail::value<MapFacts>([&](auto... out) { return mapd_map_facts_of(get(), out...); });
   }
 
+  /// Revision of what is laid over the map; 0 where nothing is.
+  Result<std::uint64_t> try_overlay_revision() const {
+    return detail::value<std::uint64_t>([&](auto... out) { return mapd_snapshot_overlay_revision(get(), out...); });
+  }
+
+  /// All bridges and tunnels.
+  Result<std::vector<Structure>> try_structures() const {
+    return detail::list<Structure>([&](auto... out) { return mapd_structures(get(), out...); });
+  }
+
+  /// All references to objects of other roads.
+  Result<std::vector<ObjectReference>> try_object_references() const {
+    return detail::list<ObjectReference>([&](auto... out) { return mapd_object_references(get(), out...); });
+  }
+
+  /// Parts of the document that are not in the map as written.
+  Result<std::vector<Quarantined>> try_quarantined_parts() const {
+    return detail::list<Quarantined>([&](auto... out) { return mapd_quarantined_parts(get(), out...); });
+  }
+
+  /// Why the map has no part of this kind and id; kind is a MAPD_QUARANTINED_KIND_….
+  Result<std::optional<Quarantined>> try_left_out(std::uint8_t kind, const std::string& id) const {
+    return detail::optional<Quarantined>([&](auto... out) { return mapd_left_out(get(), kind, id.c_str(), out...); });
+  }
+
   /// Latitudes and longitudes of the map's bounds.
   Result<std::optional<GeodeticBounds>> try_geodetic_bounds() const {
     return detail::optional<GeodeticBounds>([&](auto... out) { return mapd_map_geodetic_bounds(get(), out...); });
@@ -583,6 +710,11 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
 
 #if MAPD_EXCEPTIONS
   MapFacts facts() const { return try_facts().value(); }
+  std::uint64_t overlay_revision() const { return try_overlay_revision().value(); }
+  std::vector<Structure> structures() const { return try_structures().value(); }
+  std::vector<ObjectReference> object_references() const { return try_object_references().value(); }
+  std::vector<Quarantined> quarantined_parts() const { return try_quarantined_parts().value(); }
+  std::optional<Quarantined> left_out(std::uint8_t kind, const std::string& id) const { return try_left_out(kind, id).value(); }
   std::optional<GeodeticBounds> geodetic_bounds() const { return try_geodetic_bounds().value(); }
 #endif
 };

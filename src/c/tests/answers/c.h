@@ -10,6 +10,8 @@ enum { MOST = 1 << 16 };
 #define CAR ((uint8_t)MAPD_VEHICLE_CLASS_PASSENGER_CAR)
 
 extern mapd_snapshot *map;
+/* The same under an overlay. */
+extern mapd_snapshot *under;
 extern mapd_scratch *scratch;
 extern mapd_projector *projector;
 extern mapd_error error;
@@ -61,5 +63,15 @@ void ground(const uint64_t *q, struct numbers *out);
 void mark(const uint64_t *q, struct numbers *out);
 void match(const uint64_t *q, struct numbers *out);
 void trace(const uint64_t *q, size_t count, struct numbers *out);
+void along(const uint64_t *q, const mapd_route_step *steps, size_t step_count, struct numbers *out);
+void room(const uint64_t *q, const mapd_route_step *steps, size_t step_count, struct numbers *out);
+void comes(const uint64_t *q, struct numbers *out);
+void today(const uint64_t *q, struct numbers *out);
+void tracker(const uint64_t *q, size_t count, struct numbers *out);
+void stance(const uint64_t *q, struct numbers *out);
+void sees(const uint64_t *q, struct numbers *out);
+void paint(const uint64_t *q, struct numbers *out);
+void add_reached(struct numbers *out, const mapd_reached *all, size_t count);
+void add_steps(struct numbers *out, const mapd_route_step *steps, size_t count);
 
 #endif

@@ -15,15 +15,7 @@ static void add_sum(struct numbers *out, const mapd_route_sum *sum, const mapd_r
   add_f(out, sum->length);
   add_f(out, sum->travel_time);
   add_u(out, sum->lane_changes);
-  add_u(out, count);
-  for (size_t i = 0; i < count; ++i) {
-    add_u(out, lane_bits(steps[i].lane));
-    add_u(out, steps[i].forward);
-    add_u(out, steps[i].enter);
-    add_f(out, steps[i].s_from);
-    add_f(out, steps[i].s_to);
-    add_f(out, steps[i].s_latest);
-  }
+  add_steps(out, steps, count);
 }
 
 static void add_lines(struct numbers *out, const mapd_route_step *steps, size_t step_count) {
@@ -127,7 +119,7 @@ static void add_path(struct numbers *out, const uint64_t *q, const mapd_route_st
   double length;
   uint8_t broken;
   size_t count;
-  must(mapd_path_new(map, steps, step_count, &path, &error));
+  must(mapd_path_new(map, steps, step_count, NULL, &path, &error));
   must(mapd_path_length(path, &length, &error));
   add_f(out, length);
   must(mapd_path_is_broken(path, &broken, &error));
@@ -155,6 +147,10 @@ void routes(const char *kind, const uint64_t *q, struct numbers *out) {
     if (found) add_sum(out, &sum, steps, count);
   } else if (strcmp(kind, "lines") == 0) {
     add_lines(out, steps, count);
+  } else if (strcmp(kind, "along") == 0) {
+    along(q, steps, count, out);
+  } else if (strcmp(kind, "room") == 0) {
+    room(q, steps, count, out);
   } else {
     add_path(out, q, steps, count);
   }
@@ -166,6 +162,10 @@ void reachable(const uint64_t *q, struct numbers *out) {
   const mapd_position_on_lane from = {lane_of(q[0]), as_f(q[1])};
   size_t count;
   must(mapd_reachable(map, from, as_f(q[2]), cost, scratch, all, MOST, &count, &error));
+  add_reached(out, all, count);
+}
+
+void add_reached(struct numbers *out, const mapd_reached *all, size_t count) {
   add_u(out, count);
   for (size_t i = 0; i < count; ++i) {
     mapd_node_facts node;

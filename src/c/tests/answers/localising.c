@@ -45,6 +45,13 @@ void match(const uint64_t *q, struct numbers *out) {
   size_t count;
   for (size_t i = 0; i < 9; ++i) covariance[i] = as_f(q[5 + i]);
   must(mapd_match_pose(map, pose, covariance, NULL, scratch, all, MOST, &count, &none, &error));
+  mapd_lane_match first;
+  size_t batch_count, end;
+  double batch_none;
+  const mapd_code batch = mapd_match_pose_batch(map, &pose, 1, covariance, 1, NULL, scratch, &first, 1, &batch_count, &end,
+                                                &batch_none, &error);
+  if (batch != (count > 1 ? MAPD_CODE_TOO_SMALL : MAPD_CODE_OK) || batch_count != count || end != count) abort();
+  if (batch_none != none || (count > 0 && first.probability != all[0].probability)) abort();
   add_f(out, none);
   add_u(out, count);
   for (size_t i = 0; i < count; ++i) {

@@ -1,7 +1,7 @@
-/* Answers the questions of a file in C and compares bit by bit. `answers ARCHIVE ANSWERS`. */
+/* Answers the questions of a file in C and compares bit by bit. `answers ARCHIVE ANSWERS OVERLAY`. */
 #include "c.h"
 
-mapd_snapshot *map;
+mapd_snapshot *map, *under;
 mapd_scratch *scratch;
 mapd_projector *projector;
 mapd_error error;
@@ -58,6 +58,16 @@ void add_object(struct numbers *out, mapd_object_id object) {
   add_u(out, text_hash(facts.id));
 }
 
+/* Opens the map under the overlay of a file. */
+static void lay_over(const char *path) {
+  static uint8_t bytes[MOST];
+  FILE *file = fopen(path, "rb");
+  if (!file) exit(EXIT_FAILURE);
+  const size_t size = fread(bytes, 1, sizeof bytes, file);
+  fclose(file);
+  must(mapd_snapshot_with_overlay(map, bytes, size, &under, &error));
+}
+
 /* Whether a kind stands among words with blanks around each. */
 static int one_of(const char *kind, const char *all) {
   char word[32];
@@ -66,12 +76,13 @@ static int one_of(const char *kind, const char *all) {
 }
 
 int main(int argc, char **argv) {
-  if (argc != 3) return EXIT_FAILURE;
+  if (argc != 4) return EXIT_FAILURE;
   must(mapd_snapshot_open(argv[1], &map, &error));
   mapd_map_facts facts;
   must(mapd_map_facts_of(map, &facts, &error));
   content = facts.content;
   must(mapd_scratch_new(&scratch, &error));
+  lay_over(argv[3]);
   if (mapd_projector_new(map, &projector, &error) != MAPD_CODE_OK) projector = NULL;
   FILE *file = fopen(argv[2], "r");
   if (!file) return EXIT_FAILURE;
@@ -84,7 +95,7 @@ int main(int argc, char **argv) {
       points(kind, question.all, &found);
     } else if (one_of(kind, " track inertial surface ")) {
       roads(kind, question.all, &found);
-    } else if (one_of(kind, " route lines path ")) {
+    } else if (one_of(kind, " route lines path along room ")) {
       routes(kind, question.all, &found);
     } else if (strcmp(kind, "reachable") == 0) {
       reachable(question.all, &found);
@@ -96,6 +107,18 @@ int main(int argc, char **argv) {
       match(question.all, &found);
     } else if (strcmp(kind, "trace") == 0) {
       trace(question.all, question.count, &found);
+    } else if (strcmp(kind, "today") == 0) {
+      today(question.all, &found);
+    } else if (strcmp(kind, "tracker") == 0) {
+      tracker(question.all, question.count, &found);
+    } else if (strcmp(kind, "stance") == 0) {
+      stance(question.all, &found);
+    } else if (strcmp(kind, "sees") == 0) {
+      sees(question.all, &found);
+    } else if (strcmp(kind, "paint") == 0) {
+      paint(question.all, &found);
+    } else if (strcmp(kind, "comes") == 0) {
+      comes(question.all, &found);
     } else if (strcmp(kind, "geodetic") == 0) {
       geodetic(question.all, &found);
     } else if (one_of(kind, " pose position at edges lane movement line ahead sequences junction ")) {
@@ -114,6 +137,7 @@ int main(int argc, char **argv) {
   free(found.all);
   mapd_projector_close(&projector);
   mapd_scratch_close(&scratch);
+  mapd_snapshot_close(&under);
   mapd_snapshot_close(&map);
   printf("%zu questions, %zu other answers\n", asked, wrong);
   return asked > 0 && wrong == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

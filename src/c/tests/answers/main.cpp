@@ -1,97 +1,15 @@
-// Answers the questions of a file in C++ and compares bit by bit. `answers ARCHIVE ANSWERS`.
-#include "numbers.h"
-
-#include <mapd.hpp>
+// Answers the questions of a file in C++ and compares bit by bit. `answers ARCHIVE ANSWERS OVERLAY`.
+#include "ways.hpp"
 
 #include <string>
 #include <unordered_map>
 
 namespace {
 
-constexpr std::uint8_t car = MAPD_VEHICLE_CLASS_PASSENGER_CAR;
-/// What the map's ids are bound to. Files have its lower half above the row, as the number of an id.
-std::uint64_t content = 0;
-constexpr const char* yields[] = {"yields", "priority", "lights", "open", "unknown"};
-
-/// Numbers of an answer.
-class Numbers {
- public:
-  Numbers& f(double value) {
-    add_f(&own, value);
-    return *this;
-  }
-  Numbers& u(std::uint64_t value) {
-    add_u(&own, value);
-    return *this;
-  }
-  template <class... F>
-  Numbers& all(F... values) {
-    (f(values), ...);
-    return *this;
-  }
-  template <class Id>
-  Numbers& id(Id id) {
-    return u(!mapd::is_some(id) ? MAPD_NO_ROW : id.content == content && id.tile == 0 ? content << 32 | id.row : 0);
-  }
-  template <class Id>
-  Numbers& id(const std::optional<Id>& some) {
-    return some ? id(*some) : u(MAPD_NO_ROW);
-  }
-  Numbers& v(mapd::Vec3 at) { return all(at.x, at.y, at.z); }
-  Numbers& text(std::string_view text) { return u(hash_of(text.data(), text.size())); }
-  Numbers& option(std::optional<double> value) { return u(value.has_value()).f(value.value_or(0.0)); }
-  Numbers& place(mapd::LaneId lane, const mapd::LanePosition& p) {
-    id(lane).all(p.s, p.t, p.offset, p.offset_of_reference_line, p.distance, p.z, p.heading);
-    return f(p.heading_of_reference_line).u(p.clamped);
-  }
-  Numbers& pose(const mapd::Pose& pose) {
-    return v(pose.position).all(pose.heading, pose.curvature, pose.slope, pose.superelevation).u(pose.clamped);
-  }
-  template <class Id>
-  Numbers& ids(const std::vector<Id>& ids) {
-    u(ids.size());
-    for (const Id& one : ids) id(one);
-    return *this;
-  }
-
-  numbers own{};
-};
-
-/// Numbers of a question, taken one after another.
-class Question {
- public:
-  explicit Question(const numbers& all) : at_(all.all), end_(all.all + all.count) {}
-  bool more() const { return at_ < end_; }
-  std::uint64_t u() { return *at_++; }
-  double f() { return as_f(u()); }
-  mapd::Vec2 xy() {
-    const double x = f();
-    return {x, f()};
-  }
-  template <class Id = mapd::LaneId>
-  Id id() {
-    const std::uint64_t bits = u();
-    return {static_cast<std::uint32_t>(bits), 0, content};
-  }
-  mapd::PositionOnLane place() {
-    const mapd::LaneId lane = id();
-    return {lane, f()};
-  }
-  /// x, y, z, and whether z counts.
-  mapd::Point point() {
-    const mapd::Vec2 at = xy();
-    const double z = f();
-    return u() == 1 ? mapd::Point(at.x, at.y, z) : mapd::Point(at);
-  }
-
- private:
-  const std::uint64_t* at_;
-  const std::uint64_t* end_;
-};
-
 class Answerer {
  public:
-  explicit Answerer(const char* archive) : map_(mapd::Snapshot::open(archive)) {
+  Answerer(const char* archive, const char* overlay)
+      : map_(mapd::Snapshot::open(archive)), under_(map_.with_overlay(bytes_of(overlay))) {
     content = map_.facts().content;
     if (auto projector = map_.try_projector()) projector_.emplace(*std::move(projector));
   }
@@ -118,6 +36,9 @@ class Answerer {
         {"junction", &Answerer::junction},   {"route", &Answerer::route},       {"lines", &Answerer::lines},
         {"path", &Answerer::path},           {"reachable", &Answerer::reachable}, {"ground", &Answerer::ground},
         {"mark", &Answerer::mark},           {"match", &Answerer::match},       {"trace", &Answerer::trace},
+        {"along", &Answerer::along},         {"room", &Answerer::room},         {"comes", &Answerer::comes},
+        {"today", &Answerer::today},         {"tracker", &Answerer::tracker},   {"stance", &Answerer::stance},
+        {"sees", &Answerer::sees},           {"paint", &Answerer::paint},
     };
     return all;
   }
@@ -270,10 +191,7 @@ class Answerer {
     a.u(route.has_value());
     if (!route) return;
     a.all(route->sum.cost, route->sum.length, route->sum.travel_time).u(route->sum.lane_changes);
-    a.u(route->steps.size());
-    for (const auto& one : route->steps) {
-      a.id(one.lane).u(one.forward).u(one.enter).all(one.s_from, one.s_to, one.s_latest);
-    }
+    a.steps(route->steps);
   }
   void lines(Question& q, Numbers& a) {
     const auto route = found_route(q);
@@ -316,12 +234,7 @@ class Answerer {
   }
   void reachable(Question& q, Numbers& a) {
     const auto from = q.place();
-    const auto all = map_.reachable(from, q.f(), {MAPD_COST_LENGTH, car, 20.0}, scratch_);
-    a.u(all.size());
-    for (const auto& one : all) {
-      const auto node = map_.node(one.node);
-      a.id(node.lane).u(node.is_forward).all(node.s_low, node.s_high, one.cost);
-    }
+    nodes(map_.reachable(from, q.f(), {MAPD_COST_LENGTH, car, 20.0}, scratch_), a);
   }
 
   void ground(Question& q, Numbers& a) {
@@ -363,7 +276,56 @@ class Answerer {
     }
   }
 
+  void along(Question& q, Numbers& a) {
+    const auto route = found_route(q);
+    answer_along(map_, *route, q, a, scratch_);
+  }
+  void room(Question& q, Numbers& a) {
+    const auto route = found_route(q);
+    answer_room(map_.path(route->steps), q.f(), a, scratch_);
+  }
+  void comes(Question& q, Numbers& a) {
+    const auto to = q.place();
+    nodes(map_.reachable_to(to, q.f(), {MAPD_COST_LENGTH, car, 20.0}, scratch_), a);
+  }
+  void today(Question& q, Numbers& a) { answer_today(under_, q, a, scratch_); }
+  void tracker(Question& q, Numbers& a) { answer_tracker(map_, q, a); }
+  void stance(Question& q, Numbers& a) {
+    const mapd::Vec2 at = q.xy();
+    const mapd::Point position(at.x, at.y, q.f());
+    const auto own = map_.stance_at({position, q.f()}, {{{2.0, 0.8}, {2.0, -0.8}, {-1.0, 0.8}, {-1.0, -0.8}}}, scratch_);
+    a.u(own.has_value());
+    if (!own) return;
+    a.all(own->z, own->roll, own->pitch);
+    for (std::size_t i = 0; i < 4; ++i) a.u(own->has_wheel[i]).f(own->wheels[i]);
+  }
+  void sees(Question& q, Numbers& a) {
+    const mapd::Vec2 at = q.xy();
+    const double heading = q.f(), range = q.f(), angle = q.f();
+    const auto all = map_.landmarks_in_view({at, heading, range, angle}, nullptr, scratch_);
+    a.u(all.size());
+    for (const auto& one : all) {
+      a.id(one.landmark.signal).id(one.landmark.place.object).u(one.landmark.place.copy);
+      a.all(one.landmark.distance, one.bearing, one.facing);
+    }
+  }
+  void paint(Question& q, Numbers& a) {
+    const mapd::Vec2 low = q.xy(), high = q.xy();
+    const auto all = map_.mark_points({low, high}, q.f(), scratch_);
+    a.u(all.size());
+    for (const auto& one : all) a.v(one.position).id(one.lane).all(one.s, one.width).u(one.kind).u(one.color);
+  }
+  void nodes(const std::vector<mapd::Reached>& all, Numbers& a) {
+    a.u(all.size());
+    for (const auto& one : all) {
+      const auto node = map_.node(one.node);
+      a.id(node.lane).u(node.is_forward).all(node.s_low, node.s_high, one.cost);
+    }
+  }
+
   mapd::Snapshot map_;
+  /// The same under an overlay.
+  mapd::Snapshot under_;
   mapd::Scratch scratch_;
   std::optional<mapd::Projector> projector_;
 };
@@ -371,8 +333,8 @@ class Answerer {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (argc != 3) return 1;
-  Answerer answerer(argv[1]);
+  if (argc != 4) return 1;
+  Answerer answerer(argv[1], argv[3]);
   std::FILE* file = std::fopen(argv[2], "r");
   if (!file) return 1;
   char *line = nullptr, *kind = nullptr;

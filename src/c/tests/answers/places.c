@@ -77,7 +77,10 @@ void roads(const char *kind, const uint64_t *q, struct numbers *out) {
   if (strcmp(kind, "track") == 0) {
     const mapd_point point = {as_f(q[1]), as_f(q[2]), as_f(q[3]), q[4]};
     mapd_track_position track;
+    mapd_track_position batch;
     must(mapd_road_to_track(map, road, point, &track, &error));
+    must(mapd_road_to_track_batch(map, road, &point, 1, &batch, &error));
+    if (batch.s != track.s) abort();
     add_f(out, track.s);
     add_f(out, track.t);
     add_u(out, track.has_h);
@@ -88,7 +91,10 @@ void roads(const char *kind, const uint64_t *q, struct numbers *out) {
   } else if (strcmp(kind, "inertial") == 0) {
     const mapd_track track = {as_f(q[1]), as_f(q[2]), as_f(q[3])};
     mapd_pose pose;
+    mapd_pose batch;
     must(mapd_road_to_inertial(map, road, track, &pose, &error));
+    must(mapd_road_to_inertial_batch(map, road, &track, 1, &batch, &error));
+    if (batch.position.x != pose.position.x) abort();
     add_pose(out, pose);
   } else {
     mapd_surface surface;

@@ -48,6 +48,7 @@ impl Asker<'_> {
             }
             self.write("lines", &q, &a);
             self.path(&q, &steps)?;
+            self.along(&q, &steps, scratch)?;
         } else {
             self.write("route", &q, &a);
         }

@@ -1,14 +1,18 @@
 //! Writes questions with their answers by Rust, for programs in other languages to be compared with bit by bit.
 //!
-//! `answers FOLDER [COUNT]`: for each map that the project carries `FOLDER/MAP.mapd` and `FOLDER/MAP.answers`, with COUNT questions of every kind
+//! `answers FOLDER [COUNT]`: for each map that the project carries `FOLDER/MAP.mapd`, an overlay for it, `FOLDER/MAP.overlay`, and
+//! `FOLDER/MAP.answers`, with COUNT questions of every kind
 //! (default 1000). A line is a question's kind, its numbers, `|` and the answer's numbers, in hexadecimal: bits of doubles, ids as
 //! `row + content * 2^32`, counts and codes as they are, texts as their FNV-1a. An answer that is an option begins with 1 or is 0; a list begins with
 //! its count. Programs skip kinds that their language has no form for, and say which.
 
+mod along;
 mod driving;
 mod localising;
 mod numbers;
 mod places;
+mod today;
+mod tracking;
 
 use localising::Localising;
 use mapd_archive::encode;
@@ -17,6 +21,7 @@ use mapd_client::glam::DVec2;
 use mapd_client::route::RouteScratch;
 use mapd_client::{Lane, Map, Road, Snapshot};
 use mapd_compiler::{CompileOptions, compile};
+use mapd_tests::overlays::over;
 use numbers::Numbers;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -103,6 +108,9 @@ fn main() -> Result<()> {
         let random = Random(0x6d61_7064);
         let (lanes, roads) = (map.lanes().collect(), map.roads().collect());
         let mut asker = Asker { map, lanes, roads, random, out: String::new() };
+        let (overlay, _) = over(map, &asker.said(), true);
+        std::fs::write(path.with_extension("overlay"), &overlay[..])?;
+        let under = snapshot.with_overlay(overlay)?;
         let (mut scratch, mut localising) = (RouteScratch::default(), Localising::default());
         for _ in 0..count {
             asker.points()?;
@@ -110,6 +118,9 @@ fn main() -> Result<()> {
             asker.lanes()?;
             asker.routes(&mut scratch)?;
             asker.poses(&mut localising)?;
+            asker.drive()?;
+            asker.comes(&mut scratch)?;
+            asker.today(&under, &mut scratch)?;
         }
         std::fs::write(path.with_extension("answers"), asker.out)?;
     }
