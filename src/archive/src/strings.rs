@@ -22,7 +22,10 @@ impl Hasher for Hashed {
     }
 }
 
-/// Collects strings and gives each a number. String 0 is empty.
+/// Collects the strings that rows name and gives each a number, in the order in which they are added. String 0 is empty.
+///
+/// This is what an archive stores: texts of all kinds, ids among them. The rules number ids in a table of their own
+/// (`mapd_rules::network`), with ids that no row names.
 #[derive(Debug)]
 pub struct StringTable {
     /// Numbers by the hashes of their texts; where one is taken by another text, by the next that is not.

@@ -40,7 +40,8 @@ pub fn compile_file(
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Compilation> {
-    compile_file_with(path, &ReadOptions::default(), options, progress)
+    let reading = ReadOptions::default();
+    compile_file_with(path, Compiling { reading: &reading, options }, progress)
 }
 
 /// As [`compile_file`], with rules and a policy. Files are included from the file's folder unless another is given.
@@ -48,10 +49,10 @@ pub fn compile_file(
 /// Errors: the file cannot be read. A rejected map is no error.
 pub fn compile_file_with(
     path: &Path,
-    reading: &ReadOptions,
-    options: &CompileOptions,
+    compiling: Compiling<'_>,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Compilation> {
+    let Compiling { reading, options } = compiling;
     let reading = ReadOptions {
         include_folder: reading.include_folder.clone().or_else(|| folder(path)),
         ..reading.clone()
@@ -89,24 +90,44 @@ pub(crate) fn open_input(path: &Path) -> Result<File> {
     Ok(file)
 }
 
-/// Opens a SOURCE: `shm:NAME` (in a domain, attached in this way, waiting so long at most), a `.mapd` file in place, or an OpenDRIVE file compiled in memory.
+/// How an OpenDRIVE file is read and compiled.
+#[derive(Clone, Copy)]
+pub struct Compiling<'a> {
+    /// How it is read and judged.
+    pub reading: &'a ReadOptions,
+    /// What is made of it.
+    pub options: &'a CompileOptions,
+}
+
+/// How live maps are attached to.
+#[derive(Clone, Copy)]
+pub struct Attaching<'a> {
+    /// Where they are.
+    pub domain: &'a Domain,
+    /// As what.
+    pub attach: Attach,
+    /// Longest wait for daemon and map.
+    pub wait: Duration,
+}
+
+/// Opens a SOURCE: `shm:NAME`, a `.mapd` file in place, or an OpenDRIVE file compiled in memory.
 ///
 /// Errors: files that cannot be read, archives that this release cannot read, no such live map.
 pub fn open(
     source: &str,
-    (reading, options): (&ReadOptions, &CompileOptions),
-    (domain, attach, wait): (&Domain, Attach, Duration),
+    compiling: Compiling<'_>,
+    live: Attaching<'_>,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Opened> {
     if let Some(name) = source.strip_prefix(SHARED) {
-        let client = Client::connect_as(attach, domain, name, wait)?;
+        let client = Client::connect_as(live.attach, live.domain, name, live.wait)?;
         return Ok(Opened::Map(client.snapshot()));
     }
     let path = Path::new(source);
     if is_archive(path) {
         return Ok(Opened::Map(Snapshot::open(path)?));
     }
-    let compiled = compile_file_with(path, reading, options, progress)?;
+    let compiled = compile_file_with(path, compiling, progress)?;
     match &compiled.rows {
         Some(rows) => Ok(Opened::Map(Snapshot::from_bytes(encode(rows, &compiled.provenance)?)?)),
         None => Ok(Opened::Rejected(Box::new(compiled))),

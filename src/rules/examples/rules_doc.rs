@@ -7,7 +7,7 @@ use std::path::Path;
 fn main() -> io::Result<()> {
     let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
     std::fs::create_dir_all(docs.join("rules"))?;
-    for (path, text) in mapd_rules::documentation() {
+    for mapd_rules::Page { path, text } in mapd_rules::documentation() {
         std::fs::write(docs.join(path), text)?;
     }
     let checks = docs.join("checks.md");

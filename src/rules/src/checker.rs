@@ -1,6 +1,6 @@
 //! Shows a document to the rules, element by element.
 
-use crate::examiner::{Examined, Examiner, Found, Rules};
+use crate::examiner::{Examined, ExaminedItem, Examiner, Found, Rules};
 use crate::line::ReferenceLine;
 use crate::network::Network;
 use crate::rule::{Minor, NEWEST};
@@ -36,8 +36,8 @@ impl Checker {
     /// one. Once the rules have looked at their order, a road's records are sorted.
     pub fn item(&mut self, item: &mut Item) -> ReferenceLine {
         self.select(item);
-        let (examined, line) = self.examiner.item(item);
-        self.keep(examined);
+        let ExaminedItem { found, line } = self.examiner.item(item);
+        self.keep(found);
         line
     }
 

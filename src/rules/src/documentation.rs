@@ -73,8 +73,16 @@ pub fn with_errors(page: &str) -> Option<String> {
     Some(format!("{before}{}\n{}{}{after}", ERRORS[0], errors(), ERRORS[1]))
 }
 
-/// Every page: its path from `docs/`, and its text.
-pub fn documentation() -> Vec<(String, String)> {
+/// A page of the documentation.
+pub struct Page {
+    /// Its path from `docs/`.
+    pub path: String,
+    /// Its text.
+    pub text: String,
+}
+
+/// Every page of the documentation.
+pub fn documentation() -> Vec<Page> {
     let mut index = HEAD.to_owned();
     let mut pages = Vec::new();
     let asam = Settings { profile: Profile::Asam, ..Settings::default() };
@@ -119,7 +127,7 @@ pub fn documentation() -> Vec<(String, String)> {
                     write!(text, "\n{name}, in `{}`:\n\n```xml\n{snippet}\n```\n", example.place());
             }
         }
-        pages.push((format!("rules/{page}.md"), text));
+        pages.push(Page { path: format!("rules/{page}.md"), text });
     }
     index.push_str("\n## Rules of the schema\n\nThe schema contains these rules; reading reports them.\n\n| rules | finding | about |\n|---|---|---|\n");
     for entry in STRUCTURAL {
@@ -141,6 +149,6 @@ pub fn documentation() -> Vec<(String, String)> {
             let _ = writeln!(index, "| `{id}` | {reason} |");
         }
     }
-    pages.insert(0, ("rules.md".to_owned(), index));
+    pages.insert(0, Page { path: "rules.md".to_owned(), text: index });
     pages
 }

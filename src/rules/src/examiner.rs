@@ -96,6 +96,14 @@ pub(crate) enum Found {
 #[derive(Default)]
 pub struct Examined(pub(crate) Vec<(usize, Found)>);
 
+/// What came of examining a top-level element.
+pub struct ExaminedItem {
+    /// What was found.
+    pub found: Examined,
+    /// The element's reference line, empty if it has none.
+    pub line: ReferenceLine,
+}
+
 /// Looks at top-level elements by themselves.
 pub struct Examiner {
     pub(crate) rules: Arc<Rules>,
@@ -125,10 +133,10 @@ impl Examiner {
 
     /// Looks at a top-level element, and keeps what the rules on the network need of it; yields its reference line, too, if
     /// it has one. Once the rules on their order have examined, a road's records are sorted.
-    pub fn item(&mut self, item: &mut Item) -> (Examined, ReferenceLine) {
+    pub fn item(&mut self, item: &mut Item) -> ExaminedItem {
         let line = self.examine(item);
         self.network.add(item, &line);
-        (Examined(std::mem::take(&mut self.found)), line)
+        ExaminedItem { found: Examined(std::mem::take(&mut self.found)), line }
     }
 
     /// What is kept of the elements that were examined at.
@@ -155,7 +163,8 @@ impl Examiner {
     /// Lets a rule look at something.
     pub(crate) fn apply(
         &mut self,
-        (rules, rank): (&Rules, usize),
+        rules: &Rules,
+        rank: usize,
         path: &[Step<'_>],
         look: impl FnOnce(&mut Sink<'_>),
     ) {

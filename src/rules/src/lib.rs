@@ -41,8 +41,8 @@ mod walk;
 mod whole;
 
 pub use checker::Checker;
-pub use documentation::{documentation, with_errors};
-pub use examiner::{Examined, Examiner};
+pub use documentation::{Page, documentation, with_errors};
+pub use examiner::{Examined, ExaminedItem, Examiner};
 pub use example::Example;
 pub use network::{Network, extent};
 pub use place::{LaneIn, ObjectIn, RoadIn, SectionIn, Side, SignalIn};

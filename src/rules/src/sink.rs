@@ -42,6 +42,29 @@ fn write_path(steps: &[Step<'_>], part: &str) -> String {
     path
 }
 
+/// A part of a top-level element, for findings of rules on the network.
+#[derive(Clone, Copy)]
+pub struct PartOf<'a> {
+    /// Tag of the top-level element.
+    pub element: &'static str,
+    /// Its id.
+    pub id: &'a str,
+    /// Path of the part from there; empty for the whole element.
+    pub path: &'a str,
+}
+
+impl<'a> PartOf<'a> {
+    /// A part of a road.
+    pub fn road(id: &'a str, path: &'a str) -> Self {
+        Self { element: "road", id, path }
+    }
+
+    /// A part of a junction.
+    pub fn junction(id: &'a str, path: &'a str) -> Self {
+        Self { element: "junction", id, path }
+    }
+}
+
 /// Takes the findings of one rule about one element.
 pub struct Sink<'a> {
     pub(crate) rule: &'static Rule,
@@ -101,12 +124,12 @@ impl Sink<'_> {
     /// A finding about a part of a top-level element, for rules on the network.
     pub fn add_in(
         &mut self,
-        (element, id, part): (&'static str, &str, &str),
+        part: PartOf<'_>,
         span: Span,
         expected: impl fmt::Display,
         found: impl fmt::Display,
     ) {
-        let path = || write_path(&[Step(element, Key::Id(id))], part);
+        let path = || write_path(&[Step(part.element, Key::Id(part.id))], part.path);
         self.add_at(path, self.severity, span, expected, found);
     }
 

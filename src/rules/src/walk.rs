@@ -12,7 +12,7 @@ macro_rules! apply {
     ($self:ident, $rules:ident, $list:ident, $kind:ident, $path:expr, $element:expr) => {
         for rank in $rules.lists.$list.iter().copied() {
             if let Some(Check::$kind(check)) = $rules.applied.get(rank).map(|a| a.rule.check) {
-                $self.apply(($rules, rank), $path, |sink| check($element, sink));
+                $self.apply($rules, rank, $path, |sink| check($element, sink));
             }
         }
     };

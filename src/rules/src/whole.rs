@@ -50,7 +50,7 @@ impl Whole {
         if let Some(Check::Network(check) | Check::Overlaps(check)) =
             self.rules.applied.get(rank).map(|applied| applied.rule.check)
         {
-            examiner.apply((&self.rules, rank), &[], |sink| check(&self.network, sink));
+            examiner.apply(&self.rules, rank, &[], |sink| check(&self.network, sink));
         }
         Examined(examiner.found)
     }

@@ -77,7 +77,7 @@ fn every_rule_that_takes_a_part_out_says_why() {
 #[test]
 fn the_documentation_is_what_the_catalog_yields() {
     let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs");
-    for (path, text) in mapd_rules::documentation() {
+    for mapd_rules::Page { path, text } in mapd_rules::documentation() {
         let written = std::fs::read_to_string(docs.join(&path)).unwrap_or_default();
         assert!(
             written == text,

@@ -166,12 +166,17 @@ fn the_command_line_lists_a_row_for_each() {
     let snapshot = open(&few());
     let answer = |input: &str| {
         let mut out = Vec::new();
-        let options =
-            (&NearestOptions::default(), &RouteArgs::default(), mapd::commands::query::Format::Csv);
+        let (options, route) = (NearestOptions::default(), RouteArgs::default());
+        let asking = mapd::commands::query::Asking {
+            document: "the document",
+            options: &options,
+            route: &route,
+            format: mapd::commands::query::Format::Csv,
+        };
         mapd::commands::query::run(
-            (snapshot.map(), "the document"),
+            snapshot.map(),
             Kind::Landmarks,
-            options,
+            asking,
             input.as_bytes(),
             &mut out,
         )

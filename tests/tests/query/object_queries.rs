@@ -68,16 +68,15 @@ fn the_command_line_lists_a_row_for_each() {
     let snapshot = open(&document(&PLAIN, objects));
     let mut out = Vec::new();
     let input = "x,y,radius\n30,0,9\n0,0,1\n30,0,-1\n";
-    let options =
-        (&NearestOptions::default(), &RouteArgs::default(), mapd::commands::query::Format::Csv);
-    mapd::commands::query::run(
-        (snapshot.map(), "the document"),
-        Kind::Objects,
-        options,
-        input.as_bytes(),
-        &mut out,
-    )
-    .expect("runs");
+    let (options, route) = (NearestOptions::default(), RouteArgs::default());
+    let asking = mapd::commands::query::Asking {
+        document: "the document",
+        options: &options,
+        route: &route,
+        format: mapd::commands::query::Format::Csv,
+    };
+    mapd::commands::query::run(snapshot.map(), Kind::Objects, asking, input.as_bytes(), &mut out)
+        .expect("runs");
     let text = String::from_utf8(out).expect("text");
     // The nearest corners of the spaces: (28.5, −3.55) of the one about 26, (29.5, −3.55) of the one about 32; of the one
     // about 20, (22.5, −3.55).

@@ -73,6 +73,14 @@ impl<'a> Links<'a> {
         }
     }
 
+    /// The end of another road that an end of a road is linked to: as written, else the nearer one.
+    pub(crate) fn linked_end(&self, row: u32, end: Contact) -> Option<Contact> {
+        match self.road(row)? {
+            RoadWritten::Whole(road) => Some(self.network.linked_road(road, end)?.end),
+            RoadWritten::Apart(_) => None,
+        }
+    }
+
     /// Junctions by their rows.
     pub(crate) fn junctions(&self) -> impl Iterator<Item = &'a JunctionFacts> + '_ {
         self.junctions.iter().copied()

@@ -39,18 +39,13 @@ impl Draft {
             let path = (road, "lanes/laneSection/lane/roadMark");
             let mut part = ElementContext { span: mark.span, path, findings };
             let Some(s) = place(mark.s_offset.value(), "sOffset", &mut part) else { continue };
-            let style = self.style(mark, section_s + s, (road, findings));
+            let style = self.style(mark, section_s + s, &mut part);
             own.push((s, style));
         }
         self.styles.sequence(&mut self.rows, &own)
     }
 
-    fn style(
-        &mut self,
-        mark: &xodr::RoadMark,
-        s: f64,
-        (road, findings): (&str, &mut Vec<Finding>),
-    ) -> u32 {
+    fn style(&mut self, mark: &xodr::RoadMark, s: f64, part: &mut ElementContext<'_>) -> u32 {
         let before = self.rows.road_mark_lines.len();
         let pattern = mark.type_element.as_deref();
         for line in pattern.iter().flat_map(|pattern| &pattern.line) {
@@ -84,7 +79,7 @@ impl Draft {
             material: self.strings.add(mark.material.text()),
             name: self.strings.add(pattern.map_or("", |pattern| pattern.name.text())),
             lines: Range::default(),
-            sway: self.sway(&mark.sway, s, (road, findings)),
+            sway: self.sway(&mark.sway, s, part),
             kind: RoadMarkKind::from_name(mark.r#type.value().map_or("", xodr::RoadMarkType::name))
                 .code(),
             weight: RoadMarkWeight::from_name(
@@ -102,12 +97,7 @@ impl Draft {
     }
 
     /// Sway records of a mark that begins at s. One that lacks a number is left out alone: nothing else is built from it.
-    fn sway(
-        &mut self,
-        records: &[xodr::Sway],
-        s: f64,
-        (road, findings): (&str, &mut Vec<Finding>),
-    ) -> Range {
+    fn sway(&mut self, records: &[xodr::Sway], s: f64, part: &mut ElementContext<'_>) -> Range {
         if records.is_empty() {
             return Range::default();
         }
@@ -116,8 +106,8 @@ impl Draft {
             let numbers =
                 [&record.ds, &record.a, &record.b, &record.c, &record.d].map(|n| n.value());
             let [Some(ds), Some(a), Some(b), Some(c), Some(d)] = numbers else {
-                let path = (road, "lanes/laneSection/lane/roadMark/sway");
-                let mut part = ElementContext { span: record.span, path, findings };
+                let path = (part.path.0, "lanes/laneSection/lane/roadMark/sway");
+                let mut part = ElementContext { span: record.span, path, findings: part.findings };
                 let message = "expected @ds, @a, @b, @c and @d, found one that can't be used; the record is left out";
                 part.add(&building::RECORD, Severity::Warning, message.to_owned());
                 continue;

@@ -72,6 +72,17 @@ macro_rules! common {
     }};
 }
 
+/// What a signal stands on.
+#[derive(Clone, Copy)]
+struct Stand {
+    /// Row of the road.
+    road: u32,
+    /// Row of the signal that carries it, [`NONE`] of one that stands by itself.
+    carrier: u32,
+    /// s, t and height above the road `[m]`.
+    at: [f64; 3],
+}
+
 impl Draft {
     /// Appends a road's signals and references to signals.
     pub(crate) fn signals(
@@ -89,8 +100,10 @@ impl Draft {
                 (part.need_along(signal.s.value(), "s"), part.need_along(signal.t.value(), "t"));
             let (Some(s), Some(t)) = (s, t) else { continue };
             let z = signal.z_offset.value().unwrap_or(0.0);
-            let row = self.signal(&common!(signal), (number, NONE), [s, t, z], None, &mut part);
-            self.boards(&common!(signal), (number, row), [s, t, z], DEEPEST_BOARD, &mut part);
+            let stand = Stand { road: number, carrier: NONE, at: [s, t, z] };
+            let carrier = self.signal(&common!(signal), stand, None, &mut part);
+            let boards = Stand { carrier, ..stand };
+            self.boards(&common!(signal), boards, DEEPEST_BOARD, &mut part);
         }
         for reference in &signals.signal_reference {
             let path = (path, "signals/signalReference");
@@ -118,11 +131,11 @@ impl Draft {
     fn signal(
         &mut self,
         signal: &Common<'_>,
-        (road, carrier): (u32, u32),
-        [s, t, z_offset]: [f64; 3],
+        stand: Stand,
         on_carrier: Option<(f64, f64)>,
         part: &mut ElementContext<'_>,
     ) -> u32 {
+        let Stand { road, carrier, at: [s, t, z_offset] } = stand;
         let number = self.rows.signals.len() as u32;
         self.owners.add(signal.span, AnnotationOwner::Signal, number);
         let [_, name, r#type, subtype, country, _, _, unit] = signal.texts;
@@ -210,17 +223,16 @@ impl Draft {
     fn boards(
         &mut self,
         signal: &Common<'_>,
-        (road, carrier): (u32, u32),
-        at: [f64; 3],
+        stand: Stand,
         deep: usize,
         part: &mut ElementContext<'_>,
     ) {
         let before = self.rows.signal_boards.len();
         for board in signal.vms_board {
-            self.vms_board(board, carrier);
+            self.vms_board(board, stand.carrier);
         }
         let range = between(before, self.rows.signal_boards.len());
-        if let Some(row) = self.rows.signals.get_mut(carrier as usize) {
+        if let Some(row) = self.rows.signals.get_mut(stand.carrier as usize) {
             row.boards = range;
         }
         let Some(deeper) = deep.checked_sub(1) else { return };
@@ -229,14 +241,14 @@ impl Draft {
         {
             let sign: &BoardSign = sign;
             let shift = (sign.v.value().unwrap_or(0.0), sign.z.value().unwrap_or(0.0));
-            let row = self.signal(&common!(sign), (road, carrier), at, Some(shift), part);
+            let row = self.signal(&common!(sign), stand, Some(shift), part);
             // A sign is for the lanes that its board is for, unless it says otherwise.
             if let Some(written) = self.signals.signals.last_mut()
                 && written.validity.is_empty()
             {
                 written.validity = lanes(&board.validity).into();
             }
-            self.boards(&common!(sign), (road, row), at, deeper, part);
+            self.boards(&common!(sign), Stand { carrier: row, ..stand }, deeper, part);
         }
     }
 

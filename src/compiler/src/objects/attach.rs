@@ -74,7 +74,12 @@ pub(super) fn attach(
             map.object_by_row(row).map_or_else(Vec::new, |object| {
                 let first = references.partition_point(|(of, _)| *of < row);
                 let own = references[first..].iter().take_while(|(of, _)| *of == row);
-                lanes_of((map, &near), &object, own.map(|(_, reference)| reference), reach)
+                lanes_of(
+                    Lanes { map, near: &near },
+                    &object,
+                    own.map(|(_, reference)| reference),
+                    reach,
+                )
             })
         };
         (0..rows.objects.len() as u32).into_par_iter().map(one).collect()
@@ -100,13 +105,30 @@ pub(super) fn attach(
     Ok(unattached)
 }
 
+/// All lanes of a map, and which of them are near a point.
+#[derive(Clone, Copy)]
+struct Lanes<'a> {
+    map: Map<'a>,
+    near: &'a NearLanes,
+}
+
+/// Lanes that a file says something is for.
+#[derive(Clone, Copy)]
+struct MeantFor<'a> {
+    /// Their numbers, from and to.
+    lanes: &'a [(i32, i32)],
+    /// Which way they lead.
+    orientation: Orientation,
+}
+
 /// Rows of an object's lanes, nearer ones first.
 fn lanes_of<'a>(
-    (map, near): (Map<'_>, &NearLanes),
+    lanes: Lanes<'_>,
     object: &Object<'_>,
     references: impl Iterator<Item = &'a Reference>,
     reach: f64,
 ) -> Vec<ObjectLaneRow> {
+    let Lanes { map, .. } = lanes;
     let mut places = LaneAttachments::default();
     let validities: Vec<(i32, i32)> =
         object.validities().map(|lanes| (lanes.from, lanes.to)).collect();
@@ -117,14 +139,14 @@ fn lanes_of<'a>(
         if let Some((road, area)) = area {
             let area = area.lengthened((placement.s() + object.valid_length()).min(road.length()));
             let area = area.along(&road);
-            let meant = (&validities[..], object.orientation());
+            let meant = MeantFor { lanes: &validities, orientation: object.orientation() };
             is_named = by_validity(&area, meant, &mut places);
             if !is_named {
                 by_position(&area, object.orientation(), &mut places);
             }
         }
         if !is_named {
-            on_other_roads(map, near, &placement, &mut probes, &mut places);
+            on_other_roads(lanes, &placement, &mut probes, &mut places);
         }
     }
     for reference in references {
@@ -133,14 +155,14 @@ fn lanes_of<'a>(
         let Some(area) = TrackArea::new(corner) else { continue };
         let area = area.lengthened((reference.s + reference.valid_length).min(road.length()));
         let area = area.along(&road);
-        let meant = (&reference.validities[..], reference.orientation);
+        let meant = MeantFor { lanes: &reference.validities, orientation: reference.orientation };
         if !by_validity(&area, meant, &mut places) {
             by_position(&area, reference.orientation, &mut places);
         }
     }
     if places.0.is_empty() {
         for placement in object.placements() {
-            nearest((map, near), &placement, reach, &mut probes, &mut places);
+            nearest(lanes, &placement, reach, &mut probes, &mut places);
         }
     }
     let number = object.object_id().row();
@@ -183,18 +205,14 @@ fn area(road: &Road<'_>, placement: &ObjectPlacement<'_>) -> Option<TrackArea> {
 
 /// Lanes that the file names, those that lead where the object is for, if any does. False where it names none that the road has
 /// there.
-fn by_validity(
-    area: &Profile<'_>,
-    (validities, orientation): (&[(i32, i32)], Orientation),
-    places: &mut LaneAttachments,
-) -> bool {
+fn by_validity(area: &Profile<'_>, meant: MeantFor<'_>, places: &mut LaneAttachments) -> bool {
     let is_meant =
-        |number: i32| validities.iter().any(|(from, to)| *from <= number && number <= *to);
-    if validities.is_empty() {
+        |number: i32| meant.lanes.iter().any(|(from, to)| *from <= number && number <= *to);
+    if meant.lanes.is_empty() {
         return false;
     }
     let named = area.lanes(true).into_iter().filter(|(lane, _)| is_meant(lane.number()));
-    add_leading(named, orientation, LaneMethod::Validity, places)
+    add_leading(named, meant.orientation, LaneMethod::Validity, places)
 }
 
 /// Whether a lane leads where something is for. What nobody drives on leads everywhere.
@@ -241,8 +259,7 @@ fn is_level(at: &LanePosition, ground: Option<f64>) -> bool {
 
 /// Lanes of other roads that the object's area lies on, as in a junction, where one road's crosswalk crosses many.
 fn on_other_roads(
-    map: Map<'_>,
-    near: &NearLanes,
+    lanes: Lanes<'_>,
     placement: &ObjectPlacement<'_>,
     probes: &mut Vec<DVec2>,
     places: &mut LaneAttachments,
@@ -252,7 +269,7 @@ fn on_other_roads(
     let ground = ground(placement);
     for probe in probes.iter() {
         let other = |lane: &Lane<'_>| lane.road().road_id().row() != own;
-        for (lane, at) in near.around(map, *probe, 0.0, other) {
+        for (lane, at) in lanes.near.around(lanes.map, *probe, 0.0, other) {
             if at.distance == 0.0 && is_level(&at, ground) {
                 let stretch = Stretch { s: [at.s; 2], distance: 0.0 };
                 places.add(&lane, stretch, LaneMethod::Track);
@@ -283,7 +300,7 @@ impl Candidate {
 /// The nearest lane within `most` `[m]` that runs along the object's road and leads where the object is for; of what is swept along a road,
 /// the nearest to each of some points.
 fn nearest(
-    (map, near): (Map<'_>, &NearLanes),
+    lanes: Lanes<'_>,
     placement: &ObjectPlacement<'_>,
     most: f64,
     probes: &mut Vec<DVec2>,
@@ -316,7 +333,7 @@ fn nearest(
     for probe in probes.iter() {
         let mut of_probe: Option<Candidate> = None;
         let reach = best.map_or(most, |best| most.min(best.distance));
-        for (lane, at) in near.around(map, *probe, reach, |_| true) {
+        for (lane, at) in lanes.near.around(lanes.map, *probe, reach, |_| true) {
             let is_other = lane.road().road_id().row() != own_row;
             let row = lane.lane_id().row();
             let distance = (at.distance - round).max(0.0);
@@ -326,12 +343,12 @@ fn nearest(
             }
         }
         if placement.is_swept() {
-            add_nearest(map, of_probe, places);
+            add_nearest(lanes.map, of_probe, places);
         } else if of_probe.is_some_and(|new| new.wins_over(best)) {
             best = of_probe;
         }
     }
-    add_nearest(map, best, places);
+    add_nearest(lanes.map, best, places);
 }
 
 fn add_nearest(map: Map<'_>, found: Option<Candidate>, places: &mut LaneAttachments) {

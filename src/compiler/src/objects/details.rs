@@ -64,14 +64,24 @@ impl Corners {
     }
 }
 
+/// What details belong to.
+pub(super) struct Of<'a> {
+    /// Row of the object.
+    pub(super) object: u32,
+    /// Its outlines.
+    pub(super) outlines: Range,
+    /// Their corners.
+    pub(super) corners: &'a Corners,
+}
+
 /// Appends an object's details.
 pub(super) fn append(
     rows: &mut Rows,
-    (object, outlines): (u32, Range),
-    corners: &Corners,
+    of: &Of<'_>,
     details: &Details,
     skeletons: Vec<Vec<SkeletonVertexRow>>,
 ) -> Result<(), TooLarge> {
+    let Of { object, outlines, corners } = *of;
     let named = |along: &Along, rows: &mut Rows| {
         let (outline, points) = corners.resolve(along, rows, outlines);
         let before = rows.object_corners.len();

@@ -85,7 +85,7 @@ pub(crate) fn build(
             let archive = view(rows);
             let map = Map::new(&archive, 0);
             let one =
-                |(object, room): (&Object, &usize)| place(map, &written, (object, *room), options);
+                |(object, room): (&Object, &usize)| place(map, &written, object, *room, options);
             objects.par_iter().zip(rooms).map(one).collect()
         };
         for (object, placed) in objects.iter().zip(placed) {
@@ -106,7 +106,7 @@ pub(crate) fn build(
             "no lane that it may belong to is within {} m; it belongs only to its road",
             options.lane_reach
         );
-        let rule = (&building::OBJECT_LANE, Severity::Info);
+        let rule = Graded { rule: &building::OBJECT_LANE, severity: Severity::Info };
         Some(finding(map, object, rule, object.span, message))
     }));
     Ok(findings)
@@ -146,7 +146,8 @@ fn by_id(rows: &Rows) -> Vec<u32> {
 fn place(
     map: Map<'_>,
     written: &Objects,
-    (object, room): (&Object, usize),
+    object: &Object,
+    room: usize,
     options: &CompileOptions,
 ) -> Placed {
     let line = Line::of(map, written, &object.row);
@@ -155,7 +156,7 @@ fn place(
     let standing = line.as_ref().and_then(|line| place::stand(line, object, &mut row));
     let Some((line, standing)) = line.as_ref().zip(standing) else {
         let message = "expected a place along a reference line, found one that no number can hold";
-        let rule = (&building::OBJECT_PLACE, Severity::Error);
+        let rule = Graded { rule: &building::OBJECT_PLACE, severity: Severity::Error };
         findings.push(finding(map, object, rule, object.span, message.to_owned()));
         let (shapes, copies, skeletons) = (Vec::new(), Vec::new(), Vec::new());
         return Placed { row, shapes, copies, skeletons, findings };
@@ -177,8 +178,8 @@ fn place(
     let mut copies = Vec::with_capacity(room);
     for repeat in &object.repeats {
         let before = copies.len();
-        let within = (options.bound_tolerance, room - before);
-        let outcome = repeat::copies(line, object, repeat, within, &mut copies);
+        let bounds = repeat::Bounds { tolerance: options.bound_tolerance, copies: room - before };
+        let outcome = repeat::copies(line, object, repeat, bounds, &mut copies);
         let new = copies[before..].iter().map(Copy::made).sum::<usize>();
         if new > MOST_MADE_OF_AN_OBJECT - made || matches!(outcome, Err(Left::TooManyPoints)) {
             copies.truncate(before);
@@ -250,8 +251,8 @@ fn append(
         .ok_or_else(|| TooLarge::new("object_copies"))?;
     row.validities = beside::lane_ranges(rows, &object.validities)?;
     if let Some(details) = object.details.as_deref() {
-        let of = (number, row.outlines);
-        details::append(rows, of, &corners, details, placed.skeletons)?;
+        let of = details::Of { object: number, outlines: row.outlines, corners: &corners };
+        details::append(rows, &of, details, placed.skeletons)?;
     }
     rows.objects.push(row);
     findings.extend(placed.findings);
@@ -272,17 +273,25 @@ fn too_detailed(map: Map<'_>, object: &Object, what: &str) -> Finding {
     let message = format!(
         "{what} has more points within the tolerance of borders than its length explains, than the {MOST_MADE_OF_AN_OBJECT} that objects may have, or the {LEAST_MADE_OF_A_MAP} and {MADE_FOR_AN_OBJECT} for each object that maps may have; it is left out"
     );
-    finding(map, object, (&building::OBJECT_PART, Severity::Warning), object.span, message)
+    let rule = Graded { rule: &building::OBJECT_PART, severity: Severity::Warning };
+    finding(map, object, rule, object.span, message)
+}
+
+/// An entry of the catalog, and how grave a finding of it is.
+#[derive(Clone, Copy)]
+struct Graded {
+    rule: &'static Rule,
+    severity: Severity,
 }
 
 /// Whatever keeps a repetition from all of its copies.
-const REPEAT: (&Rule, Severity) = (&building::OBJECT_REPEAT, Severity::Warning);
+const REPEAT: Graded = Graded { rule: &building::OBJECT_REPEAT, severity: Severity::Warning };
 
 /// A finding about an object or one of its repetitions.
 fn finding(
     map: Map<'_>,
     object: &Object,
-    (rule, severity): (&'static Rule, Severity),
+    graded: Graded,
     span: mapd_xodr::Span,
     message: String,
 ) -> Finding {
@@ -296,5 +305,5 @@ fn finding(
     };
     let path =
         format!("OpenDRIVE/{owner}[@id={}]/objects/object[@id={}]", text(id), text(object.row.id));
-    crate::findings::finding(rule, severity, span, path, message, "")
+    crate::findings::finding(graded.rule, graded.severity, span, path, message, "")
 }

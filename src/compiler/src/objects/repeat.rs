@@ -69,14 +69,23 @@ fn intervals(road_end: f64, repeat: &Repeat) -> f64 {
     ((end - repeat.s + END) / repeat.distance).floor().max(0.0)
 }
 
-/// Adds the copies that a repetition makes on the road, `room` at most; what would stand beyond its end is left out.
+/// What limits a repetition's copies.
+#[derive(Clone, Copy)]
+pub(super) struct Bounds {
+    /// Tolerance of what is swept along the road `[m]`.
+    pub(super) tolerance: f64,
+    /// Copies at most.
+    pub(super) copies: usize,
+}
+
+/// Adds the copies that a repetition makes on the road; what would stand beyond its end is left out.
 ///
 /// Errors: why some of them or all are left out, but for want of room.
 pub(super) fn copies(
     line: &Line<'_>,
     object: &Object,
     repeat: &Repeat,
-    (tolerance, room): (f64, usize),
+    bounds: Bounds,
     out: &mut Vec<Copy>,
 ) -> Result<(), Left> {
     let road_end = line.end();
@@ -87,7 +96,7 @@ pub(super) fn copies(
             repeat.s
         )));
     }
-    let count = count(line, repeat).min(room);
+    let count = count(line, repeat).min(bounds.copies);
     if repeat.distance <= 0.0 {
         if count == 0 {
             return Ok(());
@@ -95,7 +104,7 @@ pub(super) fn copies(
         let swept = if repeat.is_detached {
             straight(line, repeat, end).ok_or(Fault::NotFinite)
         } else {
-            sweep(line, repeat, end, tolerance)
+            sweep(line, repeat, end, bounds.tolerance)
         };
         out.push(swept?);
         return Ok(());

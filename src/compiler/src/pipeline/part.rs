@@ -7,7 +7,7 @@ use crate::without::Without;
 use mapd_archive::AnnotationOwner;
 use mapd_ontology::Ontology;
 use mapd_rules::line::ReferenceLine;
-use mapd_rules::{Checker, Examined, Examiner, Network, Whole};
+use mapd_rules::{Checker, Examined, ExaminedItem, Examiner, Network, Whole};
 use mapd_xodr::source::Places;
 use mapd_xodr::{Batch, Context, Finding, Item, ReadBatch, Span, Text as _};
 use rayon::prelude::*;
@@ -62,7 +62,7 @@ impl Plan {
         let mut elements = VecDeque::new();
         let read = context.read_each(batch, &mut |mut item| {
             units.add(&item);
-            let (examined, line) = examiner.item(&mut item);
+            let ExaminedItem { found: examined, line } = examiner.item(&mut item);
             let mut built = Vec::new();
             lower(&mut draft, item, &line, &places, &mut built);
             elements.push_back(Element { examined, built, roads: draft.roads() - none });

@@ -74,7 +74,7 @@ fn leave_out(round: &mut Round, reading: &ReadOptions, without: &mut Exclusions)
             parts.push(around);
         }
         let top = parts.last().map_or(unit.start, |top| top.start);
-        parts.into_iter().any(|part| without.add((part, top), cause.clone(), keep))
+        parts.into_iter().any(|part| without.add(part, top, cause.clone(), keep))
     })
 }
 

@@ -15,6 +15,38 @@ struct Excluded {
     cause: Cause,
 }
 
+/// The road or junction that a part belongs to; of what stands for itself, that.
+#[derive(Clone, Copy)]
+struct Owner<'a> {
+    kind: PartKind,
+    id: &'a str,
+}
+
+/// A part of the document, as it is named where it is left out.
+struct Named<'a> {
+    kind: PartKind,
+    /// The start tag.
+    span: Span,
+    id: &'a str,
+    owner: Owner<'a>,
+}
+
+/// Where a part is.
+#[derive(Default)]
+struct Located {
+    /// Smallest x, smallest y, largest x, largest y `[m]`; none where it cannot be told.
+    extent: Option<[f64; 4]>,
+    /// Of a road `[m]`, else 0.
+    length: f64,
+}
+
+impl Located {
+    /// Around something of no length.
+    fn around(extent: Option<[f64; 4]>) -> Self {
+        Self { extent, length: 0.0 }
+    }
+}
+
 /// Parts that are left out, by the start of their tags.
 #[derive(Default)]
 pub(crate) struct Exclusions {
@@ -44,7 +76,8 @@ impl Exclusions {
     /// can be done about it.
     pub(crate) fn add(
         &mut self,
-        (unit, top): (Unit, u64),
+        unit: Unit,
+        top: u64,
         cause: Cause,
         keep_reference_lines: bool,
     ) -> bool {
@@ -96,18 +129,18 @@ impl Exclusions {
     /// Tells a part that is left out.
     fn tell(
         &self,
-        (kind, span): (PartKind, Span),
-        (id, (owner_kind, owner)): (&str, (PartKind, &str)),
-        place: impl FnOnce() -> (Option<[f64; 4]>, f64),
+        named: Named<'_>,
+        place: impl FnOnce() -> Located,
         out: &mut Vec<QuarantinedPart>,
     ) -> Option<Treatment> {
+        let Named { kind, span, id, owner } = named;
         let part = self.parts.get(&{ span.start })?;
-        let (extent, length) = place();
+        let Located { extent, length } = place();
         out.push(QuarantinedPart {
             kind,
             id: id.to_owned(),
-            owner: owner.to_owned(),
-            owner_kind,
+            owner: owner.id.to_owned(),
+            owner_kind: owner.kind,
             treatment: part.treatment,
             extent,
             length,
@@ -123,7 +156,8 @@ impl Exclusions {
 
     /// Whether an element without parts of its own stays.
     fn top(&self, kind: PartKind, span: Span, id: &str, out: &mut Vec<QuarantinedPart>) -> bool {
-        self.tell((kind, span), (id, (kind, id)), || (None, 0.0), out).is_none()
+        let named = Named { kind, span, id, owner: Owner { kind, id } };
+        self.tell(named, Located::default, out).is_none()
     }
 
     fn road(&self, mut road: Road, out: &mut Vec<QuarantinedPart>) -> Option<Road> {
@@ -131,9 +165,13 @@ impl Exclusions {
             return Some(road);
         }
         let id = road.id.text().to_owned();
-        let own = (PartKind::Road, &*id);
-        let place = || (mapd_rules::extent(&road), road.length.value().unwrap_or(0.0));
-        if let Some(treatment) = self.tell((PartKind::Road, road.span), (&id, own), place, out) {
+        let own = Owner { kind: PartKind::Road, id: &id };
+        let place = || Located {
+            extent: mapd_rules::extent(&road),
+            length: road.length.value().unwrap_or(0.0),
+        };
+        let named = Named { kind: PartKind::Road, span: road.span, id: &id, owner: own };
+        if let Some(treatment) = self.tell(named, place, out) {
             let objects = road.objects.iter().flat_map(|all| objects_in(all));
             note_contents(out, objects.chain(road.signals.iter().flat_map(|all| signals_in(all))));
             return if treatment == Treatment::Dropped { None } else { bare(road) };
@@ -151,7 +189,7 @@ impl Exclusions {
     fn objects(
         &self,
         objects: &mut Objects,
-        owner: (PartKind, &str),
+        owner: Owner<'_>,
         line: Option<&ReferenceLine>,
         out: &mut Vec<QuarantinedPart>,
     ) {
@@ -160,38 +198,44 @@ impl Exclusions {
             let size =
                 [o.length.value(), o.width.value(), o.radius.value().map(|radius| 2.0 * radius)];
             let size = size.into_iter().flatten().fold(0.0, f64::max);
-            let place = || (around(line, o.s.value(), o.t.value(), size), 0.0);
-            self.tell((kind, o.span), (o.id.text(), owner), place, out).is_none()
+            let place = || Located::around(around(line, o.s.value(), o.t.value(), size));
+            let named = Named { kind, span: o.span, id: o.id.text(), owner };
+            self.tell(named, place, out).is_none()
         });
         objects.object_reference.retain(|o| {
-            let place = || (around(line, o.s.value(), o.t.value(), 0.0), 0.0);
-            self.tell((kind, o.span), (o.id.text(), owner), place, out).is_none()
+            let place = || Located::around(around(line, o.s.value(), o.t.value(), 0.0));
+            let named = Named { kind, span: o.span, id: o.id.text(), owner };
+            self.tell(named, place, out).is_none()
         });
         objects.tunnel.retain(|o| {
-            let place = || (around(line, o.s.value(), None, 0.0), 0.0);
-            self.tell((kind, o.span), (o.id.text(), owner), place, out).is_none()
+            let place = || Located::around(around(line, o.s.value(), None, 0.0));
+            let named = Named { kind, span: o.span, id: o.id.text(), owner };
+            self.tell(named, place, out).is_none()
         });
         objects.bridge.retain(|o| {
-            let place = || (around(line, o.s.value(), None, 0.0), 0.0);
-            self.tell((kind, o.span), (o.id.text(), owner), place, out).is_none()
+            let place = || Located::around(around(line, o.s.value(), None, 0.0));
+            let named = Named { kind, span: o.span, id: o.id.text(), owner };
+            self.tell(named, place, out).is_none()
         });
     }
 
     fn signals(
         &self,
         signals: &mut Signals,
-        owner: (PartKind, &str),
+        owner: Owner<'_>,
         line: &ReferenceLine,
         out: &mut Vec<QuarantinedPart>,
     ) {
         let kind = PartKind::Signal;
         signals.signal.retain(|s| {
-            let place = || (around(Some(line), s.s.value(), s.t.value(), 0.0), 0.0);
-            self.tell((kind, s.span), (s.id.text(), owner), place, out).is_none()
+            let place = || Located::around(around(Some(line), s.s.value(), s.t.value(), 0.0));
+            let named = Named { kind, span: s.span, id: s.id.text(), owner };
+            self.tell(named, place, out).is_none()
         });
         signals.signal_reference.retain(|s| {
-            let place = || (around(Some(line), s.s.value(), s.t.value(), 0.0), 0.0);
-            self.tell((kind, s.span), (s.id.text(), owner), place, out).is_none()
+            let place = || Located::around(around(Some(line), s.s.value(), s.t.value(), 0.0));
+            let named = Named { kind, span: s.span, id: s.id.text(), owner };
+            self.tell(named, place, out).is_none()
         });
     }
 
@@ -204,12 +248,11 @@ impl Exclusions {
             note_contents(out, junction.objects.iter().flat_map(|all| objects_in(all)));
             return None;
         }
-        let own = (PartKind::Junction, &*id);
+        let own = Owner { kind: PartKind::Junction, id: &id };
         junction.connection.retain_mut(|c| {
             let kind = PartKind::Connection;
-            let place = || (None, 0.0);
-            self.tell((kind, c.span), (c.id.text(), own), place, out).is_none()
-                && self.lane_links(c, own, out)
+            let named = Named { kind, span: c.span, id: c.id.text(), owner: own };
+            self.tell(named, Located::default, out).is_none() && self.lane_links(c, own, out)
         });
         if let Some(objects) = &mut junction.objects {
             self.objects(objects, own, None, out);
@@ -244,7 +287,7 @@ impl Exclusions {
     fn lane_links(
         &self,
         connection: &mut Connection,
-        junction: (PartKind, &str),
+        junction: Owner<'_>,
         out: &mut Vec<QuarantinedPart>,
     ) -> bool {
         let is_left_out = |span: Span| self.parts.contains_key(&{ span.start });
@@ -252,16 +295,19 @@ impl Exclusions {
         if let Some(first) = connection.lane_link.first()
             && connection.lane_link.iter().all(|link| is_left_out(link.span))
         {
-            let part = (PartKind::Connection, first.span);
-            self.tell(part, (&id, junction), || (None, 0.0), out);
+            let kind = PartKind::Connection;
+            let named = Named { kind, span: first.span, id: &id, owner: junction };
+            self.tell(named, Located::default, out);
             return false;
         }
         connection.lane_link.retain(|link| {
             let lane = |number: Option<i32>| number.map_or("?".to_owned(), |n| n.to_string());
-            let own = || format!("{id}:{}:{}", lane(link.from.value()), lane(link.to.value()));
-            let part = (PartKind::LaneLink, link.span);
-            !is_left_out(link.span)
-                || self.tell(part, (&own(), junction), || (None, 0.0), out).is_none()
+            !is_left_out(link.span) || {
+                let own = format!("{id}:{}:{}", lane(link.from.value()), lane(link.to.value()));
+                let kind = PartKind::LaneLink;
+                let named = Named { kind, span: link.span, id: &own, owner: junction };
+                self.tell(named, Located::default, out).is_none()
+            }
         });
         true
     }

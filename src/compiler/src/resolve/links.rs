@@ -2,7 +2,7 @@
 
 use crate::draft::{Draft, Links, RoadWritten, between};
 use crate::findings::finding;
-use mapd_archive::{ConnectionLaneLinkRow, ConnectionRow, ContactPoint, LinkKind, NONE, RoadRow};
+use mapd_archive::{ConnectionLaneLinkRow, ConnectionRow, ContactPoint, LinkKind, NONE};
 use mapd_rules::catalog::building;
 use mapd_rules::network::{Contact, LinkTarget, Name};
 use mapd_xodr::{Finding, Severity};
@@ -84,12 +84,13 @@ fn resolve_road(
         };
         let end = if at == Contact::Start { "predecessor" } else { "successor" };
         let mut contact = contact_code(link.contact);
-        if let Some(target) = found
+        if found.is_some()
             && known == LinkKind::Road
             && contact == ContactPoint::None.code()
             && link.s.is_none()
+            && let Some(nearer) = links.linked_end(number as u32, at)
         {
-            contact = nearer_end(draft, number, at == Contact::End, target as usize);
+            contact = contact_code(Some(nearer));
             let message = format!(
                 "expected @contactPoint, found none; read as {} because that end is nearer",
                 ContactPoint::from_code(contact).name()
@@ -123,26 +124,6 @@ fn contact_code(contact: Option<Contact>) -> u8 {
         None => ContactPoint::None,
     }
     .code()
-}
-
-/// Which end of `target` lies nearer to this road's end.
-fn nearer_end(draft: &Draft, road: usize, at_end: bool, target: usize) -> u8 {
-    let ends = |row: &RoadRow| {
-        let geometries = row.geometries.of(&draft.rows.geometries);
-        let start = geometries.first().map_or((0.0, 0.0), |g| (g.x, g.y));
-        // The last geometry's end, straight on: enough to tell two ends of a road apart.
-        let end = geometries
-            .last()
-            .map_or((0.0, 0.0), |g| (g.x + g.cos * g.length, g.y + g.sin * g.length));
-        (start, end)
-    };
-    let (Some(from), Some(to)) = (draft.rows.roads.get(road), draft.rows.roads.get(target)) else {
-        return ContactPoint::None.code();
-    };
-    let here = if at_end { ends(from).1 } else { ends(from).0 };
-    let squared = |p: (f64, f64)| (p.0 - here.0) * (p.0 - here.0) + (p.1 - here.1) * (p.1 - here.1);
-    let (start, end) = ends(to);
-    if squared(start) <= squared(end) { ContactPoint::Start } else { ContactPoint::End }.code()
 }
 
 fn resolve_connections(draft: &mut Draft, links: &Links<'_>, names: &Named) {

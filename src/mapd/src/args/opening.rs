@@ -3,12 +3,11 @@
 use super::{DomainArgs, FrameArgs, OntologyArgs, Seconds, ThreadsArg, TrustArgs};
 use crate::progress::{Manner, Meter};
 use crate::report;
-use crate::source::{self, Opened, SHARED};
+use crate::source::{self, Attaching, Compiling, Opened, SHARED};
 use crate::trust::{NotSignable, signable};
 use anyhow::Result;
 use clap::{Args, ValueEnum};
 use mapd_client::{Attach, Client, Domain, Snapshot, TrustedKey};
-use mapd_compiler::{CompileOptions, ReadOptions};
 use std::path::Path;
 use std::time::Duration;
 
@@ -75,8 +74,9 @@ impl Opening {
         let (domain, wait) = self.live.get()?;
         let reading = self.ontology.for_source(source::is_compiled(source))?;
         let options = self.frame.source(source)?;
-        let compiling = (&reading, &options);
-        open_or_report(source, compiling, self.trust.key()?, (&domain, self.attach.get(), wait))
+        let compiling = Compiling { reading: &reading, options: &options };
+        let live = Attaching { domain: &domain, attach: self.attach.get(), wait };
+        open_or_report(source, compiling, self.trust.key()?, live)
     }
 }
 
@@ -114,9 +114,9 @@ impl From<How> for Attach {
 /// Opens a SOURCE for a command that needs a map; prints why there is none. With a key, only an archive that it has signed.
 fn open_or_report(
     source: &str,
-    compiling: (&ReadOptions, &CompileOptions),
+    compiling: Compiling<'_>,
     key: Option<TrustedKey>,
-    live: (&Domain, Attach, Duration),
+    live: Attaching<'_>,
 ) -> Result<Option<Snapshot>> {
     if let Some(key) = key {
         if source.starts_with(SHARED) {

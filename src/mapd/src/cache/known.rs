@@ -52,6 +52,15 @@ impl Identity {
     }
 }
 
+/// A document and what it includes.
+#[derive(Debug, PartialEq)]
+pub struct HashedInput {
+    /// Their hashes.
+    pub hash: InputHash,
+    /// The document first, then what it includes.
+    pub files: Vec<PathBuf>,
+}
+
 /// What is known of a document.
 #[derive(Serialize, Deserialize)]
 struct Known {
@@ -66,17 +75,14 @@ impl Cache {
     /// else computed.
     ///
     /// Errors: a file cannot be read.
-    pub fn input_hash(
-        &self,
-        document: &Path,
-        folder: &Path,
-    ) -> io::Result<(InputHash, Vec<PathBuf>)> {
+    pub fn input_hash(&self, document: &Path, folder: &Path) -> io::Result<HashedInput> {
         let document = std::path::absolute(document)?;
         let record = self.path(&Key::of_place(&document), KNOWN);
         let known = self.read(&record).and_then(|text| serde_json::from_str::<Known>(&text).ok());
         if let Some(known) = known.filter(|known| known.holds(&document)) {
             let files = known.files.into_iter().map(|(file, _)| file).collect();
-            return Ok((InputHash { document: known.document, input: known.input }, files));
+            let hash = InputHash { document: known.document, input: known.input };
+            return Ok(HashedInput { hash, files });
         }
         // Before they are read: what changes meanwhile is not known.
         let mut files = vec![(document.clone(), Identity::of(&document)?)];
@@ -92,7 +98,7 @@ impl Cache {
             let _ = self.write(&record, &serde_json::to_vec(&known)?);
         }
         included.insert(0, document);
-        Ok((hash, included))
+        Ok(HashedInput { hash, files: included })
     }
 }
 
@@ -119,15 +125,15 @@ mod tests {
         let hash = || cache.input_hash(&file, folder.path()).expect("hashed");
         let records = || fs::read_dir(cache.folder()).expect("a folder").count();
         fs::write(&file, "one").expect("written");
-        let (first, files) = hash();
+        let HashedInput { hash: first, files } = hash();
         assert_eq!(
             (files.as_slice(), records()),
             ([file.clone()].as_slice(), 0),
             "it has just been written"
         );
         std::thread::sleep(SETTLED * 2 + Duration::from_millis(100));
-        assert_eq!((hash().0, records()), (first, 1));
-        assert_eq!(hash().0, first, "known");
+        assert_eq!((hash().hash, records()), (first, 1));
+        assert_eq!(hash().hash, first, "known");
         // The record is what is believed, as long as the file is the same.
         let record =
             fs::read_dir(cache.folder()).expect("a folder").flatten().next().expect("one").path();
@@ -135,7 +141,7 @@ mod tests {
         let mut known: Known = serde_json::from_str(&text).expect("JSON");
         known.input = [7; 32];
         fs::write(&record, serde_json::to_vec(&known).expect("JSON")).expect("written");
-        assert_eq!(hash().0.input, [7; 32]);
+        assert_eq!(hash().hash.input, [7; 32]);
         // The same size and time of content do not help: the node has another.
         let before = fs::metadata(&file).expect("there").modified().expect("a time");
         fs::write(&file, "two").expect("written");
@@ -144,7 +150,7 @@ mod tests {
             .open(&file)
             .and_then(|f| f.set_modified(before))
             .expect("set");
-        let (second, _) = hash();
+        let second = hash().hash;
         assert_ne!(second.input, first.input);
         assert_ne!(second.input, [7; 32]);
         // What it includes counts.
@@ -155,7 +161,7 @@ mod tests {
                 std::slice::from_ref(&part),
             )
             .expect("kept");
-        let (third, files) = hash();
+        let HashedInput { hash: third, files } = hash();
         assert_eq!((third.document, files.len()), (second.document, 2));
         assert_ne!(third.input, second.input);
         fs::remove_file(part).expect("removed");

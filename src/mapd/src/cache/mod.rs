@@ -20,7 +20,7 @@ mod key;
 mod known;
 
 pub use key::{InputHash, Key};
-pub use known::Identity;
+pub use known::{HashedInput, Identity};
 
 use crate::clock::since_epoch;
 use mapd_transport::{open_regular, read_regular};
@@ -32,6 +32,15 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::time::SystemTime;
+
+/// An archive that is opened for reading.
+#[derive(Debug)]
+pub struct OpenArchive {
+    /// Its file.
+    pub file: File,
+    /// Its length \[bytes\].
+    pub length: u64,
+}
 
 /// Bytes of archives that a cache holds, if nothing else is said.
 pub const DEFAULT_LIMIT: u64 = 4 << 30;
@@ -139,14 +148,14 @@ impl Cache {
         self.archives().iter().map(|(_, length, _)| length).sum()
     }
 
-    /// An archive, opened for reading, and its length \[bytes\]; it stays readable whatever becomes of its name. It has not
+    /// An archive, opened for reading; it stays readable whatever becomes of its name. It has not
     /// been proved.
-    pub fn get(&self, key: &Key) -> Option<(File, u64)> {
+    pub fn get(&self, key: &Key) -> Option<OpenArchive> {
         let file = open_regular(&self.path(key, ARCHIVE)).ok()?;
         let metadata = file.metadata().ok()?;
         // The least recently used archives are removed first. On a read-only disk all of them stay.
         let _ = file.set_modified(SystemTime::now());
-        Some((file, metadata.len()))
+        Some(OpenArchive { file, length: metadata.len() })
     }
 
     /// A place to write an archive to.
@@ -173,13 +182,13 @@ impl Cache {
     /// Gives an archive its name, and opens it. Others make room for it if there are too many.
     ///
     /// Errors: what the system says.
-    pub fn keep(&self, mut unfinished: Unfinished, key: &Key) -> io::Result<(File, u64)> {
+    pub fn keep(&self, mut unfinished: Unfinished, key: &Key) -> io::Result<OpenArchive> {
         let file = File::open(&unfinished.path)?;
         let length = file.metadata()?.len();
         fs::rename(&unfinished.path, self.path(key, ARCHIVE))?;
         unfinished.kept = true;
         self.make_room(key);
-        Ok((file, length))
+        Ok(OpenArchive { file, length })
     }
 
     /// Removes an archive, one that does not prove. Who has it open keeps it.
@@ -296,7 +305,7 @@ mod tests {
     fn put(cache: &Cache, key: &Key, length: usize) {
         let unfinished = cache.begin().expect("a place");
         fs::write(unfinished.path(), vec![7; length]).expect("written");
-        assert_eq!(cache.keep(unfinished, key).expect("kept").1, length as u64);
+        assert_eq!(cache.keep(unfinished, key).expect("kept").length, length as u64);
     }
 
     #[test]
@@ -336,7 +345,7 @@ mod tests {
         let folder = folder.path().join("cache");
         let cache = Cache::open(&folder, 100).expect("opens");
         put(&cache, &key(1), 10);
-        let (mut file, _) = cache.get(&key(1)).expect("there");
+        let mut file = cache.get(&key(1)).expect("there").file;
         fs::remove_dir_all(&folder).expect("deleted");
         let mut bytes = Vec::new();
         file.read_to_end(&mut bytes).expect("still readable");

@@ -3,7 +3,7 @@
 use super::child::{self, Means, Refusal};
 use super::log::say;
 use super::settings::MapSettings;
-use crate::cache::{Cache, InputHash, Key};
+use crate::cache::{Cache, HashedInput, InputHash, Key, OpenArchive};
 use crate::source;
 use crate::trust::signable;
 use mapd_archive::{HEADER_LENGTH, Header};
@@ -138,9 +138,11 @@ impl Preparer {
         if !std::fs::metadata(&map.source).is_ok_and(|metadata| metadata.is_file()) {
             return Ok(None);
         }
-        let Ok((hash, files)) = cache.input_hash(&map.source, &folder) else { return Ok(None) };
+        let Ok(HashedInput { hash, files }) = cache.input_hash(&map.source, &folder) else {
+            return Ok(None);
+        };
         let key = Key::of_archive(&hash.input, &reading.hash(&options));
-        let Some((file, length)) = cache.get(&key) else { return Ok(None) };
+        let Some(OpenArchive { file, length }) = cache.get(&key) else { return Ok(None) };
         let Some(header) = header_of(&file, &key) else {
             say(&format!(
                 "map {}: an archive in the cache is not what its name says; it is removed",
@@ -166,7 +168,7 @@ impl Preparer {
         // What was served is not signed: only archives are, and of those none is kept.
         let cache = self.cache.as_ref().filter(|_| map.last_good && self.trust.is_none())?;
         let key = cache.last_served(&name_in_cache(domain, &map.name))?;
-        let (file, length) = cache.get(&key)?;
+        let OpenArchive { file, length } = cache.get(&key)?;
         Some(Prepared {
             header: header_of(&file, &key)?,
             file: Arc::new(file),

@@ -91,7 +91,8 @@ impl Network {
     pub(super) fn add_objects(
         &mut self,
         objects: &Objects,
-        (at, from): (NamedAt, Name),
+        at: NamedAt,
+        from: Name,
         road: Option<u32>,
     ) {
         for object in &objects.object {
@@ -140,7 +141,7 @@ impl Network {
             self.refer((at, kinds), &end.element_id, id, end.span);
         }
         if let Some(objects) = &road.objects {
-            self.add_objects(objects, (NamedAt::RoadObject, id), Some(rank));
+            self.add_objects(objects, NamedAt::RoadObject, id, Some(rank));
         }
         if let Some(signals) = &road.signals {
             self.add_signals(signals, id, rank);

@@ -23,8 +23,8 @@ impl Network {
     pub(super) fn add_signals(&mut self, signals: &Signals, from: Name, road: u32) {
         for signal in &signals.signal {
             let id = self.part(PartKind::Signal, &signal.id, signal.span, Some(road));
-            self.add_links(OF_SIGNAL, (&signal.dependency, &signal.reference), id);
-            self.add_boards((&signal.static_board, &signal.vms_board), id, DEEPEST_BOARD);
+            self.add_links(OF_SIGNAL, &signal.dependency, &signal.reference, id);
+            self.add_boards(&signal.static_board, &signal.vms_board, id, DEEPEST_BOARD);
             if let Some(position) = &signal.position_road {
                 let at = (NamedAt::PositionRoad, Kinds::Road);
                 self.refer(at, &position.road_id, id, position.span);
@@ -39,7 +39,8 @@ impl Network {
     fn add_links(
         &mut self,
         [dependency_at, reference_at]: Places,
-        (dependencies, references): (&[SignalDependency], &[SignalLink]),
+        dependencies: &[SignalDependency],
+        references: &[SignalLink],
         from: Name,
     ) {
         for dependency in dependencies {
@@ -59,22 +60,23 @@ impl Network {
     /// Boards of a signal, and those of the signs on them, which name the signal as where they stand.
     fn add_boards(
         &mut self,
-        (static_boards, vms_boards): (&[StaticBoard], &[VmsBoard]),
+        static_boards: &[StaticBoard],
+        vms_boards: &[VmsBoard],
         from: Name,
         deep: usize,
     ) {
         for board in vms_boards {
-            self.add_links(OF_VMS, (&board.dependency, &board.reference), from);
+            self.add_links(OF_VMS, &board.dependency, &board.reference, from);
         }
         for board in static_boards {
-            self.add_links(OF_STATIC, (&board.dependency, &board.reference), from);
+            self.add_links(OF_STATIC, &board.dependency, &board.reference, from);
         }
         let Some(deeper) = deep.checked_sub(1) else { return };
         for sign in static_boards.iter().flat_map(|board| &board.sign) {
             let sign: &BoardSign = sign;
             self.part(PartKind::Sign, &sign.id, sign.span, None);
-            self.add_links(OF_SIGN, (&sign.dependency, &sign.reference), from);
-            self.add_boards((&sign.static_board, &sign.vms_board), from, deeper);
+            self.add_links(OF_SIGN, &sign.dependency, &sign.reference, from);
+            self.add_boards(&sign.static_board, &sign.vms_board, from, deeper);
         }
     }
 }

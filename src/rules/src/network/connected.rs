@@ -1,5 +1,6 @@
 //! Where lanes go on through the connections of junctions.
 
+use super::joints::RoadEnd;
 use super::{
     ConnectedLanes, ConnectionFacts, Contact, JunctionFacts, LaneFacts, Network, RoadFacts,
     SectionFacts,
@@ -43,7 +44,7 @@ pub struct ConnectedJoint<'a> {
 
 /// The ends of roads that a connection joins: that of the road that leads in and that of the one that is entered, as far as
 /// they are there.
-pub type ConnectedEnds<'a> = [Option<(&'a RoadFacts, Contact)>; 2];
+pub type ConnectedEnds<'a> = [Option<RoadEnd<'a>>; 2];
 
 impl Network {
     /// The ends of roads that a connection of a default or direct junction joins; none of other junctions.
@@ -57,22 +58,19 @@ impl Network {
             Kind::Direct => connection.linked,
             _ => return [None; 2],
         };
-        let to = self.road_named(entered).zip(connection.contact);
+        let to = RoadEnd::of(self.road_named(entered), connection.contact);
         let from = self.road_named(connection.incoming).and_then(|road| {
             let id = junction.id.unwrap_or_default();
             // Roads of a direct junction name the junction, not one another.
             let within = to.filter(|_| junction.kind == Kind::Default);
-            Some((road, self.end_at_junction(road, id, within)?))
+            Some(RoadEnd { road, end: self.end_at_junction(road, id, within)? })
         });
         [from, to]
     }
 
     /// A lane at an end of a road.
-    pub fn lane_end<'a>(
-        &'a self,
-        (road, end): (&'a RoadFacts, Contact),
-        id: i32,
-    ) -> Option<LaneEnd<'a>> {
+    pub fn lane_end<'a>(&'a self, at: RoadEnd<'a>, id: i32) -> Option<LaneEnd<'a>> {
+        let RoadEnd { road, end } = at;
         let section = self.section_at(road, end, id)?;
         Some(LaneEnd { road, section, lane: self.lane(section, id)?, end })
     }
@@ -103,8 +101,8 @@ impl Network {
     /// Whether the lane that is entered links to the other one itself: what holds of such a pair is looked at there.
     pub fn links_back(&self, joint: &ConnectedJoint<'_>) -> bool {
         let LaneEnd { road, lane, end, .. } = joint.to;
-        let is_linked = |(linked, contact): (&RoadFacts, Contact)| {
-            linked.id == joint.from.road.id && contact == joint.from.end
+        let is_linked = |linked: RoadEnd<'_>| {
+            linked.road.id == joint.from.road.id && linked.end == joint.from.end
         };
         self.links_of(lane, end).iter().any(|link| link.id == joint.from.lane.id)
             && self.linked_road(road, end).is_some_and(is_linked)

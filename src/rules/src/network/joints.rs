@@ -59,6 +59,33 @@ impl Contact {
     }
 }
 
+/// An end of a road.
+#[derive(Clone, Copy)]
+pub struct RoadEnd<'a> {
+    /// The road.
+    pub road: &'a RoadFacts,
+    /// Which of its ends.
+    pub end: Contact,
+}
+
+impl<'a> RoadEnd<'a> {
+    /// The end of a road, where both are known.
+    pub fn of(road: Option<&'a RoadFacts>, end: Option<Contact>) -> Option<Self> {
+        Some(Self { road: road?, end: end? })
+    }
+}
+
+/// Foot of a point on a reference line.
+#[derive(Clone, Copy, Debug)]
+pub struct Foot {
+    /// Along the line `[m]`.
+    pub s: f64,
+    /// Beside it `[m]`, positive to the left.
+    pub t: f64,
+    /// Of the point from the foot `[m]`.
+    pub distance: f64,
+}
+
 impl Network {
     /// The cross-section at an end of a road.
     pub fn station_of(&self, road: &RoadFacts, end: Contact) -> Option<Station> {
@@ -71,9 +98,10 @@ impl Network {
 
     /// The road that a road's end is linked to, and which end of that touches: the one that is written, else the nearer one.
     /// None for links to junctions and into the middle of roads.
-    pub fn linked_road(&self, road: &RoadFacts, end: Contact) -> Option<(&RoadFacts, Contact)> {
+    pub fn linked_road(&self, road: &RoadFacts, end: Contact) -> Option<RoadEnd<'_>> {
         let linked = self.linked.get(road.rank as usize)?[end as usize];
-        Some((self.roads.get(linked as usize / 2)?, Contact::BOTH[linked as usize % 2]))
+        let road = self.roads.get(linked as usize / 2)?;
+        Some(RoadEnd { road, end: Contact::BOTH[linked as usize % 2] })
     }
 
     /// Finds what each road's ends are linked to.
@@ -118,7 +146,7 @@ impl Network {
         if let Some(section) = next.and_then(|next| sections.get(next)) {
             return Some(Neighbor { road, section, end: end.other() });
         }
-        let (target, contact) = self.linked_road(road, end)?;
+        let RoadEnd { road: target, end: contact } = self.linked_road(road, end)?;
         let is_turned = end == contact;
         let section =
             self.section_at(target, contact, if is_turned { lane.saturating_neg() } else { lane })?;
@@ -180,7 +208,7 @@ impl Network {
         &self,
         road: &RoadFacts,
         junction: Name,
-        connecting: Option<(&RoadFacts, Contact)>,
+        connecting: Option<RoadEnd<'_>>,
     ) -> Option<Contact> {
         let target = Some(LinkTarget::Junction(junction));
         match Contact::BOTH.map(|end| road.link(end).map(|link| link.target) == target) {
@@ -188,8 +216,8 @@ impl Network {
             [false, true] => Some(Contact::End),
             [false, false] => None,
             [true, true] => {
-                let (connecting, contact) = connecting?;
-                let link = connecting.link(contact)?;
+                let RoadEnd { road: connecting, end } = connecting?;
+                let link = connecting.link(end)?;
                 (link.target == LinkTarget::Road(road.id)).then_some(link.contact).flatten()
             }
         }
@@ -207,11 +235,11 @@ impl Network {
         }
     }
 
-    /// Foot of a point on a road's reference line, straight between cross-sections: s, t and the distance `[m]`.
-    pub fn project(&self, road: &RoadFacts, [x, y]: [f64; 2]) -> Option<(f64, f64, f64)> {
+    /// Foot of a point on a road's reference line, straight between cross-sections; none where the road has none.
+    pub fn project(&self, road: &RoadFacts, [x, y]: [f64; 2]) -> Option<Foot> {
         let stations = self.stations_of(road);
-        let mut best: Option<(f64, f64, f64)> = None;
-        for (a, b) in stations.pairs() {
+        let mut best: Option<Foot> = None;
+        for [a, b] in stations.pairs() {
             let (dx, dy) = (b.x - a.x, b.y - a.y);
             let square = dx * dx + dy * dy;
             if square <= 0.0 {
@@ -221,9 +249,9 @@ impl Network {
             let part = mapd_geometry::clamp(part, 0.0, 1.0);
             let (px, py) = (x - (a.x + part * dx), y - (a.y + part * dy));
             let distance = mapd_geometry::hypot(px, py);
-            if best.is_none_or(|best| distance < best.2) {
+            if best.is_none_or(|best| distance < best.distance) {
                 let t = (dx * py - dy * px) / square.sqrt();
-                best = Some((a.s + part * (b.s - a.s), t, distance));
+                best = Some(Foot { s: a.s + part * (b.s - a.s), t, distance });
             }
         }
         best

@@ -46,6 +46,15 @@ pub struct PriorityFacts {
     pub low: Name,
 }
 
+/// A connection, and the junction that it belongs to.
+#[derive(Clone, Copy)]
+pub struct JunctionConnection<'a> {
+    /// The junction.
+    pub junction: &'a JunctionFacts,
+    /// The connection.
+    pub connection: &'a ConnectionFacts,
+}
+
 /// A connection of a junction.
 #[derive(Clone, Debug)]
 pub struct ConnectionFacts {
@@ -133,7 +142,7 @@ impl Network {
             self.refer(road(NamedAt::BoundarySegment), &segment.road_id, from, segment.span);
         }
         if let Some(objects) = &junction.objects {
-            self.add_objects(objects, (NamedAt::JunctionObject, from), None);
+            self.add_objects(objects, NamedAt::JunctionObject, from, None);
         }
         let connections = self.add_connections(junction);
         let (controllers, priorities) = self.add_right_of_way(junction);
@@ -208,7 +217,7 @@ impl Network {
     }
 
     /// Connections with their junctions, but for those between places inside roads.
-    pub fn real_connections(&self) -> impl Iterator<Item = (&JunctionFacts, &ConnectionFacts)> {
+    pub fn real_connections(&self) -> impl Iterator<Item = JunctionConnection<'_>> {
         self.junctions.iter().flat_map(move |junction| {
             let written = junction.written.as_ref().map_or(&[][..], |written| &written.connection);
             let is_virtual = |at: usize| {
@@ -216,7 +225,8 @@ impl Network {
                 written.is_some_and(|c| c.predecessor.is_some() && c.successor.is_some())
             };
             let own = self.connections_of(junction).iter().enumerate();
-            own.filter(move |(at, _)| !is_virtual(*at)).map(move |(_, own)| (junction, own))
+            own.filter(move |(at, _)| !is_virtual(*at))
+                .map(move |(_, connection)| JunctionConnection { junction, connection })
         })
     }
 

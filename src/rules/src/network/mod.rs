@@ -22,9 +22,10 @@ pub use facts::{
     Contact, IdentifiedPart, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, PartKind, RoadApart,
     RoadFacts, SectionFacts,
 };
-pub use joints::{LaneJoint, Neighbor};
+pub use joints::{Foot, LaneJoint, Neighbor, RoadEnd};
 pub use junctions::{
-    ConnectedLanes, ConnectionFacts, ControllerFacts, JunctionFacts, PriorityFacts,
+    ConnectedLanes, ConnectionFacts, ControllerFacts, JunctionConnection, JunctionFacts,
+    PriorityFacts,
 };
 pub use names::Name;
 pub use overlap::{CLEARANCE, Overlap, TOUCH};
@@ -34,7 +35,7 @@ pub use stations::{Station, Stations};
 pub(crate) use collect::contact;
 
 use mapd_xodr::Span;
-use names::Names;
+use names::IdTable;
 
 /// No row.
 const NONE: u32 = u32::MAX;
@@ -62,7 +63,7 @@ pub struct Network {
     pub parts: Vec<IdentifiedPart>,
     /// References to ids.
     pub references: Vec<Reference>,
-    names: Names,
+    names: IdTable,
     /// Cross-sections of all roads.
     lines: Vec<stations::OnLine>,
     profiles: Vec<stations::Profile>,

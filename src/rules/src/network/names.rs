@@ -13,9 +13,13 @@ impl Name {
     }
 }
 
-/// Ids by number, and numbers by id.
+/// Ids by number, and numbers by id, while a document is examined.
+///
+/// Not the archive's `StringTable`: that one has the texts of all kinds that rows name, in the order of the archive, and is written to
+/// it. This one also has ids that nothing has but something names, is never written, and is forgotten once links are resolved.
+/// Parts of a document are numbered on many threads; the hashes that are kept make putting them together cheap.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Names {
+pub(crate) struct IdTable {
     /// All of them, one behind the other.
     text: String,
     /// Where each ends, from the second on: the first is empty.
@@ -35,7 +39,7 @@ const MOST_BYTES: usize = u32::MAX as usize;
 /// Places in the smallest table.
 const FEWEST: usize = 64;
 
-impl Names {
+impl IdTable {
     /// None yet, with the same hashes.
     pub(crate) fn another(&self) -> Self {
         Self { hasher: self.hasher.clone(), ..Self::default() }
@@ -47,7 +51,7 @@ impl Names {
     }
 
     /// Number of an id; adds it if it is new. One that no longer fits 4 GiB counts as empty, of which
-    /// [`Names::is_incomplete`] tells: such maps are rejected.
+    /// [`IdTable::is_incomplete`] tells: such maps are rejected.
     pub(crate) fn add(&mut self, text: &str) -> Name {
         if text.is_empty() {
             return Name::default();
@@ -155,12 +159,12 @@ mod tests {
     #[test]
     fn appended_names_are_those_of_one_table() {
         let texts: Vec<String> = (0..1_000).map(|n: u32| (n * n % 701).to_string()).collect();
-        let mut whole = Names::default();
+        let mut whole = IdTable::default();
         let numbers: Vec<Name> = texts.iter().map(|text| whole.add(text)).collect();
         for is_alike in [true, false] {
-            let mut first = Names::default();
+            let mut first = IdTable::default();
             texts[..500].iter().for_each(|text| _ = first.add(text));
-            let mut second = if is_alike { first.another() } else { Names::default() };
+            let mut second = if is_alike { first.another() } else { IdTable::default() };
             let own: Vec<Name> = texts[500..].iter().map(|text| second.add(text)).collect();
             let moved = first.append(&second);
             let there: Vec<Name> = own.iter().map(|name| moved[name.number()]).collect();
@@ -178,15 +182,15 @@ mod tests {
     /// An id that does not fit is told of, also once the part that had it is appended; those before stay what they are.
     #[test]
     fn an_id_beyond_the_limit_is_told_of() {
-        let mut names = Names::default();
-        let enter = |names: &mut Names, text: &str| names.enter(text, names.hash(text), 5);
+        let mut names = IdTable::default();
+        let enter = |names: &mut IdTable, text: &str| names.enter(text, names.hash(text), 5);
         let [one, two] = ["one", "22"].map(|text| enter(&mut names, text));
         assert!(!names.is_incomplete());
         assert_eq!(enter(&mut names, "3"), Name::default());
         assert!(names.is_incomplete());
         assert_eq!([names.text(one), names.text(two)], ["one", "22"]);
         assert_eq!(enter(&mut names, "one"), one);
-        let mut whole = Names::default();
+        let mut whole = IdTable::default();
         whole.append(&names);
         assert!(whole.is_incomplete());
     }

@@ -4,6 +4,7 @@ use super::stretch::Stretch;
 use super::{LinkTarget, Network, RoadFacts};
 use crate::place::text;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// Roads may touch by this much without overlapping `[m]`: borders of neighbors are rounded, and drawn a little over.
 pub const TOUCH: f64 = 0.25;
@@ -74,10 +75,10 @@ impl Network {
     }
 
     /// From where to where one road is overlapped by another: s `[m]`.
-    pub fn overlap_along(&self, road: &RoadFacts, other: &RoadFacts) -> Option<(f64, f64)> {
+    pub fn overlap_along(&self, road: &RoadFacts, other: &RoadFacts) -> Option<Range<f64>> {
         // Cross-sections are too far apart for this: the road is looked at in small steps.
         const STEPS: usize = 400;
-        let mut range: Option<(f64, f64)> = None;
+        let mut range: Option<Range<f64>> = None;
         let ([ax0, ay0, ax1, ay1], [bx0, by0, bx1, by1]) = (road.bounds, other.bounds);
         if ax1 < bx0 || bx1 < ax0 || ay1 < by0 || by1 < ay0 {
             return None;
@@ -89,11 +90,11 @@ impl Network {
                 Stretch::new(0, &self.station_at(road, from)?, &self.station_at(road, to)?)?;
             let stations = self.stations_of(other);
             let is_over =
-                stations.pairs().filter_map(|(a, b)| Stretch::new(1, &a, &b)).any(|other| {
+                stations.pairs().filter_map(|[a, b]| Stretch::new(1, &a, &b)).any(|other| {
                     (other.z - stretch.z).abs() < CLEARANCE && other.depth(&stretch) > 0.0
                 });
             if is_over {
-                range = Some((range.map_or(from, |range| range.0), to));
+                range = Some(range.map_or(from, |range| range.start)..to);
             }
         }
         range

@@ -6,7 +6,7 @@
 
 use super::overlap::{CLEARANCE, Members, Overlap, Overlaps, TOUCH};
 use super::stations::Heading;
-use super::stretch::{Stretch, StretchSummary, bounds};
+use super::stretch::{Across, Stretch, StretchSummary, bounds};
 use super::{Name, Network};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
@@ -266,7 +266,7 @@ impl Network {
             }
             // The ends of a cross-section that two stretches share are computed once.
             let (mut known, mut heading) = (None, Heading::default());
-            for (station, (a, b)) in self.stations_of(road).pairs().enumerate() {
+            for (station, [a, b]) in self.stations_of(road).pairs().enumerate() {
                 let before = known.take();
                 let reach = [a.left, a.right, b.left, b.right].map(f64::abs);
                 let reach = reach.into_iter().fold(0.0, f64::max);
@@ -275,7 +275,9 @@ impl Network {
                 }
                 let ends = (before.unwrap_or_else(|| a.ends(&mut heading)), b.ends(&mut heading));
                 known = Some(ends.1);
-                let stretch = Stretch::between(rank, (&a, ends.0), (&b, ends.1));
+                let [from, to] = [(a, ends.0), (b, ends.1)]
+                    .map(|(station, [left, right])| Across { station, left, right });
+                let stretch = Stretch::between(rank, &from, &to);
                 // A short one that is too narrow to be overlapped by more than a touch: there may be thousands in a metre.
                 let is_narrow = |stretch: &Stretch| b.s - a.s <= TOUCH && stretch.width() <= TOUCH;
                 let Some(stretch) = stretch.filter(|stretch| !is_narrow(stretch)) else { continue };

@@ -213,9 +213,9 @@ impl<'a> Stations<'a> {
     }
 
     /// Each with the next one.
-    pub fn pairs(self) -> impl Iterator<Item = (Station, Station)> + use<'a> {
+    pub fn pairs(self) -> impl Iterator<Item = [Station; 2]> + use<'a> {
         let mut before = None;
-        self.iter().filter_map(move |station| Some((before.replace(station)?, station)))
+        self.iter().filter_map(move |station| Some([before.replace(station)?, station]))
     }
 
     /// s of the one of a number `[m]`.

@@ -37,22 +37,30 @@ pub(super) fn bounds(corners: &[[f64; 2]; 4]) -> [f64; 4] {
         .fold([x, y, x, y], |b, [x, y]| [b[0].min(*x), b[1].min(*y), b[2].max(*x), b[3].max(*y)])
 }
 
+/// A cross-section, and where its ends lie: x, y `[m]`.
+pub(super) struct Across {
+    pub(super) station: Station,
+    pub(super) left: [f64; 2],
+    pub(super) right: [f64; 2],
+}
+
 impl Stretch {
     pub(super) fn new(road: usize, a: &Station, b: &Station) -> Option<Self> {
         let mut heading = Heading::default();
-        Self::between(road, (a, a.ends(&mut heading)), (b, b.ends(&mut heading)))
+        let [a, b] = [a, b].map(|station| {
+            let [left, right] = station.ends(&mut heading);
+            Across { station: *station, left, right }
+        });
+        Self::between(road, &a, &b)
     }
 
     /// As [`Stretch::new`], where the ends of the cross-sections are known.
-    pub(super) fn between(
-        road: usize,
-        (a, [a_left, a_right]): (&Station, [[f64; 2]; 2]),
-        (b, [b_left, b_right]): (&Station, [[f64; 2]; 2]),
-    ) -> Option<Self> {
+    pub(super) fn between(road: usize, from: &Across, to: &Across) -> Option<Self> {
+        let (a, b) = (&from.station, &to.station);
         if a.left - a.right <= 2.0 * TOUCH {
             return None;
         }
-        let corners = [a_right, a_left, b_left, b_right];
+        let corners = [from.right, from.left, to.left, to.right];
         corners.iter().flatten().all(|value| value.is_finite()).then_some(Self {
             road,
             s: (a.s + b.s) / 2.0,

@@ -22,7 +22,8 @@ pub(crate) struct Boot {
 ///
 /// Errors: a client fails.
 pub(crate) fn run(
-    (domain, attach): (&Domain, Attach),
+    domain: &Domain,
+    attach: Attach,
     map: &str,
     file: &str,
     clients: usize,

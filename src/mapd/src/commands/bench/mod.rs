@@ -18,13 +18,13 @@ use figures::Comparison;
 use crate::args::{AttachArgs, Live};
 use crate::exit::Exit;
 use crate::report::hex;
+use crate::source::Attaching;
 use anyhow::{Result, ensure};
 use clap::Args;
-use mapd_client::{Attach, Domain, Snapshot};
+use mapd_client::{Attach, Snapshot};
 use mapd_transport::MAX_SUBSCRIBERS;
 use serde::Serialize;
 use std::io::Write;
-use std::time::Duration;
 
 /// Most clients at once: a thread of this process starts each.
 const MOST_CLIENTS: i64 = 1000;
@@ -84,7 +84,8 @@ impl BenchCommand {
             "--clients {}: a map has room for {most} subscribers of a benchmark; observers are not limited",
             self.clients
         );
-        measure(&self, (&domain, self.attach.get(), wait), out)?;
+        let live = Attaching { domain: &domain, attach: self.attach.get(), wait };
+        measure(&self, live, out)?;
         Ok(Exit::Done)
     }
 }
@@ -92,20 +93,19 @@ impl BenchCommand {
 /// Measures and prints.
 ///
 /// Errors: no source, or none that can be served; a client fails; writing fails.
-fn measure(
-    args: &BenchCommand,
-    live: (&Domain, Attach, Duration),
-    out: &mut dyn Write,
-) -> Result<()> {
+fn measure(args: &BenchCommand, live: Attaching<'_>, out: &mut dyn Write) -> Result<()> {
     served::with(args.source.as_deref(), live, |served| {
         let file = Snapshot::open(&served.file)?;
         let boot = boot::run(
-            (&served.domain, live.1),
+            &served.domain,
+            live.attach,
             &served.name,
             &served.file.display().to_string(),
             usize::from(args.clients),
         )?;
-        let counts = (args.queries as usize, args.routes as usize);
+        let counts =
+            queries::Counts { queries: args.queries as usize, routes: args.routes as usize };
+        let both = queries::OnBoth { shared: served.snapshot.map(), file: file.map() };
         let map = served.snapshot.map();
         let report = Report {
             source: args.source.as_deref().unwrap_or(&served.name),
@@ -118,7 +118,7 @@ fn measure(
             kernel: rustix::system::uname().release().to_string_lossy().into_owned(),
             debug_build: cfg!(debug_assertions),
             boot,
-            queries: queries::compare((&served.snapshot, &file), counts),
+            queries: queries::compare(both, counts),
         };
         if args.json {
             serde_json::to_writer_pretty(&mut *out, &report)?;

@@ -5,7 +5,7 @@ use super::places::{ends, places};
 use mapd_client::compiling::ByRow as _;
 use mapd_client::route::{RouteScratch, ShortestLength};
 use mapd_client::vocabulary::VehicleClass;
-use mapd_client::{Map, NearestOptions, Snapshot};
+use mapd_client::{Map, NearestOptions};
 use std::time::{Duration, Instant};
 
 /// Queries in a row on one side before it is the other's turn: what disturbs the machine disturbs both.
@@ -14,12 +14,25 @@ const TURN: usize = 128;
 /// Pairs of places that are tried for each route.
 const TRIES: usize = 20;
 
+/// The same map on both sides.
+#[derive(Clone, Copy)]
+pub(crate) struct OnBoth<'a> {
+    /// In shared memory.
+    pub(crate) shared: Map<'a>,
+    /// In a file that is mapped.
+    pub(crate) file: Map<'a>,
+}
+
+/// How many queries of each kind are asked.
+#[derive(Clone, Copy)]
+pub(crate) struct Counts {
+    pub(crate) queries: usize,
+    pub(crate) routes: usize,
+}
+
 /// Every kind of query on both sides; kinds that the map has nothing for are left out.
-pub(crate) fn compare(
-    (shared, file): (&Snapshot, &Snapshot),
-    (queries, routes): (usize, usize),
-) -> Vec<Comparison> {
-    let maps = (shared.map(), file.map());
+pub(crate) fn compare(maps: OnBoth<'_>, counts: Counts) -> Vec<Comparison> {
+    let Counts { queries, routes } = counts;
     let options = NearestOptions::default();
     let mut out = Vec::new();
     out.extend(run("clock alone", maps, &vec![(); queries], |_, ()| ()));
@@ -27,7 +40,7 @@ pub(crate) fn compare(
         (false, ["nearest lane, random", "x,y to s,t, random", "s,t to x,y,z, random"]),
         (true, ["nearest lane, trajectory", "x,y to s,t, trajectory", "s,t to x,y,z, trajectory"]),
     ] {
-        let places = places(maps.0, along, queries);
+        let places = places(maps.shared, along, queries);
         out.extend(run(nearest, maps, &places, |map, place| {
             keep(map.nearest_lane(place.point(), &options));
         }));
@@ -40,16 +53,16 @@ pub(crate) fn compare(
             keep(road.map(|road| road.to_inertial(place.track)));
         }));
     }
-    let mut scratch = RouteScratch::with_capacity(maps.0.lane_nodes().len());
+    let mut scratch = RouteScratch::with_capacity(maps.shared.lane_nodes().len());
     let mut steps = Vec::new();
     let cost = ShortestLength::default();
     let car = VehicleClass::PassengerCar;
     // Ends between which there is a way; of a map in many pieces, as many as are found.
-    let mut pairs = ends(maps.0, routes.saturating_mul(TRIES));
+    let mut pairs = ends(maps.shared, routes.saturating_mul(TRIES));
     let mut found = 0;
     pairs.retain(|[from, to]| {
         let wanted = found < routes && {
-            let route = maps.0.route(*from, *to, car, &cost, &mut scratch, &mut steps);
+            let route = maps.shared.route(*from, *to, car, &cost, &mut scratch, &mut steps);
             matches!(route, Ok(Some(_)))
         };
         found += usize::from(wanted);
@@ -64,11 +77,11 @@ pub(crate) fn compare(
 /// Asks everything once on each side, so that pages and caches are warm, then times it in turns.
 fn run<T>(
     what: &'static str,
-    maps: (Map<'_>, Map<'_>),
+    maps: OnBoth<'_>,
     inputs: &[T],
     mut query: impl FnMut(Map<'_>, &T),
 ) -> Option<Comparison> {
-    for map in [maps.0, maps.1] {
+    for map in [maps.shared, maps.file] {
         inputs.iter().for_each(|input| query(map, input));
     }
     let mut time = |map: Map<'_>, inputs: &[T], times: &mut Vec<Duration>| {
@@ -82,11 +95,11 @@ fn run<T>(
     for (turn, inputs) in inputs.chunks(TURN).enumerate() {
         // Who is second finds the inputs in the caches: each is as often.
         if turn % 2 == 0 {
-            time(maps.0, inputs, &mut shared);
-            time(maps.1, inputs, &mut file);
+            time(maps.shared, inputs, &mut shared);
+            time(maps.file, inputs, &mut file);
         } else {
-            time(maps.1, inputs, &mut file);
-            time(maps.0, inputs, &mut shared);
+            time(maps.file, inputs, &mut file);
+            time(maps.shared, inputs, &mut shared);
         }
     }
     Comparison::new(what, shared, file)

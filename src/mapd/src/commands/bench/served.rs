@@ -1,10 +1,10 @@
 //! The map under test: served by a daemon that runs, or by this process for the time of the benchmark.
 
 use crate::serve::{PublishMeta, Server, StopSignal};
-use crate::source::{self, Opened};
+use crate::source::{self, Attaching, Compiling, Opened};
 use anyhow::{Context, Result, bail};
 use mapd_archive::LAYOUT_ID;
-use mapd_client::{Attach, Client, Domain, Snapshot};
+use mapd_client::{Client, Domain, Snapshot};
 use mapd_compiler::{CompileOptions, ReadOptions};
 use mapd_transport::list_maps;
 use std::path::{Path, PathBuf};
@@ -42,14 +42,15 @@ impl Drop for Temporary {
 /// Errors: no source; it cannot be read, is rejected or does not fit into shared memory; what `work` says.
 pub(crate) fn with<T>(
     source: Option<&str>,
-    (domain, attach, wait): (&Domain, Attach, Duration),
+    attaching: Attaching<'_>,
     work: impl FnOnce(&Served) -> Result<T>,
 ) -> Result<T> {
     let live = match source {
-        None => Some(the_only_map(domain)?),
+        None => Some(the_only_map(attaching.domain)?),
         Some(source) => source.strip_prefix(source::SHARED).map(str::to_owned),
     };
     if let Some(name) = live {
+        let Attaching { domain, attach, wait } = attaching;
         let client = Client::connect_as(attach, domain, &name, wait)?;
         let snapshot = client.snapshot();
         let copy = copy_of(&snapshot)?;
@@ -63,8 +64,9 @@ pub(crate) fn with<T>(
         return work(&served);
     }
     let source = source.unwrap_or_default();
-    let compiling = (&ReadOptions::default(), &CompileOptions::default());
-    let opened = source::open(source, compiling, (domain, attach, wait), &mut |_| {})?;
+    let (reading, options) = (ReadOptions::default(), CompileOptions::default());
+    let compiling = Compiling { reading: &reading, options: &options };
+    let opened = source::open(source, compiling, attaching, &mut |_| {})?;
     let archive = match opened {
         Opened::Map(snapshot) => snapshot,
         Opened::Rejected(_) => bail!("{source} is rejected; `mapd check {source}` says why"),
@@ -73,7 +75,7 @@ pub(crate) fn with<T>(
     let copy = (!source::is_archive(path)).then(|| copy_of(&archive)).transpose()?;
     let file = copy.as_ref().map_or_else(|| path.to_owned(), |copy| copy.0.clone());
     serve_meanwhile(&archive, |domain| {
-        let client = Client::connect_as(attach, domain, NAME, WAIT)?;
+        let client = Client::connect_as(attaching.attach, domain, NAME, WAIT)?;
         let snapshot = client.snapshot();
         let (domain, name) = (domain.clone(), NAME.to_owned());
         work(&Served { domain, name, snapshot, file, _client: client })

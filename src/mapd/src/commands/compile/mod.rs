@@ -18,6 +18,7 @@ use crate::exit::Exit;
 use crate::exit::UsageError;
 use crate::progress::Meter;
 use crate::same_file::is_same_file;
+use crate::source::Compiling;
 use anyhow::{Context, Result, bail};
 use clap::{ArgMatches, Args, ValueEnum};
 use mapd_compiler::Progress;
@@ -161,7 +162,12 @@ fn be_child(
                 .and_then(|()| tell(&Message::Progress(progress)));
         }
     };
-    let compiled = one::compile(file, &target, (&reading, &options), &mut progress);
+    let compiled = one::compile(
+        file,
+        &target,
+        Compiling { reading: &reading, options: &options },
+        &mut progress,
+    );
     failed?;
     if compiled.as_ref().is_err_and(|error| error.is::<one::Unwritten>()) {
         tell(&Message::Told(Told { is_unwritten: true, ..Told::default() }))?;
@@ -201,13 +207,17 @@ fn compile_one(
     let (exit, told) = match command.max_memory {
         None => {
             command.threads.start(None)?;
-            let compiled =
-                one::compile(file, &target, (&reading, &options), &mut |p| meter.show(p));
+            let compiled = one::compile(
+                file,
+                &target,
+                Compiling { reading: &reading, options: &options },
+                &mut |p| meter.show(p),
+            );
             meter.finish();
             let (verdict, told) = compiled?;
             (verdict.into(), told)
         }
-        Some(limit) => in_child(command, (file, &target), matches, &meter, limit)?,
+        Some(_) => in_child(command, file, &target, &CompileArguments::of(matches), &meter)?,
     };
     if let Some(made) = told.archive.filter(|_| !command.progress.quiet) {
         writeln!(
@@ -226,17 +236,16 @@ fn compile_one(
 /// Compiles one file in a child, for whoever runs out of memory cannot say much any more.
 fn in_child(
     command: &CompileCommand,
-    (file, target): (&Path, &Target),
-    matches: &ArgMatches,
+    file: &Path,
+    target: &Target,
+    options: &CompileArguments,
     meter: &Meter,
-    limit: Size,
 ) -> Result<(Exit, Told)> {
-    let arguments = CompileArguments::of(matches);
     let work = Work {
         source: file,
         output: Output::At { archive: &target.archive, report: target.report.as_deref() },
-        options: &arguments,
-        memory: Some(limit.0),
+        options,
+        memory: command.max_memory.map(|limit| limit.0),
         threads: command.threads.get(),
         has_input: true,
     };
@@ -249,7 +258,7 @@ fn in_child(
         End::Exit(exit) => return Ok((exit, told)),
         End::OutOfMemory { .. } | End::Broken(_) => draft::remove_left(&target.archive),
     }
-    bail!("{}: {}", file.display(), end.reason(Some(limit.0), "--max-memory"));
+    bail!("{}: {}", file.display(), end.reason(work.memory, "--max-memory"));
 }
 
 fn compile_many(

@@ -4,10 +4,11 @@ use super::up_to_date::{Record, WithRecord};
 use crate::archive_file;
 use crate::child::{ArchiveFacts, Told};
 use crate::same_file::is_same_file;
+use crate::source::Compiling;
 use crate::{draft, report, source};
 use anyhow::{Context, Result, bail};
 use mapd_archive::{HEADER_LENGTH, Header, Rows};
-use mapd_compiler::{CompileOptions, Progress, ReadOptions, Verdict};
+use mapd_compiler::{Progress, Verdict};
 use std::path::{Path, PathBuf};
 
 /// Where archive and report go.
@@ -30,10 +31,10 @@ pub(super) struct Unwritten;
 pub(super) fn compile(
     file: &Path,
     target: &Target,
-    (reading, options): (&ReadOptions, &CompileOptions),
+    compiling: Compiling<'_>,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<(Verdict, Told)> {
-    let compiled = source::compile_file_with(file, reading, options, progress)?;
+    let compiled = source::compile_file_with(file, compiling, progress)?;
     let name = file.display().to_string();
     report::print(&name, &compiled);
     let included: Vec<PathBuf> = compiled.included.iter().map(|file| absolute(file)).collect();

@@ -40,7 +40,7 @@ impl DoctorCommand {
     /// Errors: as [`examine`].
     pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
         let (domain, wait) = self.live.get()?;
-        examine(&self, (&domain, wait), out)
+        examine(&self, &domain, wait, out)
     }
 }
 
@@ -57,7 +57,8 @@ struct Report<'a> {
 /// Errors: the archive's size cannot be had; writing fails.
 fn examine(
     args: &DoctorCommand,
-    (domain, wait): (&Domain, Duration),
+    domain: &Domain,
+    wait: Duration,
     out: &mut dyn Write,
 ) -> Result<Exit> {
     let archive = args.archive.as_deref().map(length).transpose()?.unwrap_or(0);

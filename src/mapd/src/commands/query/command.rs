@@ -1,6 +1,6 @@
 //! `mapd query` on the command line.
 
-use super::{Format, Kind, QueryRunError, RouteArgs, run_under};
+use super::{Asking, Format, Kind, QueryRunError, RouteArgs, run_under};
 use crate::args::{Opening, lane_types, not_negative};
 use crate::clock::since_epoch;
 use crate::exit::{Exit, UsageError};
@@ -105,9 +105,10 @@ impl QueryCommand {
         let Some(snapshot) = self.opening.open(&self.source)? else { return Ok(Exit::Rejected) };
         let is_compiled = source::is_compiled(&self.source);
         let document = if is_compiled { "the document" } else { &*self.source };
-        let how = (&options, &self.route, self.format);
+        let asking =
+            Asking { document, options: &options, route: &self.route, format: self.format };
         let view = self.view(&snapshot)?;
-        run_under((view, document), self.kind, how, io::stdin().lock(), out).map_err(usage_of)?;
+        run_under(view, self.kind, asking, io::stdin().lock(), out).map_err(usage_of)?;
         Ok(Exit::Done)
     }
 }

@@ -9,6 +9,7 @@ use super::{besides, landmarks, localising, matching, signals};
 use clap::ValueEnum;
 use mapd_client::{Lane, Map, NearestOptions, Point, QueryError, Road, Track};
 use mapd_query::glam::DVec2;
+use mapd_query::route::PositionOnLane;
 
 /// A value of s may lie this far `[m]` outside the road: rounding in somebody's file.
 const S_TOLERANCE: f64 = 1e-6;
@@ -289,7 +290,8 @@ impl Kind {
             Self::Landmarks => landmarks::answer(map, row, out)?,
             Self::Signals => {
                 let (lane, s) = lane(holes, map, row)?;
-                signals::answer(map, (&lane, s), row.number("distance")?, router.vehicle(), out)?;
+                let from = PositionOnLane { lane: lane.lane_id(), s };
+                signals::answer(map, from, row.number("distance")?, router.vehicle(), out)?;
             }
             Self::Annotations => besides::annotations(map, holes, row, out)?,
             Self::Visibility => {
@@ -408,19 +410,27 @@ pub(super) fn lane<'a>(
     map: Map<'a>,
     row: &Row<'_>,
 ) -> Result<(Lane<'a>, f64), String> {
-    lane_in(holes, map, row, ("road_id", "s", "lane_id"))
+    lane_in(holes, map, row, LaneColumns { road: "road_id", s: "s", lane: "lane_id" })
 }
 
-/// As [`lane`], from columns of these names for road, s and lane number.
+/// Names of the columns that say where on a lane.
+pub(super) struct LaneColumns {
+    pub(super) road: &'static str,
+    pub(super) s: &'static str,
+    /// Its number.
+    pub(super) lane: &'static str,
+}
+
+/// As [`lane`], from columns of these names.
 pub(super) fn lane_in<'a>(
     holes: &Holes<'_>,
     map: Map<'a>,
     row: &Row<'_>,
-    (road, s, lane): (&str, &str, &str),
+    columns: LaneColumns,
 ) -> Result<(Lane<'a>, f64), String> {
-    let road = road_in(holes, map, row, road)?;
-    let s = s_in(&road, row, s)?;
-    let number = row.lane_number(lane)?;
+    let road = road_in(holes, map, row, columns.road)?;
+    let s = s_in(&road, row, columns.s)?;
+    let number = row.lane_number(columns.lane)?;
     let missing =
         |what: String| holes.because(road.id(), format!("road {:?} has {what}", road.id()));
     let section = road.section_at(s).ok_or_else(|| missing("no lane section".to_owned()))?;

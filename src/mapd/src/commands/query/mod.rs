@@ -59,29 +59,43 @@ pub enum QueryRunError {
     Io(#[from] std::io::Error),
 }
 
-/// Answers every row of `input`. `document` is what messages call the OpenDRIVE file that the map was made from.
+/// How questions are answered and written.
+#[derive(Clone, Copy)]
+pub struct Asking<'a> {
+    /// What messages call the OpenDRIVE file that the map was made from.
+    pub document: &'a str,
+    /// What counts as near.
+    pub options: &'a NearestOptions,
+    /// How routes are searched.
+    pub route: &'a RouteArgs,
+    /// How answers are written.
+    pub format: Format,
+}
+
+/// Answers every row of `input`.
 ///
 /// Errors: missing columns; reading or writing fails.
 pub fn run(
-    (map, document): (Map<'_>, &str),
+    map: Map<'_>,
     kind: Kind,
-    how: (&NearestOptions, &RouteArgs, Format),
+    asking: Asking<'_>,
     input: impl Read,
     output: impl Write,
 ) -> Result<(), QueryRunError> {
-    run_under((View::of(map, None, UNIX_EPOCH), document), kind, how, input, output)
+    run_under(View::of(map, None, UNIX_EPOCH), kind, asking, input, output)
 }
 
 /// As [`run`], heeding what is laid over the map where routes are asked for.
 ///
 /// Errors: as [`run`].
 pub fn run_under(
-    (view, document): (View<'_>, &str),
+    view: View<'_>,
     kind: Kind,
-    (options, route, format): (&NearestOptions, &RouteArgs, Format),
+    asking: Asking<'_>,
     input: impl Read,
     output: impl Write,
 ) -> Result<(), QueryRunError> {
+    let Asking { document, options, route, format } = asking;
     let map = view.map();
     let mut reader =
         csv::ReaderBuilder::new().trim(csv::Trim::Headers).flexible(true).from_reader(input);

@@ -1,7 +1,7 @@
 //! `mapd query … route`.
 
 use super::holes::{Holes, exit};
-use super::kinds::{lane_in, number, text};
+use super::kinds::{LaneColumns, lane_in, number, text};
 use super::row::Row;
 use crate::args::{not_negative, vehicle};
 use clap::{Args, ValueEnum};
@@ -125,7 +125,7 @@ impl<'a> Router<'a> {
     ) -> Result<Route, String> {
         self.steps.clear();
         let place = |road, s, lane| {
-            let (lane, s) = lane_in(holes, map, row, (road, s, lane))?;
+            let (lane, s) = lane_in(holes, map, row, LaneColumns { road, s, lane })?;
             Ok::<_, String>(PositionOnLane { lane: lane.lane_id(), s })
         };
         let from = place("from_road", "from_s", "from_lane")?;

@@ -1,7 +1,7 @@
 //! `mapd query … signals`.
 
 use super::kinds::{number, numbers, text};
-use mapd_client::{Lane, Map};
+use mapd_client::Map;
 use mapd_query::route::PositionOnLane;
 use mapd_query::signals::{LightStates, SignalsAhead};
 use mapd_query::vocabulary::VehicleClass;
@@ -26,13 +26,12 @@ pub(super) const COLUMNS: &[&str] = &[
 /// once, where it is met first.
 pub(super) fn answer(
     map: Map<'_>,
-    (lane, s): (&Lane<'_>, f64),
+    from: PositionOnLane,
     distance: f64,
     vehicle: VehicleClass,
     out: &mut Vec<String>,
 ) -> Result<(), String> {
     let mut ahead = SignalsAhead::default();
-    let from = PositionOnLane { lane: lane.lane_id(), s };
     map.signals_ahead(from, distance, vehicle, &mut ahead).map_err(text)?;
     let mut seen = std::collections::HashSet::new();
     for one in ahead.iter().filter(|one| seen.insert(one.signal)) {

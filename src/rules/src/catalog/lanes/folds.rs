@@ -66,7 +66,7 @@ fn folded(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
         let mut worst = BTreeMap::new();
         for side in [Side::Left, Side::Right] {
             if !section.side(side).is_empty() {
-                look(of, (&section, side), step, &mut worst);
+                look(of, &section, side, step, &mut worst);
             }
         }
         for fold in worst.values() {
@@ -84,7 +84,8 @@ fn folded(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
 /// Looks along a side of a section.
 fn look<'a>(
     of: &RoadIn<'a>,
-    (section, side): (&SectionIn<'a>, Side),
+    section: &SectionIn<'a>,
+    side: Side,
     step: f64,
     worst: &mut BTreeMap<i32, Fold<'a>>,
 ) {

@@ -5,7 +5,7 @@ use crate::network::Network;
 use crate::place::{number, text, value};
 use crate::rule::Check::Network as All;
 use crate::rule::{Rule, Tolerance};
-use crate::sink::Sink;
+use crate::sink::{PartOf, Sink};
 use mapd_xodr::{BoundarySegment, Junction, PositionOrEnd, SegmentType, Span};
 use std::collections::HashSet;
 
@@ -188,7 +188,7 @@ fn closed(network: &Network, sink: &mut Sink<'_>) {
             let (Some(&end), Some(&start)) = (before.last(), line.first()) else { continue };
             let gap = distance(end, start);
             if gap > GAP.value {
-                let part = ("junction", text(&junction.id), "boundary/segment");
+                let part = PartOf::junction(text(&junction.id), "boundary/segment");
                 sink.add_in(
                     part,
                     *span,
@@ -219,7 +219,7 @@ fn counter_clockwise(network: &Network, sink: &mut Sink<'_>) {
             .sum();
         if area < 0.0 {
             let span = junction.boundary.as_ref().map_or(junction.span, |boundary| boundary.span);
-            let part = ("junction", text(&junction.id), "boundary");
+            let part = PartOf::junction(text(&junction.id), "boundary");
             sink.add_in(
                 part,
                 span,
@@ -244,7 +244,7 @@ fn each_road(network: &Network, sink: &mut Sink<'_>) {
         let roads = network.name_of(id).into_iter().flat_map(|id| network.roads_into(id));
         for own in roads.map(|road| network.name(road.id)).filter(|own| !named.contains(own)) {
             let expected = format_args!("a segment at road {own}");
-            sink.add_in(("junction", id, "boundary"), boundary.span, expected, "none");
+            sink.add_in(PartOf::junction(id, "boundary"), boundary.span, expected, "none");
         }
     }
 }
@@ -281,7 +281,7 @@ fn line_crosses(network: &Network, sink: &mut Sink<'_>) {
             touches || crosses
         });
         if !meets {
-            let part = ("junction", text(&junction.id), "planView");
+            let part = PartOf::junction(text(&junction.id), "planView");
             sink.add_in(part, span, "a line that meets the boundary", "one beside it");
         }
     }
@@ -294,7 +294,7 @@ fn line_spans(network: &Network, sink: &mut Sink<'_>) {
         let outside = points.iter().map(|point| along(start, direction, *point).0);
         let beyond = outside.map(|s| (-s).max(s - length)).fold(0.0, f64::max);
         if beyond > GAP.value {
-            let part = ("junction", text(&junction.id), "planView");
+            let part = PartOf::junction(text(&junction.id), "planView");
             let found = format_args!("{beyond:.2} m of the junction beyond it");
             sink.add_in(part, span, "a line as long as the junction", found);
         }
@@ -330,7 +330,7 @@ fn grid_covers(network: &Network, sink: &mut Sink<'_>) {
         };
         let beyond = points.iter().map(outside).fold(0.0, f64::max);
         if beyond > GAP.value {
-            let part = ("junction", text(&junction.id), "elevationGrid");
+            let part = PartOf::junction(text(&junction.id), "elevationGrid");
             sink.add_in(
                 part,
                 grid.span,

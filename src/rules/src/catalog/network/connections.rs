@@ -4,13 +4,14 @@ use super::joints::{Edge, KINK};
 use crate::catalog::lanes::is_drivable;
 use crate::example::Example::{Document, Junction as In};
 use crate::network::{
-    ConnectedJoint, ConnectionFacts, Contact, JunctionFacts, LinkTarget, Name, Network, RoadFacts,
+    ConnectedJoint, ConnectionFacts, Contact, JunctionConnection, JunctionFacts, LinkTarget, Name,
+    Network, RoadEnd, RoadFacts,
 };
 use crate::place::text;
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
-use crate::sink::Sink;
-use mapd_xodr::{JunctionType as Kind, Span};
+use crate::sink::{PartOf, Sink};
+use mapd_xodr::JunctionType as Kind;
 use std::collections::{BTreeMap, BTreeSet};
 
 const SOUND: crate::example::Example = In(
@@ -124,8 +125,9 @@ fn joined(network: &Network) -> impl Iterator<Item = Joined<'_>> {
             let incoming = network.road_named(connection.incoming);
             let connecting = network.road_named(connection.connecting);
             let contact = connection.contact;
-            let incoming_end = incoming
-                .and_then(|road| network.end_at_junction(road, id, connecting.zip(contact)));
+            let incoming_end = incoming.and_then(|road| {
+                network.end_at_junction(road, id, RoadEnd::of(connecting, contact))
+            });
             Joined { network, junction, connection, incoming, connecting, contact, incoming_end }
         })
     })
@@ -133,34 +135,29 @@ fn joined(network: &Network) -> impl Iterator<Item = Joined<'_>> {
 
 /// Adds a finding about a connection.
 pub(super) fn add_to_connection(
-    at: (&Network, &JunctionFacts, &ConnectionFacts),
+    network: &Network,
+    at: JunctionConnection<'_>,
     sink: &mut Sink<'_>,
     expected: impl std::fmt::Display,
     found: impl std::fmt::Display,
 ) {
-    add_to_part(at, ("", at.2.span), sink, expected, found);
+    let id = network.name(at.connection.id);
+    let path = format!("connection[@id={id}]");
+    let part = PartOf::junction(network.junction_id(at.junction), &path);
+    sink.add_in(part, at.connection.span, expected, found);
 }
 
 /// Adds a finding about a link of a connection.
 pub(super) fn add_to_link(
-    (network, joint): (&Network, &ConnectedJoint<'_>),
+    network: &Network,
+    joint: &ConnectedJoint<'_>,
     sink: &mut Sink<'_>,
     expected: impl std::fmt::Display,
     found: impl std::fmt::Display,
 ) {
-    let at = (network, joint.junction, joint.connection);
-    add_to_part(at, ("/laneLink", joint.link.span), sink, expected, found);
-}
-
-fn add_to_part(
-    (network, junction, connection): (&Network, &JunctionFacts, &ConnectionFacts),
-    (within, span): (&str, Span),
-    sink: &mut Sink<'_>,
-    expected: impl std::fmt::Display,
-    found: impl std::fmt::Display,
-) {
-    let part = format!("connection[@id={}]{within}", network.name(connection.id));
-    sink.add_in(("junction", network.junction_id(junction), &part), span, expected, found);
+    let path = format!("connection[@id={}]/laneLink", network.name(joint.connection.id));
+    let part = PartOf::junction(network.junction_id(joint.junction), &path);
+    sink.add_in(part, joint.link.span, expected, found);
 }
 
 impl Joined<'_> {
@@ -170,8 +167,8 @@ impl Joined<'_> {
         expected: impl std::fmt::Display,
         found: impl std::fmt::Display,
     ) {
-        let about = (self.network, self.junction, self.connection);
-        add_to_connection(about, sink, expected, found);
+        let at = JunctionConnection { junction: self.junction, connection: self.connection };
+        add_to_connection(self.network, at, sink, expected, found);
     }
 }
 
@@ -229,8 +226,10 @@ fn lane_links(network: &Network, sink: &mut Sink<'_>) {
                     );
                     let span = link.span;
                     let found = format_args!("lane {id}, which does not exist");
-                    let junction = (network, joined.junction, joined.connection);
-                    add_to_part(junction, ("/laneLink", span), sink, expected, found);
+                    let id = network.name(joined.connection.id);
+                    let path = format!("connection[@id={id}]/laneLink");
+                    let part = PartOf::junction(network.junction_id(joined.junction), &path);
+                    sink.add_in(part, span, expected, found);
                 }
             }
         }
@@ -250,7 +249,7 @@ fn smooth(network: &Network, sink: &mut Sink<'_>) {
         if kink > KINK.value {
             let [from, to] = [&joint.from, &joint.to].map(|end| end.lane.id);
             let expected = format_args!("lanes {from} and {to} with one heading");
-            add_to_link((network, &joint), sink, expected, format_args!("a kink of {kink:.4} rad"));
+            add_to_link(network, &joint, sink, expected, format_args!("a kink of {kink:.4} rad"));
         }
     }
 }
@@ -284,7 +283,7 @@ fn not_only_two(network: &Network, sink: &mut Sink<'_>) {
     for junction in junctions.filter(|j| matches!(j.kind, Kind::Default | Kind::Direct)) {
         let arms = arms(network, junction);
         if arms.len() <= 2 && !network.connections_of(junction).is_empty() {
-            let part = ("junction", network.junction_id(junction), "");
+            let part = PartOf::junction(network.junction_id(junction), "");
             sink.add_in(part, junction.span, "more than two roads", arms.len());
         }
     }
@@ -302,7 +301,7 @@ fn has_choice(network: &Network, sink: &mut Sink<'_>) {
             }
         }
         if !from.is_empty() && from.values().chain(to.values()).all(|count| *count == 1) {
-            let part = ("junction", network.junction_id(junction), "");
+            let part = PartOf::junction(network.junction_id(junction), "");
             sink.add_in(
                 part,
                 junction.span,
@@ -322,7 +321,12 @@ fn surface(network: &Network, sink: &mut Sink<'_>) {
         let Some(name) = network.name_of(id) else { continue };
         for road in network.roads_within(name).filter(|road| road.has_crg) {
             let expected = format_args!("no surface data, for junction {id} has some");
-            sink.add_in(("road", network.name(road.id), "surface"), road.span, expected, "some");
+            sink.add_in(
+                PartOf::road(network.name(road.id), "surface"),
+                road.span,
+                expected,
+                "some",
+            );
         }
     }
 }

@@ -2,11 +2,11 @@
 
 use crate::catalog::junctions::kind;
 use crate::example::Example::Document;
-use crate::network::{Contact, Network, RoadFacts};
+use crate::network::{Contact, Foot, Network, RoadFacts};
 use crate::place::{number, text, value};
 use crate::rule::Check::Network as All;
 use crate::rule::{Rule, Tolerance};
-use crate::sink::Sink;
+use crate::sink::{PartOf, Sink};
 use mapd_xodr::{CrossPath, CrossPathLaneLink, Junction, JunctionType as Kind, LaneType};
 
 /// How far the end of a path may be outside of its lane.
@@ -109,13 +109,14 @@ fn ends(network: &Network) -> impl Iterator<Item = End<'_>> {
 }
 
 fn add(
-    (junction, path): (&Junction, &CrossPath),
+    junction: &Junction,
+    path: &CrossPath,
     sink: &mut Sink<'_>,
     expected: impl std::fmt::Display,
     found: impl std::fmt::Display,
 ) {
     let part = format!("crossPath[@id={}]", text(&path.id));
-    sink.add_in(("junction", text(&junction.id), &part), path.span, expected, found);
+    sink.add_in(PartOf::junction(text(&junction.id), &part), path.span, expected, found);
 }
 
 fn junction_id(network: &Network, sink: &mut Sink<'_>) {
@@ -125,7 +126,7 @@ fn junction_id(network: &Network, sink: &mut Sink<'_>) {
         let own = road.junction.map(|junction| network.name(junction));
         if own != Some(id) {
             let expected = format_args!("road {} of junction {id}", network.name(road.id));
-            add((junction, path), sink, expected, own.unwrap_or("none"));
+            add(junction, path, sink, expected, own.unwrap_or("none"));
         }
     }
 }
@@ -141,7 +142,7 @@ fn lane_types(network: &Network, sink: &mut Sink<'_>) {
         ) {
             let road = network.name(road.id);
             let found = format_args!("lane {from} of road {road}, for {}", lane.kind.name());
-            add((end.junction, end.path), sink, "a lane for walking or biking", found);
+            add(end.junction, end.path, sink, "a lane for walking or biking", found);
         }
     }
 }
@@ -160,7 +161,8 @@ fn lanes_there(network: &Network, sink: &mut Sink<'_>) {
             if network.lane(section, id).is_none() && id != 0 {
                 let expected = format_args!("a lane of road {}", network.name(road.id));
                 add(
-                    (end.junction, end.path),
+                    end.junction,
+                    end.path,
                     sink,
                     expected,
                     format_args!("lane {id}, which does not exist"),
@@ -175,7 +177,9 @@ fn contained(network: &Network, sink: &mut Sink<'_>) {
         let Some(crossing) = network.road(text(&end.path.crossing_road)) else { continue };
         let (Some(road), Some(from)) = (end.touched, value(&end.link.from)) else { continue };
         let Some(station) = network.station_of(crossing, end.contact) else { continue };
-        let Some((s, t, _)) = network.project(road, [station.x, station.y]) else { continue };
+        let Some(Foot { s, t, .. }) = network.project(road, [station.x, station.y]) else {
+            continue;
+        };
         let section = network.section_over(road, number(&end.link.s), from);
         let Some((section, lane)) =
             section.and_then(|section| Some((section, network.lane(section, from)?)))
@@ -189,7 +193,7 @@ fn contained(network: &Network, sink: &mut Sink<'_>) {
                 "an end within lane {from} of road {}, t from {low:.2} to {high:.2}",
                 network.name(road.id)
             );
-            add((end.junction, end.path), sink, expected, format_args!("{t:.2}"));
+            add(end.junction, end.path, sink, expected, format_args!("{t:.2}"));
         }
     }
 }
@@ -202,7 +206,9 @@ fn within_main_road(network: &Network, sink: &mut Sink<'_>) {
             continue;
         };
         for station in network.stations_of(crossing).iter() {
-            let Some((s, t, _)) = network.project(main, [station.x, station.y]) else { continue };
+            let Some(Foot { s, t, .. }) = network.project(main, [station.x, station.y]) else {
+                continue;
+            };
             let Some(across) = network.station_at(main, s) else { continue };
             if t > across.left + AREA.value || t < across.right - AREA.value {
                 let expected = format_args!(
@@ -211,7 +217,7 @@ fn within_main_road(network: &Network, sink: &mut Sink<'_>) {
                     across.left,
                     network.name(main.id)
                 );
-                add((junction, path), sink, expected, format_args!("{t:.2}"));
+                add(junction, path, sink, expected, format_args!("{t:.2}"));
                 break;
             }
         }
@@ -242,7 +248,7 @@ fn within_junction(network: &Network, sink: &mut Sink<'_>) {
             && let Some(station) = network.stations_of(crossing).iter().find(is_outside)
         {
             let found = format_args!("it at ({:.2}, {:.2})", station.x, station.y);
-            add((junction, path), sink, "a path within the junction", found);
+            add(junction, path, sink, "a path within the junction", found);
         }
     }
 }

@@ -6,8 +6,9 @@ use crate::network::Network;
 use crate::place::{number, text};
 use crate::rule::Check::Network as All;
 use crate::rule::{Rule, Tolerance};
-use crate::sink::Sink;
+use crate::sink::{PartOf, Sink};
 use mapd_xodr::JunctionType as Kind;
+use std::ops::Range;
 
 /// How far roads may overlap beyond the stretches.
 const BEYOND: Tolerance = Tolerance { name: "overlap beyond the stretch", value: 0.5, unit: "m" };
@@ -40,7 +41,7 @@ fn cover(network: &Network, sink: &mut Sink<'_>) {
     {
         let sections = &junction.road_section;
         if sections.len() > SECTIONS {
-            let part = ("junction", text(&junction.id), "roadSection");
+            let part = PartOf::junction(text(&junction.id), "roadSection");
             let expected = format_args!("at most {SECTIONS} road sections that are compared");
             sink.add_in(part, junction.span, expected, sections.len());
         }
@@ -50,10 +51,12 @@ fn cover(network: &Network, sink: &mut Sink<'_>) {
             let others = sections.iter().filter(|other| other.road_id != section.road_id);
             for other in others {
                 let Some(other) = network.road(text(&other.road_id)) else { continue };
-                let Some((start, end)) = network.overlap_along(road, other) else { continue };
+                let Some(Range { start, end }) = network.overlap_along(road, other) else {
+                    continue;
+                };
                 let (from, to) = (number(&section.s_start), number(&section.s_end));
                 if start < from - BEYOND.value || end > to + BEYOND.value {
-                    let part = ("junction", text(&junction.id), "roadSection");
+                    let part = PartOf::junction(text(&junction.id), "roadSection");
                     let road = network.name(road.id);
                     let expected =
                         format_args!("a stretch of road {road} from {start:.2} to {end:.2}");

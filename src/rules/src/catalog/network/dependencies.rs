@@ -4,7 +4,7 @@ use crate::example::Example::{Document, Road as InRoad, Signals};
 use crate::network::{Name, NamedAt, Network, PartKind, Reference};
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
-use crate::sink::Sink;
+use crate::sink::{PartOf, Sink};
 use std::collections::{HashMap, HashSet};
 
 pub(super) static RULES: &[Rule] = &[
@@ -133,7 +133,11 @@ fn gantry(network: &Network, sink: &mut Sink<'_>) {
         group.retain(|object| own.contains(object));
         if group.is_empty() && !own.is_empty() {
             sink.add_in(
-                ("vmsGroup", network.name(board.from), "vmsBoardReference"),
+                PartOf {
+                    element: "vmsGroup",
+                    id: network.name(board.from),
+                    path: "vmsBoardReference",
+                },
                 board.span,
                 "boards of one gantry",
                 format_args!("signal {} at another", network.name(board.id)),

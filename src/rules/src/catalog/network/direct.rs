@@ -4,7 +4,7 @@ use super::connections::{add_to_connection, add_to_link};
 use super::joints::{CORNER, Edge, KINK, STEP};
 use crate::catalog::lanes::is_drivable;
 use crate::example::Example::Document;
-use crate::network::{ConnectionFacts, Contact, JunctionFacts, Network, RoadFacts};
+use crate::network::{ConnectionFacts, JunctionConnection, JunctionFacts, Network, RoadEnd};
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
 use crate::sink::Sink;
@@ -50,8 +50,8 @@ struct Joined<'a> {
     network: &'a Network,
     junction: &'a JunctionFacts,
     connection: &'a ConnectionFacts,
-    incoming: (&'a RoadFacts, Contact),
-    linked: (&'a RoadFacts, Contact),
+    incoming: RoadEnd<'a>,
+    linked: RoadEnd<'a>,
 }
 
 fn joined(network: &Network) -> impl Iterator<Item = Joined<'_>> {
@@ -72,14 +72,14 @@ impl Joined<'_> {
         expected: impl std::fmt::Display,
         found: impl std::fmt::Display,
     ) {
-        let about = (self.network, self.junction, self.connection);
-        add_to_connection(about, sink, expected, found);
+        let at = JunctionConnection { junction: self.junction, connection: self.connection };
+        add_to_connection(self.network, at, sink, expected, found);
     }
 
     /// The two reference lines where they meet.
     fn lines(&self, network: &Network) -> Option<(Edge, Edge)> {
-        let edge = |(road, end): (&RoadFacts, Contact)| {
-            Some(Edge { station: network.station_of(road, end)?, borders: [0.0; 2] })
+        let edge = |at: RoadEnd<'_>| {
+            Some(Edge { station: network.station_of(at.road, at.end)?, borders: [0.0; 2] })
         };
         Some((edge(self.incoming)?, edge(self.linked)?))
     }
@@ -98,7 +98,7 @@ fn smooth(network: &Network, sink: &mut Sink<'_>) {
         if gap > CORNER.value {
             let [from, to] = [&joint.from, &joint.to].map(|end| end.lane.id);
             let expected = format_args!("lanes {from} and {to} that meet");
-            add_to_link((network, &joint), sink, expected, format_args!("a gap of {gap:.3} m"));
+            add_to_link(network, &joint, sink, expected, format_args!("a gap of {gap:.3} m"));
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::example::Example::{Document, Signals};
 use crate::network::{IdentifiedPart, Name, NamedAt, Network, PartKind};
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
-use crate::sink::Sink;
+use crate::sink::{PartOf, Sink};
 use mapd_xodr::Severity;
 use std::collections::{HashMap, HashSet};
 
@@ -144,7 +144,7 @@ fn signals_only(network: &Network, sink: &mut Sink<'_>) {
         if let Some(kind) = PartKind::ALL.iter().find(|kind| found & kind.bit() != 0) {
             let found = format_args!("that of a {}", kind.name());
             sink.add_in(
-                ("road", network.name(reference.from), reference.at.path()),
+                PartOf::road(network.name(reference.from), reference.at.path()),
                 reference.span,
                 "the id of a signal",
                 found,

@@ -3,7 +3,7 @@
 use super::connections::{add_to_connection, add_to_link};
 use crate::catalog::lanes::is_drivable;
 use crate::example::Example::{Document, Junction as In};
-use crate::network::{Contact, LaneEnd, Name, Network};
+use crate::network::{Contact, JunctionConnection, LaneEnd, Name, Network};
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
 use crate::sink::Sink;
@@ -51,7 +51,8 @@ fn within(network: &Network, sink: &mut Sink<'_>) {
                 let road = network.name(connection.incoming);
                 let found = format_args!("road {road}, which is within a junction");
                 let expected = "a road that leads into the junction from outside";
-                add_to_connection((network, junction, connection), sink, expected, found);
+                let at = JunctionConnection { junction, connection };
+                add_to_connection(network, at, sink, expected, found);
             }
         }
     }
@@ -64,8 +65,8 @@ fn one_link(network: &Network, sink: &mut Sink<'_>) {
             let (from, to) = (connection.incoming, connection.connecting);
             if from != Name::default() && to != Name::default() && !pairs.insert((from, to)) {
                 let found = format_args!("another to road {}", network.name(to));
-                let at = (network, junction, connection);
-                add_to_connection(at, sink, "one connection of two roads", found);
+                let at = JunctionConnection { junction, connection };
+                add_to_connection(network, at, sink, "one connection of two roads", found);
             }
         }
     }
@@ -82,6 +83,6 @@ fn one_link(network: &Network, sink: &mut Sink<'_>) {
         };
         let (lane, road) = (end.lane.id, network.name(end.road.id));
         let found = format_args!("lane {lane} of road {road}, which leads the other way");
-        add_to_link((network, &joint), sink, "lanes that lead into the junction", found);
+        add_to_link(network, &joint, sink, "lanes that lead into the junction", found);
     }
 }

@@ -3,10 +3,12 @@
 use super::connections::add_to_link;
 use crate::catalog::lanes::is_drivable;
 use crate::example::Example::Lanes;
-use crate::network::{ConnectedJoint, Contact, LaneEnd, LaneJoint, Neighbor, Network, Station};
+use crate::network::{
+    ConnectedJoint, Contact, LaneEnd, LaneJoint, Neighbor, Network, RoadEnd, Station,
+};
 use crate::rule::Check::Network as All;
 use crate::rule::{Rule, Tolerance};
-use crate::sink::Sink;
+use crate::sink::{PartOf, Sink};
 use mapd_geometry::normalize_angle;
 use mapd_xodr::{JunctionType as Kind, Span};
 use std::collections::BTreeMap;
@@ -124,7 +126,7 @@ fn corners(network: &Network, sink: &mut Sink<'_>) {
         let (own, road) = (network.name(joint.road.id), network.name(other.road.id));
         let expected = format_args!("the corners of lane {} of road {road}", other.lane.id);
         let found = format_args!("them {gap:.3} m away");
-        sink.add_in(("road", own, &part), link, expected, found);
+        sink.add_in(PartOf::road(own, &part), link, expected, found);
     };
     network.lane_joints().for_each(|joint| {
         let Some(Neighbor { road, section, end }) = joint.neighbor else { return };
@@ -209,7 +211,7 @@ fn connected_corners(network: &Network, joints: &[ConnectedJoint<'_>], sink: &mu
             let Some(joint) = group.get(at) else { continue };
             let [from, to] = [&joint.from, &joint.to].map(|end| end.lane.id);
             let expected = format_args!("lanes {from} and {to} that meet");
-            add_to_link((network, joint), sink, expected, format_args!("a gap of {gap:.3} m"));
+            add_to_link(network, joint, sink, expected, format_args!("a gap of {gap:.3} m"));
         }
     }
 }
@@ -217,7 +219,10 @@ fn connected_corners(network: &Network, joints: &[ConnectedJoint<'_>], sink: &mu
 fn heights(network: &Network, sink: &mut Sink<'_>) {
     for road in &network.roads {
         for end in Contact::BOTH {
-            let Some((target, contact)) = network.linked_road(road, end) else { continue };
+            let Some(RoadEnd { road: target, end: contact }) = network.linked_road(road, end)
+            else {
+                continue;
+            };
             let (Some(own), Some(other)) =
                 (network.station_of(road, end), network.station_of(target, contact))
             else {
@@ -231,7 +236,7 @@ fn heights(network: &Network, sink: &mut Sink<'_>) {
                 let target = network.name(target.id);
                 let expected = format_args!("the height {:.3} m, that of road {target}", other.z);
                 sink.add_in(
-                    ("road", network.name(road.id), "link"),
+                    PartOf::road(network.name(road.id), "link"),
                     span,
                     expected,
                     format_args!("{:.3} m", own.z),

@@ -6,7 +6,7 @@ use crate::example::Example::{Document, Junction, Lanes};
 use crate::network::{Contact, LaneJoint, LinkTarget, Network};
 use crate::rule::Check::Network as All;
 use crate::rule::{Rule, Tolerance};
-use crate::sink::Sink;
+use crate::sink::{PartOf, Sink};
 use mapd_xodr::JunctionType as Kind;
 use std::collections::BTreeSet;
 
@@ -127,7 +127,8 @@ const fn roads() -> crate::example::Example {
 
 /// Adds a finding about a lane's link.
 fn add(
-    (network, joint): (&Network, &LaneJoint<'_>),
+    network: &Network,
+    joint: &LaneJoint<'_>,
     sink: &mut Sink<'_>,
     expected: impl std::fmt::Display,
     found: impl std::fmt::Display,
@@ -138,7 +139,7 @@ fn add(
     };
     let (s, id) = (joint.section.s, joint.lane.id);
     let part = format!("lanes/laneSection[@s={s}]/lane[@id={id}]/link/{name}");
-    sink.add_in(("road", network.name(joint.road.id), &part), joint.link.span, expected, found);
+    sink.add_in(PartOf::road(network.name(joint.road.id), &part), joint.link.span, expected, found);
 }
 
 fn orphans(network: &Network, sink: &mut Sink<'_>) {
@@ -150,7 +151,8 @@ fn orphans(network: &Network, sink: &mut Sink<'_>) {
             let road = network.name(neighbor.road.id);
             let expected = format_args!("a lane of road {road} at s = {}", neighbor.section.s);
             add(
-                (network, &joint),
+                network,
+                &joint,
                 sink,
                 expected,
                 format_args!("lane {}, which does not exist", joint.link.id),
@@ -170,7 +172,7 @@ fn both_ways(network: &Network, sink: &mut Sink<'_>) {
         if !back.iter().any(|link| link.id == joint.lane.id) {
             let road = network.name(neighbor.road.id);
             let expected = format_args!("a link back from lane {} of road {road}", target.id);
-            add((network, &joint), sink, expected, "none");
+            add(network, &joint, sink, expected, "none");
         }
     });
 }
@@ -181,7 +183,8 @@ fn opening(network: &Network, sink: &mut Sink<'_>) {
         let opens = target.width(neighbor.end) <= NONE.value;
         if opens && joint.lane.width(joint.end) > NONE.value {
             add(
-                (network, &joint),
+                network,
+                &joint,
                 sink,
                 "no link to a lane without width here",
                 format_args!("one to lane {}", target.id),
@@ -192,7 +195,7 @@ fn opening(network: &Network, sink: &mut Sink<'_>) {
         let opens = joint.to.width() <= NONE.value && joint.from.width() > NONE.value;
         if opens && !network.links_back(&joint) {
             let found = format_args!("one to lane {}", joint.to.lane.id);
-            add_to_link((network, &joint), sink, "no link to a lane without width here", found);
+            add_to_link(network, &joint, sink, "no link to a lane without width here", found);
         }
     }
 }
@@ -202,7 +205,8 @@ fn no_width(network: &Network, end: Contact, sink: &mut Sink<'_>) {
     joints.filter(|joint| joint.end == end && joint.target.is_some()).for_each(|joint| {
         if joint.lane.width(end) <= NONE.value {
             add(
-                (network, &joint),
+                network,
+                &joint,
                 sink,
                 "no link of a lane without width here",
                 format_args!("one to lane {}", joint.link.id),
@@ -220,7 +224,7 @@ fn no_width(network: &Network, end: Contact, sink: &mut Sink<'_>) {
             if told.insert((of.road.id, of.lane.span.start)) {
                 let (lane, road) = (of.lane.id, network.name(of.road.id));
                 let found = format_args!("lane {lane} of road {road}");
-                add_to_link((network, &joint), sink, "no link of a lane without width here", found);
+                add_to_link(network, &joint, sink, "no link of a lane without width here", found);
             }
         }
     }
@@ -242,7 +246,8 @@ fn abrupt(network: &Network, sink: &mut Sink<'_>) {
         let width = target.width(neighbor.end);
         if is_one_of_many && (own <= NONE.value || width <= NONE.value) {
             add(
-                (network, &joint),
+                network,
+                &joint,
                 sink,
                 "widths of both lanes where several link",
                 format_args!("{own} and {width} m"),
@@ -262,7 +267,7 @@ fn without_partner(network: &Network, sink: &mut Sink<'_>) {
             Some(LinkTarget::Road(_)) => return,
             Some(LinkTarget::Junction(id)) => format!("one into junction {}", network.name(*id)),
         };
-        add((network, &joint), sink, "no link", found);
+        add(network, &joint, sink, "no link", found);
     });
 }
 
@@ -276,7 +281,8 @@ fn ambiguous(network: &Network, sink: &mut Sink<'_>) {
         if neighbor.road.id != joint.road.id && is_outside && is_second && is_drivable(target.kind)
         {
             add(
-                (network, &joint),
+                network,
+                &joint,
                 sink,
                 "one lane of the next road, or a junction",
                 format_args!("{}", links.len()),
@@ -304,7 +310,7 @@ fn directions(network: &Network, sink: &mut Sink<'_>) {
                 target.id,
                 network.name(neighbor.road.id)
             );
-            add((network, &joint), sink, "a lane that goes on in the same direction", found);
+            add(network, &joint, sink, "a lane that goes on in the same direction", found);
         }
     });
 }

@@ -5,7 +5,7 @@ use crate::example::Example::Section as In;
 use crate::network::{LaneFacts, Network};
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
-use crate::sink::Sink;
+use crate::sink::{PartOf, Sink};
 use mapd_xodr::{JunctionType as Kind, Severity};
 
 pub(super) static RULES: &[Rule] = &[Rule::warning(
@@ -40,7 +40,7 @@ fn level(network: &Network, sink: &mut Sink<'_>) {
                         let part =
                             format!("lanes/laneSection[@s={}]/lane[@id={}]", section.s, lane.id);
                         let found = format_args!("lane {} without it", lane.id);
-                        let place = ("road", network.name(road.id), &*part);
+                        let place = PartOf::road(network.name(road.id), &part);
                         sink.add_in(place, lane.span, "level lanes outside of a level lane", found);
                     }
                     is_level |= lane.is_level;
@@ -61,7 +61,7 @@ fn level(network: &Network, sink: &mut Sink<'_>) {
         let road = network.name(joint.road.id);
         // As in ASAM's checker, milder than what stands in one section.
         sink.at_most(Severity::Warning, |sink| {
-            sink.add_in(("road", road, &part), joint.link.span, ALIKE, found);
+            sink.add_in(PartOf::road(road, &part), joint.link.span, ALIKE, found);
         });
     });
     for joint in network.connected_joints(Kind::Default) {
@@ -69,7 +69,7 @@ fn level(network: &Network, sink: &mut Sink<'_>) {
         if from.is_level != to.is_level && !network.links_back(&joint) {
             let found = format_args!("lanes {} and {}, which are not", from.id, to.id);
             sink.at_most(Severity::Warning, |sink| {
-                add_to_link((network, &joint), sink, ALIKE, found);
+                add_to_link(network, &joint, sink, ALIKE, found);
             });
         }
     }

@@ -2,10 +2,10 @@
 
 use super::connections::link_to;
 use crate::example::Example::Document;
-use crate::network::{Contact, LinkTarget, Name, Network};
+use crate::network::{Contact, LinkTarget, Name, Network, RoadEnd};
 use crate::rule::Check::Network as All;
 use crate::rule::{Rule, Tolerance};
-use crate::sink::Sink;
+use crate::sink::{PartOf, Sink};
 use std::collections::HashMap;
 
 /// Distance of two ends that come from rounding in the file.
@@ -94,7 +94,10 @@ fn part(end: Contact) -> &'static str {
 fn meet(network: &Network, sink: &mut Sink<'_>) {
     for road in &network.roads {
         for end in Contact::BOTH {
-            let Some((target, contact)) = network.linked_road(road, end) else { continue };
+            let Some(RoadEnd { road: target, end: contact }) = network.linked_road(road, end)
+            else {
+                continue;
+            };
             let (Some(own), Some(other)) =
                 (network.station_of(road, end), network.station_of(target, contact))
             else {
@@ -106,7 +109,7 @@ fn meet(network: &Network, sink: &mut Sink<'_>) {
                 let span = road.link(end).map_or(road.span, |link| link.span);
                 let found = format_args!("road {} {apart:.3} m away", network.name(target.id));
                 sink.add_in(
-                    ("road", network.name(road.id), part(end)),
+                    PartOf::road(network.name(road.id), part(end)),
                     span,
                     "a road that begins or ends here",
                     found,
@@ -119,7 +122,10 @@ fn meet(network: &Network, sink: &mut Sink<'_>) {
 fn consistent(network: &Network, sink: &mut Sink<'_>) {
     for road in &network.roads {
         for end in Contact::BOTH {
-            let Some((target, contact)) = network.linked_road(road, end) else { continue };
+            let Some(RoadEnd { road: target, end: contact }) = network.linked_road(road, end)
+            else {
+                continue;
+            };
             let back = target.link(contact);
             let names_junction =
                 back.is_some_and(|link| matches!(link.target, LinkTarget::Junction(_)));
@@ -129,13 +135,13 @@ fn consistent(network: &Network, sink: &mut Sink<'_>) {
             }
             let is_back = network
                 .linked_road(target, contact)
-                .is_some_and(|(back, back_end)| back.id == road.id && back_end == end);
+                .is_some_and(|back| back.road.id == road.id && back.end == end);
             if !is_back {
                 let span = road.link(end).map_or(road.span, |link| link.span);
                 let (touched, target) = (contact.name(), network.name(target.id));
                 let expected = format_args!("a link back from the {touched} of road {target}");
                 let found = link_to(network, back.map(|link| link.target));
-                sink.add_in(("road", network.name(road.id), part(end)), span, expected, found);
+                sink.add_in(PartOf::road(network.name(road.id), part(end)), span, expected, found);
             }
         }
     }
@@ -145,7 +151,10 @@ fn one_to_one(network: &Network, sink: &mut Sink<'_>) {
     let mut claimed: HashMap<(Name, Contact), Name> = HashMap::new();
     for road in network.roads.iter().filter(|road| road.junction.is_none()) {
         for end in Contact::BOTH {
-            let Some((target, contact)) = network.linked_road(road, end) else { continue };
+            let Some(RoadEnd { road: target, end: contact }) = network.linked_road(road, end)
+            else {
+                continue;
+            };
             let before = claimed.insert((target.id, contact), road.id);
             if let Some(before) = before.filter(|before| *before != road.id) {
                 let span = road.link(end).map_or(road.span, |link| link.span);
@@ -156,7 +165,7 @@ fn one_to_one(network: &Network, sink: &mut Sink<'_>) {
                 );
                 let [before, own] = [before, road.id].map(|id| network.name(id));
                 let found = format_args!("roads {before} and {own}");
-                sink.add_in(("road", network.name(road.id), part(end)), span, expected, found);
+                sink.add_in(PartOf::road(network.name(road.id), part(end)), span, expected, found);
             }
         }
     }

@@ -4,7 +4,7 @@ use crate::example::Example::Document;
 use crate::network::{CLEARANCE, Network, Overlap, RoadFacts, TOUCH};
 use crate::rule::Check::Overlaps as All;
 use crate::rule::{Rule, Tolerance};
-use crate::sink::Sink;
+use crate::sink::{PartOf, Sink};
 
 /// Overlaps up to this depth are touches.
 const DEPTH: Tolerance = Tolerance { name: "depth of an overlap", value: TOUCH, unit: "m" };
@@ -76,7 +76,7 @@ fn tell(
                 network.name(a.id)
             );
             sink.add_in(
-                ("road", network.name(b.id), ""),
+                PartOf::road(network.name(b.id), ""),
                 b.span,
                 "roads apart from one another",
                 found,

@@ -2,11 +2,11 @@
 
 use crate::catalog::lanes::is_drivable;
 use crate::example::Example::Document;
-use crate::network::{Contact, Name, Network, RoadFacts};
+use crate::network::{Contact, JunctionConnection, Name, Network, RoadEnd, RoadFacts};
 use crate::place::{text, value};
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
-use crate::sink::Sink;
+use crate::sink::{PartOf, Sink};
 use mapd_xodr::{ConnectionEnd, JunctionLaneLink, JunctionType as Kind};
 use std::collections::BTreeMap;
 
@@ -81,7 +81,7 @@ fn linked_lanes(network: &Network, mut show: impl FnMut(usize, usize)) {
             }
         }
     }
-    for (junction, connection) in network.real_connections() {
+    for JunctionConnection { junction, connection } in network.real_connections() {
         let Some(incoming) = network.road_named(connection.incoming) else { continue };
         let other = match junction.kind {
             Kind::Direct => connection.linked,
@@ -90,7 +90,8 @@ fn linked_lanes(network: &Network, mut show: impl FnMut(usize, usize)) {
         let Some(other) = network.road_named(other) else { continue };
         let Some(contact) = connection.contact else { continue };
         let id = junction.id.unwrap_or_default();
-        let from = network.end_at_junction(incoming, id, Some((other, contact)));
+        let from =
+            network.end_at_junction(incoming, id, Some(RoadEnd { road: other, end: contact }));
         // Roads leave the main road of a virtual junction somewhere.
         let s = other.link(contact).and_then(|link| link.s);
         for link in network.connected_lanes(connection) {
@@ -171,7 +172,12 @@ fn disconnected(network: &Network, sink: &mut Sink<'_>) {
         let id = network.name(roads.get(rank).copied().unwrap_or_default());
         let lanes = if *count == 1 { "lane" } else { "lanes" };
         let found = format_args!("a group of {count} {lanes} apart, one of {} groups", parts.len());
-        sink.add_in(("road", id, "lanes"), lane.span, "lanes that are linked to the others", found);
+        sink.add_in(
+            PartOf::road(id, "lanes"),
+            lane.span,
+            "lanes that are linked to the others",
+            found,
+        );
     }
 }
 
@@ -199,7 +205,7 @@ fn dead(network: &Network, sink: &mut Sink<'_>) {
                 {
                     let part = format!("lanes/laneSection[@s={}]/lane[@id={}]", section.s, lane.id);
                     sink.add_in(
-                        ("road", network.name(road.id), &part),
+                        PartOf::road(network.name(road.id), &part),
                         lane.span,
                         "a link of the lane",
                         "none at either end",

@@ -3,11 +3,11 @@
 use super::joints::{CORNER, Edge, KINK};
 use crate::catalog::junctions::kind;
 use crate::example::Example::Document;
-use crate::network::{Contact, LinkTarget, Network, RoadFacts};
+use crate::network::{Contact, LinkTarget, Network, RoadEnd, RoadFacts};
 use crate::place::{number, text, value};
 use crate::rule::Check::Network as All;
 use crate::rule::{Rule, Tolerance};
-use crate::sink::Sink;
+use crate::sink::{PartOf, Sink};
 use mapd_xodr::{Junction, JunctionType as Kind};
 
 /// Places along the main road that are meant to be one.
@@ -88,7 +88,7 @@ impl Leaving<'_> {
             Contact::End => "link/successor",
         };
         let span = self.road.link(self.end).map_or(self.road.span, |link| link.span);
-        sink.add_in(("road", self.network.name(self.road.id), part), span, expected, found);
+        sink.add_in(PartOf::road(self.network.name(self.road.id), part), span, expected, found);
     }
 }
 
@@ -146,6 +146,9 @@ fn gap(network: &Network, leaving: &Leaving<'_>, from: i32, to: i32) -> Option<f
     let over = network.section_over(leaving.main, leaving.s, from)?;
     let borders = Network::borders_over(over, network.lane(over, from)?, leaving.s);
     let main = Edge { station: network.station_at(leaving.main, leaving.s)?, borders };
-    let own = Edge::of(network, &network.lane_end((leaving.road, leaving.end), to)?)?;
+    let own = Edge::of(
+        network,
+        &network.lane_end(RoadEnd { road: leaving.road, end: leaving.end }, to)?,
+    )?;
     Some(main.gap(&own))
 }

@@ -6,6 +6,7 @@ use mapd_client::glam::DVec3;
 use mapd_client::roads::RoadMark;
 use mapd_client::rules::{LaneLine, LineSource};
 use mapd_client::{Lane, Map, Track};
+use std::ops::Range;
 
 pub(super) const BORDER_COLUMNS: &[Column] = &[
     ("key", Kind::Text),
@@ -40,11 +41,11 @@ pub(super) fn borders(map: Map<'_>, sink: &mut Sink<'_>) -> Result<()> {
         for lane in section.lanes() {
             let mut at = section.s_start();
             for mark in lane.road_marks() {
-                border(&lane, (at, mark.s()), None, sink)?;
-                border(&lane, (mark.s().max(at), mark.s_end()), Some(&mark), sink)?;
+                border(&lane, at..mark.s(), None, sink)?;
+                border(&lane, mark.s().max(at)..mark.s_end(), Some(&mark), sink)?;
                 at = at.max(mark.s_end());
             }
-            border(&lane, (at, end), None, sink)?;
+            border(&lane, at..end, None, sink)?;
         }
     }
     Ok(())
@@ -52,10 +53,11 @@ pub(super) fn borders(map: Map<'_>, sink: &mut Sink<'_>) -> Result<()> {
 
 fn border(
     lane: &Lane<'_>,
-    (from, to): (f64, f64),
+    stretch: Range<f64>,
     mark: Option<&RoadMark<'_>>,
     sink: &mut Sink<'_>,
 ) -> Result<()> {
+    let Range { start: from, end: to } = stretch;
     // Also what is not a number.
     if !matches!(from.partial_cmp(&to), Some(std::cmp::Ordering::Less)) {
         return Ok(());
