@@ -162,6 +162,22 @@ impl Client {
         })
     }
 
+    #[pyo3(signature = (timeout = 5.0))]
+    fn wait_change(&self, py: Python<'_>, timeout: f64) -> PyResult<bool> {
+        let (connection, timeout) = (self.connection()?, seconds(timeout)?);
+        let pair = || {
+            let snapshot = connection.client().snapshot();
+            (snapshot.generation(), snapshot.overlay_revision())
+        };
+        // Other threads may have looked between two slices: what counts is what was seen before the first.
+        let before = pair();
+        let changed = wait(py, timeout, |slice| {
+            let has_changed = connection.client().wait_change(slice)?;
+            Ok((has_changed || pair() != before).then_some(()))
+        })?;
+        Ok(changed.is_some())
+    }
+
     #[getter]
     fn pending(&self) -> PyResult<Option<u64>> {
         Ok(self.connection()?.client().pending().map(|info| info.generation))

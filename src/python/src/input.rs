@@ -228,6 +228,15 @@ pub(crate) fn lane_of<'a>(
     }
 }
 
+/// Ids of lanes; none for none.
+pub(crate) fn lanes_of(
+    map: Map<'_>,
+    lanes: Option<&[Bound<'_, PyAny>]>,
+) -> PyResult<Vec<mapd_client::LaneId>> {
+    let lanes = lanes.unwrap_or_default().iter();
+    lanes.map(|lane| lane_of(map, lane).map(|lane| lane.lane_id())).collect()
+}
+
 /// A place: a tuple that begins with a lane and s.
 pub(crate) fn place_of(map: Map<'_>, what: &Bound<'_, PyAny>) -> PyResult<PositionOnLane> {
     let tuple = what.cast::<PyTuple>().ok().filter(|tuple| tuple.len() >= 2).ok_or_else(|| {

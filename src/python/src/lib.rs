@@ -7,6 +7,7 @@
 //! Invariants: no query panics or changes a map; no thread, signal handler or output; every wait has a deadline and heeds signals of
 //! Python's. Deliberately absent: what needs no Rust (`python/mapd`: columns, results, errors, views).
 
+mod along;
 mod batch;
 mod client;
 mod compile;
@@ -22,7 +23,10 @@ mod path;
 mod raw;
 mod road;
 mod route;
+mod sensing;
 mod signal;
+mod tracker;
+mod view;
 
 use pyo3::prelude::*;
 
@@ -45,8 +49,11 @@ fn _mapd(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<signal::Signal>()?;
     m.add_class::<object::Object>()?;
     m.add_class::<path::Path>()?;
+    m.add_class::<view::View>()?;
+    m.add_class::<tracker::Tracker>()?;
     m.add_function(wrap_pyfunction!(map::open_archive, m)?)?;
     m.add_function(wrap_pyfunction!(compile::read_file, m)?)?;
+    m.add_function(wrap_pyfunction!(along::outline, m)?)?;
     m.add("NONE", input::NONE_ID)?;
     m.add(
         "LANE_TYPES",
@@ -61,5 +68,7 @@ fn _mapd(m: &Bound<'_, PyModule>) -> PyResult<()> {
         words(mapd_client::vocabulary::RoadMarkColor::ALL, |one| (one.code(), one.name())),
     )?;
     m.add("SPEED_ORIGINS", batch::SPEED_ORIGINS)?;
+    m.add("EDGES", along::EDGES)?;
+    m.add("TRACKED", tracker::STATES)?;
     m.add("__version__", env!("CARGO_PKG_VERSION"))
 }

@@ -16,7 +16,9 @@ use mapd_client::batch::{BatchScratch, NearestLanes, Places};
 use mapd_client::document::Revision;
 use mapd_client::geodesy::Geodetic;
 use mapd_client::glam::{DVec2, DVec3};
-use mapd_client::localisation::{MatchOptions, TraceOptions};
+use mapd_client::localisation::{MatchOptions, Sensor, TraceOptions};
+use mapd_client::path::{LaneChange, PathOptions};
+use mapd_client::raw::AlignedBytes;
 use mapd_client::{LaneTypes, Nearest, NearestOptions, Snapshot};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -375,9 +377,7 @@ impl Map {
         expected: Option<Vec<Bound<'py, PyAny>>>,
         unexpected: f64,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let expected = expected.iter().flatten().map(|lane| lane_of(self.map(), lane));
-        let expected: Vec<_> =
-            expected.map(|lane| lane.map(|lane| lane.lane_id())).collect::<PyResult<_>>()?;
+        let expected = crate::input::lanes_of(self.map(), expected.as_deref())?;
         let options = MatchOptions {
             types: types.map_or(Ok(LaneTypes::ALL), types_of)?,
             z_tolerance,
@@ -388,7 +388,10 @@ impl Map {
             expected: &expected,
             unexpected,
         };
-        crate::matching::match_pose(py, &self.0, points, heading, covariance, &options)
+        let map = self.map();
+        crate::matching::match_pose(py, &self.0, points, heading, covariance, |pose, own, out| {
+            map.match_pose(pose, own, &options, out)
+        })
     }
 
     #[pyo3(signature = (time, points, *, heading = None, deviation = 1.0, heading_deviation = 0.1,
@@ -503,9 +506,93 @@ impl Map {
         crate::route::route(py, &self.0, &places, vehicle, cost)
     }
 
-    fn path(&self, steps: &Bound<'_, PyAny>) -> PyResult<crate::path::Path> {
-        let of_route = steps.getattr_opt("steps")?;
-        crate::path::path(&self.0, of_route.as_ref().unwrap_or(steps))
+    #[pyo3(signature = (steps, *, change_length = None, broken_gap = 0.1, broken_kink = 0.3))]
+    fn path(
+        &self,
+        steps: &Bound<'_, PyAny>,
+        change_length: Option<f64>,
+        broken_gap: f64,
+        broken_kink: f64,
+    ) -> PyResult<crate::path::Path> {
+        let change = change_length.map_or(LaneChange::Jump, LaneChange::Lateral);
+        crate::path::path(&self.0, steps, &PathOptions { broken_gap, broken_kink, change })
+    }
+
+    #[pyo3(signature = (at = None))]
+    fn view(&self, at: Option<&Bound<'_, PyAny>>) -> PyResult<crate::view::View> {
+        crate::view::view(&self.0, at)
+    }
+
+    #[getter]
+    fn overlay_revision(&self) -> u64 {
+        self.0.snapshot().overlay_revision()
+    }
+
+    fn with_overlay(&self, py: Python<'_>, overlay: Vec<u8>) -> PyResult<Self> {
+        let under = py.detach(|| {
+            let mut bytes = AlignedBytes::with_capacity(overlay.len());
+            bytes.extend_from_slice(&overlay);
+            self.0.snapshot().with_overlay(bytes)
+        });
+        Ok(Self::of(Arc::new(Held::new(under.map_err(client)?))))
+    }
+
+    #[pyo3(signature = (conflict, distance, *, vehicle = "passengerCar"))]
+    fn approaches<'py>(
+        &self,
+        py: Python<'py>,
+        conflict: &Bound<'py, PyAny>,
+        distance: f64,
+        vehicle: &str,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        crate::along::approaches(py, &self.0, conflict, distance, vehicle_of(vehicle)?)
+    }
+
+    fn landmarks_near<'py>(
+        &self,
+        py: Python<'py>,
+        point: (f64, f64),
+        radius: f64,
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        crate::sensing::landmarks_near(py, &self.0, point, radius)
+    }
+
+    fn landmarks_in_view<'py>(
+        &self,
+        py: Python<'py>,
+        point: (f64, f64),
+        heading: f64,
+        range: f64,
+        field_of_view: f64,
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let position = DVec2::new(point.0, point.1);
+        let sensor = Sensor { position, heading, range, field_of_view };
+        crate::sensing::landmarks_in_view(py, &self.0, &sensor)
+    }
+
+    #[pyo3(signature = (region, spacing, *, kinds = None, types = None))]
+    fn mark_points<'py>(
+        &self,
+        py: Python<'py>,
+        region: [f64; 4],
+        spacing: f64,
+        kinds: Option<Vec<String>>,
+        types: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let filter = crate::ground::filter(0.0, kinds, types)?;
+        crate::sensing::mark_points(py, &self.0, region_of(region), spacing, &filter)
+    }
+
+    #[pyo3(signature = (points, heading, wheels, *, out = None))]
+    fn stance<'py>(
+        &self,
+        py: Python<'py>,
+        points: &Bound<'py, PyAny>,
+        heading: &Bound<'py, PyAny>,
+        wheels: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Option<Bound<'py, PyAny>>> {
+        crate::sensing::stance(py, &self.0, points, heading, wheels, out)
     }
 
     #[pyo3(signature = (start, limit, *, vehicle = "passengerCar", by = "length", lane_change = None))]
@@ -519,7 +606,21 @@ impl Map {
         lane_change: Option<f64>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let cost = crate::route::Cost::named(by, lane_change)?;
-        crate::route::reachable(py, &self.0, start, limit, vehicle, cost)
+        crate::route::reachable(py, &self.0, start, limit, vehicle, &cost, false)
+    }
+
+    #[pyo3(signature = (goal, limit, *, vehicle = "passengerCar", by = "length", lane_change = None))]
+    fn reachable_to<'py>(
+        &self,
+        py: Python<'py>,
+        goal: &Bound<'py, PyAny>,
+        limit: f64,
+        vehicle: &str,
+        by: &str,
+        lane_change: Option<f64>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let cost = crate::route::Cost::named(by, lane_change)?;
+        crate::route::reachable(py, &self.0, goal, limit, vehicle, &cost, true)
     }
 
     #[pyo3(signature = (start, distance, *, vehicle = "passengerCar"))]

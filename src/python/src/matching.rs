@@ -7,18 +7,18 @@ use crate::input::{Rows, column, matrices, one_point};
 use crate::lane::Lane;
 use mapd_client::glam::DMat3;
 use mapd_client::localisation::{
-    LaneMatch, MatchError, MatchOptions, TraceFix, TraceOptions, TraceScratch, VehiclePose,
+    LaneMatch, MatchError, TraceFix, TraceOptions, TraceScratch, VehiclePose,
 };
 use pyo3::prelude::*;
 use std::sync::Arc;
 
 /// A covariance for each of `rows` poses: one matrix for all, or as many.
-struct Covariances {
+pub(crate) struct Covariances {
     all: Vec<DMat3>,
 }
 
 impl Covariances {
-    fn of(what: &Bound<'_, PyAny>, rows: usize) -> PyResult<Self> {
+    pub(crate) fn of(what: &Bound<'_, PyAny>, rows: usize) -> PyResult<Self> {
         let numbers = matrices(what, "covariance", rows)?;
         let matrix = |nine: &[f64]| {
             let mut own = [0.0; 9];
@@ -28,12 +28,12 @@ impl Covariances {
         Ok(Self { all: numbers.chunks_exact(9).map(matrix).collect() })
     }
 
-    fn of_row(&self, row: usize) -> &DMat3 {
+    pub(crate) fn of_row(&self, row: usize) -> &DMat3 {
         &self.all[if self.all.len() == 1 { 0 } else { row }]
     }
 }
 
-fn lane_match<'py>(
+pub(crate) fn lane_match<'py>(
     py: Python<'py>,
     held: &Arc<Held>,
     found: &LaneMatch,
@@ -56,21 +56,21 @@ fn lane_match<'py>(
     result(py, "LaneMatch", &fields)
 }
 
-/// The lanes that a vehicle may be in, or each of many.
+/// The lanes that a vehicle may be in, or each of many, as `ask` matches a pose.
 pub(crate) fn match_pose<'py>(
     py: Python<'py>,
     held: &Arc<Held>,
     points: &Bound<'py, PyAny>,
     heading: &Bound<'py, PyAny>,
     covariance: &Bound<'py, PyAny>,
-    options: &MatchOptions<'_>,
+    ask: impl Fn(&VehiclePose, &DMat3, &mut Vec<LaneMatch>) -> Result<f64, MatchError> + Sync,
 ) -> PyResult<Bound<'py, PyAny>> {
     let map = held.map();
     let mut near = Vec::new();
     if let Some(position) = one_point(points, "points")? {
         let pose = VehiclePose { position, heading: heading.extract()? };
         let covariance = Covariances::of(covariance, 1)?;
-        let none = map.match_pose(&pose, covariance.of_row(0), options, &mut near);
+        let none = ask(&pose, covariance.of_row(0), &mut near);
         let none = none.map_err(matching)?;
         let lanes = near.iter().map(|found| lane_match(py, held, found));
         let lanes = pyo3::types::PyTuple::new(py, lanes.collect::<PyResult<Vec<_>>>()?)?;
@@ -86,7 +86,7 @@ pub(crate) fn match_pose<'py>(
         let mut found = Positions::default();
         for (row, position) in points.points().enumerate() {
             let pose = VehiclePose { position, heading: headings[row] };
-            let none = map.match_pose(&pose, covariance.of_row(row), options, &mut near);
+            let none = ask(&pose, covariance.of_row(row), &mut near);
             let none = none.map_err(|error| (row, error))?;
             let mut push = |is_forward: bool, values: [f64; 3]| {
                 of.push(row as i64);

@@ -6,10 +6,7 @@ use crate::held::{Held, content, id};
 use crate::input::{Rows, finite, lane_of, one_point, vehicle_of};
 use crate::lane::Lane;
 use mapd_client::QueryError;
-use mapd_client::glam::DVec3;
-use mapd_client::path::{
-    Corridor, EdgeMark, PathBuffer, PathConflict, PathOptions, PathPoint, PathPosition,
-};
+use mapd_client::path::{Corridor, PathBuffer, PathConflict, PathOptions, PathPoint, PathPosition};
 use mapd_client::route::{Enter, PositionOnLane, RouteStep};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -19,11 +16,12 @@ use std::sync::Arc;
 #[pyclass(frozen, module = "mapd")]
 pub(crate) struct Path {
     held: Arc<Held>,
+    steps: Vec<RouteStep>,
     buffer: PathBuffer,
 }
 
 /// A step of a route from what Python has of it.
-fn step(map: mapd_client::Map<'_>, step: &Bound<'_, PyAny>) -> PyResult<RouteStep> {
+pub(crate) fn step(map: mapd_client::Map<'_>, step: &Bound<'_, PyAny>) -> PyResult<RouteStep> {
     let enter: String = step.getattr("enter")?.extract()?;
     let enter = match enter.as_str() {
         "start" => Enter::Start,
@@ -42,18 +40,32 @@ fn step(map: mapd_client::Map<'_>, step: &Bound<'_, PyAny>) -> PyResult<RouteSte
     })
 }
 
+/// Steps of a route, or those that are given.
+pub(crate) fn steps_of(
+    map: mapd_client::Map<'_>,
+    what: &Bound<'_, PyAny>,
+) -> PyResult<Vec<RouteStep>> {
+    let of_route = what.getattr_opt("steps")?;
+    let steps = of_route.as_ref().unwrap_or(what);
+    steps.try_iter()?.map(|one| step(map, &one?)).collect()
+}
+
 /// The path along a route's steps.
-pub(crate) fn path(held: &Arc<Held>, steps: &Bound<'_, PyAny>) -> PyResult<Path> {
+pub(crate) fn path(
+    held: &Arc<Held>,
+    steps: &Bound<'_, PyAny>,
+    options: &PathOptions,
+) -> PyResult<Path> {
     let map = held.map();
-    let steps = steps.try_iter()?.map(|one| step(map, &one?)).collect::<PyResult<Vec<_>>>()?;
+    let steps = steps_of(map, steps)?;
     let mut buffer = PathBuffer::default();
-    map.path(&steps, &PathOptions::default(), &mut buffer)
+    map.path(&steps, options, &mut buffer)
         .map_err(|error| raise("PathError", error.to_string()))?;
-    Ok(Path { held: Arc::clone(held), buffer })
+    Ok(Path { held: Arc::clone(held), steps, buffer })
 }
 
 impl Path {
-    fn path(&self) -> Result<mapd_client::path::Path<'_, '_>, mapd_client::QueryError> {
+    pub(crate) fn path(&self) -> Result<mapd_client::path::Path<'_, '_>, mapd_client::QueryError> {
         mapd_client::path::Path::of(self.held.map(), &self.buffer)
     }
 
@@ -259,23 +271,67 @@ impl Path {
                 path.corridor(start, length, step, vehicle, &mut found).map(|()| found)
             })
             .map_err(query)?;
-        let content = content(self.held.map());
-        let parts = |points: &[DVec3], part: fn(&DVec3) -> f64| {
-            Column::Numbers(points.iter().map(part).collect())
-        };
-        let lanes = found.lane.iter().map(|lane| id(content, lane.row())).collect();
-        let mut all = vec![Column::Numbers(found.along.clone()), Column::Ids(lanes)];
-        for points in [&found.left, &found.right, &found.outer_left, &found.outer_right] {
-            all.extend([parts(points, |p| p.x), parts(points, |p| p.y), parts(points, |p| p.z)]);
-        }
-        for marks in [&found.left_mark, &found.right_mark] {
-            let codes = |code: fn(&EdgeMark) -> u8| {
-                Column::Codes(marks.iter().map(|mark| code(mark) as i8).collect())
-            };
-            all.extend([codes(|mark| mark.kind.code()), codes(|mark| mark.color.code())]);
-            all.push(Column::Flags(marks.iter().map(|mark| mark.may_cross).collect()));
-        }
-        columns(py, "Corridor", all, out)
+        crate::along::room(py, &self.held, &found, out)
+    }
+
+    #[pyo3(signature = (step = 1.0, *, start = 0.0, length = None, out = None))]
+    fn corridor_surface<'py>(
+        &self,
+        py: Python<'py>,
+        step: f64,
+        start: f64,
+        length: Option<f64>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let path = self.path().map_err(query)?;
+        let length = length.unwrap_or_else(|| path.length());
+        crate::along::surface(py, &path, [start, length, step], out)
+    }
+
+    fn facts<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        crate::along::facts(py, &self.held, &self.path().map_err(query)?)
+    }
+
+    fn speeds<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        crate::along::speeds(py, &self.held, &self.path().map_err(query)?)
+    }
+
+    #[pyo3(signature = (*, vehicle = "passengerCar"))]
+    fn segments<'py>(&self, py: Python<'py>, vehicle: &str) -> PyResult<Bound<'py, PyAny>> {
+        let path = self.path().map_err(query)?;
+        crate::along::segments(py, &self.held, &path, vehicle_of(vehicle)?)
+    }
+
+    fn crossings<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        crate::along::crossings(py, &self.held, &self.path().map_err(query)?)
+    }
+
+    fn joints<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        crate::along::joints(py, &self.path().map_err(query)?)
+    }
+
+    fn steps_between<'py>(
+        &self,
+        py: Python<'py>,
+        start: f64,
+        end: f64,
+    ) -> PyResult<Bound<'py, pyo3::types::PyTuple>> {
+        let path = self.path().map_err(query)?;
+        crate::along::steps_between(py, &self.held, &path, &self.steps, [start, end])
+    }
+
+    #[pyo3(signature = (map, *, vehicle = "passengerCar", by = "length", lane_change = None))]
+    fn rebase<'py>(
+        &self,
+        py: Python<'py>,
+        map: &Bound<'py, crate::map::Map>,
+        vehicle: &str,
+        by: &str,
+        lane_change: Option<f64>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let (path, cost) =
+            (self.path().map_err(query)?, crate::route::Cost::named(by, lane_change)?);
+        crate::along::rebase(py, &path, map.get().held(), vehicle_of(vehicle)?, &cost)
     }
 
     fn conflicts<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {

@@ -9,7 +9,8 @@ use crate::signal::Signal;
 use mapd_client::SRange;
 use mapd_client::graph::LaneNode;
 use mapd_client::route::{
-    CostBound, Enter, LaneSequences, RouteCost, RouteScratch, ShortestLength, ShortestTime,
+    CostBound, Enter, LaneSequences, Reached, Route, RouteCost, RouteScratch, RouteStep,
+    ShortestLength, ShortestTime,
 };
 use mapd_client::signals::SignalsAhead;
 use pyo3::exceptions::PyValueError;
@@ -64,7 +65,7 @@ impl RouteCost for Cost {
     }
 }
 
-fn entered(enter: Enter) -> &'static str {
+pub(crate) fn entered(enter: Enter) -> &'static str {
     match enter {
         Enter::Start => "start",
         Enter::Ahead => "ahead",
@@ -92,19 +93,35 @@ pub(crate) fn route<'py>(
             Ok((route, steps))
         })
         .map_err(query)?;
-    let Some(route) = route else { return Ok(None) };
-    let steps = steps.iter().map(|step| {
-        let fields = fields!(
-            py,
-            lane = Lane::new(held, step.lane.row()),
-            forward = step.forward,
-            enter = entered(step.enter),
-            s_from = step.s_from,
-            s_to = step.s_to,
-            s_latest = step.s_latest,
-        );
-        result(py, "RouteStep", &fields)
-    });
+    route.map(|route| found_route(py, held, &route, &steps)).transpose()
+}
+
+/// A step as Python has it.
+pub(crate) fn step_result<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    step: &RouteStep,
+) -> PyResult<Bound<'py, PyAny>> {
+    let fields = fields!(
+        py,
+        lane = Lane::new(held, step.lane.row()),
+        forward = step.forward,
+        enter = entered(step.enter),
+        s_from = step.s_from,
+        s_to = step.s_to,
+        s_latest = step.s_latest,
+    );
+    result(py, "RouteStep", &fields)
+}
+
+/// A route as Python has it.
+pub(crate) fn found_route<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    route: &Route,
+    steps: &[RouteStep],
+) -> PyResult<Bound<'py, PyAny>> {
+    let steps = steps.iter().map(|step| step_result(py, held, step));
     let steps = pyo3::types::PyTuple::new(py, steps.collect::<PyResult<Vec<_>>>()?)?;
     let fields = fields!(
         py,
@@ -114,44 +131,59 @@ pub(crate) fn route<'py>(
         lane_changes = route.lane_changes,
         steps = steps,
     );
-    result(py, "Route", &fields).map(Some)
+    result(py, "Route", &fields)
 }
 
-/// What can be reached within a cost.
+/// Columns of what can be reached: lane, forward, from and to [m], cost.
+pub(crate) type Pieces = Vec<(u32, bool, f64, f64, f64)>;
+
+/// What can be reached within a cost, or, with `to`, from where a place can.
 pub(crate) fn reachable<'py>(
     py: Python<'py>,
     held: &Arc<Held>,
-    start: &Bound<'py, PyAny>,
+    place: &Bound<'py, PyAny>,
     limit: f64,
     vehicle: &str,
-    cost: Cost,
+    cost: &Cost,
+    to: bool,
 ) -> PyResult<Bound<'py, PyAny>> {
     let vehicle = vehicle_of(vehicle)?;
-    let start = place_of(held.map(), start)?;
-    let (ids, forward, numbers) = py
+    let place = place_of(held.map(), place)?;
+    let pieces = py
         .detach(|| {
             let map = held.map();
             let (mut scratch, mut found) = (RouteScratch::default(), Vec::new());
-            map.reachable(start, limit, vehicle, &cost, &mut scratch, &mut found)?;
-            let content = content(map);
-            let (mut ids, mut forward) = (Vec::new(), Vec::new());
-            let mut numbers: [Vec<f64>; 3] = Default::default();
-            for reached in &found {
-                let node = map.lane_nodes().nth(reached.node.row() as usize);
-                let Some((node, lane)) = node.and_then(|node| Some((node, node.lane()?))) else {
-                    return Err(mapd_client::QueryError::Corrupt);
-                };
-                let SRange { low: from, high: to } = node.s_range();
-                ids.push(id(content, lane.lane_id().row()));
-                forward.push(node.is_forward());
-                let values = [from, to, reached.cost];
-                numbers.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
+            if to {
+                map.reachable_to(place, limit, vehicle, cost, &mut scratch, &mut found)?;
+            } else {
+                map.reachable(place, limit, vehicle, cost, &mut scratch, &mut found)?;
             }
-            Ok((ids, forward, numbers))
+            let piece = |reached: &Reached| {
+                let node = map.lane_node(reached.node)?;
+                let lane = node.lane().ok_or(mapd_client::QueryError::Corrupt)?;
+                let SRange { low, high } = node.s_range();
+                Ok((lane.lane_id().row(), node.is_forward(), low, high, reached.cost))
+            };
+            found.iter().map(piece).collect::<Result<Pieces, mapd_client::QueryError>>()
         })
         .map_err(query)?;
-    let mut all = vec![Column::Ids(ids), Column::Flags(forward)];
-    all.extend(numbers.into_iter().map(Column::Numbers));
+    pieces_result(py, held, &pieces)
+}
+
+/// Pieces of lanes as Python has them.
+pub(crate) fn pieces_result<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    pieces: &Pieces,
+) -> PyResult<Bound<'py, PyAny>> {
+    let content = content(held.map());
+    let all = vec![
+        Column::Ids(pieces.iter().map(|one| id(content, one.0)).collect()),
+        Column::Flags(pieces.iter().map(|one| one.1).collect()),
+        Column::Numbers(pieces.iter().map(|one| one.2).collect()),
+        Column::Numbers(pieces.iter().map(|one| one.3).collect()),
+        Column::Numbers(pieces.iter().map(|one| one.4).collect()),
+    ];
     columns(py, "Reached", all, None)
 }
 
@@ -184,6 +216,15 @@ pub(crate) fn signals_ahead<'py>(
     let (start, vehicle) = (place_of(map, start)?, vehicle_of(vehicle)?);
     let mut found = SignalsAhead::default();
     map.signals_ahead(start, distance, vehicle, &mut found).map_err(query)?;
+    ahead_result(py, held, &found)
+}
+
+/// Signals ahead as Python has them.
+pub(crate) fn ahead_result<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    found: &SignalsAhead,
+) -> PyResult<Vec<Bound<'py, PyAny>>> {
     let one = |ahead: &mapd_client::signals::SignalAhead| {
         let fields = fields!(
             py,

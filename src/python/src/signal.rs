@@ -24,6 +24,10 @@ impl Signal {
         self.held.map().signal(self.signal).map_err(query)
     }
 
+    pub(crate) fn signal_id(&self) -> SignalId {
+        self.signal
+    }
+
     fn number(&self) -> u64 {
         id(content(self.held.map()), self.signal.row())
     }

@@ -16,7 +16,7 @@ static void add_line(struct numbers *out, const mapd_lane_line_at *line) {
   add_u(out, object_bits(line->object));
   add_u(out, lane_bits(line->lane));
   add_f(out, line->s);
-  add_u(out, line->class_code);
+  add_u(out, word_hash(MAPD_WORDS_CLASS, line->class_code));
 }
 
 void add_steps(struct numbers *out, const mapd_route_step *steps, size_t count) {
@@ -32,13 +32,15 @@ void add_steps(struct numbers *out, const mapd_route_step *steps, size_t count) 
 }
 
 static void add_fact(struct numbers *out, const mapd_path_fact *fact) {
+  mapd_junction_facts junction;
   add_f(out, fact->along_from);
   add_f(out, fact->along_to);
   add_u(out, lane_bits(fact->lane));
   add_u(out, fact->kind);
   switch (fact->kind) {
     case MAPD_PATH_FACT_JUNCTION:
-      add_u(out, junction_bits(fact->junction));
+      must(mapd_junction_facts_of(map, fact->junction, &junction, &error));
+      add_u(out, text_hash(junction.id));
       add_u(out, fact->code);
       break;
     case MAPD_PATH_FACT_SIGNAL:

@@ -17,14 +17,14 @@ inline std::vector<std::uint8_t> bytes_of(const char* path) {
 }
 
 inline void line(const mapd::LaneLine& line, Numbers& a) {
-  a.id(line.signal).id(line.object).id(line.lane).f(line.s).u(line.class_code);
+  a.id(line.signal).id(line.object).id(line.lane).f(line.s).word(MAPD_WORDS_CLASS, line.class_code);
 }
 
-inline void fact(const mapd::PathFact& fact, Numbers& a) {
+inline void fact(const mapd::Snapshot& map, const mapd::PathFact& fact, Numbers& a) {
   a.all(fact.along_from, fact.along_to).id(fact.lane).u(fact.kind);
   switch (fact.kind) {
     case MAPD_PATH_FACT_JUNCTION:
-      a.id(fact.junction).u(fact.code);
+      a.text(mapd::view(map.junction(fact.junction).id)).u(fact.code);
       break;
     case MAPD_PATH_FACT_SIGNAL:
       a.id(fact.signal).u(fact.governs);
@@ -71,7 +71,7 @@ inline void answer_along(const mapd::Snapshot& map, const mapd::Route& route, Qu
   const auto path = map.path(route.steps);
   const auto facts = path.facts(scratch);
   a.u(facts.size());
-  for (const auto& one : facts) fact(one, a);
+  for (const auto& one : facts) fact(map, one, a);
   const auto speeds = path.speeds(scratch);
   a.u(speeds.size());
   for (const auto& one : speeds) {

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -314,7 +314,9 @@ class PathPositions(Columns):
 class Corridor(Columns):
     """The room along a path: edges of the driven lane, and of all lanes beside it that have its direction and are open [m].
 
-    Marks are codes (:data:`mapd.MARK_KINDS`, :data:`mapd.MARK_COLORS`), -1 where there is none; ``may_cross`` says whether a change over the edge is allowed.
+    Marks are codes (:data:`mapd.MARK_KINDS`, :data:`mapd.MARK_COLORS`), -1 where there is none; ``may_cross`` says whether a change over the edge is allowed; ``edge``
+    what lies beyond, in :data:`mapd.EDGES`. ``s`` is that on the driven lane's road [m]; ``speed`` the limit [m/s], infinite where there is none, NaN where the map says
+    nothing, and ``speed_origin`` who says so, in :data:`mapd.SPEED_ORIGINS`.
     """
 
     __slots__ = ()
@@ -335,6 +337,140 @@ class Corridor(Columns):
     left_mark: Codes
     left_color: Codes
     left_may_cross: Flags
+    left_edge: Codes
     right_mark: Codes
     right_color: Codes
     right_may_cross: Flags
+    right_edge: Codes
+    outer_left_mark: Codes
+    outer_left_color: Codes
+    outer_left_may_cross: Flags
+    outer_left_edge: Codes
+    outer_right_mark: Codes
+    outer_right_color: Codes
+    outer_right_may_cross: Flags
+    outer_right_edge: Codes
+    s: Numbers
+    speed: Numbers
+    speed_origin: Codes
+
+    def outline(self, edges: Literal["driven", "open"] = "driven") -> tuple[Numbers, bool]:
+        """The room as one polygon (M, 2) [m]: along the right edges, then back along the left ones; and whether no two of its sides meet but neighbours."""
+        from ._mapd import outline
+
+        if edges not in ("driven", "open"):
+            raise ValueError(f'edges: expected "driven" or "open", found {edges!r}')
+        before = "" if edges == "driven" else "outer_"
+        left, right = (
+            np.column_stack([self[f"{before}{side}_x"], self[f"{before}{side}_y"]]) for side in ("left", "right")
+        )
+        return outline(left, right)
+
+
+class CorridorSurface(Columns):
+    """The road's surface at the stations of a path: place of the lane's middle [m], unit normal upwards, friction and roughness (NaN where not given)."""
+
+    __slots__ = ()
+    along: Numbers
+    x: Numbers
+    y: Numbers
+    z: Numbers
+    nx: Numbers
+    ny: Numbers
+    nz: Numbers
+    friction: Numbers
+    roughness: Numbers
+
+
+class PathSegments(Columns):
+    """Lanes from which a path's goal is reached along the path's own roads, stretch by stretch, from left to right.
+
+    ``changes`` of lane are left at least; ``last_change`` is the largest S at which one can still be on the lane and come to the goal [m]; ``lane_end`` the S at which the
+    lane leads on along the path no more [m].
+    """
+
+    __slots__ = ()
+    start: Numbers
+    end: Numbers
+    lane: Ids
+    forward: Flags
+    driven: Flags
+    changes: Counts
+    last_change: Numbers
+    lane_end: Numbers
+
+
+class Approaches(Columns):
+    """Lanes on which traffic comes to a conflict: s where the part within the distance begins and ends, and how far both are from it along centre lines [m]."""
+
+    __slots__ = ()
+    lane: Ids
+    forward: Flags
+    s_from: Numbers
+    s_to: Numbers
+    distance_from: Numbers
+    distance_to: Numbers
+
+
+class Restrictions(Columns):
+    """Stretches of lanes on which an overlay's entry holds [m]; ``entry`` is its number among the view's entries."""
+
+    __slots__ = ()
+    lane: Ids
+    s_from: Numbers
+    s_to: Numbers
+    entry: Counts
+
+
+class Permissions(Columns):
+    """Whether lanes may be used; ``entry`` is the number of the overlay's entry that decides so, -1 where the map does."""
+
+    __slots__ = ()
+    is_allowed: Flags
+    entry: Counts
+
+
+class SpeedsToday(Columns):
+    """Speed limits of today [m/s] and those of the map; ``entry`` is the number of the entry that says otherwise, -1 where none does."""
+
+    __slots__ = ()
+    max: Numbers
+    map_max: Numbers
+    entry: Counts
+
+
+class TrackedFixes(_Positions):
+    """Where a tracked vehicle was: ``state`` counts in :data:`mapd.TRACKED`; without a lane ``lane`` is :data:`mapd.NONE` and ``probability`` NaN; ``none`` is the probability of no lane."""
+
+    __slots__ = ()
+    state: Codes
+    forward: Flags
+    probability: Numbers
+    none: Numbers
+
+
+class Stances(Columns):
+    """How vehicles stand: height of the ground's plane below the reference point [m], roll and pitch [rad], heights below the wheels [m]; NaN where there is none."""
+
+    __slots__ = ()
+    z: Numbers
+    roll: Numbers
+    pitch: Numbers
+    wheel_0: Numbers
+    wheel_1: Numbers
+    wheel_2: Numbers
+    wheel_3: Numbers
+
+
+class MarkPoints(Columns):
+    """Painted places of road marks [m], the lane on whose outer border each lies, its s and the line's width [m]; kind and color are codes."""
+
+    __slots__ = ()
+    x: Numbers
+    y: Numbers
+    z: Numbers
+    lane: Ids
+    s: Numbers
+    width: Numbers
+    kind: Codes
+    color: Codes

@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Iterable, Iterator, Sequence
+from datetime import datetime
 from types import TracebackType
 from typing import Literal, final, overload
 
@@ -9,41 +10,64 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._columns import (
+    Approaches,
     Corridor,
+    CorridorSurface,
     Geodetics,
     Grounds,
     Inertials,
     LaneMatches,
     LanesNear,
-    NearestLanes,
+    MarkPoints,
     NearMarks,
+    NearestLanes,
     PathPoints,
     PathPositions,
+    PathSegments,
+    Permissions,
     Poses,
     Reached,
+    Restrictions,
     SpeedRules,
+    SpeedsToday,
+    Stances,
     TraceMatches,
+    TrackedFixes,
     Tracks,
     Waypoints,
 )
 from ._results import (
     Event,
     Ground,
+    Landmark,
+    LandmarkInView,
     LanePosition,
     Lines,
-    Nearest,
     NearMark,
+    Nearest,
+    OverlayEntry,
     PathConflict,
+    PathCrossing,
+    PathFact,
+    PathJoint,
     PathPoint,
     PathPosition,
+    PathRestriction,
+    PathSpeed,
+    Permission,
     Pose,
     PoseMatch,
+    Rebased,
     Report,
+    Restriction,
     Route,
     RouteStep,
     SignalAhead,
     SpeedRule,
+    SpeedToday,
+    Stance,
     TrackPosition,
+    Tracked,
 )
 
 _Point = tuple[float, float] | tuple[float, float, float]
@@ -64,13 +88,18 @@ __all__ = [
     "Signal",
     "Object",
     "Path",
+    "View",
+    "Tracker",
     "open_archive",
     "read_file",
+    "outline",
     "NONE",
     "LANE_TYPES",
     "MARK_KINDS",
     "MARK_COLORS",
     "SPEED_ORIGINS",
+    "EDGES",
+    "TRACKED",
     "__version__",
 ]
 
@@ -86,6 +115,11 @@ MARK_COLORS: dict[int, str]
 SPEED_ORIGINS: list[str]
 """Words of speed limits' origins, in the order of the codes in columns."""
 
+EDGES: list[str]
+"""Words of what lies beyond an edge of a corridor, in the order of the codes in columns."""
+TRACKED: list[str]
+"""Words of what a tracker says, in the order of the codes in columns."""
+
 def open_archive(path: str | os.PathLike[str]) -> Map: ...
 def read_file(
     path: str | os.PathLike[str],
@@ -99,6 +133,8 @@ def read_file(
     landmarks: int | None,
     threads: int,
 ) -> tuple[Map | None, Report]: ...
+
+def outline(left: NDArray[np.float64], right: NDArray[np.float64]) -> tuple[NDArray[np.float64], bool]: ...
 
 @final
 class Client:
@@ -121,6 +157,8 @@ class Client:
         """Looks for a newer generation without waiting and returns the newest."""
     def wait(self, timeout: float = 5.0) -> Map:
         """Waits [s] for a generation newer than the newest seen so far; NoGenerationError if none comes."""
+    def wait_change(self, timeout: float = 5.0) -> bool:
+        """Waits [s] for another generation or another overlay; whether one has come, which map() then has."""
     def require(self, generation: int, timeout: float = 5.0) -> Map:
         """Waits [s] for the generation of this number; SupersededError if a newer one is served already."""
     @property
@@ -388,8 +426,56 @@ class Map:
 
         A place is (lane, s) or what nearest_lane found. `lane_change` is what a change costs: default 20 m, or 2 s by time.
         """
-    def path(self, steps: Route | Iterable[RouteStep]) -> Path:
-        """A route, or steps made by hand, as one line; PathError names the step that does not follow."""
+    def path(
+        self,
+        steps: Route | Iterable[RouteStep],
+        *,
+        change_length: float | None = None,
+        broken_gap: float = 0.1,
+        broken_kink: float = 0.3,
+    ) -> Path:
+        """A route, or steps made by hand, as one line; PathError names the step that does not follow.
+
+        `change_length` [m] makes each change of lane a smooth curve of that length where there is room; else the line jumps. Joints with a larger gap than `broken_gap` [m]
+        or kink than `broken_kink` [rad] are broken.
+        """
+    @property
+    def overlay_revision(self) -> int:
+        """Revision of what is laid over it, which rises with each change; 0 where nothing is."""
+    def view(self, at: float | datetime | None = None) -> View:
+        """The map under what is laid over it, at a moment: seconds since 1970 in UTC [s], a datetime, or now."""
+    def with_overlay(self, overlay: bytes) -> Map:
+        """The same map under an overlay that mapd encoded for it. What a client attaches to is under the daemon's without this."""
+    def approaches(self, conflict: PathConflict, distance: float, *, vehicle: str = "passengerCar") -> Approaches:
+        """The lanes on which traffic comes to a conflict of a path, back to a distance [m], nearest first; the other lane itself comes first."""
+    def landmarks_near(self, point: tuple[float, float], radius: float) -> list[Landmark]:
+        """Signals and objects that localisers find again, within a radius [m], nearest first."""
+    def landmarks_in_view(
+        self, point: tuple[float, float], heading: float, range: float, field_of_view: float
+    ) -> list[LandmarkInView]:
+        """What a sensor at a point that looks along `heading` [rad] sees of them: up to `range` [m], half of `field_of_view` [rad] to either side, nearest first.
+
+        Signals are seen from the front only, and nothing hides anything.
+        """
+    def mark_points(
+        self, region: _Region, spacing: float, *, kinds: Sequence[str] | None = None, types: _Types | None = None
+    ) -> MarkPoints:
+        """Painted places of road marks in a rectangle, at every multiple of `spacing` [m] of their road's s; gaps have none."""
+    @overload
+    def stance(self, points: _Point, heading: float, wheels: NDArray[np.float64]) -> Stance | None: ...
+    @overload
+    def stance(
+        self,
+        points: _Points,
+        heading: float | NDArray[np.float64],
+        wheels: NDArray[np.float64],
+        *,
+        out: Stances | None = None,
+    ) -> Stances:
+        """How vehicles stand on the ground below their wheels: places (4, 2) ahead of and to the left of the reference point [m]. `heading` [rad]; z [m] tells levels apart.
+
+        Nothing with ground below fewer than three wheels.
+        """
     def reachable(
         self,
         start: _Place,
@@ -400,6 +486,16 @@ class Map:
         lane_change: float | None = None,
     ) -> Reached:
         """Pieces of lanes whose beginning can be reached within a limit [m, or s by time], nearest first."""
+    def reachable_to(
+        self,
+        goal: _Place,
+        limit: float,
+        *,
+        vehicle: str = "passengerCar",
+        by: _By = "length",
+        lane_change: float | None = None,
+    ) -> Reached:
+        """Pieces of lanes from whose beginning a place can be reached within a limit [m, or s by time], nearest first."""
     def lane_sequences_ahead(
         self, start: _Place, distance: float, *, vehicle: str = "passengerCar"
     ) -> list[list[Lane]]:
@@ -644,3 +740,206 @@ class Path:
         """The room along the path, a station every `step` [m] from `start` [m] on, `length` [m] far."""
     def conflicts(self) -> list[PathConflict]:
         """Where other traffic meets it, in ascending S."""
+    def corridor_surface(
+        self, step: float = 1.0, *, start: float = 0.0, length: float | None = None, out: CorridorSurface | None = None
+    ) -> CorridorSurface:
+        """The road's surface at the stations that corridor has for the same numbers [m]."""
+    def facts(self) -> list[PathFact]:
+        """What it comes by, in ascending S: junctions, signals, lines, types of roads and lanes, bridges, tunnels, holes of the map."""
+    def speeds(self) -> list[PathSpeed]:
+        """The speed limits along it, in ascending S without gaps."""
+    def segments(self, *, vehicle: str = "passengerCar") -> PathSegments:
+        """From which lanes its goal is reached along the same roads, and until where a change of lane may wait."""
+    def crossings(self) -> list[PathCrossing]:
+        """Crosswalks and bicycle crossings over it, in ascending S."""
+    def joints(self) -> list[PathJoint]:
+        """Gaps, overlaps and kinks, and changes of lane, in ascending S."""
+    def steps_between(self, start: float, end: float) -> tuple[RouteStep, ...]:
+        """The part of its steps from one S to another [m], for a path over that part."""
+    def rebase(
+        self, map: Map, *, vehicle: str = "passengerCar", by: _By = "length", lane_change: float | None = None
+    ) -> Rebased:
+        """Its way on another map, such as the next version of its own, and what has changed."""
+
+@final
+class View:
+    """A map under what is laid over it, at a moment: what is closed, slower or told of. Without an overlay it is the map."""
+
+    @property
+    def at(self) -> float:
+        """The moment: seconds since 1970 in UTC [s]."""
+    @property
+    def map(self) -> Map:
+        """The map below."""
+    def entries(self) -> list[OverlayEntry]:
+        """Everything that the overlay says, whether it holds now or not; entry k has the number k."""
+    def restrictions(self) -> Restrictions:
+        """What holds now, wherever it does."""
+    def restrictions_at(self, place: _Place) -> list[Restriction]:
+        """Entries that hold now at a place, in the lane's own direction."""
+    def restrictions_along(
+        self, steps: Route | Iterable[RouteStep], *, vehicle: str = "passengerCar"
+    ) -> list[Restriction]:
+        """What holds now along a route."""
+    def restrictions_on_path(self, path: Path, *, vehicle: str = "passengerCar") -> list[PathRestriction]:
+        """What holds now along a path, in ascending S."""
+    @overload
+    def allows(self, place: _Place, s: None = None, *, vehicle: str = "passengerCar") -> Permission: ...
+    @overload
+    def allows(
+        self,
+        place: NDArray[np.uint64],
+        s: float | NDArray[np.float64],
+        *,
+        vehicle: str = "passengerCar",
+        out: Permissions | None = None,
+    ) -> Permissions:
+        """Whether a class of vehicles may use a lane at a place, or many lanes, by their ids, each at its s [m]."""
+    @overload
+    def speed_rule_at(self, place: _Place, s: None = None, *, vehicle: str = "passengerCar") -> SpeedToday: ...
+    @overload
+    def speed_rule_at(
+        self,
+        place: NDArray[np.uint64],
+        s: float | NDArray[np.float64],
+        *,
+        vehicle: str = "passengerCar",
+        out: SpeedsToday | None = None,
+    ) -> SpeedsToday:
+        """The speed limit at a place, or of many lanes, by their ids, each at its s [m]: the lowest that an entry states, else the map's."""
+    @overload
+    def speed_on_path(self, path: Path, along: float, *, vehicle: str = "passengerCar") -> SpeedToday: ...
+    @overload
+    def speed_on_path(
+        self, path: Path, along: NDArray[np.float64], *, vehicle: str = "passengerCar", out: SpeedsToday | None = None
+    ) -> SpeedsToday:
+        """The speed limit at S of a path [m]."""
+    def signal_out_of_service(self, signal: Signal) -> OverlayEntry | None:
+        """The entry by which a signal is out of service now."""
+    def route(
+        self,
+        start: _Place,
+        goal: _Place,
+        *,
+        via: Sequence[_Place] | None = None,
+        vehicle: str = "passengerCar",
+        by: _By = "length",
+        lane_change: float | None = None,
+    ) -> Route | None:
+        """As Map.route, heeding what holds now."""
+    def reachable(
+        self,
+        start: _Place,
+        limit: float,
+        *,
+        vehicle: str = "passengerCar",
+        by: _By = "length",
+        lane_change: float | None = None,
+    ) -> Reached:
+        """As Map.reachable, heeding what holds now [m, or s by time]."""
+    def corridor(
+        self,
+        path: Path,
+        step: float = 1.0,
+        *,
+        start: float = 0.0,
+        length: float | None = None,
+        vehicle: str = "passengerCar",
+        out: Corridor | None = None,
+    ) -> Corridor:
+        """As Path.corridor [m], heeding what holds now beside the path; speeds are the map's."""
+    def signals_ahead(self, start: _Place, distance: float, *, vehicle: str = "passengerCar") -> list[SignalAhead]:
+        """As Map.signals_ahead [m]: ways through closed lanes are not followed."""
+    @overload
+    def match_pose(
+        self,
+        points: _Point,
+        heading: float,
+        covariance: NDArray[np.float64],
+        *,
+        types: _Types | None = None,
+        z_tolerance: float | None = None,
+        drive_deviation: float = 0.1,
+        none: float = 0.01,
+        vehicle: str | None = None,
+        closed: float = 0.05,
+        expected: Sequence[_LaneRef] | None = None,
+        unexpected: float = 0.05,
+    ) -> PoseMatch: ...
+    @overload
+    def match_pose(
+        self,
+        points: _Points,
+        heading: float | NDArray[np.float64],
+        covariance: NDArray[np.float64],
+        *,
+        types: _Types | None = None,
+        z_tolerance: float | None = None,
+        drive_deviation: float = 0.1,
+        none: float = 0.01,
+        vehicle: str | None = None,
+        closed: float = 0.05,
+        expected: Sequence[_LaneRef] | None = None,
+        unexpected: float = 0.05,
+    ) -> LaneMatches:
+        """As Map.match_pose: a lane that is closed to the vehicle now has the prior of closed ones."""
+
+@final
+class Tracker:
+    """The lane of a vehicle that drives, from fix to fix (docs/localisation.md). Threads that share it wait for each other.
+
+    `change_interval` [s] is the mean time between changes of lane, `correlation_time` [s] that over which errors of fixes are alike, `memory` [s] the time without a fix after
+    which it begins anew, `enough` the probability from which a lane, or none, is the answer. Other options are those of Map.match_pose; `types` are those that motor vehicles
+    travel on.
+    """
+
+    def __new__(
+        cls,
+        *,
+        types: _Types | None = None,
+        z_tolerance: float | None = None,
+        drive_deviation: float = 0.1,
+        none: float = 0.01,
+        vehicle: str | None = None,
+        closed: float = 0.05,
+        unexpected: float = 0.05,
+        change_interval: float = 30.0,
+        correlation_time: float = 0.0,
+        memory: float = 30.0,
+        enough: float = 0.5,
+    ) -> Tracker: ...
+    @overload
+    def update(
+        self,
+        map: Map,
+        time: float,
+        points: _Point,
+        heading: float,
+        covariance: NDArray[np.float64],
+        *,
+        odometer: float | None = None,
+        expected: Sequence[_LaneRef] | None = None,
+    ) -> Tracked: ...
+    @overload
+    def update(
+        self,
+        map: Map,
+        time: NDArray[np.float64],
+        points: _Points,
+        heading: float | NDArray[np.float64],
+        covariance: NDArray[np.float64],
+        *,
+        odometer: NDArray[np.float64] | None = None,
+        expected: Sequence[_LaneRef] | None = None,
+        out: TrackedFixes | None = None,
+    ) -> TrackedFixes:
+        """Takes the next fix, or many in their order: time [s] that does not fall, heading [rad], covariance as of Map.match_pose.
+
+        `odometer` is the way driven since any beginning [m], NaN where it is not known.
+        """
+    def hypotheses(self) -> PoseMatch:
+        """The lanes that the vehicle may be in, the most probable first, and the probability that it is in none."""
+    def probability_in(self, lanes: Sequence[_LaneRef]) -> float:
+        """Probability that the vehicle is in one of these lanes, such as those of its route."""
+    def reset(self) -> None:
+        """Forgets everything."""

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     import geopandas
 
-    from ._mapd import Lane, Map, Signal
+    from ._mapd import Lane, Map, Object, Signal
 
 
 class Nearest(NamedTuple):
@@ -259,6 +259,214 @@ class PathConflict(NamedTuple):
     reason: str
     wait: float
     """S at which to wait [m]."""
+
+
+class LaneLine(NamedTuple):
+    """A stop line or crossing on a lane."""
+
+    signal: Signal | None
+    """The signal that says so, or else the object does."""
+    object: Object | None
+    lane: Lane
+    s: float
+    """Where the lane's traffic meets it first [m]."""
+    meaning: str
+
+
+class PathFact(NamedTuple):
+    """Something that a path comes by. What the kind does not have is None."""
+
+    start: float
+    """S of its beginning [m]."""
+    end: float
+    """S of its end [m]; that of its beginning for what has a place alone."""
+    lane: Lane
+    """The driven lane at its beginning."""
+    kind: Literal["junction", "signal", "line", "road_type", "lane_type", "structure", "hole", "other"]
+    name: str | None = None
+    """Where the movement through a junction leads ("left", "straight", "right", "back"), what a line means, a type in OpenDRIVE's words."""
+    junction: str | None = None
+    """OpenDRIVE's id."""
+    signal: Signal | None = None
+    governs: bool | None = None
+    """Whether a signal is for what the path does."""
+    line: LaneLine | None = None
+    left: tuple[float, float, float] | None = None
+    """Left end of a line on the driven lane [m]."""
+    right: tuple[float, float, float] | None = None
+    number: int | None = None
+    """Of a bridge, tunnel or hole: its number in the map."""
+
+
+class PathSpeed(NamedTuple):
+    """A stretch of a path on which one speed limit holds."""
+
+    start: float
+    end: float
+    """S of both ends [m]."""
+    rule: SpeedRule
+
+
+class PathCrossing(NamedTuple):
+    """A crosswalk or bicycle crossing over a path."""
+
+    start: float
+    end: float
+    """S of both ends [m]."""
+    line: LaneLine
+    yields: Literal["lights", "unknown"]
+    """Whether a light for vehicles stands before it; else a rule of the road decides."""
+    wait: float
+    """S at which to wait [m]."""
+
+
+class PathJoint(NamedTuple):
+    """A place where the driven line is not continuous, or changes lanes."""
+
+    along: float
+    """S [m]."""
+    gap: float
+    """How far apart the line's two sides lie [m]."""
+    kink: float
+    """By how much the line turns [rad], positive to the left."""
+    enter: Literal["start", "ahead", "left", "right"]
+    broken: bool
+    """Whether gap or kink are larger than a path should have."""
+    short: bool
+    """Whether it is a change of lane that jumps because there is no room for a curve."""
+
+
+class PathChange(NamedTuple):
+    """What has become of a stretch of a path on another map."""
+
+    start: float
+    end: float
+    """S of both ends on the old path [m]."""
+    kind: Literal["moved", "replaced", "gone"]
+    """Whether its lane has moved, another lane lies there, or none does."""
+    distance: float | None
+    """How far away the lane lies now [m]."""
+
+
+class Rebased(NamedTuple):
+    """The way of a path on another map."""
+
+    route: Route | None
+    """None if no way leads along what is left of the path."""
+    changes: tuple[PathChange, ...]
+
+
+class OverlayEntry(NamedTuple):
+    """Something that an overlay says."""
+
+    number: int
+    """Its place among the overlay's entries, from 0."""
+    id: str
+    kind: str
+    """In the words of docs/overlay.md."""
+    value: float | None
+    """Of a speed, the limit [m/s]."""
+    source: str
+    text: str
+    confidence: float
+    """From 0 to 1."""
+    vehicles: tuple[str, ...]
+    """Classes that are concerned."""
+    holds: bool
+    """Whether it holds at the view's moment."""
+
+
+class Restriction(NamedTuple):
+    """An entry that holds on a stretch of a lane."""
+
+    entry: OverlayEntry
+    lane: Lane
+    s_from: float
+    s_to: float
+    """On the road [m], the smaller one first."""
+
+
+class PathRestriction(NamedTuple):
+    """An entry that holds on a stretch of a path."""
+
+    start: float
+    end: float
+    """S of both ends [m]."""
+    restriction: Restriction
+
+
+class Permission(NamedTuple):
+    """Whether a lane may be used at a place."""
+
+    is_allowed: bool
+    restriction: Restriction | None
+    """The entry that decides so; None where the map does."""
+
+
+class SpeedToday(NamedTuple):
+    """The speed limit at a place, with what is said of it today."""
+
+    max: float | None
+    """[m/s]; infinite where there is none, None where nobody says anything."""
+    map: SpeedRule
+    """What the map says."""
+    restriction: Restriction | None
+    """The entry that says otherwise."""
+
+
+class Tracked(NamedTuple):
+    """Where a tracked vehicle is."""
+
+    state: Literal["lane", "no_lane", "unknown"]
+    found: LaneMatch | None
+    """The lane, where the state is "lane"."""
+
+
+class Stance(NamedTuple):
+    """How a vehicle stands on the ground below its wheels."""
+
+    z: float
+    """Height of the ground's plane below the reference point [m]."""
+    roll: float
+    """[rad], positive lifts the left side (ISO 8855)."""
+    pitch: float
+    """[rad], positive lowers the front (ISO 8855)."""
+    wheels: tuple[float | None, float | None, float | None, float | None]
+    """Height of the ground below each wheel [m]; None beside all lanes."""
+
+
+class Landmark(NamedTuple):
+    """A thing that localisers find again."""
+
+    signal: Signal | None
+    """The signal that it is, or else it is an object."""
+    object: Object | None
+    copy: int | None
+    """Which of an object's copies."""
+    meaning: str
+    x: float
+    y: float
+    z: float
+    """Where it stands [m]."""
+    heading: float
+    """Of a signal the direction of its face's normal, of an object that of its u axis [rad]."""
+    length: float
+    width: float
+    height: float
+    """[m]; 0 where not given."""
+    distance: float
+    """In plan view from the point that was asked about [m]."""
+
+
+class LandmarkInView(NamedTuple):
+    """A landmark as a sensor sees it."""
+
+    landmark: Landmark
+    """Its distance is the range from the sensor [m]."""
+    bearing: float
+    """Direction from the sensor's heading [rad], positive to the left."""
+    facing: float
+    """How far it is turned away from the sensor [rad]: 0 looks at it."""
 
 
 class SignalAhead(NamedTuple):

@@ -2,6 +2,7 @@
 
 use crate::numbers::{Numbers, hash, object_bits, short, signal_bits};
 use crate::{Asker, Result};
+use mapd_client::Map;
 use mapd_client::path::{
     Corridor, CorridorEdges, LaneChange, Path, PathBuffer, PathFact, PathFactKind, PathOptions,
 };
@@ -20,7 +21,7 @@ fn line(a: &mut Numbers, line: &LaneLine) {
         LineSource::Object(object) => (None, Some(object)),
     };
     a.u(signal_bits(signal)).u(object_bits(object)).id(line.lane.to_bits()).f(line.s);
-    a.u(line.class.code());
+    a.u(hash(line.class.name()));
 }
 
 pub(crate) fn steps(a: &mut Numbers, steps: &[RouteStep]) {
@@ -31,11 +32,11 @@ pub(crate) fn steps(a: &mut Numbers, steps: &[RouteStep]) {
     }
 }
 
-fn fact(a: &mut Numbers, fact: &PathFact) {
+fn fact(a: &mut Numbers, map: Map<'_>, fact: &PathFact) -> Result<()> {
     a.f(fact.along[0]).f(fact.along[1]).id(fact.lane.to_bits());
     match fact.kind {
         PathFactKind::Junction { junction, turn } => {
-            a.u(0u64).id(junction.to_bits()).u(turn.bit());
+            a.u(0u64).u(hash(map.junction(junction)?.id())).u(turn.bit());
         }
         PathFactKind::Signal { signal, governs } => {
             a.u(1u64).id(signal.to_bits()).u(u64::from(governs));
@@ -58,6 +59,7 @@ fn fact(a: &mut Numbers, fact: &PathFact) {
         }
         _ => {}
     }
+    Ok(())
 }
 
 impl Asker<'_> {
@@ -80,7 +82,9 @@ impl Asker<'_> {
         let mut facts = Vec::new();
         path.facts(&mut facts);
         a.u(facts.len() as u64);
-        facts.iter().for_each(|one| fact(&mut a, one));
+        for one in &facts {
+            fact(&mut a, map, one)?;
+        }
         let mut speeds = Vec::new();
         path.speeds(&mut speeds);
         a.u(speeds.len() as u64);

@@ -1,0 +1,374 @@
+//! What a path comes by, and who meets it; as Python has it.
+
+use crate::batch::{Column, SPEED_ORIGINS, columns, fields, result, speed_rule};
+use crate::errors::query;
+use crate::held::{Held, content, id};
+use crate::lane::Lane;
+use crate::object::Object;
+use crate::route::{Cost, found_route, step_result};
+use crate::signal::Signal;
+use mapd_client::glam::{DVec2, DVec3};
+use mapd_client::path::{
+    Corridor, CorridorEdges, EdgeKind, EdgeMark, Path, PathChange, PathChangeKind, PathConflict,
+    PathFact, PathFactKind,
+};
+use mapd_client::route::{RouteScratch, RouteStep};
+use mapd_client::rules::{LaneLine, LineSource, Turn};
+use mapd_client::vocabulary::{ConflictKind, Relation, RelationReason, VehicleClass};
+use numpy::IntoPyArray;
+use numpy::ndarray::Array2;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+use std::sync::Arc;
+
+/// What lies beyond an edge, in the order of the codes in columns.
+pub(crate) const EDGES: [&str; 3] = ["lane", "kerb", "end"];
+
+fn edge_code(mark: &EdgeMark) -> u8 {
+    let kind: EdgeKind = mark.edge;
+    EDGES.iter().position(|name| *name == kind.name()).unwrap_or(0) as u8
+}
+
+fn turn_name(turn: Turn) -> &'static str {
+    match turn {
+        Turn::Left => "left",
+        Turn::Straight => "straight",
+        Turn::Right => "right",
+        Turn::Back => "back",
+    }
+}
+
+/// A stop line or crossing: signal, object, lane, s, class.
+fn line<'py>(py: Python<'py>, held: &Arc<Held>, line: &LaneLine) -> PyResult<Bound<'py, PyAny>> {
+    let (signal, object) = match line.source {
+        LineSource::Signal(signal) => (Some(Signal::new(held, signal)), None),
+        LineSource::Object(object) => (None, Some(Object::new(held, object))),
+    };
+    let fields = fields!(
+        py,
+        signal = signal,
+        object = object,
+        lane = Lane::new(held, line.lane.row()),
+        s = line.s,
+        meaning = line.class.name(),
+    );
+    result(py, "LaneLine", &fields)
+}
+
+fn triple<'py>(py: Python<'py>, p: DVec3) -> PyResult<Bound<'py, PyTuple>> {
+    PyTuple::new(py, [p.x, p.y, p.z])
+}
+
+fn fact<'py>(py: Python<'py>, held: &Arc<Held>, fact: &PathFact) -> PyResult<Bound<'py, PyAny>> {
+    let fields = fields!(
+        py,
+        start = fact.along[0],
+        end = fact.along[1],
+        lane = Lane::new(held, fact.lane.row()),
+    );
+    match fact.kind {
+        PathFactKind::Junction { junction, turn } => {
+            fields.set_item("kind", "junction")?;
+            fields.set_item("junction", held.map().junction(junction).map_err(query)?.id())?;
+            fields.set_item("name", turn_name(turn))?;
+        }
+        PathFactKind::Signal { signal, governs } => {
+            fields.set_item("kind", "signal")?;
+            fields.set_item("signal", Signal::new(held, signal))?;
+            fields.set_item("governs", governs)?;
+        }
+        PathFactKind::Line { line: own, ends: [left, right] } => {
+            fields.set_item("kind", "line")?;
+            fields.set_item("name", own.class.name())?;
+            fields.set_item("line", line(py, held, &own)?)?;
+            fields.set_item("left", triple(py, left)?)?;
+            fields.set_item("right", triple(py, right)?)?;
+        }
+        PathFactKind::RoadType(kind) => {
+            fields.set_item("kind", "road_type")?;
+            fields.set_item("name", kind.name())?;
+        }
+        PathFactKind::LaneType(kind) => {
+            fields.set_item("kind", "lane_type")?;
+            fields.set_item("name", kind.name())?;
+        }
+        PathFactKind::Structure { kind, number } => {
+            fields.set_item("kind", "structure")?;
+            fields.set_item("name", kind.name())?;
+            fields.set_item("number", number)?;
+        }
+        PathFactKind::Hole { number } => {
+            fields.set_item("kind", "hole")?;
+            fields.set_item("number", number)?;
+        }
+        _ => fields.set_item("kind", "other")?,
+    }
+    result(py, "PathFact", &fields)
+}
+
+pub(crate) fn facts<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    path: &Path<'_, '_>,
+) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    let mut found = Vec::new();
+    py.detach(|| path.facts(&mut found));
+    found.iter().map(|one| fact(py, held, one)).collect()
+}
+
+pub(crate) fn speeds<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    path: &Path<'_, '_>,
+) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    let mut found = Vec::new();
+    path.speeds(&mut found);
+    let one = |own: &mapd_client::path::PathSpeed| {
+        let rule = speed_rule(py, held, &own.rule)?;
+        result(py, "PathSpeed", &fields!(py, start = own.along[0], end = own.along[1], rule = rule))
+    };
+    found.iter().map(one).collect()
+}
+
+pub(crate) fn segments<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    path: &Path<'_, '_>,
+    vehicle: VehicleClass,
+) -> PyResult<Bound<'py, PyAny>> {
+    let mut found = Vec::new();
+    py.detach(|| path.segments(vehicle, &mut found));
+    let content = content(held.map());
+    let numbers = |of: fn(&mapd_client::path::PathSegment) -> f64| {
+        Column::Numbers(found.iter().map(of).collect())
+    };
+    let all = vec![
+        numbers(|own| own.along[0]),
+        numbers(|own| own.along[1]),
+        Column::Ids(found.iter().map(|own| id(content, own.lane.row())).collect()),
+        Column::Flags(found.iter().map(|own| own.forward).collect()),
+        Column::Flags(found.iter().map(|own| own.driven).collect()),
+        Column::Counts(found.iter().map(|own| i64::from(own.changes)).collect()),
+        numbers(|own| own.last_change),
+        numbers(|own| own.lane_end),
+    ];
+    columns(py, "PathSegments", all, None)
+}
+
+pub(crate) fn crossings<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    path: &Path<'_, '_>,
+) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    let mut found = Vec::new();
+    path.crossings(&mut found);
+    let one = |own: &mapd_client::path::PathCrossing| {
+        let fields = fields!(
+            py,
+            start = own.along[0],
+            end = own.along[1],
+            line = line(py, held, &own.line)?,
+            yields = own.yields.name(),
+            wait = own.wait,
+        );
+        result(py, "PathCrossing", &fields)
+    };
+    found.iter().map(one).collect()
+}
+
+pub(crate) fn joints<'py>(
+    py: Python<'py>,
+    path: &Path<'_, '_>,
+) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    let one = |own: &mapd_client::path::PathJoint| {
+        let fields = fields!(
+            py,
+            along = own.along,
+            gap = own.gap,
+            kink = own.kink,
+            enter = crate::route::entered(own.enter),
+            broken = own.broken,
+            short = own.short,
+        );
+        result(py, "PathJoint", &fields)
+    };
+    path.joints().iter().map(one).collect()
+}
+
+fn change<'py>(py: Python<'py>, own: &PathChange) -> PyResult<Bound<'py, PyAny>> {
+    let (kind, distance) = match own.kind {
+        PathChangeKind::Moved(distance) => ("moved", Some(distance)),
+        PathChangeKind::Replaced(distance) => ("replaced", Some(distance)),
+        _ => ("gone", None),
+    };
+    let [start, end] = own.along;
+    let fields = fields!(py, start = start, end = end, kind = kind, distance = distance);
+    result(py, "PathChange", &fields)
+}
+
+/// The way of a path on another map.
+pub(crate) fn rebase<'py>(
+    py: Python<'py>,
+    path: &Path<'_, '_>,
+    to: &Arc<Held>,
+    vehicle: VehicleClass,
+    cost: &Cost,
+) -> PyResult<Bound<'py, PyAny>> {
+    let (mut steps, mut changes) = (Vec::new(), Vec::new());
+    let found = py
+        .detach(|| {
+            let mut scratch = RouteScratch::default();
+            path.rebase(to.map(), vehicle, cost, &mut scratch, &mut steps, &mut changes)
+        })
+        .map_err(query)?;
+    let route = found.map(|route| found_route(py, to, &route, &steps)).transpose()?;
+    let changes = changes.iter().map(|own| change(py, own)).collect::<PyResult<Vec<_>>>()?;
+    let fields = fields!(py, route = route, changes = PyTuple::new(py, changes)?);
+    result(py, "Rebased", &fields)
+}
+
+pub(crate) fn steps_between<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    path: &Path<'_, '_>,
+    steps: &[RouteStep],
+    span: [f64; 2],
+) -> PyResult<Bound<'py, PyTuple>> {
+    let mut part = Vec::new();
+    path.steps_between(steps, span, &mut part)
+        .map_err(|error| crate::errors::raise("PathError", error.to_string()))?;
+    let part = part.iter().map(|step| step_result(py, held, step));
+    PyTuple::new(py, part.collect::<PyResult<Vec<_>>>()?)
+}
+
+/// Columns of a corridor.
+pub(crate) fn room<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    found: &Corridor,
+    out: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let content = content(held.map());
+    let parts = |points: &[DVec3], part: fn(&DVec3) -> f64| {
+        Column::Numbers(points.iter().map(part).collect())
+    };
+    let lanes = found.lane.iter().map(|lane| id(content, lane.row())).collect();
+    let mut all = vec![Column::Numbers(found.along.clone()), Column::Ids(lanes)];
+    for points in [&found.left, &found.right, &found.outer_left, &found.outer_right] {
+        all.extend([parts(points, |p| p.x), parts(points, |p| p.y), parts(points, |p| p.z)]);
+    }
+    let marks =
+        [&found.left_mark, &found.right_mark, &found.outer_left_mark, &found.outer_right_mark];
+    for marks in marks {
+        let codes = |code: fn(&EdgeMark) -> u8| {
+            Column::Codes(marks.iter().map(|mark| code(mark) as i8).collect())
+        };
+        all.extend([codes(|mark| mark.kind.code()), codes(|mark| mark.color.code())]);
+        all.push(Column::Flags(marks.iter().map(|mark| mark.may_cross).collect()));
+        all.push(codes(edge_code));
+    }
+    all.push(Column::Numbers(found.s.clone()));
+    let max = |rule: &mapd_client::rules::SpeedRule| rule.max.unwrap_or(f64::NAN);
+    all.push(Column::Numbers(found.speed.iter().map(max).collect()));
+    let origin = |rule: &mapd_client::rules::SpeedRule| {
+        let name = rule.origin.name();
+        SPEED_ORIGINS.iter().position(|own| *own == name).unwrap_or(0) as i8
+    };
+    all.push(Column::Codes(found.speed.iter().map(origin).collect()));
+    columns(py, "Corridor", all, out)
+}
+
+/// The road's surface along a path.
+pub(crate) fn surface<'py>(
+    py: Python<'py>,
+    path: &Path<'_, '_>,
+    [start, length, step]: [f64; 3],
+    out: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let found = py
+        .detach(|| {
+            let mut found = Corridor::default();
+            path.corridor(start, length, step, VehicleClass::PassengerCar, &mut found)?;
+            path.corridor_surface(&mut found).map(|()| found)
+        })
+        .map_err(query)?;
+    let numbers = |of: fn(&mapd_client::path::CorridorSurface) -> f64| {
+        Column::Numbers(found.surface.iter().map(of).collect())
+    };
+    let all = vec![
+        Column::Numbers(found.along.clone()),
+        numbers(|own| own.position.x),
+        numbers(|own| own.position.y),
+        numbers(|own| own.position.z),
+        numbers(|own| own.normal.x),
+        numbers(|own| own.normal.y),
+        numbers(|own| own.normal.z),
+        numbers(|own| own.friction.unwrap_or(f64::NAN)),
+        numbers(|own| own.roughness.unwrap_or(f64::NAN)),
+    ];
+    columns(py, "CorridorSurface", all, out)
+}
+
+/// The room between left and right edges as one polygon (M, 2), and whether it is simple.
+#[pyfunction]
+pub(crate) fn outline<'py>(
+    py: Python<'py>,
+    left: &Bound<'py, PyAny>,
+    right: &Bound<'py, PyAny>,
+) -> PyResult<(Bound<'py, PyAny>, bool)> {
+    let rows = |what: &Bound<'py, PyAny>, name: &str| -> PyResult<Vec<DVec3>> {
+        let rows = crate::input::Rows::of(what, name, &[2])?;
+        Ok(rows.points().map(|point| point.xy.extend(0.0)).collect())
+    };
+    let (left, right) = (rows(left, "left")?, rows(right, "right")?);
+    let (points, is_simple) = py.detach(|| {
+        let mut points: Vec<DVec2> = Vec::new();
+        let room = Corridor { left, right, ..Corridor::default() };
+        let is_simple = room.outline(CorridorEdges::Driven, &mut points);
+        (points, is_simple)
+    });
+    let numbers = points.iter().flat_map(|point| [point.x, point.y]).collect();
+    let array = Array2::from_shape_vec((points.len(), 2), numbers)
+        .map_err(|error| PyValueError::new_err(error.to_string()))?;
+    Ok((array.into_pyarray(py).into_any(), is_simple))
+}
+
+/// The lanes that lead to where another lane meets a path; what Python has of a conflict names that.
+pub(crate) fn approaches<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    conflict: &Bound<'py, PyAny>,
+    distance: f64,
+    vehicle: VehicleClass,
+) -> PyResult<Bound<'py, PyAny>> {
+    let map = held.map();
+    let number = |name: &str| -> PyResult<f64> { conflict.getattr(name)?.extract() };
+    // Which other lane, and where, is all that counts.
+    let conflict = PathConflict {
+        along: [0.0; 2],
+        other: crate::input::lane_of(map, &conflict.getattr("other")?)?.lane_id(),
+        other_s: [number("other_start")?, number("other_end")?],
+        kind: ConflictKind::Unknown,
+        yields: mapd_client::path::Yields::Unknown,
+        reason: RelationReason::Unknown,
+        relation: Relation::Unknown,
+        equal_roads: false,
+        wait: 0.0,
+    };
+    let mut found = Vec::new();
+    py.detach(|| map.approaches(&conflict, distance, vehicle, &mut found)).map_err(query)?;
+    let content = content(map);
+    let numbers = |of: fn(&mapd_client::path::ConflictApproach) -> f64| {
+        Column::Numbers(found.iter().map(of).collect())
+    };
+    let all = vec![
+        Column::Ids(found.iter().map(|own| id(content, own.lane.row())).collect()),
+        Column::Flags(found.iter().map(|own| own.forward).collect()),
+        numbers(|own| own.s[0]),
+        numbers(|own| own.s[1]),
+        numbers(|own| own.distance[0]),
+        numbers(|own| own.distance[1]),
+    ];
+    columns(py, "Approaches", all, None)
+}

@@ -1,0 +1,445 @@
+//! A map under what is laid over it, at a moment.
+
+use crate::batch::{Column, answer, columns, fields, result, speed_rule};
+use crate::errors::query;
+use crate::held::{Held, content, id};
+use crate::input::{column, finite, lane_of_id, place_of, vehicle_of};
+use crate::lane::Lane;
+use crate::path::Path;
+use crate::route::{Cost, ahead_result, found_route, pieces_result};
+use crate::signal::Signal;
+use mapd_client::QueryError;
+use mapd_client::path::Corridor;
+use mapd_client::route::RouteScratch;
+use mapd_client::signals::SignalsAhead;
+use mapd_client::view::{OverlayEntry, Restriction, SpeedToday};
+use mapd_client::vocabulary::VehicleClass;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+use std::sync::Arc;
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
+
+/// A map under its overlay at a moment. Immutable; threads share it.
+#[pyclass(frozen, module = "mapd")]
+pub(crate) struct View {
+    held: Arc<Held>,
+    at: SystemTime,
+}
+
+/// A moment: none is now, a number seconds since 1970 in UTC, anything else what its `timestamp()` says.
+fn moment(at: Option<&Bound<'_, PyAny>>) -> PyResult<SystemTime> {
+    let Some(at) = at else { return Ok(SystemTime::now()) };
+    let seconds: f64 = match at.extract() {
+        Ok(seconds) => seconds,
+        Err(_) => at.call_method0("timestamp")?.extract()?,
+    };
+    let away = Duration::try_from_secs_f64(seconds.abs()).ok();
+    let moment = away.and_then(|away| {
+        if seconds < 0.0 { UNIX_EPOCH.checked_sub(away) } else { UNIX_EPOCH.checked_add(away) }
+    });
+    moment.ok_or_else(|| PyValueError::new_err(format!("at: {seconds} s is no moment")))
+}
+
+pub(crate) fn view(held: &Arc<Held>, at: Option<&Bound<'_, PyAny>>) -> PyResult<View> {
+    Ok(View { held: Arc::clone(held), at: moment(at)? })
+}
+
+/// Number of the entry that decides; −1 where the map does.
+fn number(restriction: Option<&Restriction<'_>>) -> i64 {
+    restriction.map_or(-1, |one| i64::from(one.entry.number()))
+}
+
+impl View {
+    fn view(&self) -> mapd_client::view::View<'_> {
+        self.held.snapshot().view(self.at)
+    }
+
+    fn entry<'py>(&self, py: Python<'py>, own: &OverlayEntry<'_>) -> PyResult<Bound<'py, PyAny>> {
+        let concerned = VehicleClass::ALL.iter().filter(|class| own.concerns(**class));
+        let names: Vec<_> = concerned.map(|class| class.name()).collect();
+        let vehicles = PyTuple::new(py, names)?;
+        let fields = fields!(
+            py,
+            number = own.number(),
+            id = own.id(),
+            kind = own.kind().name(),
+            value = own.value(),
+            source = own.source(),
+            text = own.text(),
+            confidence = own.confidence(),
+            vehicles = vehicles,
+            holds = self.view().holds(own),
+        );
+        result(py, "OverlayEntry", &fields)
+    }
+
+    fn restriction<'py>(
+        &self,
+        py: Python<'py>,
+        own: &Restriction<'_>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let fields = fields!(
+            py,
+            entry = self.entry(py, &own.entry)?,
+            lane = Lane::new(&self.held, own.lane.row()),
+            s_from = own.s_from,
+            s_to = own.s_to,
+        );
+        result(py, "Restriction", &fields)
+    }
+
+    fn some<'py>(
+        &self,
+        py: Python<'py>,
+        own: Option<&Restriction<'_>>,
+    ) -> PyResult<Option<Bound<'py, PyAny>>> {
+        own.map(|own| self.restriction(py, own)).transpose()
+    }
+
+    fn speed<'py>(&self, py: Python<'py>, today: &SpeedToday<'_>) -> PyResult<Bound<'py, PyAny>> {
+        let fields = fields!(
+            py,
+            max = today.max,
+            map = speed_rule(py, &self.held, &today.map)?,
+            restriction = self.some(py, today.restriction.as_ref())?,
+        );
+        result(py, "SpeedToday", &fields)
+    }
+}
+
+/// Columns of speed limits of today.
+#[derive(Default)]
+struct Speeds {
+    max: Vec<f64>,
+    map: Vec<f64>,
+    entry: Vec<i64>,
+}
+
+impl Speeds {
+    fn push(&mut self, today: &SpeedToday<'_>) {
+        self.max.push(today.max.unwrap_or(f64::NAN));
+        self.map.push(today.map.max.unwrap_or(f64::NAN));
+        self.entry.push(number(today.restriction.as_ref()));
+    }
+
+    fn columns(self) -> Vec<Column> {
+        vec![Column::Numbers(self.max), Column::Numbers(self.map), Column::Counts(self.entry)]
+    }
+}
+
+#[pymethods]
+impl View {
+    #[getter]
+    fn at(&self) -> f64 {
+        match self.at.duration_since(UNIX_EPOCH) {
+            Ok(after) => after.as_secs_f64(),
+            Err(before) => -before.duration().as_secs_f64(),
+        }
+    }
+
+    #[getter]
+    fn map(&self) -> crate::map::Map {
+        crate::map::Map::of(Arc::clone(&self.held))
+    }
+
+    fn entries<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        self.view().entries().map(|own| self.entry(py, &own)).collect()
+    }
+
+    fn restrictions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let content = content(self.held.map());
+        let (lane, from, to, entry) = py.detach(|| {
+            let mut found = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+            for own in self.view().restrictions() {
+                found.0.push(id(content, own.lane.row()));
+                found.1.push(own.s_from);
+                found.2.push(own.s_to);
+                found.3.push(i64::from(own.entry.number()));
+            }
+            found
+        });
+        let all = vec![
+            Column::Ids(lane),
+            Column::Numbers(from),
+            Column::Numbers(to),
+            Column::Counts(entry),
+        ];
+        columns(py, "Restrictions", all, None)
+    }
+
+    fn restrictions_at<'py>(
+        &self,
+        py: Python<'py>,
+        place: &Bound<'py, PyAny>,
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let place = place_of(self.held.map(), place)?;
+        let found = self.view().restrictions_at(place.lane, place.s).map_err(query)?;
+        found.map(|own| self.restriction(py, &own)).collect()
+    }
+
+    #[pyo3(signature = (steps, *, vehicle = "passengerCar"))]
+    fn restrictions_along<'py>(
+        &self,
+        py: Python<'py>,
+        steps: &Bound<'py, PyAny>,
+        vehicle: &str,
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let steps = crate::path::steps_of(self.held.map(), steps)?;
+        let mut found = Vec::new();
+        self.view().restrictions_along(&steps, vehicle_of(vehicle)?, &mut found).map_err(query)?;
+        found.iter().map(|own| self.restriction(py, own)).collect()
+    }
+
+    #[pyo3(signature = (path, *, vehicle = "passengerCar"))]
+    fn restrictions_on_path<'py>(
+        &self,
+        py: Python<'py>,
+        path: &Bound<'py, Path>,
+        vehicle: &str,
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let (path, mut found) = (path.get().path().map_err(query)?, Vec::new());
+        let view = self.view();
+        view.restrictions_on_path(&path, vehicle_of(vehicle)?, &mut found).map_err(query)?;
+        let one = |own: &mapd_client::view::PathRestriction<'_>| {
+            let restriction = self.restriction(py, &own.restriction)?;
+            let [start, end] = own.along;
+            let fields = fields!(py, start = start, end = end, restriction = restriction);
+            result(py, "PathRestriction", &fields)
+        };
+        found.iter().map(one).collect()
+    }
+
+    #[pyo3(signature = (place, s = None, *, vehicle = "passengerCar", out = None))]
+    fn allows<'py>(
+        &self,
+        py: Python<'py>,
+        place: &Bound<'py, PyAny>,
+        s: Option<&Bound<'py, PyAny>>,
+        vehicle: &str,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let (view, vehicle) = (self.view(), vehicle_of(vehicle)?);
+        let Some(s) = s else {
+            let place = place_of(self.held.map(), place)?;
+            let found = view.allows(place.lane, place.s, vehicle).map_err(query)?;
+            let restriction = self.some(py, found.restriction.as_ref())?;
+            let fields = fields!(py, is_allowed = found.is_allowed, restriction = restriction);
+            return result(py, "Permission", &fields);
+        };
+        let lanes = crate::input::ids(place, "lanes", None)?;
+        let s = column(s, "s", lanes.len())?;
+        let (flags, entries) = answer(py, || {
+            let (mut flags, mut entries) = (Vec::new(), Vec::new());
+            for (row, id) in lanes.iter().enumerate() {
+                let of_row = |error: QueryError| (row, error);
+                let lane = lane_of_id(self.held.map(), *id).map_err(of_row)?;
+                let found = view.allows(lane.lane_id(), s[row], vehicle).map_err(of_row)?;
+                flags.push(found.is_allowed);
+                entries.push(number(found.restriction.as_ref()));
+            }
+            Ok((flags, entries))
+        })?;
+        columns(py, "Permissions", vec![Column::Flags(flags), Column::Counts(entries)], out)
+    }
+
+    #[pyo3(signature = (place, s = None, *, vehicle = "passengerCar", out = None))]
+    fn speed_rule_at<'py>(
+        &self,
+        py: Python<'py>,
+        place: &Bound<'py, PyAny>,
+        s: Option<&Bound<'py, PyAny>>,
+        vehicle: &str,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let (view, vehicle) = (self.view(), vehicle_of(vehicle)?);
+        let Some(s) = s else {
+            let place = place_of(self.held.map(), place)?;
+            let found = view.speed_rule_at(place.lane, place.s, vehicle).map_err(query)?;
+            return self.speed(py, &found);
+        };
+        let lanes = crate::input::ids(place, "lanes", None)?;
+        let s = column(s, "s", lanes.len())?;
+        let found = answer(py, || {
+            let mut found = Speeds::default();
+            for (row, id) in lanes.iter().enumerate() {
+                let of_row = |error: QueryError| (row, error);
+                let lane = lane_of_id(self.held.map(), *id).map_err(of_row)?;
+                let s = finite(s[row]).map_err(of_row)?;
+                found.push(&view.speed_rule_at(lane.lane_id(), s, vehicle).map_err(of_row)?);
+            }
+            Ok(found)
+        })?;
+        columns(py, "SpeedsToday", found.columns(), out)
+    }
+
+    #[pyo3(signature = (path, along, *, vehicle = "passengerCar", out = None))]
+    fn speed_on_path<'py>(
+        &self,
+        py: Python<'py>,
+        path: &Bound<'py, Path>,
+        along: &Bound<'py, PyAny>,
+        vehicle: &str,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let (view, vehicle) = (self.view(), vehicle_of(vehicle)?);
+        let path = path.get().path().map_err(query)?;
+        if let Ok(along) = along.extract::<f64>() {
+            return self.speed(py, &view.speed_on_path(&path, along, vehicle).map_err(query)?);
+        }
+        let along = crate::input::column_of_any(along, "along")?;
+        let found = answer(py, || {
+            let mut found = Speeds::default();
+            for (row, along) in along.iter().enumerate() {
+                let today = view.speed_on_path(&path, *along, vehicle);
+                found.push(&today.map_err(|error| (row, error))?);
+            }
+            Ok(found)
+        })?;
+        columns(py, "SpeedsToday", found.columns(), out)
+    }
+
+    fn signal_out_of_service<'py>(
+        &self,
+        py: Python<'py>,
+        signal: &Bound<'py, Signal>,
+    ) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let found = self.view().signal_out_of_service(signal.get().signal_id()).map_err(query)?;
+        found.map(|own| self.entry(py, &own)).transpose()
+    }
+
+    #[pyo3(signature = (start, goal, *, via = None, vehicle = "passengerCar", by = "length", lane_change = None))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
+    fn route<'py>(
+        &self,
+        py: Python<'py>,
+        start: &Bound<'py, PyAny>,
+        goal: &Bound<'py, PyAny>,
+        via: Option<Vec<Bound<'py, PyAny>>>,
+        vehicle: &str,
+        by: &str,
+        lane_change: Option<f64>,
+    ) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let (cost, vehicle) = (Cost::named(by, lane_change)?, vehicle_of(vehicle)?);
+        let places = std::iter::once(start).chain(via.iter().flatten()).chain([goal]);
+        let places = places.map(|place| place_of(self.held.map(), place));
+        let (places, mut steps) = (places.collect::<PyResult<Vec<_>>>()?, Vec::new());
+        let route = py
+            .detach(|| {
+                let mut scratch = RouteScratch::default();
+                self.view().route_via(&places, vehicle, &cost, &mut scratch, &mut steps)
+            })
+            .map_err(query)?;
+        route.map(|route| found_route(py, &self.held, &route, &steps)).transpose()
+    }
+
+    #[pyo3(signature = (start, limit, *, vehicle = "passengerCar", by = "length", lane_change = None))]
+    fn reachable<'py>(
+        &self,
+        py: Python<'py>,
+        start: &Bound<'py, PyAny>,
+        limit: f64,
+        vehicle: &str,
+        by: &str,
+        lane_change: Option<f64>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let (cost, vehicle) = (Cost::named(by, lane_change)?, vehicle_of(vehicle)?);
+        let start = place_of(self.held.map(), start)?;
+        let found = py
+            .detach(|| {
+                let (mut scratch, mut found) = (RouteScratch::default(), Vec::new());
+                self.view().reachable(start, limit, vehicle, &cost, &mut scratch, &mut found)?;
+                Ok(found)
+            })
+            .map_err(query)?;
+        let pieces = found.iter();
+        let pieces =
+            pieces.map(|one| (one.lane.row(), one.forward, one.s_from, one.s_to, one.cost));
+        pieces_result(py, &self.held, &pieces.collect())
+    }
+
+    #[pyo3(signature = (path, step = 1.0, *, start = 0.0, length = None, vehicle = "passengerCar", out = None))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
+    fn corridor<'py>(
+        &self,
+        py: Python<'py>,
+        path: &Bound<'py, Path>,
+        step: f64,
+        start: f64,
+        length: Option<f64>,
+        vehicle: &str,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let (path, vehicle) = (path.get().path().map_err(query)?, vehicle_of(vehicle)?);
+        let length = length.unwrap_or_else(|| path.length());
+        let found = py
+            .detach(|| {
+                let (view, mut found) = (self.view(), Corridor::default());
+                view.corridor(&path, start, length, step, vehicle, &mut found).map(|()| found)
+            })
+            .map_err(query)?;
+        crate::along::room(py, &self.held, &found, out)
+    }
+
+    #[pyo3(signature = (start, distance, *, vehicle = "passengerCar"))]
+    fn signals_ahead<'py>(
+        &self,
+        py: Python<'py>,
+        start: &Bound<'py, PyAny>,
+        distance: f64,
+        vehicle: &str,
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let (start, vehicle) = (place_of(self.held.map(), start)?, vehicle_of(vehicle)?);
+        let mut found = SignalsAhead::default();
+        self.view().signals_ahead(start, distance, vehicle, &mut found).map_err(query)?;
+        ahead_result(py, &self.held, &found)
+    }
+
+    #[pyo3(signature = (points, heading, covariance, *, types = None, z_tolerance = None,
+        drive_deviation = 0.1, none = 0.01, vehicle = None, closed = 0.05, expected = None, unexpected = 0.05))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
+    fn match_pose<'py>(
+        &self,
+        py: Python<'py>,
+        points: &Bound<'py, PyAny>,
+        heading: &Bound<'py, PyAny>,
+        covariance: &Bound<'py, PyAny>,
+        types: Option<&Bound<'py, PyAny>>,
+        z_tolerance: Option<f64>,
+        drive_deviation: f64,
+        none: f64,
+        vehicle: Option<&str>,
+        closed: f64,
+        expected: Option<Vec<Bound<'py, PyAny>>>,
+        unexpected: f64,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let expected = crate::input::lanes_of(self.held.map(), expected.as_deref())?;
+        let types = types.map_or(Ok(mapd_client::LaneTypes::ALL), crate::input::types_of)?;
+        let vehicle = vehicle.map(vehicle_of).transpose()?;
+        let options = mapd_client::localisation::MatchOptions {
+            types,
+            z_tolerance,
+            drive_deviation,
+            none,
+            vehicle,
+            closed,
+            expected: &expected,
+            unexpected,
+        };
+        let view = self.view();
+        crate::matching::match_pose(
+            py,
+            &self.held,
+            points,
+            heading,
+            covariance,
+            |pose, covariance, out| view.match_pose(pose, covariance, &options, out),
+        )
+    }
+
+    fn __repr__(&self) -> String {
+        let (all, view) = (self.view().entries().count(), self.view());
+        let now = view.entries().filter(|own| view.holds(own)).count();
+        format!("<mapd.View {:?}: {now} of {all} entries hold>", self.held.map().name())
+    }
+}
