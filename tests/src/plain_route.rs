@@ -11,10 +11,24 @@ use std::collections::BinaryHeap;
 /// What a node costs and where it leads.
 struct Node {
     pass: f64,
-    ahead: Vec<usize>,
+    /// What follows, with what it costs to go on there.
+    ahead: Vec<(usize, f64)>,
     /// Changes of lane with their cost.
     beside: Vec<(usize, f64)>,
     open: bool,
+}
+
+/// Costs as whole numbers have so many to one.
+const UNITS: f64 = 1e9;
+
+/// A state of a way that is looked for: nodes beside the start, on the way, and beside the goal are different ones.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum State {
+    Source,
+    Start(usize),
+    Node(usize),
+    Goal(usize),
+    End,
 }
 
 /// A map's graph for one class of vehicles and one cost.
@@ -28,7 +42,11 @@ impl PlainGraph {
         let row = |node: LaneNode<'_>| node.node_id().row() as usize;
         let read = |node: LaneNode<'_>| Node {
             pass: cost.pass(&node),
-            ahead: node.edges().filter_map(|edge| edge.target()).map(row).collect(),
+            ahead: node
+                .edges()
+                .filter_map(|edge| edge.target())
+                .map(|to| (row(to), cost.enter(&node, &to)))
+                .collect(),
             beside: [node.change_left(), node.change_right()]
                 .into_iter()
                 .flatten()
@@ -47,14 +65,7 @@ impl PlainGraph {
         to: &[PositionOnLane],
     ) -> Vec<Option<f64>> {
         let all: Vec<LaneNode<'_>> = map.lane_nodes().collect();
-        let share = |node: usize, s: f64| {
-            let SRange { low, high } = all[node].s_range();
-            let lane = all[node].lane().expect("a lane");
-            let share = lane.length_between(low, s) / lane.length_between(low, high);
-            // max takes the number where the other is none: a lane without length.
-            let share = if share > 1.0 { 1.0 } else { share.max(0.0) };
-            if all[node].is_forward() { share } else { 1.0 - share }
-        };
+        let share = |node: usize, s: f64| share(&all[node], s);
         let beside_start = self.beside(at(map, from).map(|node| (node, 0.0)).collect());
         // Cheapest ways to each node's beginning: from anywhere, and from behind only.
         let mut best = vec![f64::INFINITY; self.nodes.len()];
@@ -103,6 +114,79 @@ impl PlainGraph {
             .collect()
     }
 
+    /// Costs of the k best ways from a place to another, by Yen's algorithm of another library over the same states.
+    pub fn best_costs(
+        &self,
+        map: Map<'_>,
+        (from, to): (PositionOnLane, PositionOnLane),
+        count: usize,
+    ) -> Vec<f64> {
+        let all: Vec<LaneNode<'_>> = map.lane_nodes().collect();
+        let share = |node: usize, s: f64| share(&all[node], s);
+        let targets: Vec<usize> = at(map, to).filter(|node| self.nodes[*node].open).collect();
+        let group: Vec<usize> = targets.iter().flat_map(|t| self.leads_to(*t)).collect();
+        // Costs as whole numbers, as that library has it.
+        let cost = |cost: f64| (cost * UNITS).round() as u64;
+        let successors = |state: &State| -> Vec<(State, u64)> {
+            let beside = |node: usize| {
+                self.nodes[node].beside.iter().filter(|(to, _)| self.nodes[*to].open)
+            };
+            let leave = |node: usize, passed: f64| {
+                let ahead = self.nodes[node].ahead.iter().filter(|(to, _)| self.nodes[*to].open);
+                ahead.flat_map(move |(to, enter)| [(State::Node(*to), passed + enter), (State::Goal(*to), passed + enter)])
+            };
+            let mut out: Vec<(State, f64)> = Vec::new();
+            match *state {
+                State::Source => out.extend(at(map, from).map(|node| (State::Start(node), 0.0))),
+                State::Start(node) => {
+                    out.extend(leave(node, self.nodes[node].pass * (1.0 - share(node, from.s))));
+                    out.extend(beside(node).map(|(to, change)| (State::Start(*to), *change)));
+                    let left = share(node, to.s) - share(node, from.s);
+                    if targets.contains(&node) && left >= 0.0 {
+                        out.push((State::End, self.nodes[node].pass * left));
+                    }
+                }
+                State::Node(node) => {
+                    out.extend(leave(node, self.nodes[node].pass));
+                    out.extend(beside(node).map(|(to, change)| (State::Node(*to), *change)));
+                }
+                State::Goal(node) => {
+                    out.extend(beside(node).map(|(to, change)| (State::Goal(*to), *change)));
+                    if targets.contains(&node) {
+                        out.push((State::End, self.nodes[node].pass * share(node, to.s)));
+                    }
+                }
+                State::End => {}
+            }
+            let known = |state: &State| !matches!(state, State::Goal(node) if !group.contains(node));
+            out.into_iter().filter(|(state, _)| known(state)).map(|(state, c)| (state, cost(c))).collect()
+        };
+        let found = pathfinding::directed::yen::yen(
+            &State::Source,
+            successors,
+            |state| *state == State::End,
+            count,
+        );
+        found.into_iter().map(|(_, cost)| cost as f64 / UNITS).collect()
+    }
+
+    /// Nodes from which changes of lane lead to a node, itself first.
+    fn leads_to(&self, target: usize) -> Vec<usize> {
+        let mut found = vec![target];
+        let mut done = 0;
+        while done < found.len() {
+            let to = found[done];
+            done += 1;
+            let from = (0..self.nodes.len()).filter(|from| {
+                let own = &self.nodes[*from];
+                own.open && own.beside.iter().any(|(beside, _)| *beside == to)
+            });
+            let new: Vec<usize> = from.filter(|from| !found.contains(from)).collect();
+            found.extend(new);
+        }
+        found
+    }
+
     fn leave(
         &self,
         node: usize,
@@ -111,9 +195,9 @@ impl PlainGraph {
         behind: &mut [f64],
         open: &mut BinaryHeap<Reverse<(u64, usize)>>,
     ) {
-        for to in self.nodes[node].ahead.iter().filter(|to| self.nodes[**to].open) {
-            behind[*to] = behind[*to].min(cost);
-            improve(*to, cost, best, open);
+        for (to, enter) in self.nodes[node].ahead.iter().filter(|(to, _)| self.nodes[*to].open) {
+            behind[*to] = behind[*to].min(cost + enter);
+            improve(*to, cost + enter, best, open);
         }
     }
 
@@ -135,6 +219,16 @@ impl PlainGraph {
             costs.push((node, cost));
         }
     }
+}
+
+/// Share of a node's length before s.
+fn share(node: &LaneNode<'_>, s: f64) -> f64 {
+    let SRange { low, high } = node.s_range();
+    let lane = node.lane().expect("a lane");
+    let share = lane.length_between(low, s) / lane.length_between(low, high);
+    // max takes the number where the other is none: a lane without length.
+    let share = if share > 1.0 { 1.0 } else { share.max(0.0) };
+    if node.is_forward() { share } else { 1.0 - share }
 }
 
 /// Nodes at a place, one for each direction of travel.

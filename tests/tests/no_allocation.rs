@@ -7,7 +7,8 @@ use mapd_client::localisation::{
     GroundScratch, MarkFilter, MatchOptions, Tracker, TrackerOptions, VehiclePose,
 };
 use mapd_client::route::{
-    LaneSequences, PositionOnLane, RouteScratch, ShortestTime, next_lane_change,
+    AlternativeOptions, LaneSequences, PositionOnLane, Reach, RouteEnd, RouteRequest, RouteScratch,
+    Routes, ShortestTime, WithTurns, next_lane_change,
 };
 use mapd_client::signals::SignalsAhead;
 use mapd_client::vocabulary::ClassSet;
@@ -223,6 +224,45 @@ fn queries_do_not_allocate() {
     let after = COUNT.with(Cell::get);
     assert!(seen > 100, "the queries found nothing to count");
     assert_eq!(after - before, 0, "queries allocated");
+}
+
+/// A search's buffers grow once, whatever is asked of it.
+#[test]
+fn requests_do_not_allocate_after_the_first_call() {
+    let snapshot = mapd_tests::maps::open(&mapd_tests::carried("town.xodr"));
+    let map = snapshot.map();
+    let base = ShortestTime::default();
+    let all: Vec<RouteEnd> = map
+        .lanes()
+        .map(|lane| RouteEnd::from(PositionOnLane { lane: lane.lane_id(), s: 1.0 }))
+        .collect();
+    let avoid = [all[7].place.lane];
+    let cost = WithTurns { base, left: 5.0, right: 1.0, back: 9.0 };
+    let (mut scratch, mut steps, mut network, mut routes) =
+        (RouteScratch::default(), Vec::new(), Reach::default(), Routes::default());
+    let mut round = || {
+        let mut seen = 0;
+        for (starts, goals) in all.chunks(3).zip(all.rchunks(2)).step_by(9) {
+            let vehicle = VehicleClass::PassengerCar;
+            let request = RouteRequest { starts, goals, vehicle, cost: &cost, avoid: &avoid };
+            let found = map.find_route(&request, &mut scratch, &mut steps).expect("an answer");
+            map.reach(&request, 30.0, &mut scratch, &mut network).expect("an answer");
+            map.reach_to(&request, 30.0, &mut scratch, &mut network).expect("an answer");
+            seen += usize::from(found.is_some()) + network.reached().len();
+            for share in [0.0, 0.3] {
+                let options = AlternativeOptions { share, ..AlternativeOptions::default() };
+                map.alternatives(&request, &options, &mut scratch, &mut routes).expect("routes");
+                seen += routes.iter().len();
+            }
+        }
+        seen
+    };
+    let first = round();
+    let before = COUNT.with(Cell::get);
+    let again = round();
+    let after = COUNT.with(Cell::get);
+    assert!(first > 100 && first == again, "{first}, {again}");
+    assert_eq!(after - before, 0, "requests allocated");
 }
 
 /// A path's buffers grow once; then nothing along it allocates.

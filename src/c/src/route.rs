@@ -156,7 +156,7 @@ pub(crate) fn step_of(step: mapd_route_step) -> Result<RouteStep, Failure> {
 
 impl From<Route> for mapd_route_sum {
     fn from(route: Route) -> Self {
-        let Route { cost, length, travel_time, lane_changes } = route;
+        let Route { cost, length, travel_time, lane_changes, .. } = route;
         Self { cost, length, travel_time, lane_changes }
     }
 }

@@ -57,7 +57,20 @@ fn is_constant(records: &[ArchivedCubicRow], from: f64, to: f64) -> bool {
         && records.get(next).is_none_or(|next| next.s() >= to)
 }
 
+/// Steps towards the place at a length along a lane.
+const CUTS: usize = 6;
+
 impl<'a> Lane<'a> {
+    /// s at a length along the centre line from one place towards another `[m]`: in a bend the two are not in one proportion.
+    pub(crate) fn s_after(&self, from: f64, to: f64, wanted: f64) -> f64 {
+        let mut share = 1.0;
+        for _ in 0..CUTS {
+            let length = self.length_between(from, from + (to - from) * share);
+            share *= if length > 0.0 { (wanted / length).min(1.0 / share) } else { 0.0 };
+        }
+        from + (to - from) * share
+    }
+
     /// Length of the centre line in plan view between two places on the road `[m]`, from the file's own polynomials: where the
     /// stored polyline bends, the integral is cut. s outside the lane's section counts as its nearer end; with one that is not
     /// finite: NaN.

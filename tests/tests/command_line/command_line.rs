@@ -245,6 +245,32 @@ fn routes_name_their_lanes() {
     );
 }
 
+/// On a ring road with a way across, the way round is the alternative, and the only way where the other is avoided.
+#[test]
+fn alternatives_and_lanes_to_avoid() {
+    let map = mapd_tests::carried("town.xodr").display().to_string();
+    let head = "from_road,from_s,from_lane,to_road,to_s,to_lane";
+    let lines = |args: &[&str], asked: &str| {
+        let args = [&["query", &map, "route"], args].concat();
+        let output = run(&args, &format!("{head}\n{asked}\n"));
+        assert!(output.status.success(), "{output:?}");
+        let text = String::from_utf8(output.stdout).expect("text");
+        text.lines().skip(1).map(str::to_owned).collect::<Vec<_>>()
+    };
+    let asked = "1,10,-1,4,10,1";
+    let best = lines(&[], asked);
+    let [best] = &best[..] else { panic!("{best:?}") };
+    let three = lines(&["--alternatives", "3"], asked);
+    assert_eq!(&three[0], best);
+    assert!(three.len() > 1 && three.iter().all(|line| line.ends_with(',')), "{three:?}");
+    let lanes: Vec<&str> = best.split(',').nth(8).expect("lanes").split(';').collect();
+    let middle = lanes[lanes.len() / 2];
+    let around = lines(&["--avoid", middle], asked);
+    assert!(!around[0].contains(middle) && around[0].ends_with(','), "{around:?}");
+    let wrong = lines(&["--avoid", "nowhere:0:-1"], asked);
+    assert!(wrong[0].contains("--avoid nowhere:0:-1: no such lane"), "{wrong:?}");
+}
+
 #[test]
 fn wrong_usage_ends_with_two() {
     let road = one_road();

@@ -1,5 +1,6 @@
 //! What a compiled map answers: lanes, positions, graph, routes, signals, objects, heights.
 
+mod alternatives;
 mod annotations;
 mod as_json;
 mod batches;
@@ -37,6 +38,7 @@ mod path_meets;
 mod path_room;
 mod paths;
 mod polylines;
+mod reach;
 mod reference;
 mod regions;
 mod right_road;

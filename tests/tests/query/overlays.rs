@@ -108,7 +108,7 @@ fn routes_lead_round_it() {
         view.reachable(from, 1e3, CAR, &cost, &mut scratch, &mut reached).expect("an answer");
         let own = reached.iter().filter(|piece| piece.lane == lane);
         let pieces: Vec<_> = own.map(|piece| (piece.s_from, piece.s_to)).collect();
-        assert_eq!(pieces, [(0.0, 40.0), (60.0, 100.0)]);
+        assert_eq!(pieces, [(10.0, 40.0), (60.0, 100.0)]);
     });
 }
 

@@ -156,6 +156,51 @@ fn s_grows_by_what_is_driven_and_joints_are_listed() {
     });
 }
 
+/// All routes of a thousand random pairs on eight maps: every place of the path lies in its lane and is driven the way that the lane may be, and every
+/// change is allowed where it is made.
+#[test]
+fn every_place_of_a_thousand_routes_lies_in_the_paths_lanes() {
+    for file in carried_and(&MAPS) {
+        let snapshot = open(&file);
+        let (map, name) = (snapshot.map(), file.display().to_string());
+        let car = VehicleClass::PassengerCar;
+        let (mut scratch, mut steps, mut buffer) =
+            (RouteScratch::default(), Vec::new(), PathBuffer::default());
+        let mut found = 0;
+        for (from, targets) in crate::routing::places(map, car, 1_000) {
+            for to in targets {
+                let cost = ShortestLength::default();
+                let route = map.route(from, to, car, &cost, &mut scratch, &mut steps);
+                if route.expect("an answer").is_none() {
+                    continue;
+                }
+                // The path itself refuses changes that are not allowed and lanes that do not follow each other.
+                let Ok(path) = map.path(&steps, &PathOptions::default(), &mut buffer) else {
+                    let error = map.path(&steps, &PathOptions::default(), &mut buffer).err();
+                    assert_eq!(error, Some(PathError::Empty), "{name}: {steps:?}");
+                    continue;
+                };
+                found += 1;
+                for own in path.lanes() {
+                    let lane = map.lane(own.lane).expect("its lane");
+                    let node = lane.node_at(0.5 * (own.s[0] + own.s[1]), own.forward);
+                    let open = node.is_some_and(|node| node.allows(car));
+                    assert!(open || own.step == 0, "{name}: {} is closed", lane.key());
+                    for share in [0.02, 0.98] {
+                        let along = own.along[0] + share * (own.along[1] - own.along[0]);
+                        let at = path.at(along).expect("a place");
+                        let in_lane = lane.position_of(at.position.truncate());
+                        let in_lane = in_lane.expect("a position");
+                        let near = in_lane.distance < TOLERANCE && at.lane == own.lane;
+                        assert!(near, "{name}: {} at {along}, {in_lane:?}", lane.key());
+                    }
+                }
+            }
+        }
+        assert!(found > 100 || map.lanes().count() < 10, "{name}: {found}");
+    }
+}
+
 #[test]
 fn the_corridors_edges_are_those_of_the_lanes() {
     each_path(|map, path, _, name, _| {

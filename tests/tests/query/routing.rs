@@ -5,7 +5,7 @@ use mapd_query::SRange;
 use mapd_query::graph::LaneNode;
 use mapd_query::route::{
     CostBound, Enter, PositionOnLane, Reached, RouteCost, RouteScratch, RouteStep, ShortestLength,
-    ShortestTime, WithFactors,
+    ShortestTime, WithFactors, WithTurns,
 };
 use mapd_query::vocabulary::{LaneType, VehicleClass};
 use mapd_tests::maps::{Random, open};
@@ -30,7 +30,10 @@ const PAIRS: usize = 1000;
 /// Pairs that share a start: the oracle finds the ways to many targets at once.
 const PER_START: usize = 25;
 /// Costs may differ by rounding of sums.
-const ROUNDING: f64 = 1e-6;
+pub(crate) const ROUNDING: f64 = 1e-6;
+/// Metres, and what turns are worth.
+const TURNS: WithTurns<ShortestLength> =
+    WithTurns { base: ShortestLength { lane_change: 20.0 }, left: 60.0, right: 15.0, back: 300.0 };
 
 /// A caller's own cost: fast roads cost half, changes to the right more than to the left.
 struct Own {
@@ -54,7 +57,7 @@ impl RouteCost for Own {
 }
 
 /// Starts, each with its targets.
-fn places(
+pub(crate) fn places(
     map: Map<'_>,
     vehicle: VehicleClass,
     pairs: usize,
@@ -103,7 +106,7 @@ fn check(map: Map<'_>, vehicle: VehicleClass, cost: &impl RouteCost, pairs: usiz
 }
 
 /// A route is driven without a gap, in driving direction, by allowed changes, on lanes open to the vehicle.
-fn check_steps(
+pub(crate) fn check_steps(
     map: Map<'_>,
     vehicle: VehicleClass,
     (from, to): (PositionOnLane, PositionOnLane),
@@ -160,6 +163,7 @@ fn check_map(name: &str, snapshot: &Snapshot, pairs: usize) {
         check(map, car, &ShortestTime::default(), pairs / 4),
         check(map, car, &ShortestLength { lane_change: 0.0 }, pairs / 4),
         check(map, car, &Own { bound: CostBound::None }, pairs / 4),
+        check(map, car, &TURNS, pairs / 4),
         check(map, car, &Own { bound: CostBound::PerMetre { metre: 0.5, change: 5.0 } }, pairs / 4),
         check(map, VehicleClass::Bicycle, &ShortestLength::default(), pairs / 8),
         check(map, VehicleClass::Pedestrian, &ShortestLength::default(), pairs / 8),

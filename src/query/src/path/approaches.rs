@@ -9,8 +9,6 @@ use mapd_archive::VehicleClass;
 
 /// Lanes of one answer at most.
 const MOST: usize = 4_096;
-/// Steps towards the place at a length along a lane.
-const CUTS: usize = 6;
 
 /// A lane, or a piece of one, on which traffic comes towards a conflict.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,17 +67,10 @@ impl<'a> Map<'a> {
             let ([far, near], number) = (own.distance, own.node);
             own.settled = true;
             if far > distance {
-                // What lies beyond is cut off: in a bend lengths and s are not in one proportion.
-                let (entry, exit) = (own.s[0], own.s[1]);
-                let (wanted, mut share) = ((distance - near).max(0.0), 1.0);
+                // What lies beyond is cut off.
                 if let Ok(lane) = self.lane(own.lane) {
-                    for _ in 0..CUTS {
-                        let length = lane.length_between(exit + (entry - exit) * share, exit);
-                        share *=
-                            if length > 0.0 { (wanted / length).min(1.0 / share) } else { 0.0 };
-                    }
+                    own.s[0] = lane.s_after(own.s[1], own.s[0], (distance - near).max(0.0));
                 }
-                own.s[0] = exit + (entry - exit) * share;
                 own.distance[0] = distance.max(near);
                 continue;
             }

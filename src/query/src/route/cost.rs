@@ -1,6 +1,7 @@
 //! What a route costs.
 
 use crate::graph::LaneNode;
+use crate::rules::Turn;
 
 /// A bound that a cost keeps, which lets a search go straight for its target.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -33,6 +34,12 @@ pub trait RouteCost {
 
     /// To change from a node to one beside it.
     fn change(&self, from: &LaneNode<'_>, to: &LaneNode<'_>) -> f64;
+
+    /// To go on from a node's end into the next one, beside what both cost: for turns, say. Default nothing.
+    #[inline]
+    fn enter(&self, _from: &LaneNode<'_>, _to: &LaneNode<'_>) -> f64 {
+        0.0
+    }
 
     /// What every way costs at least. Landmarks hold for motor vehicles; others search without.
     fn bound(&self) -> CostBound {
@@ -67,6 +74,53 @@ pub struct WithFactors<'f, C> {
     pub factors: &'f [f64],
 }
 
+/// Another cost, and what turns at junctions cost beside it, in its unit; straight on costs nothing. A turn costs where its junction is entered.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct WithTurns<C> {
+    /// The cost without turns.
+    pub base: C,
+    /// Of a turn to the left.
+    pub left: f64,
+    /// Of a turn to the right.
+    pub right: f64,
+    /// Of a turn back.
+    pub back: f64,
+}
+
+impl<C: RouteCost> RouteCost for WithTurns<C> {
+    #[inline]
+    fn pass(&self, node: &LaneNode<'_>) -> f64 {
+        self.base.pass(node)
+    }
+
+    #[inline]
+    fn change(&self, from: &LaneNode<'_>, to: &LaneNode<'_>) -> f64 {
+        self.base.change(from, to)
+    }
+
+    fn enter(&self, from: &LaneNode<'_>, to: &LaneNode<'_>) -> f64 {
+        let base = self.base.enter(from, to);
+        let (Some(before), Some(lane)) = (from.lane(), to.lane()) else { return base };
+        let junction = lane.road().junction_row();
+        if junction.is_none() || before.road().junction_row() == junction {
+            return base;
+        }
+        // Driven against the lane's own direction, the same bend goes to the other side.
+        let along = lane.is_forward() == to.is_forward();
+        base + match (lane.turn(), along) {
+            (Turn::Straight, _) => 0.0,
+            (Turn::Back, _) => self.back,
+            (Turn::Left, true) | (Turn::Right, false) => self.left,
+            (Turn::Right, true) | (Turn::Left, false) => self.right,
+        }
+    }
+
+    fn bound(&self) -> CostBound {
+        self.base.bound()
+    }
+}
+
 impl<C> WithFactors<'_, C> {
     /// The factor of a node's lane; none where it closes the lane: nothing times infinity is closed, too.
     #[inline]
@@ -88,6 +142,11 @@ impl<C: RouteCost> RouteCost for WithFactors<'_, C> {
     #[inline]
     fn change(&self, from: &LaneNode<'_>, to: &LaneNode<'_>) -> f64 {
         if self.factor(to).is_some() { self.base.change(from, to) } else { f64::INFINITY }
+    }
+
+    #[inline]
+    fn enter(&self, from: &LaneNode<'_>, to: &LaneNode<'_>) -> f64 {
+        if self.factor(to).is_some() { self.base.enter(from, to) } else { f64::INFINITY }
     }
 
     /// Landmarks are bounds as long as no factor is below 1; with one that is, the search goes without.

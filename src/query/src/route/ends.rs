@@ -1,7 +1,7 @@
 //! Both ends of a route: lane changes beside the start and beside the target, which do not have a whole piece ahead.
 
-use super::PositionOnLane;
 use super::cost::RouteCost;
+use super::{PositionOnLane, RouteEnd};
 use super::ways::Ways;
 use crate::extents::SRange;
 use crate::graph::LaneNode;
@@ -12,33 +12,25 @@ use mapd_archive::VehicleClass;
 /// Lane changes to one side that are followed at most: a damaged archive might lead round in a circle.
 const MOST_BESIDE: usize = 64;
 
-/// A node beside the start or the target, with what changing costs.
+/// A node beside a start or goal, with what changing costs.
 #[derive(Clone, Copy)]
 pub(super) struct ChainNode {
     pub(super) node: u32,
-    /// Of the lane changes from the start to here, or from here to the target.
+    /// Of the start and the lane changes from it to here, or of the lane changes from here to the goal and the goal.
     pub(super) changes: f64,
-    /// Place in the chain of the node before it (start) or after it (target); itself for the first.
+    /// Of what is driven on the piece: here, from the start's s on; or on the goal's own piece, up to its s.
+    pub(super) pass: f64,
+    /// Place in the chain of the node before it (start) or after it (goal); itself for the first.
     pub(super) link: u32,
+    /// Number of the start or goal.
+    pub(super) end: u32,
+    /// Its s `[m]`.
+    pub(super) s: f64,
 }
 
-/// Whether a place of a chain is the start or target itself.
+/// Whether a place of a chain is a start or goal itself.
 pub(super) fn is_root((place, own): (usize, &ChainNode)) -> bool {
     own.link as usize == place
-}
-
-/// The start or target that a place of a chain belongs to.
-pub(super) fn root_of(chain: &[ChainNode], place: usize) -> Option<ChainNode> {
-    let mut own = chain.get(place).copied()?;
-    let mut at = place;
-    for _ in 0..=MOST_BESIDE {
-        if own.link as usize == at {
-            return Some(own);
-        }
-        at = own.link as usize;
-        own = chain.get(at).copied()?;
-    }
-    None
 }
 
 /// s of a place within its lane's section.
@@ -54,74 +46,109 @@ pub(super) fn lane_of<'a>(map: Map<'a>, place: PositionOnLane) -> Option<(Lane<'
     Some((lane, s))
 }
 
-/// Nodes from which a route may start: the one at the place in each direction of travel, then those that lane changes
-/// lead to from it.
+/// Nodes from which a route may start: for each start the one at its place in each direction of travel that counts, then those that lane
+/// changes lead to from it.
 pub(super) fn start_chain<'a>(
     ways: impl Ways<'a>,
-    (place, forward): (PositionOnLane, Option<bool>),
+    starts: &[RouteEnd],
     vehicle: VehicleClass,
     cost: &impl RouteCost,
     out: &mut Vec<ChainNode>,
 ) {
-    let Some((lane, s)) = lane_of(ways.map(), place) else { return };
-    for way in [true, false].into_iter().filter(|way| forward.is_none_or(|f| f == *way)) {
-        let first = ways.at(&lane, s, way).and_then(|number| Some((number, ways.node(number)?)));
-        let Some(first) = first else { continue };
-        let root = push(out, first.0, 0.0, None);
-        for left in [true, false] {
-            let ((mut number, mut at), mut link, mut changes) = (first, root, 0.0);
-            for _ in 0..MOST_BESIDE {
-                let Some(beside) = ways.change(number, &at, left) else { break };
-                let next = ways.node(beside).filter(|next| next.allows(vehicle));
-                let Some(next) = next else { break };
-                changes += price(cost.change(&at, &next));
-                if changes == f64::INFINITY {
-                    break;
+    for (number, end) in starts.iter().enumerate() {
+        let Some((lane, s)) = lane_of(ways.map(), end.place) else { continue };
+        for way in directions(end) {
+            let rest = |node: &LaneNode<'a>| price(cost.pass(node)) * (1.0 - share_before(node, s));
+            let first =
+                ways.at(&lane, s, way).and_then(|number| Some((number, ways.node(number)?)));
+            let Some(first) = first else { continue };
+            let own = ChainNode {
+                node: first.0,
+                changes: price(end.cost),
+                pass: rest(&first.1),
+                link: out.len() as u32,
+                end: number as u32,
+                s,
+            };
+            if own.changes == f64::INFINITY {
+                continue;
+            }
+            out.push(own);
+            for left in [true, false] {
+                let ((mut number, mut at), mut last) = (first, own);
+                for _ in 0..MOST_BESIDE {
+                    let Some(beside) = ways.change(number, &at, left) else { break };
+                    let next = ways.node(beside).filter(|next| next.allows(vehicle));
+                    let Some(next) = next else { break };
+                    last.changes += price(cost.change(&at, &next));
+                    if last.changes == f64::INFINITY {
+                        break;
+                    }
+                    let place = out.len() as u32;
+                    (last.node, last.pass) = (beside, rest(&next));
+                    out.push(last);
+                    last.link = place;
+                    (number, at) = (beside, next);
                 }
-                link = push(out, beside, changes, Some(link));
-                (number, at) = (beside, next);
             }
         }
     }
 }
 
-/// Nodes from which lane changes lead to the target, itself first.
+/// Nodes from which lane changes lead to a goal, itself first, for each goal.
 pub(super) fn target_chain<'a>(
     ways: impl Ways<'a>,
-    place: PositionOnLane,
+    goals: &[RouteEnd],
     vehicle: VehicleClass,
     cost: &impl RouteCost,
     out: &mut Vec<ChainNode>,
 ) {
-    let Some((lane, s)) = lane_of(ways.map(), place) else { return };
-    for way in [true, false] {
-        let target = ways.at(&lane, s, way).and_then(|number| Some((number, ways.node(number)?)));
-        let Some(first) = target.filter(|(_, node)| node.allows(vehicle)) else { continue };
-        let root = push(out, first.0, 0.0, None);
-        for from_left in [true, false] {
-            let ((mut number, mut at), mut link, mut changes) = (first, root, 0.0);
-            for _ in 0..MOST_BESIDE {
-                let Some(beside) = ways.beside(number, &at, from_left) else { break };
-                let before = ways.node(beside).filter(|before| before.allows(vehicle));
-                let Some(before) = before else { break };
-                if ways.change(beside, &before, !from_left) != Some(number) {
-                    break;
+    for (number, end) in goals.iter().enumerate() {
+        let Some((lane, s)) = lane_of(ways.map(), end.place) else { continue };
+        for way in directions(end) {
+            let target =
+                ways.at(&lane, s, way).and_then(|number| Some((number, ways.node(number)?)));
+            let Some(first) = target.filter(|(_, node)| node.allows(vehicle)) else { continue };
+            let own = ChainNode {
+                node: first.0,
+                changes: price(end.cost),
+                pass: price(cost.pass(&first.1)) * share_before(&first.1, s),
+                link: out.len() as u32,
+                end: number as u32,
+                s,
+            };
+            if own.changes == f64::INFINITY {
+                continue;
+            }
+            out.push(own);
+            for from_left in [true, false] {
+                let ((mut number, mut at), mut last) = (first, own);
+                for _ in 0..MOST_BESIDE {
+                    let Some(beside) = ways.beside(number, &at, from_left) else { break };
+                    let before = ways.node(beside).filter(|before| before.allows(vehicle));
+                    let Some(before) = before else { break };
+                    if ways.change(beside, &before, !from_left) != Some(number) {
+                        break;
+                    }
+                    last.changes += price(cost.change(&before, &at));
+                    if last.changes == f64::INFINITY {
+                        break;
+                    }
+                    let place = out.len() as u32;
+                    last.node = beside;
+                    out.push(last);
+                    last.link = place;
+                    (number, at) = (beside, before);
                 }
-                changes += price(cost.change(&before, &at));
-                if changes == f64::INFINITY {
-                    break;
-                }
-                link = push(out, beside, changes, Some(link));
-                (number, at) = (beside, before);
             }
         }
     }
 }
 
-fn push(out: &mut Vec<ChainNode>, node: u32, changes: f64, link: Option<u32>) -> u32 {
-    let own = out.len() as u32;
-    out.push(ChainNode { node, changes, link: link.unwrap_or(own) });
-    own
+/// The directions of travel that count at a start or goal.
+fn directions(end: &RouteEnd) -> impl Iterator<Item = bool> + use<> {
+    let only = end.forward;
+    [true, false].into_iter().filter(move |way| only.is_none_or(|only| only == *way))
 }
 
 /// A cost as a search takes it: infinite closes the way.

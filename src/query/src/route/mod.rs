@@ -1,4 +1,8 @@
-//! Routes over the lane graph: shortest, reachable, ahead.
+//! Routes over the lane graph: shortest, alternatives, reachable, ahead.
+//!
+//! A [`RouteRequest`] says all that a search can be asked: several starts and goals, each with its cost and heading, lanes to avoid, a cost of one's own.
+//! [`Map::find_route`], [`Map::alternatives`], [`Map::reach`] and [`Map::reach_to`] take one; [`Map::route`] and the others with a place each are short
+//! forms.
 //!
 //! A route is found by A* with landmark bounds that the archive carries, or by Dijkstra's algorithm where it has none. A
 //! search uses the caller's [`RouteScratch`] and nothing else.
@@ -7,12 +11,13 @@
 //! the first and last one; each change of lane costs extra. A change may happen anywhere on the piece where it is allowed,
 //! so it drives no length of its own: the length counts on the lane that the piece is left on.
 
+mod alternatives;
 mod around;
 mod bound;
 mod cost;
 mod ends;
 mod reach;
-mod reach_to;
+mod request;
 mod scratch;
 mod search;
 mod sequences;
@@ -20,10 +25,13 @@ mod steps;
 mod ways;
 
 pub(crate) use bound::Bounds;
-pub use cost::{CostBound, RouteCost, ShortestLength, ShortestTime, WithFactors};
+pub use alternatives::{AlternativeOptions, Routes};
+pub(crate) use alternatives::alternatives;
+pub use cost::{CostBound, RouteCost, ShortestLength, ShortestTime, WithFactors, WithTurns};
 pub(crate) use ends::share_before;
-pub use reach::Reached;
-pub(crate) use reach::reach;
+pub use reach::{Reach, ReachLink, Reached};
+pub(crate) use reach::{network, reach};
+pub use request::{RouteEnd, RouteError, RouteRequest};
 pub use scratch::RouteScratch;
 pub use sequences::{LaneSequences, NextJunction};
 pub use steps::{Enter, LaneChangeAhead, RouteStep, next_lane_change};
@@ -56,6 +64,10 @@ pub struct Route {
     pub travel_time: f64,
     /// Number of lane changes.
     pub lane_changes: u32,
+    /// Number of the start that it takes.
+    pub start: usize,
+    /// Number of the goal that it comes to.
+    pub goal: usize,
 }
 
 impl<'a> Map<'a> {
@@ -90,14 +102,49 @@ impl<'a> Map<'a> {
         scratch: &mut RouteScratch,
         steps: &mut Vec<RouteStep>,
     ) -> Result<Option<Route>, QueryError> {
-        find(*self, places, vehicle, cost, scratch, steps)
+        find_via(*self, places, vehicle, cost, scratch, steps)
     }
+
+    /// The cheapest way from any start of a request to any of its goals: as [`Map::route`], which is its short form.
+    ///
+    /// Errors: [`RouteError`], which names the start, goal or lane.
+    pub fn find_route(
+        &self,
+        request: &RouteRequest<'_, impl RouteCost>,
+        scratch: &mut RouteScratch,
+        steps: &mut Vec<RouteStep>,
+    ) -> Result<Option<Route>, RouteError> {
+        steps.clear();
+        find(*self, request, scratch, steps)
+    }
+}
+
+/// Appends the cheapest way of a request, on a map or under an overlay.
+///
+/// Errors: as [`Map::find_route`].
+pub(crate) fn find<'a>(
+    ways: impl Ways<'a>,
+    request: &RouteRequest<'_, impl RouteCost>,
+    scratch: &mut RouteScratch,
+    steps: &mut Vec<RouteStep>,
+) -> Result<Option<Route>, RouteError> {
+    request.check(ways.map())?;
+    let ends = [request.starts, request.goals];
+    if request.avoid.is_empty() {
+        let search = search::Search::new(ways, request.vehicle, request.cost, scratch);
+        return Ok(search.run(ends, steps)?);
+    }
+    let closed = request.closed(ways.map(), scratch);
+    let cost = request::Avoiding { base: request.cost, closed: &closed };
+    let found = search::Search::new(ways, request.vehicle, &cost, scratch).run(ends, steps);
+    scratch.closed = closed;
+    Ok(found?)
 }
 
 /// The cheapest way through places, on a map or under an overlay.
 ///
 /// Errors: as [`Map::route_via`].
-pub(crate) fn find<'a>(
+pub(crate) fn find_via<'a>(
     ways: impl Ways<'a>,
     places: &[PositionOnLane],
     vehicle: VehicleClass,
@@ -107,16 +154,15 @@ pub(crate) fn find<'a>(
 ) -> Result<Option<Route>, QueryError> {
     steps.clear();
     for place in places {
-        ways.map().lane(place.lane)?;
-        if !place.s.is_finite() {
-            return Err(QueryError::NotFinite);
-        }
+        request::check_place(ways.map(), place)?;
     }
     let mut whole: Option<Route> = None;
     let mut forward = None;
     for leg in places.windows(2) {
-        let search = search::Search::new(ways, vehicle, cost, scratch);
-        let Some(route) = search.run((leg[0], forward), leg[1], steps)? else {
+        let starts = &[RouteEnd { forward, ..leg[0].into() }];
+        let goals = &[leg[1].into()];
+        let request = RouteRequest { starts, goals, vehicle, cost, avoid: &[] };
+        let Some(route) = find(ways, &request, scratch, steps)? else {
             steps.clear();
             return Ok(None);
         };

@@ -62,13 +62,11 @@ pub struct LaneChangeAhead {
 pub(super) fn write<'a>(
     ways: impl Ways<'a>,
     path: &[PathNode],
-    s_from: f64,
-    s_to: f64,
-    cost: f64,
+    [s_from, s_to]: [f64; 2],
+    mut route: Route,
     out: &mut Vec<RouteStep>,
 ) -> Route {
     let map = ways.map();
-    let mut route = Route { cost, ..Route::default() };
     let first_step = out.len();
     let mut entry = s_from;
     let mut last: Option<u32> = None;

@@ -24,6 +24,9 @@ pub(crate) trait Ways<'a>: Copy {
     /// What is entered from a node's end, in the order of the archive.
     fn ahead(&self, number: u32, enter: impl FnMut(u32));
 
+    /// From whose end it is entered, in the order of the archive.
+    fn behind(&self, number: u32, enter: impl FnMut(u32));
+
     /// What lies beside it to the left or right and travels the same way.
     fn beside(&self, number: u32, node: &LaneNode<'a>, left: bool) -> Option<u32>;
 
@@ -44,6 +47,13 @@ pub(crate) trait Ways<'a>: Copy {
             return None;
         }
         self.beside(number, node, left)
+    }
+
+    /// What lies beside it to the left or right, if a change of lane leads from there.
+    fn changes_from(&self, number: u32, node: &LaneNode<'a>, left: bool) -> Option<u32> {
+        let beside = self.beside(number, node, left)?;
+        let other = self.node(beside)?;
+        (self.change(beside, &other, !left) == Some(number)).then_some(beside)
     }
 }
 
@@ -72,6 +82,14 @@ impl<'a> Ways<'a> for Map<'a> {
         let tables = self.tables();
         for next in edges_of(tables.successor_offsets, tables.successors, number) {
             enter(*next);
+        }
+    }
+
+    #[inline]
+    fn behind(&self, number: u32, mut enter: impl FnMut(u32)) {
+        let tables = self.tables();
+        for before in edges_of(tables.predecessor_offsets, tables.predecessors, number) {
+            enter(*before);
         }
     }
 

@@ -92,6 +92,17 @@ impl<'a> Ways<'a> for Heeded<'a> {
         self.view.map.ahead(node, |next| enter(self.entered(next)));
     }
 
+    fn behind(&self, number: u32, mut enter: impl FnMut(u32)) {
+        let (node, index, _) = self.base(number);
+        if index > 0 {
+            return enter(number - 1);
+        }
+        self.view.map.behind(node, |before| {
+            let pieces = self.view.pieces_of(before);
+            enter(if pieces.is_empty() { before } else { self.nodes + pieces.end - 1 });
+        });
+    }
+
     #[inline]
     fn beside(&self, number: u32, node: &LaneNode<'a>, left: bool) -> Option<u32> {
         let (own, index, _) = self.base(number);

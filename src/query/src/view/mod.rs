@@ -12,7 +12,7 @@ mod queries;
 pub use along::PathRestriction;
 pub use entry::{OverlayEntry, Restriction};
 pub use mapd_archive::{Overlay, OverlayKind};
-pub use queries::{Permission, ReachedPiece, SpeedToday};
+pub use queries::{Permission, SpeedToday};
 
 use crate::graph::{LaneNode, NodePiece};
 use crate::lane::Lane;

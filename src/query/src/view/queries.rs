@@ -6,7 +6,8 @@ use crate::error::QueryError;
 use crate::graph::LaneNode;
 use crate::ids::{LaneId, SignalId};
 use crate::route::{
-    PositionOnLane, Route, RouteCost, RouteScratch, RouteStep, Ways as _, find, reach,
+    AlternativeOptions, PositionOnLane, Reach, Reached, Route, RouteCost, RouteError, RouteRequest,
+    RouteScratch, RouteStep, Routes, alternatives, find, find_via, network, reach,
 };
 use crate::rules::SpeedRule;
 use mapd_archive::{OverlayKind, VehicleClass};
@@ -29,22 +30,6 @@ pub struct SpeedToday<'a> {
     pub map: SpeedRule,
     /// The entry that says otherwise.
     pub restriction: Option<Restriction<'a>>,
-}
-
-/// A node, or a piece of one where an overlay cuts it, that can be reached.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct ReachedPiece {
-    /// The lane.
-    pub lane: LaneId,
-    /// Whether it is travelled towards +s.
-    pub forward: bool,
-    /// Smaller end on the road `[m]`.
-    pub s_from: f64,
-    /// Larger end on the road `[m]`.
-    pub s_to: f64,
-    /// Least cost up to its beginning; of those beside the start, of the lane changes to them.
-    pub cost: f64,
 }
 
 impl<'a> SpeedToday<'a> {
@@ -202,7 +187,33 @@ impl<'a> View<'a> {
         if self.overlay.is_none() {
             return self.map.route_via(places, vehicle, cost, scratch, steps);
         }
-        find(Heeded::new(*self, vehicle), places, vehicle, cost, scratch, steps)
+        find_via(Heeded::new(*self, vehicle), places, vehicle, cost, scratch, steps)
+    }
+
+    /// As [`crate::Map::find_route`], heeding what holds now.
+    ///
+    /// Errors: as [`crate::Map::find_route`].
+    pub fn find_route(
+        &self,
+        request: &RouteRequest<'_, impl RouteCost>,
+        scratch: &mut RouteScratch,
+        steps: &mut Vec<RouteStep>,
+    ) -> Result<Option<Route>, RouteError> {
+        steps.clear();
+        find(Heeded::new(*self, request.vehicle), request, scratch, steps)
+    }
+
+    /// As [`crate::Map::alternatives`], heeding what holds now.
+    ///
+    /// Errors: as [`crate::Map::alternatives`].
+    pub fn alternatives(
+        &self,
+        request: &RouteRequest<'_, impl RouteCost>,
+        options: &AlternativeOptions,
+        scratch: &mut RouteScratch,
+        out: &mut Routes,
+    ) -> Result<(), RouteError> {
+        alternatives(Heeded::new(*self, request.vehicle), request, options, scratch, out)
     }
 
     /// As [`crate::Map::reachable`], heeding what holds now. Where the overlay cuts a node, each piece is told of by itself.
@@ -215,16 +226,37 @@ impl<'a> View<'a> {
         vehicle: VehicleClass,
         cost: &impl RouteCost,
         scratch: &mut RouteScratch,
-        out: &mut Vec<ReachedPiece>,
+        out: &mut Vec<Reached>,
     ) -> Result<(), QueryError> {
-        out.clear();
-        let (ways, content) = (Heeded::new(*self, vehicle), self.map.content());
-        reach(ways, from, (limit, vehicle), cost, scratch, |number, cost| {
-            let Some(node) = ways.node(number) else { return };
-            let crate::SRange { low: s_from, high: s_to } = node.s_range();
-            let lane = LaneId::new(node.row.lane(), content);
-            out.push(ReachedPiece { lane, forward: node.is_forward(), s_from, s_to, cost });
-        })
+        let starts = &[from.into()];
+        let request = RouteRequest { starts, goals: &[], vehicle, cost, avoid: &[] };
+        Ok(reach(Heeded::new(*self, vehicle), &request, limit, scratch, out)?)
+    }
+
+    /// As [`crate::Map::reach`], heeding what holds now; pieces as in [`View::reachable`].
+    ///
+    /// Errors: as [`crate::Map::reach`].
+    pub fn reach(
+        &self,
+        request: &RouteRequest<'_, impl RouteCost>,
+        limit: f64,
+        scratch: &mut RouteScratch,
+        out: &mut Reach,
+    ) -> Result<(), RouteError> {
+        network(Heeded::new(*self, request.vehicle), request, (limit, true), scratch, out)
+    }
+
+    /// As [`crate::Map::reach_to`], heeding what holds now; pieces as in [`View::reachable`].
+    ///
+    /// Errors: as [`crate::Map::reach_to`].
+    pub fn reach_to(
+        &self,
+        request: &RouteRequest<'_, impl RouteCost>,
+        limit: f64,
+        scratch: &mut RouteScratch,
+        out: &mut Reach,
+    ) -> Result<(), RouteError> {
+        network(Heeded::new(*self, request.vehicle), request, (limit, false), scratch, out)
     }
 
     /// What holds now along a route or any list of steps, in its order: each entry once for each stretch on which it holds that a step drives over.

@@ -202,6 +202,7 @@ impl Kind {
             self,
             Self::Match
                 | Self::Objects
+                | Self::Route
                 | Self::Path
                 | Self::Corridor
                 | Self::Conflicts

@@ -4,12 +4,14 @@ use super::holes::{Holes, exit};
 use super::kinds::{LaneColumns, lane_in, number, text};
 use super::row::Row;
 use crate::args::{not_negative, vehicle};
-use clap::{Args, ValueEnum};
+use clap::{Args, ValueEnum, value_parser};
 use mapd_client::Map;
 use mapd_overlay::Moment;
 use mapd_query::glam::DVec2;
+use mapd_query::LaneId;
 use mapd_query::route::{
-    Enter, PositionOnLane, Route, RouteScratch, RouteStep, ShortestLength, ShortestTime,
+    AlternativeOptions, Enter, PositionOnLane, Route, RouteCost, RouteRequest, RouteScratch,
+    RouteStep, Routes, ShortestLength, ShortestTime,
 };
 use mapd_query::view::View;
 use mapd_query::vocabulary::{RoadRules, VehicleClass};
@@ -29,6 +31,12 @@ pub struct RouteArgs {
     /// route: quantity to minimise
     #[arg(long, value_enum, default_value_t = RouteBy::Length)]
     by: RouteBy,
+    /// route: so many routes, the cheapest first: a row for each that drives at least 30 % of its length elsewhere than those before it and costs at most half as much again
+    #[arg(long, value_name = "COUNT", default_value_t = 1, value_parser = value_parser!(u8).range(1..=32))]
+    alternatives: u8,
+    /// route, and all that goes along one: lane that is not entered, as a key such as 12:0:-1; may be given several times
+    #[arg(long, value_name = "LANE")]
+    avoid: Vec<String>,
     /// route: cost of a lane change, in metres or seconds [default: 20 m, 2 s]
     #[arg(long, value_name = "COST", value_parser = not_negative)]
     lane_change: Option<f64>,
@@ -69,6 +77,8 @@ impl Default for RouteArgs {
         Self {
             by: RouteBy::Length,
             lane_change: None,
+            alternatives: 1,
+            avoid: Vec::new(),
             vehicle: VehicleClass::PassengerCar,
             overlay: false,
             at: None,
@@ -83,12 +93,27 @@ pub(crate) struct Router<'a> {
     args: &'a RouteArgs,
     view: View<'a>,
     scratch: RouteScratch,
+    routes: Routes,
     steps: Vec<RouteStep>,
+    /// Lanes that are not entered, and the first that there is none of.
+    avoid: Result<Vec<LaneId>, String>,
 }
 
 impl<'a> Router<'a> {
     pub(crate) fn new(args: &'a RouteArgs, view: View<'a>) -> Self {
-        Self { args, view, scratch: RouteScratch::default(), steps: Vec::new() }
+        let lane = |key: &String| {
+            let parsed = key.parse().map_err(|error| format!("--avoid {key}: {error}"))?;
+            let lane = view.map().lane_by_key(&parsed);
+            lane.map(|lane| lane.lane_id()).ok_or_else(|| format!("--avoid {key}: no such lane"))
+        };
+        Self {
+            args,
+            view,
+            scratch: RouteScratch::default(),
+            routes: Routes::default(),
+            steps: Vec::new(),
+            avoid: args.avoid.iter().map(lane).collect(),
+        }
     }
 
     /// Who travels.
@@ -130,28 +155,49 @@ impl<'a> Router<'a> {
         };
         let from = place("from_road", "from_s", "from_lane")?;
         let to = place("to_road", "to_s", "to_lane")?;
-        let Self { args, view, scratch, steps } = self;
-        let found = match args.by {
+        let found = match self.args.by {
             RouteBy::Length => {
                 let default = ShortestLength::default().lane_change;
-                let cost = ShortestLength { lane_change: args.lane_change.unwrap_or(default) };
-                view.route(from, to, args.vehicle, &cost, scratch, steps)
+                let lane_change = self.args.lane_change.unwrap_or(default);
+                self.search((from, to), &ShortestLength { lane_change })
             }
             RouteBy::Time => {
                 let default = ShortestTime::default().lane_change;
-                let cost = ShortestTime { lane_change: args.lane_change.unwrap_or(default) };
-                view.route(from, to, args.vehicle, &cost, scratch, steps)
+                let lane_change = self.args.lane_change.unwrap_or(default);
+                self.search((from, to), &ShortestTime { lane_change })
             }
         };
-        let route = found.map_err(text)?;
+        let vehicle = self.args.vehicle;
+        let route = found?;
         route.ok_or_else(|| {
             let lost = match map.quarantined().len() {
                 0 => String::new(),
                 1 => "; one part of the map is left out".to_owned(),
                 more => format!("; {more} parts of the map are left out"),
             };
-            format!("no way for {}{lost}", args.vehicle.name())
+            format!("no way for {}{lost}", vehicle.name())
         })
+    }
+
+    /// The route between two places, and its alternatives.
+    fn search(
+        &mut self,
+        (from, to): (PositionOnLane, PositionOnLane),
+        cost: &impl RouteCost,
+    ) -> Result<Option<Route>, String> {
+        let Self { args, view, scratch, routes, steps, avoid } = self;
+        let avoid = avoid.as_ref().map_err(Clone::clone)?;
+        let (starts, goals) = ([from.into()], [to.into()]);
+        let vehicle = args.vehicle;
+        let request = RouteRequest { starts: &starts, goals: &goals, vehicle, cost, avoid };
+        let options = AlternativeOptions {
+            count: usize::from(args.alternatives),
+            ..AlternativeOptions::default()
+        };
+        view.alternatives(&request, &options, scratch, routes).map_err(|e| e.to_string())?;
+        let best = routes.iter().next();
+        steps.extend(best.iter().flat_map(|(_, steps)| steps.iter()));
+        Ok(best.map(|(route, _)| *route))
     }
 
     /// Answers one row.
@@ -162,22 +208,29 @@ impl<'a> Router<'a> {
         row: &Row<'_>,
         out: &mut Vec<String>,
     ) -> Result<(), String> {
-        let route = self.find(holes, map, row)?;
-        let mut keys: Vec<String> = Vec::new();
-        let mut last = None;
-        for step in &self.steps {
-            let lane = map.lane(step.lane).map_err(text)?;
-            let (key, section) = (lane.key().to_string(), lane.section().section_id());
-            // Stretches of one lane beside a section of the other side are one lane; a ring's lane may follow itself.
-            let goes_on = step.enter == Enter::Ahead && last.is_some_and(|last| last != section);
-            if !(goes_on && keys.last() == Some(&key)) {
-                keys.push(key);
-            }
-            last = Some(section);
+        self.find(holes, map, row)?;
+        for (route, steps) in self.routes.iter() {
+            out.push(number(route.length));
+            out.push(route.lane_changes.to_string());
+            out.push(lanes(map, steps)?);
         }
-        out.push(number(route.length));
-        out.push(route.lane_changes.to_string());
-        out.push(keys.join(";"));
         Ok(())
     }
+}
+
+/// Keys of a route's lanes.
+fn lanes(map: Map<'_>, steps: &[RouteStep]) -> Result<String, String> {
+    let mut keys: Vec<String> = Vec::new();
+    let mut last = None;
+    for step in steps {
+        let lane = map.lane(step.lane).map_err(text)?;
+        let (key, section) = (lane.key().to_string(), lane.section().section_id());
+        // Stretches of one lane beside a section of the other side are one lane; a ring's lane may follow itself.
+        let goes_on = step.enter == Enter::Ahead && last.is_some_and(|last| last != section);
+        if !(goes_on && keys.last() == Some(&key)) {
+            keys.push(key);
+        }
+        last = Some(section);
+    }
+    Ok(keys.join(";"))
 }

@@ -1,0 +1,256 @@
+//! Requests with several starts and goals, lanes to avoid, headings; and the network of lanes that can be reached.
+
+use crate::routing::{ROUNDING, check_steps, places};
+use mapd_client::glam::DVec2;
+use mapd_client::{Map, QueryError};
+use mapd_query::LaneId;
+use mapd_query::route::{
+    Enter, LaneSequences, PositionOnLane, Reach, RouteEnd, RouteError, RouteRequest, RouteScratch, ShortestLength,
+    WithFactors,
+};
+use mapd_query::vocabulary::VehicleClass;
+use mapd_query::view::View;
+use mapd_tests::maps::{carried_and, open};
+use mapd_tests::{carried, shared};
+use std::time::SystemTime;
+
+const CAR: VehicleClass = VehicleClass::PassengerCar;
+const LENGTH: ShortestLength = ShortestLength { lane_change: 20.0 };
+/// By length, without changes of lane.
+const ON_ITS_LANE: ShortestLength = ShortestLength { lane_change: f64::INFINITY };
+
+fn request<'r>(
+    starts: &'r [RouteEnd],
+    goals: &'r [RouteEnd],
+    avoid: &'r [LaneId],
+) -> RouteRequest<'r, ShortestLength> {
+    RouteRequest { starts, goals, vehicle: CAR, cost: &LENGTH, avoid }
+}
+
+/// Of several starts and goals the best pair is found, with what each costs.
+#[test]
+fn the_best_of_several_starts_and_goals() {
+    let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
+    for file in carried_and(&["carla/Town05", "sumo/lefthand_netconvert"]) {
+        let snapshot = open(&file);
+        let map = snapshot.map();
+        let mut found = 0;
+        for (i, (from, targets)) in places(map, CAR, 250).into_iter().enumerate() {
+            let end = |(n, place): (usize, &PositionOnLane)| RouteEnd {
+                cost: (n * (i + 3) % 7) as f64 * 15.0,
+                ..RouteEnd::from(*place)
+            };
+            let begins = [&[from], &targets[..2]].concat();
+            let starts: Vec<_> = begins.iter().enumerate().map(end).collect();
+            let goals: Vec<_> = targets[2..7].iter().enumerate().map(end).collect();
+            let mut best = f64::INFINITY;
+            for start in &starts {
+                for goal in &goals {
+                    let route =
+                        map.route(start.place, goal.place, CAR, &LENGTH, &mut scratch, &mut steps);
+                    let cost = route.expect("an answer").map_or(f64::INFINITY, |r| r.cost);
+                    best = best.min(start.cost + cost + goal.cost);
+                }
+            }
+            let route = map.find_route(&request(&starts, &goals, &[]), &mut scratch, &mut steps);
+            let route = route.expect("an answer");
+            assert_eq!(route.is_some(), best.is_finite());
+            let Some(route) = route else { continue };
+            assert!((route.cost - best).abs() < ROUNDING * (1.0 + best), "{route:?}, {best}");
+            let ends = (starts[route.start].place, goals[route.goal].place);
+            check_steps(map, CAR, ends, &steps, route.length);
+            // Under no overlay a view is the map.
+            let view = View::new(map, None, SystemTime::UNIX_EPOCH).expect("a view");
+            let mut other = Vec::new();
+            let same = view.find_route(&request(&starts, &goals, &[]), &mut scratch, &mut other);
+            assert_eq!((same, other), (Ok(Some(route)), steps.clone()));
+            found += 1;
+        }
+        assert!(found > 3, "{}: {found}", file.display());
+    }
+}
+
+/// Lanes to avoid are those of an infinite factor; the start may lie on one.
+#[test]
+fn lanes_to_avoid_are_not_entered() {
+    let snapshot = open(&carried("town.xodr"));
+    let map = snapshot.map();
+    let (mut scratch, mut steps, mut other) = (RouteScratch::default(), Vec::new(), Vec::new());
+    let (mut around, mut none) = (0, 0);
+    for (from, targets) in places(map, CAR, 200) {
+        for to in targets.into_iter().take(5) {
+            let (starts, goals) = ([from.into()], [to.into()]);
+            let plain = map.find_route(&request(&starts, &goals, &[]), &mut scratch, &mut steps);
+            if plain.expect("an answer").is_none() || steps.len() < 3 {
+                continue;
+            }
+            let avoid = [steps[steps.len() / 2].lane, from.lane];
+            let ask = request(&starts, &goals, &avoid);
+            let found = map.find_route(&ask, &mut scratch, &mut other).expect("an answer");
+            assert!(other.iter().skip(1).all(|step| !avoid.contains(&step.lane)), "{other:?}");
+            let mut factors = vec![1.0; map.tables().lanes.len()];
+            factors[avoid[0].row() as usize] = f64::INFINITY;
+            let cost = WithFactors { base: LENGTH, factors: &factors };
+            let same = map.route(from, to, CAR, &cost, &mut scratch, &mut steps);
+            let same = same.expect("an answer").map(|route| route.cost);
+            // A way round over the start's own lane is none, too.
+            if same.is_some() && found.is_none() {
+                assert!(steps.iter().skip(1).any(|step| step.lane == from.lane));
+            } else {
+                assert!(found.is_none_or(|f| f.cost >= same.expect("a way") - ROUNDING));
+            }
+            (around, none) =
+                (around + usize::from(found.is_some()), none + usize::from(found.is_none()));
+            let gone = map.find_route(&request(&starts, &goals, &[to.lane]), &mut scratch, &mut other);
+            let gone = gone.expect("an answer");
+            assert!(gone.is_none() || from.lane == to.lane, "{gone:?}");
+        }
+    }
+    assert!(around > 20 && none > 0, "{around} ways round, {none} without");
+}
+
+/// From pose to pose: headings choose the direction of travel at both ends.
+#[test]
+fn headings_choose_the_direction() {
+    let text = "<OpenDRIVE><header revMajor=\"1\" revMinor=\"8\"/><road id=\"1\" length=\"100\" junction=\"-1\"><planView>\
+        <geometry s=\"0\" x=\"0\" y=\"0\" hdg=\"0\" length=\"100\"><line/></geometry></planView>\
+        <lanes><laneSection s=\"0\"><center><lane id=\"0\" type=\"none\"/></center><right><lane id=\"-1\" type=\"driving\" direction=\"both\">\
+        <width sOffset=\"0\" a=\"4\" b=\"0\" c=\"0\" d=\"0\"/></lane></right></laneSection></lanes></road></OpenDRIVE>";
+    let snapshot = mapd_tests::maps::open_text(text);
+    let map = snapshot.map();
+    let pose = |x: f64, heading: f64| {
+        RouteEnd::of_pose(map, DVec2::new(x, -2.0), heading, CAR).expect("an answer").expect("a lane")
+    };
+    let (east, west) = (0.1, std::f64::consts::PI - 0.1);
+    let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
+    for (start, goal, length) in [
+        (pose(10.0, east), pose(60.0, east), Some(50.0)),
+        (pose(60.0, west), pose(10.0, west), Some(50.0)),
+        (pose(60.0, east), pose(10.0, east), None),
+        (pose(10.0, east), pose(60.0, west), None),
+        (pose(10.0, west), pose(60.0, east), None),
+    ] {
+        let (starts, goals) = ([start], [goal]);
+        let found = map.find_route(&request(&starts, &goals, &[]), &mut scratch, &mut steps);
+        let found = found.expect("an answer").map(|route| route.length);
+        let close = found.zip(length).is_none_or(|(a, b)| (a - b).abs() < 1e-6);
+        assert!(close && found.is_some() == length.is_some(), "{start:?} to {goal:?}: {found:?}");
+    }
+    let nowhere = RouteEnd::of_pose(map, DVec2::splat(500.0), 0.0, CAR);
+    assert_eq!(nowhere, Ok(None));
+    let wrong = RouteEnd::of_pose(map, DVec2::NAN, 0.0, CAR);
+    assert_eq!(wrong, Err(QueryError::NotFinite));
+}
+
+/// What is wrong is named by its number.
+#[test]
+fn wrong_ends_are_named() {
+    let (snapshot, other) = (open(&carried("town.xodr")), open(&carried("objects.xodr")));
+    let map = snapshot.map();
+    let lane = map.lanes().next().expect("a lane").lane_id();
+    let foreign = other.map().lanes().next().expect("a lane").lane_id();
+    let good = RouteEnd::from(PositionOnLane { lane, s: 1.0 });
+    let unknown = RouteEnd::from(PositionOnLane { lane, s: f64::NAN });
+    let stale = RouteEnd::from(PositionOnLane { lane: foreign, s: 1.0 });
+    let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
+    let mut ask = |starts: &[RouteEnd], goals: &[RouteEnd], avoid: &[LaneId]| {
+        map.find_route(&request(starts, goals, avoid), &mut scratch, &mut steps).err()
+    };
+    let source = QueryError::NotFinite;
+    assert_eq!(ask(&[good, unknown], &[good], &[]), Some(RouteError::Start { number: 1, source }));
+    assert_eq!(ask(&[good], &[unknown], &[]), Some(RouteError::Goal { number: 0, source }));
+    let source = QueryError::ForeignId;
+    assert_eq!(ask(&[stale], &[good], &[]), Some(RouteError::Start { number: 0, source }));
+    let avoid = [lane, foreign];
+    assert_eq!(ask(&[good], &[good], &avoid), Some(RouteError::Avoid { number: 1, source }));
+    assert_eq!(ask(&[], &[], &[]), None);
+}
+
+/// The network ahead: every node once, with the least cost, its changes of lane, how far the limit lasts, and every way on.
+fn check_network(map: Map<'_>, from: PositionOnLane, limit: f64, cost: &ShortestLength) -> usize {
+    let (mut scratch, mut out, mut plain) =
+        (RouteScratch::default(), Reach::default(), Vec::new());
+    let starts = [from.into()];
+    let ask = RouteRequest { starts: &starts, goals: &starts, vehicle: CAR, cost, avoid: &[] };
+    map.reach(&ask, limit, &mut scratch, &mut out).expect("an answer");
+    map.reachable(from, limit, CAR, cost, &mut scratch, &mut plain).expect("an answer");
+    assert_eq!(out.reached(), plain);
+    for (number, own) in out.reached().iter().enumerate() {
+        let node = map.lane_node(own.node).expect("a node");
+        let lane = map.lane(own.lane).expect("a lane");
+        let driven = lane.length_between(own.s_from, own.s_to);
+        let is_start = own.lane == from.lane && own.s_from == from.s;
+        let whole = (driven - node.length()).abs() < 1e-3;
+        let cut = (own.cost + driven - limit).abs() < 1e-3;
+        let beside = own.s_from == from.s;
+        assert!(whole || cut || is_start || beside, "{own:?}: {driven} m of {}", node.length());
+        assert!(own.cost + driven <= limit + 1e-3);
+        for edge in node.edges().filter_map(|edge| edge.target()) {
+            let linked = out.links(number).iter().find(|link| {
+                link.enter == Enter::Ahead && out.reached()[link.to].node == edge.node_id()
+            });
+            let expected = edge.allows(CAR) && own.cost + driven <= limit - 1e-3;
+            assert!(!expected || whole == linked.is_some() || beside, "{own:?}");
+            if let Some(link) = linked {
+                let next = &out.reached()[link.to];
+                assert!(next.cost <= own.cost + driven + 1e-3 || !whole, "{own:?}, {next:?}");
+            }
+        }
+        if cost.lane_change == f64::INFINITY {
+            assert_eq!(own.lane_changes, 0);
+        }
+        for link in out.links(number) {
+            let changes = u32::from(link.enter != Enter::Ahead);
+            let next = &out.reached()[link.to];
+            assert!(next.cost <= own.cost + node.length() + 20.0 * f64::from(changes) + 1e-3);
+        }
+    }
+    // Backwards: whoever is reached by whom reaches it.
+    let goals = [from.into()];
+    let ask = RouteRequest { starts: &goals, goals: &goals, vehicle: CAR, cost, avoid: &[] };
+    let mut back = Reach::default();
+    map.reach_to(&ask, limit, &mut scratch, &mut back).expect("an answer");
+    for (number, own) in back.reached().iter().enumerate() {
+        for link in back.links(number) {
+            let before = &back.reached()[link.to];
+            let node = map.lane_node(before.node).expect("a node");
+            let leads = match link.enter {
+                Enter::Ahead => node.edges().any(|e| e.target().is_some_and(|t| t.node_id() == own.node)),
+                Enter::Left => node.change_left().is_some_and(|to| to.node_id() == own.node),
+                _ => node.change_right().is_some_and(|to| to.node_id() == own.node),
+            };
+            assert!(leads, "{before:?} does not lead to {own:?}");
+        }
+    }
+    out.reached().len()
+}
+
+#[test]
+fn the_network_ahead_has_every_way_once() {
+    for file in carried_and(&["sumo/lefthand_netconvert", "esmini/multi_intersections"]) {
+        let snapshot = open(&file);
+        let map = snapshot.map();
+        for (from, _) in places(map, CAR, 200) {
+            for cost in [LENGTH, ON_ITS_LANE] {
+                check_network(map, from, 300.0, &cost);
+            }
+        }
+    }
+}
+
+/// On a town with many forks all that lies ahead is told, where a list of sequences ends.
+#[test]
+fn the_network_of_a_town_is_whole() {
+    let Some(maps) = shared("maps") else {
+        return mapd_tests::say("SKIPPED: no shared corpus beside the workspace");
+    };
+    let snapshot = open(&maps.join("carla/Town05.xodr"));
+    let map = snapshot.map();
+    let (mut most, mut truncated, mut sequences) = (0, 0, LaneSequences::default());
+    for (from, _) in places(map, CAR, 250) {
+        most = most.max(check_network(map, from, 1_500.0, &ON_ITS_LANE));
+        map.lane_sequences_ahead(from, 1_500.0, CAR, &mut sequences).expect("an answer");
+        truncated += usize::from(sequences.truncated);
+    }
+    assert!(most > 100 && truncated > 0, "{most} nodes, {truncated} lists that end");
+}
