@@ -17,7 +17,6 @@ use mapd_client::roads::{BoundarySegment, RoadMarkSegment};
 use mapd_client::route::{LaneSequences, PositionOnLane, Reached, RouteScratch, RouteStep};
 use mapd_client::rules::LineAhead;
 use mapd_client::signals::{NearSignal, SignalsAhead};
-use mapd_client::view::ReachedPiece;
 use mapd_client::{LaneId, Nearest, SignalId};
 
 /// Memory of searches and lists, to be used again: it grows with the largest answer and is then enough. It belongs to one thread
@@ -62,7 +61,6 @@ pub struct mapd_scratch {
     pub(crate) batch_matches: PoseMatches,
     pub(crate) in_view: Vec<LandmarkInView>,
     pub(crate) mark_points: Vec<MarkPoint>,
-    pub(crate) pieces: Vec<ReachedPiece>,
 }
 
 /// Makes a scratch. Close it with `mapd_scratch_close`.

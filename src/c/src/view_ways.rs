@@ -14,7 +14,7 @@ use crate::scratch::mapd_scratch;
 use crate::signals_ahead::{mapd_signal_ahead, signal_ahead};
 use crate::view::{mapd_view, view_of};
 use mapd_client::glam::DMat3;
-use mapd_client::view::ReachedPiece;
+use mapd_client::route::Reached;
 
 /// A node, or a piece of one where an overlay cuts it, that can be reached.
 #[repr(C)]
@@ -32,10 +32,11 @@ pub struct mapd_reached_piece {
     pub forward: u8,
 }
 
-impl From<&ReachedPiece> for mapd_reached_piece {
-    fn from(one: &ReachedPiece) -> Self {
-        let ReachedPiece { lane, forward, s_from, s_to, cost } = *one;
-        Self { lane: lane.into(), s_from, s_to, cost, forward: forward.into() }
+impl From<&Reached> for mapd_reached_piece {
+    fn from(one: &Reached) -> Self {
+        let Reached { lane, forward, s_from, s_to, cost, .. } = *one;
+        let (low, high) = (s_from.min(s_to), s_from.max(s_to));
+        Self { lane: lane.into(), s_from: low, s_to: high, cost, forward: forward.into() }
     }
 }
 
@@ -88,9 +89,9 @@ pub unsafe extern "C" fn mapd_view_reachable(
     unsafe {
         answer(error, || {
             let (view, (vehicle, cost)) = (view_of(view)?, cost_of(cost)?);
-            let mapd_scratch { route, pieces, .. } = get_mut(scratch, "a scratch")?;
-            view.reachable(from.into(), finite(limit)?, vehicle, &cost, route, pieces)?;
-            List { out, capacity, count }.write(pieces.iter().map(Into::into))
+            let mapd_scratch { route, reached, .. } = get_mut(scratch, "a scratch")?;
+            view.reachable(from.into(), finite(limit)?, vehicle, &cost, route, reached)?;
+            List { out, capacity, count }.write(reached.iter().map(Into::into))
         })
     }
 }

@@ -145,7 +145,8 @@ impl Asker<'_> {
         a.u(reached.len() as u64);
         for one in &reached {
             a.id(one.lane.to_bits()).u(u64::from(one.forward));
-            a.f(one.s_from).f(one.s_to).f(one.cost);
+            // C has the smaller end first.
+            a.f(one.s_from.min(one.s_to)).f(one.s_from.max(one.s_to)).f(one.cost);
         }
         let mut ahead = SignalsAhead::default();
         view.signals_ahead(from, limit, CAR, &mut ahead)?;
