@@ -128,12 +128,13 @@ impl PlainGraph {
         // Costs as whole numbers, as that library has it.
         let cost = |cost: f64| (cost * UNITS).round() as u64;
         let successors = |state: &State| -> Vec<(State, u64)> {
-            let beside = |node: usize| {
-                self.nodes[node].beside.iter().filter(|(to, _)| self.nodes[*to].open)
-            };
+            let beside =
+                |node: usize| self.nodes[node].beside.iter().filter(|(to, _)| self.nodes[*to].open);
             let leave = |node: usize, passed: f64| {
                 let ahead = self.nodes[node].ahead.iter().filter(|(to, _)| self.nodes[*to].open);
-                ahead.flat_map(move |(to, enter)| [(State::Node(*to), passed + enter), (State::Goal(*to), passed + enter)])
+                ahead.flat_map(move |(to, enter)| {
+                    [(State::Node(*to), passed + enter), (State::Goal(*to), passed + enter)]
+                })
             };
             let mut out: Vec<(State, f64)> = Vec::new();
             match *state {
@@ -158,8 +159,12 @@ impl PlainGraph {
                 }
                 State::End => {}
             }
-            let known = |state: &State| !matches!(state, State::Goal(node) if !group.contains(node));
-            out.into_iter().filter(|(state, _)| known(state)).map(|(state, c)| (state, cost(c))).collect()
+            let known =
+                |state: &State| !matches!(state, State::Goal(node) if !group.contains(node));
+            out.into_iter()
+                .filter(|(state, _)| known(state))
+                .map(|(state, c)| (state, cost(c)))
+                .collect()
         };
         let found = pathfinding::directed::yen::yen(
             &State::Source,

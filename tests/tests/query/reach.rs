@@ -5,11 +5,11 @@ use mapd_client::glam::DVec2;
 use mapd_client::{Map, QueryError};
 use mapd_query::LaneId;
 use mapd_query::route::{
-    Enter, LaneSequences, PositionOnLane, Reach, RouteEnd, RouteError, RouteRequest, RouteScratch, ShortestLength,
-    WithFactors,
+    Enter, LaneSequences, PositionOnLane, Reach, RouteEnd, RouteError, RouteRequest, RouteScratch,
+    ShortestLength, WithFactors,
 };
-use mapd_query::vocabulary::VehicleClass;
 use mapd_query::view::View;
+use mapd_query::vocabulary::VehicleClass;
 use mapd_tests::maps::{carried_and, open};
 use mapd_tests::{carried, shared};
 use std::time::SystemTime;
@@ -101,7 +101,8 @@ fn lanes_to_avoid_are_not_entered() {
             }
             (around, none) =
                 (around + usize::from(found.is_some()), none + usize::from(found.is_none()));
-            let gone = map.find_route(&request(&starts, &goals, &[to.lane]), &mut scratch, &mut other);
+            let gone =
+                map.find_route(&request(&starts, &goals, &[to.lane]), &mut scratch, &mut other);
             let gone = gone.expect("an answer");
             assert!(gone.is_none() || from.lane == to.lane, "{gone:?}");
         }
@@ -119,7 +120,9 @@ fn headings_choose_the_direction() {
     let snapshot = mapd_tests::maps::open_text(text);
     let map = snapshot.map();
     let pose = |x: f64, heading: f64| {
-        RouteEnd::of_pose(map, DVec2::new(x, -2.0), heading, CAR).expect("an answer").expect("a lane")
+        RouteEnd::of_pose(map, DVec2::new(x, -2.0), heading, CAR)
+            .expect("an answer")
+            .expect("a lane")
     };
     let (east, west) = (0.1, std::f64::consts::PI - 0.1);
     let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
@@ -168,8 +171,7 @@ fn wrong_ends_are_named() {
 
 /// The network ahead: every node once, with the least cost, its changes of lane, how far the limit lasts, and every way on.
 fn check_network(map: Map<'_>, from: PositionOnLane, limit: f64, cost: &ShortestLength) -> usize {
-    let (mut scratch, mut out, mut plain) =
-        (RouteScratch::default(), Reach::default(), Vec::new());
+    let (mut scratch, mut out, mut plain) = (RouteScratch::default(), Reach::default(), Vec::new());
     let starts = [from.into()];
     let ask = RouteRequest { starts: &starts, goals: &starts, vehicle: CAR, cost, avoid: &[] };
     map.reach(&ask, limit, &mut scratch, &mut out).expect("an answer");
@@ -215,7 +217,9 @@ fn check_network(map: Map<'_>, from: PositionOnLane, limit: f64, cost: &Shortest
             let before = &back.reached()[link.to];
             let node = map.lane_node(before.node).expect("a node");
             let leads = match link.enter {
-                Enter::Ahead => node.edges().any(|e| e.target().is_some_and(|t| t.node_id() == own.node)),
+                Enter::Ahead => {
+                    node.edges().any(|e| e.target().is_some_and(|t| t.node_id() == own.node))
+                }
                 Enter::Left => node.change_left().is_some_and(|to| to.node_id() == own.node),
                 _ => node.change_right().is_some_and(|to| to.node_id() == own.node),
             };

@@ -340,7 +340,8 @@ impl<'a, W: Ways<'a>, C: RouteCost> Search<'_, W, C> {
 
     /// The section and direction of the node that a hop leaves at its end, and the node's length; none where it is changed from, or is a start's.
     fn driven(&self, hop: usize) -> Option<(usize, f64)> {
-        let hop = self.scratch.hops.get(hop).filter(|hop| hop.from & (FROM_START | FROM_SIDE) == 0)?;
+        let hop =
+            self.scratch.hops.get(hop).filter(|hop| hop.from & (FROM_START | FROM_SIDE) == 0)?;
         let node = self.ways.node(hop.from)?;
         let section = node.lane()?.row.section() as usize;
         Some((2 * section + usize::from(node.is_forward()), node.length()))

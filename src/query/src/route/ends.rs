@@ -1,8 +1,8 @@
 //! Both ends of a route: lane changes beside the start and beside the target, which do not have a whole piece ahead.
 
 use super::cost::RouteCost;
-use super::{PositionOnLane, RouteEnd};
 use super::ways::Ways;
+use super::{PositionOnLane, RouteEnd};
 use crate::extents::SRange;
 use crate::graph::LaneNode;
 use crate::lane::Lane;

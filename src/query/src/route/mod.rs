@@ -24,9 +24,9 @@ mod sequences;
 mod steps;
 mod ways;
 
-pub(crate) use bound::Bounds;
-pub use alternatives::{AlternativeOptions, Routes};
 pub(crate) use alternatives::alternatives;
+pub use alternatives::{AlternativeOptions, Routes};
+pub(crate) use bound::Bounds;
 pub use cost::{CostBound, RouteCost, ShortestLength, ShortestTime, WithFactors, WithTurns};
 pub(crate) use ends::share_before;
 pub use reach::{Reach, ReachLink, Reached};

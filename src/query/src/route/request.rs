@@ -71,7 +71,11 @@ impl RouteEnd {
         let s = found.position.s;
         let ahead = normalize_angle(heading - lane.pose_at(s, 0.0)?.heading).abs() <= FRAC_PI_2;
         let forward = lane.is_forward() == ahead;
-        Ok(Some(Self { place: PositionOnLane { lane: found.lane, s }, forward: Some(forward), cost: 0.0 }))
+        Ok(Some(Self {
+            place: PositionOnLane { lane: found.lane, s },
+            forward: Some(forward),
+            cost: 0.0,
+        }))
     }
 }
 

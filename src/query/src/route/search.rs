@@ -114,7 +114,8 @@ impl<'a, 's, W: Ways<'a>, C: RouteCost> Search<'s, W, C> {
                 let drive = price(self.cost.pass(&node)) * share.max(0.0);
                 let cost = start.changes + drive + target.changes;
                 let last = Hop { from: FROM_START | i as u32, to: DIRECT | place as u32 };
-                if cost < self.best.map_or(self.cutoff, |best| best.cost) && !banned.contains(&last) {
+                if cost < self.best.map_or(self.cutoff, |best| best.cost) && !banned.contains(&last)
+                {
                     self.best = Some(Best { cost, last });
                 }
             }
@@ -287,8 +288,7 @@ impl<'a, 's, W: Ways<'a>, C: RouteCost> Search<'s, W, C> {
         let begin = start.get((first.from & !FROM_START) as usize);
         for hop in hops.iter().filter(|hop| hop.to & GOAL == 0) {
             let is_side = hop.from & (FROM_START | FROM_SIDE) == FROM_SIDE;
-            let enter =
-                if is_side { side(ways, node_of(hop.from), hop.to) } else { Enter::Ahead };
+            let enter = if is_side { side(ways, node_of(hop.from), hop.to) } else { Enter::Ahead };
             path.push(PathNode { node: hop.to, enter });
         }
         let mut place = last.to & !DIRECT;

@@ -7,8 +7,8 @@ use crate::args::{not_negative, vehicle};
 use clap::{Args, ValueEnum, value_parser};
 use mapd_client::Map;
 use mapd_overlay::Moment;
-use mapd_query::glam::DVec2;
 use mapd_query::LaneId;
+use mapd_query::glam::DVec2;
 use mapd_query::route::{
     AlternativeOptions, Enter, PositionOnLane, Route, RouteCost, RouteRequest, RouteScratch,
     RouteStep, Routes, ShortestLength, ShortestTime,
