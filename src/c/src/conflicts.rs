@@ -190,9 +190,9 @@ pub unsafe extern "C" fn mapd_path_conflict_yields_by(
         answer(error, || {
             let conflict = PathConflict::from(get(conflict, "a conflict")?);
             let Some(rules) = rules_of(country)? else { return Ok(mapd_code::NONE) };
-            let (who, rests_on) = conflict.yields_by(rules);
-            put_raw(yields, yields_code(who))?;
-            put_raw(basis, basis_code(rests_on))?;
+            let found = conflict.yields_by(rules);
+            put_raw(yields, yields_code(found.yields))?;
+            put_raw(basis, basis_code(found.basis))?;
             Ok(mapd_code::OK)
         })
     }

@@ -5,7 +5,7 @@ use crate::list::{close, entries, fill, get, hand_out, put, put_some};
 use crate::nearest::{mapd_nearest, mapd_nearest_options, options_of};
 use crate::point::mapd_vec3;
 use crate::snapshot::{map_of, mapd_snapshot};
-use mapd_client::geodesy::{Geodetic, Projector};
+use mapd_client::geodesy::{Geodetic, GeodeticPoint, Projector};
 
 /// Converts between a map's inertial frame and WGS 84. Several threads may use it at once. It is made from a snapshot and needs it no longer.
 pub struct mapd_projector(Projector);
@@ -137,7 +137,8 @@ pub unsafe extern "C" fn mapd_nearest_lane_geodetic(
         answer(error, || {
             let (map, projector) = (map_of(snapshot)?, projector_of(projector)?);
             let altitude = (has_altitude != 0).then_some(place.altitude);
-            let place = (place.latitude, place.longitude, altitude);
+            let mapd_geodetic { latitude, longitude, .. } = place;
+            let place = GeodeticPoint { latitude, longitude, altitude };
             let found = map.nearest_lane_geodetic(projector, place, &options_of(options)?)?;
             put_some(out, found.map(mapd_nearest::from))
         })

@@ -68,6 +68,14 @@ pub fn read_feed(text: &str, tolerance: f64, limits: &Limits) -> Result<Feed, Do
     Ok(feed)
 }
 
+/// Lanes across a zone's line.
+#[derive(Clone, Copy)]
+struct OnLine<'a> {
+    lanes: &'a Across,
+    /// How many lanes there are, of numbered ones.
+    of: Option<u32>,
+}
+
 impl Feed {
     /// Entries that say what cannot be become findings.
     fn check(&mut self, limits: &Limits) -> Result<(), DocumentError> {
@@ -157,12 +165,18 @@ impl Reader<'_> {
     fn work_zone(&mut self, own: &Zone, zone: &WorkZone) {
         let all = Across::Word(AcrossWord::All);
         let travelled = travelled(&zone.lanes);
-        self.add(own, "", "", (&all, None), |_| {});
+        self.add(own, "", "", OnLine { lanes: &all, of: None }, |_| {});
         match zone.vehicle_impact.0.as_str() {
             "all-lanes-closed" => {
-                self.add(own, "closed", ".properties.vehicle_impact", (&all, None), |entry| {
-                    entry.kind = Kind::Closed;
-                });
+                self.add(
+                    own,
+                    "closed",
+                    ".properties.vehicle_impact",
+                    OnLine { lanes: &all, of: None },
+                    |entry| {
+                        entry.kind = Kind::Closed;
+                    },
+                );
             }
             impact
                 if impact.starts_with("some-lanes-closed")
@@ -176,14 +190,14 @@ impl Reader<'_> {
         }
         if let Some(kph) = zone.reduced_speed_limit_kph {
             let within = ".properties.reduced_speed_limit_kph";
-            self.add(own, "speed", within, (&all, None), |entry| {
+            self.add(own, "speed", within, OnLine { lanes: &all, of: None }, |entry| {
                 (entry.kind, entry.value) = (Kind::Speed, Some(kph / 3.6));
             });
         }
         for (i, restriction) in zone.restrictions.iter().enumerate() {
             let within = format!(".properties.restrictions[{i}]");
             let name = name_of(&zone.restrictions, i);
-            self.restriction(own, restriction, &within, &name, (&all, None));
+            self.restriction(own, restriction, &within, &name, OnLine { lanes: &all, of: None });
         }
         for (i, lane) in zone.lanes.iter().enumerate() {
             let within = format!(".properties.lanes[{i}]");
@@ -192,7 +206,7 @@ impl Reader<'_> {
                 Some(position) => {
                     let across = Across::Order(vec![position as u32 + 1]);
                     let of = Some(travelled.len() as u32);
-                    self.lane(own, lane, &within, (&across, of));
+                    self.lane(own, lane, &within, OnLine { lanes: &across, of });
                 }
                 None if lane.status != "open" || !lane.restrictions.is_empty() => {
                     let why = format!(
@@ -206,7 +220,7 @@ impl Reader<'_> {
         }
     }
 
-    fn lane(&mut self, own: &Zone, lane: &Lane, within: &str, across: (&Across, Option<u32>)) {
+    fn lane(&mut self, own: &Zone, lane: &Lane, within: &str, across: OnLine<'_>) {
         let name = format!("lane-{}", lane.order);
         match lane.status.as_str() {
             "open" => {}
@@ -228,7 +242,7 @@ impl Reader<'_> {
         restriction: &Restriction,
         within: &str,
         name: &str,
-        across: (&Across, Option<u32>),
+        across: OnLine<'_>,
     ) {
         let (kind, vehicles): (Kind, &[&str]) = match restriction.r#type.as_str() {
             "no-trucks" => (Kind::Closed, &["truck"]),
@@ -252,7 +266,7 @@ impl Reader<'_> {
         own: &Zone,
         name: &str,
         within: &str,
-        (lanes, of): (&Across, Option<u32>),
+        on: OnLine<'_>,
         change: impl FnOnce(&mut Entry),
     ) {
         let mut entry = own.base.clone();
@@ -265,8 +279,8 @@ impl Reader<'_> {
             line,
             area: Vec::new(),
             tolerance,
-            lanes: lanes.clone(),
-            of,
+            lanes: on.lanes.clone(),
+            of: on.of,
         });
         change(&mut entry);
         self.feed.document.entries.push(entry);

@@ -20,6 +20,17 @@ pub enum GeodeticError {
     Query(#[from] QueryError),
 }
 
+/// A point on Earth, by the map's datum (WGS 84 for most maps).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GeodeticPoint {
+    /// Latitude `[deg]`, positive to the north.
+    pub latitude: f64,
+    /// Longitude `[deg]`, positive to the east.
+    pub longitude: f64,
+    /// Altitude `[m]`, as [`Geodetic::altitude`]; it tells levels apart. `None` if it is not known.
+    pub altitude: Option<f64>,
+}
+
 impl<'a> Map<'a> {
     /// What converts between this map's inertial frame and WGS 84. Building it allocates; converting does not.
     ///
@@ -49,16 +60,16 @@ impl<'a> Map<'a> {
         Projector::new(frame.projection(), Offset { shift, heading })
     }
 
-    /// As [`Map::nearest_lane`], from latitude and longitude `[deg]` and, where other levels are to be told apart, altitude
-    /// `[m]`, through a projector of this map.
+    /// As [`Map::nearest_lane`], from a point on Earth, through a projector of this map.
     ///
     /// Errors: the place is not finite or outside the projection's area; options that are not finite.
     pub fn nearest_lane_geodetic(
         &self,
         projector: &Projector,
-        (latitude, longitude, altitude): (f64, f64, Option<f64>),
+        at: GeodeticPoint,
         options: &NearestOptions,
     ) -> Result<Option<Nearest>, GeodeticError> {
+        let GeodeticPoint { latitude, longitude, altitude } = at;
         let place = Geodetic { latitude, longitude, altitude: altitude.unwrap_or(0.0) };
         let point: DVec3 = projector.from_geodetic(place)?;
         let point = Point { xy: point.truncate(), z: altitude.map(|_| point.z) };

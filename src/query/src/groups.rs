@@ -44,7 +44,7 @@ pub mod localisation {
 /// Latitudes and longitudes.
 #[cfg(feature = "geodesy")]
 pub mod geodesy {
-    pub use crate::geodetic::GeodeticError;
+    pub use crate::geodetic::{GeodeticError, GeodeticPoint};
     pub use mapd_geodesy::{DefinitionError, Geodetic, Offset, ProjectionError, Projector};
 }
 

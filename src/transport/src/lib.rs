@@ -85,7 +85,7 @@ pub use record::{
     write_generation, write_staged,
 };
 pub use regular::{open_regular, read_regular};
-pub use room::{ATTACH_DESCRIPTORS, ATTACH_ROOM, descriptors_left, free_bytes};
+pub use room::{ATTACH_DESCRIPTORS, ATTACH_ROOM, Descriptors, descriptors, free_bytes};
 pub use share::Share;
 pub use status::{MapStatus, list_maps};
 #[cfg(feature = "iceoryx2")]

@@ -17,9 +17,17 @@ pub fn free_bytes() -> Option<u64> {
 /// File descriptors that a process must have left to attach, or to make what serves one map.
 pub const ATTACH_DESCRIPTORS: u64 = 24;
 
-/// File descriptors that are left to this process, and how many it may have; `None` where there is no limit, or the system
-/// does not say.
-pub fn descriptors_left() -> Option<(u64, u64)> {
+/// File descriptors of a process.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Descriptors {
+    /// How many it may still open.
+    pub left: u64,
+    /// How many it may have open.
+    pub limit: u64,
+}
+
+/// File descriptors of this process; `None` if there is no limit or the system does not tell.
+pub fn descriptors() -> Option<Descriptors> {
     let limit = rustix::process::getrlimit(rustix::process::Resource::Nofile).current?;
     let used = match std::fs::read_dir("/proc/self/fd") {
         // One of them reads the folder.
@@ -29,5 +37,5 @@ pub fn descriptors_left() -> Option<(u64, u64)> {
         }
         Err(_) => return None,
     };
-    Some((limit.saturating_sub(used), limit))
+    Some(Descriptors { left: limit.saturating_sub(used), limit })
 }

@@ -7,7 +7,7 @@
 //! module has no other exports, and the linker refuses two of one name. All memory is that of safe Rust.
 #![allow(unsafe_code)]
 
-use crate::{Drawing, Kind, Layer, Link, Question};
+use crate::{Answer, Drawing, Kind, Layer, Link, Question};
 use mapd_archive::{Archive, open};
 use mapd_query::Map;
 use std::cell::RefCell;
@@ -50,7 +50,7 @@ extern "C" fn open_archive(bytes: usize, generation: f64) -> bool {
             Ok(archive) => {
                 let archive: &'static Archive<'static> = Box::leak(Box::new(archive));
                 module.archive = Some(archive);
-                module.answer = Question::Map.answer(Map::new(archive, generation as u64)).0;
+                module.answer = Question::Map.answer(Map::new(archive, generation as u64)).json;
                 true
             }
             Err(error) => {
@@ -67,8 +67,8 @@ fn ask(question: impl FnOnce(&[u8]) -> Option<Question<'_>>) -> usize {
         let Some(archive) = module.archive else { return 0 };
         let input: &[u8] = bytemuck::cast_slice(&*module.input);
         let Some(question) = question(input) else { return 0 };
-        let (answer, drawing) = question.answer(Map::new(archive, 0));
-        module.answer = answer;
+        let Answer { json, drawing } = question.answer(Map::new(archive, 0));
+        module.answer = json;
         module.drawing = drawing.unwrap_or_default();
         module.answer.len()
     })

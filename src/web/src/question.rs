@@ -70,21 +70,37 @@ struct Failure<'a> {
     error: &'a str,
 }
 
+/// What a question is answered with.
+pub struct Answer {
+    /// JSON: an object with `error` if there is no answer.
+    pub json: String,
+    /// What the page draws, if the answer has a drawing.
+    pub drawing: Option<Drawing>,
+}
+
 impl Question<'_> {
-    /// The answer as JSON, an object with `error` where there is none; and a drawing where the answer has one.
-    pub fn answer(&self, map: Map<'_>) -> (String, Option<Drawing>) {
-        match self {
-            Self::Map => (json(&overview(map)), None),
-            Self::Place([x, y]) => (result(PlanPoint::at(map, *x, *y)), None),
-            Self::Pick([x, y], radius) => (result(pick(map, *x, *y, *radius)), None),
-            Self::Sheet(link) => (json(&Sheet::of(map, *link)), Some(way::highlight(map, *link))),
-            Self::Find(text) => (json(&find::find(map, text)), None),
+    /// The answer.
+    pub fn answer(&self, map: Map<'_>) -> Answer {
+        let mut drawing = None;
+        let json = match self {
+            Self::Map => json(&overview(map)),
+            Self::Place([x, y]) => result(PlanPoint::at(map, *x, *y)),
+            Self::Pick([x, y], radius) => result(pick(map, *x, *y, *radius)),
+            Self::Sheet(link) => {
+                drawing = Some(way::highlight(map, *link));
+                json(&Sheet::of(map, *link))
+            }
+            Self::Find(text) => json(&find::find(map, text)),
             Self::Way(from, to) => match way::way(map, *from, *to) {
-                Ok((way, drawing)) => (json(&way), Some(drawing)),
-                Err(error) => (json(&Failure { error: &error }), None),
+                Ok(found) => {
+                    drawing = Some(found.drawing);
+                    json(&found.way)
+                }
+                Err(error) => json(&Failure { error: &error }),
             },
-            Self::LeftOut => (json(&left_out(map)), None),
-        }
+            Self::LeftOut => json(&left_out(map)),
+        };
+        Answer { json, drawing }
     }
 }
 

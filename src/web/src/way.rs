@@ -57,15 +57,22 @@ pub struct Meeting {
     pub reason: &'static str,
 }
 
+/// A way as a table and as a drawing.
+pub struct DrawnWay {
+    /// What the table says.
+    pub way: Way,
+    /// What the page draws.
+    pub drawing: Drawing,
+}
+
 /// Why there is no route.
 const NO_LANE: &str = "no lane for passenger cars within 10 m of";
 const NO_WAY: &str = "no way for a passenger car leads there";
 
-/// The way of a passenger car that takes the shortest time, from the lane at one place to that at another, as a table and a
-/// drawing.
+/// The way of a passenger car that takes the shortest time, from the lane at one place to that at another.
 ///
 /// Errors: a sentence that says why there is none.
-pub fn way(map: Map<'_>, from: [f64; 2], to: [f64; 2]) -> Result<(Way, Drawing), String> {
+pub fn way(map: Map<'_>, from: [f64; 2], to: [f64; 2]) -> Result<DrawnWay, String> {
     let (from, to) = (place(map, from, "the start")?, place(map, to, "the destination")?);
     let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
     let (car, cost) = (VehicleClass::PassengerCar, ShortestTime::default());
@@ -95,7 +102,7 @@ pub fn way(map: Map<'_>, from: [f64; 2], to: [f64; 2]) -> Result<(Way, Drawing),
         conflicts: conflicts.collect(),
     };
     let drawing = draw(map, &path).map_err(|error| error.to_string())?;
-    Ok((way, drawing))
+    Ok(DrawnWay { way, drawing })
 }
 
 fn place(map: Map<'_>, [x, y]: [f64; 2], which: &str) -> Result<PositionOnLane, String> {

@@ -78,7 +78,7 @@ fn hostile_names_are_text() {
     let renamed = text.replacen("<road name=\"", &format!("<road name=\"{escaped}"), 1);
     assert_ne!(renamed, text, "the map's first road has a name");
     let snapshot = open_text(&renamed);
-    let (answer, _) = Question::Find("script").answer(snapshot.map());
+    let answer = Question::Find("script").answer(snapshot.map()).json;
     let found: serde_json::Value = serde_json::from_str(&answer).expect("JSON");
     assert!(found[0]["text"].as_str().expect("text").contains(HOSTILE), "{answer}");
 }
@@ -104,7 +104,7 @@ fn whatever_is_asked_is_answered() {
         questions
             .extend([Question::Place([f64::NAN, 0.0]), Question::Pick([0.0; 2], f64::INFINITY)]);
         for question in questions {
-            let (answer, _) = question.answer(map);
+            let answer = question.answer(map).json;
             let read: Result<serde_json::Value, _> = serde_json::from_str(&answer);
             assert!(read.is_ok(), "{question:?}: {answer}");
         }

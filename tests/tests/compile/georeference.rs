@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use mapd_archive::GeoReferenceForm;
+use mapd_client::geodesy::GeodeticPoint;
 use mapd_client::{NearestOptions, Snapshot};
 use mapd_compiler::{Compilation, CompileOptions, OffsetSign, compile};
 
@@ -137,8 +138,13 @@ fn nothing_happens_where_zones_meet() {
         before = Some(again);
         let (lat, lon) = (place.latitude, place.longitude);
         let options = NearestOptions::default();
-        let hit =
-            map.nearest_lane_geodetic(&projector, (lat, lon, None), &options).expect("an answer");
+        let hit = map
+            .nearest_lane_geodetic(
+                &projector,
+                GeodeticPoint { latitude: lat, longitude: lon, altitude: None },
+                &options,
+            )
+            .expect("an answer");
         let hit = hit.expect("a lane");
         assert_eq!(map.lane(hit.lane).expect("known").number(), -1);
         assert!((hit.position.s - f64::from(s)).abs() <= 1e-6 && hit.position.offset.abs() <= 1e-6);

@@ -6,7 +6,7 @@ use mapd_client::vocabulary::{Relation, RelationReason, VehicleClass};
 use mapd_client::{Lane, Map};
 use mapd_query::path::{
     PathBuffer, PathChange, PathChangeKind, PathError, PathFactKind, PathOptions, PathSegment,
-    PathSpeed, Yields, steps_of_lanes,
+    PathSpeed, Yields, YieldsBy, steps_of_lanes,
 };
 use mapd_query::rules::{Basis, SpeedOrigin};
 use mapd_query::signals::SignalsAhead;
@@ -303,12 +303,12 @@ fn who_yields_by_rule_is_for_the_caller_to_say() {
             "{found:?}"
         );
         for one in &found {
-            let (yields, basis) = one.yields_by(rules("DE"));
+            let YieldsBy { yields, basis } = one.yields_by(rules("DE"));
             let known = yields != Yields::Unknown;
             assert_eq!(known, basis == Basis::Rule, "{one:?}");
             assert_eq!(known, one.reason != RelationReason::None, "{one:?}");
         }
-        assert!(found.iter().any(|one| one.yields_by(rules("DE")).0 == Yields::Yields));
+        assert!(found.iter().any(|one| one.yields_by(rules("DE")).yields == Yields::Yields));
     });
 }
 

@@ -7,6 +7,13 @@ pub(crate) use too_large::{TooLarge, too_large, too_many_ids, too_many_overlaps,
 use mapd_rules::Rule;
 use mapd_xodr::{Finding, Severity, Span};
 
+/// An entry of the catalog, and how grave a finding of it is.
+#[derive(Clone, Copy)]
+pub(crate) struct Graded {
+    pub(crate) rule: &'static Rule,
+    pub(crate) severity: Severity,
+}
+
 /// A finding of the compiler's own: as bad as its rule's usual ones, or milder.
 pub(crate) fn finding(
     rule: &'static Rule,

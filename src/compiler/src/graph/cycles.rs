@@ -5,9 +5,9 @@
 
 use super::components::strong_components;
 use super::report::Report;
+use crate::findings::Graded;
 use crate::options::CyclePolicy;
 use mapd_archive::{EdgeKind, LaneNodeRow, NONE, Rows, VehicleClass};
-use mapd_rules::Rule;
 use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
 use std::collections::VecDeque;
@@ -39,7 +39,7 @@ fn report_all(rows: &Rows, policy: CyclePolicy, report: &mut Report<'_>) {
     };
     cycles(rows, false, within_junction, |path| {
         let what = "a way through the junction that leaves it";
-        report_path(rows, report, (&building::JUNCTION_CYCLE, severity), what, path);
+        report_path(rows, report, Graded { rule: &building::JUNCTION_CYCLE, severity }, what, path);
     });
     let short = |node: usize| {
         rows.lane_nodes.get(node).is_some_and(|row| f64::from(row.length) <= LEAST_CYCLE)
@@ -52,7 +52,13 @@ fn report_all(rows: &Rows, policy: CyclePolicy, report: &mut Report<'_>) {
             let length: f64 = path.iter().map(|edge| edge_length(rows, *edge)).sum();
             if length <= LEAST_CYCLE {
                 let what = "a loop longer than 1 m";
-                report_path(rows, report, (&building::NO_PROGRESS, severity), what, path);
+                report_path(
+                    rows,
+                    report,
+                    Graded { rule: &building::NO_PROGRESS, severity },
+                    what,
+                    path,
+                );
             }
         },
     );
@@ -68,7 +74,13 @@ fn report_all(rows: &Rows, policy: CyclePolicy, report: &mut Report<'_>) {
         once,
         |_, _| true,
         |path| {
-            report_path(rows, report, (&building::CYCLE, others), "no loop", path);
+            report_path(
+                rows,
+                report,
+                Graded { rule: &building::CYCLE, severity: others },
+                "no loop",
+                path,
+            );
         },
     );
 }
@@ -183,13 +195,7 @@ fn start(rows: &Rows, path: &mut [u32]) -> Option<u32> {
     path.first().copied()
 }
 
-fn report_path(
-    rows: &Rows,
-    report: &mut Report<'_>,
-    (rule, severity): (&'static Rule, Severity),
-    expected: &str,
-    path: &[u32],
-) {
+fn report_path(rows: &Rows, report: &mut Report<'_>, graded: Graded, expected: &str, path: &[u32]) {
     // Steps between pieces of one lane are none that the file could name.
     let within = EdgeKind::Within.code();
     let mut named: Vec<u32> = path
@@ -211,5 +217,5 @@ fn report_path(
     }
     steps.push(report.node_text(left_by(rows, first)));
     let message = format!("expected {expected}, found the cycle {}", steps.join(" → "));
-    report.at_edge(rule, severity, first, message);
+    report.at_edge(graded.rule, graded.severity, first, message);
 }

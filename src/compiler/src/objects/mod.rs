@@ -11,7 +11,7 @@ mod repeat;
 mod track_area;
 
 use crate::draft::{Object, Objects};
-use crate::findings::TooLarge;
+use crate::findings::{Graded, TooLarge};
 use crate::options::CompileOptions;
 use crate::sample::Fault;
 use crate::sample::view;
@@ -21,7 +21,6 @@ use mapd_archive::{
     SkeletonVertexRow, string,
 };
 use mapd_query::Map;
-use mapd_rules::Rule;
 use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
 use rayon::prelude::*;
@@ -275,13 +274,6 @@ fn too_detailed(map: Map<'_>, object: &Object, what: &str) -> Finding {
     );
     let rule = Graded { rule: &building::OBJECT_PART, severity: Severity::Warning };
     finding(map, object, rule, object.span, message)
-}
-
-/// An entry of the catalog, and how grave a finding of it is.
-#[derive(Clone, Copy)]
-struct Graded {
-    rule: &'static Rule,
-    severity: Severity,
 }
 
 /// Whatever keeps a repetition from all of its copies.

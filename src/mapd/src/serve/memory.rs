@@ -5,8 +5,8 @@ use super::control_group;
 use super::error::ServeError;
 use super::held::HeldGenerations;
 use mapd_transport::{
-    ATTACH_DESCRIPTORS, ATTACH_ROOM, AttachError, ClaimError, SHARED_MEMORY_FOLDER,
-    descriptors_left, free_bytes,
+    ATTACH_DESCRIPTORS, ATTACH_ROOM, AttachError, ClaimError, Descriptors, SHARED_MEMORY_FOLDER,
+    descriptors, free_bytes,
 };
 use std::fs;
 
@@ -81,8 +81,8 @@ pub(crate) fn or_shortage(error: ServeError) -> ServeError {
 
 /// Checks that descriptors are left. Takes a look at each of them: for whoever has failed already.
 fn check_descriptors() -> Result<(), ServeError> {
-    match descriptors_left() {
-        Some((left, limit)) if left < ATTACH_DESCRIPTORS => {
+    match descriptors() {
+        Some(Descriptors { left, limit }) if left < ATTACH_DESCRIPTORS => {
             Err(ServeError::NoDescriptors { left, limit })
         }
         _ => Ok(()),

@@ -80,16 +80,26 @@ pub struct PathConflict {
     pub wait: f64,
 }
 
+/// Who goes first at a conflict, and what says so.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct YieldsBy {
+    /// Who goes first.
+    pub yields: Yields,
+    /// What that rests on.
+    pub basis: Basis,
+}
+
 impl PathConflict {
     /// Who goes first by what the file says, else by a country's rules ([`RoadRules::of`]), and what that rests on.
-    pub fn yields_by(&self, rules: &RoadRules) -> (Yields, Basis) {
-        match Basis::of(self.reason) {
+    pub fn yields_by(&self, rules: &RoadRules) -> YieldsBy {
+        let (yields, basis) = match Basis::of(self.reason) {
             Basis::Rule => match by_rules(rules, self.relation, self.reason, self.equal_roads) {
                 Some(relation) => (Yields::known(relation), Basis::Rule),
                 None => (Yields::Unknown, Basis::Unknown),
             },
             basis => (self.yields, basis),
-        }
+        };
+        YieldsBy { yields, basis }
     }
 }
 

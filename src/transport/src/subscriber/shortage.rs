@@ -1,7 +1,7 @@
 //! Whether there is what a subscriber needs.
 
 use crate::error::AttachError;
-use crate::room::{ATTACH_DESCRIPTORS, ATTACH_ROOM, descriptors_left, free_bytes};
+use crate::room::{ATTACH_DESCRIPTORS, ATTACH_ROOM, Descriptors, descriptors, free_bytes};
 
 /// Those of them that are needed last, to receive a generation.
 pub(crate) const RECEIVE_DESCRIPTORS: u64 = 4;
@@ -20,8 +20,10 @@ pub(crate) fn check_room() -> Result<(), AttachError> {
 ///
 /// Errors: [`AttachError::NoDescriptors`].
 pub(crate) fn check_descriptors(needed: u64) -> Result<(), AttachError> {
-    match descriptors_left() {
-        Some((left, limit)) if left < needed => Err(AttachError::NoDescriptors { left, limit }),
+    match descriptors() {
+        Some(Descriptors { left, limit }) if left < needed => {
+            Err(AttachError::NoDescriptors { left, limit })
+        }
         _ => Ok(()),
     }
 }

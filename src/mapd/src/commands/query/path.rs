@@ -6,7 +6,7 @@ use super::route::Router;
 use super::row::Row;
 use mapd_client::Map;
 use mapd_query::glam::DVec2;
-use mapd_query::path::{Corridor, Path, PathBuffer, PathCrossing, PathOptions, Yields};
+use mapd_query::path::{Corridor, Path, PathBuffer, PathCrossing, PathOptions, Yields, YieldsBy};
 use mapd_query::rules::Basis;
 use mapd_query::vocabulary::{RelationReason, RoadRules};
 
@@ -168,10 +168,12 @@ fn conflicts(
         out.push(map.lane(one.other).map_err(text)?.key().to_string());
         numbers(out, &one.other_s);
         out.push(one.kind.name().to_owned());
-        let (yields, basis) = match rules {
+        let YieldsBy { yields, basis } = match rules {
             Some(rules) => one.yields_by(rules),
-            None if Basis::of(one.reason) == Basis::Rule => (one.yields, Basis::Unknown),
-            None => (one.yields, Basis::of(one.reason)),
+            None if Basis::of(one.reason) == Basis::Rule => {
+                YieldsBy { yields: one.yields, basis: Basis::Unknown }
+            }
+            None => YieldsBy { yields: one.yields, basis: Basis::of(one.reason) },
         };
         out.push(yields.name().to_owned());
         out.push(one.reason.name().to_owned());
