@@ -19,24 +19,24 @@ fn references(table: &Table) -> impl Iterator<Item = (&Field, &str)> {
     table.fields.iter().filter_map(|field| Some((field, field.to.as_deref()?)))
 }
 
-/// `Moves`, and what makes and uses it.
+/// `RowMappings`, and what makes and uses it.
 pub(crate) fn append(layout: &Layout) -> String {
     let targets = targets(layout);
     let mut out = format!("//! Appending the rows of a part of a map to the whole.\n{NOTE}");
-    out += "use super::rows::Rows;\nuse crate::moves::Moved;\n\n";
-    out += "/// Where the rows of a part of a map come to lie, of each table that something refers to.\npub struct Moves {\n";
+    out += "use super::rows::Rows;\nuse crate::moves::RowMapping;\n\n";
+    out += "/// Where the rows of a part of a map come to lie, of each table that something refers to.\npub struct RowMappings {\n";
     for name in &targets {
-        let _ = writeln!(out, "/// `{name}`.\npub {name}: Moved,");
+        let _ = writeln!(out, "/// `{name}`.\npub {name}: RowMapping,");
     }
     out += "}\n\nimpl Rows {\n/// Rows of a part of a map, to be appended to the whole. Row 0 of each table is not used, so that 0 and empty ranges\n/// from 0 on refer to nothing.\npub fn part() -> Self {\nfn unused<T: bytemuck::Zeroable>() -> crate::Table<T> {\nvec![T::zeroed()].into()\n}\nSelf {\n";
     for table in &layout.tables {
         let _ = writeln!(out, "{}: unused(),", table.name);
     }
-    out += "}\n}\n\n/// Where the rows of a part would come to lie behind these; strings stay what they are.\npub fn moves(&self) -> Moves {\nMoves {\nstrings: Moved::behind(1),\n";
+    out += "}\n}\n\n/// Where the rows of a part would come to lie behind these; strings stay what they are.\npub fn moves(&self) -> RowMappings {\nRowMappings {\nstrings: RowMapping::appended_to(1),\n";
     for name in targets.iter().filter(|name| **name != "strings") {
-        let _ = writeln!(out, "{name}: Moved::behind(self.{name}.len()),");
+        let _ = writeln!(out, "{name}: RowMapping::appended_to(self.{name}.len()),");
     }
-    out += "}\n}\n\n/// Appends the rows of a part that move behind those that are there.\npub fn append(&mut self, part: &Self, moves: &Moves) {\n";
+    out += "}\n}\n\n/// Appends the rows of a part that move behind those that are there.\npub fn append(&mut self, part: &Self, moves: &RowMappings) {\n";
     for table in &layout.tables {
         out += &append_table(table, targets.contains(&table.name.as_str()));
     }
@@ -47,7 +47,7 @@ pub(crate) fn append(layout: &Layout) -> String {
 pub(crate) fn move_rows(layout: &Layout) -> String {
     let mut out =
         format!("//! Letting rows refer to where what they refer to comes to lie.\n{NOTE}");
-    out += "use super::append::Moves;\n";
+    out += "use super::append::RowMappings;\n";
     let refers = |table: &Table| table.fields_of.is_none() && references(table).next().is_some();
     for (part, ..) in parts(layout).iter().filter(|(.., tables)| tables.iter().any(refers)) {
         let _ = writeln!(out, "use super::{part}_rows::*;");
@@ -58,7 +58,7 @@ pub(crate) fn move_rows(layout: &Layout) -> String {
         };
         let _ = writeln!(
             out,
-            "\nimpl {row} {{\n/// Lets the row refer to where what it refers to comes to lie.\npub fn move_by(&mut self, moves: &Moves) {{"
+            "\nimpl {row} {{\n/// Lets the row refer to where what it refers to comes to lie.\npub fn move_by(&mut self, moves: &RowMappings) {{"
         );
         for (field, to) in references(table) {
             let kind = if field.kind == "range" { "range" } else { "row" };
@@ -89,5 +89,5 @@ fn append_table(table: &Table, is_target: bool) -> String {
     } else {
         format!("self.{name}.extend_from_slice({rows});\n")
     };
-    if is_target { format!("if moves.{name}.is_behind() {{\n{code}}}\n") } else { code }
+    if is_target { format!("if moves.{name}.is_appended() {{\n{code}}}\n") } else { code }
 }

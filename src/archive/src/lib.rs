@@ -69,7 +69,7 @@ pub use directory::{Feature, MOST_TABLES, TableEntry, directory};
 pub use error::{OpenError, VerifyError, WriteError};
 pub use generated::{
     annotation_rows::*,
-    append::Moves,
+    append::RowMappings,
     beside_rows::*,
     classes::{Class, ClassGroup},
     index_rows::*,
@@ -86,7 +86,7 @@ pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_fla
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
 pub use lane_row::{MOST_OF_LANE, NOT_BESIDE, beside_of, beside_row, section_step};
 pub use mark_codes::{MarkLaneChange, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight};
-pub use moves::Moved;
+pub use moves::RowMapping;
 pub use object_codes::{
     ObjectShape, ObjectSide, OutlineFill, PlatformSide, StructureKind, SwitchPosition, copy_flags,
     object_flags, outline_flags,

@@ -8,9 +8,9 @@ use crate::table::Range;
 /// Row 0 of a part's table is never used ([`Rows::part`](crate::Rows::part)): 0, and an empty range from 0 on, stay what
 /// they are, as [`NONE`] does.
 #[derive(Clone, Debug)]
-pub enum Moved {
+pub enum RowMapping {
     /// One after the other behind those that are there.
-    Behind(Behind),
+    Appended(RowShift),
     /// Each where its place in this list says. [`Rows::append`](crate::Rows::append) leaves the table alone.
     To(Vec<u32>),
     /// Ranges of them, each of the first where the second says, by first row and count; others nowhere.
@@ -18,19 +18,19 @@ pub enum Moved {
     Ranges(Vec<(Range, Range)>),
 }
 
-/// By how much rows move: see [`Moved::behind`].
+/// By how much rows move: see [`RowMapping::appended_to`].
 #[derive(Clone, Copy, Debug)]
-pub struct Behind(u32);
+pub struct RowShift(u32);
 
-impl Moved {
+impl RowMapping {
     /// Behind so many rows. Tables that outgrow 32 bits are refused before anything is written.
-    pub fn behind(rows: usize) -> Self {
-        Self::Behind(Behind((rows as u32).wrapping_sub(1)))
+    pub fn appended_to(rows: usize) -> Self {
+        Self::Appended(RowShift((rows as u32).wrapping_sub(1)))
     }
 
     /// Whether the rows come one after the other behind those that are there.
-    pub fn is_behind(&self) -> bool {
-        matches!(self, Self::Behind(_))
+    pub fn is_appended(&self) -> bool {
+        matches!(self, Self::Appended(_))
     }
 
     /// Where a row comes to lie.
@@ -40,7 +40,7 @@ impl Moved {
             return row;
         }
         match self {
-            Self::Behind(Behind(by)) => row.wrapping_add(*by),
+            Self::Appended(RowShift(by)) => row.wrapping_add(*by),
             Self::To(places) => places.get(row as usize).copied().unwrap_or(NONE),
             Self::Ranges(_) => NONE,
         }
@@ -53,7 +53,7 @@ impl Moved {
             return range;
         }
         match self {
-            Self::Behind(Behind(by)) => {
+            Self::Appended(RowShift(by)) => {
                 Range { first: range.first.wrapping_add(*by), count: range.count }
             }
             Self::To(_) => Range::default(),

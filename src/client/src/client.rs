@@ -2,7 +2,7 @@
 
 use crate::error::ClientError;
 use crate::snapshot::Snapshot;
-use mapd_transport::{AttachError, Domain, GenerationInfo, Laid, Observer, Pinned, after};
+use mapd_transport::{AttachError, Domain, GenerationInfo, Observer, OverlayState, Pinned, after};
 #[cfg(feature = "subscriber")]
 use mapd_transport::{AttachTiming, Subscription};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -350,9 +350,9 @@ impl Client {
 fn lay(observer: &Observer, snapshot: &Snapshot) -> Result<Option<Snapshot>, ClientError> {
     let laid = observer.laid_over(snapshot.generation(), snapshot.overlay_revision())?;
     Ok(match laid {
-        Laid::Known => Some(snapshot.clone()),
-        Laid::Nothing => Some(snapshot.bare()),
-        Laid::New(pinned) => Some(snapshot.under(pinned)?),
-        Laid::Other => None,
+        OverlayState::Known => Some(snapshot.clone()),
+        OverlayState::Nothing => Some(snapshot.bare()),
+        OverlayState::New(pinned) => Some(snapshot.under(pinned)?),
+        OverlayState::Other => None,
     })
 }

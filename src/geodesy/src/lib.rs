@@ -17,8 +17,6 @@
 //! ```
 
 mod datum;
-#[cfg(feature = "read")]
-mod doubt;
 mod ellipsoid;
 mod offset;
 #[cfg(feature = "read")]
@@ -32,9 +30,9 @@ mod target;
 mod topocentric;
 mod transverse_mercator;
 mod values;
-
 #[cfg(feature = "read")]
-pub use doubt::Doubt;
+mod warning;
+
 pub use glam;
 pub use offset::Offset;
 pub use projector::{DefinitionError, Geodetic, ProjectionError, Projector};
@@ -42,3 +40,5 @@ pub use projector::{DefinitionError, Geodetic, ProjectionError, Projector};
 pub use reference::{Form, Reference, ReferenceError};
 #[cfg(feature = "read")]
 pub use target::{Target, TargetError};
+#[cfg(feature = "read")]
+pub use warning::DefinitionWarning;

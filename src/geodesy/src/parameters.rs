@@ -2,8 +2,8 @@
 //!
 //! Names and meanings are those of PROJ (<https://proj.org/usage/projections.html>).
 
-use crate::doubt::Doubt;
 use crate::reference::{ReferenceError, shown};
+use crate::warning::DefinitionWarning;
 use std::collections::BTreeSet;
 
 /// Parameters that are numbers.
@@ -40,10 +40,10 @@ const FLATTENING_DEVIATION: f64 = 1e-5;
 const LARGEST: f64 = 1e9;
 
 /// The canonical form of some PROJ parameters and what is doubtful about them.
-pub(crate) fn canonical(text: &str) -> Result<(String, Vec<Doubt>), ReferenceError> {
+pub(crate) fn canonical(text: &str) -> Result<(String, Vec<DefinitionWarning>), ReferenceError> {
     let list = split(text);
     let get = |name: &str| list.iter().find(|(key, _)| *key == name).map(|(_, value)| *value);
-    let mut doubts = Vec::new();
+    let mut warnings = Vec::new();
     let mut out = String::new();
     let mut push = |key: &str, value: &str| {
         let value = if value.is_empty() { String::new() } else { format!("={value}") };
@@ -59,7 +59,7 @@ pub(crate) fn canonical(text: &str) -> Result<(String, Vec<Doubt>), ReferenceErr
         Some(name) => push("proj", name),
         None if get("lat_0").is_some() && get("lon_0").is_some() => {
             push("proj", "tmerc");
-            doubts.push(Doubt::Assumed);
+            warnings.push(DefinitionWarning::Assumed);
         }
         None => return Err(ReferenceError::Unrecognized),
     }
@@ -76,13 +76,13 @@ pub(crate) fn canonical(text: &str) -> Result<(String, Vec<Doubt>), ReferenceErr
             "datum" if value.eq_ignore_ascii_case(GRID_DATUM) => {
                 return Err(ReferenceError::Grid(shown(value)));
             }
-            "geoidgrids" | "geoid_crs" => doubts.push(Doubt::Height(shown(value))),
+            "geoidgrids" | "geoid_crs" => warnings.push(DefinitionWarning::Height(shown(value))),
             "units" | "to_meter" if is_metre(value) => {}
-            "units" | "to_meter" => doubts.push(Doubt::Unit(shown(value))),
+            "units" | "to_meter" => warnings.push(DefinitionWarning::Unit(shown(value))),
             "vunits" | "vto_meter" if is_metre(value) => {}
-            "vunits" | "vto_meter" => doubts.push(Doubt::HeightUnit(shown(value))),
+            "vunits" | "vto_meter" => warnings.push(DefinitionWarning::HeightUnit(shown(value))),
             "axis" if *value == EAST_NORTH_UP => {}
-            "axis" => doubts.push(Doubt::Axes(shown(value))),
+            "axis" => warnings.push(DefinitionWarning::Axes(shown(value))),
             key if IDLE.contains(&key) => {}
             key if NUMBERS.contains(&key) => {
                 number(key, value)?;
@@ -93,7 +93,7 @@ pub(crate) fn canonical(text: &str) -> Result<(String, Vec<Doubt>), ReferenceErr
         }
     }
     if !ignored.is_empty() {
-        doubts.push(Doubt::Ignored(shown(&ignored.join(" "))));
+        warnings.push(DefinitionWarning::Ignored(shown(&ignored.join(" "))));
     }
     let ellipsoid = ["ellps", "a", "R"].iter().any(|key| get(key).is_some());
     if !ellipsoid && get("datum").is_none() && get("towgs84").is_none() {
@@ -101,12 +101,12 @@ pub(crate) fn canonical(text: &str) -> Result<(String, Vec<Doubt>), ReferenceErr
     }
     let placed = ["datum", "towgs84", "nadgrids"].iter().any(|key| get(key).is_some());
     if !placed && ellipsoid && !is_alike(&get) {
-        doubts.push(Doubt::Datum);
+        warnings.push(DefinitionWarning::Datum);
     }
     if is_mixed(&get, ellipsoid) {
-        doubts.push(Doubt::Mixed);
+        warnings.push(DefinitionWarning::Mixed);
     }
-    Ok((out, doubts))
+    Ok((out, warnings))
 }
 
 /// Names and values; a value is empty where there is none.

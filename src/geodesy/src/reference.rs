@@ -1,9 +1,9 @@
 //! Georeferences as files have them.
 
-use crate::doubt::Doubt;
 use crate::offset::Offset;
 use crate::parameters::canonical;
 use crate::projector::{DefinitionError, Projector};
+use crate::warning::DefinitionWarning;
 use thiserror::Error;
 
 /// Longest text that is looked at `[bytes]`: compound WKT 2 has some thousand.
@@ -77,7 +77,7 @@ pub struct Reference {
     /// PROJ parameters that a [`Projector`] is built from.
     pub definition: Result<String, ReferenceError>,
     /// What is understood only in part.
-    pub doubts: Vec<Doubt>,
+    pub warnings: Vec<DefinitionWarning>,
 }
 
 impl Reference {
@@ -89,16 +89,16 @@ impl Reference {
         }
         if text.len() > LONGEST || depth(text) > DEEPEST {
             let definition = Err(ReferenceError::TooLarge);
-            return Some(Self { form: Form::Other, definition, doubts: Vec::new() });
+            return Some(Self { form: Form::Other, definition, warnings: Vec::new() });
         }
         let form = form(text);
         let read = match form {
             Form::Absent | Form::Other => Err(ReferenceError::Unrecognized),
             Form::Proj | Form::Parameters => canonical(text),
             Form::Epsg => code(text).and_then(|(text, height)| {
-                let (definition, mut doubts) = canonical(text)?;
-                doubts.extend(height);
-                Ok((definition, doubts))
+                let (definition, mut warnings) = canonical(text)?;
+                warnings.extend(height);
+                Ok((definition, warnings))
             }),
             Form::Wkt1 | Form::Wkt2 => {
                 let text = proj4wkt::wkt_to_projstring(text);
@@ -106,11 +106,11 @@ impl Reference {
                     .and_then(|text| canonical(&text))
             }
         };
-        let (definition, doubts) = match read {
-            Ok((definition, doubts)) => (tried(definition), doubts),
+        let (definition, warnings) = match read {
+            Ok((definition, warnings)) => (tried(definition), warnings),
             Err(error) => (Err(error), Vec::new()),
         };
-        Some(Self { form, definition, doubts })
+        Some(Self { form, definition, warnings })
     }
 }
 
@@ -187,11 +187,14 @@ fn epsg(text: &str) -> Option<(&str, Option<&str>)> {
 }
 
 /// The parameters of a code, and the doubt that its vertical reference leaves.
-fn code(text: &str) -> Result<(&'static str, Option<Doubt>), ReferenceError> {
+fn code(text: &str) -> Result<(&'static str, Option<DefinitionWarning>), ReferenceError> {
     let (code, height) = epsg(text).ok_or(ReferenceError::Unrecognized)?;
     let known = code.parse::<u16>().ok().and_then(crs_definitions::from_code);
     let known = known.ok_or_else(|| ReferenceError::Code(shown(code)))?;
-    Ok((known.proj4, height.map(|height| Doubt::Height(format!("EPSG:{}", shown(height))))))
+    Ok((
+        known.proj4,
+        height.map(|height| DefinitionWarning::Height(format!("EPSG:{}", shown(height)))),
+    ))
 }
 
 /// As much of a text as a message repeats.

@@ -1,8 +1,8 @@
 //! Target frames: what a map may be compiled into.
 
-use crate::doubt::Doubt;
 use crate::projector::Geodetic;
 use crate::reference::{Reference, ReferenceError};
+use crate::warning::DefinitionWarning;
 use std::fmt;
 use std::str::FromStr;
 use thiserror::Error;
@@ -31,7 +31,7 @@ pub struct Target {
     text: String,
     /// None: by the map's middle.
     definition: Option<String>,
-    doubts: Vec<Doubt>,
+    warnings: Vec<DefinitionWarning>,
 }
 
 /// Why a target frame is none.
@@ -58,8 +58,8 @@ impl Target {
     }
 
     /// What is understood of it only in part.
-    pub fn doubts(&self) -> &[Doubt] {
-        &self.doubts
+    pub fn warnings(&self) -> &[DefinitionWarning] {
+        &self.warnings
     }
 
     /// PROJ parameters of the frame for a map with this middle. Zones of UTM are the regular ones, 6 degrees wide, without
@@ -82,10 +82,10 @@ impl FromStr for Target {
     /// An EPSG code, PROJ parameters or well-known text as in georeferences, `utm`, or `enu:LAT,LON[,ALT]`.
     fn from_str(text: &str) -> Result<Self, TargetError> {
         let text = text.trim();
-        let new = |definition: Option<String>, doubts: Vec<Doubt>| Self {
+        let new = |definition: Option<String>, warnings: Vec<DefinitionWarning>| Self {
             text: text.to_owned(),
             definition,
-            doubts,
+            warnings,
         };
         if text.eq_ignore_ascii_case(UTM) {
             return Ok(new(None, Vec::new()));
@@ -96,7 +96,7 @@ impl FromStr for Target {
             return Ok(new(Some(definition), Vec::new()));
         }
         let reference = Reference::read(text).ok_or(TargetError::Empty)?;
-        Ok(new(Some(reference.definition?), reference.doubts))
+        Ok(new(Some(reference.definition?), reference.warnings))
     }
 }
 

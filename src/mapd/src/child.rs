@@ -38,7 +38,7 @@ const NO_BACKTRACE: [&str; 3] = [
 
 /// What a child has made.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
-pub(crate) struct Told {
+pub(crate) struct ChildReport {
     /// Files that the document includes.
     pub(crate) included: Vec<PathBuf>,
     /// Files that it wants to include and that cannot be read.
@@ -69,7 +69,7 @@ pub(crate) enum Message {
     /// How far it is.
     Progress(#[serde(with = "ProgressOnTheWay")] Progress),
     /// Its last word.
-    Told(Told),
+    Report(ChildReport),
 }
 
 /// As [`Progress`].
@@ -129,18 +129,18 @@ pub(crate) fn run(
     progress: &mut (dyn FnMut(Progress) + Send),
     cancelled: &AtomicBool,
     deadline: Option<Duration>,
-) -> io::Result<(End, Told)> {
+) -> io::Result<(End, ChildReport)> {
     let mut child = command(work).spawn()?;
     let (stdout, stderr) = (child.stdout.take(), child.stderr.take());
     let mut no_memory = None;
     let (status, told) = std::thread::scope(|scope| {
         let named = |name: &str| std::thread::Builder::new().name(name.to_owned());
         let hear = move || {
-            let mut told = Told::default();
+            let mut told = ChildReport::default();
             for line in lines(stdout) {
                 match serde_json::from_str(&line) {
                     Ok(Message::Progress(now)) => progress(now),
-                    Ok(Message::Told(last)) => told = last,
+                    Ok(Message::Report(last)) => told = last,
                     // Of what is said when a process breaks down.
                     Err(_) => {}
                 }

@@ -1,6 +1,6 @@
 //! An entry of a table, ready to be asked.
 
-use crate::file::{Entry, File, Wrong};
+use crate::file::{Entry, EntryFault, File};
 use crate::light::{Light, arrows};
 use crate::pattern::Pattern;
 use crate::value::{Source, Unit, sources, unit};
@@ -36,20 +36,20 @@ impl Ready {
         entry: &Entry,
         file: &File,
         lights: &HashMap<String, Light>,
-    ) -> Result<Self, Wrong> {
+    ) -> Result<Self, EntryFault> {
         let class = Class::from_name(&entry.class);
         if class == Class::Unknown {
-            return Err(Wrong::Class(entry.class.clone()));
+            return Err(EntryFault::Class(entry.class.clone()));
         }
         if entry.r#type.is_none() && entry.subtype.is_none() && entry.name.is_none() {
-            return Err(Wrong::Nothing);
+            return Err(EntryFault::Nothing);
         }
-        let known = |name: &String| unit(name).ok_or_else(|| Wrong::Unit(name.clone()));
+        let known = |name: &String| unit(name).ok_or_else(|| EntryFault::Unit(name.clone()));
         let own = entry.unit.as_ref().map(known).transpose()?;
         let of_file = file.unit.as_ref().map(known).transpose()?;
         let light = match &entry.light {
             Some(name) => {
-                let light = lights.get(name).ok_or_else(|| Wrong::Light(name.clone()))?;
+                let light = lights.get(name).ok_or_else(|| EntryFault::Light(name.clone()))?;
                 Some(Light { arrows: arrows(&entry.arrows)?, ..*light })
             }
             None => None,

@@ -81,7 +81,7 @@ pub(crate) struct LightEntry {
 
 /// What is wrong with an entry.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub(crate) enum Wrong {
+pub(crate) enum EntryFault {
     /// A class that the vocabulary does not have.
     #[error("class `{0}` is not in the vocabulary of docs/ontology.md")]
     Class(String),

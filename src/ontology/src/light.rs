@@ -1,6 +1,6 @@
 //! What traffic lights can show.
 
-use crate::file::{LightEntry, Wrong};
+use crate::file::{EntryFault, LightEntry};
 
 /// Bits of a light's lamps.
 pub mod bulb {
@@ -76,20 +76,20 @@ const ARROWS: &[(&str, u8)] = &[
     ("u_turn", arrow::U_TURN),
 ];
 
-fn bits(words: &[String], known: &[(&str, u8)]) -> Result<u8, Wrong> {
+fn bits(words: &[String], known: &[(&str, u8)]) -> Result<u8, EntryFault> {
     words.iter().try_fold(0, |bits, word| {
         let found = known.iter().find(|(name, _)| name == word);
-        found.map(|(_, bit)| bits | bit).ok_or_else(|| Wrong::Word(word.clone()))
+        found.map(|(_, bit)| bits | bit).ok_or_else(|| EntryFault::Word(word.clone()))
     })
 }
 
 /// The bits of arrows.
-pub(crate) fn arrows(words: &[String]) -> Result<u8, Wrong> {
+pub(crate) fn arrows(words: &[String]) -> Result<u8, EntryFault> {
     bits(words, ARROWS)
 }
 
 impl LightEntry {
-    pub(crate) fn light(&self) -> Result<Light, Wrong> {
+    pub(crate) fn light(&self) -> Result<Light, EntryFault> {
         Ok(Light {
             bulbs: bits(&self.bulbs, BULBS)?,
             phases: bits(&self.phases, PHASES)?,

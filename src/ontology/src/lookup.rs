@@ -1,7 +1,7 @@
 //! From what is written to what it means.
 
 use crate::entry::{Question, Ready};
-use crate::file::{Entry, File, Lights, OntologyError, Wrong};
+use crate::file::{Entry, EntryFault, File, Lights, OntologyError};
 use crate::generated::TABLES;
 use crate::light::Light;
 use crate::value::{SI, Source, Unit, unit};
@@ -324,7 +324,7 @@ fn form(file: &str, error: &toml::de::Error) -> OntologyError {
     OntologyError::Form { file: file.to_owned(), message: error.to_string().trim().to_owned() }
 }
 
-fn in_entry(file: &str, entry: &str, wrong: &Wrong) -> OntologyError {
+fn in_entry(file: &str, entry: &str, wrong: &EntryFault) -> OntologyError {
     OntologyError::Entry {
         file: file.to_owned(),
         entry: entry.to_owned(),

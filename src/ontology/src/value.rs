@@ -1,6 +1,6 @@
 //! Values: where they are written, and in what unit.
 
-use crate::file::{Entry, File, Wrong};
+use crate::file::{Entry, EntryFault, File};
 use crate::pattern::WILD;
 use std::collections::HashMap;
 
@@ -44,14 +44,14 @@ pub(crate) enum Source {
 }
 
 /// Reads `written subtype:speed 30` of an entry.
-pub(crate) fn sources(entry: &Entry, file: &File) -> Result<Vec<Source>, Wrong> {
+pub(crate) fn sources(entry: &Entry, file: &File) -> Result<Vec<Source>, EntryFault> {
     entry.value.split_whitespace().map(|word| source(word, entry, file)).collect()
 }
 
-fn source(word: &str, entry: &Entry, file: &File) -> Result<Source, Wrong> {
+fn source(word: &str, entry: &Entry, file: &File) -> Result<Source, EntryFault> {
     let (from, table) = match word.split_once(':') {
         Some((from, name)) => {
-            let table = file.tables.get(name).ok_or_else(|| Wrong::Table(name.to_owned()))?;
+            let table = file.tables.get(name).ok_or_else(|| EntryFault::Table(name.to_owned()))?;
             (from, Some(table.clone()))
         }
         None => (word, None),
@@ -61,10 +61,10 @@ fn source(word: &str, entry: &Entry, file: &File) -> Result<Source, Wrong> {
         ("subtype", table) => Ok(Source::Subtype(table)),
         ("name", None) => Ok(Source::Name(entry.name.clone().unwrap_or_default())),
         (number, None) => {
-            let number = number.parse().map_err(|_| Wrong::Word(number.to_owned()))?;
+            let number = number.parse().map_err(|_| EntryFault::Word(number.to_owned()))?;
             Ok(Source::Fixed(number))
         }
-        _ => Err(Wrong::Word(word.to_owned())),
+        _ => Err(EntryFault::Word(word.to_owned())),
     }
 }
 

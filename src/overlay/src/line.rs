@@ -62,19 +62,19 @@ struct Known<'a> {
 #[derive(Default)]
 struct Followed<'a> {
     passed: Vec<Stretch<'a>>,
-    off: Missed,
+    off: UnplacedPart,
 }
 
 /// A part of a line that could not be placed.
 #[derive(Clone, Default)]
-struct Missed {
+struct UnplacedPart {
     /// The first reason.
     why: Option<String>,
     /// How long it is `[m]`.
     length: f64,
 }
 
-impl Missed {
+impl UnplacedPart {
     fn add(&mut self, length: f64, why: impl FnOnce() -> String) {
         self.why.get_or_insert_with(why);
         self.length += length;
@@ -101,7 +101,7 @@ impl<'a> Lines<'a> {
     ) -> Result<Placed<'a>, Unfit> {
         let tolerance = place.tolerance.unwrap_or(LINE_TOLERANCE);
         let followed = self.followed(points, tolerance)?;
-        let (mut other, mut stretches) = (Missed::default(), Vec::new());
+        let (mut other, mut stretches) = (UnplacedPart::default(), Vec::new());
         for passed in &followed.passed {
             let Stretch { lane, s_from, s_to } = *passed;
             match meant(place, lane) {

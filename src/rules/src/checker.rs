@@ -1,6 +1,6 @@
 //! Shows a document to the rules, element by element.
 
-use crate::examiner::{Examined, ExaminedItem, Examiner, Found, Rules};
+use crate::examiner::{Examined, ExaminedItem, Examiner, RuleOutcome, Rules};
 use crate::line::ReferenceLine;
 use crate::network::Network;
 use crate::rule::{Minor, NEWEST};
@@ -62,14 +62,14 @@ impl Checker {
     pub fn examined(&mut self, examined: Examined) {
         let limit = self.examiner.rules.limit;
         let decided = examined.0.into_iter().map(|(rank, found)| {
-            let more = if let Found::LeftOut(_, _, count) = found { count } else { 1 };
+            let more = if let RuleOutcome::LeftOut(_, _, count) = found { count } else { 1 };
             let count = self.examiner.counts.get_mut(rank).map_or(0, |count| {
                 *count = count.saturating_add(more);
                 *count
             });
             match found {
-                Found::Finding(finding) if is_left_out(count, limit, finding.severity) => {
-                    (rank, Found::LeftOut(finding.span, finding.severity, 1))
+                RuleOutcome::Finding(finding) if is_left_out(count, limit, finding.severity) => {
+                    (rank, RuleOutcome::LeftOut(finding.span, finding.severity, 1))
                 }
                 found => (rank, found),
             }
@@ -99,8 +99,8 @@ impl Checker {
         let before = self.findings.len();
         for (rank, found) in examined.0 {
             match found {
-                Found::Finding(finding) => self.findings.push(finding),
-                Found::LeftOut(span, severity, count) => {
+                RuleOutcome::Finding(finding) => self.findings.push(finding),
+                RuleOutcome::LeftOut(span, severity, count) => {
                     let Some(left_out) = self.left_out.get_mut(rank) else { continue };
                     let (_, worst, all) = left_out.get_or_insert((span, severity, 0));
                     *worst = severity.max(*worst);

@@ -86,7 +86,7 @@ impl Rules {
 }
 
 /// What a rule found.
-pub(crate) enum Found {
+pub(crate) enum RuleOutcome {
     Finding(Finding),
     /// Findings beyond those kept: the place of the first, the severity of the worst, how many.
     LeftOut(Span, Severity, u32),
@@ -94,7 +94,7 @@ pub(crate) enum Found {
 
 /// What the rules on elements found in one of them, in the order in which they did.
 #[derive(Default)]
-pub struct Examined(pub(crate) Vec<(usize, Found)>);
+pub struct Examined(pub(crate) Vec<(usize, RuleOutcome)>);
 
 /// What came of examining a top-level element.
 pub struct ExaminedItem {
@@ -109,7 +109,7 @@ pub struct Examiner {
     pub(crate) rules: Arc<Rules>,
     /// Findings so far by rule: no more than the whole document has up to here.
     pub(crate) counts: Vec<u32>,
-    pub(crate) found: Vec<(usize, Found)>,
+    pub(crate) found: Vec<(usize, RuleOutcome)>,
     pub(crate) network: Network,
 }
 

@@ -1,7 +1,7 @@
 //! Where rules put what they find.
 
 use crate::checker::is_left_out;
-use crate::examiner::Found;
+use crate::examiner::RuleOutcome;
 use crate::rule::{Minor, Rule};
 use mapd_xodr::{Finding, Severity, Span};
 use std::fmt::{self, Write as _};
@@ -72,7 +72,7 @@ pub struct Sink<'a> {
     pub(crate) severity: Severity,
     pub(crate) version: Minor,
     pub(crate) path: &'a [Step<'a>],
-    pub(crate) out: &'a mut Vec<(usize, Found)>,
+    pub(crate) out: &'a mut Vec<(usize, RuleOutcome)>,
     /// Findings of the rule so far.
     pub(crate) count: &'a mut u32,
     pub(crate) limit: u32,
@@ -145,11 +145,11 @@ impl Sink<'_> {
         *self.count = self.count.saturating_add(1);
         if is_left_out(*self.count, self.limit, severity) {
             match self.out.last_mut() {
-                Some((rank, Found::LeftOut(_, worst, count))) if *rank == self.rank => {
+                Some((rank, RuleOutcome::LeftOut(_, worst, count))) if *rank == self.rank => {
                     *worst = severity.max(*worst);
                     *count = count.saturating_add(1);
                 }
-                _ => self.out.push((self.rank, Found::LeftOut(span, severity, 1))),
+                _ => self.out.push((self.rank, RuleOutcome::LeftOut(span, severity, 1))),
             }
             return;
         }
@@ -157,6 +157,6 @@ impl Sink<'_> {
         let rule = self.rule.id;
         let (path, subject, hint) = (path(), "".into(), String::new());
         let finding = Finding { rule, severity, span, path, subject, message, hint };
-        self.out.push((self.rank, Found::Finding(finding)));
+        self.out.push((self.rank, RuleOutcome::Finding(finding)));
     }
 }

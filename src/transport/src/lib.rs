@@ -73,8 +73,8 @@ pub use error::AttachError;
 pub use limits::*;
 pub use mapping::Mapping;
 pub use observer::{
-    Laid, Observer, OverlayLocation, PinnedOverlay, RecordWriter, SegmentLocation, heartbeat_age,
-    overlay_file, revision_of,
+    Observer, OverlayLocation, OverlayState, PinnedOverlay, RecordWriter, SegmentLocation,
+    heartbeat_age, overlay_file, revision_of,
 };
 pub use payload::{Chunk64, GenerationInfo, chunks_for};
 pub use pinned::Pinned;

@@ -7,7 +7,7 @@
 use crate::cursor::{Cursor, Name, Open, Scope, Step};
 use crate::extension::Extension;
 use crate::finding::Span;
-use crate::findings::{Findings, Kept};
+use crate::findings::{Findings, KeptFinding};
 use crate::generated::{Item, read_document};
 use crate::limits::Limits;
 use crate::source::{Inputs, Note, Source};
@@ -174,7 +174,7 @@ pub(crate) struct ReadPart {
     /// Its slot, if the schema has it.
     pub(crate) slot: Option<usize>,
     pub(crate) part: RootChild,
-    pub(crate) findings: Vec<Kept>,
+    pub(crate) findings: Vec<KeptFinding>,
     pub(crate) entered: Entered,
 }
 

@@ -23,15 +23,15 @@ struct More {
 }
 
 /// A finding that is kept.
-pub(crate) struct Kept {
+pub(crate) struct KeptFinding {
     finding: Finding,
     /// Type of the element that it is about, which is part of its kind.
     element: &'static str,
 }
 
 /// What becomes of a finding, by its number among those of its kind.
-enum Fate {
-    Kept,
+enum FindingFate {
+    KeptFinding,
     /// The first that is not.
     First,
     /// One more of those, by their place.
@@ -40,7 +40,7 @@ enum Fate {
 
 /// Collects findings.
 pub(crate) struct Findings {
-    kept: Vec<Kept>,
+    kept: Vec<KeptFinding>,
     counts: HashMap<Kind, (u32, Option<usize>)>,
     more: Vec<(Kind, More)>,
     limit: u32,
@@ -65,19 +65,19 @@ impl Findings {
         self.errors += usize::from(severity == Severity::Error);
         let (kind, fate) = self.fate(rule, element, detail, 1);
         match fate {
-            Fate::Kept => {
+            FindingFate::KeptFinding => {
                 let (path, message) = make();
                 let (path, message) = (shown(path), shown(message));
                 let subject = shorten(detail, DETAIL_BYTES).into();
                 let hint = String::new();
                 let finding = Finding { rule, severity, span, path, subject, message, hint };
-                self.kept.push(Kept { finding, element });
+                self.kept.push(KeptFinding { finding, element });
             }
-            Fate::First => {
+            FindingFate::First => {
                 let path = shown(make().0);
                 self.more.push((kind, More { severity, span, path, count: 1 }));
             }
-            Fate::Later(at) => self.one_more(at, severity, 1),
+            FindingFate::Later(at) => self.one_more(at, severity, 1),
         }
     }
 
@@ -88,7 +88,7 @@ impl Findings {
         element: &'static str,
         detail: &str,
         count: u32,
-    ) -> (Kind, Fate) {
+    ) -> (Kind, FindingFate) {
         let mut kind = (rule, element, Box::from(shorten(detail, DETAIL_BYTES)));
         if self.counts.len() >= KINDS && !self.counts.contains_key(&kind) {
             kind = (rule, "", Box::default());
@@ -99,11 +99,11 @@ impl Findings {
         };
         *counted = counted.saturating_add(count);
         let fate = match *more {
-            _ if *counted <= self.limit => Fate::Kept,
-            Some(at) => Fate::Later(at),
+            _ if *counted <= self.limit => FindingFate::KeptFinding,
+            Some(at) => FindingFate::Later(at),
             None => {
                 *more = Some(self.more.len());
-                Fate::First
+                FindingFate::First
             }
         };
         (kind, fate)
@@ -122,21 +122,21 @@ impl Findings {
     }
 
     /// Takes what is kept since the last call, for [`Findings::add_again`].
-    pub(crate) fn take_kept(&mut self) -> Vec<Kept> {
+    pub(crate) fn take_kept(&mut self) -> Vec<KeptFinding> {
         std::mem::take(&mut self.kept)
     }
 
     /// Adds a finding that another collector has kept.
-    pub(crate) fn add_again(&mut self, kept: Kept) {
-        let Kept { finding, element } = &kept;
+    pub(crate) fn add_again(&mut self, kept: KeptFinding) {
+        let KeptFinding { finding, element } = &kept;
         let (kind, fate) = self.fate(finding.rule, element, &finding.subject, 1);
         let (severity, span) = (finding.severity, finding.span);
         match fate {
-            Fate::Kept => self.kept.push(kept),
-            Fate::First => {
+            FindingFate::KeptFinding => self.kept.push(kept),
+            FindingFate::First => {
                 self.more.push((kind, More { severity, span, path: kept.finding.path, count: 1 }));
             }
-            Fate::Later(at) => self.one_more(at, severity, 1),
+            FindingFate::Later(at) => self.one_more(at, severity, 1),
         }
     }
 
@@ -148,8 +148,8 @@ impl Findings {
             let (kind, fate) = self.fate(rule, element, &detail, count);
             match fate {
                 // There are as many before it as are kept, for the other collector has the same limit.
-                Fate::Kept | Fate::First => self.more.push((kind, more)),
-                Fate::Later(at) => self.one_more(at, more.severity, more.count),
+                FindingFate::KeptFinding | FindingFate::First => self.more.push((kind, more)),
+                FindingFate::Later(at) => self.one_more(at, more.severity, more.count),
             }
         }
     }
@@ -172,7 +172,7 @@ impl Findings {
             let (severity, span, path) = (more.severity, more.span, more.path);
             let (subject, hint) = (detail, String::new());
             let finding = Finding { rule, severity, span, path, subject, message, hint };
-            self.kept.push(Kept { finding, element });
+            self.kept.push(KeptFinding { finding, element });
         }
     }
 

@@ -4,7 +4,7 @@ use crate::batch::{Batch, Context, Cutter, Entered, Known, ReadBatch, ReadPart, 
 use crate::cursor::{Cursor, Markup, Open, Step};
 use crate::extension::{Extension, Extensions};
 use crate::finding::{Finding, Severity, Span};
-use crate::findings::{Findings, Kept};
+use crate::findings::{Findings, KeptFinding};
 use crate::generated::{Item, read_document, schema_document};
 use crate::limits::{ELEMENT_BYTES, Limits};
 use crate::markup::Text;
@@ -50,7 +50,7 @@ pub enum Delivered {
 /// A step of what was read ahead.
 enum Accepted {
     /// A child of the root, and what was found about it.
-    Child(RootChild, Vec<Kept>, Option<Misplaced>),
+    Child(RootChild, Vec<KeptFinding>, Option<Misplaced>),
     /// The batch has ended.
     Rest(Findings),
 }

@@ -2,102 +2,102 @@
 // Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
 
 use super::rows::Rows;
-use crate::moves::Moved;
+use crate::moves::RowMapping;
 
 /// Where the rows of a part of a map come to lie, of each table that something refers to.
-pub struct Moves {
+pub struct RowMappings {
     /// `strings`.
-    pub strings: Moved,
+    pub strings: RowMapping,
     /// `roads`.
-    pub roads: Moved,
+    pub roads: RowMapping,
     /// `geometries`.
-    pub geometries: Moved,
+    pub geometries: RowMapping,
     /// `coefficients`.
-    pub coefficients: Moved,
+    pub coefficients: RowMapping,
     /// `cubics`.
-    pub cubics: Moved,
+    pub cubics: RowMapping,
     /// `road_types`.
-    pub road_types: Moved,
+    pub road_types: RowMapping,
     /// `sections`.
-    pub sections: Moved,
+    pub sections: RowMapping,
     /// `lanes`.
-    pub lanes: Moved,
+    pub lanes: RowMapping,
     /// `junctions`.
-    pub junctions: Moved,
+    pub junctions: RowMapping,
     /// `connections`.
-    pub connections: Moved,
+    pub connections: RowMapping,
     /// `connection_lane_links`.
-    pub connection_lane_links: Moved,
+    pub connection_lane_links: RowMapping,
     /// `shape_stations`.
-    pub shape_stations: Moved,
+    pub shape_stations: RowMapping,
     /// `surface_strips`.
-    pub surface_strips: Moved,
+    pub surface_strips: RowMapping,
     /// `grid_rows`.
-    pub grid_rows: Moved,
+    pub grid_rows: RowMapping,
     /// `grid_heights`.
-    pub grid_heights: Moved,
+    pub grid_heights: RowMapping,
     /// `grid_transitions`.
-    pub grid_transitions: Moved,
+    pub grid_transitions: RowMapping,
     /// `road_marks`.
-    pub road_marks: Moved,
+    pub road_marks: RowMapping,
     /// `road_mark_styles`.
-    pub road_mark_styles: Moved,
+    pub road_mark_styles: RowMapping,
     /// `road_mark_lines`.
-    pub road_mark_lines: Moved,
+    pub road_mark_lines: RowMapping,
     /// `lane_nodes`.
-    pub lane_nodes: Moved,
+    pub lane_nodes: RowMapping,
     /// `signals`.
-    pub signals: Moved,
+    pub signals: RowMapping,
     /// `signal_places`.
-    pub signal_places: Moved,
+    pub signal_places: RowMapping,
     /// `signal_lanes`.
-    pub signal_lanes: Moved,
+    pub signal_lanes: RowMapping,
     /// `signal_dependencies`.
-    pub signal_dependencies: Moved,
+    pub signal_dependencies: RowMapping,
     /// `signal_links`.
-    pub signal_links: Moved,
+    pub signal_links: RowMapping,
     /// `signal_semantics`.
-    pub signal_semantics: Moved,
+    pub signal_semantics: RowMapping,
     /// `signal_boards`.
-    pub signal_boards: Moved,
+    pub signal_boards: RowMapping,
     /// `display_areas`.
-    pub display_areas: Moved,
+    pub display_areas: RowMapping,
     /// `controllers`.
-    pub controllers: Moved,
+    pub controllers: RowMapping,
     /// `controls`.
-    pub controls: Moved,
+    pub controls: RowMapping,
     /// `signal_controllers`.
-    pub signal_controllers: Moved,
+    pub signal_controllers: RowMapping,
     /// `quarantined`.
-    pub quarantined: Moved,
+    pub quarantined: RowMapping,
     /// `objects`.
-    pub objects: Moved,
+    pub objects: RowMapping,
     /// `object_outlines`.
-    pub object_outlines: Moved,
+    pub object_outlines: RowMapping,
     /// `object_points`.
-    pub object_points: Moved,
+    pub object_points: RowMapping,
     /// `object_copies`.
-    pub object_copies: Moved,
+    pub object_copies: RowMapping,
     /// `lane_ranges`.
-    pub lane_ranges: Moved,
+    pub lane_ranges: RowMapping,
     /// `object_lanes`.
-    pub object_lanes: Moved,
+    pub object_lanes: RowMapping,
     /// `object_corners`.
-    pub object_corners: Moved,
+    pub object_corners: RowMapping,
     /// `skeleton_vertices`.
-    pub skeleton_vertices: Moved,
+    pub skeleton_vertices: RowMapping,
     /// `switches`.
-    pub switches: Moved,
+    pub switches: RowMapping,
     /// `platforms`.
-    pub platforms: Moved,
+    pub platforms: RowMapping,
     /// `platform_segments`.
-    pub platform_segments: Moved,
+    pub platform_segments: RowMapping,
     /// `junction_groups`.
-    pub junction_groups: Moved,
+    pub junction_groups: RowMapping,
     /// `junction_group_members`.
-    pub junction_group_members: Moved,
+    pub junction_group_members: RowMapping,
     /// `ring_lanes`.
-    pub ring_lanes: Moved,
+    pub ring_lanes: RowMapping,
 }
 
 impl Rows {
@@ -217,59 +217,59 @@ impl Rows {
     }
 
     /// Where the rows of a part would come to lie behind these; strings stay what they are.
-    pub fn moves(&self) -> Moves {
-        Moves {
-            strings: Moved::behind(1),
-            roads: Moved::behind(self.roads.len()),
-            geometries: Moved::behind(self.geometries.len()),
-            coefficients: Moved::behind(self.coefficients.len()),
-            cubics: Moved::behind(self.cubics.len()),
-            road_types: Moved::behind(self.road_types.len()),
-            sections: Moved::behind(self.sections.len()),
-            lanes: Moved::behind(self.lanes.len()),
-            junctions: Moved::behind(self.junctions.len()),
-            connections: Moved::behind(self.connections.len()),
-            connection_lane_links: Moved::behind(self.connection_lane_links.len()),
-            shape_stations: Moved::behind(self.shape_stations.len()),
-            surface_strips: Moved::behind(self.surface_strips.len()),
-            grid_rows: Moved::behind(self.grid_rows.len()),
-            grid_heights: Moved::behind(self.grid_heights.len()),
-            grid_transitions: Moved::behind(self.grid_transitions.len()),
-            road_marks: Moved::behind(self.road_marks.len()),
-            road_mark_styles: Moved::behind(self.road_mark_styles.len()),
-            road_mark_lines: Moved::behind(self.road_mark_lines.len()),
-            lane_nodes: Moved::behind(self.lane_nodes.len()),
-            signals: Moved::behind(self.signals.len()),
-            signal_places: Moved::behind(self.signal_places.len()),
-            signal_lanes: Moved::behind(self.signal_lanes.len()),
-            signal_dependencies: Moved::behind(self.signal_dependencies.len()),
-            signal_links: Moved::behind(self.signal_links.len()),
-            signal_semantics: Moved::behind(self.signal_semantics.len()),
-            signal_boards: Moved::behind(self.signal_boards.len()),
-            display_areas: Moved::behind(self.display_areas.len()),
-            controllers: Moved::behind(self.controllers.len()),
-            controls: Moved::behind(self.controls.len()),
-            signal_controllers: Moved::behind(self.signal_controllers.len()),
-            quarantined: Moved::behind(self.quarantined.len()),
-            objects: Moved::behind(self.objects.len()),
-            object_outlines: Moved::behind(self.object_outlines.len()),
-            object_points: Moved::behind(self.object_points.len()),
-            object_copies: Moved::behind(self.object_copies.len()),
-            lane_ranges: Moved::behind(self.lane_ranges.len()),
-            object_lanes: Moved::behind(self.object_lanes.len()),
-            object_corners: Moved::behind(self.object_corners.len()),
-            skeleton_vertices: Moved::behind(self.skeleton_vertices.len()),
-            switches: Moved::behind(self.switches.len()),
-            platforms: Moved::behind(self.platforms.len()),
-            platform_segments: Moved::behind(self.platform_segments.len()),
-            junction_groups: Moved::behind(self.junction_groups.len()),
-            junction_group_members: Moved::behind(self.junction_group_members.len()),
-            ring_lanes: Moved::behind(self.ring_lanes.len()),
+    pub fn moves(&self) -> RowMappings {
+        RowMappings {
+            strings: RowMapping::appended_to(1),
+            roads: RowMapping::appended_to(self.roads.len()),
+            geometries: RowMapping::appended_to(self.geometries.len()),
+            coefficients: RowMapping::appended_to(self.coefficients.len()),
+            cubics: RowMapping::appended_to(self.cubics.len()),
+            road_types: RowMapping::appended_to(self.road_types.len()),
+            sections: RowMapping::appended_to(self.sections.len()),
+            lanes: RowMapping::appended_to(self.lanes.len()),
+            junctions: RowMapping::appended_to(self.junctions.len()),
+            connections: RowMapping::appended_to(self.connections.len()),
+            connection_lane_links: RowMapping::appended_to(self.connection_lane_links.len()),
+            shape_stations: RowMapping::appended_to(self.shape_stations.len()),
+            surface_strips: RowMapping::appended_to(self.surface_strips.len()),
+            grid_rows: RowMapping::appended_to(self.grid_rows.len()),
+            grid_heights: RowMapping::appended_to(self.grid_heights.len()),
+            grid_transitions: RowMapping::appended_to(self.grid_transitions.len()),
+            road_marks: RowMapping::appended_to(self.road_marks.len()),
+            road_mark_styles: RowMapping::appended_to(self.road_mark_styles.len()),
+            road_mark_lines: RowMapping::appended_to(self.road_mark_lines.len()),
+            lane_nodes: RowMapping::appended_to(self.lane_nodes.len()),
+            signals: RowMapping::appended_to(self.signals.len()),
+            signal_places: RowMapping::appended_to(self.signal_places.len()),
+            signal_lanes: RowMapping::appended_to(self.signal_lanes.len()),
+            signal_dependencies: RowMapping::appended_to(self.signal_dependencies.len()),
+            signal_links: RowMapping::appended_to(self.signal_links.len()),
+            signal_semantics: RowMapping::appended_to(self.signal_semantics.len()),
+            signal_boards: RowMapping::appended_to(self.signal_boards.len()),
+            display_areas: RowMapping::appended_to(self.display_areas.len()),
+            controllers: RowMapping::appended_to(self.controllers.len()),
+            controls: RowMapping::appended_to(self.controls.len()),
+            signal_controllers: RowMapping::appended_to(self.signal_controllers.len()),
+            quarantined: RowMapping::appended_to(self.quarantined.len()),
+            objects: RowMapping::appended_to(self.objects.len()),
+            object_outlines: RowMapping::appended_to(self.object_outlines.len()),
+            object_points: RowMapping::appended_to(self.object_points.len()),
+            object_copies: RowMapping::appended_to(self.object_copies.len()),
+            lane_ranges: RowMapping::appended_to(self.lane_ranges.len()),
+            object_lanes: RowMapping::appended_to(self.object_lanes.len()),
+            object_corners: RowMapping::appended_to(self.object_corners.len()),
+            skeleton_vertices: RowMapping::appended_to(self.skeleton_vertices.len()),
+            switches: RowMapping::appended_to(self.switches.len()),
+            platforms: RowMapping::appended_to(self.platforms.len()),
+            platform_segments: RowMapping::appended_to(self.platform_segments.len()),
+            junction_groups: RowMapping::appended_to(self.junction_groups.len()),
+            junction_group_members: RowMapping::appended_to(self.junction_group_members.len()),
+            ring_lanes: RowMapping::appended_to(self.ring_lanes.len()),
         }
     }
 
     /// Appends the rows of a part that move behind those that are there.
-    pub fn append(&mut self, part: &Self, moves: &Moves) {
+    pub fn append(&mut self, part: &Self, moves: &RowMappings) {
         self.string_bytes.extend_from_slice(part.string_bytes.get(1..).unwrap_or_default());
         self.string_offsets.extend_from_slice(part.string_offsets.get(1..).unwrap_or_default());
         let before = self.map.len();
@@ -279,33 +279,33 @@ impl Rows {
         self.file_frames.extend_from_slice(part.file_frames.get(1..).unwrap_or_default());
         self.file_frames.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         self.features.extend_from_slice(part.features.get(1..).unwrap_or_default());
-        if moves.roads.is_behind() {
+        if moves.roads.is_appended() {
             let before = self.roads.len();
             self.roads.extend_from_slice(part.roads.get(1..).unwrap_or_default());
             self.roads.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.geometries.is_behind() {
+        if moves.geometries.is_appended() {
             let before = self.geometries.len();
             self.geometries.extend_from_slice(part.geometries.get(1..).unwrap_or_default());
             self.geometries.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.coefficients.is_behind() {
+        if moves.coefficients.is_appended() {
             self.coefficients.extend_from_slice(part.coefficients.get(1..).unwrap_or_default());
         }
-        if moves.cubics.is_behind() {
+        if moves.cubics.is_appended() {
             self.cubics.extend_from_slice(part.cubics.get(1..).unwrap_or_default());
         }
-        if moves.road_types.is_behind() {
+        if moves.road_types.is_appended() {
             let before = self.road_types.len();
             self.road_types.extend_from_slice(part.road_types.get(1..).unwrap_or_default());
             self.road_types.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.sections.is_behind() {
+        if moves.sections.is_appended() {
             let before = self.sections.len();
             self.sections.extend_from_slice(part.sections.get(1..).unwrap_or_default());
             self.sections.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.lanes.is_behind() {
+        if moves.lanes.is_appended() {
             let before = self.lanes.len();
             self.lanes.extend_from_slice(part.lanes.get(1..).unwrap_or_default());
             self.lanes.iter_mut().skip(before).for_each(|row| row.move_by(moves));
@@ -315,17 +315,17 @@ impl Rows {
         self.lane_speeds.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         self.point_stations.extend_from_slice(part.point_stations.get(1..).unwrap_or_default());
         self.points.extend_from_slice(part.points.get(1..).unwrap_or_default());
-        if moves.junctions.is_behind() {
+        if moves.junctions.is_appended() {
             let before = self.junctions.len();
             self.junctions.extend_from_slice(part.junctions.get(1..).unwrap_or_default());
             self.junctions.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.connections.is_behind() {
+        if moves.connections.is_appended() {
             let before = self.connections.len();
             self.connections.extend_from_slice(part.connections.get(1..).unwrap_or_default());
             self.connections.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.connection_lane_links.is_behind() {
+        if moves.connection_lane_links.is_appended() {
             self.connection_lane_links
                 .extend_from_slice(part.connection_lane_links.get(1..).unwrap_or_default());
         }
@@ -345,12 +345,12 @@ impl Rows {
         let before = self.surfaces.len();
         self.surfaces.extend_from_slice(part.surfaces.get(1..).unwrap_or_default());
         self.surfaces.iter_mut().skip(before).for_each(|row| row.move_by(moves));
-        if moves.shape_stations.is_behind() {
+        if moves.shape_stations.is_appended() {
             let before = self.shape_stations.len();
             self.shape_stations.extend_from_slice(part.shape_stations.get(1..).unwrap_or_default());
             self.shape_stations.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.surface_strips.is_behind() {
+        if moves.surface_strips.is_appended() {
             let before = self.surface_strips.len();
             self.surface_strips.extend_from_slice(part.surface_strips.get(1..).unwrap_or_default());
             self.surface_strips.iter_mut().skip(before).for_each(|row| row.move_by(moves));
@@ -364,30 +364,30 @@ impl Rows {
         let before = self.elevation_grids.len();
         self.elevation_grids.extend_from_slice(part.elevation_grids.get(1..).unwrap_or_default());
         self.elevation_grids.iter_mut().skip(before).for_each(|row| row.move_by(moves));
-        if moves.grid_rows.is_behind() {
+        if moves.grid_rows.is_appended() {
             let before = self.grid_rows.len();
             self.grid_rows.extend_from_slice(part.grid_rows.get(1..).unwrap_or_default());
             self.grid_rows.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.grid_heights.is_behind() {
+        if moves.grid_heights.is_appended() {
             self.grid_heights.extend_from_slice(part.grid_heights.get(1..).unwrap_or_default());
         }
-        if moves.grid_transitions.is_behind() {
+        if moves.grid_transitions.is_appended() {
             self.grid_transitions
                 .extend_from_slice(part.grid_transitions.get(1..).unwrap_or_default());
         }
-        if moves.road_marks.is_behind() {
+        if moves.road_marks.is_appended() {
             let before = self.road_marks.len();
             self.road_marks.extend_from_slice(part.road_marks.get(1..).unwrap_or_default());
             self.road_marks.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.road_mark_styles.is_behind() {
+        if moves.road_mark_styles.is_appended() {
             let before = self.road_mark_styles.len();
             self.road_mark_styles
                 .extend_from_slice(part.road_mark_styles.get(1..).unwrap_or_default());
             self.road_mark_styles.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.road_mark_lines.is_behind() {
+        if moves.road_mark_lines.is_appended() {
             self.road_mark_lines
                 .extend_from_slice(part.road_mark_lines.get(1..).unwrap_or_default());
         }
@@ -395,7 +395,7 @@ impl Rows {
         self.lane_layers.extend_from_slice(part.lane_layers.get(1..).unwrap_or_default());
         self.lane_layers.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         self.graph.extend_from_slice(part.graph.get(1..).unwrap_or_default());
-        if moves.lane_nodes.is_behind() {
+        if moves.lane_nodes.is_appended() {
             let before = self.lane_nodes.len();
             self.lane_nodes.extend_from_slice(part.lane_nodes.get(1..).unwrap_or_default());
             self.lane_nodes.iter_mut().skip(before).for_each(|row| row.move_by(moves));
@@ -424,7 +424,7 @@ impl Rows {
         self.conflicts.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         self.landmark_lengths.extend_from_slice(part.landmark_lengths.get(1..).unwrap_or_default());
         self.landmark_times.extend_from_slice(part.landmark_times.get(1..).unwrap_or_default());
-        if moves.signals.is_behind() {
+        if moves.signals.is_appended() {
             let before = self.signals.len();
             self.signals.extend_from_slice(part.signals.get(1..).unwrap_or_default());
             self.signals.iter_mut().skip(before).for_each(|row| row.move_by(moves));
@@ -436,12 +436,12 @@ impl Rows {
                 .iter()
                 .map(|row| moves.signals.row(*row)),
         );
-        if moves.signal_places.is_behind() {
+        if moves.signal_places.is_appended() {
             let before = self.signal_places.len();
             self.signal_places.extend_from_slice(part.signal_places.get(1..).unwrap_or_default());
             self.signal_places.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.signal_lanes.is_behind() {
+        if moves.signal_lanes.is_appended() {
             let before = self.signal_lanes.len();
             self.signal_lanes.extend_from_slice(part.signal_lanes.get(1..).unwrap_or_default());
             self.signal_lanes.iter_mut().skip(before).for_each(|row| row.move_by(moves));
@@ -457,13 +457,13 @@ impl Rows {
         self.speed_signs_at_entry
             .extend_from_slice(part.speed_signs_at_entry.get(1..).unwrap_or_default());
         self.speed_signs_at_entry.iter_mut().skip(before).for_each(|row| row.move_by(moves));
-        if moves.signal_dependencies.is_behind() {
+        if moves.signal_dependencies.is_appended() {
             let before = self.signal_dependencies.len();
             self.signal_dependencies
                 .extend_from_slice(part.signal_dependencies.get(1..).unwrap_or_default());
             self.signal_dependencies.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.signal_links.is_behind() {
+        if moves.signal_links.is_appended() {
             let before = self.signal_links.len();
             self.signal_links.extend_from_slice(part.signal_links.get(1..).unwrap_or_default());
             self.signal_links.iter_mut().skip(before).for_each(|row| row.move_by(moves));
@@ -475,18 +475,18 @@ impl Rows {
                 .iter()
                 .map(|row| moves.signal_links.row(*row)),
         );
-        if moves.signal_semantics.is_behind() {
+        if moves.signal_semantics.is_appended() {
             let before = self.signal_semantics.len();
             self.signal_semantics
                 .extend_from_slice(part.signal_semantics.get(1..).unwrap_or_default());
             self.signal_semantics.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.signal_boards.is_behind() {
+        if moves.signal_boards.is_appended() {
             let before = self.signal_boards.len();
             self.signal_boards.extend_from_slice(part.signal_boards.get(1..).unwrap_or_default());
             self.signal_boards.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.display_areas.is_behind() {
+        if moves.display_areas.is_appended() {
             let before = self.display_areas.len();
             self.display_areas.extend_from_slice(part.display_areas.get(1..).unwrap_or_default());
             self.display_areas.iter_mut().skip(before).for_each(|row| row.move_by(moves));
@@ -494,17 +494,17 @@ impl Rows {
         let before = self.board_groups.len();
         self.board_groups.extend_from_slice(part.board_groups.get(1..).unwrap_or_default());
         self.board_groups.iter_mut().skip(before).for_each(|row| row.move_by(moves));
-        if moves.controllers.is_behind() {
+        if moves.controllers.is_appended() {
             let before = self.controllers.len();
             self.controllers.extend_from_slice(part.controllers.get(1..).unwrap_or_default());
             self.controllers.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.controls.is_behind() {
+        if moves.controls.is_appended() {
             let before = self.controls.len();
             self.controls.extend_from_slice(part.controls.get(1..).unwrap_or_default());
             self.controls.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.signal_controllers.is_behind() {
+        if moves.signal_controllers.is_appended() {
             self.signal_controllers.extend(
                 part.signal_controllers
                     .get(1..)
@@ -533,7 +533,7 @@ impl Rows {
                 .iter()
                 .map(|row| moves.signals.row(*row)),
         );
-        if moves.quarantined.is_behind() {
+        if moves.quarantined.is_appended() {
             let before = self.quarantined.len();
             self.quarantined.extend_from_slice(part.quarantined.get(1..).unwrap_or_default());
             self.quarantined.iter_mut().skip(before).for_each(|row| row.move_by(moves));
@@ -546,29 +546,29 @@ impl Rows {
         self.quarantined_contents
             .extend_from_slice(part.quarantined_contents.get(1..).unwrap_or_default());
         self.quarantined_contents.iter_mut().skip(before).for_each(|row| row.move_by(moves));
-        if moves.objects.is_behind() {
+        if moves.objects.is_appended() {
             let before = self.objects.len();
             self.objects.extend_from_slice(part.objects.get(1..).unwrap_or_default());
             self.objects.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.object_outlines.is_behind() {
+        if moves.object_outlines.is_appended() {
             let before = self.object_outlines.len();
             self.object_outlines
                 .extend_from_slice(part.object_outlines.get(1..).unwrap_or_default());
             self.object_outlines.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.object_points.is_behind() {
+        if moves.object_points.is_appended() {
             self.object_points.extend_from_slice(part.object_points.get(1..).unwrap_or_default());
         }
-        if moves.object_copies.is_behind() {
+        if moves.object_copies.is_appended() {
             let before = self.object_copies.len();
             self.object_copies.extend_from_slice(part.object_copies.get(1..).unwrap_or_default());
             self.object_copies.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.lane_ranges.is_behind() {
+        if moves.lane_ranges.is_appended() {
             self.lane_ranges.extend_from_slice(part.lane_ranges.get(1..).unwrap_or_default());
         }
-        if moves.object_lanes.is_behind() {
+        if moves.object_lanes.is_appended() {
             let before = self.object_lanes.len();
             self.object_lanes.extend_from_slice(part.object_lanes.get(1..).unwrap_or_default());
             self.object_lanes.iter_mut().skip(before).for_each(|row| row.move_by(moves));
@@ -596,7 +596,7 @@ impl Rows {
         let before = self.object_markings.len();
         self.object_markings.extend_from_slice(part.object_markings.get(1..).unwrap_or_default());
         self.object_markings.iter_mut().skip(before).for_each(|row| row.move_by(moves));
-        if moves.object_corners.is_behind() {
+        if moves.object_corners.is_appended() {
             self.object_corners.extend(
                 part.object_corners
                     .get(1..)
@@ -611,7 +611,7 @@ impl Rows {
         let before = self.object_skeletons.len();
         self.object_skeletons.extend_from_slice(part.object_skeletons.get(1..).unwrap_or_default());
         self.object_skeletons.iter_mut().skip(before).for_each(|row| row.move_by(moves));
-        if moves.skeleton_vertices.is_behind() {
+        if moves.skeleton_vertices.is_appended() {
             self.skeleton_vertices
                 .extend_from_slice(part.skeleton_vertices.get(1..).unwrap_or_default());
         }
@@ -631,7 +631,7 @@ impl Rows {
         let before = self.structures.len();
         self.structures.extend_from_slice(part.structures.get(1..).unwrap_or_default());
         self.structures.iter_mut().skip(before).for_each(|row| row.move_by(moves));
-        if moves.switches.is_behind() {
+        if moves.switches.is_appended() {
             let before = self.switches.len();
             self.switches.extend_from_slice(part.switches.get(1..).unwrap_or_default());
             self.switches.iter_mut().skip(before).for_each(|row| row.move_by(moves));
@@ -639,12 +639,12 @@ impl Rows {
         let before = self.stations.len();
         self.stations.extend_from_slice(part.stations.get(1..).unwrap_or_default());
         self.stations.iter_mut().skip(before).for_each(|row| row.move_by(moves));
-        if moves.platforms.is_behind() {
+        if moves.platforms.is_appended() {
             let before = self.platforms.len();
             self.platforms.extend_from_slice(part.platforms.get(1..).unwrap_or_default());
             self.platforms.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.platform_segments.is_behind() {
+        if moves.platform_segments.is_appended() {
             let before = self.platform_segments.len();
             self.platform_segments
                 .extend_from_slice(part.platform_segments.get(1..).unwrap_or_default());
@@ -667,19 +667,19 @@ impl Rows {
         let before = self.lane_rules.len();
         self.lane_rules.extend_from_slice(part.lane_rules.get(1..).unwrap_or_default());
         self.lane_rules.iter_mut().skip(before).for_each(|row| row.move_by(moves));
-        if moves.junction_groups.is_behind() {
+        if moves.junction_groups.is_appended() {
             let before = self.junction_groups.len();
             self.junction_groups
                 .extend_from_slice(part.junction_groups.get(1..).unwrap_or_default());
             self.junction_groups.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.junction_group_members.is_behind() {
+        if moves.junction_group_members.is_appended() {
             let before = self.junction_group_members.len();
             self.junction_group_members
                 .extend_from_slice(part.junction_group_members.get(1..).unwrap_or_default());
             self.junction_group_members.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        if moves.ring_lanes.is_behind() {
+        if moves.ring_lanes.is_appended() {
             self.ring_lanes.extend(
                 part.ring_lanes
                     .get(1..)

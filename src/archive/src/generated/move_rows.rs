@@ -2,7 +2,7 @@
 // Written by `cargo run -p mapd-schemas` from schemas/archive.toml; change that file instead.
 
 use super::annotation_rows::*;
-use super::append::Moves;
+use super::append::RowMappings;
 use super::beside_rows::*;
 use super::network_rows::*;
 use super::object_rows::*;
@@ -10,7 +10,7 @@ use super::signal_rows::*;
 
 impl MapRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.name = moves.strings.row(self.name);
         self.version = moves.strings.row(self.version);
         self.date = moves.strings.row(self.date);
@@ -22,7 +22,7 @@ impl MapRow {
 
 impl FileFrameRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.projection = moves.strings.row(self.projection);
         self.target = moves.strings.row(self.target);
     }
@@ -30,7 +30,7 @@ impl FileFrameRow {
 
 impl RoadRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.id = moves.strings.row(self.id);
         self.name = moves.strings.row(self.name);
         self.junction = moves.junctions.row(self.junction);
@@ -45,21 +45,21 @@ impl RoadRow {
 
 impl GeometryRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.coefficients = moves.coefficients.range(self.coefficients);
     }
 }
 
 impl RoadTypeRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.country = moves.strings.row(self.country);
     }
 }
 
 impl SectionRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.road = moves.roads.row(self.road);
         self.lanes = moves.lanes.range(self.lanes);
     }
@@ -67,7 +67,7 @@ impl SectionRow {
 
 impl LaneRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.section = moves.sections.row(self.section);
         self.first_width = moves
             .cubics
@@ -83,14 +83,14 @@ impl LaneRow {
 
 impl LaneSpeedRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.lane = moves.lanes.row(self.lane);
     }
 }
 
 impl JunctionRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.id = moves.strings.row(self.id);
         self.name = moves.strings.row(self.name);
         self.connections = moves.connections.range(self.connections);
@@ -99,7 +99,7 @@ impl JunctionRow {
 
 impl ConnectionRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.id = moves.strings.row(self.id);
         self.incoming_road = moves.roads.row(self.incoming_road);
         self.connecting_road = moves.roads.row(self.connecting_road);
@@ -109,7 +109,7 @@ impl ConnectionRow {
 
 impl SurfaceRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.road = moves.roads.row(self.road);
         self.shapes = moves.shape_stations.range(self.shapes);
         self.crossfall_left = moves.cubics.range(self.crossfall_left);
@@ -121,14 +121,14 @@ impl SurfaceRow {
 
 impl ShapeStationRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.records = moves.cubics.range(self.records);
     }
 }
 
 impl SurfaceStripRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.width = moves.cubics.range(self.width);
         self.constant = moves.cubics.range(self.constant);
         self.linear = moves.cubics.range(self.linear);
@@ -139,14 +139,14 @@ impl SurfaceStripRow {
 
 impl LaneHeightRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.lane = moves.lanes.row(self.lane);
     }
 }
 
 impl LaneMaterialRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.lane = moves.lanes.row(self.lane);
         self.surface = moves.strings.row(self.surface);
     }
@@ -154,7 +154,7 @@ impl LaneMaterialRow {
 
 impl ElevationGridRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.junction = moves.junctions.row(self.junction);
         self.rows = moves.grid_rows.range(self.rows);
         self.transitions = moves.grid_transitions.range(self.transitions);
@@ -163,7 +163,7 @@ impl ElevationGridRow {
 
 impl GridRowRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.left = moves.grid_heights.range(self.left);
         self.right = moves.grid_heights.range(self.right);
     }
@@ -171,14 +171,14 @@ impl GridRowRow {
 
 impl RoadMarkRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.style = moves.road_mark_styles.row(self.style);
     }
 }
 
 impl RoadMarkStyleRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.material = moves.strings.row(self.material);
         self.name = moves.strings.row(self.name);
         self.lines = moves.road_mark_lines.range(self.lines);
@@ -188,7 +188,7 @@ impl RoadMarkStyleRow {
 
 impl LaneLayerRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.road = moves.roads.row(self.road);
         self.sections = moves.sections.range(self.sections);
         self.lane_offsets = moves.cubics.range(self.lane_offsets);
@@ -197,14 +197,14 @@ impl LaneLayerRow {
 
 impl LaneNodeRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.lane = moves.lanes.row(self.lane);
     }
 }
 
 impl ConflictRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.lane = moves.lanes.row(self.lane);
         self.other = moves.lanes.row(self.other);
     }
@@ -212,7 +212,7 @@ impl ConflictRow {
 
 impl SignalRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.id = moves.strings.row(self.id);
         self.name = moves.strings.row(self.name);
         self.r#type = moves.strings.row(self.r#type);
@@ -233,7 +233,7 @@ impl SignalRow {
 
 impl SignalPlaceRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.signal = moves.signals.row(self.signal);
         self.road = moves.roads.row(self.road);
         self.lanes = moves.signal_lanes.range(self.lanes);
@@ -242,7 +242,7 @@ impl SignalPlaceRow {
 
 impl SignalLaneRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.place = moves.signal_places.row(self.place);
         self.lane = moves.lanes.row(self.lane);
     }
@@ -250,7 +250,7 @@ impl SignalLaneRow {
 
 impl SpeedSignsAtEntryRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.lane = moves.lanes.row(self.lane);
         self.limit = moves.signals.row(self.limit);
         self.zone = moves.signals.row(self.zone);
@@ -259,7 +259,7 @@ impl SpeedSignsAtEntryRow {
 
 impl SignalDependencyRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.signal = moves.signals.row(self.signal);
         self.id = moves.strings.row(self.id);
         self.r#type = moves.strings.row(self.r#type);
@@ -268,7 +268,7 @@ impl SignalDependencyRow {
 
 impl SignalLinkRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.signal = moves.signals.row(self.signal);
         self.object = moves.objects.row(self.object);
         self.owner = moves.signals.row(self.owner);
@@ -279,7 +279,7 @@ impl SignalLinkRow {
 
 impl SignalSemanticsRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.element = moves.strings.row(self.element);
         self.kind = moves.strings.row(self.kind);
         self.unit = moves.strings.row(self.unit);
@@ -288,7 +288,7 @@ impl SignalSemanticsRow {
 
 impl SignalBoardRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.signal = moves.signals.row(self.signal);
         self.display = moves.strings.row(self.display);
         self.areas = moves.display_areas.range(self.areas);
@@ -300,14 +300,14 @@ impl SignalBoardRow {
 
 impl DisplayAreaRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.board = moves.signal_boards.row(self.board);
     }
 }
 
 impl BoardGroupRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.group = moves.strings.row(self.group);
         self.signal = moves.signals.row(self.signal);
         self.id = moves.strings.row(self.id);
@@ -316,7 +316,7 @@ impl BoardGroupRow {
 
 impl ControllerRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.id = moves.strings.row(self.id);
         self.name = moves.strings.row(self.name);
         self.controls = moves.controls.range(self.controls);
@@ -325,7 +325,7 @@ impl ControllerRow {
 
 impl ControlRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.signal = moves.signals.row(self.signal);
         self.id = moves.strings.row(self.id);
         self.r#type = moves.strings.row(self.r#type);
@@ -334,7 +334,7 @@ impl ControlRow {
 
 impl JunctionControllerRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.junction = moves.junctions.row(self.junction);
         self.controller = moves.controllers.row(self.controller);
         self.id = moves.strings.row(self.id);
@@ -344,7 +344,7 @@ impl JunctionControllerRow {
 
 impl JunctionPriorityRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.junction = moves.junctions.row(self.junction);
         self.high = moves.roads.row(self.high);
         self.low = moves.roads.row(self.low);
@@ -353,7 +353,7 @@ impl JunctionPriorityRow {
 
 impl QuarantinedRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.id = moves.strings.row(self.id);
         self.owner = moves.strings.row(self.owner);
         self.rule = moves.strings.row(self.rule);
@@ -363,7 +363,7 @@ impl QuarantinedRow {
 
 impl QuarantinedFileRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.part = moves.quarantined.row(self.part);
         self.file = moves.strings.row(self.file);
     }
@@ -371,7 +371,7 @@ impl QuarantinedFileRow {
 
 impl QuarantinedContentRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.id = moves.strings.row(self.id);
         self.part = moves.quarantined.row(self.part);
     }
@@ -379,7 +379,7 @@ impl QuarantinedContentRow {
 
 impl ObjectRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.id = moves.strings.row(self.id);
         self.name = moves.strings.row(self.name);
         self.kind = moves.strings.row(self.kind);
@@ -395,14 +395,14 @@ impl ObjectRow {
 
 impl ObjectOutlineRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.points = moves.object_points.range(self.points);
     }
 }
 
 impl ObjectCopyRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.object = moves.objects.row(self.object);
         self.outlines = moves.object_outlines.range(self.outlines);
     }
@@ -410,7 +410,7 @@ impl ObjectCopyRow {
 
 impl ObjectLaneRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.object = moves.objects.row(self.object);
         self.lane = moves.lanes.row(self.lane);
     }
@@ -418,7 +418,7 @@ impl ObjectLaneRow {
 
 impl ObjectMarkingRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.object = moves.objects.row(self.object);
         self.outline = moves.object_outlines.row(self.outline);
         self.corners = moves.object_corners.range(self.corners);
@@ -430,7 +430,7 @@ impl ObjectMarkingRow {
 
 impl ObjectBorderRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.object = moves.objects.row(self.object);
         self.outline = moves.object_outlines.row(self.outline);
         self.corners = moves.object_corners.range(self.corners);
@@ -440,7 +440,7 @@ impl ObjectBorderRow {
 
 impl ObjectSkeletonRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.object = moves.objects.row(self.object);
         self.vertices = moves.skeleton_vertices.range(self.vertices);
     }
@@ -448,7 +448,7 @@ impl ObjectSkeletonRow {
 
 impl ParkingSpaceRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.object = moves.objects.row(self.object);
         self.restrictions = moves.strings.row(self.restrictions);
         self.access = moves.strings.row(self.access);
@@ -457,7 +457,7 @@ impl ParkingSpaceRow {
 
 impl ObjectMaterialRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.object = moves.objects.row(self.object);
         self.surface = moves.strings.row(self.surface);
         self.color = moves.strings.row(self.color);
@@ -466,7 +466,7 @@ impl ObjectMaterialRow {
 
 impl ObjectValueRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.object = moves.objects.row(self.object);
         self.unit = moves.strings.row(self.unit);
     }
@@ -474,7 +474,7 @@ impl ObjectValueRow {
 
 impl ObjectReferenceRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.road = moves.roads.row(self.road);
         self.object = moves.objects.row(self.object);
         self.id = moves.strings.row(self.id);
@@ -484,7 +484,7 @@ impl ObjectReferenceRow {
 
 impl StructureRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.road = moves.roads.row(self.road);
         self.id = moves.strings.row(self.id);
         self.name = moves.strings.row(self.name);
@@ -495,7 +495,7 @@ impl StructureRow {
 
 impl SwitchRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.road = moves.roads.row(self.road);
         self.id = moves.strings.row(self.id);
         self.name = moves.strings.row(self.name);
@@ -507,7 +507,7 @@ impl SwitchRow {
 
 impl StationRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.id = moves.strings.row(self.id);
         self.name = moves.strings.row(self.name);
         self.kind = moves.strings.row(self.kind);
@@ -517,7 +517,7 @@ impl StationRow {
 
 impl PlatformRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.id = moves.strings.row(self.id);
         self.name = moves.strings.row(self.name);
         self.segments = moves.platform_segments.range(self.segments);
@@ -526,14 +526,14 @@ impl PlatformRow {
 
 impl PlatformSegmentRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.road = moves.roads.row(self.road);
     }
 }
 
 impl AnnotationRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.path = moves.strings.row(self.path);
         self.name = moves.strings.row(self.name);
         self.value = moves.strings.row(self.value);
@@ -543,21 +543,21 @@ impl AnnotationRow {
 
 impl IncludedFileRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.name = moves.strings.row(self.name);
     }
 }
 
 impl LaneVisibilityRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.lane = moves.lanes.row(self.lane);
     }
 }
 
 impl LaneRuleRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.lane = moves.lanes.row(self.lane);
         self.value = moves.strings.row(self.value);
     }
@@ -565,7 +565,7 @@ impl LaneRuleRow {
 
 impl JunctionGroupRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.id = moves.strings.row(self.id);
         self.name = moves.strings.row(self.name);
         self.members = moves.junction_group_members.range(self.members);
@@ -575,7 +575,7 @@ impl JunctionGroupRow {
 
 impl JunctionGroupMemberRow {
     /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &Moves) {
+    pub fn move_by(&mut self, moves: &RowMappings) {
         self.group = moves.junction_groups.row(self.group);
         self.junction = moves.junctions.row(self.junction);
         self.id = moves.strings.row(self.id);

@@ -3,7 +3,7 @@
 use super::owners::{Before, move_owners};
 use super::{Draft, interned, joints};
 use crate::without::Without;
-use mapd_archive::{Moved, Rows};
+use mapd_archive::{RowMapping, Rows};
 use mapd_ontology::Ontology;
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ impl Draft {
     /// each new one comes where it would if the part had been lowered here.
     pub(crate) fn append(&mut self, part: Self) {
         let mut moves = self.rows.moves();
-        moves.strings = Moved::To(self.strings.append(&part.strings));
+        moves.strings = RowMapping::To(self.strings.append(&part.strings));
         let its_cubics = (&part.interned, part.rows.cubics.as_slice());
         moves.cubics = self.interned.append(&mut self.rows.cubics, its_cubics);
         let grids = self.rows.elevation_grids.len();
@@ -26,7 +26,7 @@ impl Draft {
         moves.road_marks =
             self.styles.append_marks(&mut self.rows, &part.rows, &moves.road_mark_styles);
         // The styles' lines are there with them.
-        moves.road_mark_lines = Moved::To(Vec::new());
+        moves.road_mark_lines = RowMapping::To(Vec::new());
         let annotated = self.rows.annotations.len();
         self.rows.append(&part.rows, &moves);
         let before = Before {

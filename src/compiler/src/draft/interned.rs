@@ -2,7 +2,7 @@
 //!
 //! Most lanes of a section are as wide as their neighbours, and most roads are as flat.
 
-use mapd_archive::{CubicRow, Moved, Range};
+use mapd_archive::{CubicRow, Range, RowMapping};
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 
@@ -57,7 +57,7 @@ impl Interned {
         &mut self,
         cubics: &mut Vec<CubicRow>,
         (part, its_cubics): (&Self, &[CubicRow]),
-    ) -> Moved {
+    ) -> RowMapping {
         let sequences = part.sequences.iter().flatten();
         let places = sequences.map(|(range, hash)| {
             let before = cubics.len();
@@ -70,6 +70,6 @@ impl Interned {
         });
         let mut places: Vec<_> = places.collect();
         places.sort_by_key(|(range, _)| (range.first, range.count));
-        Moved::Ranges(places)
+        RowMapping::Ranges(places)
     }
 }

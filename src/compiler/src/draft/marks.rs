@@ -1,7 +1,7 @@
 //! Road marks, each style and each sequence of them once.
 
 use super::between;
-use mapd_archive::{Moved, Moves, NONE, Range, RoadMarkRow, RoadMarkStyleRow, Rows};
+use mapd_archive::{NONE, Range, RoadMarkRow, RoadMarkStyleRow, RowMapping, RowMappings, Rows};
 use std::collections::HashMap;
 
 /// Numbers of the styles that have been written, by what they and their lines hold.
@@ -50,7 +50,12 @@ impl Styles {
 
 impl Styles {
     /// Adds the styles of a part of a map, which has `moves` for what they refer to; where each comes to lie.
-    pub(super) fn append(&mut self, rows: &mut Rows, part: &Rows, moves: &Moves) -> Moved {
+    pub(super) fn append(
+        &mut self,
+        rows: &mut Rows,
+        part: &Rows,
+        moves: &RowMappings,
+    ) -> RowMapping {
         let places = part.road_mark_styles.iter().enumerate().map(|(row, style)| {
             // Row 0 of a part is not used.
             if row == 0 {
@@ -62,11 +67,16 @@ impl Styles {
             style.move_by(moves);
             self.add(rows, style, before)
         });
-        Moved::To(places.collect())
+        RowMapping::To(places.collect())
     }
 
     /// Adds the sequences of marks of a part, whose styles have come to lie elsewhere; where each comes to lie.
-    pub(super) fn append_marks(&mut self, rows: &mut Rows, part: &Rows, styles: &Moved) -> Moved {
+    pub(super) fn append_marks(
+        &mut self,
+        rows: &mut Rows,
+        part: &Rows,
+        styles: &RowMapping,
+    ) -> RowMapping {
         let mut places = vec![NONE; part.road_marks.len()];
         // Row 0 of a part is not used.
         let marks = part.road_marks.get(1..).unwrap_or_default();
@@ -79,6 +89,6 @@ impl Styles {
             }
             at += own.len();
         }
-        Moved::To(places)
+        RowMapping::To(places)
     }
 }

@@ -1,9 +1,9 @@
 //! What the file says about objects, in numbers, kept until everything that they are placed on is known.
 
 use mapd_archive::{
-    Moves, ObjectBorderRow, ObjectMarkingRow, ObjectMaterialRow, ObjectOutlineRow,
-    ObjectReferenceRow, ObjectRow, ObjectShape, ObjectValueRow, ParkingSpaceRow, PlatformRow,
-    PlatformSegmentRow, Range, StationRow, StructureRow, SwitchRow,
+    ObjectBorderRow, ObjectMarkingRow, ObjectMaterialRow, ObjectOutlineRow, ObjectReferenceRow,
+    ObjectRow, ObjectShape, ObjectValueRow, ParkingSpaceRow, PlatformRow, PlatformSegmentRow,
+    Range, RowMappings, StationRow, StructureRow, SwitchRow,
 };
 use mapd_geometry::Primitive;
 use mapd_xodr::Span;
@@ -211,7 +211,7 @@ pub(crate) fn shape([length, width, radius]: [f32; 3]) -> ObjectShape {
 
 impl Objects {
     /// Takes what is written in the part of the document that comes next.
-    pub(crate) fn append(&mut self, part: Self, moves: &Moves) {
+    pub(crate) fn append(&mut self, part: Self, moves: &RowMappings) {
         self.objects.extend(part.objects.into_iter().map(|mut object| {
             object.row.move_by(moves);
             object.outlines.iter_mut().for_each(|outline| outline.row.move_by(moves));
@@ -248,7 +248,7 @@ impl Objects {
 }
 
 impl Details {
-    fn move_by(&mut self, moves: &Moves) {
+    fn move_by(&mut self, moves: &RowMappings) {
         self.markings.iter_mut().for_each(|marking| marking.row.move_by(moves));
         self.borders.iter_mut().for_each(|border| border.row.move_by(moves));
         self.materials.iter_mut().for_each(|row| row.move_by(moves));

@@ -1,6 +1,6 @@
 //! What annotations belong to.
 
-use mapd_archive::{AnnotationOwner, AnnotationRow, Moves};
+use mapd_archive::{AnnotationOwner, AnnotationRow, RowMappings};
 use mapd_xodr::Span;
 
 /// An owner of annotations: its kind and row; of what gets its row later, its number among those that do.
@@ -43,7 +43,7 @@ pub(crate) struct Before {
 }
 
 /// Lets rows that were appended refer to where their owners come to lie.
-pub(crate) fn move_owners(rows: &mut [AnnotationRow], before: Before, moves: &Moves) {
+pub(crate) fn move_owners(rows: &mut [AnnotationRow], before: Before, moves: &RowMappings) {
     for row in rows {
         let behind = |count: usize| row.owner.wrapping_add(count as u32);
         row.owner = match AnnotationOwner::from_code(row.owner_kind) {

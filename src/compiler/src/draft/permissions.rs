@@ -1,6 +1,6 @@
 //! Who may use a lane, and where lanes may be changed, as the file says it.
 
-use mapd_archive::{LaneType, Moved, VehicleClass};
+use mapd_archive::{LaneType, RowMapping, VehicleClass};
 use mapd_xodr::LaneChange;
 
 /// A road mark on the outer border of a lane, as far as lane changes go.
@@ -31,7 +31,7 @@ pub(crate) struct Permissions {
 
 impl Permissions {
     /// Appends those of a part of a map, whose lanes come to lie elsewhere.
-    pub(crate) fn append(&mut self, part: Self, lanes: &Moved) {
+    pub(crate) fn append(&mut self, part: Self, lanes: &RowMapping) {
         let marks = part.marks.into_iter();
         self.marks.extend(marks.map(|mark| Mark { lane: lanes.row(mark.lane), ..mark }));
         let accesses = part.accesses.into_iter();

@@ -2,7 +2,7 @@
 
 use crate::findings::finding;
 use mapd_archive::GeoReferenceForm;
-use mapd_geodesy::{Doubt, Offset};
+use mapd_geodesy::{DefinitionWarning, Offset};
 use mapd_rules::Rule;
 use mapd_xodr::{Finding, Severity, Span};
 
@@ -17,7 +17,7 @@ pub(crate) struct Placed {
     pub(crate) offset: Offset,
     pub(crate) header: Span,
     /// What is understood of the georeference only in part.
-    pub(crate) doubts: Vec<Doubt>,
+    pub(crate) warnings: Vec<DefinitionWarning>,
     pub(crate) offset_span: Span,
     /// Written by a tool that turns the sign.
     pub(crate) negating: bool,
@@ -32,7 +32,7 @@ impl Default for Placed {
             definition: String::new(),
             offset: Offset::default(),
             header: Span::default(),
-            doubts: Vec::new(),
+            warnings: Vec::new(),
             offset_span: Span::default(),
             negating: false,
             bounds: None,

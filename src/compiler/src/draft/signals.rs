@@ -1,6 +1,6 @@
 //! Signals, controllers and groups as written, until every id and lane is known.
 
-use mapd_archive::{BoardGroupRow, ControlRow, ControllerRow, Moves};
+use mapd_archive::{BoardGroupRow, ControlRow, ControllerRow, RowMappings};
 use mapd_ontology::Ontology;
 use mapd_xodr::Span;
 use std::sync::Arc;
@@ -61,7 +61,7 @@ impl Signals {
     }
 
     /// Takes what is written in the part of the document that comes next.
-    pub(crate) fn append(&mut self, part: Self, moves: &Moves) {
+    pub(crate) fn append(&mut self, part: Self, moves: &RowMappings) {
         let signals = part.signals.into_iter().map(|written| {
             let position = match written.position {
                 Position::Road(mut place) => {

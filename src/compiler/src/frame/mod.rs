@@ -17,7 +17,7 @@ use charts::{Charts, Local, Way};
 pub(crate) use georeference::complete;
 use glam::{DVec2, DVec3};
 use mapd_archive::{FileFrameRow, GeometryRow, Rows};
-use mapd_geodesy::{Doubt, Offset, Projector, Target};
+use mapd_geodesy::{DefinitionWarning, Offset, Projector, Target};
 use mapd_geometry::normalize_angle;
 use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
@@ -295,14 +295,14 @@ fn scales([by_x, by_y]: [DVec2; 2]) -> [f64; 2] {
 
 /// What is to be told of a frame besides errors.
 fn tell(frame: &TargetFrame, target: &Target, placed: &Placed, findings: &mut Vec<Finding>) {
-    for doubt in target.doubts() {
+    for doubt in target.warnings() {
         let severity = if doubt.is_grave() { Severity::Warning } else { Severity::Info };
         findings.push(about(placed, severity, format!("target frame {target}: {doubt}"), ""));
     }
     // A shift that is not known on one side is none at all.
-    let unknown = [("the map", &placed.doubts[..]), ("the target frame", target.doubts())];
-    for (whose, doubts) in unknown {
-        if doubts.contains(&Doubt::Datum) {
+    let unknown = [("the map", &placed.warnings[..]), ("the target frame", target.warnings())];
+    for (whose, warnings) in unknown {
+        if warnings.contains(&DefinitionWarning::Datum) {
             let message = format!(
                 "the datum of {whose} is unknown: the map is transformed into {target} as if it were WGS 84 and may be hundreds of metres off"
             );

@@ -54,7 +54,7 @@ impl Draft {
 
 /// What is said of a place.
 #[derive(Default)]
-struct Said<'a> {
+struct AnnotatedValue<'a> {
     /// Path below the element.
     tail: &'a str,
     name: &'a str,
@@ -69,14 +69,14 @@ impl Walk<'_> {
         let own_file = Places::file_of(span.start);
         if own_file != file {
             // Its name is filled in when all files are known.
-            self.add(AnnotationKind::SourceFile, span, Said::default());
+            self.add(AnnotationKind::SourceFile, span, AnnotatedValue::default());
         }
         element.kept(&mut |name, value| {
             let value = value.shown();
             self.add(
                 AnnotationKind::Attribute,
                 span,
-                Said { name, value: &value, ..Said::default() },
+                AnnotatedValue { name, value: &value, ..AnnotatedValue::default() },
             );
         });
         element.extensions().into_iter().for_each(|extension| self.extension(extension));
@@ -97,21 +97,30 @@ impl Walk<'_> {
         match extension.kind {
             ExtensionKind::UserData => {
                 let (name, value) = (attribute("code"), attribute("value"));
-                let said = Said { name, value, text: extension.inner(), ..Said::default() };
+                let said = AnnotatedValue {
+                    name,
+                    value,
+                    text: extension.inner(),
+                    ..AnnotatedValue::default()
+                };
                 self.add(AnnotationKind::UserData, span, said);
             }
             ExtensionKind::Include => {
-                let said = Said { name: attribute("file"), ..Said::default() };
+                let said = AnnotatedValue { name: attribute("file"), ..AnnotatedValue::default() };
                 self.add(AnnotationKind::Include, span, said);
             }
             ExtensionKind::DataQuality => {
                 for one in extension.elements(MOST_QUALITY_ELEMENTS) {
                     for (name, value) in &one.attributes {
-                        let said = Said { tail: &one.path, name, value, text: "" };
+                        let said = AnnotatedValue { tail: &one.path, name, value, text: "" };
                         self.add(AnnotationKind::DataQuality, span, said);
                     }
                 }
-                let said = Said { name: &element.path, text: &extension.text, ..Said::default() };
+                let said = AnnotatedValue {
+                    name: &element.path,
+                    text: &extension.text,
+                    ..AnnotatedValue::default()
+                };
                 self.add(AnnotationKind::DataQuality, span, said);
             }
             ExtensionKind::Unknown | ExtensionKind::Foreign => {
@@ -120,13 +129,17 @@ impl Walk<'_> {
                     true => AnnotationKind::ForeignElement,
                     false => AnnotationKind::UnknownElement,
                 };
-                let said = Said { name: &element.path, text: &extension.text, ..Said::default() };
+                let said = AnnotatedValue {
+                    name: &element.path,
+                    text: &extension.text,
+                    ..AnnotatedValue::default()
+                };
                 self.add(kind, span, said);
             }
         }
     }
 
-    fn add(&mut self, kind: AnnotationKind, span: Span, said: Said<'_>) {
+    fn add(&mut self, kind: AnnotationKind, span: Span, said: AnnotatedValue<'_>) {
         if self.draft.without.leaves_out(kind) {
             return;
         }

@@ -48,7 +48,7 @@ impl Placed {
         let path = "OpenDRIVE/header/geoReference";
         let Some(reference) = Reference::read(written.content.text()) else { return placed };
         placed.form = form(reference.form);
-        for doubt in &reference.doubts {
+        for doubt in &reference.warnings {
             let severity = if doubt.is_grave() { Severity::Warning } else { Severity::Info };
             let message = doubt.to_string();
             findings.push(finding(
@@ -60,7 +60,7 @@ impl Placed {
                 "",
             ));
         }
-        placed.doubts = reference.doubts;
+        placed.warnings = reference.warnings;
         match reference.definition {
             Ok(definition) => placed.definition = definition,
             Err(error) => {

@@ -5,7 +5,7 @@ use mapd_xodr::{self as xodr, Semantics, Value as _};
 
 /// A child of `semantics`.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Meant {
+pub(super) struct SemanticsEntry {
     /// The element's name.
     pub(super) element: &'static str,
     /// Its type.
@@ -14,28 +14,28 @@ pub(super) struct Meant {
     pub(super) unit: &'static str,
 }
 
-impl Meant {
+impl SemanticsEntry {
     pub(super) fn meaning(&self, ontology: &Ontology) -> Meaning {
         ontology.semantics(self.element, self.kind, self.value, self.unit)
     }
 }
 
 /// Everything that `semantics` says, in the order of the schema.
-pub(super) fn meant(semantics: &Semantics) -> Vec<Meant> {
+pub(super) fn meant(semantics: &Semantics) -> Vec<SemanticsEntry> {
     let mut out = Vec::new();
     // 1.8.0 writes type, unit and value as elements.
     out.extend(semantics.speed.iter().map(|speed| {
         let old_kind = speed.type_element.as_ref().and_then(|e| e.content.value());
         let old_unit = speed.unit_element.as_ref().and_then(|e| e.content.value());
         let old_value = speed.value_element.as_ref().and_then(|e| e.content.value());
-        Meant {
+        SemanticsEntry {
             element: "speed",
             kind: speed.r#type.value().or(old_kind).map_or("", xodr::SpeedSemanticsKind::name),
             value: speed.value.value().or(old_value),
             unit: speed.unit.value().or(old_unit).map_or("", xodr::UnitSpeed::name),
         }
     }));
-    let kind = |element, kind| Meant { element, kind, ..Meant::default() };
+    let kind = |element, kind| SemanticsEntry { element, kind, ..SemanticsEntry::default() };
     out.extend(
         semantics
             .lane
@@ -58,13 +58,13 @@ pub(super) fn meant(semantics: &Semantics) -> Vec<Meant> {
     for (element, count) in plain {
         out.extend(std::iter::repeat_n(kind(element, ""), count));
     }
-    out.extend(semantics.supplementary_time.iter().map(|one| Meant {
+    out.extend(semantics.supplementary_time.iter().map(|one| SemanticsEntry {
         element: "supplementaryTime",
         kind: one.r#type.value().map_or("", xodr::TimeSemanticsType::name),
         value: one.value.value(),
         unit: "",
     }));
-    out.extend(semantics.supplementary_distance.iter().map(|one| Meant {
+    out.extend(semantics.supplementary_distance.iter().map(|one| SemanticsEntry {
         element: "supplementaryDistance",
         kind: one.r#type.value().map_or("", xodr::DistanceSemanticsType::name),
         value: one.value.value(),
@@ -109,9 +109,9 @@ fn concerned(
     persons: &[xodr::PersonSemantics],
     vehicles: &[xodr::VehicleSemantics],
     animals: &[xodr::AnimalSemantics],
-    out: &mut Vec<Meant>,
+    out: &mut Vec<SemanticsEntry>,
 ) {
-    let kind = |element, kind| Meant { element, kind, ..Meant::default() };
+    let kind = |element, kind| SemanticsEntry { element, kind, ..SemanticsEntry::default() };
     out.push(kind(own, ""));
     out.extend(persons.iter().map(|one| {
         let category = one.r#type.as_ref().and_then(|category| category.content.value());

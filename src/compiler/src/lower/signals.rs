@@ -1,6 +1,6 @@
 //! Signals, controllers and groups as written.
 
-use super::semantics::{Meant, meant};
+use super::semantics::{SemanticsEntry, meant};
 use super::{ElementContext, assumed_unit, lanes, orientation};
 use crate::draft::{Draft, Position, SignalReference, WrittenSignal, between};
 use mapd_archive::{
@@ -205,7 +205,7 @@ impl Draft {
     }
 
     /// What a signal means: by its own words first, then by its code.
-    fn meaning(&self, code: &SignalCode<'_>, stated: &[Meant]) -> Meaning {
+    fn meaning(&self, code: &SignalCode<'_>, stated: &[SemanticsEntry]) -> Meaning {
         let by_code = self.signals.ontology.signal(code);
         let own = stated.iter().map(|one| one.meaning(&self.signals.ontology));
         match own.into_iter().find(|meaning| meaning.class != Class::Unknown) {
@@ -322,7 +322,7 @@ impl Draft {
         between(before, self.rows.signal_links.len())
     }
 
-    fn semantics(&mut self, stated: &[Meant]) -> mapd_archive::Range {
+    fn semantics(&mut self, stated: &[SemanticsEntry]) -> mapd_archive::Range {
         let before = self.rows.signal_semantics.len();
         for one in stated {
             let row = SignalSemanticsRow {

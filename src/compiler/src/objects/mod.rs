@@ -24,7 +24,7 @@ use mapd_query::Map;
 use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
 use rayon::prelude::*;
-use repeat::Left;
+use repeat::LeftOutCopies;
 
 /// Objects that are placed at once, for each thread.
 const OBJECTS_PER_TASK: usize = 64;
@@ -180,14 +180,16 @@ fn place(
         let bounds = repeat::Bounds { tolerance: options.bound_tolerance, copies: room - before };
         let outcome = repeat::copies(line, object, repeat, bounds, &mut copies);
         let new = copies[before..].iter().map(Copy::made).sum::<usize>();
-        if new > MOST_MADE_OF_AN_OBJECT - made || matches!(outcome, Err(Left::TooManyPoints)) {
+        if new > MOST_MADE_OF_AN_OBJECT - made
+            || matches!(outcome, Err(LeftOutCopies::TooManyPoints))
+        {
             copies.truncate(before);
             let finding = too_detailed(map, object, "a repetition");
             findings.push(Finding { span: repeat.span, ..finding });
             continue;
         }
         made += new;
-        if let Err(Left::Out(message)) = outcome {
+        if let Err(LeftOutCopies::Out(message)) = outcome {
             findings.push(finding(map, object, REPEAT, repeat.span, message));
         }
     }

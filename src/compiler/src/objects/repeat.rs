@@ -22,14 +22,14 @@ pub(crate) const MOST_COPIES_OF_A_MAP: usize = 2_000_000;
 const END: f64 = 1e-6;
 
 /// What is left out of a repetition.
-pub(super) enum Left {
+pub(super) enum LeftOutCopies {
     /// Some of it or all, and why.
     Out(String),
     /// All, because its edges would have too many points.
     TooManyPoints,
 }
 
-impl From<Fault> for Left {
+impl From<Fault> for LeftOutCopies {
     fn from(fault: Fault) -> Self {
         match fault {
             Fault::NotFinite => {
@@ -40,7 +40,7 @@ impl From<Fault> for Left {
     }
 }
 
-impl Left {
+impl LeftOutCopies {
     fn out(message: &str) -> Self {
         Self::Out(message.to_owned())
     }
@@ -87,11 +87,11 @@ pub(super) fn copies(
     repeat: &Repeat,
     bounds: Bounds,
     out: &mut Vec<Copy>,
-) -> Result<(), Left> {
+) -> Result<(), LeftOutCopies> {
     let road_end = line.end();
     let end = (repeat.s + repeat.length).min(road_end);
     if !begins_on(road_end, repeat) {
-        return Err(Left::Out(format!(
+        return Err(LeftOutCopies::Out(format!(
             "the repetition begins at s = {}, the road ends at {road_end}; it is left out",
             repeat.s
         )));
@@ -113,11 +113,11 @@ pub(super) fn copies(
         let ds = i as f64 * repeat.distance;
         let copy = instance(line, object, repeat, ds);
         let why = "a repetition's place is no number; the others are left out";
-        out.push(copy.ok_or_else(|| Left::out(why))?);
+        out.push(copy.ok_or_else(|| LeftOutCopies::out(why))?);
     }
     let wanted = intervals(road_end, repeat);
     if wanted >= MOST_COPIES as f64 {
-        return Err(Left::Out(format!(
+        return Err(LeftOutCopies::Out(format!(
             "the object is repeated {wanted:.0} times; those after {MOST_COPIES} are left out"
         )));
     }

@@ -26,7 +26,7 @@ pub(crate) fn read<R: Read + Send>(
 ) -> io::Result<(Option<Rows>, Compilation)> {
     let mut round = super::round(open()?, reading, &Exclusions::default(), options, progress)?;
     let mut without = Exclusions::with_errors(errors(&round.compilation));
-    let mut told = Told::new(&round.compilation);
+    let mut told = RoundOutcome::new(&round.compilation);
     for _ in 1..ROUNDS {
         if round.compilation.verdict != Verdict::Rejected {
             break;
@@ -79,13 +79,13 @@ fn leave_out(round: &mut Round, reading: &ReadOptions, without: &mut Exclusions)
 }
 
 /// Findings of all rounds.
-struct Told {
+struct RoundOutcome {
     diagnostics: Vec<Diagnostic>,
     dropped: [usize; 3],
     seen: BTreeSet<(u64, &'static str)>,
 }
 
-impl Told {
+impl RoundOutcome {
     fn new(first: &Compilation) -> Self {
         let seen =
             first.diagnostics.iter().map(|d| (d.finding.span.start, d.finding.rule)).collect();

@@ -3,7 +3,7 @@
 use super::log::{relay, say};
 use super::settings::MapSettings;
 use crate::args::ThreadCount;
-use crate::child::{self, End, Output, Told, Work};
+use crate::child::{self, ChildReport, End, Output, Work};
 use crate::exit::Exit;
 use std::collections::VecDeque;
 use std::ffi::OsStr;
@@ -85,7 +85,7 @@ pub(crate) fn compile(
     output: &OsStr,
     means: Means,
     cancelled: &AtomicBool,
-) -> Result<Told, Refusal> {
+) -> Result<ChildReport, Refusal> {
     let memory = means.memory.or_else(child::default_memory);
     let work = Work {
         source: &map.source,

@@ -44,7 +44,7 @@ pub(super) struct MapEntry {
 
 /// What came of serving all maps for the first time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Begun {
+pub(super) enum FirstServing {
     All,
     /// The daemon was told to end meanwhile.
     Stopped {
@@ -83,7 +83,7 @@ impl Maps {
     pub(super) fn begin_all(
         &mut self,
         maps: Vec<(MapSettings, Prepared)>,
-    ) -> anyhow::Result<Begun> {
+    ) -> anyhow::Result<FirstServing> {
         let stage = maps.len() > 1;
         let cancelled = self.preparer.cancelled.clone();
         // Many maps take longer than service managers wait for the end: a stop is looked for before each.
@@ -96,19 +96,19 @@ impl Maps {
         let mut filled = Vec::new();
         for (map, prepared) in maps {
             if is_stopped() {
-                return Ok(Begun::Stopped { served: 0 });
+                return Ok(FirstServing::Stopped { served: 0 });
             }
             match self.begin(&map, prepared, stage) {
                 Ok(kept) => filled.push((map, kept)),
                 // The stop ends a compiler as well: that its map is not ready is no failure.
-                Err(_) if is_stopped() => return Ok(Begun::Stopped { served: 0 }),
+                Err(_) if is_stopped() => return Ok(FirstServing::Stopped { served: 0 }),
                 Err(error) => return Err(error),
             }
         }
         for (served, (map, mut kept)) in filled.into_iter().enumerate() {
             if stage {
                 if is_stopped() {
-                    return Ok(Begun::Stopped { served });
+                    return Ok(FirstServing::Stopped { served });
                 }
                 let overlay = self.overlays.for_next(&map.name, &kept.archive)?;
                 self.server.activate_under(&map.name, overlay.as_ref())?;
@@ -117,7 +117,7 @@ impl Maps {
             self.began(map, kept);
         }
         self.look();
-        Ok(Begun::All)
+        Ok(FirstServing::All)
     }
 
     /// Fills a map's first generation. If the archive comes from the cache and does not prove, it is compiled after all.

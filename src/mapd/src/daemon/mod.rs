@@ -36,7 +36,7 @@ use anyhow::{Context, Result};
 use log::say;
 use mapd_client::TrustedKey;
 use mapd_transport::Share;
-use maps::{Begun, Maps};
+use maps::{FirstServing, Maps};
 use orders::{Change, Order, Orders};
 use overlays::{OverlayOrder, Overlays};
 use prepare::{Prepared, Preparer};
@@ -128,12 +128,12 @@ pub(crate) fn run(
     let names: Vec<String> = maps.iter().map(|map| map.name.clone()).collect();
     let mut state = Maps::new(server, overlays, board.clone(), preparer.clone(), watched.clone());
     match state.begin_all(ready) {
-        Ok(Begun::All) => {}
-        Ok(Begun::Stopped { served: 0 }) => {
+        Ok(FirstServing::All) => {}
+        Ok(FirstServing::Stopped { served: 0 }) => {
             say(STOPPED_BEFORE);
             return Ok(Exit::Done);
         }
-        Ok(Begun::Stopped { .. }) => {
+        Ok(FirstServing::Stopped { .. }) => {
             drop(state);
             say("stopped");
             return Ok(Exit::Done);

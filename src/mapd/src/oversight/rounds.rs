@@ -39,7 +39,7 @@ enum Answer {
 }
 
 /// A map, and what came of asking it.
-struct Asked {
+struct QueriedMap {
     name: String,
     /// The newest generation that has answered.
     seen: u64,
@@ -49,14 +49,14 @@ struct Asked {
 /// All maps.
 pub(super) struct Maps {
     board: Arc<Board>,
-    maps: Vec<Asked>,
+    maps: Vec<QueriedMap>,
     /// Whose turn it is in the next round.
     next: usize,
 }
 
 impl Maps {
     pub(super) fn new(board: &Arc<Board>, names: &[String]) -> Self {
-        let asked = |name: &String| Asked { name: name.clone(), seen: 0, last: None };
+        let asked = |name: &String| QueriedMap { name: name.clone(), seen: 0, last: None };
         Self { board: board.clone(), maps: names.iter().map(asked).collect(), next: 0 }
     }
 
@@ -119,13 +119,13 @@ impl Maps {
         let count = self.maps.len();
         let mut order: Vec<usize> = (0..count).map(|i| (self.next + i) % count).collect();
         order.sort_by_key(|place| {
-            self.maps.get(*place).and_then(Asked::urgency).unwrap_or(Answer::Right)
+            self.maps.get(*place).and_then(QueriedMap::urgency).unwrap_or(Answer::Right)
         });
         order
     }
 }
 
-impl Asked {
+impl QueriedMap {
     /// Why it is asked before its turn, if it is.
     fn urgency(&self) -> Option<Answer> {
         self.last.filter(|last| matches!(last, Answer::Wrong | Answer::Late))

@@ -89,7 +89,7 @@ impl Corridor {
 }
 
 /// What holds for a while: the node that is driven on and what lies beside it.
-struct Driven<'a> {
+struct CurrentNode<'a> {
     piece: u32,
     lane: Lane<'a>,
     /// Between which s the node holds.
@@ -105,7 +105,7 @@ struct Side<'a> {
     far: Option<Edge<'a>>,
 }
 
-impl<'a> Driven<'a> {
+impl<'a> CurrentNode<'a> {
     fn new(
         ways: impl Ways<'a>,
         lane: Lane<'a>,
@@ -174,7 +174,7 @@ impl<'a> Path<'a, '_> {
         }
         let from = mapd_geometry::clamp(from, 0.0, self.length());
         let end = mapd_geometry::clamp(from + length, from, self.length());
-        let mut driven: Option<Driven<'a>> = None;
+        let mut driven: Option<CurrentNode<'a>> = None;
         let mut span = 0;
         let mut number = 0u64;
         loop {
@@ -229,16 +229,17 @@ impl<'a> Path<'a, '_> {
         span: &Span,
         along: f64,
         vehicle: VehicleClass,
-        driven: &mut Option<Driven<'a>>,
+        driven: &mut Option<CurrentNode<'a>>,
         out: &mut Corridor,
     ) -> Result<(), QueryError> {
         let s = span.s_at(along - span.along);
-        let holds = |own: &Driven<'_>| own.piece == span.piece && own.s.low <= s && s < own.s.high;
+        let holds =
+            |own: &CurrentNode<'_>| own.piece == span.piece && own.s.low <= s && s < own.s.high;
         let own = match driven {
             Some(own) if holds(own) => own,
             _ => {
                 let (piece, lane) = self.piece(span).ok_or(QueryError::Corrupt)?;
-                driven.insert(Driven::new(ways, lane, piece, span.piece, s, vehicle))
+                driven.insert(CurrentNode::new(ways, lane, piece, span.piece, s, vehicle))
             }
         };
         if along >= own.limit.until {

@@ -17,7 +17,7 @@ const MOST_AHEAD: usize = 1024;
 const MOST_EXITS: usize = 8;
 
 /// Anchors before and after a target, with the way between, in metres or seconds.
-pub(super) struct Around {
+pub(super) struct NearAnchors {
     behind: Nearest<MOST_BEHIND>,
     ahead: Nearest<MOST_EXITS>,
 }
@@ -57,7 +57,7 @@ fn is_open(node: &LaneNode<'_>) -> bool {
     node.row.access() & VehicleClass::MOTOR != 0 && node.row.bound() != NONE
 }
 
-impl Around {
+impl NearAnchors {
     /// The anchors around a node; with a change of lane at its price in the landmarks' tables.
     pub(super) fn new(map: Map<'_>, target: &LaneNode<'_>, times: bool, change: f64) -> Self {
         let pass = |node: &LaneNode<'_>| if times { node.travel_time() } else { node.length() };

@@ -8,7 +8,7 @@
 //! Anchors alone have distances: a way of length w leads from an anchor a to the node v, so that the rest from v costs at least
 //! the rest from a less w. What a target's distances are is found from the anchors around it, once for a search (`Around`).
 
-use super::around::Around;
+use super::around::NearAnchors;
 use super::cost::CostBound;
 use crate::graph::LaneNode;
 use crate::map::Map;
@@ -68,7 +68,7 @@ impl<'a> Bounds<'a> {
             true => (graph.time_step(), graph.change_time()),
             false => (graph.length_step(), graph.change_length()),
         };
-        let around = Around::new(map, target, times, change);
+        let around = NearAnchors::new(map, target, times, change);
         let row = |place: u32| distances.get(place as usize * width..)?.get(..width);
         // Nothing known of a landmark: differences become 0.
         let mut target = [0; 2 * MOST];

@@ -142,7 +142,7 @@ pub(crate) fn ahead<'a>(
     let (low, high) = (section.s_start(), section.s_end());
     let s = mapd_geometry::clamp(from.s, low, high.max(low));
     let Some(first) = ways.at(&lane, s, lane.is_forward()) else { return Ok(()) };
-    let look = Look { ways, reach: distance, vehicle };
+    let look = AheadSearch { ways, reach: distance, vehicle };
     look.pass(first, Some(s), 0.0, out);
     while let Some(Reverse((bits, number))) = out.open.pop() {
         let Err(at) = out.done.binary_search(&number) else { continue };
@@ -157,13 +157,13 @@ pub(crate) fn ahead<'a>(
 }
 
 /// How far is looked, for whom.
-struct Look<W> {
+struct AheadSearch<W> {
     ways: W,
     reach: f64,
     vehicle: VehicleClass,
 }
 
-impl<'a, W: Ways<'a>> Look<W> {
+impl<'a, W: Ways<'a>> AheadSearch<W> {
     /// Adds the signals of a piece from s on, or from its beginning, and the pieces that it leads to.
     fn pass(&self, number: u32, from: Option<f64>, before: f64, out: &mut SignalsAhead) {
         let Some(node) = self.ways.node(number) else { return };

@@ -1,6 +1,6 @@
 //! What a view says of a way: along a path, beside it, of signals ahead; and of a pose.
 
-use super::heed::Heeded;
+use super::heed::OverlaidGraph;
 use super::{Restriction, SpeedToday, View};
 use crate::error::QueryError;
 use crate::localisation::{LaneMatch, MatchError, MatchOptions, VehiclePose};
@@ -104,7 +104,7 @@ impl<'a> View<'a> {
         out: &mut Corridor,
     ) -> Result<(), QueryError> {
         path.check(self.map)?;
-        path.corridor_on(Heeded::new(*self, vehicle), from, length, step, vehicle, out)
+        path.corridor_on(OverlaidGraph::new(*self, vehicle), from, length, step, vehicle, out)
     }
 
     /// As [`crate::Map::signals_ahead`], heeding what holds now: ways through closed lanes are not followed. Signals that are out of service are
@@ -118,7 +118,7 @@ impl<'a> View<'a> {
         vehicle: VehicleClass,
         out: &mut SignalsAhead,
     ) -> Result<(), QueryError> {
-        crate::signals::ahead(Heeded::new(*self, vehicle), from, distance, vehicle, out)
+        crate::signals::ahead(OverlaidGraph::new(*self, vehicle), from, distance, vehicle, out)
     }
 
     /// As [`crate::Map::match_pose`], heeding what holds now: a lane that is closed to [`MatchOptions::vehicle`] has the prior of closed ones.
@@ -133,7 +133,7 @@ impl<'a> View<'a> {
         out: &mut Vec<LaneMatch>,
     ) -> Result<f64, MatchError> {
         let vehicle = options.vehicle.unwrap_or(VehicleClass::PassengerCar);
-        let ways = Heeded::new(*self, vehicle);
+        let ways = OverlaidGraph::new(*self, vehicle);
         crate::matching::match_at_most(ways, usize::MAX, pose, covariance, options, out)
     }
 }

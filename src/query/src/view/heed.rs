@@ -11,7 +11,7 @@ use mapd_archive::VehicleClass;
 ///
 /// Numbers below the map's number of nodes are nodes of which the overlay says nothing; from there on they are rows of its pieces.
 #[derive(Clone, Copy)]
-pub(super) struct Heeded<'a> {
+pub(super) struct OverlaidGraph<'a> {
     view: View<'a>,
     vehicle: VehicleClass,
     nodes: u32,
@@ -21,7 +21,7 @@ pub(super) struct Heeded<'a> {
     has_bounds: bool,
 }
 
-impl<'a> Heeded<'a> {
+impl<'a> OverlaidGraph<'a> {
     pub(super) fn new(view: View<'a>, vehicle: VehicleClass) -> Self {
         let row = view.tables().and_then(|tables| tables.overlay.first());
         Self {
@@ -59,7 +59,7 @@ impl<'a> Heeded<'a> {
     }
 }
 
-impl<'a> Ways<'a> for Heeded<'a> {
+impl<'a> Ways<'a> for OverlaidGraph<'a> {
     fn map(&self) -> Map<'a> {
         self.view.map
     }

@@ -1,6 +1,6 @@
 //! What a view answers.
 
-use super::heed::Heeded;
+use super::heed::OverlaidGraph;
 use super::{OverlayEntry, Restriction, View};
 use crate::error::QueryError;
 use crate::graph::LaneNode;
@@ -187,7 +187,7 @@ impl<'a> View<'a> {
         if self.overlay.is_none() {
             return self.map.route_via(places, vehicle, cost, scratch, steps);
         }
-        find_via(Heeded::new(*self, vehicle), places, vehicle, cost, scratch, steps)
+        find_via(OverlaidGraph::new(*self, vehicle), places, vehicle, cost, scratch, steps)
     }
 
     /// As [`crate::Map::find_route`], heeding what holds now.
@@ -200,7 +200,7 @@ impl<'a> View<'a> {
         steps: &mut Vec<RouteStep>,
     ) -> Result<Option<Route>, RouteError> {
         steps.clear();
-        find(Heeded::new(*self, request.vehicle), request, scratch, steps)
+        find(OverlaidGraph::new(*self, request.vehicle), request, scratch, steps)
     }
 
     /// As [`crate::Map::alternatives`], heeding what holds now.
@@ -213,7 +213,7 @@ impl<'a> View<'a> {
         scratch: &mut RouteScratch,
         out: &mut Routes,
     ) -> Result<(), RouteError> {
-        alternatives(Heeded::new(*self, request.vehicle), request, options, scratch, out)
+        alternatives(OverlaidGraph::new(*self, request.vehicle), request, options, scratch, out)
     }
 
     /// As [`crate::Map::reachable`], heeding what holds now. Where the overlay cuts a node, each piece is told of by itself.
@@ -230,7 +230,7 @@ impl<'a> View<'a> {
     ) -> Result<(), QueryError> {
         let starts = &[from.into()];
         let request = RouteRequest { starts, goals: &[], vehicle, cost, avoid: &[] };
-        Ok(reach(Heeded::new(*self, vehicle), &request, limit, scratch, out)?)
+        Ok(reach(OverlaidGraph::new(*self, vehicle), &request, limit, scratch, out)?)
     }
 
     /// As [`crate::Map::reach`], heeding what holds now; pieces as in [`View::reachable`].
@@ -243,7 +243,7 @@ impl<'a> View<'a> {
         scratch: &mut RouteScratch,
         out: &mut Reach,
     ) -> Result<(), RouteError> {
-        network(Heeded::new(*self, request.vehicle), request, (limit, true), scratch, out)
+        network(OverlaidGraph::new(*self, request.vehicle), request, (limit, true), scratch, out)
     }
 
     /// As [`crate::Map::reach_to`], heeding what holds now; pieces as in [`View::reachable`].
@@ -256,7 +256,7 @@ impl<'a> View<'a> {
         scratch: &mut RouteScratch,
         out: &mut Reach,
     ) -> Result<(), RouteError> {
-        network(Heeded::new(*self, request.vehicle), request, (limit, false), scratch, out)
+        network(OverlaidGraph::new(*self, request.vehicle), request, (limit, false), scratch, out)
     }
 
     /// What holds now along a route or any list of steps, in its order: each entry once for each stretch on which it holds that a step drives over.

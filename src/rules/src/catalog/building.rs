@@ -258,10 +258,10 @@ pub const CONTACT_POINT: Rule = warning(
     ],
 );
 
-/// A georeference that cannot be used, or with doubts.
+/// A georeference that cannot be used, or with warnings.
 pub const GEO_REFERENCE: Rule = warning(
     "mapd:compile.geo_reference",
-    "A georeference can be used without doubts, and the map is in its area.",
+    "A georeference can be used without warnings, and the map is in its area.",
     [
         Header("<geoReference>+proj=utm +zone=32 +datum=WGS84</geoReference>"),
         Header("<geoReference>somewhere</geoReference>"),

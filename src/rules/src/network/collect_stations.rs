@@ -27,7 +27,7 @@ const STATIONS_OF_A_ROAD: usize = 100_000;
 const LANES_OF_A_ROAD: usize = 1 << 21;
 
 /// The cross-sections of a road.
-pub(super) struct Taken {
+pub(super) struct RoadStations {
     pub(super) lines: Range<u32>,
     /// Only the first and the last one are kept.
     pub(super) is_straight: bool,
@@ -38,7 +38,7 @@ pub(super) struct Taken {
 
 impl Network {
     /// Takes the cross-sections of a road.
-    pub(super) fn add_stations(&mut self, road: &Road, line: &ReferenceLine) -> Taken {
+    pub(super) fn add_stations(&mut self, road: &Road, line: &ReferenceLine) -> RoadStations {
         let (before, profiles) = (self.lines.len(), self.profiles.len());
         let mut bounds = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
         let end = number(&road.length).min(line.end());
@@ -82,14 +82,19 @@ impl Network {
             self.lines.push(last);
         }
         let lines = before as u32..self.lines.len() as u32;
-        Taken { lines, is_straight, profiles: profiles as u32..self.profiles.len() as u32, bounds }
+        RoadStations {
+            lines,
+            is_straight,
+            profiles: profiles as u32..self.profiles.len() as u32,
+            bounds,
+        }
     }
 }
 
 /// Smallest x, smallest y, largest x, largest y of a road's surface `[m]`; none where its reference line cannot be built.
 pub fn extent(road: &Road) -> Option<[f64; 4]> {
     let line = ReferenceLine::new(road.plan_view.as_deref());
-    let Taken { bounds, .. } = Network::default().add_stations(road, &line);
+    let RoadStations { bounds, .. } = Network::default().add_stations(road, &line);
     bounds.iter().all(|value| value.is_finite()).then_some(bounds)
 }
 

@@ -34,7 +34,7 @@ mod reader;
 mod slot;
 mod writer;
 
-pub use overlay::{Laid, PinnedOverlay, overlay_file};
+pub use overlay::{OverlayState, PinnedOverlay, overlay_file};
 pub use reader::Observer;
 pub use slot::{OverlayLocation, SegmentLocation};
 pub use writer::RecordWriter;

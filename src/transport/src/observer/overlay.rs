@@ -2,7 +2,7 @@
 
 use super::memory::{Refusal, map_segment};
 use super::reader::{LOOK, Observer, read, refused, sleep_on};
-use super::slot::{OverlayLocation, Said};
+use super::slot::{OverlayLocation, SlotContent};
 use crate::domain::Domain;
 use crate::error::AttachError;
 use crate::mapping::Mapping;
@@ -26,7 +26,7 @@ pub fn overlay_file(domain: &Domain, map: &str, revision: u64) -> PathBuf {
 
 /// What is laid over a generation.
 #[derive(Debug)]
-pub enum Laid {
+pub enum OverlayState {
     /// What was known already.
     Known,
     /// Nothing.
@@ -74,26 +74,26 @@ impl Observer {
     /// What is laid over a generation now; `known` is the revision that is known, 0 for none.
     ///
     /// Errors: files of the domain cannot be used.
-    pub fn laid_over(&self, generation: u64, known: u64) -> Result<Laid, AttachError> {
+    pub fn laid_over(&self, generation: u64, known: u64) -> Result<OverlayState, AttachError> {
         for _ in 0..READINGS {
             let record = match self.record() {
                 Err(AttachError::Io { error, .. }) if error.kind() == io::ErrorKind::NotFound => {
                     // Nobody serves the map any more: what is known stays what it was.
-                    return Ok(Laid::Known);
+                    return Ok(OverlayState::Known);
                 }
                 record => record?,
             };
             let (sequence, said) = read(&record, &self.domain, &self.map, &self.path)?;
-            let Said::Served(info, place) = said else { return Ok(Laid::Known) };
+            let SlotContent::Served(info, place) = said else { return Ok(OverlayState::Known) };
             if info.generation != generation {
-                return Ok(Laid::Other);
+                return Ok(OverlayState::Other);
             }
             let laid = match place.overlay {
-                None if known == 0 => Laid::Known,
-                None => Laid::Nothing,
-                Some(overlay) if overlay.revision == known => Laid::Known,
+                None if known == 0 => OverlayState::Known,
+                None => OverlayState::Nothing,
+                Some(overlay) if overlay.revision == known => OverlayState::Known,
                 Some(overlay) => match self.open_overlay(overlay)? {
-                    Some(pinned) => Laid::New(pinned),
+                    Some(pinned) => OverlayState::New(pinned),
                     // Another has taken its place.
                     None => continue,
                 },

@@ -2,7 +2,7 @@
 
 use super::memory::{Record, Refusal, identity, map_segment};
 use super::page::{MAGIC, Page};
-use super::slot::{Said, SegmentLocation, decode, says_nothing};
+use super::slot::{SegmentLocation, SlotContent, decode, says_nothing};
 use crate::claim::served_by;
 use crate::domain::{Domain, SHARED_MEMORY_FOLDER};
 use crate::error::AttachError;
@@ -52,7 +52,7 @@ pub struct Observer {
 }
 
 /// What one look at the record found.
-enum Seen {
+enum RecordState {
     /// A generation that is newer than was asked for.
     Newer(Pinned),
     /// None, or none that is newer; wait until the record has another sequence.
@@ -91,8 +91,8 @@ impl Observer {
     /// Errors: files of the domain cannot be used.
     pub fn newer_than(&self, than: u64) -> Result<Option<Pinned>, AttachError> {
         match self.look(than) {
-            Ok(Seen::Newer(pinned)) => Ok(Some(pinned)),
-            Ok(Seen::Nothing(..) | Seen::Gone) => Ok(None),
+            Ok(RecordState::Newer(pinned)) => Ok(Some(pinned)),
+            Ok(RecordState::Nothing(..) | RecordState::Gone) => Ok(None),
             // Root folder or record of a daemon that has ended.
             Err(AttachError::Io { error, .. }) if error.kind() == io::ErrorKind::NotFound => {
                 Ok(None)
@@ -111,15 +111,15 @@ impl Observer {
             let seen = self.look(than);
             let left = deadline.saturating_duration_since(Instant::now());
             match seen {
-                Ok(Seen::Newer(pinned)) => return Ok(pinned),
+                Ok(RecordState::Newer(pinned)) => return Ok(pinned),
                 Err(error) if !error.may_pass() => return Err(error),
                 Err(error) if left.is_zero() && !is_missing(&error) => return Err(error),
                 _ if left.is_zero() => return Err(self.why_none(than)),
-                Ok(Seen::Nothing(record, sequence)) => {
+                Ok(RecordState::Nothing(record, sequence)) => {
                     sleep_on(record.page(), sequence, left.min(LOOK));
                     pause = FIRST_PAUSE;
                 }
-                Ok(Seen::Gone) | Err(_) => {
+                Ok(RecordState::Gone) | Err(_) => {
                     std::thread::sleep(pause.min(left));
                     pause = (pause * 2).min(LONGEST_PAUSE);
                 }
@@ -128,24 +128,24 @@ impl Observer {
     }
 
     /// Looks once.
-    fn look(&self, than: u64) -> Result<Seen, AttachError> {
+    fn look(&self, than: u64) -> Result<RecordState, AttachError> {
         let record = self.record()?;
         let (sequence, said) = read(&record, &self.domain, &self.map, &self.path)?;
-        let Said::Served(info, place) = said else {
-            return Ok(Seen::Nothing(record, sequence));
+        let SlotContent::Served(info, place) = said else {
+            return Ok(RecordState::Nothing(record, sequence));
         };
         if info.generation <= than {
-            return Ok(Seen::Nothing(record, sequence));
+            return Ok(RecordState::Nothing(record, sequence));
         }
         let mut current = self.current.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(pinned) = current.as_ref().filter(|pinned| *pinned.info() == info) {
-            return Ok(Seen::Newer(pinned.clone()));
+            return Ok(RecordState::Newer(pinned.clone()));
         }
         let Some(pinned) = open(&info, &place, self.owner)? else {
-            return Ok(Seen::Gone);
+            return Ok(RecordState::Gone);
         };
         *current = Some(pinned.clone());
-        Ok(Seen::Newer(pinned))
+        Ok(RecordState::Newer(pinned))
     }
 
     /// The record under its name: the one that is mapped, unless there is reason to think that another has taken its place.
@@ -220,7 +220,7 @@ pub(super) fn read(
     domain: &Domain,
     map: &str,
     path: &Path,
-) -> Result<(u32, Said), AttachError> {
+) -> Result<(u32, SlotContent), AttachError> {
     let page = record.page();
     let refused = |why: &str| AttachError::Record { path: path.to_owned(), why: why.to_owned() };
     if page.magic.load(Ordering::Acquire) != MAGIC {
@@ -298,7 +298,7 @@ pub(crate) fn published(domain: &Domain, map: &str) -> Option<GenerationInfo> {
     let path = domain.map_file(map, RECORD_SUFFIX);
     let record = Record::open(&path, domain.owner()).ok()?;
     match read(&record, domain, map, &path) {
-        Ok((_, Said::Served(info, _))) => Some(info),
+        Ok((_, SlotContent::Served(info, _))) => Some(info),
         _ => None,
     }
 }
@@ -396,7 +396,7 @@ mod tests {
         let domain = Domain::new("mapd_").expect("a prefix");
         let (sequence, said) = read(&first, &domain, "m", &path).expect("whole");
         let (info, place) = served(2);
-        assert_eq!((sequence, said), (2, Said::Served(info, place)));
+        assert_eq!((sequence, said), (2, SlotContent::Served(info, place)));
         std::fs::write(&path, "revision 2\ngeneration 7\n").expect("written");
         publish(3);
         assert!(first.identity != open().identity);

@@ -55,7 +55,7 @@ pub struct OverlayLocation {
 /// What a slot says.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[expect(clippy::large_enum_variant, reason = "taken apart as soon as it is read")]
-pub(super) enum Said {
+pub(super) enum SlotContent {
     /// Nothing is served.
     Nothing,
     /// A generation is served.
@@ -65,10 +65,10 @@ pub(super) enum Said {
 /// Words of a slot.
 ///
 /// Errors: what cannot be written down, in words.
-pub(super) fn encode(sequence: u32, said: &Said) -> Result<Words, &'static str> {
+pub(super) fn encode(sequence: u32, said: &SlotContent) -> Result<Words, &'static str> {
     let mut words = [0; WORDS];
     words[SEQUENCE] = sequence.into();
-    if let Said::Served(info, place) = said {
+    if let SlotContent::Served(info, place) = said {
         words[GENERATION] = info.generation;
         words[LENGTH] = info.length;
         words[PUBLISHED] = info.published_unix_ns;
@@ -98,9 +98,13 @@ pub(super) fn encode(sequence: u32, said: &Said) -> Result<Words, &'static str> 
 /// What the words of a slot say. Segments of other domains than `prefix` are refused.
 ///
 /// Errors: why they say nothing.
-pub(super) fn decode(sequence: u32, words: &Words, prefix: &str) -> Result<Said, &'static str> {
+pub(super) fn decode(
+    sequence: u32,
+    words: &Words,
+    prefix: &str,
+) -> Result<SlotContent, &'static str> {
     if sequence == 0 {
-        return Ok(Said::Nothing);
+        return Ok(SlotContent::Nothing);
     }
     if words[CHECKSUM] != checksum(words) {
         return Err("its checksum is wrong");
@@ -109,7 +113,7 @@ pub(super) fn decode(sequence: u32, words: &Words, prefix: &str) -> Result<Said,
         return Err("its sequence is that of another slot");
     }
     if words[GENERATION] == 0 {
-        return Ok(Said::Nothing);
+        return Ok(SlotContent::Nothing);
     }
     let (length, offset) = (words[LENGTH], words[OFFSET]);
     if length == 0 || offset % align_of::<Chunk64>() as u64 != 0 {
@@ -140,7 +144,7 @@ pub(super) fn decode(sequence: u32, words: &Words, prefix: &str) -> Result<Said,
         input_hash: get(&words[INPUT..OFFSET]),
     };
     let overlay = overlay(words)?;
-    Ok(Said::Served(info, SegmentLocation { segment, inode: words[INODE], offset, overlay }))
+    Ok(SlotContent::Served(info, SegmentLocation { segment, inode: words[INODE], offset, overlay }))
 }
 
 /// What the words of a slot say of an overlay.
@@ -193,7 +197,7 @@ fn get<const N: usize>(words: &[u64]) -> [u8; N] {
 mod tests {
     use super::*;
 
-    fn said() -> Said {
+    fn said() -> SlotContent {
         let info = GenerationInfo {
             generation: u64::MAX,
             length: 100,
@@ -206,26 +210,30 @@ mod tests {
         let segment = "mapd_1f_42.data".to_owned();
         let overlay =
             OverlayLocation { revision: 9, length: 10, inode: 11, content_hash: [0x5a; 32] };
-        Said::Served(
+        SlotContent::Served(
             info,
             SegmentLocation { segment, inode: 7, offset: 384, overlay: Some(overlay) },
         )
     }
 
-    fn with_overlay(overlay: Option<OverlayLocation>) -> Said {
-        let Said::Served(info, place) = said() else { unreachable!() };
-        Said::Served(info, SegmentLocation { overlay, ..place })
+    fn with_overlay(overlay: Option<OverlayLocation>) -> SlotContent {
+        let SlotContent::Served(info, place) = said() else { unreachable!() };
+        SlotContent::Served(info, SegmentLocation { overlay, ..place })
     }
 
     #[test]
     fn what_is_written_is_read() {
         for (sequence, said) in
-            [(1, said()), (u32::MAX, said()), (2, Said::Nothing), (3, with_overlay(None))]
+            [(1, said()), (u32::MAX, said()), (2, SlotContent::Nothing), (3, with_overlay(None))]
         {
             let words = encode(sequence, &said).expect("can be said");
             assert_eq!(decode(sequence, &words, "mapd_"), Ok(said));
         }
-        assert_eq!(decode(0, &[u64::MAX; WORDS], ""), Ok(Said::Nothing), "nothing was published");
+        assert_eq!(
+            decode(0, &[u64::MAX; WORDS], ""),
+            Ok(SlotContent::Nothing),
+            "nothing was published"
+        );
     }
 
     #[test]
@@ -246,8 +254,8 @@ mod tests {
     #[test]
     fn what_must_not_be_said_is_refused() {
         let name = |name: &str| {
-            let Said::Served(info, place) = said() else { unreachable!() };
-            Said::Served(info, SegmentLocation { segment: name.to_owned(), ..place })
+            let SlotContent::Served(info, place) = said() else { unreachable!() };
+            SlotContent::Served(info, SegmentLocation { segment: name.to_owned(), ..place })
         };
         let long = "m".repeat(NAME_BYTES + 1);
         for bad in ["", ".", "..", ".hidden", "a/b", "../x", "a\0b", "stra\u{df}e", " x", &long] {
@@ -258,8 +266,8 @@ mod tests {
         let words = encode(1, &name("other_1.data")).expect("a plain name");
         assert!(decode(1, &words, "mapd_").is_err(), "of another domain");
         for (length, offset) in [(0, 384), (1, 1), (u64::MAX, 64), (1, u64::MAX - 63)] {
-            let Said::Served(info, place) = said() else { unreachable!() };
-            let said = Said::Served(
+            let SlotContent::Served(info, place) = said() else { unreachable!() };
+            let said = SlotContent::Served(
                 GenerationInfo { length, ..info },
                 SegmentLocation { offset, ..place },
             );

@@ -3,7 +3,7 @@
 use super::memory::{Record, Refusal, open_own};
 use super::page::{MAGIC, PAGE_BYTES, Page};
 use super::reader::monotonic_ns;
-use super::slot::{Said, SegmentLocation, encode};
+use super::slot::{SegmentLocation, SlotContent, encode};
 use crate::domain::Domain;
 use crate::limits::TRANSPORT_REVISION;
 use crate::payload::GenerationInfo;
@@ -54,7 +54,7 @@ impl RecordWriter {
     ///
     /// Errors: what cannot be said: a segment's name that is too long, or not plain.
     pub fn prepare(&self, info: &GenerationInfo, place: &SegmentLocation) -> io::Result<Prepared> {
-        self.write(&Said::Served(*info, place.clone()))
+        self.write(&SlotContent::Served(*info, place.clone()))
     }
 
     /// Has what was prepared hold, and wakes those who wait. Call it between sending the generation and dropping the publisher before.
@@ -75,12 +75,12 @@ impl RecordWriter {
     ///
     /// Errors: what the system says; by then readers know.
     pub fn close(self) -> io::Result<()> {
-        let prepared = self.write(&Said::Nothing)?;
+        let prepared = self.write(&SlotContent::Nothing)?;
         self.hold(prepared);
         remove_text(&self.path)
     }
 
-    fn write(&self, said: &Said) -> io::Result<Prepared> {
+    fn write(&self, said: &SlotContent) -> io::Result<Prepared> {
         let page = self.page();
         let next = Page::next(page.sequence.load(Ordering::Relaxed));
         let words =

@@ -12,7 +12,7 @@ use crate::args::JudgingArgs;
 use crate::args::ProgressArgs;
 use crate::args::Size;
 use crate::args::{ThreadCount, ThreadsArg};
-use crate::child::{self, End, Message, Output, Told, Work};
+use crate::child::{self, ChildReport, End, Message, Output, Work};
 use crate::draft;
 use crate::exit::Exit;
 use crate::exit::UsageError;
@@ -170,7 +170,7 @@ fn be_child(
     );
     failed?;
     if compiled.as_ref().is_err_and(|error| error.is::<one::Unwritten>()) {
-        tell(&Message::Told(Told { is_unwritten: true, ..Told::default() }))?;
+        tell(&Message::Report(ChildReport { is_unwritten: true, ..ChildReport::default() }))?;
     }
     let (verdict, mut told) = compiled?;
     if to == ChildOutput::At {
@@ -178,7 +178,7 @@ fn be_child(
         told.included.clear();
         told.missing.clear();
     }
-    tell(&Message::Told(told))?;
+    tell(&Message::Report(told))?;
     Ok(verdict.into())
 }
 
@@ -240,7 +240,7 @@ fn in_child(
     target: &Target,
     options: &CompileArguments,
     meter: &Meter,
-) -> Result<(Exit, Told)> {
+) -> Result<(Exit, ChildReport)> {
     let work = Work {
         source: file,
         output: Output::At { archive: &target.archive, report: target.report.as_deref() },

@@ -2,7 +2,7 @@
 
 use super::up_to_date::{Record, WithRecord};
 use crate::archive_file;
-use crate::child::{ArchiveFacts, Told};
+use crate::child::{ArchiveFacts, ChildReport};
 use crate::same_file::is_same_file;
 use crate::source::Compiling;
 use crate::{draft, report, source};
@@ -33,7 +33,7 @@ pub(super) fn compile(
     target: &Target,
     compiling: Compiling<'_>,
     progress: &mut dyn FnMut(Progress),
-) -> Result<(Verdict, Told)> {
+) -> Result<(Verdict, ChildReport)> {
     let compiled = source::compile_file_with(file, compiling, progress)?;
     let name = file.display().to_string();
     report::print(&name, &compiled);
@@ -46,7 +46,7 @@ pub(super) fn compile(
     }
     let missing = compiled.missing.iter().map(|file| absolute(file)).collect();
     let counts = report::counts(&compiled);
-    let mut told = Told { included, missing, counts, archive: None, is_unwritten: false };
+    let mut told = ChildReport { included, missing, counts, archive: None, is_unwritten: false };
     let mut unnamed = None;
     let mut record = None;
     if let Some(rows) = &compiled.rows {

@@ -214,11 +214,11 @@ fn remove_left(tile: &Tile) {
 struct Tally {
     meter: Meter,
     sizes: Vec<u64>,
-    so_far: Mutex<SoFar>,
+    so_far: Mutex<TilesDone>,
 }
 
 #[derive(Default)]
-struct SoFar {
+struct TilesDone {
     /// Bytes and roads of each tile.
     tiles: Vec<(u64, usize)>,
     bytes: u64,
@@ -230,7 +230,7 @@ impl Tally {
     fn new(tiles: &[Tile], manner: Manner) -> Self {
         let sizes: Vec<u64> = tiles.iter().map(|tile| decoded_bytes(&tile.source)).collect();
         let meter = Meter::new("compiling", sizes.iter().sum(), manner);
-        let so_far = SoFar { tiles: vec![(0, 0); tiles.len()], ..SoFar::default() };
+        let so_far = TilesDone { tiles: vec![(0, 0); tiles.len()], ..TilesDone::default() };
         Self { meter, sizes, so_far: Mutex::new(so_far) }
     }
 
@@ -251,7 +251,7 @@ impl Tally {
         self.show(&so_far);
     }
 
-    fn show(&self, so_far: &SoFar) {
+    fn show(&self, so_far: &TilesDone) {
         let (done, all) = (so_far.done, self.sizes.len());
         self.meter.read(so_far.bytes, || format!("{done} of {all} tiles, {} roads", so_far.roads));
     }
@@ -265,7 +265,7 @@ impl Tally {
     }
 }
 
-impl SoFar {
+impl TilesDone {
     fn set(&mut self, number: usize, bytes: u64, roads: usize) {
         if let Some(tile) = self.tiles.get_mut(number) {
             let bytes = bytes.max(tile.0);

@@ -5,7 +5,7 @@ use std::fmt;
 /// Something in a georeference that users should know of; it can be used all the same.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Doubt {
+pub enum DefinitionWarning {
     /// There are parameters but no projection.
     Assumed,
     /// Neither datum nor shift to WGS 84 is given and the ellipsoid is another: no shift is applied.
@@ -24,14 +24,14 @@ pub enum Doubt {
     Ignored(String),
 }
 
-impl Doubt {
+impl DefinitionWarning {
     /// Whether latitudes and longitudes may be wrong for it, so that it deserves a warning; others are mere information.
     pub fn is_grave(&self) -> bool {
         !matches!(self, Self::Height(_))
     }
 }
 
-impl fmt::Display for Doubt {
+impl fmt::Display for DefinitionWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Assumed => f.write_str(
