@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use mapd_client::Snapshot;
-use mapd_geodesy::{Doubt, Form, Geodetic, Offset, Projector, Reference, ReferenceError};
+use mapd_geodesy::{DefinitionWarning, Form, Geodetic, Offset, Projector, Reference, ReferenceError};
 use mapd_tests::{corpus, say, workspace};
 use std::collections::HashMap;
 use std::path::PathBuf;
@@ -109,13 +109,13 @@ fn maps_of_the_corpus_lie_where_proj_puts_them() {
 }
 
 /// What is expected of a georeference: its form, and the definition or the error.
-type Expected<'a> = (Form, Result<&'a str, ReferenceError>, &'a [Doubt]);
+type Expected<'a> = (Form, Result<&'a str, ReferenceError>, &'a [DefinitionWarning]);
 
-fn check(text: &str, (form, definition, doubts): Expected<'_>) {
+fn check(text: &str, (form, definition, warnings): Expected<'_>) {
     let read = Reference::read(text).expect(text);
     assert_eq!(read.form, form, "{text}");
     assert_eq!(read.definition.as_deref(), definition.as_ref().copied(), "{text}");
-    assert_eq!(read.doubts, doubts, "{text}");
+    assert_eq!(read.warnings, warnings, "{text}");
 }
 
 #[test]
@@ -136,41 +136,41 @@ fn georeferences_are_understood_or_refused() {
     check("+proj=utm +zone=32", (Form::Proj, Ok(utm), &[]));
     check("+zone=32 +proj=utm +zone=33 +datum=WGS84", (Form::Proj, Ok(utm), &[]));
     check("epsg:32632", (Form::Epsg, Ok(utm), &[]));
-    check("EPSG:32632+5773", (Form::Epsg, Ok(utm), &[Doubt::Height("EPSG:5773".into())]));
+    check("EPSG:32632+5773", (Form::Epsg, Ok(utm), &[DefinitionWarning::Height("EPSG:5773".into())]));
     check("32632", (Form::Epsg, Ok(utm), &[]));
     check("http://www.opengis.net/def/crs/EPSG/0/32632", (Form::Epsg, Ok(utm), &[]));
     check(
         "+lat_0=49 +lon_0=8",
-        (Form::Parameters, Ok("+proj=tmerc +lat_0=49 +lon_0=8 +datum=WGS84"), &[Doubt::Assumed]),
+        (Form::Parameters, Ok("+proj=tmerc +lat_0=49 +lon_0=8 +datum=WGS84"), &[DefinitionWarning::Assumed]),
     );
     check(
         "+proj=utm +zone=32 +datum=WGS84 +geoidgrids=egm96_15.gtx",
-        (Form::Proj, Ok(utm), &[Doubt::Height("egm96_15.gtx".into())]),
+        (Form::Proj, Ok(utm), &[DefinitionWarning::Height("egm96_15.gtx".into())]),
     );
     check(
         "+proj=utm +zone=32 +datum=WGS84 +units=us-ft",
-        (Form::Proj, Ok(utm), &[Doubt::Unit("us-ft".into())]),
+        (Form::Proj, Ok(utm), &[DefinitionWarning::Unit("us-ft".into())]),
     );
     check(
         "+proj=utm +zone=32 +datum=WGS84 +vunits=ft",
-        (Form::Proj, Ok(utm), &[Doubt::HeightUnit("ft".into())]),
+        (Form::Proj, Ok(utm), &[DefinitionWarning::HeightUnit("ft".into())]),
     );
     check(
         "+proj=utm +zone=32 +datum=WGS84 +axis=neu",
-        (Form::Proj, Ok(utm), &[Doubt::Axes("neu".into())]),
+        (Form::Proj, Ok(utm), &[DefinitionWarning::Axes("neu".into())]),
     );
     check(
         "+proj=utm +zone=32 +datum=WGS84 +odd=1 +odder",
-        (Form::Proj, Ok(utm), &[Doubt::Ignored("odd odder".into())]),
+        (Form::Proj, Ok(utm), &[DefinitionWarning::Ignored("odd odder".into())]),
     );
-    check("+proj=tmerc +lon_0=9 +ellps=bessel", (Form::Proj, Ok(bessel), &[Doubt::Datum]));
+    check("+proj=tmerc +lon_0=9 +ellps=bessel", (Form::Proj, Ok(bessel), &[DefinitionWarning::Datum]));
     check("+proj=tmerc +lon_0=9 +ellps=bessel +nadgrids=@null", (Form::Proj, Ok(bessel), &[]));
     let (shifted, turned) = (
         "+proj=utm +zone=32 +datum=WGS84 +towgs84=1,2,3",
         "+proj=utm +zone=32 +datum=WGS84 +ellps=bessel",
     );
     for mixed in [shifted, turned, "+proj=utm +zone=32 +datum=potsdam +ellps=GRS80"] {
-        check(mixed, (Form::Proj, Ok(mixed), &[Doubt::Mixed]));
+        check(mixed, (Form::Proj, Ok(mixed), &[DefinitionWarning::Mixed]));
     }
     let same = "+proj=utm +zone=32 +datum=WGS84 +ellps=GRS80 +towgs84=0,0,0";
     check(same, (Form::Proj, Ok(same), &[]));
@@ -384,7 +384,7 @@ fn values_that_proj_refuses_are_refused() {
     }
     // Heights that count downwards are no more understood than axes that point west.
     let down = Reference::read("+proj=utm +zone=32 +datum=WGS84 +axis=end").expect("a reference");
-    assert_eq!(down.doubts, [Doubt::Axes("end".into())]);
+    assert_eq!(down.warnings, [DefinitionWarning::Axes("end".into())]);
 }
 
 #[test]
