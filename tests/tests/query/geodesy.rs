@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 use mapd_client::Snapshot;
-use mapd_geodesy::{DefinitionWarning, Form, Geodetic, Offset, Projector, Reference, ReferenceError};
+use mapd_geodesy::{
+    DefinitionWarning, Form, Geodetic, Offset, Projector, Reference, ReferenceError,
+};
 use mapd_tests::{corpus, say, workspace};
 use std::collections::HashMap;
 use std::path::PathBuf;
@@ -136,12 +138,19 @@ fn georeferences_are_understood_or_refused() {
     check("+proj=utm +zone=32", (Form::Proj, Ok(utm), &[]));
     check("+zone=32 +proj=utm +zone=33 +datum=WGS84", (Form::Proj, Ok(utm), &[]));
     check("epsg:32632", (Form::Epsg, Ok(utm), &[]));
-    check("EPSG:32632+5773", (Form::Epsg, Ok(utm), &[DefinitionWarning::Height("EPSG:5773".into())]));
+    check(
+        "EPSG:32632+5773",
+        (Form::Epsg, Ok(utm), &[DefinitionWarning::Height("EPSG:5773".into())]),
+    );
     check("32632", (Form::Epsg, Ok(utm), &[]));
     check("http://www.opengis.net/def/crs/EPSG/0/32632", (Form::Epsg, Ok(utm), &[]));
     check(
         "+lat_0=49 +lon_0=8",
-        (Form::Parameters, Ok("+proj=tmerc +lat_0=49 +lon_0=8 +datum=WGS84"), &[DefinitionWarning::Assumed]),
+        (
+            Form::Parameters,
+            Ok("+proj=tmerc +lat_0=49 +lon_0=8 +datum=WGS84"),
+            &[DefinitionWarning::Assumed],
+        ),
     );
     check(
         "+proj=utm +zone=32 +datum=WGS84 +geoidgrids=egm96_15.gtx",
@@ -163,7 +172,10 @@ fn georeferences_are_understood_or_refused() {
         "+proj=utm +zone=32 +datum=WGS84 +odd=1 +odder",
         (Form::Proj, Ok(utm), &[DefinitionWarning::Ignored("odd odder".into())]),
     );
-    check("+proj=tmerc +lon_0=9 +ellps=bessel", (Form::Proj, Ok(bessel), &[DefinitionWarning::Datum]));
+    check(
+        "+proj=tmerc +lon_0=9 +ellps=bessel",
+        (Form::Proj, Ok(bessel), &[DefinitionWarning::Datum]),
+    );
     check("+proj=tmerc +lon_0=9 +ellps=bessel +nadgrids=@null", (Form::Proj, Ok(bessel), &[]));
     let (shifted, turned) = (
         "+proj=utm +zone=32 +datum=WGS84 +towgs84=1,2,3",
