@@ -9,27 +9,38 @@
 //! ```
 
 pub mod annotated;
+#[cfg(feature = "processes")]
 pub mod browser;
 pub mod command;
+#[cfg(feature = "processes")]
 pub mod coverage;
 pub mod crossroads;
 pub mod damage;
 pub mod drives;
 pub mod graph_maps;
+#[cfg(feature = "processes")]
 pub mod literal;
+#[cfg(feature = "processes")]
 pub mod manager;
 pub mod maps;
 pub mod object_maps;
 pub mod other_user;
+#[cfg(feature = "processes")]
 pub mod overlays;
+#[cfg(feature = "processes")]
 pub mod plain_route;
 pub mod releases;
+#[cfg(feature = "processes")]
 pub mod small;
+#[cfg(feature = "processes")]
 pub mod stage;
 pub mod sumo;
+#[cfg(feature = "processes")]
 pub mod test_domain;
 pub mod town;
+#[cfg(feature = "processes")]
 pub mod tracer;
+#[cfg(feature = "processes")]
 pub mod two_maps;
 
 use std::path::{Path, PathBuf};

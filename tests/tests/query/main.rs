@@ -10,7 +10,6 @@ mod coverage;
 mod crossroads;
 mod driving_direction;
 mod geodesy;
-mod golden_answers;
 mod graph_maps;
 mod ground;
 mod index_oracle;

@@ -1,7 +1,8 @@
 //! The same answers from every build and on every machine, bit by bit: what is asked of the carried maps, hashed by kind.
 //!
 //! These hashes change when what is asked or a query changes; then this is where the change is owned up to. A build that
-//! answers otherwise than another of the same code is a defect: floating-point functions come from `libm`.
+//! answers otherwise than another of the same code is a defect: floating-point functions come from `libm`. It stands here so that the
+//! build of the benchmarks, which is optimised, is asked too.
 
 use glam::DVec2;
 use mapd_archive::{encode, verify};
