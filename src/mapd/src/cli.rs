@@ -1,12 +1,14 @@
 //! The command line: which commands there are, and how the process begins and ends.
 
 use crate::args::{BuildArgs, CompileArguments, DomainArgs, JudgingArgs, Size, TrustArgs};
+use crate::colour::Colours;
 use crate::commands::bench::{self, BenchClientCommand, BenchCommand};
 use crate::commands::change::{ChangeArgs, StagedChange};
 use crate::commands::check::{self, CheckCommand};
 use crate::commands::compile::{self, CompileCommand};
 use crate::commands::doctor::DoctorCommand;
 use crate::commands::export::ExportCommand;
+use crate::commands::help::{self, HelpCommand};
 use crate::commands::inspect::InspectCommand;
 use crate::commands::overlay::OverlayCommand;
 use crate::commands::query::{self, QueryCommand};
@@ -22,6 +24,7 @@ use crate::oversight::OversightArgs;
 use crate::trust::is_distrust;
 use anyhow::{Context, Result};
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
+use mapd_xodr::Severity;
 use std::io::{self, BufWriter, Write};
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -31,7 +34,7 @@ use std::sync::Arc;
 /// `mapd --load map.xodr` compiles and checks the map, publishes it under the name `map` and serves until SIGINT or
 /// SIGTERM. Other processes read it in place: with the crate mapd-client, or with `mapd query shm:map …`.
 #[derive(Parser)]
-#[command(version, args_conflicts_with_subcommands = true, after_help = EXIT_CODES)]
+#[command(version, args_conflicts_with_subcommands = true, disable_help_subcommand = true, after_help = EXIT_CODES)]
 struct Cli {
     #[command(flatten, next_help_heading = "Serving")]
     daemon: DaemonArgs,
@@ -107,6 +110,9 @@ enum Command {
     Completions(CompletionsCommand),
     /// Write the man pages
     Man(ManCommand),
+    /// Explain a command, or a topic: sources, units, exit-codes, environment, files
+    #[command(name = help::HELP)]
+    Help(HelpCommand),
 }
 
 /// Options of the daemon that `mapd -h` tells, so that it fits a screen; `mapd --help` tells all.
@@ -118,7 +124,7 @@ pub fn command() -> clap::Command {
         let told = TOLD_FIRST.contains(&arg.get_id().as_str());
         arg.hide_short_help(!told)
     };
-    numbers_of_options(Cli::command().mut_args(told))
+    help::with_words(numbers_of_options(Cli::command().mut_args(told)))
 }
 
 /// Lets an option's own check refuse a negative number, which would be taken for an unknown option otherwise.
@@ -139,7 +145,9 @@ pub fn run() -> ExitCode {
         // The reader of our output has gone: nobody is left to be told.
         Err(error) if is_broken_pipe(&error) => Exit::Done.into(),
         Err(error) => {
-            let _ = writeln!(io::stderr(), "mapd: {}", explained(&error));
+            let mut err = io::stderr().lock();
+            let mapd = Colours::of(&err).severity(Severity::Error, "mapd:").to_string();
+            let _ = writeln!(err, "{mapd} {}", explained(&error));
             let exit = match error {
                 error if error.is::<UsageError>() => Exit::Usage,
                 error if is_distrust(&error) => Exit::Rejected,
@@ -214,6 +222,7 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
         Command::Overlay(command) => command.run(out),
         Command::Completions(completions) => completions.run(command(), out),
         Command::Man(man) => man.run(command()),
+        Command::Help(help) => help.run(command(), out),
     }?;
     out.flush()?;
     Ok(exit)

@@ -23,6 +23,7 @@ pub mod cache;
 mod child;
 pub mod cli;
 mod clock;
+mod colour;
 pub mod commands;
 pub mod control;
 mod daemon;

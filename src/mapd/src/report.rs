@@ -1,5 +1,6 @@
 //! What a compilation found: as text for people, as JSON for programs.
 
+use crate::colour::Colours;
 use mapd_compiler::{Compilation, Diagnostic, QuarantinedPart, Treatment, Verdict};
 pub use mapd_transport::hex;
 use mapd_xodr::source::Places;
@@ -190,6 +191,7 @@ pub fn report<'a>(file: &'a str, compiled: &'a Compilation) -> Report<'a> {
 /// information is not printed.
 pub fn print(file: &str, compiled: &Compilation) {
     let mut err = std::io::stderr().lock();
+    let colours = Colours::of(&err);
     let counts = counts(compiled);
     let errors =
         |rejects: bool| of(compiled, Severity::Error).filter(move |d| d.rejects == rejects);
@@ -202,7 +204,7 @@ pub fn print(file: &str, compiled: &Compilation) {
             printed.into_iter().filter(|d| folding.tells(d)).take(PRINTED).collect();
         for d in &told {
             let f = &d.finding;
-            let name = severity_name(severity);
+            let name = colours.severity(severity, severity_name(severity));
             let (file, line, column) = (place(file, d), d.line, d.column);
             let _ = writeln!(err, "{file}:{line}:{column}: {name}[{}]: {}", f.rule, f.message);
             if !f.path.is_empty() {

@@ -62,3 +62,32 @@ fn an_observer_needs_few_crates() {
     assert!(has(&crates, "mapd-transport") && !has(&crates, "iceoryx2"), "{crates:?}");
     assert!(crates.len() <= MOST_OF_AN_OBSERVER, "{} crates: {crates:?}", crates.len());
 }
+
+/// `1.90.0` or `1.90` as numbers.
+fn release(text: &str) -> Vec<u32> {
+    text.split('.').map(|part| part.parse().expect("a number")).collect()
+}
+
+#[test]
+fn no_dependency_needs_a_newer_rust_than_is_promised() {
+    let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
+    let output = Command::new(cargo)
+        .args(["metadata", "--format-version", "1", "--offline", "--locked"])
+        .args(["--filter-platform", "x86_64-unknown-linux-gnu"])
+        .current_dir(mapd_tests::workspace())
+        .output()
+        .expect("cargo runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let metadata: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let packages = metadata["packages"].as_array().expect("packages");
+    let of = |name: &str| packages.iter().find(|package| package["name"] == name);
+    let ours = of("mapd").and_then(|mapd| mapd["rust_version"].as_str()).expect("it is stated");
+    let newer: Vec<&serde_json::Value> = packages
+        .iter()
+        .filter(|package| {
+            package["rust_version"].as_str().is_some_and(|needed| release(needed) > release(ours))
+        })
+        .map(|package| &package["name"])
+        .collect();
+    assert!(newer.is_empty(), "these need a newer Rust than {ours}: {newer:?}");
+}

@@ -208,3 +208,41 @@ fn a_containers_default() {
     let output = place.command_of("unshare").args(["--mount", "sh", "-c", &script]).output();
     expect(&output.expect("runs"), "shared memory", "note", "a container's default");
 }
+
+#[test]
+fn configurations_are_read_as_the_daemon_reads_them() {
+    let place = place();
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("mapd.toml");
+    let town = town();
+    let packaged = mapd_tests::workspace().join("src/mapd/package/mapd.toml");
+    let packaged = std::fs::read_to_string(packaged).expect("read");
+    // Of this machine, so that there is such a group and such a file.
+    let packaged = packaged.replace("group:mapd", "group:root").replace("/usr/share/mapd/maps/town.xodr", &town);
+    for (text, check, state, words) in [
+        (packaged.as_str(), "configuration", "ok", "1 map(s)"),
+        (packaged.as_str(), "configured map", "ok", town.as_str()),
+        ("", "configuration", "note", "no maps"),
+        ("watsch = true", "configuration", "problem", "line 1, column 1"),
+        ("[[map]]\nfile = \"none.xodr\"", "configured map", "problem", "No such file"),
+    ] {
+        std::fs::write(&file, text).expect("written");
+        let mut command = place.command();
+        let command = command.args(["doctor", "--json", "--config"]).arg(&file);
+        expect(&command.output().expect("runs"), check, state, words);
+    }
+}
+
+#[test]
+fn health_is_an_exit_code() {
+    let place = place();
+    let code = || {
+        let mut command = place.command();
+        command.args(["status", "--healthy"]).output().expect("runs").status.code()
+    };
+    assert_eq!(code(), Some(1), "nothing is served");
+    let daemon = place.serve(&[&town()]);
+    assert_eq!(code(), Some(0));
+    drop(daemon);
+    assert_eq!(code(), Some(1), "the daemon has gone");
+}

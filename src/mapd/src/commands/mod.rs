@@ -6,6 +6,7 @@ pub(crate) mod check;
 pub(crate) mod compile;
 pub(crate) mod doctor;
 pub mod export;
+pub(crate) mod help;
 pub(crate) mod inspect;
 pub(crate) mod overlay;
 pub mod query;

@@ -7,6 +7,7 @@ use ct_codecs::{Base64, Decoder};
 use mapd_archive::verify;
 use mapd_client::{Snapshot, signature_path};
 use minisign::{SecretKey, SecretKeyBox};
+use serde::Serialize;
 use std::io::{Cursor, IsTerminal, Write};
 use std::path::PathBuf;
 
@@ -22,6 +23,9 @@ pub(crate) struct SignCommand {
     /// Secret key, as `minisign -G` writes it; asks for the password, or takes MAPD_SIGN_PASSWORD
     #[arg(long, value_name = "SECRET")]
     key: PathBuf,
+    /// Print JSON: a list of what was signed
+    #[arg(long)]
+    json: bool,
     /// Comment that is signed too [default: time, name of the archive and hash of its content]
     #[arg(long, value_name = "TEXT")]
     comment: Option<String>,
@@ -37,11 +41,20 @@ impl SignCommand {
     }
 }
 
+/// A signature that was made.
+#[derive(Serialize)]
+struct Signed {
+    archive: PathBuf,
+    signature: PathBuf,
+    content_hash: String,
+}
+
 /// Signs archives; each is proved first, for nobody should sign what nobody can read.
 ///
 /// Errors: the key cannot be had; an archive cannot be read or does not prove; its signature cannot be written.
 fn sign(args: &SignCommand, out: &mut dyn Write) -> Result<()> {
     let key = secret_key(&args.key)?;
+    let mut signed = Vec::new();
     for path in &args.archives {
         let snapshot = Snapshot::open(path)?;
         let name = path.display();
@@ -72,7 +85,14 @@ fn sign(args: &SignCommand, out: &mut dyn Write) -> Result<()> {
         std::fs::write(&new, signature.into_string())
             .and_then(|()| std::fs::rename(&new, &to))
             .with_context(|| format!("writing {}", to.display()))?;
-        writeln!(out, "{}: content {content}", to.display())?;
+        if !args.json {
+            writeln!(out, "{}: content {content}", to.display())?;
+        }
+        signed.push(Signed { archive: path.clone(), signature: to, content_hash: content });
+    }
+    if args.json {
+        serde_json::to_writer_pretty(&mut *out, &signed)?;
+        writeln!(out)?;
     }
     Ok(())
 }

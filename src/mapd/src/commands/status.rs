@@ -72,6 +72,21 @@ impl Status {
     }
 }
 
+impl Status {
+    /// Why this map is not as it should be.
+    fn trouble(&self) -> Option<String> {
+        let name = &self.name;
+        match &self.state {
+            _ if !self.alive => Some(format!("{name}: no daemon")),
+            None => Some(format!("{name}: its daemon does not answer")),
+            Some(state) if state.self_queries.last_failed == Some(true) => {
+                Some(format!("{name}: {}", state.self_queries.last_error))
+            }
+            Some(_) => None,
+        }
+    }
+}
+
 /// What the daemons of these maps say, each asked once.
 fn daemons(domain: &Domain, maps: &[MapStatus]) -> Vec<DaemonStatus> {
     let mut daemons: Vec<DaemonStatus> = Vec::new();
@@ -93,6 +108,9 @@ pub(crate) struct StatusCommand {
     /// Print JSON: also sources, counts, memory, staged generation, result of the last reload
     #[arg(long)]
     json: bool,
+    /// End with 1 unless maps are served, their daemons answer, and no map failed its last query of its own: for health checks
+    #[arg(long)]
+    healthy: bool,
     #[command(flatten)]
     domain: DomainArgs,
 }
@@ -102,13 +120,21 @@ impl StatusCommand {
     ///
     /// Errors: as [`list`].
     pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
-        list(&self.domain.domain()?, self.json, out)?;
-        Ok(Exit::Done)
+        let maps = list(&self.domain.domain()?, self.json, out)?;
+        if !self.healthy {
+            return Ok(Exit::Done);
+        }
+        let ill: Vec<String> = maps.iter().filter_map(Status::trouble).collect();
+        for trouble in &ill {
+            writeln!(std::io::stderr(), "mapd: {trouble}")?;
+        }
+        let is_healthy = !maps.is_empty() && ill.is_empty();
+        Ok(if is_healthy { Exit::Done } else { Exit::Environment })
     }
 }
 
-/// Lists the maps of a domain.
-fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<()> {
+/// Lists the maps of a domain, and hands them on.
+fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<Vec<Status>> {
     let maps = list_maps(domain)?;
     let daemons = daemons(domain, &maps);
     let of = |map: MapStatus| {
@@ -121,11 +147,11 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<()> {
     if json {
         serde_json::to_writer_pretty(&mut *out, &maps)?;
         writeln!(out)?;
-        return Ok(());
+        return Ok(maps);
     }
     if maps.is_empty() {
         writeln!(out, "no maps are served (prefix {})", domain.prefix())?;
-        return Ok(());
+        return Ok(maps);
     }
     let head = ("map", "generation", "bytes", "readers", "since", "content");
     writeln!(
@@ -133,10 +159,10 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<()> {
         "{:<20} {:>14} {:>12} {:>8} {:>10}  {}",
         head.0, head.1, head.2, head.3, head.4, head.5
     )?;
-    for map in maps {
+    for map in &maps {
         let number = |n: Option<u64>| n.map(|n| n.to_string()).unwrap_or_else(|| "-".to_owned());
         let content =
-            map.content_hash.map(|hash| hash[..16].to_owned()).unwrap_or_else(|| "-".to_owned());
+            map.content_hash.as_ref().map(|hash| hash[..16].to_owned()).unwrap_or_else(|| "-".to_owned());
         let since = if map.alive { age(map.published_unix_ns) } else { "no daemon".to_owned() };
         writeln!(
             out,
@@ -147,8 +173,8 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<()> {
             map.subscribers,
             since
         )?;
-        let Some(state) = map.state else { continue };
-        if let Some(staged) = state.staged {
+        let Some(state) = &map.state else { continue };
+        if let Some(staged) = &state.staged {
             writeln!(out, "    staged: generation {}, {} bytes", staged.generation, staged.bytes)?;
         }
         if state.overlay.entries > 0 {
@@ -161,23 +187,23 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<()> {
             }
             writeln!(out)?;
         }
-        for held in state.held {
+        for held in &state.held {
             writeln!(
                 out,
                 "    held by readers: generation {}, {} bytes",
                 held.generation, held.bytes
             )?;
         }
-        for (what, check) in [("query of its own", state.self_queries), ("scrub", state.scrubs)] {
+        for (what, check) in [("query of its own", &state.self_queries), ("scrub", &state.scrubs)] {
             if check.last_failed == Some(true) {
                 writeln!(out, "    {what} failed: {}", check.last_error)?;
             }
         }
-        if let Some(report) = state.last_reload {
-            writeln!(out, "    {}", crate::daemon::sentence(&report))?;
+        if let Some(report) = &state.last_reload {
+            writeln!(out, "    {}", crate::daemon::sentence(report))?;
         }
     }
-    Ok(())
+    Ok(maps)
 }
 
 /// How long ago something was published.

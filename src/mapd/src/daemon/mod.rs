@@ -27,6 +27,7 @@ mod worker;
 
 pub(crate) use args::DaemonArgs;
 pub(crate) use changes::sentence;
+pub(crate) use config::Configuration;
 
 use crate::control::{Board, CacheStatus, ControlListener, Request, Response, Trigger};
 use crate::exit::{Exit, explained};

@@ -34,6 +34,9 @@ pub(crate) struct CheckCommand {
     /// Output format of findings
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    /// Print JSON: as --format json
+    #[arg(long, conflicts_with = "format")]
+    json: bool,
     /// text: tell every finding, not only the first three of each rule
     #[arg(long)]
     all: bool,
@@ -133,7 +136,7 @@ impl CheckCommand {
         let checked = mapd_compiler::check_with(|| File::open(file), &reading, &options, show)
             .with_context(|| format!("reading {}", file.display()))?;
         bar.finish();
-        match self.format {
+        match if self.json { Format::Json } else { self.format } {
             Format::Text => text::write(file, &checked, self.all, out)?,
             Format::Json => json::write(file, &checked, out)?,
             Format::Sarif => sarif::write(file, &checked, out)?,

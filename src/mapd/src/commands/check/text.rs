@@ -1,6 +1,7 @@
 //! Findings for people.
 
 use super::excerpt::excerpts;
+use crate::colour::Colours;
 use crate::report::{Folding, counts, severity_name, verdict_name};
 use anyhow::Result;
 use mapd_compiler::{Compilation, Verdict};
@@ -16,6 +17,7 @@ pub(super) fn write(
 ) -> Result<()> {
     let name = file.display().to_string();
     let excerpts = excerpts(file, &checked.diagnostics);
+    let colours = Colours::of(&std::io::stdout());
     let (mut folding, mut folded) = (Folding::default(), 0);
     for (d, excerpt) in checked.diagnostics.iter().zip(excerpts) {
         if !folding.tells(d) && !all {
@@ -24,7 +26,7 @@ pub(super) fn write(
         }
         let f = &d.finding;
         let place = if d.file.is_empty() { name.as_str() } else { &d.file };
-        let severity = severity_name(f.severity);
+        let severity = colours.severity(f.severity, severity_name(f.severity));
         let rejects = match checked.verdict {
             _ if !d.rejects => "",
             Verdict::Quarantined => ", takes out the part",

@@ -1,5 +1,6 @@
 //! What an examination finds.
 
+use mapd_xodr::Severity;
 use serde::Serialize;
 
 /// How grave it is.
@@ -20,6 +21,17 @@ impl State {
             Self::Ok => "ok",
             Self::Note => "note",
             Self::Problem => "problem",
+        }
+    }
+}
+
+impl State {
+    /// What is as grave among findings, for its colour.
+    pub(super) fn severity(self) -> Severity {
+        match self {
+            Self::Ok => Severity::Info,
+            Self::Note => Severity::Warning,
+            Self::Problem => Severity::Error,
         }
     }
 }

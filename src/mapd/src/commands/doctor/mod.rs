@@ -2,6 +2,7 @@
 //!
 //! Nothing is changed: it looks, and attaches to each map as a client would.
 
+mod configuration;
 mod domain;
 mod finding;
 mod limits;
@@ -9,6 +10,7 @@ mod maps;
 mod memory;
 
 use crate::args::Live;
+use crate::colour::Colours;
 use crate::exit::Exit;
 use anyhow::{Context, Result};
 use clap::Args;
@@ -27,6 +29,9 @@ const CHECK: usize = 24;
 pub(crate) struct DoctorCommand {
     /// Archive (.mapd) to serve: check that there is room for two copies, as needed during a reload
     archive: Option<PathBuf>,
+    /// Configuration file (docs/service.md): check what it says, and that its maps can be read
+    #[arg(long, value_name = "FILE.toml")]
+    config: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -65,6 +70,9 @@ fn examine(
     let mut findings = Vec::new();
     memory::examine(archive, &mut findings);
     limits::examine(archive, &mut findings);
+    if let Some(config) = &args.config {
+        configuration::examine(config, &mut findings);
+    }
     if domain::examine(domain, &mut findings) {
         maps::examine(domain, wait, &mut findings);
     }
@@ -74,8 +82,10 @@ fn examine(
         serde_json::to_writer_pretty(&mut *out, &report)?;
         writeln!(out)?;
     } else {
+        let colours = Colours::of(&std::io::stdout());
         for Finding { check, state, found, advice } in &findings {
-            writeln!(out, "{:<8}{check:<CHECK$}{found}", state.name())?;
+            let shown = colours.severity(state.severity(), state.name());
+            writeln!(out, "{shown:<8}{check:<CHECK$}{found}")?;
             if let Some(advice) = advice {
                 writeln!(out, "{:8}{:CHECK$}→ {advice}", "", "")?;
             }
