@@ -24,6 +24,7 @@ pub mod literal;
 pub mod manager;
 pub mod maps;
 pub mod object_maps;
+#[cfg(feature = "processes")]
 pub mod other_user;
 #[cfg(feature = "processes")]
 pub mod overlays;

@@ -218,7 +218,9 @@ fn configurations_are_read_as_the_daemon_reads_them() {
     let packaged = mapd_tests::workspace().join("src/mapd/package/mapd.toml");
     let packaged = std::fs::read_to_string(packaged).expect("read");
     // Of this machine, so that there is such a group and such a file.
-    let packaged = packaged.replace("group:mapd", "group:root").replace("/usr/share/mapd/maps/town.xodr", &town);
+    let packaged = packaged
+        .replace("group:mapd", "group:root")
+        .replace("/usr/share/mapd/maps/town.xodr", &town);
     for (text, check, state, words) in [
         (packaged.as_str(), "configuration", "ok", "1 map(s)"),
         (packaged.as_str(), "configured map", "ok", town.as_str()),

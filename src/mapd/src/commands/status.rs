@@ -161,8 +161,11 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<Vec<Status>>
     )?;
     for map in &maps {
         let number = |n: Option<u64>| n.map(|n| n.to_string()).unwrap_or_else(|| "-".to_owned());
-        let content =
-            map.content_hash.as_ref().map(|hash| hash[..16].to_owned()).unwrap_or_else(|| "-".to_owned());
+        let content = map
+            .content_hash
+            .as_ref()
+            .map(|hash| hash[..16].to_owned())
+            .unwrap_or_else(|| "-".to_owned());
         let since = if map.alive { age(map.published_unix_ns) } else { "no daemon".to_owned() };
         writeln!(
             out,
