@@ -13,7 +13,7 @@ pub mod lane_flags {
     pub const BORDER: u8 = 4;
     /// May be travelled in both directions.
     pub const BOTH: u8 = 8;
-    /// Is for walking alone: whoever walks goes both ways, whatever the traffic rule says.
+    /// Is only for walking: pedestrians walk both ways, whatever the traffic rule says.
     pub const WALKED: u8 = 16;
     /// Is of the temporary layer (1.9).
     pub const TEMPORARY: u8 = 32;

@@ -2,7 +2,7 @@
 //!
 //! Entries stand in the order of their tables' numbers, and the tables lie in the same order. rkyv's validator proves that
 //! each lies inside the archive, behind the one before and aligned, also those that this release does not know: what
-//! they hold is nobody's business here.
+//! they contain does not matter here.
 
 use crate::error::OpenError;
 use crate::generated::known_tables::{FEATURES, TABLES};

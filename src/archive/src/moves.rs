@@ -1,39 +1,39 @@
-//! Where the rows of a part of a map come to lie in the whole.
+//! Row numbers of a part of a map in the whole.
 
 use crate::codes::NONE;
 use crate::table::Range;
 
-/// Where the rows of one table come to lie.
+/// Row numbers of one table of a part in the whole.
 ///
 /// Row 0 of a part's table is never used ([`Rows::part`](crate::Rows::part)): 0, and an empty range from 0 on, stay what
 /// they are, as [`NONE`] does.
 #[derive(Clone, Debug)]
 pub enum RowMapping {
-    /// One after the other behind those that are there.
+    /// Appended in order.
     Appended(RowShift),
-    /// Each where its place in this list says. [`Rows::append`](crate::Rows::append) leaves the table alone.
+    /// Each row has its number in this list. [`Rows::append`](crate::Rows::append) leaves the table alone.
     To(Vec<u32>),
     /// Ranges of them, each of the first where the second says, by first row and count; others nowhere.
     /// [`Rows::append`](crate::Rows::append) leaves the table alone.
     Ranges(Vec<(Range, Range)>),
 }
 
-/// By how much rows move: see [`RowMapping::appended_to`].
+/// By how much row numbers rise: see [`RowMapping::appended_to`].
 #[derive(Clone, Copy, Debug)]
 pub struct RowShift(u32);
 
 impl RowMapping {
-    /// Behind so many rows. Tables that outgrow 32 bits are refused before anything is written.
+    /// Appended to a table of this many rows. Tables that exceed 32 bits are refused before anything is written.
     pub fn appended_to(rows: usize) -> Self {
         Self::Appended(RowShift((rows as u32).wrapping_sub(1)))
     }
 
-    /// Whether the rows come one after the other behind those that are there.
+    /// Whether the rows are appended in order.
     pub fn is_appended(&self) -> bool {
         matches!(self, Self::Appended(_))
     }
 
-    /// Where a row comes to lie.
+    /// The row's number in the whole.
     #[inline]
     pub fn row(&self, row: u32) -> u32 {
         if row == 0 || row == NONE {
@@ -46,7 +46,7 @@ impl RowMapping {
         }
     }
 
-    /// Where a range of rows comes to lie.
+    /// The range in the whole.
     #[inline]
     pub fn range(&self, range: Range) -> Range {
         if range.first == 0 {

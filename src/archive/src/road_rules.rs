@@ -16,7 +16,7 @@ pub enum FromSide {
 pub struct RoadRules {
     /// Two letters of ISO 3166-1.
     pub country: &'static str,
-    /// Who comes from this side goes first at a crossing of equal roads; none where there is no such rule.
+    /// Traffic from this side has priority at a crossing of equal roads; none if there is no such rule.
     pub from_side: Option<FromSide>,
     /// Whether who turns across oncoming traffic gives way to it.
     pub turn: bool,

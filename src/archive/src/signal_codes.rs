@@ -96,7 +96,7 @@ codes! {
         JunctionPriority = 5, "junction priority";
         /// Who turns across oncoming traffic yields.
         Turn = 6, "turn across oncoming traffic";
-        /// Who comes from the right goes first.
+        /// Traffic from the right has priority.
         FromTheRight = 7, "from the right";
     }
 }

@@ -442,17 +442,17 @@ enum {
 #define MAPD_EVENT_PENDING 2
 
 /*
- `kind` of an event: the daemon has ended. What is held stays readable; nobody new can attach.
+ `kind` of an event: the daemon has ended. Snapshots stay readable; new subscribers cannot attach.
  */
 #define MAPD_EVENT_DAEMON_GONE 3
 
 /*
- `kind` of an event: a daemon serves the map again, or another one instead of the one before.
+ `kind` of an event: a daemon serves the map again, or another daemon has replaced the one before.
  */
 #define MAPD_EVENT_DAEMON_BACK 4
 
 /*
- `kind` of an event that this release has no word for.
+ `kind` of an event that this release does not know.
  */
 #define MAPD_EVENT_OTHER 255
 
@@ -517,7 +517,7 @@ enum {
 #define MAPD_TRACKED_NO_LANE 1
 
 /*
- `state` of a tracked vehicle: nobody knows.
+ `state` of a tracked vehicle: unknown.
  */
 #define MAPD_TRACKED_UNKNOWN 2
 
@@ -667,7 +667,7 @@ enum {
 #define MAPD_CORRIDOR_EDGES_OPEN 1
 
 /*
- `yields` of a conflict: who drives along the path gives way.
+ `yields` of a conflict: the vehicle on the path gives way.
  */
 #define MAPD_YIELDS_YIELDS 0
 
@@ -970,7 +970,7 @@ typedef struct mapd_projector mapd_projector;
 typedef struct mapd_scratch mapd_scratch;
 
 /*
- One generation of a map, pinned: readable as long as the handle is open, whatever becomes of daemon, client and file. Several threads may
+ One generation of a map, pinned: readable as long as the handle is open, even if daemon, client and file are gone. Several threads may
  use it at once.
  */
 typedef struct mapd_snapshot mapd_snapshot;
@@ -1004,7 +1004,7 @@ typedef struct mapd_error {
 } mapd_error;
 
 /*
- A generation of a map, as it lies in shared memory.
+ A generation of a map in shared memory.
  */
 typedef struct mapd_generation {
   /*
@@ -1018,7 +1018,7 @@ typedef struct mapd_generation {
 } mapd_generation;
 
 /*
- Something that has become of a map or its daemon.
+ An event of a map or its daemon.
  */
 typedef struct mapd_event {
   /*
@@ -1026,7 +1026,7 @@ typedef struct mapd_event {
    */
   uint32_t kind;
   /*
-   Of `DAEMON_BACK`: its process id, in its own process namespace; 0 if it has not said.
+   Of `DAEMON_BACK`: its process id, in its own process namespace; 0 if it is not known.
    */
   uint32_t pid;
   /*
@@ -1036,7 +1036,7 @@ typedef struct mapd_event {
 } mapd_event;
 
 /*
- A text that lies in the snapshot: UTF-8, not terminated by 0. It is there as long as a handle of the snapshot's content is: the snapshot
+ A text in the snapshot: UTF-8, not terminated by 0. It is valid as long as a handle of the snapshot's content is open: the snapshot
  itself, its clones and what was made from it.
  */
 typedef struct mapd_text {
@@ -1069,11 +1069,11 @@ typedef struct mapd_vec3 {
 } mapd_vec3;
 
 /*
- What a map says of itself.
+ Facts about a map.
  */
 typedef struct mapd_map_facts {
   /*
-   What the map was published as; 0 for a file.
+   Number of the generation; 0 for a file.
    */
   uint64_t generation;
   /*
@@ -1753,7 +1753,7 @@ typedef struct mapd_match_options {
    */
   uint8_t has_vehicle;
   /*
-   Who drives: a `MAPD_VEHICLE_CLASS_…`.
+   The class of the vehicle: a `MAPD_VEHICLE_CLASS_…`.
    */
   uint8_t vehicle;
 } mapd_match_options;
@@ -1783,7 +1783,7 @@ typedef struct mapd_trace_options {
    */
   uint64_t types;
   /*
-   Who drives: a `MAPD_VEHICLE_CLASS_…`. Default a passenger car.
+   The class of the vehicle: a `MAPD_VEHICLE_CLASS_…`. Default a passenger car.
    */
   uint8_t vehicle;
 } mapd_trace_options;
@@ -2085,7 +2085,7 @@ typedef struct mapd_near_mark {
    */
   double width;
   /*
-   1: the mark lies to the left, for one at the point who looks along the road's reference line.
+   1: the mark is to the left of the point, looking along the road's reference line.
    */
   uint8_t left_of_reference_line;
   /*
@@ -2383,7 +2383,7 @@ typedef struct mapd_path_options {
 } mapd_path_options;
 
 /*
- A place on a path, as who drives there has it.
+ A position on a path, as seen by a vehicle that drives along it.
  */
 typedef struct mapd_path_point {
   /*
@@ -2768,7 +2768,7 @@ typedef struct mapd_edge_mark {
 } mapd_edge_mark;
 
 /*
- The room at one station of a path. Left and right are those of who drives; edges lie on the plane h = 0.
+ The room at one station of a path. Left and right are as seen by the driver; edges lie on the plane h = 0.
  */
 typedef struct mapd_corridor_station {
   /*
@@ -4127,7 +4127,7 @@ void mapd_scratch_close(struct mapd_scratch **scratch);
 
 /*
  Connects to the map of this name, whichever side starts first, and pins its newest generation. Waits at most `wait_s` [s];
- infinity is for ever. `prefix` names the domain; null: the one of the environment variable MAPD_PREFIX, else the default one.
+ infinity waits without a limit. `prefix` names the domain; null: the one of the environment variable MAPD_PREFIX, else the default one.
  Close the client with `mapd_client_close`.
 
  Errors: the codes of attaching, what was missing when the wait ended; `MAPD_CODE_NAME`; `MAPD_CODE_NOT_AN_ARCHIVE`.
@@ -4139,29 +4139,29 @@ mapd_code mapd_client_connect(const char *map,
                               struct mapd_error *error);
 
 /*
- Closes a client and sets the handle to null. Snapshots and events that came from it stay good. Null, or a handle that is null,
+ Closes a client and sets the handle to null. Snapshots and events that came from it stay valid. Null, or a handle that is null,
  is fine.
  */
 void mapd_client_close(struct mapd_client **client);
 
 /*
- The newest generation seen so far, without looking for another. Close it with `mapd_snapshot_close`.
+ The newest generation that this client has seen. Does not look for a newer one. Close it with `mapd_snapshot_close`.
  */
 mapd_code mapd_client_snapshot(const struct mapd_client *client_handle,
                                struct mapd_snapshot **out,
                                struct mapd_error *error);
 
 /*
- Looks for a newer generation without waiting; the newest. Close it with `mapd_snapshot_close`.
+ Looks for a newer generation without waiting and returns the newest. Close it with `mapd_snapshot_close`.
 
- Errors: the transport failed, or the new archive cannot be read; what is held stays what it was.
+ Errors: the transport failed, or the new archive cannot be read; the old snapshot stays valid.
  */
 mapd_code mapd_client_refresh(const struct mapd_client *client_handle,
                               struct mapd_snapshot **out,
                               struct mapd_error *error);
 
 /*
- Waits at most `wait_s` [s] for a generation newer than the newest seen so far. Close it with `mapd_snapshot_close`.
+ Waits at most `wait_s` [s] for a generation newer than the newest that this client has seen. Close it with `mapd_snapshot_close`.
 
  Errors: `MAPD_CODE_NO_GENERATION` if none came in time; as `mapd_client_refresh`.
  */
@@ -4202,12 +4202,14 @@ mapd_code mapd_client_pending(const struct mapd_client *client_handle,
                               struct mapd_error *error);
 
 /*
- The process that serves the map now, in its own process namespace; 0 if it has not said. `MAPD_CODE_NONE` if none does.
+ Process id of the daemon that serves the map, in its own process namespace; 0 if it is not known. `MAPD_CODE_NONE` if no daemon serves it.
  */
-mapd_code mapd_client_served_by(const struct mapd_client *client_handle, uint32_t *pid, struct mapd_error *error);
+mapd_code mapd_client_served_by(const struct mapd_client *client_handle,
+                                uint32_t *pid,
+                                struct mapd_error *error);
 
 /*
- Whether generations are mapped page by page before they are handed out, beginning with the one that is held now, so that no query waits
+ Sets whether all pages of a generation are mapped before it is returned, starting with the current one, so that no query waits
  for the kernel: as `mapd_snapshot_populate`. 0: no, the default.
  */
 mapd_code mapd_client_set_populate(const struct mapd_client *client_handle,
@@ -4215,12 +4217,12 @@ mapd_code mapd_client_set_populate(const struct mapd_client *client_handle,
                                    struct mapd_error *error);
 
 /*
- Number of the newest generation seen so far, without looking for another.
+ Number of the newest generation that this client has seen.
  */
 mapd_code mapd_client_generation(const struct mapd_client *client_handle, uint64_t *out, struct mapd_error *error);
 
 /*
- Follows the map from now on. Each follower sees every event; what happens between two calls, and is over again, is not told. Close it
+ Follows the map from now on. Each follower sees every event; a change that is undone between two calls gives no event. Close it
  with `mapd_events_close`.
  */
 mapd_code mapd_events_new(const struct mapd_client *client,
@@ -4233,9 +4235,9 @@ mapd_code mapd_events_new(const struct mapd_client *client,
 void mapd_events_close(struct mapd_events **events);
 
 /*
- The next event; waits for it at most `wait_s` [s]. `MAPD_CODE_NONE`: nothing has happened.
+ The next event; waits at most `wait_s` [s]. `MAPD_CODE_NONE`: no event.
 
- Errors: the transport failed, or the new archive cannot be read; what is held stays what it was, and the next call goes on.
+ Errors: the transport failed, or the new archive cannot be read; the old snapshot stays valid, and the next call continues.
  */
 mapd_code mapd_events_next(struct mapd_events *events,
                            double wait_s,
@@ -4250,7 +4252,7 @@ mapd_code mapd_events_next(struct mapd_events *events,
 mapd_code mapd_snapshot_open(const char *path, struct mapd_snapshot **out, struct mapd_error *error);
 
 /*
- As `mapd_snapshot_open`, if the file is signed with the key in the file `key` (minisign); the signature lies beside the archive. Reads the
+ As `mapd_snapshot_open`, if the file is signed with the key in the file `key` (minisign); the signature is next to the archive. Reads the
  whole file.
 
  Errors: as `mapd_snapshot_open`; `MAPD_CODE_NOT_TRUSTED`.
@@ -4273,10 +4275,10 @@ mapd_code mapd_snapshot_clone(const struct mapd_snapshot *snapshot,
 void mapd_snapshot_close(struct mapd_snapshot **snapshot);
 
 /*
- The same map under an overlay that was made elsewhere: what crate mapd-overlay encodes for this map, `size` bytes, which are copied. A client's snapshots
- are under what the daemon serves without this. Close it with `mapd_snapshot_close`.
+ The same map with an overlay that was made elsewhere: `size` bytes that the crate mapd-overlay encoded for this map; they are copied. A client's snapshots
+ have the daemon's overlay without this call. Close it with `mapd_snapshot_close`.
 
- Errors: `MAPD_CODE_NOT_AN_ARCHIVE` for bytes that are no overlay; `MAPD_CODE_FOREIGN_ID` for one of another map.
+ Errors: `MAPD_CODE_NOT_AN_ARCHIVE` for bytes that are not an overlay; `MAPD_CODE_FOREIGN_ID` for an overlay of another map.
  */
 mapd_code mapd_snapshot_with_overlay(const struct mapd_snapshot *snapshot,
                                      const uint8_t *bytes,
@@ -4285,27 +4287,25 @@ mapd_code mapd_snapshot_with_overlay(const struct mapd_snapshot *snapshot,
                                      struct mapd_error *error);
 
 /*
- Revision of what is laid over the map, which rises with each change; 0 where nothing is. `mapd_view_new` makes it count.
+ Revision of the map's overlay, which rises with each change; 0 without an overlay. `mapd_view_new` applies the overlay.
  */
-mapd_code mapd_snapshot_overlay_revision(const struct mapd_snapshot *snapshot,
-                                         uint64_t *out,
-                                         struct mapd_error *error);
+mapd_code mapd_snapshot_overlay_revision(const struct mapd_snapshot *snapshot, uint64_t *out, struct mapd_error *error);
 
 /*
- Proves the whole archive, content hash included. Linear in its size; attaching and opening do not do this.
+ Verifies the whole archive, its content hash included. Linear in its size; attaching and opening do not do this.
 
- Errors: `MAPD_CODE_NOT_PROVEN`, with the first thing that is wrong.
+ Errors: `MAPD_CODE_NOT_PROVEN`, with the first fault that is found.
  */
 mapd_code mapd_snapshot_verify(const struct mapd_snapshot *snapshot, struct mapd_error *error);
 
 /*
- Has every page of the archive mapped in this process now, so that no query waits for the kernel. Linear in the archive's size.
+ Maps every page of the archive into this process now, so that no query waits for the kernel. Linear in the archive's size.
  */
 mapd_code mapd_snapshot_populate(const struct mapd_snapshot *snapshot,
                                  struct mapd_error *error);
 
 /*
- What the map says of itself.
+ Facts about the map.
  */
 mapd_code mapd_map_facts_of(const struct mapd_snapshot *snapshot, struct mapd_map_facts *out, struct mapd_error *error);
 
@@ -5523,7 +5523,7 @@ mapd_code mapd_view_restrictions(const struct mapd_view *view,
                                  struct mapd_error *error);
 
 /*
- Entries that hold now at s of a lane, in its own direction, whoever they concern, in the order in which they were given.
+ Entries that hold now at s of a lane, in its direction of travel, for any class of vehicles, in the order of the overlay.
 
  Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`.
  */
@@ -5613,7 +5613,7 @@ mapd_code mapd_view_signal_out_of_service(const struct mapd_view *view,
                                           struct mapd_error *error);
 
 /*
- As `mapd_route`, heeding what holds now: closed stretches are not entered, opened ones may be, and times are those of today's speeds. The lane of the
+ As `mapd_route`, with the overlay's current entries applied: closed stretches are not entered, opened ones may be, and times are those of today's speeds. The lane of the
  start may be closed.
 
  Errors: as `mapd_route`.
@@ -5630,7 +5630,7 @@ mapd_code mapd_view_route(const struct mapd_view *view,
                           struct mapd_error *error);
 
 /*
- As `mapd_reachable`, heeding what holds now. Where the overlay cuts a node, each piece is told of by itself.
+ As `mapd_reachable`, with the overlay's current entries applied. If the overlay cuts a node, the answer lists its pieces one by one.
 
  Errors: as `mapd_reachable`.
  */
@@ -5645,7 +5645,7 @@ mapd_code mapd_view_reachable(const struct mapd_view *view,
                               struct mapd_error *error);
 
 /*
- As `mapd_path_corridor`, heeding what holds now: beside the path a lane that is closed cannot be changed to and adds no room, and one that is opened
+ As `mapd_path_corridor`, with the overlay's current entries applied: beside the path a lane that is closed cannot be changed to and adds no room, and one that is opened
  may and does. The speeds are the map's: `mapd_view_speed_on_path` has today's.
 
  Errors: as `mapd_path_corridor`; `MAPD_CODE_FOREIGN_ID` for a path on another map.
@@ -5663,7 +5663,7 @@ mapd_code mapd_view_corridor(const struct mapd_view *view,
                              struct mapd_error *error);
 
 /*
- As `mapd_signals_ahead`, heeding what holds now: ways through closed lanes are not followed. Signals that are out of service are among them;
+ As `mapd_signals_ahead`, with the overlay's current entries applied: ways through closed lanes are not followed. Signals that are out of service are among them;
  `mapd_view_signal_out_of_service` tells which are.
 
  Errors: as `mapd_signals_ahead`.
@@ -5679,7 +5679,7 @@ mapd_code mapd_view_signals_ahead(const struct mapd_view *view,
                                   struct mapd_error *error);
 
 /*
- As `mapd_match_pose`, heeding what holds now: a lane that is closed to the options' vehicle, without one to passenger cars, has the prior of closed ones.
+ As `mapd_match_pose`, with the overlay's current entries applied: a lane that is closed to the options' vehicle, without one to passenger cars, has the prior of closed ones.
 
  Errors: as `mapd_match_pose`.
  */

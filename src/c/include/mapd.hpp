@@ -294,7 +294,7 @@ class Events : public detail::Owner<mapd_events, mapd_events_close> {
  public:
   using Owner::Owner;
 
-  /// The next event; waits for it at most so many seconds. None: nothing has happened.
+  /// The next event; waits at most `wait_s` [s]. None: no event.
   Result<std::optional<Event>> try_next(double wait_s) {
     return detail::optional<Event>([&](auto... out) { return mapd_events_next(get(), wait_s, out...); });
   }
@@ -308,32 +308,32 @@ class Client : public detail::Owner<mapd_client, mapd_client_close> {
  public:
   using Owner::Owner;
 
-  /// Connects to the map of this name, whichever side starts first; waits at most so many seconds. No prefix: that of MAPD_PREFIX, else the
+  /// Connects to the map of this name, whichever side starts first; waits at most `wait_s` [s]. Without a prefix: the one of MAPD_PREFIX, else the
   /// default one.
   static Result<Client> try_connect(const std::string& map, double wait_s, const char* prefix = nullptr) {
     return detail::handle<Client>(
         [&](auto... out) { return mapd_client_connect(map.c_str(), prefix, wait_s, out...); });
   }
-  /// The newest generation seen so far, without looking for another.
+  /// The newest generation that this client has seen. Does not look for a newer one.
   Result<Snapshot> try_snapshot() const {
     return detail::handle<Snapshot>([&](auto... out) { return mapd_client_snapshot(get(), out...); });
   }
-  /// Looks for a newer generation without waiting; the newest.
+  /// Looks for a newer generation without waiting and returns the newest.
   Result<Snapshot> try_refresh() const {
     return detail::handle<Snapshot>([&](auto... out) { return mapd_client_refresh(get(), out...); });
   }
-  /// Waits at most so many seconds for a generation newer than the newest seen so far.
+  /// Waits at most `wait_s` [s] for a generation newer than the newest that this client has seen.
   Result<Snapshot> try_wait_next(double wait_s) const {
     return detail::handle<Snapshot>([&](auto... out) { return mapd_client_wait_next(get(), wait_s, out...); });
   }
-  /// Waits at most so many seconds for another generation or another overlay; whether one has come.
+  /// Waits at most `wait_s` [s] for another generation or another overlay. Returns whether one has come.
   Result<bool> try_wait_change(double wait_s) const {
     const auto out =
         detail::value<std::uint8_t>([&](auto... out) { return mapd_client_wait_change(get(), wait_s, out...); });
     if (!out) return out.error();
     return *out != 0;
   }
-  /// Waits at most so many seconds for the generation of this number.
+  /// Waits at most `wait_s` [s] for the generation with this number.
   Result<Snapshot> try_require(std::uint64_t generation, double wait_s) const {
     return detail::handle<Snapshot>([&](auto... out) { return mapd_client_require(get(), generation, wait_s, out...); });
   }

@@ -13,7 +13,7 @@ use std::time::Duration;
 /// A connection to one served map. Several threads may use it at once.
 pub struct mapd_client(pub(crate) Arc<Client>);
 
-/// A generation of a map, as it lies in shared memory.
+/// A generation of a map in shared memory.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct mapd_generation {
@@ -23,9 +23,9 @@ pub struct mapd_generation {
     pub length: u64,
 }
 
-/// A wait in seconds: infinite is for ever.
+/// A wait in seconds; infinity waits without a limit.
 ///
-/// Errors: negative or no number.
+/// Errors: negative or not a number.
 pub(crate) fn wait(seconds: f64) -> Result<Duration, Failure> {
     if seconds >= 0.0 {
         return Ok(Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX));
@@ -38,7 +38,7 @@ unsafe fn client<'a>(client: *const mapd_client) -> Result<&'a Client, Failure> 
 }
 
 /// Connects to the map of this name, whichever side starts first, and pins its newest generation. Waits at most `wait_s` \[s\];
-/// infinity is for ever. `prefix` names the domain; null: the one of the environment variable MAPD_PREFIX, else the default one.
+/// infinity waits without a limit. `prefix` names the domain; null: the one of the environment variable MAPD_PREFIX, else the default one.
 /// Close the client with `mapd_client_close`.
 ///
 /// Errors: the codes of attaching, what was missing when the wait ended; `MAPD_CODE_NAME`; `MAPD_CODE_NOT_AN_ARCHIVE`.
@@ -62,14 +62,14 @@ pub unsafe extern "C" fn mapd_client_connect(
     }
 }
 
-/// Closes a client and sets the handle to null. Snapshots and events that came from it stay good. Null, or a handle that is null,
+/// Closes a client and sets the handle to null. Snapshots and events that came from it stay valid. Null, or a handle that is null,
 /// is fine.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_client_close(client: *mut *mut mapd_client) {
     unsafe { close(client) }
 }
 
-/// The newest generation seen so far, without looking for another. Close it with `mapd_snapshot_close`.
+/// The newest generation that this client has seen. Does not look for a newer one. Close it with `mapd_snapshot_close`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_client_snapshot(
     client_handle: *const mapd_client,
@@ -79,9 +79,9 @@ pub unsafe extern "C" fn mapd_client_snapshot(
     unsafe { answer(error, || hand_out(out, mapd_snapshot(client(client_handle)?.snapshot()))) }
 }
 
-/// Looks for a newer generation without waiting; the newest. Close it with `mapd_snapshot_close`.
+/// Looks for a newer generation without waiting and returns the newest. Close it with `mapd_snapshot_close`.
 ///
-/// Errors: the transport failed, or the new archive cannot be read; what is held stays what it was.
+/// Errors: the transport failed, or the new archive cannot be read; the old snapshot stays valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_client_refresh(
     client_handle: *const mapd_client,
@@ -91,7 +91,7 @@ pub unsafe extern "C" fn mapd_client_refresh(
     unsafe { answer(error, || hand_out(out, mapd_snapshot(client(client_handle)?.refresh()?))) }
 }
 
-/// Waits at most `wait_s` \[s\] for a generation newer than the newest seen so far. Close it with `mapd_snapshot_close`.
+/// Waits at most `wait_s` \[s\] for a generation newer than the newest that this client has seen. Close it with `mapd_snapshot_close`.
 ///
 /// Errors: `MAPD_CODE_NO_GENERATION` if none came in time; as `mapd_client_refresh`.
 #[unsafe(no_mangle)]
@@ -166,7 +166,7 @@ pub unsafe extern "C" fn mapd_client_pending(
     }
 }
 
-/// The process that serves the map now, in its own process namespace; 0 if it has not said. `MAPD_CODE_NONE` if none does.
+/// Process id of the daemon that serves the map, in its own process namespace; 0 if it is not known. `MAPD_CODE_NONE` if no daemon serves it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_client_served_by(
     client_handle: *const mapd_client,
@@ -176,7 +176,7 @@ pub unsafe extern "C" fn mapd_client_served_by(
     unsafe { answer(error, || put_some(pid, client(client_handle)?.served_by())) }
 }
 
-/// Whether generations are mapped page by page before they are handed out, beginning with the one that is held now, so that no query waits
+/// Sets whether all pages of a generation are mapped before it is returned, starting with the current one, so that no query waits
 /// for the kernel: as `mapd_snapshot_populate`. 0: no, the default.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_client_set_populate(
@@ -192,7 +192,7 @@ pub unsafe extern "C" fn mapd_client_set_populate(
     }
 }
 
-/// Number of the newest generation seen so far, without looking for another.
+/// Number of the newest generation that this client has seen.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_client_generation(
     client_handle: *const mapd_client,

@@ -13,7 +13,7 @@ use mapd_client::path::{ConflictApproach, PathConflict, PathCrossing, Yields};
 use mapd_client::vocabulary::{ConflictKind, Relation, RelationReason};
 use std::ffi::c_char;
 
-/// `yields` of a conflict: who drives along the path gives way.
+/// `yields` of a conflict: the vehicle on the path gives way.
 pub const MAPD_YIELDS_YIELDS: u8 = 0;
 /// `yields` of a conflict: the other gives way.
 pub const MAPD_YIELDS_PRIORITY: u8 = 1;

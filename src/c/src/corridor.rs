@@ -32,7 +32,7 @@ pub struct mapd_edge_mark {
     pub edge: u8,
 }
 
-/// The room at one station of a path. Left and right are those of who drives; edges lie on the plane h = 0.
+/// The room at one station of a path. Left and right are as seen by the driver; edges lie on the plane h = 0.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct mapd_corridor_station {

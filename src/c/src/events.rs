@@ -17,26 +17,26 @@ pub struct mapd_events {
 pub const MAPD_EVENT_GENERATION: u32 = 1;
 /// `kind` of an event: a generation waits to be activated, see `mapd_client_pending`.
 pub const MAPD_EVENT_PENDING: u32 = 2;
-/// `kind` of an event: the daemon has ended. What is held stays readable; nobody new can attach.
+/// `kind` of an event: the daemon has ended. Snapshots stay readable; new subscribers cannot attach.
 pub const MAPD_EVENT_DAEMON_GONE: u32 = 3;
-/// `kind` of an event: a daemon serves the map again, or another one instead of the one before.
+/// `kind` of an event: a daemon serves the map again, or another daemon has replaced the one before.
 pub const MAPD_EVENT_DAEMON_BACK: u32 = 4;
-/// `kind` of an event that this release has no word for.
+/// `kind` of an event that this release does not know.
 pub const MAPD_EVENT_OTHER: u32 = 255;
 
-/// Something that has become of a map or its daemon.
+/// An event of a map or its daemon.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct mapd_event {
     /// A `MAPD_EVENT_…`.
     pub kind: u32,
-    /// Of `DAEMON_BACK`: its process id, in its own process namespace; 0 if it has not said.
+    /// Of `DAEMON_BACK`: its process id, in its own process namespace; 0 if it is not known.
     pub pid: u32,
     /// Of `GENERATION` and `PENDING`: the number.
     pub generation: u64,
 }
 
-/// Follows the map from now on. Each follower sees every event; what happens between two calls, and is over again, is not told. Close it
+/// Follows the map from now on. Each follower sees every event; a change that is undone between two calls gives no event. Close it
 /// with `mapd_events_close`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_events_new(
@@ -61,9 +61,9 @@ pub unsafe extern "C" fn mapd_events_close(events: *mut *mut mapd_events) {
     unsafe { close(events) }
 }
 
-/// The next event; waits for it at most `wait_s` \[s\]. `MAPD_CODE_NONE`: nothing has happened.
+/// The next event; waits at most `wait_s` \[s\]. `MAPD_CODE_NONE`: no event.
 ///
-/// Errors: the transport failed, or the new archive cannot be read; what is held stays what it was, and the next call goes on.
+/// Errors: the transport failed, or the new archive cannot be read; the old snapshot stays valid, and the next call continues.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_events_next(
     events: *mut mapd_events,

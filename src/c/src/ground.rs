@@ -88,7 +88,7 @@ pub struct mapd_near_mark {
     pub distance: f64,
     /// Width of the line \[m\], the default one where it has none of its own.
     pub width: f64,
-    /// 1: the mark lies to the left, for one at the point who looks along the road's reference line.
+    /// 1: the mark is to the left of the point, looking along the road's reference line.
     pub left_of_reference_line: u8,
     /// A `MAPD_ROAD_MARK_KIND_…`.
     pub kind: u8,

@@ -1,7 +1,7 @@
 //! mapd for C and C++ (`include/mapd.h`, made from these sources, and `include/mapd.hpp`, written by hand on top of it).
 //!
 //! Every function that can fail returns a [`mapd_code`] and takes an optional [`mapd_error`] of the caller's for the message. Handles
-//! are opaque; whoever gets one closes it with the function that takes its address and sets it to null. Results are plain data. Lists
+//! are opaque; a caller that gets one closes it with the function that takes its address and sets it to null. Results are plain data. Lists
 //! go into the caller's buffer: its capacity goes in, the number of all entries comes out, and [`mapd_code::TOO_SMALL`] says that
 //! only as many as there was room for were written.
 //!
@@ -10,10 +10,10 @@
 //! This holds for every function. A pointer is null, which is answered with [`mapd_code::NULL_POINTER`] wherever the pointer is needed, or
 //! it points to what its type says, aligned, for as long as the call lasts; buffers have the length that is given with them. A handle is used only
 //! between its making and its closing. Clients, snapshots, views, paths and projectors may be used by several threads at once;
-//! scratches, trackers and events belong to one thread at a time. What a text points to lies in the snapshot and is there until the last handle of
+//! scratches, trackers and events belong to one thread at a time. A text points into the snapshot and is valid until the last handle of
 //! its content is closed.
 //!
-//! No panic leaves a function: what would be one becomes [`mapd_code::PANIC`].
+//! No panic leaves a function: it becomes [`mapd_code::PANIC`].
 
 mod along;
 mod client;

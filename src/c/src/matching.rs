@@ -50,7 +50,7 @@ pub struct mapd_match_options {
     pub has_z_tolerance: u8,
     /// Not 0: `vehicle` counts. Default 0.
     pub has_vehicle: u8,
-    /// Who drives: a `MAPD_VEHICLE_CLASS_…`.
+    /// The class of the vehicle: a `MAPD_VEHICLE_CLASS_…`.
     pub vehicle: u8,
 }
 
@@ -100,7 +100,7 @@ pub struct mapd_trace_options {
     pub change_interval: f64,
     /// Lane types that count, as in `mapd_nearest_options`. Default those that motor vehicles travel on.
     pub types: u64,
-    /// Who drives: a `MAPD_VEHICLE_CLASS_…`. Default a passenger car.
+    /// The class of the vehicle: a `MAPD_VEHICLE_CLASS_…`. Default a passenger car.
     pub vehicle: u8,
 }
 

@@ -19,7 +19,7 @@ pub struct mapd_path {
     buffer: PathBuffer,
 }
 
-/// A place on a path, as who drives there has it.
+/// A position on a path, as seen by a vehicle that drives along it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct mapd_path_point {

@@ -1,4 +1,4 @@
-//! One generation, pinned, and what the map says of itself.
+//! One pinned generation, and facts about its map.
 
 use crate::code::{Failure, answer, mapd_code, mapd_error};
 use crate::list::{close, entries, get, hand_out, put, put_some};
@@ -9,15 +9,15 @@ use mapd_client::raw::AlignedBytes;
 use mapd_client::{Bounds, ClientError, Map, Snapshot, TrustedKey};
 use std::ffi::c_char;
 
-/// One generation of a map, pinned: readable as long as the handle is open, whatever becomes of daemon, client and file. Several threads may
+/// One generation of a map, pinned: readable as long as the handle is open, even if daemon, client and file are gone. Several threads may
 /// use it at once.
 pub struct mapd_snapshot(pub(crate) Snapshot);
 
-/// What a map says of itself.
+/// Facts about a map.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct mapd_map_facts {
-    /// What the map was published as; 0 for a file.
+    /// Number of the generation; 0 for a file.
     pub generation: u64,
     /// BLAKE3 of the archive's body.
     pub content_hash: [u8; 32],
@@ -102,7 +102,7 @@ pub unsafe extern "C" fn mapd_snapshot_open(
     }
 }
 
-/// As `mapd_snapshot_open`, if the file is signed with the key in the file `key` (minisign); the signature lies beside the archive. Reads the
+/// As `mapd_snapshot_open`, if the file is signed with the key in the file `key` (minisign); the signature is next to the archive. Reads the
 /// whole file.
 ///
 /// Errors: as `mapd_snapshot_open`; `MAPD_CODE_NOT_TRUSTED`.
@@ -140,10 +140,10 @@ pub unsafe extern "C" fn mapd_snapshot_close(snapshot: *mut *mut mapd_snapshot) 
     unsafe { close(snapshot) }
 }
 
-/// The same map under an overlay that was made elsewhere: what crate mapd-overlay encodes for this map, `size` bytes, which are copied. A client's snapshots
-/// are under what the daemon serves without this. Close it with `mapd_snapshot_close`.
+/// The same map with an overlay that was made elsewhere: `size` bytes that the crate mapd-overlay encoded for this map; they are copied. A client's snapshots
+/// have the daemon's overlay without this call. Close it with `mapd_snapshot_close`.
 ///
-/// Errors: `MAPD_CODE_NOT_AN_ARCHIVE` for bytes that are no overlay; `MAPD_CODE_FOREIGN_ID` for one of another map.
+/// Errors: `MAPD_CODE_NOT_AN_ARCHIVE` for bytes that are not an overlay; `MAPD_CODE_FOREIGN_ID` for an overlay of another map.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_snapshot_with_overlay(
     snapshot: *const mapd_snapshot,
@@ -162,7 +162,7 @@ pub unsafe extern "C" fn mapd_snapshot_with_overlay(
     }
 }
 
-/// Revision of what is laid over the map, which rises with each change; 0 where nothing is. `mapd_view_new` makes it count.
+/// Revision of the map's overlay, which rises with each change; 0 without an overlay. `mapd_view_new` applies the overlay.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_snapshot_overlay_revision(
     snapshot: *const mapd_snapshot,
@@ -172,9 +172,9 @@ pub unsafe extern "C" fn mapd_snapshot_overlay_revision(
     unsafe { answer(error, || put(out, get(snapshot, "a snapshot")?.0.overlay_revision())) }
 }
 
-/// Proves the whole archive, content hash included. Linear in its size; attaching and opening do not do this.
+/// Verifies the whole archive, its content hash included. Linear in its size; attaching and opening do not do this.
 ///
-/// Errors: `MAPD_CODE_NOT_PROVEN`, with the first thing that is wrong.
+/// Errors: `MAPD_CODE_NOT_PROVEN`, with the first fault that is found.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_snapshot_verify(
     snapshot: *const mapd_snapshot,
@@ -188,7 +188,7 @@ pub unsafe extern "C" fn mapd_snapshot_verify(
     }
 }
 
-/// Has every page of the archive mapped in this process now, so that no query waits for the kernel. Linear in the archive's size.
+/// Maps every page of the archive into this process now, so that no query waits for the kernel. Linear in the archive's size.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_snapshot_populate(
     snapshot: *const mapd_snapshot,
@@ -202,7 +202,7 @@ pub unsafe extern "C" fn mapd_snapshot_populate(
     }
 }
 
-/// What the map says of itself.
+/// Facts about the map.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_map_facts_of(
     snapshot: *const mapd_snapshot,

@@ -4,7 +4,7 @@ use crate::code::{Failure, Outcome, mapd_code};
 use crate::list::{get, put_raw};
 use std::ffi::{CStr, c_char};
 
-/// A text that lies in the snapshot: UTF-8, not terminated by 0. It is there as long as a handle of the snapshot's content is: the snapshot
+/// A text in the snapshot: UTF-8, not terminated by 0. It is valid as long as a handle of the snapshot's content is open: the snapshot
 /// itself, its clones and what was made from it.
 #[repr(C)]
 #[derive(Clone, Copy)]

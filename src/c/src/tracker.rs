@@ -57,7 +57,7 @@ pub struct mapd_tracker_options {
 pub const MAPD_TRACKED_LANE: u8 = 0;
 /// `state` of a tracked vehicle: it is in no lane, or across them.
 pub const MAPD_TRACKED_NO_LANE: u8 = 1;
-/// `state` of a tracked vehicle: nobody knows.
+/// `state` of a tracked vehicle: unknown.
 pub const MAPD_TRACKED_UNKNOWN: u8 = 2;
 
 /// Where a tracked vehicle is.

@@ -221,7 +221,7 @@ pub unsafe extern "C" fn mapd_view_restrictions(
     }
 }
 
-/// Entries that hold now at s of a lane, in its own direction, whoever they concern, in the order in which they were given.
+/// Entries that hold now at s of a lane, in its direction of travel, for any class of vehicles, in the order of the overlay.
 ///
 /// Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`.
 #[unsafe(no_mangle)]

@@ -40,7 +40,7 @@ impl From<&Reached> for mapd_reached_piece {
     }
 }
 
-/// As `mapd_route`, heeding what holds now: closed stretches are not entered, opened ones may be, and times are those of today's speeds. The lane of the
+/// As `mapd_route`, with the overlay's current entries applied: closed stretches are not entered, opened ones may be, and times are those of today's speeds. The lane of the
 /// start may be closed.
 ///
 /// Errors: as `mapd_route`.
@@ -71,7 +71,7 @@ pub unsafe extern "C" fn mapd_view_route(
     }
 }
 
-/// As `mapd_reachable`, heeding what holds now. Where the overlay cuts a node, each piece is told of by itself.
+/// As `mapd_reachable`, with the overlay's current entries applied. If the overlay cuts a node, the answer lists its pieces one by one.
 ///
 /// Errors: as `mapd_reachable`.
 #[unsafe(no_mangle)]
@@ -96,7 +96,7 @@ pub unsafe extern "C" fn mapd_view_reachable(
     }
 }
 
-/// As `mapd_path_corridor`, heeding what holds now: beside the path a lane that is closed cannot be changed to and adds no room, and one that is opened
+/// As `mapd_path_corridor`, with the overlay's current entries applied: beside the path a lane that is closed cannot be changed to and adds no room, and one that is opened
 /// may and does. The speeds are the map's: `mapd_view_speed_on_path` has today's.
 ///
 /// Errors: as `mapd_path_corridor`; `MAPD_CODE_FOREIGN_ID` for a path on another map.
@@ -124,7 +124,7 @@ pub unsafe extern "C" fn mapd_view_corridor(
     }
 }
 
-/// As `mapd_signals_ahead`, heeding what holds now: ways through closed lanes are not followed. Signals that are out of service are among them;
+/// As `mapd_signals_ahead`, with the overlay's current entries applied: ways through closed lanes are not followed. Signals that are out of service are among them;
 /// `mapd_view_signal_out_of_service` tells which are.
 ///
 /// Errors: as `mapd_signals_ahead`.
@@ -150,7 +150,7 @@ pub unsafe extern "C" fn mapd_view_signals_ahead(
     }
 }
 
-/// As `mapd_match_pose`, heeding what holds now: a lane that is closed to the options' vehicle, without one to passenger cars, has the prior of closed ones.
+/// As `mapd_match_pose`, with the overlay's current entries applied: a lane that is closed to the options' vehicle, without one to passenger cars, has the prior of closed ones.
 ///
 /// Errors: as `mapd_match_pose`.
 #[unsafe(no_mangle)]

@@ -9,22 +9,22 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// How a client is attached to a map. What it reads is the same memory either way, and so is what it can do.
+/// How a client attaches to a map. Both ways read the same memory and offer the same calls.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Attach {
-    /// Maps what the map's record names, and writes nothing anywhere: no lock, no place, any number of readers, also where shared
-    /// memory is full. Attaches also to what a daemon served that was killed, until another one takes its place; see
-    /// [`Client::heartbeat_age`].
+    /// Maps the files that the map's record names and writes nothing: it takes no lock and no slot, any number of observers may attach,
+    /// and shared memory may be full. An observer can also attach to the map of a daemon that was killed, until another daemon
+    /// replaces it; see [`Client::heartbeat_age`].
     #[default]
     Observer,
-    /// Takes part in iceoryx2, as one of at most 64 subscriptions of a map, which the daemon counts and cleans up after. Attaches only
-    /// while a daemon serves the map. With the feature `subscriber`.
+    /// Takes part in iceoryx2 as one of at most 64 subscribers of a map. The daemon counts subscribers and cleans up after them. A subscriber
+    /// can attach only while a daemon serves the map. Needs the feature `subscriber`.
     #[cfg(feature = "subscriber")]
     Subscriber,
 }
 
-/// Where generations come from.
+/// The source of generations.
 enum Source {
     Observer(Observer),
     #[cfg(feature = "subscriber")]
@@ -49,7 +49,7 @@ impl Source {
     }
 }
 
-/// A connection to one served map. `Send` and `Sync`; queries run on [`Snapshot`]s and never pass through here.
+/// A connection to one served map. `Send` and `Sync`; queries run on [`Snapshot`]s and do not use the connection.
 pub struct Client {
     name: String,
     domain: Domain,
@@ -62,10 +62,10 @@ pub struct Client {
 }
 
 impl Client {
-    /// Connects to a map in the domain that the environment names (see [`Domain::from_env`]) and pins its newest
-    /// generation, as an observer. Daemon and client may start in any order; waits at most `deadline`.
+    /// Connects to a map as an observer and pins its newest generation. The environment names the domain (see [`Domain::from_env`]).
+    /// Daemon and client may start in any order; waits `deadline` at most.
     ///
-    /// Errors: what was missing when the deadline passed, or why the archive cannot be read.
+    /// Errors: what was still missing after `deadline`; the archive cannot be read.
     pub fn connect(map: &str, deadline: Duration) -> Result<Self, ClientError> {
         let domain = Domain::from_env().map_err(AttachError::from)?;
         Self::connect_in(&domain, map, deadline)
@@ -96,7 +96,7 @@ impl Client {
         Self::with(source, domain, map, until)
     }
 
-    /// Subscribes with a place that is kept for daemons where clients have taken all of theirs: so that a daemon can look at what
+    /// Subscribes with a slot that is reserved for daemons if clients use all other slots, so that a daemon can query the map that
     /// it serves.
     ///
     /// Errors: as [`Client::connect_in`].
@@ -170,10 +170,10 @@ impl Client {
         }
     }
 
-    /// How long ago the daemon last said that it lives, which it does about once a second while it serves; more than some seconds mean that it
-    /// was killed, is stopped, or starved, and that what is held may be out of date. `None`: the map is not served any more. Reads a
-    /// small file in shared memory; the clock is the monotonic one, which stands still while the machine sleeps, so that a daemon and a client in
-    /// different time namespaces cannot tell.
+    /// Time since the daemon's last heartbeat. A daemon that serves the map writes one about once a second. If the age exceeds a few seconds,
+    /// the daemon was killed, is stopped or gets no processor time, and the snapshot may be out of date. `None`: the map is no longer served. Reads a
+    /// small file in shared memory. The clock is the monotonic one, which stops while the machine sleeps; the age is meaningless if daemon and
+    /// client are in different time namespaces.
     pub fn heartbeat_age(&self) -> Option<Duration> {
         mapd_transport::heartbeat_age(&self.domain, &self.name)
     }
@@ -183,7 +183,7 @@ impl Client {
         &self.name
     }
 
-    /// Where the time of attaching went, of a subscriber; an observer has no phases. For benchmarks.
+    /// Durations of the phases of attaching, for a subscriber; an observer has no phases. For benchmarks.
     #[cfg(feature = "subscriber")]
     #[doc(hidden)]
     pub fn attach_timing(&self) -> Option<AttachTiming> {
@@ -193,14 +193,14 @@ impl Client {
         }
     }
 
-    /// The newest generation seen so far, without looking for another.
+    /// The newest generation that this client has seen. Does not look for a newer one.
     pub fn snapshot(&self) -> Snapshot {
         self.current.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// Looks for a newer generation, and for another overlay, without waiting, and returns the newest of both, which always belong together.
+    /// Looks for a newer generation and for another overlay without waiting. Returns the newest generation with the overlay that belongs to it.
     ///
-    /// Errors: the transport failed, or the new archive or overlay cannot be read; the old snapshot stays what it was.
+    /// Errors: the transport failed, or the new archive or overlay cannot be read; the old snapshot stays valid.
     pub fn refresh(&self) -> Result<Snapshot, ClientError> {
         let mut tried = None;
         loop {
@@ -220,8 +220,8 @@ impl Client {
         }
     }
 
-    /// Waits until a newer generation or another overlay than those of the newest snapshot seen so far is there, at most `deadline`; whether one is. The
-    /// newest is then [`Client::snapshot`].
+    /// Waits `deadline` at most for a generation or overlay newer than those of the newest snapshot. Returns whether one has come;
+    /// [`Client::snapshot`] then returns it.
     ///
     /// Errors: as [`Client::refresh`].
     pub fn wait_change(&self, deadline: Duration) -> Result<bool, ClientError> {
@@ -239,14 +239,14 @@ impl Client {
         }
     }
 
-    /// Waits for a generation newer than the newest seen so far, at most `deadline`.
+    /// Waits `deadline` at most for a generation newer than the newest that this client has seen.
     ///
     /// Errors: none came in time; the transport failed; the new archive cannot be read.
     pub fn wait_next(&self, deadline: Duration) -> Result<Snapshot, ClientError> {
         self.wait_newer(self.snapshot().generation(), deadline)
     }
 
-    /// Waits for a generation newer than `than`; one that has come already counts.
+    /// Waits for a generation newer than `than`; one that is already there counts.
     pub(crate) fn wait_newer(
         &self,
         than: u64,
@@ -267,9 +267,9 @@ impl Client {
         }
     }
 
-    /// Whether generations are mapped page by page before they are handed out, beginning with the one that is held now, so
-    /// that no query waits for the kernel: see [`Snapshot::populate`]. Costs whoever fetches a generation milliseconds for
-    /// 100 MB, and this process page tables of 2 KB for each MB. Off by default.
+    /// Sets whether all pages of a generation are mapped before it is returned, starting with the current one, so that no query
+    /// waits for the kernel: see [`Snapshot::populate`]. The call that fetches a generation takes milliseconds longer per
+    /// 100 MB, and this process needs 2 KB of page tables for each MB. Off by default.
     pub fn set_populate(&self, populate: bool) {
         self.populate.store(populate, Ordering::Relaxed);
         if populate {
@@ -285,8 +285,8 @@ impl Client {
         Ok(snapshot)
     }
 
-    /// Process id of the daemon that serves the map now, in its own process namespace; 0 if it lives but has not said; `None` if nobody serves it, or
-    /// it cannot be looked at.
+    /// Process id of the daemon that serves the map, in the daemon's process namespace; 0 if a daemon serves it but its id is not known; `None` if no daemon
+    /// serves it or this cannot be determined.
     pub fn served_by(&self) -> Option<u32> {
         mapd_transport::served_by(&self.domain, &self.name)
     }
@@ -295,7 +295,7 @@ impl Client {
     /// agree on the number of a staged generation, see [`Client::pending`], and each requires it.
     ///
     /// Errors: [`crate::AttachError::Superseded`] if a newer one is served already; it did not come in time; the transport
-    /// failed; the archive cannot be read. The old snapshot stays what it was.
+    /// failed; the archive cannot be read. The old snapshot stays valid.
     pub fn require(&self, generation: u64, deadline: Duration) -> Result<Snapshot, ClientError> {
         let held = self.snapshot();
         if held.generation() == generation {
@@ -329,7 +329,7 @@ impl Client {
         mapd_transport::pending(&self.domain, &self.name)
     }
 
-    /// Keeps the newer of two generations, under the overlay that the record names with it; `None`, and nothing changes, as long as the record is about
+    /// Keeps the newer of two generations, with the overlay that the record names for it. `None`, without a change, while the record names
     /// another generation. Threads may race here.
     fn keep(&self, new: &Snapshot) -> Result<Option<Snapshot>, ClientError> {
         let mut current = self.current.lock().unwrap_or_else(PoisonError::into_inner);
@@ -346,7 +346,7 @@ impl Client {
     }
 }
 
-/// A generation under what the record names with it; `None` where the record is about another one.
+/// A generation with the overlay that the record names for it; `None` if the record names another generation.
 fn lay(observer: &Observer, snapshot: &Snapshot) -> Result<Option<Snapshot>, ClientError> {
     let laid = observer.laid_over(snapshot.generation(), snapshot.overlay_revision())?;
     Ok(match laid {

@@ -1,18 +1,18 @@
-//! Why a map cannot be had.
+//! Why a map cannot be opened.
 
 use mapd_archive::{OpenError, VerifyError};
 use mapd_transport::AttachError;
 use std::path::PathBuf;
 use thiserror::Error;
 
-/// Why a map cannot be had.
+/// Why a map cannot be opened.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ClientError {
-    /// The daemon, the map or a generation was not there, or refused us.
+    /// The daemon, the map or the generation is missing or refused the client.
     #[error(transparent)]
     Attach(#[from] AttachError),
-    /// The bytes are no archive that this program reads.
+    /// The bytes are not an archive that this release can read.
     #[error("{source_name}: {error}")]
     Open {
         /// File or map name.
@@ -21,7 +21,7 @@ pub enum ClientError {
         #[source]
         error: OpenError,
     },
-    /// The archive does not prove.
+    /// The archive failed verification.
     #[error("{source_name}: {error}")]
     Verify {
         /// File or map name.
@@ -30,7 +30,7 @@ pub enum ClientError {
         #[source]
         error: VerifyError,
     },
-    /// The archive is not signed by a trusted key, or not what was signed.
+    /// The archive is not signed by the trusted key, or was changed after signing.
     #[cfg(feature = "trust")]
     #[error(transparent)]
     Trust(#[from] crate::trust::TrustError),
@@ -39,7 +39,7 @@ pub enum ClientError {
     File {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// The system's error.
         #[source]
         error: std::io::Error,
     },

@@ -1,4 +1,4 @@
-//! What becomes of a map and its daemon, as it happens.
+//! Events of a map and its daemon.
 
 use crate::client::Client;
 use crate::error::ClientError;
@@ -7,25 +7,25 @@ use mapd_transport::{AttachError, after};
 use std::fmt;
 use std::time::{Duration, Instant};
 
-/// How often it is looked whether the daemon lives: its end is known at most so late. A new generation is known at once.
+/// Interval of the checks whether the daemon lives, and so the longest delay until its end is known. A new generation is known at once.
 const LOOK: Duration = Duration::from_millis(50);
 
-/// Something that a reader of a map may want to know.
+/// An event of a map.
 #[derive(Clone)]
 #[non_exhaustive]
 pub enum MapEvent {
-    /// A newer generation is served. It is [`Client::snapshot`] from now on; snapshots taken before stay what they are.
+    /// A newer generation is served. [`Client::snapshot`] returns it from now on; earlier snapshots stay valid.
     Generation(Snapshot),
-    /// A generation waits to be activated; see [`Client::pending`] and [`Client::require`].
+    /// A generation is staged and waits to be activated; see [`Client::pending`] and [`Client::require`].
     Pending {
         /// Its number.
         generation: u64,
     },
-    /// The daemon has ended or was killed. Everything that is held stays readable; nobody new can attach.
+    /// The daemon has ended or was killed. Snapshots stay readable; new subscribers cannot attach.
     DaemonGone,
-    /// A daemon serves the map again, or another one instead of the one before.
+    /// A daemon serves the map again, or another daemon has replaced the one before.
     DaemonBack {
-        /// Its process id, in its own process namespace; 0 if it has not said.
+        /// Its process id, in its own process namespace; 0 if it is not known.
         pid: u32,
     },
 }
@@ -45,8 +45,8 @@ impl fmt::Debug for MapEvent {
     }
 }
 
-/// Follows a map; see [`Client::events`]. Each follower sees every event; what happens between two calls, and is over
-/// again, is not told.
+/// Follows a map; see [`Client::events`]. Each follower sees every event; a change
+/// that is undone between two calls gives no event.
 pub struct Events<'a> {
     client: &'a Client,
     seen: u64,
@@ -67,7 +67,7 @@ impl Client {
     /// loop {
     ///     match events.next(Duration::from_secs(1))? {
     ///         Some(MapEvent::Generation(snapshot)) => println!("generation {}", snapshot.generation()),
-    ///         Some(MapEvent::DaemonGone) => println!("driving on with what is held"),
+    ///         Some(MapEvent::DaemonGone) => println!("the daemon is gone; the snapshot stays valid"),
     ///         Some(_) | None => {}
     ///     }
     /// }
@@ -80,10 +80,10 @@ impl Client {
 }
 
 impl Events<'_> {
-    /// The next event; waits for it at most `deadline`. `None`: nothing has happened.
+    /// The next event; waits `deadline` at most. `None`: no event.
     ///
-    /// Errors: the transport failed, or the new archive cannot be read; what is held stays what it was, and the next call
-    /// goes on.
+    /// Errors: the transport failed, or the new archive cannot be read. The old snapshot stays valid, and the next call
+    /// continues.
     pub fn next(&mut self, deadline: Duration) -> Result<Option<MapEvent>, ClientError> {
         let until = after(deadline);
         loop {
@@ -105,7 +105,7 @@ impl Events<'_> {
         }
     }
 
-    /// What has changed beside the generation.
+    /// Changes other than a new generation.
     fn look(&mut self) -> Option<MapEvent> {
         let daemon = self.client.served_by();
         let before = std::mem::replace(&mut self.daemon, daemon);

@@ -1,10 +1,10 @@
 //! Attach to a map that mapd serves and query its lanes in place.
 //!
 //! A [`Client`] connects by map name, whichever side starts first. A [`Snapshot`] pins one generation: it stays valid and
-//! readable while it is held, whatever the daemon does, and many threads query it without locks. [`Snapshot::open`] maps
-//! a `.mapd` file as the same thing, so that planner tests need no daemon.
+//! readable as long as it exists, whatever the daemon does, and many threads query it without locks. [`Snapshot::open`] maps
+//! a `.mapd` file and gives a snapshot too, so that tests of a planner need no daemon.
 //!
-//! Without the feature `subscriber`, which is on by default, iceoryx2 is not built: what is left are observers, files and bytes.
+//! Without the feature `subscriber`, which is on by default, iceoryx2 is not built; observers, files and bytes remain.
 //!
 //! Invariants: attaching validates in constant time; every wait has a deadline; no signal handlers, no threads, no
 //! output, no configuration read from the working directory. Deliberately absent: XML, compiling, publishing.

@@ -1,4 +1,4 @@
-//! One generation, pinned, with what is laid over it.
+//! One pinned generation with its overlay.
 #![allow(unsafe_code)]
 
 use crate::error::ClientError;
@@ -65,7 +65,7 @@ struct Over {
     memory: OverlayMemory,
 }
 
-/// One generation of a map, pinned, with what is laid over it: cheap to clone, shared by threads without locks, readable as long as any clone lives.
+/// One pinned generation of a map with its overlay, if there is one. Cheap to clone, shared by threads without locks, readable as long as any clone exists.
 #[derive(Clone)]
 pub struct Snapshot {
     inner: Arc<Inner>,
@@ -75,7 +75,7 @@ pub struct Snapshot {
 impl Snapshot {
     /// Opens a `.mapd` file in place.
     ///
-    /// Errors: the file cannot be read, or is no archive that this program reads.
+    /// Errors: the file cannot be read or is not an archive that this release can read.
     pub fn open(path: impl AsRef<Path>) -> Result<Self, ClientError> {
         let path = path.as_ref();
         let map =
@@ -85,7 +85,7 @@ impl Snapshot {
 
     /// An archive that was encoded in this process.
     ///
-    /// Errors: the bytes are no archive that this program reads.
+    /// Errors: the bytes are not an archive that this release can read.
     pub fn from_bytes(bytes: AlignedBytes) -> Result<Self, ClientError> {
         Self::new(Memory::Owned(bytes), 0, "archive in memory")
     }
@@ -113,14 +113,14 @@ impl Snapshot {
         Ok(Self { inner, over: None })
     }
 
-    /// The same map under an overlay that was made in this process.
+    /// The same map with an overlay that was made in this process.
     ///
-    /// Errors: the bytes are no overlay of this map.
+    /// Errors: the bytes are not an overlay of this map.
     pub fn with_overlay(&self, bytes: AlignedBytes) -> Result<Self, ClientError> {
         self.over(OverlayMemory::Owned(bytes))
     }
 
-    /// The same map with nothing laid over it.
+    /// The same map without an overlay.
     pub(crate) fn bare(&self) -> Self {
         Self { inner: self.inner.clone(), over: None }
     }
@@ -159,21 +159,21 @@ impl Snapshot {
         Map::new(&self.inner.archive, self.inner.generation)
     }
 
-    /// The map under what is laid over it, at a moment; where nothing is, the map.
+    /// The map with its overlay at a moment; without an overlay, the map as it is.
     pub fn view(&self, at: SystemTime) -> View<'_> {
         View::of(self.map(), self.over.as_ref().map(|over| &over.overlay), at)
     }
 
-    /// Revision of what is laid over it, which rises with each change; 0 where nothing is, or it was made in this process.
+    /// Revision of the overlay, which rises with each change; 0 without an overlay and for an overlay that was made in this process.
     pub fn overlay_revision(&self) -> u64 {
         self.over.as_ref().map_or(0, |over| over.memory.revision())
     }
 
-    /// Has every page of the archive mapped in this process now, so that no query waits for the kernel: page tables are per
-    /// process, and a page is else mapped when a query first touches it. Reads a byte of each page; linear in the archive's
-    /// size, milliseconds for 100 MB in shared memory. Pages stay mapped as long as the kernel does not take them back,
-    /// which it does only to save memory; a daemon with `--lock-memory` keeps it from doing so. Returns a sum of what was
-    /// read, of no meaning.
+    /// Maps every page of the archive into this process now, so that no query waits for the kernel. Without this call, a page is mapped
+    /// when a query first reads it, in each process. Reads one byte of each page: linear in the archive's
+    /// size, milliseconds per 100 MB in shared memory. Pages stay mapped unless the kernel runs short of memory;
+    /// a daemon with `--lock-memory` prevents that. The returned sum of the bytes read has no
+    /// meaning.
     pub fn populate(&self) -> u8 {
         let bytes = self.bytes();
         let page = rustix::param::page_size();
@@ -183,7 +183,7 @@ impl Snapshot {
         })
     }
 
-    /// What the map was published as; 0 for a file.
+    /// Number of the generation; 0 for a file.
     pub fn generation(&self) -> u64 {
         self.inner.generation
     }
@@ -204,9 +204,9 @@ impl Snapshot {
         &self.inner.source_name
     }
 
-    /// Proves the whole archive, content hash included. Linear in its size; attaching does not do this.
+    /// Verifies the whole archive, its content hash included. Linear in its size; attaching does not do this.
     ///
-    /// Errors: the first thing that is wrong.
+    /// Errors: the first fault that is found.
     pub fn verify(&self) -> Result<(), ClientError> {
         let source_name = || self.inner.source_name.to_string();
         verify(self.bytes())

@@ -1,9 +1,9 @@
-//! Archives that are signed: Ed25519 over the Blake2b hash of the bytes, in minisign's format.
+//! Signed archives: Ed25519 over the Blake2b hash of the bytes, in minisign's format.
 //!
 //! ```text
 //! minisign -G -p map.pub -s map.key        a pair of keys, once
 //! mapd sign town.mapd --key map.key        writes town.mapd.minisig; `minisign -Sm town.mapd -s map.key` does the same
-//! mapd --load town.mapd --trust map.pub    refuses what is not signed by that key, or not the signed bytes
+//! mapd --load town.mapd --trust map.pub    refuses archives that this key has not signed
 //! ```
 //!
 //! ```no_run
@@ -24,17 +24,17 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// What is added to an archive's name to name its signature.
+/// Suffix of a signature's file name, after the archive's name.
 pub const SIGNATURE_SUFFIX: &str = ".minisig";
 
-/// Largest key or signature file that is read \[bytes\]: they have a few hundred.
+/// Largest size of a key or signature file \[bytes\]; real ones have a few hundred.
 const LARGEST: u64 = 64 << 10;
 
 /// Why an archive is not trusted.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum TrustError {
-    /// The public key cannot be used.
+    /// The public key is invalid.
     #[error(
         "{name}: expected a minisign public key, {reason}; name the file that `minisign -G` wrote with -p"
     )]
@@ -51,11 +51,11 @@ pub enum TrustError {
         archive: String,
         /// Where its signature should be.
         signature: PathBuf,
-        /// What the system says.
+        /// The system's error.
         #[source]
         reason: std::io::Error,
     },
-    /// The signature is none that can be read.
+    /// The signature cannot be read.
     #[error(
         "{archive}: expected a minisign signature, found another text ({reason}); sign it again with `mapd sign`"
     )]
@@ -73,7 +73,7 @@ pub enum TrustError {
         /// The archive.
         archive: String,
     },
-    /// The bytes are not those that were signed.
+    /// The archive was changed after it was signed.
     #[error(
         "{archive} is not what was signed: the archive or its signature has been altered; get both again from their source"
     )]
@@ -83,7 +83,7 @@ pub enum TrustError {
     },
 }
 
-/// A public key: archives signed with its secret half are trusted.
+/// A public key: archives that were signed with its secret key are trusted.
 #[derive(Clone)]
 pub struct TrustedKey {
     key: PublicKey,
@@ -91,7 +91,7 @@ pub struct TrustedKey {
 }
 
 impl TrustedKey {
-    /// Reads a public key as `minisign -G` writes it.
+    /// Reads a public key from a file in the format of `minisign -G`.
     ///
     /// Errors: [`TrustError::Key`].
     pub fn open(path: impl AsRef<Path>) -> Result<Self, TrustError> {
@@ -103,7 +103,7 @@ impl TrustedKey {
         }
     }
 
-    /// A public key as text: that of its file, or the line of Base64 alone. `name` is for messages.
+    /// A public key from text: the content of its file, or only the line in Base64. `name` is for messages.
     ///
     /// Errors: [`TrustError::Key`].
     pub fn parse(text: &str, name: &str) -> Result<Self, TrustError> {
@@ -117,7 +117,7 @@ impl TrustedKey {
         Ok(Self { key, name: name.into() })
     }
 
-    /// Proves that these bytes are what the signature, a text in minisign's format, was made for. Linear in their number.
+    /// Verifies bytes with a signature in minisign's format. Linear in their number.
     /// `archive` is for messages.
     ///
     /// Errors: [`TrustError::Malformed`], [`TrustError::OtherKey`], [`TrustError::Altered`].
@@ -137,7 +137,7 @@ impl TrustedKey {
         })
     }
 
-    /// The same with the signature in the file beside the archive; see [`signature_path`].
+    /// As [`TrustedKey::verify`], with the signature in the file next to the archive; see [`signature_path`].
     ///
     /// Errors: [`TrustError::Unsigned`]; those of [`TrustedKey::verify`].
     pub fn verify_beside(&self, archive: &Path, bytes: &[u8]) -> Result<(), TrustError> {
@@ -151,14 +151,14 @@ impl fmt::Debug for TrustedKey {
     }
 }
 
-/// Where an archive's signature lies: `town.mapd.minisig` beside `town.mapd`.
+/// Path of an archive's signature: `town.mapd.minisig` next to `town.mapd`.
 pub fn signature_path(archive: &Path) -> PathBuf {
     let mut path = OsString::from(archive.as_os_str());
     path.push(SIGNATURE_SUFFIX);
     path.into()
 }
 
-/// Reads the signature that lies beside an archive.
+/// Reads the signature next to an archive.
 ///
 /// Errors: [`TrustError::Unsigned`].
 pub fn read_signature(archive: &Path) -> Result<String, TrustError> {
@@ -176,9 +176,9 @@ fn read(path: &Path) -> std::io::Result<String> {
 }
 
 impl Snapshot {
-    /// Opens a `.mapd` file in place if it is signed; the signature lies beside it, see [`signature_path`]. Reads the whole
-    /// file. Whoever may write the file may still change it afterwards: where that is not only the map's owner, have the
-    /// daemon serve it, which proves the bytes in shared memory.
+    /// Opens a signed `.mapd` file in place; the signature is next to it, see [`signature_path`]. Reads the whole
+    /// file. A user with write permission can still change the file afterwards: if that is not only the map's owner, let the
+    /// daemon serve the map, which verifies the bytes in shared memory.
     ///
     /// Errors: those of [`Snapshot::open`]; [`ClientError::Trust`].
     pub fn open_trusted(path: impl AsRef<Path>, key: &TrustedKey) -> Result<Self, ClientError> {
@@ -187,7 +187,7 @@ impl Snapshot {
         Ok(snapshot)
     }
 
-    /// Proves that these are the bytes that a signature was made for, also of a generation in shared memory: for clients
+    /// Verifies the bytes with a signature, also of a generation in shared memory: for clients
     /// that trust a key and not the daemon. Reads all bytes.
     ///
     /// Errors: [`ClientError::Trust`].

@@ -140,7 +140,7 @@ impl CompileOptions {
     }
 }
 
-/// How a document is read and what becomes of its errors. It never shapes the tables of a map without errors.
+/// How a document is read and how its errors are handled. It never changes the tables of a map without errors.
 #[derive(Clone, Debug, Default)]
 pub struct ReadOptions {
     /// Bounds on what the document may ask for.
@@ -149,7 +149,7 @@ pub struct ReadOptions {
     pub include_folder: Option<PathBuf>,
     /// Which rules apply, and how bad their findings are.
     pub rules: mapd_rules::Settings,
-    /// What becomes of a map with errors.
+    /// How a map with errors is handled.
     pub policy: Policy,
     /// What signals and objects mean.
     pub ontology: mapd_ontology::Ontology,

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// What becomes of a map.
+/// The verdict on a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// There is an archive of all of the map. The file may still violate the standard, as its findings say.
@@ -95,7 +95,7 @@ pub struct Compilation {
     pub dropped: [usize; 3],
     /// Parts that are not in the map as the document has them, in the order of the document.
     pub quarantined: Vec<QuarantinedPart>,
-    /// What becomes of the map.
+    /// The verdict on the map.
     pub verdict: Verdict,
 }
 

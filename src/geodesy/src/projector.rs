@@ -27,11 +27,11 @@ pub struct Geodetic {
     pub altitude: f64,
 }
 
-/// Why a definition is of no use.
+/// Why a definition cannot be used.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum DefinitionError {
-    /// There is none: the map has no georeference, or one that was found to be of no use when it was compiled.
+    /// There is no definition: the map has no georeference, or the compiler could not use it.
     #[error("the map has no georeference that can be used")]
     None,
     /// It is not understood.

@@ -32,7 +32,7 @@ pub enum Form {
     Other,
 }
 
-/// Why a georeference is of no use.
+/// Why a georeference cannot be used.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ReferenceError {

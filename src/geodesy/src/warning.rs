@@ -1,8 +1,8 @@
-//! What is understood of a georeference only in part.
+//! Warnings about georeferences that are understood only in part.
 
 use std::fmt;
 
-/// Something in a georeference that users should know of; it can be used all the same.
+/// A warning about a georeference that can be used nevertheless.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum DefinitionWarning {
@@ -25,7 +25,7 @@ pub enum DefinitionWarning {
 }
 
 impl DefinitionWarning {
-    /// Whether latitudes and longitudes may be wrong for it, so that it deserves a warning; others are mere information.
+    /// Whether latitudes and longitudes may be wrong because of it, which makes it a warning; others are only information.
     pub fn is_grave(&self) -> bool {
         !matches!(self, Self::Height(_))
     }

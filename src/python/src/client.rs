@@ -238,7 +238,7 @@ struct Followed {
     connection: Arc<Connection>,
 }
 
-/// What becomes of a map, as it happens; an iterator that waits.
+/// Events of a map; an iterator that waits for them.
 #[pyclass(frozen, module = "mapd")]
 pub(crate) struct Events {
     followed: Mutex<Followed>,

@@ -60,7 +60,7 @@ pub(crate) fn match_in_row((row, error): (usize, MatchError)) -> PyErr {
     match_error(&format!("row {row}: "), error)
 }
 
-/// Why a map cannot be had, as Python has it.
+/// Why a map cannot be opened, as an exception.
 pub(crate) fn client(error: ClientError) -> PyErr {
     let class = match &error {
         ClientError::Attach(attach) => attach_class(attach),

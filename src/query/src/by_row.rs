@@ -1,4 +1,4 @@
-//! By rows of the archive's tables, for who has them.
+//! Access by rows of the archive's tables, for programs that have them.
 
 use crate::area;
 use crate::graph::LaneNode;
@@ -11,7 +11,7 @@ use crate::section::LaneSection;
 use crate::types::LanePosition;
 use glam::DVec2;
 
-/// What lies in a row of the archive's tables; none where there is no such row.
+/// Access by row of the archive's tables; `None` if there is no such row.
 pub trait ByRow<'a> {
     /// The lane, lane 0 included.
     fn lane_by_row(&self, row: u32) -> Option<Lane<'a>>;
@@ -53,7 +53,7 @@ impl<'a> ByRow<'a> for Map<'a> {
     }
 }
 
-/// As [`Lane::position_of`], within the stretch of one segment of the centre line; for who has found the segment. None
+/// As [`Lane::position_of`], within the stretch of one segment of the centre line, for a caller that has found the segment. None
 /// for a segment without area, or where the point is farther than `limit` `[m]` and that is cheap to tell.
 pub fn position_along(
     lane: &Lane<'_>,

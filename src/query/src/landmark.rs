@@ -1,4 +1,4 @@
-//! Landmarks for localisation: signals and objects that are found again by who drives past them.
+//! Landmarks for localisation: signals and objects that a vehicle recognises when it drives past them.
 //!
 //! The landmarks that bound routing's searches (`--landmarks`) are places of the lane graph and have nothing to do with these.
 

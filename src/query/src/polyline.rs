@@ -94,7 +94,7 @@ impl<'a> Points<'a> {
 }
 
 /// s of both ends of a segment of a lane's centre line, from the section's start `[m]`; none if it has no such segment. As
-/// [`Points`], without what nobody asks of a segment: the nearest lane asks for each that may win.
+/// [`Points`], without what queries for the nearest lane do not need: they read each segment that may be the nearest.
 #[inline]
 pub(crate) fn segment_ends(
     tables: &Tables<'_>,
@@ -174,7 +174,7 @@ impl<'a> Polyline<'a> {
     }
 
     /// Every point in ascending s: s and position as [`Self::stations`] and [`Self::positions`] have
-    /// them, for who needs all.
+    /// them, for callers that need all.
     #[inline]
     pub fn points(&self) -> impl ExactSizeIterator<Item = LinePoint> + use<'a> {
         let Self { origin, s_start, points } = *self;

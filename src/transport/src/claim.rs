@@ -1,4 +1,4 @@
-//! Who serves a map: one daemon at a time, known by a lock that the kernel releases when it dies.
+//! Which daemon serves a map: one at a time. It holds a lock, which the kernel releases if the daemon dies.
 
 use crate::domain::Domain;
 use crate::observer::daemon_heard;
@@ -32,7 +32,7 @@ pub enum ClaimError {
     Served {
         /// The map.
         map: String,
-        /// What the lock file names.
+        /// The process id in the lock file.
         pid: Option<u32>,
     },
     /// The lock file cannot be used.
@@ -40,7 +40,7 @@ pub enum ClaimError {
     Io {
         /// The lock file.
         path: PathBuf,
-        /// What the system says.
+        /// The system's error.
         #[source]
         error: io::Error,
     },
@@ -118,15 +118,15 @@ fn read_pid(file: &mut File) -> Option<u32> {
     text.trim().parse().ok()
 }
 
-/// Process id of the daemon that serves a map now, 0 if it is alive but has not said; `None` if nobody serves it, or it cannot
-/// be looked at.
+/// Process id of the daemon that serves a map; 0 if a daemon serves it but its id is not known; `None` if no daemon serves it or this
+/// cannot be determined.
 pub fn served_by(domain: &Domain, map: &str) -> Option<u32> {
     who_serves(domain, map).ok().flatten()
 }
 
 /// As [`served_by`].
 ///
-/// Errors: it cannot be looked at.
+/// Errors: the lock file cannot be examined.
 pub(crate) fn who_serves(domain: &Domain, map: &str) -> io::Result<Option<u32>> {
     let mut file = match open_owned(&domain.map_file(map, SUFFIX), domain.owner()) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),

@@ -1,10 +1,10 @@
-//! Where daemon and clients meet.
+//! Domains: where daemon and clients meet.
 
 use crate::accounts::user_id;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
-/// Prefix of every file when nothing else is said.
+/// Default prefix of every file.
 pub const DEFAULT_PREFIX: &str = "mapd_";
 
 /// Environment variable that replaces [`DEFAULT_PREFIX`] in [`Domain::from_env`].
@@ -29,21 +29,21 @@ pub enum DomainError {
          such as {DEFAULT_PREFIX:?}; found {prefix:?}; change it or {PREFIX_VARIABLE}"
     )]
     Prefix {
-        /// What was given.
+        /// The text.
         prefix: String,
     },
     /// The owner.
     #[error("owner {owner:?}: {reason}; change it or {OWNER_VARIABLE}")]
     Owner {
-        /// What was given.
+        /// The text.
         owner: String,
-        /// Why it is no user.
+        /// Why it is not a user.
         reason: String,
     },
 }
 
 /// Where daemon and clients meet: the prefix of all files in [`SHARED_MEMORY_FOLDER`], and the root folder
-/// `/dev/shm/{prefix}root`. Domains with different prefixes know nothing of each other.
+/// `/dev/shm/{prefix}root`. Domains with different prefixes are independent.
 ///
 /// The only `_` of a prefix is its last character, so that no prefix begins another: a daemon removes unfinished files
 /// of its own domain, and must never meet those of a neighbour.
@@ -56,7 +56,7 @@ pub struct Domain {
 }
 
 impl Domain {
-    /// A domain of its own.
+    /// A domain with this prefix.
     ///
     /// Errors: the prefix cannot be used.
     pub fn new(prefix: &str) -> Result<Self, DomainError> {
@@ -84,7 +84,7 @@ impl Domain {
         }
     }
 
-    /// The same, of another user, by name or number: its daemon's word is taken, and nobody else's. Anybody can make a folder of the domain's name first.
+    /// The same domain, with another trusted user, by name or number. Only files of this user are read: any user could create a folder with the domain's name first.
     ///
     /// Errors: there is no such user.
     pub fn owned_by(mut self, owner: &str) -> Result<Self, DomainError> {

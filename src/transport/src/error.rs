@@ -1,4 +1,4 @@
-//! Why a map cannot be attached to.
+//! Why a client cannot attach to a map.
 
 use crate::domain::DomainError;
 use crate::domain::SHARED_MEMORY_FOLDER;
@@ -7,7 +7,7 @@ use crate::room::{ATTACH_DESCRIPTORS, ATTACH_ROOM};
 use std::path::PathBuf;
 use thiserror::Error;
 
-/// Why a map cannot be attached to, or a generation not be had.
+/// Why a client cannot attach to a map or get a generation.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum AttachError {
@@ -20,7 +20,7 @@ pub enum AttachError {
          digit or '_'; found {map:?}; give the map another name with --name"
     )]
     MapName {
-        /// What was given.
+        /// The name.
         map: String,
     },
     /// No daemon serves anything in this domain.
@@ -39,7 +39,7 @@ pub enum AttachError {
         /// Maps that are served now.
         available: Vec<String>,
     },
-    /// The map is there, but no (newer) generation came before the deadline.
+    /// The map exists, but no (newer) generation came before the deadline.
     #[error(
         "map {map:?}: no generation newer than {newer_than} came in time; {}",
         if *daemon_alive { "the daemon is running: wait longer" } else { "the daemon has ended: start it again" }
@@ -47,34 +47,34 @@ pub enum AttachError {
     NoGeneration {
         /// The map.
         map: String,
-        /// A generation newer than this was waited for; 0 for any.
+        /// The client waited for a generation newer than this; 0 for any.
         newer_than: u64,
         /// Whether a daemon serves the map now.
         daemon_alive: bool,
     },
-    /// A generation that was asked for by its number is no longer served.
+    /// The generation with the requested number is no longer served.
     #[error(
         "map {map:?}: generation {wanted} was wanted, generation {newest} is served already; ask for that one, or for the newest"
     )]
     Superseded {
         /// The map.
         map: String,
-        /// What was wanted.
+        /// The requested generation.
         wanted: u64,
         /// The newest generation.
         newest: u64,
     },
-    /// The daemon speaks another revision of the transport, or uses another version of iceoryx2.
+    /// The daemon uses another revision of the transport or another version of iceoryx2.
     #[error(
         "map {map:?}: expected transport revision {TRANSPORT_REVISION}, found {found}; use daemon and client of one release"
     )]
     WrongTransport {
         /// The map.
         map: String,
-        /// What the daemon speaks.
+        /// The daemon's revision.
         found: String,
     },
-    /// All places are taken.
+    /// The map has no free slot for a subscriber.
     #[error(
         "map {map:?} already has {MAX_SUBSCRIBERS} subscriptions; end one, or share a subscription within a process"
     )]
@@ -82,13 +82,13 @@ pub enum AttachError {
         /// The map.
         map: String,
     },
-    /// This subscription keeps as many generations as it can.
+    /// This subscription already holds the largest number of generations.
     #[error("map {map:?}: {MAX_PINNED} generations are already held; drop old ones")]
     TooManyPinned {
         /// The map.
         map: String,
     },
-    /// The files belong to another user than the one that is trusted.
+    /// The files belong to a user that is not trusted.
     #[error(
         "{} belongs to user {owner}, trusted is user {trusted}; run daemon and clients as one user, or name the daemon's with --owner or MAPD_OWNER",
         path.display()
@@ -98,10 +98,10 @@ pub enum AttachError {
         path: PathBuf,
         /// User id of its owner.
         owner: u32,
-        /// User id of whoever is trusted: this process's own, unless another one was named.
+        /// User id of the trusted user: this process's own unless another one was named.
         trusted: u32,
     },
-    /// The files belong to a user of whom nothing is known in this user namespace.
+    /// The files belong to a user that is not mapped into this user namespace.
     #[error(
         "{} belongs to a user that has no id in this user namespace, so that it may be anybody's; map the daemon's user into it, or hand over a signed file",
         path.display()
@@ -110,7 +110,7 @@ pub enum AttachError {
         /// What cannot be used.
         path: PathBuf,
     },
-    /// The daemon's user is trusted, but does not share.
+    /// The daemon's user is trusted but does not share the map.
     #[error(
         "this process may not read {}: the daemon shares with nobody, or with a group that this process is not in; start it with --share group:NAME",
         path.display()
@@ -131,7 +131,7 @@ pub enum AttachError {
         /// The lock file.
         lock: PathBuf,
     },
-    /// The process locks what it maps (`mlockall(MCL_FUTURE)`), and may not lock so much.
+    /// The process locks what it maps (`mlockall(MCL_FUTURE)`), and its limit on locked memory is too low.
     #[error(
         "{} needs {needed} bytes of locked memory, because this process locks all that it maps; raise the limit (`ulimit -l`, LimitMEMLOCK=), \
          or attach before mlockall",
@@ -160,10 +160,10 @@ pub enum AttachError {
     NoDescriptors {
         /// File descriptors that are left.
         left: u64,
-        /// As many as the process may have.
+        /// The process's limit.
         limit: u64,
     },
-    /// The record of a map, or the segment that it names, is not what a daemon makes.
+    /// The record of a map, or the segment that it names, is not one that a daemon writes.
     #[error("{}: {why}; start the daemon again, and find out who writes there", path.display())]
     Record {
         /// The file.
@@ -184,7 +184,7 @@ pub enum AttachError {
     Io {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// The system's error.
         #[source]
         error: std::io::Error,
     },

@@ -1,27 +1,27 @@
 //! How a generation of a map travels from the daemon to its readers: opaque bytes in iceoryx2 shared memory.
 //!
 //! The daemon publishes one exactly sized sample per generation. An [`Observer`] maps it and writes nothing; a `Subscription`
-//! takes part in iceoryx2 and receives it (feature `iceoryx2`, which the daemon needs too). Either way a [`Pinned`] keeps it alive and readable for as long as it is held, whatever becomes of the daemon. Nothing here knows what the bytes mean.
+//! takes part in iceoryx2 and receives it (feature `iceoryx2`, which the daemon needs too). Either way a [`Pinned`] keeps the bytes readable as long as it exists, even if the daemon ends. Nothing here knows what the bytes mean.
 //!
 //! Where both sides meet is a [`Domain`]: a prefix for every file in `/dev/shm` and a root folder there, mode 0700.
 //!
 //! ```text
 //! /dev/shm/mapd_…                     segments of iceoryx2: map data (0400), queues, service state
 //! /dev/shm/mapd_root/.attach          flock: shared while a client attaches, exclusive while a daemon creates or cleans
-//! /dev/shm/mapd_root/.turn            flock: passed by everyone on the way to .attach, so that daemons get it in turn
-//! /dev/shm/mapd_root/.present         flock: shared by everyone who uses the domain; free, when it is deserted
+//! /dev/shm/mapd_root/.turn            flock: taken by every process before .attach, so that daemons get their turn
+//! /dev/shm/mapd_root/.present         flock: shared by every process that uses the domain; free if no process does
 //! /dev/shm/mapd_root/{map}.lock       flock, exclusive while a daemon serves the map; holds its process id
 //! /dev/shm/mapd_root/{map}.generation the last generation number handed out
 //! /dev/shm/mapd_root/{map}.published  record of what is served now: one page, on which readers wait
-//! /dev/shm/mapd_root/{map}.overlay-…  what is laid over it today, where something is; named by the record
-//! /dev/shm/mapd_root/{map}.staged     what waits to be served
+//! /dev/shm/mapd_root/{map}.overlay-…  the map's overlay, if there is one; named by the record
+//! /dev/shm/mapd_root/{map}.staged     the staged generation, which waits to be served
 //! /dev/shm/mapd_root/control-…        the daemon's socket for `mapd status`, `reload`, `rollback`, `activate`
 //! /dev/shm/mapd_root/{nodes,services} iceoryx2's own files
 //! ```
 //!
 //! Why the attach lock: a process killed while it creates a segment leaves one of size zero or without read permission,
-//! and iceoryx2 0.10 waits for such a segment for ever. Whoever creates anything therefore holds the lock; a daemon that
-//! holds it exclusively knows that every unfinished segment is a dead one and removes it before anyone can wait for it.
+//! and iceoryx2 0.10 waits for such a segment for ever. A process that creates anything therefore holds the lock. A daemon that
+//! holds it exclusively knows that the creator of every unfinished segment has died, and removes the segment before another process can wait for it.
 //!
 //! Invariants: a client creates no service, cleans up nothing, starts no thread, installs no signal handler, prints
 //! nothing, and reads no configuration; every wait has a deadline. All processes of a domain run as one user.

@@ -1,6 +1,6 @@
-//! Whether shared memory has room for what a client or a daemon makes besides the maps. iceoryx2 reserves no pages for its
-//! own segments: where there is no room, whoever writes into a new one is killed by a signal. And whether the process has
-//! file descriptors left.
+//! Whether shared memory has room for the files that a client or a daemon creates besides the maps, and whether the process has
+//! file descriptors left. iceoryx2 reserves no pages for its own segments: if shared memory is full, a process that writes to a new one is
+//! killed by a signal.
 
 use crate::domain::SHARED_MEMORY_FOLDER;
 
@@ -8,7 +8,7 @@ use crate::domain::SHARED_MEMORY_FOLDER;
 /// attach at the same moment.
 pub const ATTACH_ROOM: u64 = 256 << 10;
 
-/// Bytes that are free in shared memory; `None` if the system does not say.
+/// Free bytes of shared memory; `None` if the system does not tell.
 pub fn free_bytes() -> Option<u64> {
     let fs = rustix::fs::statvfs(SHARED_MEMORY_FOLDER).ok()?;
     Some(fs.f_bavail.saturating_mul(fs.f_frsize))

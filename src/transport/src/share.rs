@@ -1,14 +1,14 @@
-//! Who may read what a daemon serves.
+//! Which users may read the files of a daemon.
 
 use rustix::fd::AsFd;
 use rustix::fs::{Gid, Mode};
 use std::io;
 
-/// Who may read what a daemon serves, besides its own user. Nobody else may write anything, and files that are locked are the daemon's
-/// user's alone: a lock needs no more than the right to read.
+/// Which users may read the files of a daemon, besides its own user. No other user may write to them. Lock files are readable only by the daemon's
+/// user, because read permission is enough to take a lock.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Share {
-    /// Nobody.
+    /// No other user.
     #[default]
     Private,
     /// Members of the group of this id.
@@ -18,7 +18,7 @@ pub enum Share {
 impl Share {
     /// Gives the root folder its group and rights: 0750, or 0700.
     ///
-    /// Errors: what the system says, as not-permitted for a group that the daemon's user is not in.
+    /// Errors: the system's; not-permitted for a group that does not contain the daemon's user.
     pub fn folder(self, folder: impl AsFd) -> io::Result<()> {
         self.apply(folder, Mode::RWXU, Mode::RGRP | Mode::XGRP)
     }
@@ -30,7 +30,7 @@ impl Share {
         self.apply(file, Mode::RUSR | Mode::WUSR, Mode::RGRP)
     }
 
-    /// The same for a file that nobody changes any more: 0440, or 0400.
+    /// The same for a file that is no longer changed: 0440, or 0400.
     ///
     /// Errors: as [`Share::folder`].
     pub fn finished(self, file: impl AsFd) -> io::Result<()> {

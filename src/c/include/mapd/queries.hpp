@@ -673,7 +673,7 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
 
   // The map itself.
 
-  /// What the map says of itself.
+  /// Facts about the map.
   Result<MapFacts> try_facts() const {
     return detail::value<MapFacts>([&](auto... out) { return mapd_map_facts_of(get(), out...); });
   }

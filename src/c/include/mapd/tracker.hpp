@@ -10,7 +10,7 @@ class Tracker : public detail::Owner<mapd_tracker, mapd_tracker_close> {
  public:
   Tracker() : Owner(make()) {}
 
-  /// Takes the next fix: in which lane the vehicle is, in none, or nobody knows (`state`).
+  /// Takes the next fix: the lane of the vehicle, none, or unknown (`state`).
   Result<Tracked> try_update(const Queries& map, const TrackerFix& fix, const TrackerOptions& options = {}) {
     return detail::value<Tracked>(
         [&](auto... out) { return mapd_tracker_update(get(), map.get(), &fix, &options, out...); });

@@ -13,7 +13,7 @@ pub enum OnError {
     ReferenceLine,
 }
 
-/// What becomes of a map with errors.
+/// How a map with errors is handled.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Policy {
     /// What is done about an error.

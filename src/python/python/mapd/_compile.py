@@ -19,18 +19,18 @@ OnError = Literal["quarantine", "reject", "reference-line"]
 
 @dataclass(frozen=True)
 class Compilation:
-    """A map that was compiled in this process, and what was found in its file."""
+    """A map that was compiled in this process, with the findings about its file."""
 
     map: Map
     report: Report
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """What was found, in the order of the file."""
+        """The findings, in the order of the file."""
         return self.report.findings
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the archive. A file of that name is replaced whole: who has it open keeps the old one.
+        """Writes the archive. A file of that name is replaced as a whole: programs that have it open keep the old one.
 
         Raises:
             OSError: the file cannot be written.
@@ -75,7 +75,7 @@ def compile(
         threads: Threads to use; 0 for as many as the machine has.
 
     Raises:
-        RejectedError: no map can be built; its ``report`` says why.
+        RejectedError: no map can be built; its ``report`` has the findings.
         FileError: the file cannot be read.
         ValueError: an option outside its range.
     """
@@ -103,7 +103,7 @@ def check(
     on_error: OnError = "quarantine",
     threads: int = 0,
 ) -> Report:
-    """Finds everything that :func:`compile` finds, without building the map. A map that would be rejected is no error.
+    """Reports all that :func:`compile` would report, without building the map. A map that would be rejected is not an error.
 
     Raises:
         FileError: the file cannot be read.

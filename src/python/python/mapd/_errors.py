@@ -9,11 +9,11 @@ if TYPE_CHECKING:
 
 
 class MapdError(Exception):
-    """Any error of mapd's."""
+    """Base class of all errors of mapd."""
 
 
 class AttachError(MapdError):
-    """A served map cannot be attached to, or a generation not be had."""
+    """A served map cannot be attached to, or a generation is not available."""
 
 
 class NoDaemonError(AttachError, ConnectionError):
@@ -37,7 +37,7 @@ class WrongTransportError(AttachError):
 
 
 class ExhaustedError(AttachError):
-    """All places are taken: subscriptions, held generations, shared memory or file descriptors."""
+    """A limit is reached: subscriptions, held generations, shared memory or file descriptors."""
 
 
 class NotPermittedError(AttachError, PermissionError):
@@ -49,7 +49,7 @@ class BusyError(AttachError, TimeoutError):
 
 
 class BadNameError(AttachError, ValueError):
-    """A name or prefix that no map or domain can have."""
+    """The name of a map or the prefix of a domain is invalid."""
 
 
 class ClosedError(MapdError):
@@ -61,7 +61,7 @@ class ForkedError(MapdError):
 
 
 class ArchiveError(MapdError):
-    """The bytes are no archive that this release reads, or do not prove."""
+    """The bytes are not an archive that this release can read, or the archive failed verification."""
 
 
 class FileError(MapdError, OSError):
@@ -69,7 +69,7 @@ class FileError(MapdError, OSError):
 
 
 class RejectedError(MapdError):
-    """A file was rejected: no map can be built from it. ``report`` says why."""
+    """A file was rejected: no map can be built from it. ``report`` has the findings."""
 
     report: Report
 
@@ -83,7 +83,7 @@ class QueryError(MapdError):
 
 
 class ForeignIdError(QueryError, LookupError):
-    """An id that another map content handed out; look it up again by its key."""
+    """The id is of another map content; look it up again by its key."""
 
 
 class NoSuchPartError(QueryError, KeyError):
@@ -94,7 +94,7 @@ class NoSuchPartError(QueryError, KeyError):
 
 
 class PathError(QueryError, ValueError):
-    """Steps that are no path; the message names the step."""
+    """The steps do not form a path; the message names the step."""
 
 
 class CorruptError(QueryError):

@@ -152,13 +152,13 @@ class Client:
     def closed(self) -> bool:
         """Whether it was closed."""
     def map(self) -> Map:
-        """The newest generation seen so far, without looking for another."""
+        """The newest generation that this client has seen. Does not look for a newer one."""
     def refresh(self) -> Map:
         """Looks for a newer generation without waiting and returns the newest."""
     def wait(self, timeout: float = 5.0) -> Map:
-        """Waits [s] for a generation newer than the newest seen so far; NoGenerationError if none comes."""
+        """Waits [s] for a generation newer than the newest that this client has seen; NoGenerationError if none comes."""
     def wait_change(self, timeout: float = 5.0) -> bool:
-        """Waits [s] for another generation or another overlay; whether one has come, which map() then has."""
+        """Waits [s] for another generation or another overlay. Returns whether one has come; map() then returns it."""
     def require(self, generation: int, timeout: float = 5.0) -> Map:
         """Waits [s] for the generation of this number; SupersededError if a newer one is served already."""
     @property
@@ -168,11 +168,11 @@ class Client:
     def served_by(self) -> int | None:
         """Process id of the daemon that serves the map now; None if none does."""
     def populate(self) -> None:
-        """Has every page of this and later generations mapped before they are handed out."""
+        """Maps every page of this and later generations before they are returned."""
     def events(self) -> Events:
         """Follows the map from now on."""
     def close(self) -> None:
-        """Gives the connection back. Maps that are held stay readable."""
+        """Closes the connection. Maps stay readable."""
     def __enter__(self) -> Client: ...
     def __exit__(
         self, _kind: type[BaseException] | None, _error: BaseException | None, _trace: TracebackType | None
@@ -180,10 +180,10 @@ class Client:
 
 @final
 class Events:
-    """What becomes of a map, as it happens; an iterator that waits."""
+    """Events of a map; an iterator that waits for them."""
 
     def wait(self, timeout: float = 5.0) -> Event | None:
-        """The next event, or None if nothing happens in time [s]."""
+        """The next event; None if there is none within the timeout [s]."""
     def __iter__(self) -> Iterator[Event]: ...
     def __next__(self) -> Event: ...
 
@@ -193,7 +193,7 @@ class Map:
 
     @property
     def generation(self) -> int:
-        """What it was published as; 0 for a file."""
+        """Number of the generation; 0 for a file."""
     @property
     def name(self) -> str:
         """Name in the file's header."""
@@ -219,9 +219,9 @@ class Map:
     def projection(self) -> str:
         """The georeference as PROJ parameters; empty if there is none that can be used."""
     def verify(self) -> None:
-        """Proves the whole archive, content hash included; linear in its size."""
+        """Verifies the whole archive, its content hash included; linear in its size."""
     def populate(self) -> None:
-        """Has every page of the archive mapped in this process now."""
+        """Maps every page of the archive into this process now."""
     def lanes(self) -> list[Lane]:
         """All lanes, lane 0 of each section left out."""
     def roads(self) -> list[Road]:
@@ -826,7 +826,7 @@ class View:
         by: _By = "length",
         lane_change: float | None = None,
     ) -> Route | None:
-        """As Map.route, heeding what holds now."""
+        """As Map.route, with the overlay's current entries applied."""
     def reachable(
         self,
         start: _Place,
@@ -836,7 +836,7 @@ class View:
         by: _By = "length",
         lane_change: float | None = None,
     ) -> Reached:
-        """As Map.reachable, heeding what holds now [m, or s by time]."""
+        """As Map.reachable, with the overlay's current entries applied [m, or s by time]."""
     def corridor(
         self,
         path: Path,
@@ -847,7 +847,7 @@ class View:
         vehicle: str = "passengerCar",
         out: Corridor | None = None,
     ) -> Corridor:
-        """As Path.corridor [m], heeding what holds now beside the path; speeds are the map's."""
+        """As Path.corridor [m], with the overlay's current entries applied beside the path; speeds are the map's."""
     def signals_ahead(self, start: _Place, distance: float, *, vehicle: str = "passengerCar") -> list[SignalAhead]:
         """As Map.signals_ahead [m]: ways through closed lanes are not followed."""
     @overload

@@ -116,7 +116,7 @@ class NearMark(NamedTuple):
     width: float
     """Of the line [m]."""
     side: Literal["left", "right"]
-    """Where the mark lies for one at the point who looks along the road's reference line."""
+    """The side of the point on which the mark is, looking along the road's reference line."""
     kind: str
     color: str
     painted: bool | None
@@ -158,9 +158,9 @@ class SpeedRule(NamedTuple):
     max: float | None
     """[m/s]; infinite where there is none, None where the map says nothing."""
     origin: Literal["written", "sign", "entry", "default", "depends", "unknown"]
-    """Who says so."""
+    """The source of the limit."""
     signal: Signal | None
-    """The sign, if one does."""
+    """The sign, if a sign states the limit."""
 
 
 class RouteStep(NamedTuple):
@@ -197,7 +197,7 @@ class Route:
 
 
 class PathPoint(NamedTuple):
-    """A place on a path, as who drives there has it."""
+    """A position on a path, as seen by a vehicle that drives along it."""
 
     along: float
     """S: the sum of the lengths driven along centre lines [m]."""
@@ -255,7 +255,7 @@ class PathConflict(NamedTuple):
     """The common place on the other lane's road [m], the smaller s first."""
     kind: str
     yields: Literal["yields", "priority", "lights", "open", "unknown"]
-    """Who goes first, by what the file says."""
+    """Who has priority, according to the file."""
     reason: str
     wait: float
     """S at which to wait [m]."""
@@ -274,7 +274,7 @@ class LaneLine(NamedTuple):
 
 
 class PathFact(NamedTuple):
-    """Something that a path comes by. What the kind does not have is None."""
+    """A fact along a path. Fields that its kind does not have are None."""
 
     start: float
     """S of its beginning [m]."""
@@ -337,7 +337,7 @@ class PathJoint(NamedTuple):
 
 
 class PathChange(NamedTuple):
-    """What has become of a stretch of a path on another map."""
+    """How a stretch of a path differs on another map."""
 
     start: float
     end: float
@@ -357,13 +357,13 @@ class Rebased(NamedTuple):
 
 
 class OverlayEntry(NamedTuple):
-    """Something that an overlay says."""
+    """An entry of an overlay."""
 
     number: int
     """Its place among the overlay's entries, from 0."""
     id: str
     kind: str
-    """In the words of docs/overlay.md."""
+    """A kind of docs/overlay.md."""
     value: float | None
     """Of a speed, the limit [m/s]."""
     source: str
@@ -407,7 +407,7 @@ class SpeedToday(NamedTuple):
     """The speed limit at a place, with what is said of it today."""
 
     max: float | None
-    """[m/s]; infinite where there is none, None where nobody says anything."""
+    """[m/s]; infinite if there is no limit, None if neither map nor overlay states one."""
     map: SpeedRule
     """What the map says."""
     restriction: Restriction | None
@@ -436,7 +436,7 @@ class Stance(NamedTuple):
 
 
 class Landmark(NamedTuple):
-    """A thing that localisers find again."""
+    """A landmark for localisation."""
 
     signal: Signal | None
     """The signal that it is, or else it is an object."""
@@ -470,7 +470,7 @@ class LandmarkInView(NamedTuple):
 
 
 class SignalAhead(NamedTuple):
-    """A signal that one comes to."""
+    """A signal ahead."""
 
     signal: Signal
     distance: float
@@ -530,7 +530,7 @@ class Pending:
 
 @dataclass(frozen=True)
 class DaemonGone:
-    """The daemon has ended or was killed. What is held stays readable; nobody new can attach."""
+    """The daemon has ended or was killed. Maps stay readable; new subscribers cannot attach."""
 
 
 @dataclass(frozen=True)
@@ -542,7 +542,7 @@ class DaemonBack:
 
 @dataclass(frozen=True)
 class OtherEvent:
-    """Something that this release of the bindings has no class for."""
+    """An event that this release of the bindings has no class for."""
 
 
 Event = Generation | Pending | DaemonGone | DaemonBack | OtherEvent
@@ -550,15 +550,15 @@ Event = Generation | Pending | DaemonGone | DaemonBack | OtherEvent
 
 @dataclass(frozen=True)
 class Finding:
-    """Something that a file has wrong."""
+    """A finding about a file."""
 
     rule: str
-    """Id of the rule; docs/rules.md tells of it."""
+    """Id of the rule; see docs/rules.md."""
     severity: Literal["info", "warning", "error"]
     message: str
     """What was expected and what was found."""
     hint: str
-    """The way out; may be empty."""
+    """What to do about it; may be empty."""
     path: str
     """Path of elements."""
     subject: str
@@ -599,7 +599,7 @@ class QuarantinedPart:
 
 @dataclass(frozen=True)
 class Report:
-    """What was found in a file, and what becomes of it."""
+    """The findings about a file, and the verdict."""
 
     verdict: Literal["accepted", "quarantined", "rejected"]
     findings: tuple[Finding, ...]

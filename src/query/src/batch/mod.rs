@@ -97,7 +97,7 @@ pub struct BatchScratch {
 }
 
 impl BatchScratch {
-    /// Room for batches of so many places.
+    /// Room for batches of this many places.
     pub fn with_capacity(places: usize) -> Self {
         Self { order: Order::with_capacity(places) }
     }

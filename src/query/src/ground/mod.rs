@@ -47,7 +47,7 @@ pub struct GroundScratch {
 }
 
 impl GroundScratch {
-    /// Room for places that so many lanes hold at once.
+    /// Room for places that lie on this many lanes at once.
     pub fn with_capacity(lanes: usize) -> Self {
         Self { near: Vec::with_capacity(lanes), heights: Vec::with_capacity(lanes) }
     }

@@ -78,7 +78,7 @@ impl Default for MarkFilter {
     }
 }
 
-/// Where something lies, for one who looks along the reference line.
+/// The side of something, looking along the reference line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(
     feature = "serde",
@@ -114,7 +114,7 @@ pub struct NearMark {
     pub place: DVec2,
     /// How far away that is in plan view `[m]`.
     pub distance: f64,
-    /// On which side of the point the mark lies, for one at the point who looks along the road's reference line.
+    /// The side of the point on which the mark is, looking along the road's reference line.
     pub side_of_reference_line: Side,
     /// Kind.
     pub kind: RoadMarkKind,

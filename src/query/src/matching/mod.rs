@@ -63,7 +63,7 @@ pub struct MatchOptions<'a> {
     pub drive_deviation: f64,
     /// Prior of `none`, where a lane has 1; positive. Default 0.01.
     pub none: f64,
-    /// Who drives: lanes that this class may not use have the prior `closed`. Default nobody in particular.
+    /// The class of the vehicle: lanes that it may not use have the prior `closed`. Default: no class.
     pub vehicle: Option<VehicleClass>,
     /// Share of the prior that lanes have which the vehicle may not use, in (0, 1]. Default 0.05.
     pub closed: f64,

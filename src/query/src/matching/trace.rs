@@ -60,7 +60,7 @@ pub struct TraceOptions {
     pub deviation: f64,
     /// Standard deviation of headings `[rad]`, of fixes that have one. Default 0.1.
     pub heading_deviation: f64,
-    /// Who drives: lanes that this class may not use are improbable. Default a passenger car.
+    /// The class of the vehicle: lanes that it may not use are improbable. Default: passenger car.
     pub vehicle: VehicleClass,
     /// Mean time between changes of lane `[s]`, positive. Default 30.
     pub change_interval: f64,

@@ -103,7 +103,7 @@ pub enum Tracked {
     Lane(LaneMatch),
     /// In none, or across them.
     NoLane,
-    /// Nobody knows: no hypothesis is probable enough, or the most probable one cannot have been reached from those of the last fix.
+    /// Unknown: no hypothesis is probable enough, or the most probable one cannot have been reached from those of the last fix.
     Unknown,
 }
 

@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 /// Half the stretch over which curvature, its rate and grade are taken `[m]`: short against all that roads do, long against rounding.
 const REACH: f64 = 0.05;
 
-/// A place on a path, as who drives there has it.
+/// A position on a path, as seen by a vehicle that drives along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PathPoint {

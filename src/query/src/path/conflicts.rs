@@ -13,7 +13,7 @@ use mapd_archive::{ConflictKind, Relation, RelationReason, RoadRules};
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Yields {
-    /// Who drives along the path gives way.
+    /// The vehicle on the path gives way.
     Yields,
     /// The other gives way.
     Priority,

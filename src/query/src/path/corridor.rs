@@ -18,7 +18,7 @@ const MOST_STATIONS: f64 = 1e6;
 /// Lanes beside the driven one that are looked at on either side at most; a damaged archive might lead round in a circle.
 const MOST_BESIDE: usize = 64;
 
-/// The room along a path, a column for each fact and an entry for each station. Left and right are those of who drives.
+/// The room along a path, a column for each fact and an entry for each station. Left and right are as seen by the driver.
 #[derive(Clone, Debug, Default)]
 pub struct Corridor {
     /// S `[m]`.
@@ -274,7 +274,7 @@ impl<'a> Path<'a, '_> {
     }
 }
 
-/// Both edges of a lane, the left one of who drives first.
+/// Both edges of a lane, the driver's left one first.
 pub(super) fn bounds(lane: &Lane<'_>, forward: bool, s: f64) -> Option<[DVec3; 2]> {
     let [left, right] = lane.bounds_at(s)?;
     Some(if lane.is_forward() == forward { [left, right] } else { [right, left] })

@@ -1,7 +1,7 @@
 //! A route as one line that can be asked: Frenet coordinates over many roads.
 //!
 //! **S** is the sum of the lengths that are driven along the lanes' centre lines `[m]`, from 0 at the path's start. Left and right
-//! are those of who drives along it. Lanes of real maps do not always meet: a gap or an overlap between two adds nothing to S and is
+//! are as seen by the driver. Lanes of real maps do not always meet: a gap or an overlap between two adds nothing to S and is
 //! listed ([`Path::joints`]), as is a change of lane, which is a jump to the side at its place or a curve over a length ([`LaneChange`]).
 //!
 //! Between two stations of the stored centre line (a span) S grows with s as a parabola whose ends have the line's own growth, so that S

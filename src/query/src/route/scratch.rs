@@ -115,7 +115,7 @@ impl PartialOrd for Open {
 const CHAIN: usize = 64;
 
 impl RouteScratch {
-    /// Scratch that needs not grow for a map of so many nodes (`map.lane_nodes().len()`), as long as fewer are open at once.
+    /// Scratch that need not grow for a map with this many nodes (`map.lane_nodes().len()`), as long as fewer are open at once.
     pub fn with_capacity(nodes: usize) -> Self {
         Self {
             labels: vec![Label::default(); nodes],

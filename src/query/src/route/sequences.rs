@@ -39,7 +39,7 @@ pub struct NextJunction {
 }
 
 impl LaneSequences {
-    /// Buffers that need not grow for so many lanes in all sequences.
+    /// Buffers that need not grow for this number of lanes in all sequences.
     pub fn with_capacity(lanes: usize) -> Self {
         Self {
             lanes: Vec::with_capacity(lanes),

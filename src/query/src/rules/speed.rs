@@ -145,7 +145,7 @@ impl<'a> Lane<'a> {
         self.speed_with(self.speed_signs_at_entry(), s)
     }
 
-    /// As `written_speed`, for who has entered the lane with these signs.
+    /// As `written_speed`, for a vehicle that has entered the lane with these signs.
     pub(crate) fn speed_with(&self, entry: SpeedSigns<'_>, s: f64) -> Option<SpeedRule> {
         let signs = self.speed_signs_after(entry, Some(s));
         let sign = match (signs.limit, signs.zone) {

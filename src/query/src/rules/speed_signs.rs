@@ -83,7 +83,7 @@ impl<'a> Lane<'a> {
         SpeedSigns { limit: sign.map(|sign| sign.signal()), zone: Zone::None }
     }
 
-    /// The signs that hold at s, or at the lane's end for none, for who has entered it with these.
+    /// The signs that hold at s, or at the lane's end for none, for a vehicle that has entered the lane with these.
     pub fn speed_signs_after(&self, entry: SpeedSigns<'a>, s: Option<f64>) -> SpeedSigns<'a> {
         let forward = self.is_forward();
         let along = |s: f64| if forward { s } else { -s };

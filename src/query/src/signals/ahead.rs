@@ -42,7 +42,7 @@ pub struct SignalsAhead {
 }
 
 impl SignalsAhead {
-    /// Buffers that need not grow for so many signals and pieces of lanes.
+    /// Buffers that need not grow for these numbers of signals and pieces of lanes.
     pub fn with_capacity(places: usize) -> Self {
         Self {
             found: Vec::with_capacity(places),

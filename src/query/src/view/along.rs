@@ -90,7 +90,7 @@ impl<'a> View<'a> {
         Ok(SpeedToday::of(map, self.restrictions_on(piece), vehicle))
     }
 
-    /// As [`Path::corridor`], heeding what holds now: beside the path a lane that is closed cannot be changed to and adds no room, and one that is
+    /// As [`Path::corridor`], with the overlay's current entries applied: beside the path a lane that is closed cannot be changed to and adds no room, and one that is
     /// opened may and does. [`View::restrictions_at`] names the entries. The column `speed` is the map's: [`View::speed_on_path`] has today's.
     ///
     /// Errors: as [`Path::corridor`]; a path on another map.
@@ -107,7 +107,7 @@ impl<'a> View<'a> {
         path.corridor_on(OverlaidGraph::new(*self, vehicle), from, length, step, vehicle, out)
     }
 
-    /// As [`crate::Map::signals_ahead`], heeding what holds now: ways through closed lanes are not followed. Signals that are out of service are
+    /// As [`crate::Map::signals_ahead`], with the overlay's current entries applied: ways through closed lanes are not followed. Signals that are out of service are
     /// among them; [`View::signal_out_of_service`] tells which are, and by which entry.
     ///
     /// Errors: as [`crate::Map::signals_ahead`].
@@ -121,7 +121,7 @@ impl<'a> View<'a> {
         crate::signals::ahead(OverlaidGraph::new(*self, vehicle), from, distance, vehicle, out)
     }
 
-    /// As [`crate::Map::match_pose`], heeding what holds now: a lane that is closed to [`MatchOptions::vehicle`] has the prior of closed ones.
+    /// As [`crate::Map::match_pose`], with the overlay's current entries applied: a lane that is closed to [`MatchOptions::vehicle`] has the prior of closed ones.
     /// [`View::allows`] names the entry.
     ///
     /// Errors: as [`crate::Map::match_pose`].

@@ -1,4 +1,4 @@
-//! The lane graph under an overlay, as searches travel on it.
+//! The lane graph with an overlay applied, for searches.
 
 use super::{View, node_of};
 use crate::graph::LaneNode;
@@ -47,7 +47,7 @@ impl<'a> OverlaidGraph<'a> {
         if pieces.is_empty() { node } else { self.nodes + pieces.start }
     }
 
-    /// The node of the map, and which of its pieces this is.
+    /// The node of the map, and the number of this piece in it.
     #[inline]
     fn base(&self, number: u32) -> (u32, u32, u32) {
         let (Some(piece), Some(tables)) = (self.piece(number), self.view.tables()) else {

@@ -1,7 +1,7 @@
 //! A map under today's overlay: what is closed, slower or told of, at one moment.
 //!
 //! An overlay says of nodes of the lane graph which entries hold on which pieces of them. A [`View`] answers as the map does where nothing is said,
-//! and heeds the entries that hold at its moment elsewhere; each answer names the entry that decides. The moment is the caller's: nothing here reads a clock.
+//! and applies the entries that hold at its moment elsewhere; each answer names the entry that decides. The moment is the caller's: nothing here reads a clock.
 //! Without an overlay a view is the map.
 
 mod along;

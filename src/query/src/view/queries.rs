@@ -24,7 +24,7 @@ pub struct Permission<'a> {
 /// The speed limit at a place, with what is said of it today.
 #[derive(Clone, Copy, Debug)]
 pub struct SpeedToday<'a> {
-    /// Limit `[m/s]`; infinite where there is none; `None` where nobody says anything.
+    /// Limit `[m/s]`; infinite if there is no limit; `None` if neither map nor overlay states one.
     pub max: Option<f64>,
     /// What the map says.
     pub map: SpeedRule,
@@ -52,7 +52,7 @@ impl<'a> SpeedToday<'a> {
 }
 
 impl<'a> View<'a> {
-    /// Entries that hold now at s of a lane, in its own direction, whoever they concern, in the order in which they were given.
+    /// Entries that hold now at s of a lane, in its direction of travel, for any class of vehicles, in the order of the overlay.
     ///
     /// Errors: an id of another map; an s that is no finite number.
     pub fn restrictions_at(
@@ -157,7 +157,7 @@ impl<'a> View<'a> {
         }))
     }
 
-    /// As [`crate::Map::route`], heeding what holds now: closed stretches are not entered, opened ones may be, and times are those of today's speeds. The
+    /// As [`crate::Map::route`], with the overlay's current entries applied: closed stretches are not entered, opened ones may be, and times are those of today's speeds. The
     /// lane of the start may be closed.
     ///
     /// Errors: as [`crate::Map::route`].
@@ -173,7 +173,7 @@ impl<'a> View<'a> {
         self.route_via(&[from, to], vehicle, cost, scratch, steps)
     }
 
-    /// As [`crate::Map::route_via`], heeding what holds now.
+    /// As [`crate::Map::route_via`], with the overlay's current entries applied.
     ///
     /// Errors: as [`crate::Map::route_via`].
     pub fn route_via(
@@ -190,7 +190,7 @@ impl<'a> View<'a> {
         find_via(OverlaidGraph::new(*self, vehicle), places, vehicle, cost, scratch, steps)
     }
 
-    /// As [`crate::Map::find_route`], heeding what holds now.
+    /// As [`crate::Map::find_route`], with the overlay's current entries applied.
     ///
     /// Errors: as [`crate::Map::find_route`].
     pub fn find_route(
@@ -203,7 +203,7 @@ impl<'a> View<'a> {
         find(OverlaidGraph::new(*self, request.vehicle), request, scratch, steps)
     }
 
-    /// As [`crate::Map::alternatives`], heeding what holds now.
+    /// As [`crate::Map::alternatives`], with the overlay's current entries applied.
     ///
     /// Errors: as [`crate::Map::alternatives`].
     pub fn alternatives(
@@ -216,7 +216,7 @@ impl<'a> View<'a> {
         alternatives(OverlaidGraph::new(*self, request.vehicle), request, options, scratch, out)
     }
 
-    /// As [`crate::Map::reachable`], heeding what holds now. Where the overlay cuts a node, each piece is told of by itself.
+    /// As [`crate::Map::reachable`], with the overlay's current entries applied. If the overlay cuts a node, the answer lists its pieces one by one.
     ///
     /// Errors: as [`crate::Map::reachable`].
     pub fn reachable(
@@ -233,7 +233,7 @@ impl<'a> View<'a> {
         Ok(reach(OverlaidGraph::new(*self, vehicle), &request, limit, scratch, out)?)
     }
 
-    /// As [`crate::Map::reach`], heeding what holds now; pieces as in [`View::reachable`].
+    /// As [`crate::Map::reach`], with the overlay's current entries applied; pieces as in [`View::reachable`].
     ///
     /// Errors: as [`crate::Map::reach`].
     pub fn reach(
@@ -246,7 +246,7 @@ impl<'a> View<'a> {
         network(OverlaidGraph::new(*self, request.vehicle), request, (limit, true), scratch, out)
     }
 
-    /// As [`crate::Map::reach_to`], heeding what holds now; pieces as in [`View::reachable`].
+    /// As [`crate::Map::reach_to`], with the overlay's current entries applied; pieces as in [`View::reachable`].
     ///
     /// Errors: as [`crate::Map::reach_to`].
     pub fn reach_to(
