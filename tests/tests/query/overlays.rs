@@ -8,7 +8,10 @@ use mapd_query::LaneId;
 use mapd_query::glam::{DMat3, DVec2, DVec3};
 use mapd_query::localisation::{MatchOptions, VehiclePose};
 use mapd_query::path::{Corridor, PathBuffer, PathOptions, steps_of_lanes};
-use mapd_query::route::{PositionOnLane, RouteScratch, ShortestLength};
+use mapd_query::route::{
+    AlternativeOptions, PositionOnLane, Reach, RouteRequest, RouteScratch, RouteStep, Routes,
+    ShortestLength,
+};
 use mapd_query::signals::SignalsAhead;
 use mapd_query::view::View;
 use mapd_query::vocabulary::VehicleClass;
@@ -109,6 +112,51 @@ fn routes_lead_round_it() {
         let own = reached.iter().filter(|piece| piece.lane == lane);
         let pieces: Vec<_> = own.map(|piece| (piece.s_from, piece.s_to)).collect();
         assert_eq!(pieces, [(10.0, 40.0), (60.0, 100.0)]);
+    });
+}
+
+/// Whatever a request asks: the closed stretch is neither driven on nor reached.
+#[test]
+fn requests_heed_it() {
+    let text = entries(&[entry("works", r#""kind":"closed""#)]);
+    with(&text, at(0.0), |view| {
+        let lane = lane_id(view.map(), -1);
+        let (mut scratch, mut steps, mut routes, mut network) =
+            (RouteScratch::default(), Vec::new(), Routes::default(), Reach::default());
+        let [starts, goals] = [10.0, 90.0].map(|s| [PositionOnLane { lane, s }.into()]);
+        let cost = ShortestLength::default();
+        let ask = |avoid| RouteRequest {
+            starts: &starts,
+            goals: &goals,
+            vehicle: CAR,
+            cost: &cost,
+            avoid,
+        };
+        let beside = [lane_id(view.map(), -2)];
+        let found = view.find_route(&ask(&[]), &mut scratch, &mut steps).expect("an answer");
+        assert_eq!(found.map(|route| (route.length, route.lane_changes)), Some((80.0, 2)));
+        let none = view.find_route(&ask(&beside), &mut scratch, &mut steps).expect("an answer");
+        assert_eq!(none, None, "the way round is to be avoided");
+        for share in [0.0, 0.3] {
+            let options = AlternativeOptions { share, ..AlternativeOptions::default() };
+            view.alternatives(&ask(&[]), &options, &mut scratch, &mut routes).expect("routes");
+            assert_eq!(routes.iter().next().map(|(route, _)| *route), found);
+            let is_closed = |step: &RouteStep| {
+                let (low, high) = (step.s_from.min(step.s_to), step.s_from.max(step.s_to));
+                step.lane == lane && low < 60.0 && high > 40.0
+            };
+            assert!(routes.iter().all(|(_, steps)| !steps.iter().any(is_closed)));
+        }
+        let own = |network: &Reach| {
+            let all = network.reached().iter().filter(|one| one.lane == lane);
+            all.map(|one| (one.s_from, one.s_to)).collect::<Vec<_>>()
+        };
+        view.reach(&ask(&[]), 1e3, &mut scratch, &mut network).expect("a network");
+        assert_eq!(own(&network), [(10.0, 40.0), (60.0, 100.0)]);
+        view.reach_to(&ask(&[]), 1e3, &mut scratch, &mut network).expect("a network");
+        assert_eq!(own(&network), [(60.0, 90.0), (0.0, 40.0)]);
+        view.reach_to(&ask(&beside), 1e3, &mut scratch, &mut network).expect("a network");
+        assert_eq!(own(&network), [(60.0, 90.0)]);
     });
 }
 

@@ -217,6 +217,30 @@ fn many_short_nodes_between_fixes_end_no_way() {
     }
 }
 
+/// An odometer that jumps, or begins anew, is one that is not there.
+#[test]
+fn an_odometer_that_jumps_says_nothing() {
+    let snapshot = maps::open(&carried("town.xodr"));
+    let (map, random) = (snapshot.map(), &mut Random(9));
+    let truth = drives::drive(map, 30.0, random);
+    let fixes = drives::localise(&truth, 1, NOISE, true, random);
+    let answers = |change: &dyn Fn(usize, f64) -> Option<f64>| {
+        let (mut tracker, options) = (Tracker::new(), TrackerOptions::default());
+        let each = fixes.iter().enumerate().map(|(i, fix)| {
+            let odometer = fix.odometer.and_then(|way| change(i, way));
+            tracker.update(map, &TrackerFix { odometer, ..*fix }, &options).expect("an answer")
+        });
+        each.collect::<Vec<_>>()
+    };
+    // Without the odometer of one fix, two ways are unknown: to it and from it.
+    let jump = 150;
+    for far in [1e12, -1e12, 1e3, -1e3] {
+        let jumped = answers(&|i, way| Some(if i == jump { way + far } else { way }));
+        let without = answers(&|i, way| (i != jump).then_some(way));
+        assert_eq!(jumped, without, "{far}");
+    }
+}
+
 #[test]
 fn another_map_begins_anew() {
     let (first, second) =

@@ -22,6 +22,10 @@ const DETOUR: f64 = 1.0;
 /// The same as a share of the way: of one measured by an odometer, and of the straight way between two fixes.
 const ODOMETER_SHARE: f64 = 0.05;
 const STRAIGHT_SHARE: f64 = 0.25;
+/// An odometer that goes faster has jumped `[m/s]`: no vehicle on a road does. One that is reset does so backwards.
+const MOST_SPEED: f64 = 100.0;
+/// By how much it may go farther between two fixes at one time `[m]`: it is read at other moments.
+const MOST_STEP: f64 = 10.0;
 /// Density of places of a vehicle on no lane, where one in a lane has 1: it may be anywhere.
 const ANYWHERE: f64 = 0.25;
 /// Mean times `[s]` between leaving all lanes; of staying away from them; and between places where the graph or the fixes are wrong.
@@ -43,7 +47,8 @@ pub struct TrackerFix {
     pub pose: VehiclePose,
     /// Covariance of (x, y, heading) in `[m²]`, `[m·rad]` and `[rad²]`, as for [`Map::match_pose`].
     pub covariance: DMat3,
-    /// Way driven since any beginning `[m]`, if known; it falls while a vehicle reverses. Without one, the straight way from the last fix counts.
+    /// Way driven since any beginning `[m]`, if known; it falls while a vehicle reverses. Without one, and where it jumps by more than any vehicle drives, the
+    /// straight way from the last fix counts.
     pub odometer: Option<f64>,
 }
 
@@ -329,11 +334,13 @@ fn drive(last: &Last, fix: &TrackerFix, variance: f64, options: &TrackerOptions<
     // Of two places with noise the square of the distance is greater by the sum of all four variances.
     let squared = last.position.distance_squared(fix.pose.position.xy);
     let straight = || (squared - 2.0 * (last.variance + variance)).max(0.0).sqrt();
+    let time = (fix.time - last.time).max(LEAST_TIME);
     let measured = last.odometer.zip(fix.odometer).map(|(before, now)| now - before);
+    // One that has jumped says nothing of the way.
+    let measured = measured.filter(|way| way.abs() <= MOST_STEP + MOST_SPEED * time);
     let share = if measured.is_some() { ODOMETER_SHARE } else { STRAIGHT_SHARE };
     let way = measured.unwrap_or_else(straight);
     let noise = last.variance.max(variance).sqrt();
-    let time = (fix.time - last.time).max(LEAST_TIME);
     Drive {
         way,
         deviation: DETOUR + noise + share * way.abs(),
