@@ -5,7 +5,7 @@ use super::annotation_rows::*;
 use crate::table::Range;
 
 impl ArchivedAnnotationRow {
-    /// Row of the owner in the table that `owner_kind` means, less that of the annotation before, modulo 2^32; the document counts as row 0.
+    /// Row of the owner in the table of `owner_kind`, minus the row of the annotation before, modulo 2^32; the document counts as row 0.
     #[inline]
     pub fn owner(&self) -> u32 {
         self.owner.to_native()
@@ -30,7 +30,7 @@ impl ArchivedAnnotationRow {
     pub fn text(&self) -> u32 {
         self.text.to_native()
     }
-    /// Line of the element's start tag, from 1, less that of the annotation before, modulo 2^32.
+    /// Line of the element's start tag, from 1, minus the line of the annotation before, modulo 2^32.
     #[inline]
     pub fn line(&self) -> u32 {
         self.line.to_native()

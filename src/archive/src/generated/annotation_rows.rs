@@ -5,12 +5,12 @@ use crate::table::Range;
 use bytemuck::{Pod, Zeroable};
 use rkyv::Archive;
 
-/// What files say of their parts beyond what has a table of its own: data of applications, quality of data, elements that the standard does not have, and attributes that nothing is built from. A row is an annotation as it differs from the one before, and equal rows are there once; `annotation_numbers` has them in order.
+/// Data of the file that has no table of its own: data of applications, quality of data, elements that the standard does not have, and attributes that are not used otherwise. A row is the difference of an annotation from the one before, and equal rows are stored once; `annotation_numbers` has their order.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
 pub struct AnnotationRow {
-    /// Row of the owner in the table that `owner_kind` means, less that of the annotation before, modulo 2^32; the document counts as row 0.
+    /// Row of the owner in the table of `owner_kind`, minus the row of the annotation before, modulo 2^32; the document counts as row 0.
     pub owner: u32,
     /// Where it stands below the owner, such as `planView/geometry[2]`; empty for the owner itself.
     pub path: u32,
@@ -20,7 +20,7 @@ pub struct AnnotationRow {
     pub value: u32,
     /// Of user data what stands inside, of an element the whole of it, as written; empty where there is nothing or it was larger than the limit.
     pub text: u32,
-    /// Line of the element's start tag, from 1, less that of the annotation before, modulo 2^32.
+    /// Line of the element's start tag, from 1, minus the line of the annotation before, modulo 2^32.
     pub line: u32,
     /// Column of the start tag in bytes, from 1.
     pub column: u32,
@@ -33,7 +33,7 @@ pub struct AnnotationRow {
 }
 const _: () = assert!(size_of::<AnnotationRow>() == 32 && size_of::<ArchivedAnnotationRow>() == 32);
 
-/// A row for each 256 annotations: what the first of them counts from, so that those of an owner are found without reading all.
+/// A row for each 256 annotations: the values that the first of them is relative to, so that the annotations of an owner are found without reading all.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -52,7 +52,7 @@ pub struct AnnotationBlockRow {
 const _: () =
     assert!(size_of::<AnnotationBlockRow>() == 12 && size_of::<ArchivedAnnotationBlockRow>() == 12);
 
-/// Files that the document included, in the order in which it did.
+/// Files that the document includes, in that order.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]

@@ -38,7 +38,7 @@ impl ArchivedSurfaceRow {
 }
 
 impl ArchivedShapeStationRow {
-    /// `[m]` Place on the road.
+    /// `[m]` s on the road.
     #[inline]
     pub fn s(&self) -> f64 {
         self.s.to_native()
@@ -234,7 +234,7 @@ impl ArchivedGridTransitionRow {
 }
 
 impl ArchivedRoadMarkRow {
-    /// `[m]` Start, from that of the section which the lane is written in.
+    /// `[m]` Start, relative to the start of the section in which the lane is written.
     #[inline]
     pub fn s_offset(&self) -> f64 {
         self.s_offset.to_native()
@@ -335,7 +335,7 @@ impl ArchivedRoadMarkLineRow {
     pub fn rule(&self) -> u8 {
         self.rule
     }
-    /// As that of a style.
+    /// As `color` of a style.
     #[inline]
     pub fn color(&self) -> u8 {
         self.color

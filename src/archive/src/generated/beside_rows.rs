@@ -30,7 +30,7 @@ const _: () = assert!(size_of::<SurfaceRow>() == 44 && size_of::<ArchivedSurface
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
 pub struct ShapeStationRow {
-    /// `[m]` Place on the road.
+    /// `[m]` s on the road.
     pub s: f64,
     /// Height `[m]` over t: each record starts at the t `[m]` in its field `s`.
     pub records: Range,
@@ -61,7 +61,7 @@ pub struct SurfaceStripRow {
 const _: () =
     assert!(size_of::<SurfaceStripRow>() == 48 && size_of::<ArchivedSurfaceStripRow>() == 48);
 
-/// lane/height records, by lane and s: what the lane lies above the road's surface, linear between its edges.
+/// lane/height records, by lane and s: the lane's height above the road's surface, linear between its edges.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -141,7 +141,7 @@ pub struct GridRowRow {
 }
 const _: () = assert!(size_of::<GridRowRow>() == 24 && size_of::<ArchivedGridRowRow>() == 24);
 
-/// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
+/// Joints of junctions with an elevation grid, in the direction that has the junction on the left.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -160,12 +160,12 @@ pub struct GridTransitionRow {
 const _: () =
     assert!(size_of::<GridTransitionRow>() == 40 && size_of::<ArchivedGridTransitionRow>() == 40);
 
-/// lane/roadMark records, each sequence of them once: what lies on a lane's outer border, on lane 0's own line for lane 0, until the next record of the sequence.
+/// lane/roadMark records, each sequence once. A record describes the mark on a lane's outer border, or on lane 0's own line for lane 0, up to the next record of the sequence.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
 pub struct RoadMarkRow {
-    /// `[m]` Start, from that of the section which the lane is written in.
+    /// `[m]` Start, relative to the start of the section in which the lane is written.
     pub s_offset: f64,
     /// How it looks.
     pub style: u32,
@@ -176,7 +176,7 @@ pub struct RoadMarkRow {
 }
 const _: () = assert!(size_of::<RoadMarkRow>() == 16 && size_of::<ArchivedRoadMarkRow>() == 16);
 
-/// How road marks look, each once, in the order of their first use.
+/// Styles of road marks, each once, in the order of their first use.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -224,7 +224,7 @@ pub struct RoadMarkLineRow {
     pub width: f64,
     /// Who may cross, seen from inside: 0 not given, 1 no passing, 2 caution, 3 none.
     pub rule: u8,
-    /// As that of a style.
+    /// As `color` of a style.
     pub color: u8,
     /// 0.
     pub reserved: [u8; 6],
@@ -246,7 +246,7 @@ pub struct LaneLayerRow {
 }
 const _: () = assert!(size_of::<LaneLayerRow>() == 20 && size_of::<ArchivedLaneLayerRow>() == 20);
 
-/// Exactly one row: what concerns the whole lane graph.
+/// Exactly one row: facts about the whole lane graph.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -304,7 +304,7 @@ pub struct LaneNodeRow {
 }
 const _: () = assert!(size_of::<LaneNodeRow>() == 36 && size_of::<ArchivedLaneNodeRow>() == 36);
 
-/// What is known of each entry of `successors`: where the file says so. Length, time and access are those of the node that is left.
+/// Facts about each entry of `successors`, and the element of the file that states it. Length, time and access are those of the node that the edge leaves.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -322,7 +322,7 @@ pub struct EdgeRow {
 }
 const _: () = assert!(size_of::<EdgeRow>() == 12 && size_of::<ArchivedEdgeRow>() == 12);
 
-/// Lanes of one junction whose areas meet, by `lane`; each pair stands twice, once from either side.
+/// Lanes of one junction whose areas meet, by `lane`; each pair is stored twice, once for each lane.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]

@@ -239,7 +239,7 @@ impl ArchivedFileFrameRow {
     pub fn error(&self) -> f64 {
         self.error.to_native()
     }
-    /// `[m]` Bound on the difference between `height_shift` and that of any place of the map.
+    /// `[m]` Bound on the difference between `height_shift` and the shift at any place of the map.
     #[inline]
     pub fn height_error(&self) -> f64 {
         self.height_error.to_native()

@@ -5,7 +5,7 @@ use crate::table::Range;
 use bytemuck::{Pod, Zeroable};
 use rkyv::Archive;
 
-/// Exactly one row: what concerns the whole map.
+/// Exactly one row: facts about the whole map.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -112,7 +112,7 @@ pub struct FileFrameRow {
     pub height_shift: f64,
     /// `[m]` Bound on the distance of a point of a reference line from the exact image of that point of the file.
     pub error: f64,
-    /// `[m]` Bound on the difference between `height_shift` and that of any place of the map.
+    /// `[m]` Bound on the difference between `height_shift` and the shift at any place of the map.
     pub height_error: f64,
     /// Smallest distance in the map per distance in the file, along any direction at any reference line.
     pub scale_min: f64,
@@ -125,7 +125,7 @@ pub struct FileFrameRow {
 }
 const _: () = assert!(size_of::<FileFrameRow>() == 128 && size_of::<ArchivedFileFrameRow>() == 128);
 
-/// What a reader has to know of before it may read this map: one row for each bit of the header's `must_understand`, so that a reader that does not can say what it lacks.
+/// Features that a reader must know to read this map: one row for each bit of the header's `must_understand`. A reader that does not know a feature can name it.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -189,7 +189,7 @@ pub struct RoadRow {
 }
 const _: () = assert!(size_of::<RoadRow>() == 96 && size_of::<ArchivedRoadRow>() == 96);
 
-/// Plan-view geometries as written or, in a target frame, moved into it, with what their evaluation needs (OpenDRIVE 1.8.1, 9.2).
+/// Plan-view geometries, as written or transformed into the target frame, with the values that their evaluation needs (OpenDRIVE 1.8.1, 9.2).
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]

@@ -225,7 +225,7 @@ impl ArchivedObjectCopyRow {
     pub fn z(&self) -> f64 {
         self.z.to_native()
     }
-    /// `[m]` Place on the road; of a swept copy its start.
+    /// `[m]` s on the road; of a swept copy, its start.
     #[inline]
     pub fn s(&self) -> f64 {
         self.s.to_native()
@@ -563,7 +563,7 @@ impl ArchivedObjectValueRow {
 }
 
 impl ArchivedObjectReferenceRow {
-    /// `[m]` Place on the referring road.
+    /// `[m]` s on the referring road.
     #[inline]
     pub fn s(&self) -> f64 {
         self.s.to_native()
@@ -674,12 +674,12 @@ impl ArchivedStructureRow {
 }
 
 impl ArchivedSwitchRow {
-    /// `[m]` Place on the main track.
+    /// `[m]` s on the main track.
     #[inline]
     pub fn main_s(&self) -> f64 {
         self.main_s.to_native()
     }
-    /// `[m]` Place on the side track.
+    /// `[m]` s on the side track.
     #[inline]
     pub fn side_s(&self) -> f64 {
         self.side_s.to_native()

@@ -75,7 +75,7 @@ pub struct ObjectRow {
 }
 const _: () = assert!(size_of::<ObjectRow>() == 152 && size_of::<ArchivedObjectRow>() == 152);
 
-/// Outlines of objects, and of what a continuous repetition sweeps over.
+/// Outlines of objects, and of the areas that continuous repetitions sweep over.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -124,7 +124,7 @@ pub struct ObjectCopyRow {
     pub y: f64,
     /// `[m]` z of the origin.
     pub z: f64,
-    /// `[m]` Place on the road; of a swept copy its start.
+    /// `[m]` s on the road; of a swept copy, its start.
     pub s: f64,
     /// `[m]` Lateral place; of a swept copy at its start.
     pub t: f64,
@@ -189,7 +189,7 @@ pub struct ObjectLaneRow {
 }
 const _: () = assert!(size_of::<ObjectLaneRow>() == 24 && size_of::<ArchivedObjectLaneRow>() == 24);
 
-/// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie `object_index_items`. Boxes hold what objects cover in plan view, are relative to the local origin and rounded outwards; unused places are empty boxes.
+/// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie `object_index_items`. Boxes contain the objects' areas in plan view, are relative to the local origin and rounded outwards; unused places are empty boxes.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -308,7 +308,7 @@ pub struct ParkingSpaceRow {
 const _: () =
     assert!(size_of::<ParkingSpaceRow>() == 12 && size_of::<ArchivedParkingSpaceRow>() == 12);
 
-/// What objects are made of, by object.
+/// Materials of objects, by object.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -347,7 +347,7 @@ const _: () =
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
 pub struct ObjectReferenceRow {
-    /// `[m]` Place on the referring road.
+    /// `[m]` s on the referring road.
     pub s: f64,
     /// `[m]` Lateral place on the referring road.
     pub t: f64,
@@ -410,9 +410,9 @@ const _: () = assert!(size_of::<StructureRow>() == 64 && size_of::<ArchivedStruc
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
 pub struct SwitchRow {
-    /// `[m]` Place on the main track.
+    /// `[m]` s on the main track.
     pub main_s: f64,
-    /// `[m]` Place on the side track.
+    /// `[m]` s on the side track.
     pub side_s: f64,
     /// The road that it is written in.
     pub road: u32,

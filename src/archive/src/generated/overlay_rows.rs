@@ -5,7 +5,7 @@ use crate::table::Range;
 use bytemuck::{Pod, Zeroable};
 use rkyv::Archive;
 
-/// Exactly one row: what concerns the whole overlay.
+/// Exactly one row: facts about the whole overlay.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -21,7 +21,7 @@ pub struct OverlayRow {
 }
 const _: () = assert!(size_of::<OverlayRow>() == 24 && size_of::<ArchivedOverlayRow>() == 24);
 
-/// What is said, in the order in which it was given.
+/// Entries, in the order of the document.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -64,7 +64,7 @@ pub struct WeeklyRow {
 }
 const _: () = assert!(size_of::<WeeklyRow>() == 8 && size_of::<ArchivedWeeklyRow>() == 8);
 
-/// For each 64 nodes of the map's lane graph which of them have pieces here. Empty if none has.
+/// For each 64 nodes of the map's lane graph, the nodes that have pieces here. Empty if none has.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -91,7 +91,7 @@ pub struct OverlayNodeRow {
 const _: () =
     assert!(size_of::<OverlayNodeRow>() == 12 && size_of::<ArchivedOverlayNodeRow>() == 12);
 
-/// Pieces of nodes, over each of which the same entries hold. What holds in the middle of a piece holds for all of it.
+/// Pieces of nodes. The same entries hold over the whole of a piece.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]

@@ -28,17 +28,17 @@ pub struct OverlayTables<'a> {
     pub string_bytes: &'a [u8],
     /// Start of each string in `string_bytes`; one more entry than strings.
     pub string_offsets: &'a [u32],
-    /// Exactly one row: what concerns the whole overlay.
+    /// Exactly one row: facts about the whole overlay.
     pub overlay: &'a [ArchivedOverlayRow],
-    /// What is said, in the order in which it was given.
+    /// Entries, in the order of the document.
     pub entries: &'a [ArchivedOverlayEntryRow],
     /// Times of the week, by entry.
     pub weekly: &'a [ArchivedWeeklyRow],
-    /// For each 64 nodes of the map's lane graph which of them have pieces here. Empty if none has.
+    /// For each 64 nodes of the map's lane graph, the nodes that have pieces here. Empty if none has.
     pub touched: &'a [ArchivedTouchedRow],
     /// Nodes of the map's lane graph that have pieces, ascending.
     pub nodes: &'a [ArchivedOverlayNodeRow],
-    /// Pieces of nodes, over each of which the same entries hold. What holds in the middle of a piece holds for all of it.
+    /// Pieces of nodes. The same entries hold over the whole of a piece.
     pub pieces: &'a [ArchivedPieceRow],
     /// Entries that hold on pieces, by piece, ascending.
     pub piece_entries: &'a [u32],
@@ -70,17 +70,17 @@ pub struct OverlayRows {
     pub string_bytes: Table<u8>,
     /// Start of each string in `string_bytes`; one more entry than strings.
     pub string_offsets: Table<u32>,
-    /// Exactly one row: what concerns the whole overlay.
+    /// Exactly one row: facts about the whole overlay.
     pub overlay: Table<OverlayRow>,
-    /// What is said, in the order in which it was given.
+    /// Entries, in the order of the document.
     pub entries: Table<OverlayEntryRow>,
     /// Times of the week, by entry.
     pub weekly: Table<WeeklyRow>,
-    /// For each 64 nodes of the map's lane graph which of them have pieces here. Empty if none has.
+    /// For each 64 nodes of the map's lane graph, the nodes that have pieces here. Empty if none has.
     pub touched: Table<TouchedRow>,
     /// Nodes of the map's lane graph that have pieces, ascending.
     pub nodes: Table<OverlayNodeRow>,
-    /// Pieces of nodes, over each of which the same entries hold. What holds in the middle of a piece holds for all of it.
+    /// Pieces of nodes. The same entries hold over the whole of a piece.
     pub pieces: Table<PieceRow>,
     /// Entries that hold on pieces, by piece, ascending.
     pub piece_entries: Table<u32>,

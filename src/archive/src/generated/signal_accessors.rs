@@ -200,7 +200,7 @@ impl ArchivedSignalRow {
     pub fn arrows(&self) -> u8 {
         self.arrows
     }
-    /// 1 a value is written, 2 the class has a value, 4 the unit of that value is not written: it is that of the country's table, or the SI unit.
+    /// 1 a value is written, 2 the class has a value, 4 the unit of that value is not written: the country's table or the SI defines it.
     #[inline]
     pub fn has_value(&self) -> u8 {
         self.has_value
@@ -213,7 +213,7 @@ impl ArchivedSignalRow {
 }
 
 impl ArchivedSignalPlaceRow {
-    /// `[m]` Place on the road.
+    /// `[m]` s on the road.
     #[inline]
     pub fn s(&self) -> f64 {
         self.s.to_native()
@@ -294,7 +294,7 @@ impl ArchivedSpeedSignsAtEntryRow {
     pub fn limit(&self) -> u32 {
         self.limit.to_native()
     }
-    /// The sign of a zone, which holds until a sign ends it: that of all lanes that lead here.
+    /// The sign of a zone, in force until a sign ends it, if it is the same on all lanes that lead here.
     #[inline]
     pub fn zone(&self) -> u32 {
         self.zone.to_native()

@@ -88,7 +88,7 @@ pub struct SignalRow {
     pub phases: u8,
     /// Movements that a light is for, 0 all: 1 left, 2 straight, 4 right, 8 back.
     pub arrows: u8,
-    /// 1 a value is written, 2 the class has a value, 4 the unit of that value is not written: it is that of the country's table, or the SI unit.
+    /// 1 a value is written, 2 the class has a value, 4 the unit of that value is not written: the country's table or the SI defines it.
     pub has_value: u8,
     /// 1 temporary, 2 invalidated (1.9), 4 s was moved to the road's end.
     pub flags: u8,
@@ -97,12 +97,12 @@ pub struct SignalRow {
 }
 const _: () = assert!(size_of::<SignalRow>() == 224 && size_of::<ArchivedSignalRow>() == 224);
 
-/// Where signals count: on their own road and on those that refer to them, by road and s.
+/// Places where signals apply: on their own road and on roads that refer to them, by road and s.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
 pub struct SignalPlaceRow {
-    /// `[m]` Place on the road.
+    /// `[m]` s on the road.
     pub s: f64,
     /// `[m]` Lateral place on the road.
     pub t: f64,
@@ -144,7 +144,7 @@ pub struct SignalLaneRow {
 }
 const _: () = assert!(size_of::<SignalLaneRow>() == 16 && size_of::<ArchivedSignalLaneRow>() == 16);
 
-/// Speed signs that hold where a lane's traffic enters it, by lane; lanes on which none holds have no row. A map with signals of lanes has one row at least, if need be an empty one.
+/// Speed signs in force where a lane's traffic enters it, by lane; a lane without such a sign has no row. A map with signals of lanes has at least one row, which may be empty.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]
@@ -153,7 +153,7 @@ pub struct SpeedSignsAtEntryRow {
     pub lane: u32,
     /// The sign of a limit, which holds over lanes that lead on alone, not beyond a junction.
     pub limit: u32,
-    /// The sign of a zone, which holds until a sign ends it: that of all lanes that lead here.
+    /// The sign of a zone, in force until a sign ends it, if it is the same on all lanes that lead here.
     pub zone: u32,
     /// 1: the lanes that lead here are in different zones, or some in one and some in none.
     pub zone_depends: u8,
@@ -417,7 +417,7 @@ pub struct QuarantinedRow {
 const _: () =
     assert!(size_of::<QuarantinedRow>() == 72 && size_of::<ArchivedQuarantinedRow>() == 72);
 
-/// Parts in quarantine whose finding stands in an included file, by part; of the others it stands in the document itself.
+/// Parts in quarantine whose finding is in an included file, by part. The findings of all other parts are in the document itself.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]
 #[repr(C)]

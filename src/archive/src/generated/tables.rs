@@ -21,13 +21,13 @@ pub struct Tables<'a> {
     pub string_bytes: &'a [u8],
     /// Start of each string in `string_bytes`; one more entry than strings.
     pub string_offsets: &'a [u32],
-    /// Exactly one row: what concerns the whole map.
+    /// Exactly one row: facts about the whole map.
     pub map: &'a [ArchivedMapRow],
     /// One row for a map that was compiled into another frame than its file's (`--crs`), else none. `projection` of the map is then the target, its offset 0.
     pub file_frames: &'a [ArchivedFileFrameRow],
     /// One row per road, in file order. The row number is the RoadId.
     pub roads: &'a [ArchivedRoadRow],
-    /// Plan-view geometries as written or, in a target frame, moved into it, with what their evaluation needs (OpenDRIVE 1.8.1, 9.2).
+    /// Plan-view geometries, as written or transformed into the target frame, with the values that their evaluation needs (OpenDRIVE 1.8.1, 9.2).
     pub geometries: &'a [ArchivedGeometryRow],
     /// Numbers of the geometries. Line: none. Arc: curvature. Spiral: start and end curvature, then pieces of 20 (x and y as polynomials of degree 9 over −1 to 1). poly3: 4, paramPoly3: 8, then pieces of 10 (the curve parameter as a polynomial of true arc length). Transformed: pieces of 21 (heading of the middle relative to the start, then x and y as polynomials of degree 9).
     pub coefficients: &'a [f64],
@@ -41,7 +41,7 @@ pub struct Tables<'a> {
     pub lanes: &'a [ArchivedLaneRow],
     /// lane/speed records, by lane and s.
     pub lane_speeds: &'a [ArchivedLaneSpeedRow],
-    /// s of points minus their section's start `[m]`: those of a section ascend, each once, and all its lines share them; equal sequences are there once.
+    /// s of points minus their section's start `[m]`: the values of a section ascend without duplicates, and all its lines share them. Equal sequences are stored once.
     pub point_stations: &'a [f32],
     /// Points of polylines, `point_bytes` each, the lowest first, lane by lane. From the lowest bit on: number of the point's station among the section's, then x, y and z in steps from the section's frame, each with as many bits as the section says.
     pub points: &'a [u8],
@@ -67,7 +67,7 @@ pub struct Tables<'a> {
     pub shape_stations: &'a [ArchivedShapeStationRow],
     /// Strips of cross-section surfaces; coefficients count from the strip's inner edge, signed as t is.
     pub surface_strips: &'a [ArchivedSurfaceStripRow],
-    /// lane/height records, by lane and s: what the lane lies above the road's surface, linear between its edges.
+    /// lane/height records, by lane and s: the lane's height above the road's surface, linear between its edges.
     pub lane_heights: &'a [ArchivedLaneHeightRow],
     /// lane/material records, by lane and s.
     pub lane_materials: &'a [ArchivedLaneMaterialRow],
@@ -77,17 +77,17 @@ pub struct Tables<'a> {
     pub grid_rows: &'a [ArchivedGridRowRow],
     /// Heights of elevation grids `[m]`.
     pub grid_heights: &'a [f64],
-    /// Joints of junctions with an elevation grid, seen so that the junction lies to the left.
+    /// Joints of junctions with an elevation grid, in the direction that has the junction on the left.
     pub grid_transitions: &'a [ArchivedGridTransitionRow],
-    /// lane/roadMark records, each sequence of them once: what lies on a lane's outer border, on lane 0's own line for lane 0, until the next record of the sequence.
+    /// lane/roadMark records, each sequence once. A record describes the mark on a lane's outer border, or on lane 0's own line for lane 0, up to the next record of the sequence.
     pub road_marks: &'a [ArchivedRoadMarkRow],
-    /// How road marks look, each once, in the order of their first use.
+    /// Styles of road marks, each once, in the order of their first use.
     pub road_mark_styles: &'a [ArchivedRoadMarkStyleRow],
     /// Lines of road marks: of a pattern (roadMark/type/line), repeated every `length` + `space`, or explicit (roadMark/explicit/line), once.
     pub road_mark_lines: &'a [ArchivedRoadMarkLineRow],
     /// Temporary lanes of roads (OpenDRIVE 1.9), by road. Their sections and lanes are rows like others, which no road's own sections, no node of the lane graph and no leaf of the index names.
     pub lane_layers: &'a [ArchivedLaneLayerRow],
-    /// Exactly one row: what concerns the whole lane graph.
+    /// Exactly one row: facts about the whole lane graph.
     pub graph: &'a [ArchivedGraphRow],
     /// Nodes of the lane graph: a lane, or a piece of one, travelled in one direction. Lane by lane.
     pub lane_nodes: &'a [ArchivedLaneNodeRow],
@@ -95,15 +95,15 @@ pub struct Tables<'a> {
     pub successor_offsets: &'a [u32],
     /// Nodes entered from each node, in order of road id, section, lane (compressed sparse rows).
     pub successors: &'a [u32],
-    /// What is known of each entry of `successors`: where the file says so. Length, time and access are those of the node that is left.
+    /// Facts about each entry of `successors`, and the element of the file that states it. Length, time and access are those of the node that the edge leaves.
     pub edges: &'a [ArchivedEdgeRow],
     /// First entry of each node in `predecessors`; one more entry than nodes.
     pub predecessor_offsets: &'a [u32],
-    /// Nodes from which each node is entered: `successors` turned round.
+    /// Nodes from which each node is entered: the inverse of `successors`.
     pub predecessors: &'a [u32],
-    /// Lanes of one junction whose areas meet, by `lane`; each pair stands twice, once from either side.
+    /// Lanes of one junction whose areas meet, by `lane`; each pair is stored twice, once for each lane.
     pub conflicts: &'a [ArchivedConflictRow],
-    /// Per place: distances from each landmark, then to each, in `length_step`, rounded down; 65535 where there is no way.
+    /// Per place: distances from each landmark, then to each, in `length_step`, rounded down; 65535 if there is no way.
     pub landmark_lengths: &'a [u16],
     /// As `landmark_lengths`, in `time_step`.
     pub landmark_times: &'a [u16],
@@ -111,7 +111,7 @@ pub struct Tables<'a> {
     pub signals: &'a [ArchivedSignalRow],
     /// Rows of `signals` in byte order of their ids.
     pub signals_by_id: &'a [u32],
-    /// Where signals count: on their own road and on those that refer to them, by road and s.
+    /// Places where signals apply: on their own road and on roads that refer to them, by road and s.
     pub signal_places: &'a [ArchivedSignalPlaceRow],
     /// Lanes of the signals' places, by place; lanes from left to right.
     pub signal_lanes: &'a [ArchivedSignalLaneRow],
@@ -135,7 +135,7 @@ pub struct Tables<'a> {
     pub controllers: &'a [ArchivedControllerRow],
     /// controller/control, by controller.
     pub controls: &'a [ArchivedControlRow],
-    /// Controllers by signal: `controls` turned round.
+    /// Controllers by signal: the inverse of `controls`.
     pub signal_controllers: &'a [u32],
     /// junction/controller, by junction: the controllers of a junction are its synchronisation group.
     pub junction_controllers: &'a [ArchivedJunctionControllerRow],
@@ -145,15 +145,15 @@ pub struct Tables<'a> {
     pub default_speeds: &'a [ArchivedDefaultSpeedRow],
     /// First node of each level of the signals' index, root first, then the number of nodes. Empty if the map has no signals.
     pub signal_index_levels: &'a [u32],
-    /// Packed R-tree over the places where signals stand, as that of objects.
+    /// Packed R-tree over the positions of signals, with the layout of the objects' tree.
     pub signal_index_nodes: &'a [ArchivedBoxNodeRow],
-    /// What lies below the last level: each signal once.
+    /// Entries below the last level: each signal once.
     pub signal_index_items: &'a [u32],
     /// Parts of the document that have errors and are not in the map as written, in the order of the document.
     pub quarantined: &'a [ArchivedQuarantinedRow],
     /// Objects by road, in file order; those of junctions after those of roads. The row number is the ObjectId.
     pub objects: &'a [ArchivedObjectRow],
-    /// Outlines of objects, and of what a continuous repetition sweeps over.
+    /// Outlines of objects, and of the areas that continuous repetitions sweep over.
     pub object_outlines: &'a [ArchivedObjectOutlineRow],
     /// Corners in the frame of the object or copy that they belong to: u ahead, v to the left, z upwards.
     pub object_points: &'a [ArchivedObjectPointRow],
@@ -163,15 +163,15 @@ pub struct Tables<'a> {
     pub lane_ranges: &'a [ArchivedLaneRangeRow],
     /// Which lanes objects belong to, object by object, nearer lanes first.
     pub object_lanes: &'a [ArchivedObjectLaneRow],
-    /// Rows of `object_lanes` by lane, then by where they begin: what belongs to a lane.
+    /// Rows of `object_lanes` by lane, then by their start: the objects of a lane.
     pub lane_objects: &'a [u32],
     /// Rows of `objects` in byte order of their ids.
     pub objects_by_id: &'a [u32],
     /// First node of each level of the objects' index, root first, then the number of nodes. Empty if the map has no objects.
     pub object_index_levels: &'a [u32],
-    /// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie `object_index_items`. Boxes hold what objects cover in plan view, are relative to the local origin and rounded outwards; unused places are empty boxes.
+    /// Packed R-tree: node i of a level has children 16·i … 16·i + 15 on the next one; below the last level lie `object_index_items`. Boxes contain the objects' areas in plan view, are relative to the local origin and rounded outwards; unused places are empty boxes.
     pub object_index_nodes: &'a [ArchivedBoxNodeRow],
-    /// What lies below the last level: below the number of objects an object's row, above it that number plus the row of a copy. Each place of an object once.
+    /// Entries below the last level: a value below the number of objects is an object's row; any other value is that number plus the row of a copy. Each place of an object once.
     pub object_index_items: &'a [u32],
     /// Painted lines along objects, by object: along corners of an outline, or along a side.
     pub object_markings: &'a [ArchivedObjectMarkingRow],
@@ -185,7 +185,7 @@ pub struct Tables<'a> {
     pub skeleton_vertices: &'a [ArchivedSkeletonVertexRow],
     /// Objects that are parking spaces, by object.
     pub parking_spaces: &'a [ArchivedParkingSpaceRow],
-    /// What objects are made of, by object.
+    /// Materials of objects, by object.
     pub object_materials: &'a [ArchivedObjectMaterialRow],
     /// Objects of one road that concern another, by road, in file order.
     pub object_references: &'a [ArchivedObjectReferenceRow],
@@ -199,15 +199,15 @@ pub struct Tables<'a> {
     pub platforms: &'a [ArchivedPlatformRow],
     /// Stretches of track beside platforms.
     pub platform_segments: &'a [ArchivedPlatformSegmentRow],
-    /// What a reader has to know of before it may read this map: one row for each bit of the header's `must_understand`, so that a reader that does not can say what it lacks.
+    /// Features that a reader must know to read this map: one row for each bit of the header's `must_understand`. A reader that does not know a feature can name it.
     pub features: &'a [ArchivedFeatureRow],
-    /// Parts in quarantine whose finding stands in an included file, by part; of the others it stands in the document itself.
+    /// Parts in quarantine whose finding is in an included file, by part. The findings of all other parts are in the document itself.
     pub quarantined_files: &'a [ArchivedQuarantinedFileRow],
     /// Objects and signals that are missing because the road or junction that they belong to is in quarantine, by that part.
     pub quarantined_contents: &'a [ArchivedQuarantinedContentRow],
-    /// What files say of their parts beyond what has a table of its own: data of applications, quality of data, elements that the standard does not have, and attributes that nothing is built from. A row is an annotation as it differs from the one before, and equal rows are there once; `annotation_numbers` has them in order.
+    /// Data of the file that has no table of its own: data of applications, quality of data, elements that the standard does not have, and attributes that are not used otherwise. A row is the difference of an annotation from the one before, and equal rows are stored once; `annotation_numbers` has their order.
     pub annotations: &'a [ArchivedAnnotationRow],
-    /// Files that the document included, in the order in which it did.
+    /// Files that the document includes, in that order.
     pub included_files: &'a [ArchivedIncludedFileRow],
     /// lane/visibility records, by lane and s (OpenDRIVE 1.4, 1.5).
     pub lane_visibilities: &'a [ArchivedLaneVisibilityRow],
@@ -217,15 +217,15 @@ pub struct Tables<'a> {
     pub junction_groups: &'a [ArchivedJunctionGroupRow],
     /// junctionGroup/junctionReference, by group.
     pub junction_group_members: &'a [ArchivedJunctionGroupMemberRow],
-    /// Lanes of roundabouts' rings, by group: those from which a way leads round within the group and back.
+    /// Lanes of the rings of roundabouts, by group: lanes from which a way within the group leads back to them.
     pub ring_lanes: &'a [u32],
     /// Values that objects mean, by object: the limit that the name of a sign states.
     pub object_values: &'a [ArchivedObjectValueRow],
-    /// Speed signs that hold where a lane's traffic enters it, by lane; lanes on which none holds have no row. A map with signals of lanes has one row at least, if need be an empty one.
+    /// Speed signs in force where a lane's traffic enters it, by lane; a lane without such a sign has no row. A map with signals of lanes has at least one row, which may be empty.
     pub speed_signs_at_entry: &'a [ArchivedSpeedSignsAtEntryRow],
     /// All annotations by owner (kind, then row), those of one owner in file order: rows of `annotations`, each in as many bits as the greatest row number there needs, without gaps, the lowest bit of the lowest byte first.
     pub annotation_numbers: &'a [u8],
-    /// A row for each 256 annotations: what the first of them counts from, so that those of an owner are found without reading all.
+    /// A row for each 256 annotations: the values that the first of them is relative to, so that the annotations of an owner are found without reading all.
     pub annotation_blocks: &'a [ArchivedAnnotationBlockRow],
 }
 
