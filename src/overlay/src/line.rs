@@ -12,6 +12,7 @@ mod walk;
 
 use crate::on_earth::Placed;
 use crate::place::{Across, EarthPlace};
+use crate::placements::LINES_TOGETHER;
 use crate::places::{SHORTEST, Stretch, Unfit};
 use mapd_query::glam::DVec2;
 use mapd_query::{Lane, LaneTypes, Map};
@@ -29,9 +30,6 @@ const NEAR_END: f64 = 1.5 * STEP;
 
 /// Longest line `[m]`.
 const LONGEST_LINE: f64 = 1e6;
-
-/// Most that all lines of a document measure within the map `[m]`: what is placed takes time for each step of it.
-const LINES_TOGETHER: f64 = 2e6;
 
 /// How far from a line a lane may lie, where nothing is said `[m]`.
 const LINE_TOLERANCE: f64 = 3.0;
@@ -63,6 +61,8 @@ struct Known<'a> {
 struct Followed<'a> {
     passed: Vec<Stretch<'a>>,
     off: UnplacedPart,
+    /// What of it lies within the map `[m]`.
+    within: f64,
 }
 
 /// A part of a line that could not be placed.
@@ -89,6 +89,10 @@ impl UnplacedPart {
 impl<'a> Lines<'a> {
     pub(crate) fn new(map: Map<'a>) -> Self {
         Self { map, left: Cell::new(LINES_TOGETHER), last: RefCell::new(None) }
+    }
+
+    pub(crate) fn left(&self) -> f64 {
+        self.left.get()
     }
 
     /// The stretches that a line means, by its points on the map.
@@ -127,6 +131,7 @@ impl<'a> Lines<'a> {
             && known.points == points
             && known.tolerance == tolerance
         {
+            self.left.set(self.left.get() - known.followed.within);
             return Ok(Rc::clone(&known.followed));
         }
         let length: f64 = points.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
@@ -138,8 +143,9 @@ impl<'a> Lines<'a> {
             )));
         }
         let mut walk = Walk::new(self.map, tolerance);
-        let is_walked = walk.along(points, &self.left);
-        if !is_walked {
+        walk.along(points, self.left.get());
+        self.left.set(self.left.get() - walk.out.within);
+        if self.left.get() < 0.0 {
             return Err(unfit(format!(
                 "all lines together are longer than {} km within the map",
                 LINES_TOGETHER / 1e3

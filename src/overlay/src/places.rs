@@ -40,6 +40,11 @@ impl<'a> Ground<'a> {
         Self { map, lines: Lines::new(map), projector: OnceCell::new() }
     }
 
+    /// What lines may measure yet within the map `[m]`; negative: there were too many.
+    pub(crate) fn left(&self) -> f64 {
+        self.lines.left()
+    }
+
     fn projector(&self) -> Result<&Projector, String> {
         let make = || self.map.projector().map_err(|error| error.to_string());
         self.projector.get_or_init(make).as_ref().map_err(Clone::clone)

@@ -3,14 +3,13 @@
 use crate::document::Document;
 use crate::entry::{Entry, Kind};
 use crate::on_earth::Placed;
-use crate::pieces::{self, Mark, Marks};
+use crate::placements::Placements;
 use crate::places::{Ground, Stretch, Unfit, stretches};
 use mapd_archive::{
-    OverlayEntryRow, OverlayKind, OverlayRow, OverlayRows, Range, SignalEntryRow, StringTable,
-    VehicleClass, WeeklyRow,
+    OverlayEntryRow, OverlayKind, OverlayRow, OverlayRows, Range, StringTable, VehicleClass,
+    WeeklyRow,
 };
 use mapd_query::Map;
-use mapd_query::SRange;
 use mapd_query::compiling::ByRow as _;
 use mapd_query::roads::travel_speed;
 
@@ -44,45 +43,26 @@ pub struct Resolved {
     pub unplaced: Vec<Unplaced>,
 }
 
-/// Resolves a document against a map. An entry that does not fit is left out whole; only of a line the part that is on the map's lanes holds.
+/// Resolves a document against a map, once ([`Placements`] does so again and again).
 pub fn resolve(map: Map<'_>, document: &Document, policy: Policy) -> Resolved {
-    let mut rows = OverlayRows::default();
-    let mut strings = StringTable::default();
-    let (mut marks, mut unplaced) = (Marks::new(), Vec::new());
-    let ground = Ground::new(map);
-    for (number, entry) in document.entries.iter().enumerate() {
-        let id = || entry.id.clone();
-        match place(&ground, entry, policy) {
-            Err((field, why)) => {
-                unplaced.push(Unplaced { id: id(), number, field, why, is_part: false });
-            }
-            Ok(found) => {
-                let part = |(field, why)| Unplaced { id: id(), number, field, why, is_part: true };
-                unplaced.extend(found.parts.into_iter().map(part));
-                let own = add(entry, &mut strings, &mut rows);
-                mark(&found.stretches, own, &mut marks);
-                let of_signal = |signal| SignalEntryRow { signal, entry: own };
-                rows.signal_entries.extend(found.signals.into_iter().map(of_signal));
-            }
-        }
-    }
-    rows.signal_entries.sort_by_key(|row| (row.signal, row.entry));
-    pieces::fill(map, &marks, &mut rows);
-    let row = raised(map, &rows);
-    rows.overlay.push(row);
-    let (bytes, offsets) = strings.into_tables();
-    (rows.string_bytes, rows.string_offsets) = (bytes.into(), offsets.into());
-    Resolved { rows, unplaced }
+    Placements::new(map, policy).resolve(map, document)
 }
 
 /// Where an entry holds.
-struct Found<'a> {
-    stretches: Vec<Stretch<'a>>,
-    signals: Vec<u32>,
-    parts: Vec<Unfit>,
+pub(crate) struct Found<'a> {
+    pub(crate) stretches: Vec<Stretch<'a>>,
+    pub(crate) signals: Vec<u32>,
+    pub(crate) parts: Vec<Unfit>,
 }
 
-fn place<'a>(ground: &Ground<'a>, entry: &Entry, policy: Policy) -> Result<Found<'a>, Unfit> {
+/// Where an entry holds.
+///
+/// Errors: it does not fit the map, or allows more than is taken.
+pub(crate) fn place<'a>(
+    ground: &Ground<'a>,
+    entry: &Entry,
+    policy: Policy,
+) -> Result<Found<'a>, Unfit> {
     let Placed { stretches, parts } = stretches(ground, entry)?;
     let mut signals = Vec::new();
     for (i, id) in entry.signals.iter().enumerate() {
@@ -123,7 +103,8 @@ fn loosens(entry: &Entry, stretches: &[Stretch<'_>]) -> Option<Unfit> {
 /// A limit above the map's by no more than this `[m/s]` is the same, written in other units.
 const ROUNDED: f64 = 0.01;
 
-fn add(entry: &Entry, strings: &mut StringTable, rows: &mut OverlayRows) -> u32 {
+/// Adds an entry to the tables; its number.
+pub(crate) fn add(entry: &Entry, strings: &mut StringTable, rows: &mut OverlayRows) -> u32 {
     let first = rows.weekly.len() as u32;
     let ranges = entry.weekly.iter().flat_map(|weekly| weekly.ranges());
     rows.weekly.extend(ranges.map(|[from, until]| WeeklyRow { from, until }));
@@ -144,21 +125,8 @@ fn add(entry: &Entry, strings: &mut StringTable, rows: &mut OverlayRows) -> u32 
     rows.entries.len() as u32 - 1
 }
 
-/// Marks the nodes that stretches of lanes touch.
-fn mark(stretches: &[Stretch<'_>], entry: u32, marks: &mut Marks) {
-    for Stretch { lane, s_from, s_to } in stretches {
-        for node in lane.nodes() {
-            let SRange { low: start, high: end } = node.s_range();
-            if start.max(*s_from) < end.min(*s_to) {
-                let mark = Mark { s_from: *s_from, s_to: *s_to, entry };
-                marks.entry(node.node_id().row()).or_default().push(mark);
-            }
-        }
-    }
-}
-
 /// What raised speeds and opened lanes do to the map's bounds, whenever they hold.
-fn raised(map: Map<'_>, rows: &OverlayRows) -> OverlayRow {
+pub(crate) fn raised(map: Map<'_>, rows: &OverlayRows) -> OverlayRow {
     let mut row = OverlayRow { time_saved: 0.0, time_factor: 1.0, opens: 0, reserved: 0 };
     for piece in rows.pieces.iter() {
         let numbers = piece.entries.of(&rows.piece_entries);

@@ -15,6 +15,7 @@ mod args;
 mod changes;
 mod child;
 mod config;
+mod desk;
 mod log;
 mod maps;
 mod orders;
@@ -39,7 +40,7 @@ use mapd_client::TrustedKey;
 use mapd_transport::Share;
 use maps::{FirstServing, Maps};
 use orders::{Change, Order, Orders};
-use overlays::{OverlayOrder, Overlays};
+use overlays::{OverlayOrder, Overlays, Reader};
 use prepare::{Prepared, Preparer};
 use rustix::fs::Mode;
 use settings::Settings;
@@ -151,12 +152,14 @@ pub(crate) fn run(
     for (map, reason) in &fallbacks {
         state.fell_back(map, reason);
     }
-    let control = answer_with(board.clone(), orders.clone());
+    let desk = state.overlays.desk.clone();
+    let reader = Reader { limits: overlay.limits, desk: desk.clone() };
+    let control = answer_with(board.clone(), orders.clone(), reader);
     // Maps are served without control rather than not at all.
     let control = ControlListener::start(&domain, &names, control)
         .inspect_err(|error| say(&format!("continuing without `mapd reload`: {error}")));
     let worker =
-        Worker::start(preparer, maps.clone(), board, orders.clone()).context("a thread")?;
+        Worker::start(preparer, maps.clone(), board, desk, orders.clone()).context("a thread")?;
     let watcher = match maps.iter().any(|map| map.watch) {
         true => Some(Watcher::start(watched, orders).context("a thread")?),
         false => None,
@@ -226,7 +229,11 @@ fn watch(
 }
 
 /// Answers requests: the status at once from the board, everything else by an order.
-fn answer_with(board: Arc<Board>, orders: Orders) -> impl Fn(Request) -> Response + Send + Sync {
+fn answer_with(
+    board: Arc<Board>,
+    orders: Orders,
+    reader: Reader,
+) -> impl Fn(Request) -> Response + Send + Sync {
     // `Sender`s are not `Sync` in every version of the standard library that is supported.
     let orders = Mutex::new(orders);
     move |request| {
@@ -244,6 +251,10 @@ fn answer_with(board: Arc<Board>, orders: Orders) -> impl Fn(Request) -> Respons
             Request::Rollback { map, stage } => (map, Trigger::Rollback, stage),
             Request::Activate { map } => (map, Trigger::Activate, false),
             Request::Overlay { map, action } => {
+                let action = match reader.read(&map, action) {
+                    Ok(action) => action,
+                    Err(error) => return Response::Wrong { reason: error.to_string() },
+                };
                 let (reply, outcome) = channel();
                 orders.give(Order::Overlay(OverlayOrder { map, action, reply }));
                 return outcome.recv().unwrap_or_else(|_| ended());

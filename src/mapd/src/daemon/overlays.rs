@@ -1,6 +1,7 @@
 //! What is laid over the maps: kept as it was given, in a file that outlives the daemon, and resolved anew for each generation before it is served.
 
 use super::ByName;
+use super::desk::{Desk, OWN_MAP, on_archive};
 use super::maps::Maps;
 use super::prepare::Prepared;
 use crate::clock::{since_epoch, unix_ns};
@@ -8,24 +9,20 @@ use crate::control::{ListedEntry, OverlayAction, OverlayReport, OverlayStatus, R
 use crate::exit::explained;
 use crate::serve::{OverlayBytes, ServeError};
 use anyhow::{Context, Result, bail};
-use mapd_archive::{AlignedBytes, HEADER_LENGTH, Header, encode_overlay};
+use mapd_archive::{HEADER_LENGTH, Header, encode_overlay};
 use mapd_client::{Attach, Client, Map};
-use mapd_overlay::{Document, Limits, Moment, Policy, Unplaced, resolve};
+use mapd_overlay::{Document, DocumentError, Limits, Moment, Policy, Unplaced};
 use mapd_transport::{Domain, read_regular, replace_text_durably};
 use std::io;
-use std::os::unix::fs::FileExt;
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::sync::mpsc::Sender;
-use std::time::Duration;
 
 /// Suffix of the file that keeps a map's entries.
 const SUFFIX: &str = ".overlay.json";
 
 /// Longest such file that is read, for each byte that a document may have: it is written anew, in the longest form.
 const STATE_PER_BYTE: u64 = 4;
-
-/// How long the daemon waits for its own map: it is there.
-const OWN_MAP: Duration = Duration::from_secs(2);
 
 /// What may be laid over maps.
 #[derive(Clone, Copy, Debug, Default)]
@@ -37,8 +34,43 @@ pub(crate) struct OverlayRules {
 /// Something to be done with an overlay, and who waits for what comes of it.
 pub(crate) struct OverlayOrder {
     pub(crate) map: String,
-    pub(crate) action: OverlayAction,
+    pub(crate) action: Action,
     pub(crate) reply: Sender<Response>,
+}
+
+/// What is to be done, read.
+pub(crate) enum Action {
+    Apply { document: Document, feed: Option<String> },
+    List,
+    Remove { ids: Vec<String> },
+    Clear,
+}
+
+/// What requests are read with, in threads of their own.
+pub(crate) struct Reader {
+    pub(crate) limits: Limits,
+    pub(crate) desk: Arc<Desk>,
+}
+
+impl Reader {
+    /// Reads what is asked, and works out where new entries hold: the main thread has only to put them together.
+    ///
+    /// Errors: what is wrong with it.
+    pub(crate) fn read(&self, map: &str, action: OverlayAction) -> Result<Action, DocumentError> {
+        Ok(match action {
+            OverlayAction::Apply { document, feed } => {
+                let mut document = Document::read(document.as_bytes(), &self.limits)?;
+                if let Some(feed) = &feed {
+                    document.set_feed(feed);
+                }
+                self.desk.place_on_served(map, &document);
+                Action::Apply { document, feed }
+            }
+            OverlayAction::List => Action::List,
+            OverlayAction::Remove { ids } => Action::Remove { ids },
+            OverlayAction::Clear => Action::Clear,
+        })
+    }
 }
 
 /// What is laid over one map.
@@ -55,6 +87,7 @@ pub(super) struct Overlays {
     pub(super) domain: Domain,
     /// Where entries are kept; without it they end with the daemon.
     folder: Option<PathBuf>,
+    pub(super) desk: Arc<Desk>,
     maps: ByName<Kept>,
 }
 
@@ -64,7 +97,8 @@ fn now() -> Moment {
 
 impl Overlays {
     pub(super) fn new(rules: OverlayRules, domain: Domain, folder: Option<PathBuf>) -> Self {
-        Self { rules, domain, folder, maps: ByName::new() }
+        let desk = Arc::new(Desk::new(rules.policy, domain.clone()));
+        Self { rules, domain, folder, desk, maps: ByName::new() }
     }
 
     fn file(&self, map: &str) -> Option<PathBuf> {
@@ -94,6 +128,7 @@ impl Overlays {
                 }
             }
         }
+        self.desk.note(map, &kept.document);
         self.maps.insert(map.to_owned(), kept);
         Ok(())
     }
@@ -119,13 +154,8 @@ impl Overlays {
             kept.unplaced.clear();
             return Ok(None);
         }
-        let length = usize::try_from(archive.length).unwrap_or(usize::MAX);
-        let mut bytes = AlignedBytes::with_capacity(length);
-        bytes.resize(length, 0);
-        let fail = |error| ServeError::iceoryx("laying the overlay over the map")(error);
-        archive.file.read_exact_at(&mut bytes, 0).map_err(|error| fail(error.to_string()))?;
-        let opened = mapd_archive::open(&bytes).map_err(|error| fail(error.to_string()))?;
-        let (overlay, unplaced) = make(Map::new(&opened, 0), kept, self.rules.policy);
+        let desk = &self.desk;
+        let (overlay, unplaced) = on_archive(archive, |next| make(desk, map, next, kept))?;
         for unfit in &unplaced {
             tracing::warn!(
                 map,
@@ -143,8 +173,13 @@ impl Overlays {
 }
 
 /// Resolves what is kept under its next revision; none where no entry is left.
-fn make(map: Map<'_>, kept: &mut Kept, policy: Policy) -> (Option<OverlayBytes>, Vec<Unplaced>) {
-    let resolved = resolve(map, &kept.document, policy);
+fn make(
+    desk: &Desk,
+    name: &str,
+    map: Map<'_>,
+    kept: &mut Kept,
+) -> (Option<OverlayBytes>, Vec<Unplaced>) {
+    let resolved = desk.resolve(name, map, &kept.document);
     kept.revision += 1;
     let none_left = resolved.rows.entries.is_empty();
     let bytes = encode_overlay(&resolved.rows, map.content_hash()).ok().filter(|_| !none_left);
@@ -189,7 +224,7 @@ impl Maps {
         let _ = reply.send(response);
     }
 
-    fn overlaid(&mut self, map: &str, action: OverlayAction) -> Response {
+    fn overlaid(&mut self, map: &str, action: Action) -> Response {
         let Some(before) = self.overlays.maps.get(map).cloned() else {
             return Response::Refused { reason: "nothing is served".to_owned() };
         };
@@ -197,27 +232,22 @@ impl Maps {
         next.document.forget_ended(now());
         let limits = &self.overlays.rules.limits;
         let (what, applied) = match action {
-            OverlayAction::List => return self.listed(map),
-            OverlayAction::Apply { document, feed } => {
-                let read = Document::read(document.as_bytes(), limits);
-                let applied = read.and_then(|mut document| {
-                    if let Some(feed) = &feed {
-                        document.set_feed(feed);
-                        next.document.forget_of_feed(feed, &document);
-                    }
-                    let ids: Vec<String> = document.entries.iter().map(|e| e.id.clone()).collect();
-                    next.document.apply(document, limits).map(|()| ids)
-                });
-                match applied {
-                    Ok(ids) => ("applied", ids),
+            Action::List => return self.listed(map),
+            Action::Apply { document, feed } => {
+                if let Some(feed) = &feed {
+                    next.document.forget_of_feed(feed, &document);
+                }
+                let ids: Vec<String> = document.entries.iter().map(|e| e.id.clone()).collect();
+                match next.document.apply(document, limits) {
+                    Ok(()) => ("applied", ids),
                     Err(error) => return Response::Wrong { reason: error.to_string() },
                 }
             }
-            OverlayAction::Remove { ids } => match next.document.remove(&ids) {
+            Action::Remove { ids } => match next.document.remove(&ids) {
                 Ok(()) => ("removed", Vec::new()),
                 Err(id) => return Response::Wrong { reason: format!("there is no entry {id:?}") },
             },
-            OverlayAction::Clear => {
+            Action::Clear => {
                 next.document.entries.clear();
                 ("cleared", Vec::new())
             }
@@ -237,7 +267,7 @@ impl Maps {
     fn lay(&mut self, map: &str, mut next: Kept, applied: &[String]) -> Result<Option<String>> {
         let served = Client::connect_as(Attach::Observer, &self.domain, map, OWN_MAP)?;
         let snapshot = served.snapshot();
-        let (overlay, unplaced) = make(snapshot.map(), &mut next, self.overlays.rules.policy);
+        let (overlay, unplaced) = make(&self.overlays.desk, map, snapshot.map(), &mut next);
         let is_refused = |unfit: &&Unplaced| !unfit.is_part && applied.contains(&unfit.id);
         if let Some(unfit) = unplaced.iter().find(is_refused) {
             return Ok(Some(format!("entry {:?}, {}: {}", unfit.id, unfit.field, unfit.why)));
@@ -252,6 +282,7 @@ impl Maps {
                 .context("keeping what is laid over the map")?;
             return Err(error.into());
         }
+        self.overlays.desk.note(map, &next.document);
         self.overlays.maps.insert(map.to_owned(), next);
         self.tell_overlay(map);
         Ok(None)

@@ -1,5 +1,6 @@
 //! The thread that prepares maps, one after the other, while the daemon serves.
 
+use super::desk::Desk;
 use super::orders::{Job, Order, Orders};
 use super::prepare::Preparer;
 use super::settings::MapSettings;
@@ -24,6 +25,7 @@ impl Worker {
         preparer: Preparer,
         maps: Vec<MapSettings>,
         board: Arc<Board>,
+        desk: Arc<Desk>,
         orders: Orders,
     ) -> io::Result<Self> {
         let (jobs, received) = channel::<Job>();
@@ -39,6 +41,9 @@ impl Worker {
                 let prepared = own.prepare(map, job.anew);
                 if let Some(cache) = &own.cache {
                     board.cache(CacheStatus::of(cache));
+                }
+                if let Ok(prepared) = &prepared {
+                    desk.place_on_next(&map.name, prepared);
                 }
                 orders.give(Order::Prepared(Box::new(job), prepared));
             }

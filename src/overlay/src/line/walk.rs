@@ -5,7 +5,6 @@ use super::{Followed, HEADING_TOLERANCE, NEAR_END, STEP};
 use crate::places::Stretch;
 use mapd_query::glam::DVec2;
 use mapd_query::{Lane, LaneTypes, Map, Nearest, NearestOptions};
-use std::cell::Cell;
 
 /// Lanes that are farther than the nearest by no more than this may be meant in its place, if links say so `[m]`.
 pub(super) const AS_NEAR: f64 = 0.5;
@@ -81,8 +80,8 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Visits places along the line, both ends included; false if there is no `left` for what lies within the map.
-    pub(super) fn along(&mut self, points: &[DVec2], left: &Cell<f64>) -> bool {
+    /// Visits places along the line, both ends included. Ends where what lies within the map is more than is `left`.
+    pub(super) fn along(&mut self, points: &[DVec2], left: f64) {
         let tolerance = self.options.radius;
         let bounds = self.map.bounds();
         let box_ = [bounds.low.truncate() - tolerance, bounds.high.truncate() + tolerance];
@@ -94,9 +93,9 @@ impl<'a> Walk<'a> {
                 continue;
             }
             let [enters, leaves] = within(a, b, box_).map(|share| share * length);
-            left.set(left.get() - (leaves - enters).max(0.0));
-            if left.get() < 0.0 {
-                return false;
+            self.out.within += (leaves - enters).max(0.0);
+            if self.out.within > left {
+                return;
             }
             let heading = libm::atan2(b.y - a.y, b.x - a.x);
             if next < enters.min(length) {
@@ -131,7 +130,6 @@ impl<'a> Walk<'a> {
         if let Some(open) = self.open.take() {
             self.out.passed.push(open);
         }
-        true
     }
 
     /// Takes the lanes near a place into account; false if there is none.

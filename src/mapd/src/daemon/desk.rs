@@ -1,0 +1,117 @@
+//! Where entries of overlays hold, worked out before the main thread needs it: by the threads that take requests and that prepare maps. What did
+//! not change is not worked out again.
+
+use super::ByName;
+use super::prepare::Prepared;
+use crate::serve::ServeError;
+use mapd_archive::AlignedBytes;
+use mapd_client::{Attach, Client, Map};
+use mapd_overlay::{Document, Placements, Policy, Resolved};
+use mapd_transport::Domain;
+use std::os::unix::fs::FileExt;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+/// Contents of a map for which it is kept where entries hold: the one that is served, and the one that comes next or was before.
+const CONTENTS: usize = 2;
+
+/// How long the daemon waits for its own map: it is there.
+pub(super) const OWN_MAP: Duration = Duration::from_secs(2);
+
+/// Shared by the daemon's threads.
+pub(crate) struct Desk {
+    policy: Policy,
+    domain: Domain,
+    maps: Mutex<ByName<OfMap>>,
+}
+
+/// Of one map.
+#[derive(Default)]
+struct OfMap {
+    /// What is laid over it.
+    document: Arc<Document>,
+    /// Where that holds, by content, the newest last.
+    placements: Vec<Placements>,
+}
+
+impl Desk {
+    pub(super) fn new(policy: Policy, domain: Domain) -> Self {
+        Self { policy, domain, maps: Mutex::default() }
+    }
+
+    fn maps(&self) -> MutexGuard<'_, ByName<OfMap>> {
+        self.maps.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Notes what is laid over a map from now on.
+    pub(super) fn note(&self, name: &str, document: &Document) {
+        self.maps().entry(name.to_owned()).or_default().document = Arc::new(document.clone());
+    }
+
+    /// Places a document on the map that is served, for what is asked next. Whatever goes wrong here goes wrong again, with better words.
+    pub(super) fn place_on_served(&self, name: &str, document: &Document) {
+        if !self.maps().contains_key(name) {
+            return;
+        }
+        if let Ok(served) = Client::connect_as(Attach::Observer, &self.domain, name, OWN_MAP) {
+            self.place(name, served.snapshot().map(), document);
+        }
+    }
+
+    /// Places what is laid over a map on an archive that may be served next.
+    pub(super) fn place_on_next(&self, name: &str, archive: &Prepared) {
+        let document = self.maps().get(name).map(|own| own.document.clone()).unwrap_or_default();
+        if !document.entries.is_empty() {
+            // What cannot be read is told when it is published.
+            let _ = on_archive(archive, |map| self.place(name, map, &document));
+        }
+    }
+
+    /// Places without holding up the others.
+    fn place(&self, name: &str, map: Map<'_>, document: &Document) {
+        let missing = self.with(name, map, |own| own.missing(document));
+        if missing.entries.is_empty() {
+            return;
+        }
+        let mut placed = Placements::new(map, self.policy);
+        placed.place(map, &missing);
+        self.with(name, map, |own| own.absorb(placed));
+    }
+
+    /// Resolves a document against a map.
+    pub(super) fn resolve(&self, name: &str, map: Map<'_>, document: &Document) -> Resolved {
+        self.with(name, map, |own| own.resolve(map, document))
+    }
+
+    fn with<T>(&self, name: &str, map: Map<'_>, work: impl FnOnce(&mut Placements) -> T) -> T {
+        let mut maps = self.maps();
+        let placements = &mut maps.entry(name.to_owned()).or_default().placements;
+        let known = placements.iter().position(|one| one.is_of(map));
+        let mut own = match known {
+            Some(at) => placements.remove(at),
+            None => Placements::new(map, self.policy),
+        };
+        let found = work(&mut own);
+        placements.push(own);
+        if placements.len() > CONTENTS {
+            placements.remove(0);
+        }
+        found
+    }
+}
+
+/// Reads an archive that is not served yet, and does something with its map.
+///
+/// Errors: it cannot be read.
+pub(super) fn on_archive<T>(
+    archive: &Prepared,
+    work: impl FnOnce(Map<'_>) -> T,
+) -> Result<T, ServeError> {
+    let fail = |error| ServeError::iceoryx("laying the overlay over the map")(error);
+    let length = usize::try_from(archive.length).unwrap_or(usize::MAX);
+    let mut bytes = AlignedBytes::with_capacity(length);
+    bytes.resize(length, 0);
+    archive.file.read_exact_at(&mut bytes, 0).map_err(|error| fail(error.to_string()))?;
+    let opened = mapd_archive::open(&bytes).map_err(|error| fail(error.to_string()))?;
+    Ok(work(Map::new(&opened, 0)))
+}

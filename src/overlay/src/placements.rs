@@ -1,0 +1,165 @@
+//! Where entries hold on a map, kept: an entry that did not change is not placed again.
+
+use crate::document::Document;
+use crate::entry::Entry;
+use crate::pieces::{self, Mark, Marks};
+use crate::places::{Ground, Stretch, Unfit};
+use crate::resolve::{Policy, Resolved, Unplaced, add, place, raised};
+use mapd_archive::{OverlayRows, SignalEntryRow, StringTable};
+use mapd_query::{LaneId, Map, SRange};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Most that all lines of a document measure within the map `[m]`: what is placed takes time for each step of it.
+pub(crate) const LINES_TOGETHER: f64 = 1e7;
+
+/// Entries that are kept beyond those of the document: others may have been placed for what comes next.
+const MORE: usize = 1024;
+
+/// Where entries hold on one map.
+#[derive(Debug)]
+pub struct Placements {
+    content: [u8; 32],
+    policy: Policy,
+    known: BTreeMap<String, Known>,
+}
+
+/// An entry, and where it holds.
+#[derive(Debug)]
+struct Known {
+    entry: Entry,
+    places: Result<Places, Unfit>,
+    /// What its lines measure within the map `[m]`.
+    lines: f64,
+}
+
+#[derive(Debug)]
+struct Places {
+    stretches: Vec<(LaneId, f64, f64)>,
+    signals: Vec<u32>,
+    parts: Vec<Unfit>,
+}
+
+impl Placements {
+    /// None yet, on this map.
+    pub fn new(map: Map<'_>, policy: Policy) -> Self {
+        Self { content: map.content_hash(), policy, known: BTreeMap::new() }
+    }
+
+    /// Whether they are of this map.
+    pub fn is_of(&self, map: Map<'_>) -> bool {
+        self.content == map.content_hash()
+    }
+
+    /// Entries of a document that are not placed yet.
+    pub fn missing(&self, document: &Document) -> Document {
+        let is_missing = |entry: &&Entry| !self.has(entry);
+        Document { entries: document.entries.iter().filter(is_missing).cloned().collect() }
+    }
+
+    fn has(&self, entry: &Entry) -> bool {
+        self.known.get(&entry.id).is_some_and(|known| known.entry == *entry)
+    }
+
+    /// Places what is missing of a document. Another map than theirs: nothing is placed.
+    pub fn place(&mut self, map: Map<'_>, document: &Document) {
+        if !self.is_of(map) {
+            return;
+        }
+        let ground = Ground::new(map);
+        for entry in &document.entries {
+            let is_over = ground.left() < 0.0 && !entry.places.is_empty();
+            if is_over || self.has(entry) {
+                continue;
+            }
+            let before = ground.left();
+            let places = place(&ground, entry, self.policy).map(|found| Places {
+                stretches: found
+                    .stretches
+                    .iter()
+                    .map(|one| (one.lane.lane_id(), one.s_from, one.s_to))
+                    .collect(),
+                signals: found.signals,
+                parts: found.parts,
+            });
+            if ground.left() < 0.0 && !entry.places.is_empty() {
+                // What is over may have a place once there is less.
+                continue;
+            }
+            let known = Known { entry: entry.clone(), places, lines: before - ground.left() };
+            self.known.insert(entry.id.clone(), known);
+        }
+    }
+
+    /// Takes over what others have, if they are of the same map.
+    pub fn absorb(&mut self, others: Self) {
+        if others.content == self.content && others.policy == self.policy {
+            self.known.extend(others.known);
+        }
+    }
+
+    /// Resolves a document: places what is missing, and puts together what is published. An entry that does not fit is left out whole; only of a
+    /// line the part that is on the map's lanes holds.
+    pub fn resolve(&mut self, map: Map<'_>, document: &Document) -> Resolved {
+        self.place(map, document);
+        let mut rows = OverlayRows::default();
+        let mut strings = StringTable::default();
+        let (mut marks, mut unplaced) = (Marks::new(), Vec::new());
+        let mut lines = 0.0;
+        for (number, entry) in document.entries.iter().enumerate() {
+            let unfit = |(field, why): Unfit, is_part| {
+                let id = entry.id.clone();
+                Unplaced { id, number, field, why, is_part }
+            };
+            let known = self.known.get(&entry.id).filter(|known| known.entry == *entry);
+            lines += known.map_or(f64::INFINITY, |known| known.lines);
+            match known.map(|known| &known.places) {
+                Some(Err(why)) => unplaced.push(unfit(why.clone(), false)),
+                Some(Ok(places)) if lines <= LINES_TOGETHER || entry.places.is_empty() => {
+                    unplaced.extend(places.parts.iter().map(|part| unfit(part.clone(), true)));
+                    let own = add(entry, &mut strings, &mut rows);
+                    for (lane, s_from, s_to) in &places.stretches {
+                        let Ok(lane) = map.lane(*lane) else { continue };
+                        mark(&Stretch { lane, s_from: *s_from, s_to: *s_to }, own, &mut marks);
+                    }
+                    let of_signal = |signal: &u32| SignalEntryRow { signal: *signal, entry: own };
+                    rows.signal_entries.extend(places.signals.iter().map(of_signal));
+                }
+                _ => {
+                    let why = format!(
+                        "all lines together are longer than {} km within the map",
+                        LINES_TOGETHER / 1e3
+                    );
+                    unplaced.push(unfit(("places".to_owned(), why), false));
+                }
+            }
+        }
+        self.forget(document);
+        rows.signal_entries.sort_by_key(|row| (row.signal, row.entry));
+        pieces::fill(map, &marks, &mut rows);
+        let row = raised(map, &rows);
+        rows.overlay.push(row);
+        let (bytes, offsets) = strings.into_tables();
+        (rows.string_bytes, rows.string_offsets) = (bytes.into(), offsets.into());
+        Resolved { rows, unplaced }
+    }
+
+    /// Forgets what a document does not have, once that is much.
+    fn forget(&mut self, document: &Document) {
+        if self.known.len() > 2 * document.entries.len() + MORE {
+            let ids: BTreeSet<&str> = document.entries.iter().map(|e| e.id.as_str()).collect();
+            self.known.retain(|id, _| ids.contains(id.as_str()));
+        }
+    }
+}
+
+/// Marks the nodes that a stretch of a lane touches.
+fn mark(stretch: &Stretch<'_>, entry: u32, marks: &mut Marks) {
+    let Stretch { lane, s_from, s_to } = stretch;
+    for node in lane.nodes() {
+        let SRange { low: start, high: end } = node.s_range();
+        if start.max(*s_from) < end.min(*s_to) {
+            let mark = Mark { s_from: *s_from, s_to: *s_to, entry };
+            marks.entry(node.node_id().row()).or_default().push(mark);
+        }
+    }
+}
