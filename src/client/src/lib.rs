@@ -28,6 +28,7 @@ mod client;
 mod error;
 mod events;
 mod file;
+pub mod overlay;
 mod snapshot;
 #[cfg(feature = "trust")]
 mod trust;

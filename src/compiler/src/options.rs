@@ -3,8 +3,9 @@
 use crate::quarantine::Policy;
 use crate::without::Without;
 use mapd_geodesy::Target;
-use mapd_xodr::Limits;
+use mapd_xodr::{Limits, Patch};
 use std::path::PathBuf;
+use std::sync::Arc;
 use thiserror::Error;
 
 /// Default of [`CompileOptions::index_tolerance`] `[m]`.
@@ -140,7 +141,7 @@ impl CompileOptions {
     }
 }
 
-/// How a document is read and how its errors are handled. It never changes the tables of a map without errors.
+/// How a document is read and how its errors are handled. But for a patch, it never changes the tables of a map without errors.
 #[derive(Clone, Debug, Default)]
 pub struct ReadOptions {
     /// Bounds on what the document may ask for.
@@ -155,6 +156,8 @@ pub struct ReadOptions {
     pub ontology: mapd_ontology::Ontology,
     /// Bytes of text that a thread reads, checks and lowers at once, at least; none: 256 KiB. It does not show in the archive.
     pub batch_bytes: Option<usize>,
+    /// Roads and junctions that take the place of the document's; none: it is read as it is.
+    pub patch: Option<Arc<Patch>>,
 }
 
 impl ReadOptions {
@@ -162,7 +165,7 @@ impl ReadOptions {
     pub fn hash(&self, options: &CompileOptions) -> [u8; 8] {
         let tables = self.ontology.user_texts();
         let plain = self.rules == mapd_rules::Settings::default();
-        if plain && self.policy == Policy::default() && tables.is_empty() {
+        if plain && self.policy == Policy::default() && tables.is_empty() && self.patch.is_none() {
             return options.hash();
         }
         let mut hasher = blake3::Hasher::new();
@@ -171,6 +174,9 @@ impl ReadOptions {
         hasher.update(format!("{:?} {:?}", self.rules, self.policy).as_bytes());
         for text in tables {
             hasher.update(blake3::hash(text.as_bytes()).as_bytes());
+        }
+        for part in self.patch.iter().flat_map(|patch| patch.bytes()) {
+            hasher.update(b"patch").update(blake3::hash(&part).as_bytes());
         }
         let mut out = [0; 8];
         out.copy_from_slice(&hasher.finalize().as_bytes()[..8]);

@@ -1,9 +1,11 @@
 //! SOURCE: an OpenDRIVE file, an archive, or a live map.
 
+use crate::exit::UsageError;
 use anyhow::{Context, Result};
 use mapd_archive::{MAGIC, encode};
 use mapd_client::{Attach, Client, Domain, Snapshot};
 use mapd_compiler::{Compilation, CompileOptions, Progress, ReadOptions, compile_from};
+use mapd_xodr::PatchError;
 use std::fs::File;
 use std::io::{Read, Seek};
 use std::path::{Path, PathBuf};
@@ -59,8 +61,15 @@ pub fn compile_file_with(
     };
     // What cannot be opened is said in words of its own.
     drop(open_input(path)?);
-    compile_from(|| File::open(path), &reading, options, progress)
-        .with_context(|| format!("reading {}", path.display()))
+    let compiled = compile_from(|| File::open(path), &reading, options, progress);
+    compiled.map_err(|error| {
+        let is_unfit = error.get_ref().is_some_and(|inner| inner.is::<PatchError>());
+        let said = format!("reading {}", path.display());
+        match is_unfit {
+            true => UsageError(format!("{said}: {error}")).into(),
+            false => anyhow::Error::from(error).context(said),
+        }
+    })
 }
 
 /// The folder of a file, from which it may include others.

@@ -24,7 +24,7 @@ mod wzdx;
 pub use document::{Document, DocumentError, Limits};
 pub use entry::{Entry, Kind, Weekly};
 pub use place::{Across, AcrossWord, EarthPlace, LaneStretch, RoadId, WIDEST_TOLERANCE};
-pub use placements::Placements;
+pub use placements::{Holds, Placements};
 pub use resolve::{Policy, Resolved, Unplaced, resolve};
 pub use time::Moment;
 pub use wzdx::{Feed, FeedFinding, WZDX_TOLERANCE, is_feed, read_feed};

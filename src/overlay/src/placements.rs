@@ -34,9 +34,28 @@ struct Known {
 
 #[derive(Debug)]
 struct Places {
-    stretches: Vec<(LaneId, f64, f64)>,
-    signals: Vec<u32>,
+    holds: Holds,
     parts: Vec<Unfit>,
+}
+
+/// Where an entry holds.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Holds {
+    /// Lanes, each from where to where on its road `[m]`.
+    pub stretches: Vec<(LaneId, f64, f64)>,
+    /// Rows of signals.
+    pub signals: Vec<u32>,
+}
+
+impl Holds {
+    /// Whether both hold somewhere on the same lane, or of the same signal.
+    pub fn meets(&self, other: &Self) -> bool {
+        let on_one = |a: &(LaneId, f64, f64)| {
+            other.stretches.iter().any(|b| a.0 == b.0 && a.1 <= b.2 && b.1 <= a.2)
+        };
+        self.stretches.iter().any(on_one)
+            || self.signals.iter().any(|signal| other.signals.contains(signal))
+    }
 }
 
 impl Placements {
@@ -72,14 +91,11 @@ impl Placements {
                 continue;
             }
             let before = ground.left();
-            let places = place(&ground, entry, self.policy).map(|found| Places {
-                stretches: found
-                    .stretches
-                    .iter()
-                    .map(|one| (one.lane.lane_id(), one.s_from, one.s_to))
-                    .collect(),
-                signals: found.signals,
-                parts: found.parts,
+            let places = place(&ground, entry, self.policy).map(|found| {
+                let stretch = |one: &Stretch<'_>| (one.lane.lane_id(), one.s_from, one.s_to);
+                let stretches = found.stretches.iter().map(stretch).collect();
+                let holds = Holds { stretches, signals: found.signals };
+                Places { holds, parts: found.parts }
             });
             if ground.left() < 0.0 && !entry.places.is_empty() {
                 // What is over may have a place once there is less.
@@ -88,6 +104,17 @@ impl Placements {
             let known = Known { entry: entry.clone(), places, lines: before - ground.left() };
             self.known.insert(entry.id.clone(), known);
         }
+    }
+
+    /// Where an entry of this name holds; none if it is not placed.
+    ///
+    /// Errors: it does not fit the map: field and reason.
+    pub fn holds(&self, id: &str) -> Option<Result<&Holds, (&str, &str)>> {
+        let known = self.known.get(id)?;
+        Some(match &known.places {
+            Ok(places) => Ok(&places.holds),
+            Err((field, why)) => Err((field, why)),
+        })
     }
 
     /// Takes over what others have, if they are of the same map.
@@ -117,12 +144,12 @@ impl Placements {
                 Some(Ok(places)) if lines <= LINES_TOGETHER || entry.places.is_empty() => {
                     unplaced.extend(places.parts.iter().map(|part| unfit(part.clone(), true)));
                     let own = add(entry, &mut strings, &mut rows);
-                    for (lane, s_from, s_to) in &places.stretches {
+                    for (lane, s_from, s_to) in &places.holds.stretches {
                         let Ok(lane) = map.lane(*lane) else { continue };
                         mark(&Stretch { lane, s_from: *s_from, s_to: *s_to }, own, &mut marks);
                     }
                     let of_signal = |signal: &u32| SignalEntryRow { signal: *signal, entry: own };
-                    rows.signal_entries.extend(places.signals.iter().map(of_signal));
+                    rows.signal_entries.extend(places.holds.signals.iter().map(of_signal));
                 }
                 _ => {
                     let why = format!(

@@ -4,6 +4,7 @@ mod corpus;
 mod determinism;
 mod georeference;
 mod lowering_ahead;
+mod patches;
 mod reading_ahead;
 mod same_archive;
 mod surface_files;

@@ -3,7 +3,7 @@
 use mapd_archive::{OpenError, open_overlay, verify_overlay};
 use mapd_client::view::OverlayKind;
 use mapd_client::{Map, Snapshot};
-use mapd_overlay::{Document, DocumentError, Limits, Policy, resolve};
+use mapd_overlay::{Document, DocumentError, Limits, Placements, Policy, resolve};
 use mapd_query::LaneId;
 use mapd_query::glam::{DMat3, DVec2, DVec3};
 use mapd_query::localisation::{MatchOptions, VehiclePose};
@@ -424,4 +424,41 @@ fn damaged_overlays() {
         view.entries().for_each(|entry| assert!(entry.id().len() < 10_000));
     }
     assert!(opened > 100, "{opened}");
+}
+
+/// What was placed once is not placed again, and what is put together of it is what is resolved at once.
+#[test]
+fn what_is_known_is_not_placed_again() {
+    let snapshot = two_lanes();
+    let map = snapshot.map();
+    let document = |all: &[String]| {
+        let text = format!(r#"{{"entries":[{}]}}"#, all.join(","));
+        Document::read(text.as_bytes(), &Limits::default()).expect("a document")
+    };
+    let mut entries: Vec<String> =
+        (0..100).map(|i| entry(&i.to_string(), r#""kind":"closed""#)).collect();
+    entries.push(entry("far", r#""kind":"wet""#).replace("\"A\"", "\"Z\""));
+    let mut placed = Placements::new(map, Policy::default());
+    let mut check = |all: &[String], missing: &[&str]| {
+        let document = document(all);
+        let found = placed.missing(&document);
+        let found: Vec<&str> = found.entries.iter().map(|entry| entry.id.as_str()).collect();
+        assert_eq!(found, missing);
+        let (kept, fresh) =
+            (placed.resolve(map, &document), resolve(map, &document, Policy::default()));
+        let bytes = |rows| mapd_archive::encode_overlay(rows, map.content_hash()).expect("encodes");
+        assert_eq!(bytes(&kept.rows)[..], bytes(&fresh.rows)[..]);
+        assert_eq!(kept.unplaced, fresh.unplaced);
+        assert_eq!(placed.missing(&document).entries, []);
+    };
+    let all: Vec<String> = (0..100).map(|i| i.to_string()).chain(["far".to_owned()]).collect();
+    check(&entries, &all.iter().map(String::as_str).collect::<Vec<_>>());
+    entries.push(entry("new", r#""kind":"closed""#));
+    check(&entries, &["new"]);
+    entries[7] = entry("7", r#""kind":"wet""#);
+    check(&entries, &["7"]);
+    entries.truncate(3);
+    check(&entries, &[]);
+    let other = open_text(&with_signal());
+    assert!(!placed.is_of(other.map()));
 }

@@ -44,7 +44,7 @@ fn row(edge: &Edge, places: &Places) -> EdgeRow {
     EdgeRow {
         line: position.line,
         column: position.column,
-        file: Places::file_of(start),
+        file: places.file_at(start),
         kind: edge.kind.code(),
         flags: 0,
     }

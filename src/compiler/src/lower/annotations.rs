@@ -66,7 +66,7 @@ impl Walk<'_> {
     /// An element whose parent stands in a file.
     fn element(&mut self, element: &dyn Written, file: u16) {
         let span = element.span();
-        let own_file = Places::file_of(span.start);
+        let own_file = self.places.file_at(span.start);
         if own_file != file {
             // Its name is filled in when all files are known.
             self.add(AnnotationKind::SourceFile, span, AnnotatedValue::default());
@@ -158,7 +158,7 @@ impl Walk<'_> {
             text: strings.add(said.text),
             line: at.line,
             column: at.column,
-            file: Places::file_of(span.start),
+            file: self.places.file_at(span.start),
             kind: kind.code(),
             owner_kind: owner_kind.code(),
         };

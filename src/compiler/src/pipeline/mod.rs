@@ -215,7 +215,10 @@ fn read(
         if let Some(folder) = &reading.include_folder {
             inputs = inputs.with_include_folder(folder);
         }
-        let source = inputs.open(Box::new(&mut hashing), "");
+        let source = match &reading.patch {
+            None => inputs.open(Box::new(&mut hashing), ""),
+            Some(patch) => inputs.open_patched(Box::new(&mut hashing), "", patch),
+        };
         let reader = Reader::with_source(inputs, source, reading.limits);
         let mut stream = Stream::new(reader, reading.batch_bytes);
         let places = stream.reader.places().clone();

@@ -44,7 +44,7 @@ fn included_files(draft: &mut Draft, places: &Places, folder: Option<&Path>) {
             name: draft.strings.add(&name),
             line: position.line,
             column: position.column,
-            file: Places::file_of(at).into(),
+            file: places.file_at(at).into(),
         });
     }
     if draft.without.has(Extra::Includes) {

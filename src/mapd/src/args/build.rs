@@ -2,9 +2,13 @@
 
 use super::{FrameArgs, JudgingArgs, OntologyArgs, finite};
 use crate::exit::UsageError;
-use anyhow::Result;
-use clap::{Args, ValueEnum};
+use anyhow::{Context, Result};
+use clap::{Args, ValueEnum, ValueHint};
 use mapd_compiler::{CompileOptions, CyclePolicy, Extra, OffsetSign, ReadOptions};
+use mapd_transport::read_regular;
+use mapd_xodr::{LONGEST_PATCH, Patch, PatchedId};
+use std::path::PathBuf;
+use std::sync::Arc;
 
 /// How a map is built.
 #[derive(Args)]
@@ -36,6 +40,14 @@ pub(crate) struct BuildArgs {
     /// Data to leave out of the archive; nothing else depends on it
     #[arg(long, value_name = "KIND", value_enum, value_delimiter = ',')]
     without: Vec<WithoutKind>,
+
+    /// OpenDRIVE roads and junctions that take the place of the map's of the same ids, or are new (docs/overlay.md); of one map
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    patch: Option<PathBuf>,
+
+    /// Road or junction to leave out, as road:ID or junction:ID; of one map
+    #[arg(long, value_name = "ID")]
+    remove: Vec<PatchedId>,
 
     #[command(flatten)]
     frame: FrameArgs,
@@ -115,7 +127,26 @@ impl BuildArgs {
 impl BuildArgs {
     /// How a document is read, by these options and the rules that apply.
     pub(crate) fn reading(&self, judging: &JudgingArgs) -> Result<ReadOptions> {
-        self.ontology.apply(judging.apply(ReadOptions::default())?)
+        let mut reading = self.ontology.apply(judging.apply(ReadOptions::default())?)?;
+        reading.patch = self.patched()?.map(Arc::new);
+        Ok(reading)
+    }
+
+    /// Whether one map is meant, whose roads and junctions are changed.
+    pub(crate) fn is_patched(&self) -> bool {
+        self.patch.is_some() || !self.remove.is_empty()
+    }
+
+    fn patched(&self) -> Result<Option<Patch>> {
+        if !self.is_patched() {
+            return Ok(None);
+        }
+        let patch = Patch::removing(self.remove.clone());
+        let Some(file) = &self.patch else { return Ok(Some(patch)) };
+        let reading = || format!("patch {}", file.display());
+        let text = read_regular(file, LONGEST_PATCH).with_context(reading)?;
+        let patch = patch.with_document(file.clone(), text.into_bytes());
+        Ok(Some(patch.map_err(|error| UsageError(error.to_string()))?))
     }
 
     /// How a map is built, by these options.

@@ -3,6 +3,8 @@
 use super::message::{Request, Response};
 use super::socket_path;
 use mapd_client::Domain;
+use mapd_client::overlay::{Decision, LONGEST_PROPOSAL, proposals_socket};
+use mapd_transport::Share;
 use rustix::event::{PollFd, PollFlags, poll};
 use std::fmt;
 use std::fs::{self, Permissions};
@@ -18,6 +20,9 @@ use std::time::{Duration, Instant};
 /// Mode of a socket: the daemon's user alone.
 const SOCKET_MODE: u32 = 0o600;
 
+/// Mode of a socket for proposals where maps are shared with a group.
+const SHARED_MODE: u32 = 0o660;
+
 /// How long who asks may take in all to say what, and then to take the answer.
 const PATIENCE: Duration = Duration::from_secs(2);
 
@@ -30,8 +35,13 @@ const PAUSE: Duration = Duration::from_millis(100);
 /// Requests that are answered at a time; who comes later is refused.
 const MOST_CONNECTIONS: usize = 32;
 
-/// Answers a request; called in a thread of its own, and may take as long as what is asked for takes.
-type Answer = dyn Fn(Request) -> Response + Send + Sync;
+/// What is done with connections, by the number of their socket.
+trait Service: Send + Sync {
+    /// Serves one, in a thread of its own; may take as long as what is asked for takes.
+    fn serve(&self, socket: usize, stream: &UnixStream) -> io::Result<()>;
+    /// Answers one that is too many, quickly.
+    fn refuse(&self, stream: &UnixStream, reason: String) -> io::Result<()>;
+}
 
 /// Listens on the sockets of a daemon's maps, in a thread of its own. Dropping it removes them: do so while the maps are
 /// still claimed, or a successor's would be removed.
@@ -43,7 +53,7 @@ pub struct ControlListener {
 }
 
 impl ControlListener {
-    /// Begins to listen. Only for maps that this process has claimed: what a killed daemon left under a socket's name is
+    /// Begins to listen for requests. Only for maps that this process has claimed: what a killed daemon left under a socket's name is
     /// removed.
     ///
     /// Errors: a socket cannot be made.
@@ -52,26 +62,93 @@ impl ControlListener {
         maps: &[String],
         answer: impl Fn(Request) -> Response + Send + Sync + 'static,
     ) -> io::Result<Self> {
+        let paths = maps.iter().map(|map| socket_path(domain, map)).collect();
+        Self::listen_on(paths, Share::Private, Arc::new(Requests(answer)))
+    }
+
+    /// Begins to listen for proposals, of members of the group that the maps are shared with too. `decide` gets the map's number among these, the user of the
+    /// process, and what it says.
+    ///
+    /// Errors: a socket cannot be made.
+    pub fn start_for_proposals(
+        domain: &Domain,
+        maps: &[String],
+        share: Share,
+        decide: impl Fn(usize, u32, &[u8]) -> Decision + Send + Sync + 'static,
+    ) -> io::Result<Self> {
+        let paths = maps.iter().map(|map| proposals_socket(domain, map)).collect();
+        Self::listen_on(paths, share, Arc::new(Proposals(decide)))
+    }
+
+    fn listen_on(paths: Vec<PathBuf>, share: Share, service: Arc<dyn Service>) -> io::Result<Self> {
         let (stop, stopped) = UnixStream::pair()?;
         // From here on, dropping it removes what has been made.
         let mut made = Self { paths: Vec::new(), stop: Some(stop), thread: None };
         let mut listeners = Vec::new();
-        for map in maps {
-            let path = socket_path(domain, map);
+        for path in paths {
             match fs::remove_file(&path) {
                 Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
                 _ => {}
             }
             let listener = UnixListener::bind(&path)?;
             made.paths.push(path.clone());
-            fs::set_permissions(&path, Permissions::from_mode(SOCKET_MODE))?;
+            let mut mode = SOCKET_MODE;
+            if let Share::Group(group) = share {
+                // The group first: no moment at which another one has the rights.
+                std::os::unix::fs::chown(&path, None, Some(group))?;
+                mode = SHARED_MODE;
+            }
+            fs::set_permissions(&path, Permissions::from_mode(mode))?;
             listener.set_nonblocking(true)?;
             listeners.push(listener);
         }
-        let answer: Arc<Answer> = Arc::new(answer);
         let builder = std::thread::Builder::new().name("control".to_owned());
-        made.thread = Some(builder.spawn(move || listen(&stopped, &listeners, &answer))?);
+        made.thread = Some(builder.spawn(move || listen(&stopped, &listeners, &service))?);
         Ok(made)
+    }
+}
+
+/// Requests of the operator.
+struct Requests<F>(F);
+
+impl<F: Fn(Request) -> Response + Send + Sync> Service for Requests<F> {
+    fn serve(&self, _: usize, stream: &UnixStream) -> io::Result<()> {
+        let line = read(stream, LONGEST_REQUEST, true)?;
+        if line.is_empty() {
+            return Ok(());
+        }
+        let response = match serde_json::from_slice(&line) {
+            Ok(request) => self.0(request),
+            Err(error) => {
+                Response::Refused { reason: format!("the request is not understood: {error}") }
+            }
+        };
+        reply(stream, &response)
+    }
+
+    fn refuse(&self, stream: &UnixStream, reason: String) -> io::Result<()> {
+        reply(stream, &Response::Refused { reason })
+    }
+}
+
+/// Proposals of processes on board.
+struct Proposals<F>(F);
+
+impl<F: Fn(usize, u32, &[u8]) -> Decision + Send + Sync> Service for Proposals<F> {
+    fn serve(&self, socket: usize, mut stream: &UnixStream) -> io::Result<()> {
+        let user = rustix::net::sockopt::socket_peercred(stream)?.uid.as_raw();
+        let decision = match read(stream, LONGEST_PROPOSAL, false) {
+            Ok(text) => self.0(socket, user, &text),
+            Err(error) if error.kind() == io::ErrorKind::InvalidData => Decision::Refused {
+                reason: format!("expected at most {LONGEST_PROPOSAL} bytes, and soon"),
+            },
+            Err(error) => return Err(error),
+        };
+        stream.write_all(decision.line().as_bytes())
+    }
+
+    fn refuse(&self, mut stream: &UnixStream, reason: String) -> io::Result<()> {
+        stream.write_all(Decision::Refused { reason }.line().as_bytes())
     }
 }
 
@@ -88,7 +165,7 @@ impl Drop for ControlListener {
     }
 }
 
-fn listen(stopped: &UnixStream, listeners: &[UnixListener], answer: &Arc<Answer>) {
+fn listen(stopped: &UnixStream, listeners: &[UnixListener], service: &Arc<dyn Service>) {
     let busy = Arc::new(AtomicUsize::new(0));
     loop {
         let mut waits: Vec<PollFd<'_>> =
@@ -103,10 +180,10 @@ fn listen(stopped: &UnixStream, listeners: &[UnixListener], answer: &Arc<Answer>
         if waits.last().is_some_and(|stop| !stop.revents().is_empty()) {
             return;
         }
-        for listener in listeners {
+        for (socket, listener) in listeners.iter().enumerate() {
             loop {
                 match listener.accept() {
-                    Ok((stream, _)) => connect(stream, &busy, answer),
+                    Ok((stream, _)) => connect(stream, socket, &busy, service),
                     Err(error) if error.kind() == io::ErrorKind::WouldBlock => break,
                     Err(error) => {
                         tracing::debug!(%error, "a request cannot be taken: {error}");
@@ -120,7 +197,7 @@ fn listen(stopped: &UnixStream, listeners: &[UnixListener], answer: &Arc<Answer>
 }
 
 /// Hands a connection to a thread, if there are not too many.
-fn connect(stream: UnixStream, busy: &Arc<AtomicUsize>, answer: &Arc<Answer>) {
+fn connect(stream: UnixStream, socket: usize, busy: &Arc<AtomicUsize>, service: &Arc<dyn Service>) {
     /// Counts a connection as long as it lives.
     struct Busy(Arc<AtomicUsize>);
     impl Drop for Busy {
@@ -129,17 +206,17 @@ fn connect(stream: UnixStream, busy: &Arc<AtomicUsize>, answer: &Arc<Answer>) {
         }
     }
     let refused = busy.fetch_add(1, Ordering::Relaxed) >= MOST_CONNECTIONS;
-    let (busy, answer) = (Busy(busy.clone()), answer.clone());
+    let (busy, service) = (Busy(busy.clone()), service.clone());
     if refused {
         let reason = format!("the daemon is already answering {MOST_CONNECTIONS} requests");
         // Who is refused and has gone needs no answer.
-        let _ = prepare(&stream).and_then(|()| reply(&stream, &Response::Refused { reason }));
+        let _ = prepare(&stream).and_then(|()| service.refuse(&stream, reason));
         return;
     }
     let work = move || {
         let _busy = busy;
         // Who has gone needs no answer.
-        let _ = serve(&stream, &*answer);
+        let _ = prepare(&stream).and_then(|()| service.serve(socket, &stream));
     };
     // Without a thread the connection is closed: the daemon goes on.
     let _ = std::thread::Builder::new().name("request".to_owned()).spawn(work);
@@ -151,30 +228,17 @@ fn prepare(stream: &UnixStream) -> io::Result<()> {
     stream.set_write_timeout(Some(PATIENCE))
 }
 
-fn serve(stream: &UnixStream, answer: &Answer) -> io::Result<()> {
-    prepare(stream)?;
-    let line = read_request(stream)?;
-    if line.is_empty() {
-        return Ok(());
-    }
-    let response = match serde_json::from_slice(&line) {
-        Ok(request) => answer(request),
-        Err(error) => {
-            Response::Refused { reason: format!("the request is not understood: {error}") }
-        }
-    };
-    reply(stream, &response)
-}
-
-/// Reads up to the end of a line, within [`PATIENCE`] in all.
-fn read_request(mut stream: &UnixStream) -> io::Result<Vec<u8>> {
+/// Reads up to the end of a line, or of all that is sent, within [`PATIENCE`] in all.
+///
+/// Errors: what the system says; invalid data if it is too long, or takes too long.
+fn read(mut stream: &UnixStream, most: usize, one_line: bool) -> io::Result<Vec<u8>> {
     let until = Instant::now() + PATIENCE;
     let mut line = Vec::new();
     let mut buffer = [0; 16 << 10];
     let mut is_whole = false;
     while !is_whole {
         let left = until.saturating_duration_since(Instant::now());
-        if left.is_zero() || line.len() > LONGEST_REQUEST {
+        if left.is_zero() || line.len() > most {
             return Err(io::ErrorKind::InvalidData.into());
         }
         stream.set_read_timeout(Some(left))?;
@@ -182,7 +246,7 @@ fn read_request(mut stream: &UnixStream) -> io::Result<Vec<u8>> {
             0 => break,
             count => {
                 let read = buffer.get(..count).unwrap_or_default();
-                is_whole = read.contains(&b'\n');
+                is_whole = one_line && read.contains(&b'\n');
                 line.extend_from_slice(read);
             }
         }

@@ -4,13 +4,14 @@ use super::child::Means;
 use super::config::Configuration;
 use super::log::say;
 use super::overlays::OverlayRules;
+use super::proposals::ProposalPolicy;
 use super::settings::{MapSettings, Settings};
 use super::sources;
 use crate::args::CompileArguments;
 use crate::args::ThreadsArg;
 use crate::args::{ShareWith, Size};
 use crate::cache::{self, Cache};
-use crate::exit::UsageError;
+use crate::exit::{UsageError, explained};
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use mapd_client::Domain;
@@ -79,6 +80,10 @@ pub(crate) struct DaemonArgs {
     /// Longest document of overlay entries, at most 5MiB [default: 4MiB]
     #[arg(long, value_name = "SIZE")]
     overlay_bytes: Option<Size>,
+
+    /// Take entries of overlays that processes on board propose, as this policy allows (docs/overlay.md) [default: none]
+    #[arg(long, value_name = "FILE")]
+    overlay_from: Option<PathBuf>,
 
     /// Keep served maps in memory, never in swap; the limit of locked memory (ulimit -l) must allow twice the largest map
     #[arg(long)]
@@ -165,8 +170,23 @@ impl DaemonArgs {
         let lock_memory = self.lock_memory || file.lock_memory;
         let share = self.share.or(file.share).map_or(Share::Private, |with| with.0);
         let overlay = self.overlay(&file)?;
+        let policy = self.overlay_from.as_ref().or(file.overlay_from.as_ref());
+        let read = |path: &PathBuf| ProposalPolicy::read(path, &domain);
+        let proposals = policy.map(read).transpose();
+        let proposals = proposals.map_err(|error| UsageError(explained(&error)))?;
         let (trust, oversight) = (file.trust, file.oversight);
-        Ok(Settings { domain, cache, means, trust, oversight, lock_memory, share, overlay, maps })
+        Ok(Settings {
+            domain,
+            cache,
+            means,
+            trust,
+            oversight,
+            lock_memory,
+            share,
+            overlay,
+            proposals,
+            maps,
+        })
     }
 
     fn overlay(&self, file: &Configuration) -> Result<OverlayRules> {

@@ -30,6 +30,7 @@ pub(crate) struct Configuration {
     pub(crate) overlay_may_loosen: bool,
     pub(crate) overlay_entries: Option<usize>,
     pub(crate) overlay_bytes: Option<Size>,
+    pub(crate) overlay_from: Option<PathBuf>,
     pub(crate) share: Option<ShareWith>,
     pub(crate) trust: Option<PathBuf>,
     pub(crate) oversight: OversightSettings,
@@ -57,6 +58,7 @@ struct File {
     overlay_may_loosen: bool,
     overlay_entries: Option<usize>,
     overlay_bytes: Option<Size>,
+    overlay_from: Option<PathBuf>,
     share: Option<ShareWith>,
     trust: Option<PathBuf>,
     metrics: Option<SocketAddr>,
@@ -142,6 +144,7 @@ impl Configuration {
             overlay_may_loosen: file.overlay_may_loosen,
             overlay_entries: file.overlay_entries,
             overlay_bytes: file.overlay_bytes,
+            overlay_from: file.overlay_from.map(|policy| folder.join(policy)),
             share: file.share,
             trust: file.trust.map(|key| folder.join(key)),
             oversight: OversightSettings {

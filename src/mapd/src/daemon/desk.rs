@@ -6,7 +6,7 @@ use super::prepare::Prepared;
 use crate::serve::ServeError;
 use mapd_archive::AlignedBytes;
 use mapd_client::{Attach, Client, Map};
-use mapd_overlay::{Document, Placements, Policy, Resolved};
+use mapd_overlay::{Document, Holds, Placements, Policy, Resolved};
 use mapd_transport::Domain;
 use std::os::unix::fs::FileExt;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -76,6 +76,29 @@ impl Desk {
         let mut placed = Placements::new(map, self.policy);
         placed.place(map, &missing);
         self.with(name, map, |own| own.absorb(placed));
+    }
+
+    /// Where a document's first entry holds on the map that is served.
+    ///
+    /// Errors: it does not; why.
+    pub(super) fn holds(&self, name: &str, document: &Document) -> Result<Holds, String> {
+        let served = Client::connect_as(Attach::Observer, &self.domain, name, OWN_MAP);
+        let snapshot = served.map_err(|error| error.to_string())?.snapshot();
+        let mut placed = Placements::new(snapshot.map(), self.policy);
+        placed.place(snapshot.map(), document);
+        let first = document.entries.first().and_then(|entry| placed.holds(&entry.id));
+        match first {
+            Some(Ok(holds)) => Ok(holds.clone()),
+            Some(Err((field, why))) => Err(format!("{field}: {why}")),
+            None => Err("places: too long".to_owned()),
+        }
+    }
+
+    /// How many entries there are whose names begin so, but for one.
+    pub(super) fn count(&self, name: &str, prefix: &str, but: &str) -> usize {
+        let document = self.maps().get(name).map(|own| own.document.clone()).unwrap_or_default();
+        let counts = |id: &&str| id.starts_with(prefix) && *id != but;
+        document.entries.iter().map(|entry| entry.id.as_str()).filter(counts).count()
     }
 
     /// Resolves a document against a map.

@@ -21,6 +21,7 @@ mod maps;
 mod orders;
 mod overlays;
 mod prepare;
+mod proposals;
 mod settings;
 mod sources;
 mod watch;
@@ -31,10 +32,10 @@ pub(crate) use changes::sentence;
 pub(crate) use config::Configuration;
 
 use crate::control::{Board, CacheStatus, ControlListener, Request, Response, Trigger};
-use crate::exit::{Exit, explained};
+use crate::exit::{Exit, UsageError, explained};
 use crate::oversight::{Oversight, OversightArgs};
 use crate::serve::{Doorbell, ServeError, Server, StopSignal};
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use log::say;
 use mapd_client::TrustedKey;
 use mapd_transport::Share;
@@ -42,6 +43,7 @@ use maps::{FirstServing, Maps};
 use orders::{Change, Order, Orders};
 use overlays::{OverlayOrder, Overlays, Reader};
 use prepare::{Prepared, Preparer};
+use proposals::Judge;
 use rustix::fs::Mode;
 use settings::Settings;
 use signal_hook::consts::SIGHUP;
@@ -77,7 +79,8 @@ pub(crate) fn run(
         .context("installing the handler of SIGHUP")?;
     let metrics = oversight.open_metrics()?;
     let cancelled = stop.flag();
-    let Settings { domain, cache, means, lock_memory, share, overlay, maps, .. } = settings;
+    let Settings { domain, cache, means, lock_memory, share, overlay, proposals, maps, .. } =
+        settings;
     let preparer = Preparer { cache, means, trust, cancelled };
     let watched: WatchList = Arc::default();
     let (mut ready, mut fallbacks) = (Vec::new(), Vec::new());
@@ -125,7 +128,19 @@ pub(crate) fn run(
         server.keep_generations_in(cache.folder());
     }
     let folder = preparer.cache.as_ref().map(|cache| cache.folder().to_owned());
-    let overlays = Overlays::new(overlay, domain.clone(), folder);
+    let mut overlays = Overlays::new(overlay, domain.clone(), folder.clone());
+    let judge = match (proposals, &folder) {
+        (None, _) => None,
+        (Some(_), None) => bail!(UsageError(
+            "--overlay-from: the audit log is kept in the cache folder; there is none".to_owned()
+        )),
+        (Some(policy), Some(folder)) => {
+            let place = (folder.as_path(), domain.prefix());
+            let judge = Judge::new(policy, place, overlays.desk.clone(), orders.clone());
+            overlays.audit = Some(judge.audit.clone());
+            Some(judge)
+        }
+    };
     let board = Arc::new(Board::new(&domain, preparer.cache.as_ref().map(CacheStatus::of)));
     let names: Vec<String> = maps.iter().map(|map| map.name.clone()).collect();
     let mut state = Maps::new(server, overlays, board.clone(), preparer.clone(), watched.clone());
@@ -158,6 +173,15 @@ pub(crate) fn run(
     // Maps are served without control rather than not at all.
     let control = ControlListener::start(&domain, &names, control)
         .inspect_err(|error| say(&format!("continuing without `mapd reload`: {error}")));
+    let proposals = judge.and_then(|judge| {
+        let maps = names.clone();
+        let decide = move |map: usize, user: u32, text: &[u8]| {
+            judge.decide(maps.get(map).map_or("", String::as_str), user, text)
+        };
+        ControlListener::start_for_proposals(&domain, &names, share, decide)
+            .inspect_err(|error| say(&format!("continuing without proposals: {error}")))
+            .ok()
+    });
     let worker =
         Worker::start(preparer, maps.clone(), board, desk, orders.clone()).context("a thread")?;
     let watcher = match maps.iter().any(|map| map.watch) {
@@ -184,7 +208,7 @@ pub(crate) fn run(
     // maps are still claimed.
     // What watches over the daemon may be attaching at this moment, and is greeted until it has ended.
     state.server.meanwhile(|| drop(watched_over))?;
-    drop((watcher, received, worker, control));
+    drop((watcher, received, worker, control, proposals));
     drop(state);
     say("stopped");
     Ok(Exit::Done)
@@ -256,7 +280,12 @@ fn answer_with(
                     Err(error) => return Response::Wrong { reason: error.to_string() },
                 };
                 let (reply, outcome) = channel();
-                orders.give(Order::Overlay(OverlayOrder { map, action, reply }));
+                orders.give(Order::Overlay(OverlayOrder {
+                    map,
+                    action,
+                    reply,
+                    is_proposed: false,
+                }));
                 return outcome.recv().unwrap_or_else(|_| ended());
             }
         };

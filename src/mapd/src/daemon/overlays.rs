@@ -4,6 +4,7 @@ use super::ByName;
 use super::desk::{Desk, OWN_MAP, on_archive};
 use super::maps::Maps;
 use super::prepare::Prepared;
+use super::proposals::{Audit, Line};
 use crate::clock::{since_epoch, unix_ns};
 use crate::control::{ListedEntry, OverlayAction, OverlayReport, OverlayStatus, Response};
 use crate::exit::explained;
@@ -24,6 +25,9 @@ const SUFFIX: &str = ".overlay.json";
 /// Longest such file that is read, for each byte that a document may have: it is written anew, in the longest form.
 const STATE_PER_BYTE: u64 = 4;
 
+/// Names of entries that a line of the audit log has at most.
+const MOST_TOLD: usize = 50;
+
 /// What may be laid over maps.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct OverlayRules {
@@ -36,6 +40,8 @@ pub(crate) struct OverlayOrder {
     pub(crate) map: String,
     pub(crate) action: Action,
     pub(crate) reply: Sender<Response>,
+    /// Whether a process proposed it; else it is the operator's command.
+    pub(crate) is_proposed: bool,
 }
 
 /// What is to be done, read.
@@ -88,6 +94,8 @@ pub(super) struct Overlays {
     /// Where entries are kept; without it they end with the daemon.
     folder: Option<PathBuf>,
     pub(super) desk: Arc<Desk>,
+    /// Where it is told what was laid over maps, if proposals are taken.
+    pub(super) audit: Option<Arc<Audit>>,
     maps: ByName<Kept>,
 }
 
@@ -98,7 +106,7 @@ fn now() -> Moment {
 impl Overlays {
     pub(super) fn new(rules: OverlayRules, domain: Domain, folder: Option<PathBuf>) -> Self {
         let desk = Arc::new(Desk::new(rules.policy, domain.clone()));
-        Self { rules, domain, folder, desk, maps: ByName::new() }
+        Self { rules, domain, folder, desk, audit: None, maps: ByName::new() }
     }
 
     fn file(&self, map: &str) -> Option<PathBuf> {
@@ -191,6 +199,25 @@ fn make(
 }
 
 impl Overlays {
+    /// Tells what the operator did, where it is told what processes on board do.
+    fn tell_operator(&self, map: &str, what: &str, ids: &[String]) {
+        let Some(audit) = &self.audit else { return };
+        let told = ids.iter().take(MOST_TOLD).map(String::as_str).collect::<Vec<_>>().join(", ");
+        let more = ids.len().saturating_sub(MOST_TOLD);
+        let reason = if more > 0 { format!("{told} and {more} more") } else { told };
+        let line = Line {
+            time: now(),
+            source: "operator",
+            user: None,
+            decision: what,
+            reason: &reason,
+            entry: None,
+        };
+        if let Err(error) = audit.write(map, &line) {
+            tracing::warn!(map, "map {map}: the audit log cannot be written: {error}");
+        }
+    }
+
     /// What is laid over a map, in numbers.
     fn status(&self, map: &str) -> OverlayStatus {
         let Some(kept) = self.maps.get(map) else { return OverlayStatus::default() };
@@ -213,9 +240,9 @@ impl Maps {
 
     /// Does what is asked, and answers.
     pub(super) fn overlay(&mut self, order: OverlayOrder) {
-        let OverlayOrder { map, action, reply } = order;
+        let OverlayOrder { map, action, reply, is_proposed } = order;
         let response = match self.overlays.maps.contains_key(&map) {
-            true => self.overlaid(&map, action),
+            true => self.overlaid(&map, action, is_proposed),
             false => {
                 Response::Refused { reason: format!("this daemon does not serve a map {map:?}") }
             }
@@ -224,7 +251,7 @@ impl Maps {
         let _ = reply.send(response);
     }
 
-    fn overlaid(&mut self, map: &str, action: Action) -> Response {
+    fn overlaid(&mut self, map: &str, action: Action, is_proposed: bool) -> Response {
         let Some(before) = self.overlays.maps.get(map).cloned() else {
             return Response::Refused { reason: "nothing is served".to_owned() };
         };
@@ -244,7 +271,7 @@ impl Maps {
                 }
             }
             Action::Remove { ids } => match next.document.remove(&ids) {
-                Ok(()) => ("removed", Vec::new()),
+                Ok(()) => ("removed", ids),
                 Err(id) => return Response::Wrong { reason: format!("there is no entry {id:?}") },
             },
             Action::Clear => {
@@ -256,6 +283,9 @@ impl Maps {
             Ok(None) => {
                 let entries = self.overlays.maps.get(map).map_or(0, |k| k.document.entries.len());
                 tracing::info!(map, entries, "map {map}: overlay {what}, {entries} entries");
+                if !is_proposed {
+                    self.overlays.tell_operator(map, what, &applied);
+                }
                 self.listed(map)
             }
             Ok(Some(reason)) => Response::Wrong { reason },

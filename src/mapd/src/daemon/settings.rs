@@ -2,6 +2,7 @@
 
 use super::child::Means;
 use super::overlays::OverlayRules;
+use super::proposals::ProposalPolicy;
 use crate::args::CompileArguments;
 use crate::cache::Cache;
 use crate::oversight::OversightSettings;
@@ -27,6 +28,8 @@ pub(crate) struct Settings {
     pub(crate) share: Share,
     /// What may be laid over maps.
     pub(crate) overlay: OverlayRules,
+    /// Who may propose what; none: nobody.
+    pub(crate) proposals: Option<ProposalPolicy>,
     pub(crate) maps: Vec<MapSettings>,
 }
 

@@ -3,6 +3,7 @@
 use super::limits::SourceLimits;
 use super::places::Places;
 use super::text::{Shared, Source};
+use crate::patch::{Patch, Splice};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
@@ -106,6 +107,27 @@ impl Inputs {
     /// Opens an input that is no file, such as bytes in memory.
     pub fn open<'a>(&mut self, input: Box<dyn Read + Send + 'a>, name: &str) -> Source<'a> {
         self.push(input, name, None, None)
+    }
+
+    /// Opens an input that is no file, with a patch in it. The patch is the file after the main one.
+    pub fn open_patched<'a>(
+        &mut self,
+        input: Box<dyn Read + Send + 'a>,
+        name: &str,
+        patch: &'a Patch,
+    ) -> Source<'a> {
+        let (places, decoded) = (Places::default(), Arc::default());
+        let limits = self.shared.limits;
+        let shared = Shared { limits, places, decoded };
+        let written = Source::new(input, shared.clone(), shared.places.add(name, None));
+        let number = self.shared.places.add(name, None);
+        let file = match patch.file() {
+            Some(file) => self.shared.places.add(&file.display().to_string(), None),
+            None => number,
+        };
+        self.open.push(Open { number, path: None });
+        let spliced = Splice::new(written, patch, self.shared.places.clone(), file);
+        Source::new(Box::new(spliced), self.shared.clone(), number)
     }
 
     /// Opens the main file. Errors: it cannot be opened.

@@ -31,6 +31,32 @@ struct File {
     /// Where the `include` stands; none for the main file.
     included_at: Option<u64>,
     lines: LineIndex,
+    /// Where stretches of its text come from, if they are not its own, ascending.
+    pieces: Vec<Piece>,
+}
+
+/// A stretch of a text, up to the next one.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    /// Offset at which it begins.
+    start: u64,
+    /// The file that it comes from, and where it stands there.
+    file: u16,
+    at: Position,
+}
+
+impl File {
+    /// The file that an offset of this one's text comes from, and line and column there; none if it is its own.
+    fn written(&self, offset: u64) -> Option<(u16, Position)> {
+        let piece =
+            self.pieces[..self.pieces.partition_point(|piece| piece.start <= offset)].last()?;
+        let [begin, own] = [piece.start, offset].map(|offset| self.lines.position(offset));
+        let at = match own.line - begin.line {
+            0 => Position { column: piece.at.column + (own.column - begin.column), ..piece.at },
+            more => Position { line: piece.at.line + more, column: own.column },
+        };
+        Some((piece.file, at))
+    }
 }
 
 /// The files of a document and where their lines begin. Clones share what they know.
@@ -69,17 +95,31 @@ impl Places {
         let Some(file) = files.get(usize::from(Self::file_of(start))) else {
             return SourceLocation { file: "".into(), position: Position::default() };
         };
+        if let Some((number, position)) = file.written(Self::offset_of(start)) {
+            let name = files.get(usize::from(number)).map_or_else(|| "".into(), |f| f.name.clone());
+            return SourceLocation { file: name, position };
+        }
         SourceLocation {
             file: file.name.clone(),
             position: file.lines.position(Self::offset_of(start)),
         }
     }
 
+    /// The number of the file in which what is at a start is written: that of its text, or of a patch in it.
+    pub fn file_at(&self, start: u64) -> u16 {
+        let (files, number) = (self.lock(), Self::file_of(start));
+        let file = files.get(usize::from(number));
+        file.and_then(|file| file.written(Self::offset_of(start))).map_or(number, |(own, _)| own)
+    }
+
     /// Line and column of a start in its file.
     pub fn position(&self, start: u64) -> Position {
         let files = self.lock();
         let file = files.get(usize::from(Self::file_of(start)));
-        file.map_or_else(Position::default, |file| file.lines.position(Self::offset_of(start)))
+        file.map_or_else(Position::default, |file| match file.written(Self::offset_of(start)) {
+            Some((_, position)) => position,
+            None => file.lines.position(Self::offset_of(start)),
+        })
     }
 
     /// Where the file of a start was included; none for the main file.
@@ -109,9 +149,17 @@ impl Places {
     pub(super) fn add(&self, name: &str, included_at: Option<u64>) -> u16 {
         let mut files = self.lock();
         if files.len() <= usize::from(u16::MAX) {
-            files.push(File { name: name.into(), included_at, lines: LineIndex::default() });
+            let (name, lines) = (name.into(), LineIndex::default());
+            files.push(File { name, included_at, lines, pieces: Vec::new() });
         }
         (files.len() - 1) as u16
+    }
+
+    /// From an offset of the main file's text on, up to the next such offset, it comes from this place of a file.
+    pub(crate) fn piece(&self, start: u64, file: u16, at: Position) {
+        if let Some(main) = self.lock().first_mut() {
+            main.pieces.push(Piece { start, file, at });
+        }
     }
 
     /// Takes in the next bytes of a file's decoded text.

@@ -274,6 +274,9 @@ fn compile_many(
             bail!(UsageError(message));
         }
     }
+    if command.options.is_patched() {
+        bail!(UsageError("--patch and --remove are of a single map".to_owned()));
+    }
     let manner = command.progress.manner();
     let reading = command.options.reading(&command.judging)?;
     let options = command.options.validated()?;

@@ -1,0 +1,89 @@
+//! Where markup begins and ends, as far as cutting needs it.
+
+/// What a piece of markup is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// A start tag.
+    Start,
+    /// A tag of an element without content.
+    Empty,
+    /// An end tag.
+    End,
+    /// Comment, declaration, instruction, CDATA.
+    Other,
+}
+
+/// A piece of markup.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Markup {
+    pub(super) start: usize,
+    pub(super) end: usize,
+    pub(super) kind: Kind,
+}
+
+/// The first markup from a place on; none if it is not there, or not whole.
+pub(super) fn markup(text: &[u8], from: usize) -> Option<Markup> {
+    let start = from + memchr::memchr(b'<', text.get(from..)?)?;
+    let rest = &text[start..];
+    let until = |end: &[u8]| memchr::memmem::find(rest, end).map(|at| at + end.len());
+    // Too short to tell.
+    if rest.len() < b"<![CDATA[".len() && !rest.contains(&b'>') {
+        return None;
+    }
+    let other = match rest {
+        [b'<', b'!', b'-', b'-', ..] => {
+            Some(memchr::memmem::find(rest.get(4..)?, b"-->").map(|at| at + 7))
+        }
+        _ if rest.starts_with(b"<![CDATA[") => Some(until(b"]]>")),
+        [b'<', b'?', ..] => Some(until(b"?>")),
+        [b'<', b'!', ..] => Some(until(b">")),
+        _ => None,
+    };
+    if let Some(length) = other {
+        return Some(Markup { start, end: start + length?, kind: Kind::Other });
+    }
+    let mut at = 1;
+    loop {
+        at += memchr::memchr3(b'>', b'"', b'\'', &rest[at..])?;
+        match rest[at] {
+            b'>' => break,
+            quote => at += 2 + memchr::memchr(quote, rest.get(at + 1..)?)?,
+        }
+    }
+    let kind = match (rest[1], rest[at - 1]) {
+        (b'/', _) => Kind::End,
+        (_, b'/') => Kind::Empty,
+        _ => Kind::Start,
+    };
+    Some(Markup { start, end: start + at + 1, kind })
+}
+
+/// The name of a tag's element, without a prefix.
+pub(super) fn name(tag: &[u8]) -> &[u8] {
+    let begin = if tag.starts_with(b"</") { 2 } else { 1 };
+    let rest = tag.get(begin..).unwrap_or_default();
+    let ends = |byte: &u8| byte.is_ascii_whitespace() || matches!(byte, b'/' | b'>');
+    let whole = &rest[..rest.iter().position(ends).unwrap_or(rest.len())];
+    memchr::memrchr(b':', whole).map_or(whole, |colon| &whole[colon + 1..])
+}
+
+/// The value of an attribute of a start tag, references to characters of the five names resolved.
+pub(super) fn attribute(tag: &[u8], wanted: &[u8]) -> Option<String> {
+    let mut rest = tag;
+    while let Some(equals) = memchr::memchr(b'=', rest) {
+        let key = rest[..equals].trim_ascii_end();
+        let begin = key.iter().rposition(u8::is_ascii_whitespace).map_or(0, |at| at + 1);
+        let value = rest[equals + 1..].trim_ascii_start();
+        let quote = *value.first()?;
+        let value = value.get(1..)?;
+        let end = memchr::memchr(quote, value)?;
+        if &key[begin..] == wanted {
+            let text = String::from_utf8_lossy(&value[..end]).into_owned();
+            let names =
+                [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&apos;", "'"), ("&amp;", "&")];
+            return Some(names.iter().fold(text, |text, (name, is)| text.replace(name, is)));
+        }
+        rest = &value[end + 1..];
+    }
+    None
+}
