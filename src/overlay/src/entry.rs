@@ -178,7 +178,7 @@ impl Entry {
         }
     }
 
-    /// What is wrong with it by itself: field and reason.
+    /// Faults of the entry that show without a map: field and reason.
     pub(crate) fn wrong(&self) -> Option<(String, String)> {
         let field = |name: &str, why: &str| Some((name.to_owned(), why.to_owned()));
         if self.id.is_empty() || self.id.len() > LONGEST_ID {

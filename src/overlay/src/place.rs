@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// A stretch of a road's lanes: by road, or by the key of a lane.
+/// A stretch of a road's lanes, given by the road or by the key of a lane.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LaneStretch {
@@ -13,10 +13,10 @@ pub struct LaneStretch {
     /// Number of the lane; all lanes of the road if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lane: Option<i32>,
-    /// Key of a lane, `road:section:lane`, in the place of both.
+    /// Key of a lane, `road:section:lane`, instead of road and number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub key: Option<String>,
-    /// From where to where on the road `[m]`; all of it if not given.
+    /// Start and end on the road, s `[m]`; the whole road if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub s: Option<[f64; 2]>,
 }
@@ -47,7 +47,7 @@ pub struct EarthPlace {
     /// A line in the direction of travel: latitude and longitude of its points `[deg]`, WGS 84.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub line: Vec<[f64; 2]>,
-    /// In its place the corners of an area, as the line's points.
+    /// Instead of a line, the corners of an area: latitude and longitude `[deg]`, WGS 84.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub area: Vec<[f64; 2]>,
     /// How far beside it lanes may lie `[m]`: of a line the nearest one, 3 if not given; of an area all of them, 0 if not given.
@@ -94,7 +94,7 @@ pub enum AcrossWord {
 }
 
 impl EarthPlace {
-    /// What is wrong with it by itself: field and reason.
+    /// Faults that show without a map: field and reason.
     pub(crate) fn wrong(&self) -> Option<(String, &'static str)> {
         let field = |name: &str, why| Some((name.to_owned(), why));
         match (self.line.len(), self.area.len()) {

@@ -7,14 +7,14 @@ use std::path::Path;
 /// Longest list of users or groups that is read \[bytes\].
 const LONGEST: u64 = 16 << 20;
 
-/// The id of a user: the number itself, or that of a name in `/etc/passwd`.
+/// The id of a user: the number itself, or the id of a name in `/etc/passwd`.
 ///
 /// Errors: the list cannot be read; it has no such name. Users that a directory service knows have to be named by number.
 pub fn user_id(user: &str) -> io::Result<u32> {
     id(user, Path::new("/etc/passwd"))
 }
 
-/// The id of a group: the number itself, or that of a name in `/etc/group`.
+/// The id of a group: the number itself, or the id of a name in `/etc/group`.
 ///
 /// Errors: as [`user_id`].
 pub fn group_id(group: &str) -> io::Result<u32> {

@@ -1,4 +1,4 @@
-//! The attach lock: nobody sees a segment that is being created, and nobody cleans up while someone creates.
+//! The attach lock: no process sees a segment that is being created, and no process cleans up while another one creates.
 
 use crate::domain::Domain;
 use crate::error::AttachError;

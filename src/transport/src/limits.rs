@@ -1,7 +1,7 @@
 //! Names and sizes that daemon and clients must agree on.
 //!
 //! iceoryx2 freezes a service's limits while any process has it open, so they are constants of a transport revision:
-//! whoever changes one raises [`TRANSPORT_REVISION`], which gives the services new names.
+//! a change of one raises [`TRANSPORT_REVISION`], which gives the services new names.
 
 use crate::error::AttachError;
 

@@ -26,7 +26,7 @@ impl Mapping {
     ///
     /// # Safety
     ///
-    /// Whoever looks at [`Mapping::bytes`] relies on it that the file does not change and does not get shorter as long as this lives.
+    /// Readers of [`Mapping::bytes`] rely on a file that does not change and does not become shorter as long as the mapping exists.
     pub unsafe fn read_only(file: impl AsFd, length: usize) -> io::Result<Self> {
         Self::new(file, length, ProtFlags::READ)
     }

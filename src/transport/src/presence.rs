@@ -1,4 +1,4 @@
-//! Who is in a domain: known by a lock that the kernel releases when a process dies.
+//! Which processes use a domain. Each holds a lock, which the kernel releases if the process dies.
 
 use crate::domain::Domain;
 use std::fs::{File, OpenOptions};
@@ -19,7 +19,7 @@ pub struct Presence {
 impl Presence {
     /// Enters a domain where a daemon has been. Under the attach lock.
     ///
-    /// Errors: what the system says; would-block only while somebody asks, without the attach lock, who is there.
+    /// Errors: the system's; would-block only while another process tests, without the attach lock, which processes are present.
     pub fn enter(domain: &Domain) -> io::Result<Self> {
         let file = OpenOptions::new().read(true).open(domain.root().join(FILE_NAME))?;
         file.try_lock_shared()?;
@@ -40,8 +40,8 @@ impl Presence {
             .map(|_| ())
     }
 
-    /// Whether nobody is present: whatever is in the domain was left by processes that have ended. Under the exclusive
-    /// attach lock it stays so, for nobody can enter.
+    /// Whether no process is present: then all files of the domain were left by processes that have ended. Under the exclusive
+    /// attach lock this stays so, because no process can enter.
     pub fn is_deserted(domain: &Domain) -> bool {
         let file = File::open(domain.root().join(FILE_NAME));
         file.is_ok_and(|file| file.try_lock().is_ok())

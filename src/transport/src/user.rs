@@ -13,7 +13,7 @@ const UNMAPPED: u32 = 65_534;
 /// Ids of a namespace that maps all of them.
 const ALL: &str = "4294967295";
 
-/// Whether a file of user `found` is one of `owner`'s. One whose owner is not known here is nobody's: in a user namespace all such files
+/// Whether a file of user `found` is one of `owner`'s. A file with an unknown owner belongs to no user: in a user namespace all such files
 /// seem to be of one user, which this process may seem to be, too.
 pub(crate) fn trusts(owner: u32, found: u32) -> bool {
     found == owner && (found != UNMAPPED || all_are_mapped())

@@ -205,7 +205,7 @@ pub(crate) fn network<'a>(
 }
 
 /// What is reached of a node: all of it, or as far as a limit lasts.
-struct Part<'n, 'a> {
+struct ReachedPart<'n, 'a> {
     node: &'n LaneNode<'a>,
     number: u32,
     /// s between which it would be driven, in driving direction.
@@ -214,7 +214,7 @@ struct Part<'n, 'a> {
     lane_changes: u32,
 }
 
-impl<'a> Part<'_, 'a> {
+impl<'a> ReachedPart<'_, 'a> {
     /// As far as what is left to pay lasts, where all of it costs `pass`.
     fn cut(self, rest: f64, pass: f64) -> Option<Reached> {
         let lane = self.node.lane()?;
@@ -280,7 +280,7 @@ pub(crate) fn reach<'a>(
         let lane_changes = changes_of(&scratch.start, i);
         let s = [start.s, ends_of(&node)[1]];
         let (number, own) = (start.node, start.changes);
-        let part = Part { node: &node, number, s, cost: own, lane_changes };
+        let part = ReachedPart { node: &node, number, s, cost: own, lane_changes };
         out.extend(part.cut(limit - own, start.pass));
         let passed = own + start.pass;
         ways.ahead(number, |next| {
@@ -294,7 +294,7 @@ pub(crate) fn reach<'a>(
         let Some(node) = ways.node(number) else { continue };
         let pass = price(cost.pass(&node));
         let lane_changes = label.parent;
-        let part = Part { node: &node, number, s: ends_of(&node), cost: own, lane_changes };
+        let part = ReachedPart { node: &node, number, s: ends_of(&node), cost: own, lane_changes };
         scratch.set_parent(number, out.len() as u32);
         out.extend(part.cut(limit - own, pass));
         ways.ahead(number, |next| {
@@ -353,7 +353,7 @@ pub(crate) fn reach_to<'a>(
         {
             s[1] = goal.s;
         }
-        let part = Part { node: &node, number, s, cost: own, lane_changes };
+        let part = ReachedPart { node: &node, number, s, cost: own, lane_changes };
         scratch.set_parent(number, out.len() as u32);
         out.extend(part.cut(f64::INFINITY, 0.0));
         ways.behind(number, |from| {

@@ -4,7 +4,7 @@
 use super::WORDS;
 use super::atomic::{AtomicU32, AtomicU64, Ordering, fence};
 
-/// Bytes of a record. Nobody reads more.
+/// Bytes of a record. Readers read no more.
 pub(super) const PAGE_BYTES: usize = 4096;
 
 /// What a slot holds; see `slot.rs`.

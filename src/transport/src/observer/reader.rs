@@ -22,7 +22,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Longest sleep on a record: whoever waits looks this often even if a wake-up was lost, or held up by another process.
+/// Longest sleep on a record: a waiting reader checks this often even if a wake-up was lost or delayed by another process.
 pub(super) const LOOK: Duration = Duration::from_millis(100);
 
 /// First pause before another attempt where there is nothing to sleep on; doubles up to [`LONGEST_PAUSE`].

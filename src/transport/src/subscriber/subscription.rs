@@ -24,7 +24,7 @@ const LONGEST_PAUSE: Duration = Duration::from_millis(10);
 /// How often a client that waits for its first generation rings again, should the daemon have been unable to answer.
 const RING_AGAIN: Duration = Duration::from_millis(100);
 
-/// Longest sleep on the event of a new generation: whoever waits looks this often even if the event was lost.
+/// Longest sleep on the event of a new generation: a waiting subscriber checks this often even if the event was lost.
 const COARSE_POLL: Duration = Duration::from_millis(100);
 
 /// Longest wait for the attach lock while the subscription itself is locked, so that [`Subscription::latest`] of another
