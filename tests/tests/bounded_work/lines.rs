@@ -33,8 +33,15 @@ fn lines_of_astronomic_length_take_out_their_part() {
         )
     };
     let part = ("mapd:compile.object_part", "OpenDRIVE/road[@id=1]/objects/object[@id=7]");
-    let swept = r#"<repeat s="0" length="100" distance="0" tStart="0" tEnd="0" heightStart="1" heightEnd="1" zOffsetStart="0" zOffsetEnd="0" bT="1e9" cT="-1e9" dT="1e8"/>"#;
+    let swept = r#"<repeat s="0" length="100" distance="0" tStart="0" tEnd="0" heightStart="1" heightEnd="1" zOffsetStart="0" zOffsetEnd="0" bT="1e3" cT="-1e3" dT="1e2"/>"#;
     check("swept", &object(swept).replace("revMinor=\"8\"", "revMinor=\"9\""), part);
+    let beyond = swept.replace("1e3", "1e9");
+    let left_out = ("mapd:compile.object_repeat", part.1);
+    check(
+        "swept beyond the map",
+        &object(&beyond).replace("revMinor=\"8\"", "revMinor=\"9\""),
+        left_out,
+    );
     let wide = swept.replace("distance", r#"widthStart="1" widthEnd="1" distance"#);
     check("swept with a width", &object(&wide).replace("revMinor=\"8\"", "revMinor=\"9\""), part);
 }

@@ -32,9 +32,9 @@ pub(super) enum LeftOutCopies {
 impl From<Fault> for LeftOutCopies {
     fn from(fault: Fault) -> Self {
         match fault {
-            Fault::NotFinite => {
-                Self::out("the repetition's places are not numbers; it is left out")
-            }
+            Fault::NotFinite => Self::out(
+                "the repetition's places are not numbers, or farther away than a map can be; it is left out",
+            ),
             Fault::TooManyPoints => Self::TooManyPoints,
         }
     }
