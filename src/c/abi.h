@@ -405,6 +405,9 @@ enum {
 #define MAPD_YIELDS_LIGHTS 2
 #define MAPD_YIELDS_OPEN 3
 #define MAPD_YIELDS_UNKNOWN 4
+#define MAPD_DIRECTION_EITHER 0
+#define MAPD_DIRECTION_FORWARD 1
+#define MAPD_DIRECTION_BACKWARD 2
 #define MAPD_SPEED_ORIGIN_SIGNAL 0
 #define MAPD_SPEED_ORIGIN_LANE 1
 #define MAPD_SPEED_ORIGIN_ROAD_TYPE 2
@@ -825,12 +828,16 @@ typedef struct mapd_cost {
   uint32_t by;
   uint32_t vehicle;
   double lane_change;
+  const double *factors;
+  size_t factor_count;
 } mapd_cost;
 typedef struct mapd_route_sum {
   double cost;
   double length;
   double travel_time;
   uint32_t lane_changes;
+  uint32_t start;
+  uint32_t goal;
 } mapd_route_sum;
 typedef struct mapd_route_step {
   struct mapd_lane_id lane;
@@ -1041,6 +1048,7 @@ typedef struct mapd_reached_piece {
   double s_from;
   double s_to;
   double cost;
+  uint32_t lane_changes;
   uint8_t forward;
 } mapd_reached_piece;
 typedef struct mapd_signal_ahead {
@@ -1049,6 +1057,36 @@ typedef struct mapd_signal_ahead {
   double distance;
   double s;
 } mapd_signal_ahead;
+typedef struct mapd_route_end {
+  struct mapd_lane_id lane;
+  double s;
+  double cost;
+  uint8_t direction;
+} mapd_route_end;
+typedef struct mapd_route_request {
+  size_t size;
+  const struct mapd_route_end *starts;
+  size_t start_count;
+  const struct mapd_route_end *goals;
+  size_t goal_count;
+  const struct mapd_lane_id *avoid;
+  size_t avoid_count;
+  struct mapd_cost cost;
+  double turn_left;
+  double turn_right;
+  double turn_back;
+} mapd_route_request;
+typedef struct mapd_alternative_options {
+  size_t size;
+  size_t count;
+  double share;
+  double longest;
+} mapd_alternative_options;
+typedef struct mapd_reach_link {
+  size_t from;
+  size_t to;
+  uint8_t enter;
+} mapd_reach_link;
 typedef struct mapd_junction_facts {
   struct mapd_junction_id junction;
   struct mapd_text id;
@@ -1345,7 +1383,9 @@ mapd_code mapd_client_require(const struct mapd_client *client_handle,
 mapd_code mapd_client_pending(const struct mapd_client *client_handle,
                               struct mapd_generation *out,
                               struct mapd_error *error);
-mapd_code mapd_client_served_by(const struct mapd_client *client_handle, uint32_t *pid, struct mapd_error *error);
+mapd_code mapd_client_served_by(const struct mapd_client *client_handle,
+                                uint32_t *pid,
+                                struct mapd_error *error);
 mapd_code mapd_client_set_populate(const struct mapd_client *client_handle,
                                    uint8_t populate,
                                    struct mapd_error *error);
@@ -1372,9 +1412,7 @@ mapd_code mapd_snapshot_with_overlay(const struct mapd_snapshot *snapshot,
                                      size_t size,
                                      struct mapd_snapshot **out,
                                      struct mapd_error *error);
-mapd_code mapd_snapshot_overlay_revision(const struct mapd_snapshot *snapshot,
-                                         uint64_t *out,
-                                         struct mapd_error *error);
+mapd_code mapd_snapshot_overlay_revision(const struct mapd_snapshot *snapshot, uint64_t *out, struct mapd_error *error);
 mapd_code mapd_snapshot_verify(const struct mapd_snapshot *snapshot, struct mapd_error *error);
 mapd_code mapd_snapshot_populate(const struct mapd_snapshot *snapshot,
                                  struct mapd_error *error);
@@ -2071,6 +2109,74 @@ mapd_code mapd_view_match_pose(const struct mapd_view *view,
                                size_t *count,
                                double *none,
                                struct mapd_error *error);
+mapd_code mapd_route_request_init(struct mapd_route_request *request, size_t size, struct mapd_error *error);
+mapd_code mapd_alternative_options_init(struct mapd_alternative_options *options,
+                                        size_t size,
+                                        struct mapd_error *error);
+mapd_code mapd_find_route(const struct mapd_snapshot *snapshot,
+                          const struct mapd_route_request *request,
+                          struct mapd_scratch *scratch,
+                          struct mapd_route_sum *sum,
+                          struct mapd_route_step *out,
+                          size_t capacity,
+                          size_t *count,
+                          struct mapd_error *error);
+mapd_code mapd_view_find_route(const struct mapd_view *view,
+                               const struct mapd_route_request *request,
+                               struct mapd_scratch *scratch,
+                               struct mapd_route_sum *sum,
+                               struct mapd_route_step *out,
+                               size_t capacity,
+                               size_t *count,
+                               struct mapd_error *error);
+mapd_code mapd_alternatives(const struct mapd_snapshot *snapshot,
+                            const struct mapd_route_request *request,
+                            const struct mapd_alternative_options *options,
+                            struct mapd_scratch *scratch,
+                            struct mapd_route_sum *sums,
+                            size_t *ends,
+                            size_t capacity,
+                            size_t *count,
+                            struct mapd_route_step *out,
+                            size_t step_capacity,
+                            size_t *step_count,
+                            struct mapd_error *error);
+mapd_code mapd_view_alternatives(const struct mapd_view *view,
+                                 const struct mapd_route_request *request,
+                                 const struct mapd_alternative_options *options,
+                                 struct mapd_scratch *scratch,
+                                 struct mapd_route_sum *sums,
+                                 size_t *ends,
+                                 size_t capacity,
+                                 size_t *count,
+                                 struct mapd_route_step *out,
+                                 size_t step_capacity,
+                                 size_t *step_count,
+                                 struct mapd_error *error);
+mapd_code mapd_reach(const struct mapd_snapshot *snapshot,
+                     const struct mapd_route_request *request,
+                     double limit,
+                     uint8_t to,
+                     struct mapd_scratch *scratch,
+                     struct mapd_reached_piece *out,
+                     size_t capacity,
+                     size_t *count,
+                     struct mapd_reach_link *links,
+                     size_t link_capacity,
+                     size_t *link_count,
+                     struct mapd_error *error);
+mapd_code mapd_view_reach(const struct mapd_view *view,
+                          const struct mapd_route_request *request,
+                          double limit,
+                          uint8_t to,
+                          struct mapd_scratch *scratch,
+                          struct mapd_reached_piece *out,
+                          size_t capacity,
+                          size_t *count,
+                          struct mapd_reach_link *links,
+                          size_t link_capacity,
+                          size_t *link_count,
+                          struct mapd_error *error);
 mapd_code mapd_junction_facts_of(const struct mapd_snapshot *snapshot,
                                  struct mapd_junction_id junction,
                                  struct mapd_junction_facts *out,

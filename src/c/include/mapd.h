@@ -692,6 +692,21 @@ enum {
 #define MAPD_YIELDS_UNKNOWN 4
 
 /*
+ `direction` of a start or goal: either way.
+ */
+#define MAPD_DIRECTION_EITHER 0
+
+/*
+ `direction` of a start or goal: towards +s.
+ */
+#define MAPD_DIRECTION_FORWARD 1
+
+/*
+ `direction` of a start or goal: towards −s.
+ */
+#define MAPD_DIRECTION_BACKWARD 2
+
+/*
  `origin` of a speed rule: a sign.
  */
 #define MAPD_SPEED_ORIGIN_SIGNAL 0
@@ -2278,6 +2293,15 @@ typedef struct mapd_cost {
    What a change of lane costs, in the cost's unit; usual are 20 m and 2 s. One that is negative or no number closes the way.
    */
   double lane_change;
+  /*
+   A factor for each lane, by the row of its id: 1 changes nothing, infinity closes the lane, as does what is negative or no number. Lanes beyond
+   the last have the factor 1. Null: none.
+   */
+  const double *factors;
+  /*
+   How many factors there are.
+   */
+  size_t factor_count;
 } mapd_cost;
 
 /*
@@ -2300,6 +2324,14 @@ typedef struct mapd_route_sum {
    Number of lane changes.
    */
   uint32_t lane_changes;
+  /*
+   Of a request, number of the start from which it leads; else 0.
+   */
+  uint32_t start;
+  /*
+   Of a request, number of the goal to which it leads; else 0.
+   */
+  uint32_t goal;
 } mapd_route_sum;
 
 /*
@@ -3090,6 +3122,10 @@ typedef struct mapd_reached_piece {
    */
   double cost;
   /*
+   Changes of lane on this way.
+   */
+  uint32_t lane_changes;
+  /*
    1: it is travelled towards +s.
    */
   uint8_t forward;
@@ -3116,6 +3152,119 @@ typedef struct mapd_signal_ahead {
    */
   double s;
 } mapd_signal_ahead;
+
+/*
+ A start or goal.
+ */
+typedef struct mapd_route_end {
+  /*
+   The lane.
+   */
+  struct mapd_lane_id lane;
+  /*
+   On the road [m].
+   */
+  double s;
+  /*
+   What it costs to start or end there, beside the way. One that is negative, infinite or no number closes it.
+   */
+  double cost;
+  /*
+   The way in which the lane is travelled there: a `MAPD_DIRECTION_…`.
+   */
+  uint8_t direction;
+} mapd_route_end;
+
+/*
+ What is asked of a search: from any of some starts to any of some goals. Set it with `mapd_route_request_init`, then fill it in.
+ */
+typedef struct mapd_route_request {
+  /*
+   Size of this struct as the caller knows it: later releases may append to it.
+   */
+  size_t size;
+  /*
+   Where the way may begin. Their lanes may be closed to the vehicle.
+   */
+  const struct mapd_route_end *starts;
+  /*
+   How many starts there are.
+   */
+  size_t start_count;
+  /*
+   Where it may end.
+   */
+  const struct mapd_route_end *goals;
+  /*
+   How many goals there are.
+   */
+  size_t goal_count;
+  /*
+   Lanes that are not entered; a start may lie on one. Default null.
+   */
+  const struct mapd_lane_id *avoid;
+  /*
+   How many lanes to avoid there are.
+   */
+  size_t avoid_count;
+  /*
+   What ways cost, and who travels. Default metres, a passenger car and 20 m for a change of lane.
+   */
+  struct mapd_cost cost;
+  /*
+   What a turn to the left at a junction costs beside it, in its unit. Default 0.
+   */
+  double turn_left;
+  /*
+   What a turn to the right costs. Default 0.
+   */
+  double turn_right;
+  /*
+   What a turn back costs. Default 0.
+   */
+  double turn_back;
+} mapd_route_request;
+
+/*
+ Which alternatives are wanted. Set it with `mapd_alternative_options_init`, then change what should differ.
+ */
+typedef struct mapd_alternative_options {
+  /*
+   Size of this struct as the caller knows it: later releases may append to it.
+   */
+  size_t size;
+  /*
+   Routes, the best one among them: 1 to 32. Default 3.
+   */
+  size_t count;
+  /*
+   Share of its length that each drives on other sections of road, or the other way, than any one of those before it, 0 to 1. 0 for the k best
+   routes, which may differ by a change of lane. Default 0.3.
+   */
+  double share;
+  /*
+   How many times the cheapest one's cost a route may cost, at least 1. Default 1.5.
+   */
+  double longest;
+} mapd_alternative_options;
+
+/*
+ How one goes on from one piece that is reached to another.
+ */
+typedef struct mapd_reach_link {
+  /*
+   Number of the one.
+   */
+  size_t from;
+  /*
+   Number of the other.
+   */
+  size_t to;
+  /*
+   How it is entered: a `MAPD_ENTER_…`.
+   */
+  uint8_t enter;
+} mapd_reach_link;
 
 /*
  A junction.
@@ -5693,6 +5842,122 @@ mapd_code mapd_view_match_pose(const struct mapd_view *view,
                                size_t *count,
                                double *none,
                                struct mapd_error *error);
+
+/*
+ Sets a request to its defaults: no starts and no goals. `size` is `sizeof(mapd_route_request)`.
+ */
+mapd_code mapd_route_request_init(struct mapd_route_request *request, size_t size, struct mapd_error *error);
+
+/*
+ Sets options to their defaults. `size` is `sizeof(mapd_alternative_options)`.
+ */
+mapd_code mapd_alternative_options_init(struct mapd_alternative_options *options,
+                                        size_t size,
+                                        struct mapd_error *error);
+
+/*
+ The cheapest way from any start of a request to any of its goals, in driving direction and by allowed lane changes only. `sum`: what it comes to, and from
+ which start to which goal it leads; null is fine. `MAPD_CODE_NONE` if there is no way, and the count is 0.
+
+ Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`, by the number of the start, goal or lane; `MAPD_CODE_ARGUMENT` for an unknown cost, class or
+ direction.
+ */
+mapd_code mapd_find_route(const struct mapd_snapshot *snapshot,
+                          const struct mapd_route_request *request,
+                          struct mapd_scratch *scratch,
+                          struct mapd_route_sum *sum,
+                          struct mapd_route_step *out,
+                          size_t capacity,
+                          size_t *count,
+                          struct mapd_error *error);
+
+/*
+ As `mapd_find_route`, heeding what holds now.
+
+ Errors: as `mapd_find_route`.
+ */
+mapd_code mapd_view_find_route(const struct mapd_view *view,
+                               const struct mapd_route_request *request,
+                               struct mapd_scratch *scratch,
+                               struct mapd_route_sum *sum,
+                               struct mapd_route_step *out,
+                               size_t capacity,
+                               size_t *count,
+                               struct mapd_error *error);
+
+/*
+ The cheapest route of a request and alternatives to it, cheapest first. `sums` and `ends` have room for `capacity` routes each: what each comes to, and
+ where its steps end in `out`. `options`: null is the default.
+
+ Errors: as `mapd_find_route`; `MAPD_CODE_ARGUMENT` for options out of their domain.
+ */
+mapd_code mapd_alternatives(const struct mapd_snapshot *snapshot,
+                            const struct mapd_route_request *request,
+                            const struct mapd_alternative_options *options,
+                            struct mapd_scratch *scratch,
+                            struct mapd_route_sum *sums,
+                            size_t *ends,
+                            size_t capacity,
+                            size_t *count,
+                            struct mapd_route_step *out,
+                            size_t step_capacity,
+                            size_t *step_count,
+                            struct mapd_error *error);
+
+/*
+ As `mapd_alternatives`, heeding what holds now.
+
+ Errors: as `mapd_alternatives`.
+ */
+mapd_code mapd_view_alternatives(const struct mapd_view *view,
+                                 const struct mapd_route_request *request,
+                                 const struct mapd_alternative_options *options,
+                                 struct mapd_scratch *scratch,
+                                 struct mapd_route_sum *sums,
+                                 size_t *ends,
+                                 size_t capacity,
+                                 size_t *count,
+                                 struct mapd_route_step *out,
+                                 size_t step_capacity,
+                                 size_t *step_count,
+                                 struct mapd_error *error);
+
+/*
+ What can be reached from a request's starts within a cost, nearest first, with the ways on; with `to` not 0 from where its goals can be reached, and the
+ ways back. What lies beyond the limit is not among the links.
+
+ Errors: as `mapd_find_route`.
+ */
+mapd_code mapd_reach(const struct mapd_snapshot *snapshot,
+                     const struct mapd_route_request *request,
+                     double limit,
+                     uint8_t to,
+                     struct mapd_scratch *scratch,
+                     struct mapd_reached_piece *out,
+                     size_t capacity,
+                     size_t *count,
+                     struct mapd_reach_link *links,
+                     size_t link_capacity,
+                     size_t *link_count,
+                     struct mapd_error *error);
+
+/*
+ As `mapd_reach`, heeding what holds now. Where the overlay cuts a node, each piece is told of by itself.
+
+ Errors: as `mapd_reach`.
+ */
+mapd_code mapd_view_reach(const struct mapd_view *view,
+                          const struct mapd_route_request *request,
+                          double limit,
+                          uint8_t to,
+                          struct mapd_scratch *scratch,
+                          struct mapd_reached_piece *out,
+                          size_t capacity,
+                          size_t *count,
+                          struct mapd_reach_link *links,
+                          size_t link_capacity,
+                          size_t *link_count,
+                          struct mapd_error *error);
 
 /*
  What a junction is.

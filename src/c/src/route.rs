@@ -10,7 +10,7 @@ use mapd_client::QueryError;
 use mapd_client::graph::LaneNode;
 use mapd_client::route::{
     CostBound, Enter, PositionOnLane, Reached, Route, RouteCost, RouteStep, ShortestLength,
-    ShortestTime,
+    ShortestTime, WithFactors,
 };
 use mapd_client::vocabulary::VehicleClass;
 
@@ -39,6 +39,11 @@ pub struct mapd_cost {
     pub vehicle: u32,
     /// What a change of lane costs, in the cost's unit; usual are 20 m and 2 s. One that is negative or no number closes the way.
     pub lane_change: f64,
+    /// A factor for each lane, by the row of its id: 1 changes nothing, infinity closes the lane, as does what is negative or no number. Lanes beyond
+    /// the last have the factor 1. Null: none.
+    pub factors: *const f64,
+    /// How many factors there are.
+    pub factor_count: usize,
 }
 
 /// `enter` of a step: the route starts on its lane.
@@ -80,6 +85,10 @@ pub struct mapd_route_sum {
     pub travel_time: f64,
     /// Number of lane changes.
     pub lane_changes: u32,
+    /// Of a request, number of the start from which it leads; else 0.
+    pub start: u32,
+    /// Of a request, number of the goal to which it leads; else 0.
+    pub goal: u32,
 }
 
 /// A node that can be reached.
@@ -156,8 +165,8 @@ pub(crate) fn step_of(step: mapd_route_step) -> Result<RouteStep, Failure> {
 
 impl From<Route> for mapd_route_sum {
     fn from(route: Route) -> Self {
-        let Route { cost, length, travel_time, lane_changes, .. } = route;
-        Self { cost, length, travel_time, lane_changes }
+        let Route { cost, length, travel_time, lane_changes, start, goal } = route;
+        Self { cost, length, travel_time, lane_changes, start: start as u32, goal: goal as u32 }
     }
 }
 
@@ -198,7 +207,7 @@ pub(crate) unsafe fn take_places(
     Ok(())
 }
 
-/// What a caller keeps small.
+/// What a caller keeps small, without factors.
 pub(crate) enum Cost {
     Length(ShortestLength),
     Time(ShortestTime),
@@ -232,14 +241,23 @@ impl RouteCost for Cost {
 /// Who travels, and what a caller keeps small.
 ///
 /// Errors: an unknown cost or class.
-pub(crate) fn cost_of(cost: mapd_cost) -> Result<(VehicleClass, Cost), Failure> {
-    let mapd_cost { by, vehicle, lane_change } = cost;
+///
+/// # Safety
+///
+/// As [`entries`], of the factors.
+pub(crate) unsafe fn cost_of<'a>(
+    cost: mapd_cost,
+) -> Result<(VehicleClass, WithFactors<'a, Cost>), Failure> {
+    let mapd_cost { by, vehicle, lane_change, factors, factor_count } = cost;
     let vehicle = vehicle_of(u8::try_from(vehicle).unwrap_or(u8::MAX))?;
-    match by {
-        MAPD_COST_LENGTH => Ok((vehicle, Cost::Length(ShortestLength { lane_change }))),
-        MAPD_COST_TIME => Ok((vehicle, Cost::Time(ShortestTime { lane_change }))),
-        by => Err(Failure::argument(format!("{by} is no cost"))),
-    }
+    let base = match by {
+        MAPD_COST_LENGTH => Cost::Length(ShortestLength { lane_change }),
+        MAPD_COST_TIME => Cost::Time(ShortestTime { lane_change }),
+        by => return Err(Failure::argument(format!("{by} is no cost"))),
+    };
+    // SAFETY: as promised above.
+    let factors = unsafe { entries(factors, factor_count, "the factors") }?;
+    Ok((vehicle, WithFactors { base, factors }))
 }
 
 /// The cheapest way through `place_count` places, two or more, in their order, in driving direction and by allowed lane changes only. `sum`: what

@@ -14,7 +14,9 @@ use mapd_client::path::{
     PathSpeed,
 };
 use mapd_client::roads::{BoundarySegment, RoadMarkSegment};
-use mapd_client::route::{LaneSequences, PositionOnLane, Reached, RouteScratch, RouteStep};
+use mapd_client::route::{
+    LaneSequences, PositionOnLane, Reach, Reached, RouteScratch, RouteStep, Routes,
+};
 use mapd_client::rules::LineAhead;
 use mapd_client::signals::{NearSignal, SignalsAhead};
 use mapd_client::{LaneId, Nearest, SignalId};
@@ -61,6 +63,8 @@ pub struct mapd_scratch {
     pub(crate) batch_matches: PoseMatches,
     pub(crate) in_view: Vec<LandmarkInView>,
     pub(crate) mark_points: Vec<MarkPoint>,
+    pub(crate) routes: Routes,
+    pub(crate) reach: Reach,
 }
 
 /// Makes a scratch. Close it with `mapd_scratch_close`.

@@ -28,15 +28,18 @@ pub struct mapd_reached_piece {
     pub s_to: f64,
     /// Least cost up to its beginning; of those beside the start, of the lane changes to them.
     pub cost: f64,
+    /// Changes of lane on this way.
+    pub lane_changes: u32,
     /// 1: it is travelled towards +s.
     pub forward: u8,
 }
 
 impl From<&Reached> for mapd_reached_piece {
     fn from(one: &Reached) -> Self {
-        let Reached { lane, forward, s_from, s_to, cost, .. } = *one;
+        let Reached { lane, forward, s_from, s_to, cost, lane_changes, .. } = *one;
         let (low, high) = (s_from.min(s_to), s_from.max(s_to));
-        Self { lane: lane.into(), s_from: low, s_to: high, cost, forward: forward.into() }
+        let (lane, forward) = (lane.into(), forward.into());
+        Self { lane, s_from: low, s_to: high, cost, lane_changes, forward }
     }
 }
 

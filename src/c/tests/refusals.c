@@ -129,7 +129,7 @@ int main(int argc, char **argv) {
   EXPECT(MAPD_CODE_NULL_POINTER, mapd_lane_key(map, hit.lane, NULL, 5, &length, &error));
 
   /* Routes. */
-  const mapd_cost by_length = {MAPD_COST_LENGTH, MAPD_VEHICLE_CLASS_PASSENGER_CAR, 20.0};
+  const mapd_cost by_length = {MAPD_COST_LENGTH, MAPD_VEHICLE_CLASS_PASSENGER_CAR, 20.0, NULL, 0};
   mapd_cost wrong_cost = by_length;
   mapd_position_on_lane places[2] = {{hit.lane, hit.position.s}, {hit.lane, NAN}};
   mapd_route_step steps[64];
@@ -145,7 +145,11 @@ int main(int argc, char **argv) {
   wrong_cost = by_length;
   wrong_cost.vehicle = 300;
   EXPECT(MAPD_CODE_ARGUMENT, mapd_route(map, places, 2, wrong_cost, scratch, &sum, steps, 64, &count, &error));
+  wrong_cost = by_length;
+  wrong_cost.factor_count = 3;
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_route(map, places, 2, wrong_cost, scratch, &sum, steps, 64, &count, &error));
   mapd_lane_line_at lines[4];
+  EXPECT(MAPD_CODE_OK, mapd_route(map, places, 2, by_length, scratch, NULL, steps, 64, &count, &error));
   EXPECT(MAPD_CODE_OK, mapd_lines_along(map, steps, count, scratch, lines, 4, &length, &error));
   steps[0].enter = 200;
   EXPECT(MAPD_CODE_ARGUMENT, mapd_lines_along(map, steps, count, scratch, lines, 4, &length, &error));

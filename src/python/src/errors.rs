@@ -1,6 +1,7 @@
 //! Errors: a class per kind, in `mapd._errors`.
 
 use mapd_client::localisation::MatchError;
+use mapd_client::route::RouteError;
 use mapd_client::{AttachError, ClientError, QueryError};
 use pyo3::IntoPyObject;
 use pyo3::exceptions::PyValueError;
@@ -37,6 +38,14 @@ pub(crate) fn query(error: QueryError) -> PyErr {
 /// As [`query`], of a row of a batch.
 pub(crate) fn query_in_row((row, error): (usize, QueryError)) -> PyErr {
     raise(query_class(&error), format!("row {row}: {error}"))
+}
+
+/// Why a route cannot be asked for; what was given wrongly is Python's own error.
+pub(crate) fn routing(error: RouteError) -> PyErr {
+    match &error {
+        RouteError::Option(_) => PyValueError::new_err(error.to_string()),
+        _ => raise(query_class(&QueryError::from(error)), error.to_string()),
+    }
 }
 
 /// Why a pose or trace has no match; what was given wrongly is Python's own error.

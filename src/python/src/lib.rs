@@ -21,6 +21,7 @@ mod matching;
 mod object;
 mod path;
 mod raw;
+mod request;
 mod road;
 mod route;
 mod sensing;

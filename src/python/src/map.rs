@@ -488,7 +488,7 @@ impl Map {
         converted(py, places, "places", "Inertials", ask)
     }
 
-    #[pyo3(signature = (start, goal, *, via = None, vehicle = "passengerCar", by = "length", lane_change = None))]
+    #[pyo3(signature = (start, goal, *, via = None, vehicle = "passengerCar", by = "length", lane_change = None, factors = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn route<'py>(
         &self,
@@ -499,11 +499,98 @@ impl Map {
         vehicle: &str,
         by: &str,
         lane_change: Option<f64>,
+        factors: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Option<Bound<'py, PyAny>>> {
-        let cost = crate::route::Cost::named(by, lane_change)?;
+        let cost = crate::route::Cost::named(by, lane_change, factors)?;
         let places: Vec<_> =
             std::iter::once(start).chain(via.iter().flatten()).chain([goal]).collect();
         crate::route::route(py, &self.0, &places, vehicle, cost)
+    }
+
+    #[pyo3(signature = (starts, goals, *, avoid = None, vehicle = "passengerCar", by = "length", lane_change = None,
+        factors = None, turns = [0.0; 3]))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
+    fn find_route<'py>(
+        &self,
+        py: Python<'py>,
+        starts: &Bound<'py, PyAny>,
+        goals: &Bound<'py, PyAny>,
+        avoid: Option<Vec<Bound<'py, PyAny>>>,
+        vehicle: &str,
+        by: &str,
+        lane_change: Option<f64>,
+        factors: Option<&Bound<'py, PyAny>>,
+        turns: [f64; 3],
+    ) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let cost = crate::route::Cost::named(by, lane_change, factors)?;
+        let (held, ends) = (&self.0, [Some(starts), Some(goals)]);
+        let asked =
+            crate::request::Asked::of(held.map(), ends, avoid.as_deref(), vehicle, cost, turns)?;
+        crate::request::find(py, held, |scratch, steps| {
+            self.map().find_route(&asked.request(), scratch, steps)
+        })
+    }
+
+    #[pyo3(signature = (starts, goals, *, count = 3, share = 0.3, longest = 1.5, avoid = None,
+        vehicle = "passengerCar", by = "length", lane_change = None, factors = None, turns = [0.0; 3]))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
+    fn alternatives<'py>(
+        &self,
+        py: Python<'py>,
+        starts: &Bound<'py, PyAny>,
+        goals: &Bound<'py, PyAny>,
+        count: usize,
+        share: f64,
+        longest: f64,
+        avoid: Option<Vec<Bound<'py, PyAny>>>,
+        vehicle: &str,
+        by: &str,
+        lane_change: Option<f64>,
+        factors: Option<&Bound<'py, PyAny>>,
+        turns: [f64; 3],
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let cost = crate::route::Cost::named(by, lane_change, factors)?;
+        let (held, ends) = (&self.0, [Some(starts), Some(goals)]);
+        let asked =
+            crate::request::Asked::of(held.map(), ends, avoid.as_deref(), vehicle, cost, turns)?;
+        let wanted = (count, share, longest);
+        crate::request::alternatives(py, held, wanted, |options, scratch, out| {
+            self.map().alternatives(&asked.request(), options, scratch, out)
+        })
+    }
+
+    #[pyo3(signature = (limit, *, starts = None, goals = None, avoid = None, vehicle = "passengerCar", by = "length",
+        lane_change = None, factors = None, turns = [0.0; 3]))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
+    fn reach<'py>(
+        &self,
+        py: Python<'py>,
+        limit: f64,
+        starts: Option<&Bound<'py, PyAny>>,
+        goals: Option<&Bound<'py, PyAny>>,
+        avoid: Option<Vec<Bound<'py, PyAny>>>,
+        vehicle: &str,
+        by: &str,
+        lane_change: Option<f64>,
+        factors: Option<&Bound<'py, PyAny>>,
+        turns: [f64; 3],
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let cost = crate::route::Cost::named(by, lane_change, factors)?;
+        let (held, ends, to) = (&self.0, [starts, goals], goals.is_some());
+        if starts.is_some() == to {
+            return Err(pyo3::exceptions::PyValueError::new_err(
+                "expected starts, from which one drives, or goals, to which one comes",
+            ));
+        }
+        let asked =
+            crate::request::Asked::of(held.map(), ends, avoid.as_deref(), vehicle, cost, turns)?;
+        crate::request::reach(py, held, |scratch, out| {
+            if to {
+                self.map().reach_to(&asked.request(), limit, scratch, out)
+            } else {
+                self.map().reach(&asked.request(), limit, scratch, out)
+            }
+        })
     }
 
     #[pyo3(signature = (steps, *, change_length = None, broken_gap = 0.1, broken_kink = 0.3))]
@@ -595,7 +682,8 @@ impl Map {
         crate::sensing::stance(py, &self.0, points, heading, wheels, out)
     }
 
-    #[pyo3(signature = (start, limit, *, vehicle = "passengerCar", by = "length", lane_change = None))]
+    #[pyo3(signature = (start, limit, *, vehicle = "passengerCar", by = "length", lane_change = None, factors = None))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn reachable<'py>(
         &self,
         py: Python<'py>,
@@ -604,12 +692,14 @@ impl Map {
         vehicle: &str,
         by: &str,
         lane_change: Option<f64>,
+        factors: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let cost = crate::route::Cost::named(by, lane_change)?;
+        let cost = crate::route::Cost::named(by, lane_change, factors)?;
         crate::route::reachable(py, &self.0, start, limit, vehicle, &cost, false)
     }
 
-    #[pyo3(signature = (goal, limit, *, vehicle = "passengerCar", by = "length", lane_change = None))]
+    #[pyo3(signature = (goal, limit, *, vehicle = "passengerCar", by = "length", lane_change = None, factors = None))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn reachable_to<'py>(
         &self,
         py: Python<'py>,
@@ -618,8 +708,9 @@ impl Map {
         vehicle: &str,
         by: &str,
         lane_change: Option<f64>,
+        factors: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let cost = crate::route::Cost::named(by, lane_change)?;
+        let cost = crate::route::Cost::named(by, lane_change, factors)?;
         crate::route::reachable(py, &self.0, goal, limit, vehicle, &cost, true)
     }
 

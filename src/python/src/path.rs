@@ -320,7 +320,7 @@ impl Path {
         crate::along::steps_between(py, &self.held, &path, &self.steps, [start, end])
     }
 
-    #[pyo3(signature = (map, *, vehicle = "passengerCar", by = "length", lane_change = None))]
+    #[pyo3(signature = (map, *, vehicle = "passengerCar", by = "length", lane_change = None, factors = None))]
     fn rebase<'py>(
         &self,
         py: Python<'py>,
@@ -328,9 +328,10 @@ impl Path {
         vehicle: &str,
         by: &str,
         lane_change: Option<f64>,
+        factors: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let (path, cost) =
-            (self.path().map_err(query)?, crate::route::Cost::named(by, lane_change)?);
+            (self.path().map_err(query)?, crate::route::Cost::named(by, lane_change, factors)?);
         crate::along::rebase(py, &path, map.get().held(), vehicle_of(vehicle)?, &cost)
     }
 

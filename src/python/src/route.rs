@@ -3,14 +3,13 @@
 use crate::batch::{Column, columns, fields, result};
 use crate::errors::query;
 use crate::held::{Held, content, id};
-use crate::input::{place_of, vehicle_of};
+use crate::input::{column_of_any, place_of, vehicle_of};
 use crate::lane::Lane;
 use crate::signal::Signal;
-use mapd_client::SRange;
 use mapd_client::graph::LaneNode;
 use mapd_client::route::{
     CostBound, Enter, LaneSequences, Reached, Route, RouteCost, RouteScratch, RouteStep,
-    ShortestLength, ShortestTime,
+    ShortestLength, ShortestTime, WithFactors,
 };
 use mapd_client::signals::SignalsAhead;
 use pyo3::exceptions::PyValueError;
@@ -18,49 +17,81 @@ use pyo3::prelude::*;
 use std::sync::Arc;
 
 /// What is kept small.
-pub(crate) enum Cost {
+enum Plain {
     Length(ShortestLength),
     Time(ShortestTime),
 }
 
+/// What is kept small, with a factor for each lane.
+pub(crate) struct Cost {
+    plain: Plain,
+    factors: Vec<f64>,
+}
+
 impl Cost {
-    /// `length` or `time`, with what a change of lane costs.
-    pub(crate) fn named(name: &str, lane_change: Option<f64>) -> PyResult<Self> {
-        match name {
-            "length" => Ok(Self::Length(match lane_change {
+    /// `length` or `time`, with what a change of lane costs, and a factor for each lane by its row.
+    pub(crate) fn named(
+        name: &str,
+        lane_change: Option<f64>,
+        factors: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let plain = match name {
+            "length" => Plain::Length(match lane_change {
                 Some(lane_change) => ShortestLength { lane_change },
                 None => ShortestLength::default(),
-            })),
-            "time" => Ok(Self::Time(match lane_change {
+            }),
+            "time" => Plain::Time(match lane_change {
                 Some(lane_change) => ShortestTime { lane_change },
                 None => ShortestTime::default(),
-            })),
-            _ => Err(PyValueError::new_err(format!(
-                "by: expected \"length\" or \"time\", found {name:?}"
-            ))),
-        }
+            }),
+            _ => {
+                return Err(PyValueError::new_err(format!(
+                    "by: expected \"length\" or \"time\", found {name:?}"
+                )));
+            }
+        };
+        let factors = factors.map(|all| column_of_any(all, "factors")).transpose()?;
+        Ok(Self { plain, factors: factors.unwrap_or_default() })
+    }
+
+    fn with_factors(&self) -> WithFactors<'_, &Plain> {
+        WithFactors { base: &self.plain, factors: &self.factors }
     }
 }
 
 impl RouteCost for Cost {
     fn pass(&self, node: &LaneNode<'_>) -> f64 {
+        self.with_factors().pass(node)
+    }
+
+    fn change(&self, from: &LaneNode<'_>, to: &LaneNode<'_>) -> f64 {
+        self.with_factors().change(from, to)
+    }
+
+    fn bound(&self) -> CostBound {
+        self.with_factors().bound()
+    }
+}
+
+impl RouteCost for &Plain {
+    fn pass(&self, node: &LaneNode<'_>) -> f64 {
         match self {
-            Self::Length(cost) => cost.pass(node),
-            Self::Time(cost) => cost.pass(node),
+            Plain::Length(cost) => cost.pass(node),
+            Plain::Time(cost) => cost.pass(node),
         }
     }
 
     fn change(&self, from: &LaneNode<'_>, to: &LaneNode<'_>) -> f64 {
         match self {
-            Self::Length(cost) => cost.change(from, to),
-            Self::Time(cost) => cost.change(from, to),
+            Plain::Length(cost) => cost.change(from, to),
+            Plain::Time(cost) => cost.change(from, to),
         }
     }
 
     fn bound(&self) -> CostBound {
         match self {
-            Self::Length(cost) => cost.bound(),
-            Self::Time(cost) => cost.bound(),
+            Plain::Length(cost) => cost.bound(),
+            Plain::Time(cost) => cost.bound(),
         }
     }
 }
@@ -130,12 +161,11 @@ pub(crate) fn found_route<'py>(
         travel_time = route.travel_time,
         lane_changes = route.lane_changes,
         steps = steps,
+        start = route.start,
+        goal = route.goal,
     );
     result(py, "Route", &fields)
 }
-
-/// Columns of what can be reached: lane, forward, from and to [m], cost.
-pub(crate) type Pieces = Vec<(u32, bool, f64, f64, f64)>;
 
 /// What can be reached within a cost, or, with `to`, from where a place can.
 pub(crate) fn reachable<'py>(
@@ -149,40 +179,35 @@ pub(crate) fn reachable<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let vehicle = vehicle_of(vehicle)?;
     let place = place_of(held.map(), place)?;
-    let pieces = py
+    let found = py
         .detach(|| {
-            let map = held.map();
-            let (mut scratch, mut found) = (RouteScratch::default(), Vec::new());
+            let (map, mut scratch, mut found) = (held.map(), RouteScratch::default(), Vec::new());
             if to {
                 map.reachable_to(place, limit, vehicle, cost, &mut scratch, &mut found)?;
             } else {
                 map.reachable(place, limit, vehicle, cost, &mut scratch, &mut found)?;
             }
-            let piece = |reached: &Reached| {
-                let node = map.lane_node(reached.node)?;
-                let lane = node.lane().ok_or(mapd_client::QueryError::Corrupt)?;
-                let SRange { low, high } = node.s_range();
-                Ok((lane.lane_id().row(), node.is_forward(), low, high, reached.cost))
-            };
-            found.iter().map(piece).collect::<Result<Pieces, mapd_client::QueryError>>()
+            Ok(found)
         })
         .map_err(query)?;
-    pieces_result(py, held, &pieces)
+    pieces_result(py, held, &found)
 }
 
 /// Pieces of lanes as Python has them.
 pub(crate) fn pieces_result<'py>(
     py: Python<'py>,
     held: &Arc<Held>,
-    pieces: &Pieces,
+    pieces: &[Reached],
 ) -> PyResult<Bound<'py, PyAny>> {
     let content = content(held.map());
+    let numbers = |of: fn(&Reached) -> f64| Column::Numbers(pieces.iter().map(of).collect());
     let all = vec![
-        Column::Ids(pieces.iter().map(|one| id(content, one.0)).collect()),
-        Column::Flags(pieces.iter().map(|one| one.1).collect()),
-        Column::Numbers(pieces.iter().map(|one| one.2).collect()),
-        Column::Numbers(pieces.iter().map(|one| one.3).collect()),
-        Column::Numbers(pieces.iter().map(|one| one.4).collect()),
+        Column::Ids(pieces.iter().map(|one| id(content, one.lane.row())).collect()),
+        Column::Flags(pieces.iter().map(|one| one.forward).collect()),
+        numbers(|one| one.s_from),
+        numbers(|one| one.s_to),
+        numbers(|one| one.cost),
+        Column::Counts(pieces.iter().map(|one| i64::from(one.lane_changes)).collect()),
     ];
     columns(py, "Reached", all, None)
 }

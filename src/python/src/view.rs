@@ -308,7 +308,7 @@ impl View {
         found.map(|own| self.entry(py, &own)).transpose()
     }
 
-    #[pyo3(signature = (start, goal, *, via = None, vehicle = "passengerCar", by = "length", lane_change = None))]
+    #[pyo3(signature = (start, goal, *, via = None, vehicle = "passengerCar", by = "length", lane_change = None, factors = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn route<'py>(
         &self,
@@ -319,8 +319,9 @@ impl View {
         vehicle: &str,
         by: &str,
         lane_change: Option<f64>,
+        factors: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Option<Bound<'py, PyAny>>> {
-        let (cost, vehicle) = (Cost::named(by, lane_change)?, vehicle_of(vehicle)?);
+        let (cost, vehicle) = (Cost::named(by, lane_change, factors)?, vehicle_of(vehicle)?);
         let places = std::iter::once(start).chain(via.iter().flatten()).chain([goal]);
         let places = places.map(|place| place_of(self.held.map(), place));
         let (places, mut steps) = (places.collect::<PyResult<Vec<_>>>()?, Vec::new());
@@ -333,7 +334,94 @@ impl View {
         route.map(|route| found_route(py, &self.held, &route, &steps)).transpose()
     }
 
-    #[pyo3(signature = (start, limit, *, vehicle = "passengerCar", by = "length", lane_change = None))]
+    #[pyo3(signature = (starts, goals, *, avoid = None, vehicle = "passengerCar", by = "length", lane_change = None,
+        factors = None, turns = [0.0; 3]))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
+    fn find_route<'py>(
+        &self,
+        py: Python<'py>,
+        starts: &Bound<'py, PyAny>,
+        goals: &Bound<'py, PyAny>,
+        avoid: Option<Vec<Bound<'py, PyAny>>>,
+        vehicle: &str,
+        by: &str,
+        lane_change: Option<f64>,
+        factors: Option<&Bound<'py, PyAny>>,
+        turns: [f64; 3],
+    ) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let cost = crate::route::Cost::named(by, lane_change, factors)?;
+        let (held, ends) = (&self.held, [Some(starts), Some(goals)]);
+        let asked =
+            crate::request::Asked::of(held.map(), ends, avoid.as_deref(), vehicle, cost, turns)?;
+        crate::request::find(py, held, |scratch, steps| {
+            self.view().find_route(&asked.request(), scratch, steps)
+        })
+    }
+
+    #[pyo3(signature = (starts, goals, *, count = 3, share = 0.3, longest = 1.5, avoid = None,
+        vehicle = "passengerCar", by = "length", lane_change = None, factors = None, turns = [0.0; 3]))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
+    fn alternatives<'py>(
+        &self,
+        py: Python<'py>,
+        starts: &Bound<'py, PyAny>,
+        goals: &Bound<'py, PyAny>,
+        count: usize,
+        share: f64,
+        longest: f64,
+        avoid: Option<Vec<Bound<'py, PyAny>>>,
+        vehicle: &str,
+        by: &str,
+        lane_change: Option<f64>,
+        factors: Option<&Bound<'py, PyAny>>,
+        turns: [f64; 3],
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let cost = crate::route::Cost::named(by, lane_change, factors)?;
+        let (held, ends) = (&self.held, [Some(starts), Some(goals)]);
+        let asked =
+            crate::request::Asked::of(held.map(), ends, avoid.as_deref(), vehicle, cost, turns)?;
+        let wanted = (count, share, longest);
+        crate::request::alternatives(py, held, wanted, |options, scratch, out| {
+            self.view().alternatives(&asked.request(), options, scratch, out)
+        })
+    }
+
+    #[pyo3(signature = (limit, *, starts = None, goals = None, avoid = None, vehicle = "passengerCar", by = "length",
+        lane_change = None, factors = None, turns = [0.0; 3]))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
+    fn reach<'py>(
+        &self,
+        py: Python<'py>,
+        limit: f64,
+        starts: Option<&Bound<'py, PyAny>>,
+        goals: Option<&Bound<'py, PyAny>>,
+        avoid: Option<Vec<Bound<'py, PyAny>>>,
+        vehicle: &str,
+        by: &str,
+        lane_change: Option<f64>,
+        factors: Option<&Bound<'py, PyAny>>,
+        turns: [f64; 3],
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let cost = crate::route::Cost::named(by, lane_change, factors)?;
+        let (held, ends, to) = (&self.held, [starts, goals], goals.is_some());
+        if starts.is_some() == to {
+            return Err(pyo3::exceptions::PyValueError::new_err(
+                "expected starts, from which one drives, or goals, to which one comes",
+            ));
+        }
+        let asked =
+            crate::request::Asked::of(held.map(), ends, avoid.as_deref(), vehicle, cost, turns)?;
+        crate::request::reach(py, held, |scratch, out| {
+            if to {
+                self.view().reach_to(&asked.request(), limit, scratch, out)
+            } else {
+                self.view().reach(&asked.request(), limit, scratch, out)
+            }
+        })
+    }
+
+    #[pyo3(signature = (start, limit, *, vehicle = "passengerCar", by = "length", lane_change = None, factors = None))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn reachable<'py>(
         &self,
         py: Python<'py>,
@@ -342,8 +430,9 @@ impl View {
         vehicle: &str,
         by: &str,
         lane_change: Option<f64>,
+        factors: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let (cost, vehicle) = (Cost::named(by, lane_change)?, vehicle_of(vehicle)?);
+        let (cost, vehicle) = (Cost::named(by, lane_change, factors)?, vehicle_of(vehicle)?);
         let start = place_of(self.held.map(), start)?;
         let found = py
             .detach(|| {
@@ -352,10 +441,7 @@ impl View {
                 Ok(found)
             })
             .map_err(query)?;
-        let pieces = found.iter();
-        let pieces =
-            pieces.map(|one| (one.lane.row(), one.forward, one.s_from, one.s_to, one.cost));
-        pieces_result(py, &self.held, &pieces.collect())
+        pieces_result(py, &self.held, &found)
     }
 
     #[pyo3(signature = (path, step = 1.0, *, start = 0.0, length = None, vehicle = "passengerCar", out = None))]

@@ -113,14 +113,18 @@ def test_room(asked: Asked) -> None:
 def test_comes(asked: Asked) -> None:
     for question in asked.kinds["comes"]:
         s, limit = question.f(1, 2)
-        assert pieces(asked.map.reachable_to((question.numbers[0], s), limit)) == question.answer
+        found = asked.map.reachable_to((question.numbers[0], s), limit)
+        # The answer has both ends of the node, the call what of it is within the limit.
+        here = [[int(found.lane[row]), int(found.forward[row]), bits(found.cost[row])] for row in range(len(found))]
+        rest = question.answer[1:]
+        assert here == [[*rest[k : k + 2], rest[k + 4]] for k in range(0, len(rest), 5)]
 
 
 def pieces(found: mapd.Reached) -> list[int]:
     out = [len(found)]
     for row in range(len(found)):
-        out += [int(found.lane[row]), int(found.forward[row]), bits(found.s_from[row])]
-        out += [bits(found.s_to[row]), bits(found.cost[row])]
+        low, high = sorted((found.s_from[row], found.s_to[row]))
+        out += [int(found.lane[row]), int(found.forward[row]), bits(low), bits(high), bits(found.cost[row])]
     return out
 
 
@@ -258,4 +262,39 @@ def test_paint(asked: Asked) -> None:
         for row in range(len(found)):
             answer += [*(bits(found[name][row]) for name in "xyz"), int(found.lane[row])]
             answer += [bits(found.s[row]), bits(found.width[row]), int(found.kind[row]) & 0xFF, int(found.color[row]) & 0xFF]
+        assert answer == question.answer
+
+
+def pieces_and_links(found: mapd.Reach) -> list[int]:
+    all, links = found.pieces, found.links
+    out = [len(all)]
+    for row in range(len(all)):
+        low, high = sorted((all.s_from[row], all.s_to[row]))
+        out += [int(all.lane[row]), int(all.forward[row]), bits(all.cost[row]), bits(low), bits(high), int(all.lane_changes[row])]
+        own = np.flatnonzero(links.start == row)
+        out += [len(own), *(int(number) for link in own for number in (links.end[link], links.enter[link]))]
+    return out
+
+
+def test_request(asked: Asked) -> None:
+    for question in asked.kinds["request"]:
+        ends = []
+        for k in range(0, 16, 4):
+            s, cost = question.f(k + 1, k + 2)
+            forward = {0: None, 1: True, 2: False}[question.numbers[k + 3]]
+            ends.append(mapd.RouteEnd(question.numbers[k], s, forward, cost))
+        turn, limit = question.f(17, 18)
+        starts, goals = ends[:2], ends[2:]
+        more: dict[str, Any] = {"avoid": [question.numbers[16]], "turns": [turn, 0.5 * turn, 90.0]}
+        route = asked.map.find_route(starts, goals, **more)
+        answer = [int(route is not None)]
+        if route is not None:
+            answer += [bits(route.cost), bits(route.length), route.start, route.goal, *steps_of(route.steps)]
+        assert asked.map.view().find_route(starts, goals, **more) == route
+        routes = asked.map.alternatives(starts, goals, **more)
+        answer.append(len(routes))
+        for one in routes:
+            answer += [bits(one.cost), *steps_of(one.steps)]
+        answer += pieces_and_links(asked.map.reach(limit, starts=starts, **more))
+        answer += pieces_and_links(asked.map.reach(limit, goals=goals, **more))
         assert answer == question.answer

@@ -34,6 +34,7 @@ const SOURCES: &[&str] = &[
     "conflicts",
     "view",
     "view_ways",
+    "request",
     "junction",
     "signals",
     "signals_ahead",

@@ -52,7 +52,6 @@ using NodeFacts = mapd_node_facts;
 using Edge = mapd_edge;
 using Conflict = mapd_conflict;
 using PositionOnLane = mapd_position_on_lane;
-using Cost = mapd_cost;
 using RouteStep = mapd_route_step;
 using RouteSum = mapd_route_sum;
 using Reached = mapd_reached;
@@ -100,6 +99,7 @@ using PathRestriction = mapd_path_restriction;
 using Permission = mapd_permission;
 using SpeedToday = mapd_speed_today;
 using ReachedPiece = mapd_reached_piece;
+using ReachLink = mapd_reach_link;
 using Ground = mapd_ground;
 using NearMark = mapd_near_mark;
 using VehiclePose = mapd_vehicle_pose;
@@ -202,6 +202,37 @@ struct MatchOptions : mapd_match_options {
 /// How a trace is matched: see `mapd_trace_options`.
 struct TraceOptions : mapd_trace_options {
   TraceOptions() noexcept { mapd_trace_options_init(this, sizeof(mapd_trace_options), nullptr); }
+};
+
+/// What a route keeps small, by a MAPD_COST_…, and for whom; factors for each lane, by the row of its id, have to outlive the call.
+struct Cost : mapd_cost {
+  constexpr Cost(std::uint32_t by_what, std::uint32_t who, double of_a_lane_change, span<const double> of_lanes = {}) noexcept
+      : mapd_cost{by_what, who, of_a_lane_change, of_lanes.data(), of_lanes.size()} {}
+};
+
+/// A start or goal: see `mapd_route_end`.
+struct RouteEnd : mapd_route_end {
+  constexpr RouteEnd(PositionOnLane place, std::uint8_t which_way = MAPD_DIRECTION_EITHER, double to_be_there = 0.0) noexcept
+      : mapd_route_end{place.lane, place.s, to_be_there, which_way} {}
+};
+
+/// What is asked of a search: see `mapd_route_request`. Lists have to outlive the call.
+struct RouteRequest : mapd_route_request {
+  RouteRequest(span<const RouteEnd> from, span<const RouteEnd> to, const mapd_cost& of_ways, span<const LaneId> not_over = {}) noexcept {
+    mapd_route_request_init(this, sizeof(mapd_route_request), nullptr);
+    starts = from.data();
+    start_count = from.size();
+    goals = to.data();
+    goal_count = to.size();
+    avoid = not_over.data();
+    avoid_count = not_over.size();
+    cost = of_ways;
+  }
+};
+
+/// Which alternatives are wanted: see `mapd_alternative_options`.
+struct AlternativeOptions : mapd_alternative_options {
+  AlternativeOptions() noexcept { mapd_alternative_options_init(this, sizeof(mapd_alternative_options), nullptr); }
 };
 
 /// How a path is built: see `mapd_path_options`.
@@ -362,6 +393,51 @@ Result<std::optional<R>> route(F call) {
   }
 }
 
+/// Routes: their sums, where their steps end, and these.
+template <class R, class F>
+Result<std::vector<R>> routes(F call) {
+  std::vector<RouteSum> sums(32);
+  std::vector<std::size_t> ends(sums.size());
+  std::vector<RouteStep> steps(256);
+  mapd_error error;
+  for (;;) {
+    std::size_t count = 0, step_count = 0;
+    const mapd_code code = call(sums.data(), ends.data(), sums.size(), &count, steps.data(), steps.size(), &step_count, &error);
+    if (code == MAPD_CODE_TOO_SMALL) {
+      sums.resize(count > sums.size() ? count : sums.size());
+      ends.resize(sums.size());
+      steps.resize(step_count > steps.size() ? step_count : steps.size());
+      continue;
+    }
+    if (code != MAPD_CODE_OK) return failed(code, error);
+    std::vector<R> out(count);
+    std::size_t from = 0;
+    for (std::size_t i = 0; i < count; from = ends[i++]) {
+      out[i].sum = sums[i];
+      out[i].steps.assign(steps.data() + from, steps.data() + ends[i]);
+    }
+    return out;
+  }
+}
+
+/// Pieces that are reached, and links.
+template <class R, class F>
+Result<R> reach(F call) {
+  R out;
+  out.pieces.resize(64);
+  out.links.resize(64);
+  mapd_error error;
+  for (;;) {
+    std::size_t count = 0, link_count = 0;
+    const mapd_code code =
+        call(out.pieces.data(), out.pieces.size(), &count, out.links.data(), out.links.size(), &link_count, &error);
+    if (code != MAPD_CODE_OK && code != MAPD_CODE_TOO_SMALL) return failed(code, error);
+    out.pieces.resize(count);
+    out.links.resize(link_count);
+    if (code == MAPD_CODE_OK) return out;
+  }
+}
+
 #if MAPD_EXCEPTIONS
 inline void must(const Error& error) {
   if (error.code != MAPD_CODE_OK) throw Exception(error);
@@ -418,6 +494,12 @@ class Scratch : public detail::Owner<mapd_scratch, mapd_scratch_close> {
 struct Route {
   RouteSum sum{};
   std::vector<RouteStep> steps;
+};
+
+/// Pieces of lanes that can be reached, and how one goes on from each to others.
+struct Reach {
+  std::vector<ReachedPiece> pieces;
+  std::vector<ReachLink> links;
 };
 
 /// The way of a path on another snapshot, if there is one, and what has changed.

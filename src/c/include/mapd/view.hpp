@@ -68,6 +68,35 @@ class View : public detail::Owner<mapd_view, mapd_view_close> {
       return mapd_view_route(get(), places.data(), places.size(), cost, scratch.get(), out...);
     });
   }
+  /// The cheapest way from any start of a request to any of its goals.
+  Result<std::optional<Route>> try_find_route(const RouteRequest& request, Scratch& scratch) const {
+    return detail::route<Route>(
+        [&](auto... out) { return mapd_view_find_route(get(), &request, scratch.get(), out...); });
+  }
+  /// It and alternatives to it, cheapest first.
+  Result<std::vector<Route>> try_alternatives(const RouteRequest& request, Scratch& scratch,
+                                              const AlternativeOptions& options = {}) const {
+    return detail::routes<Route>(
+        [&](auto... out) { return mapd_view_alternatives(get(), &request, &options, scratch.get(), out...); });
+  }
+  /// What can be reached from a request's starts within a cost, or, with `to`, from where its goals can be.
+  Result<Reach> try_reach(const RouteRequest& request, double limit, bool to, Scratch& scratch) const {
+    return detail::reach<Reach>([&](auto... out) {
+      return mapd_view_reach(get(), &request, limit, to ? std::uint8_t{1} : std::uint8_t{0}, scratch.get(), out...);
+    });
+  }
+#if MAPD_EXCEPTIONS
+  std::optional<Route> find_route(const RouteRequest& request, Scratch& scratch) const {
+    return try_find_route(request, scratch).value();
+  }
+  std::vector<Route> alternatives(const RouteRequest& request, Scratch& scratch,
+                                  const AlternativeOptions& options = {}) const {
+    return try_alternatives(request, scratch, options).value();
+  }
+  Reach reach(const RouteRequest& request, double limit, bool to, Scratch& scratch) const {
+    return try_reach(request, limit, to, scratch).value();
+  }
+#endif
   /// What can be reached now within a cost.
   Result<std::vector<ReachedPiece>> try_reachable(PositionOnLane from, double limit, Cost cost, Scratch& scratch) const {
     return detail::list<ReachedPiece>(

@@ -87,7 +87,7 @@ static void add_approaches(struct numbers *out, const mapd_path *path, double re
 static void add_rebased(struct numbers *out, const mapd_path *path) {
   static mapd_route_step steps[MOST];
   static mapd_path_change changes[MOST];
-  const mapd_cost by_length = {MAPD_COST_LENGTH, CAR, 20.0};
+  const mapd_cost by_length = {MAPD_COST_LENGTH, CAR, 20.0, NULL, 0};
   mapd_route_sum sum = {0};
   size_t count, change_count;
   const int found = is(mapd_path_rebase(path, map, by_length, scratch, &sum, steps, MOST, &count, changes, MOST, &change_count,
@@ -226,7 +226,7 @@ void room(const uint64_t *q, const mapd_route_step *steps, size_t step_count, st
 
 void comes(const uint64_t *q, struct numbers *out) {
   static mapd_reached all[MOST];
-  const mapd_cost cost = {MAPD_COST_LENGTH, CAR, 20.0};
+  const mapd_cost cost = {MAPD_COST_LENGTH, CAR, 20.0, NULL, 0};
   const mapd_position_on_lane to = {lane_of(q[0]), as_f(q[1])};
   size_t count;
   must(mapd_reachable_to(map, to, as_f(q[2]), cost, scratch, all, MOST, &count, &error));

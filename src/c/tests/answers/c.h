@@ -66,6 +66,7 @@ void trace(const uint64_t *q, size_t count, struct numbers *out);
 void along(const uint64_t *q, const mapd_route_step *steps, size_t step_count, struct numbers *out);
 void room(const uint64_t *q, const mapd_route_step *steps, size_t step_count, struct numbers *out);
 void comes(const uint64_t *q, struct numbers *out);
+void request(const uint64_t *q, struct numbers *out);
 void today(const uint64_t *q, struct numbers *out);
 void tracker(const uint64_t *q, size_t count, struct numbers *out);
 void stance(const uint64_t *q, struct numbers *out);

@@ -6,8 +6,16 @@ static const char *const YIELDS[] = {"yields", "priority", "lights", "open", "un
 /* A route by length or time. 0: none. */
 static int route(const uint64_t *q, mapd_route_sum *sum, mapd_route_step *steps, size_t *count) {
   const mapd_position_on_lane places[] = {{lane_of(q[0]), as_f(q[1])}, {lane_of(q[2]), as_f(q[3])}};
-  const mapd_cost by_length = {MAPD_COST_LENGTH, CAR, 20.0}, by_time = {MAPD_COST_TIME, CAR, 2.0};
-  return is(mapd_route(map, places, 2, q[4] == 1 ? by_time : by_length, scratch, sum, steps, MOST, count, &error));
+  const mapd_cost by_length = {MAPD_COST_LENGTH, CAR, 20.0, NULL, 0}, by_time = {MAPD_COST_TIME, CAR, 2.0, NULL, 0};
+  mapd_cost cost = q[4] == 1 ? by_time : by_length;
+  static double factors[] = {1.0, 1.0, 1.0};
+  mapd_route_sum weighed;
+  const int found = is(mapd_route(map, places, 2, cost, scratch, sum, steps, MOST, count, &error));
+  cost.factors = factors;
+  cost.factor_count = 3;
+  if (is(mapd_route(map, places, 2, cost, scratch, &weighed, steps, MOST, count, &error)) != found) abort();
+  if (found && weighed.cost != sum->cost) abort();
+  return found;
 }
 
 static void add_sum(struct numbers *out, const mapd_route_sum *sum, const mapd_route_step *steps, size_t count) {
@@ -158,7 +166,7 @@ void routes(const char *kind, const uint64_t *q, struct numbers *out) {
 
 void reachable(const uint64_t *q, struct numbers *out) {
   static mapd_reached all[MOST];
-  const mapd_cost cost = {MAPD_COST_LENGTH, CAR, 20.0};
+  const mapd_cost cost = {MAPD_COST_LENGTH, CAR, 20.0, NULL, 0};
   const mapd_position_on_lane from = {lane_of(q[0]), as_f(q[1])};
   size_t count;
   must(mapd_reachable(map, from, as_f(q[2]), cost, scratch, all, MOST, &count, &error));

@@ -109,6 +109,8 @@ int main(int argc, char **argv) {
       trace(question.all, question.count, &found);
     } else if (strcmp(kind, "today") == 0) {
       today(question.all, &found);
+    } else if (strcmp(kind, "request") == 0) {
+      request(question.all, &found);
     } else if (strcmp(kind, "tracker") == 0) {
       tracker(question.all, question.count, &found);
     } else if (strcmp(kind, "stance") == 0) {

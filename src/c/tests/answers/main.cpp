@@ -38,7 +38,7 @@ class Answerer {
         {"mark", &Answerer::mark},           {"match", &Answerer::match},       {"trace", &Answerer::trace},
         {"along", &Answerer::along},         {"room", &Answerer::room},         {"comes", &Answerer::comes},
         {"today", &Answerer::today},         {"tracker", &Answerer::tracker},   {"stance", &Answerer::stance},
-        {"sees", &Answerer::sees},           {"paint", &Answerer::paint},
+        {"sees", &Answerer::sees},           {"paint", &Answerer::paint},       {"request", &Answerer::request},
     };
     return all;
   }
@@ -288,6 +288,7 @@ class Answerer {
     const auto to = q.place();
     nodes(map_.reachable_to(to, q.f(), {MAPD_COST_LENGTH, car, 20.0}, scratch_), a);
   }
+  void request(Question& q, Numbers& a) { answer_request(map_, q, a, scratch_); }
   void today(Question& q, Numbers& a) { answer_today(under_, q, a, scratch_); }
   void tracker(Question& q, Numbers& a) { answer_tracker(map_, q, a); }
   void stance(Question& q, Numbers& a) {

@@ -66,7 +66,7 @@ static void add_on_path(struct numbers *out, const mapd_view *view, const mapd_p
 static void add_ahead(struct numbers *out, const mapd_view *view, mapd_position_on_lane from, double limit) {
   static mapd_reached_piece reached[MOST];
   static mapd_signal_ahead ahead[MOST];
-  const mapd_cost cost = {MAPD_COST_LENGTH, CAR, 20.0};
+  const mapd_cost cost = {MAPD_COST_LENGTH, CAR, 20.0, NULL, 0};
   size_t count;
   must(mapd_view_reachable(view, from, limit, cost, scratch, reached, MOST, &count, &error));
   add_u(out, count);
@@ -112,7 +112,7 @@ void today(const uint64_t *q, struct numbers *out) {
   static mapd_route_step steps[MOST];
   const mapd_position_on_lane from = {lane_of(q[1]), as_f(q[2])}, to = {lane_of(q[3]), as_f(q[4])};
   const mapd_position_on_lane places[] = {from, to};
-  const mapd_cost cost = {MAPD_COST_LENGTH, CAR, 20.0};
+  const mapd_cost cost = {MAPD_COST_LENGTH, CAR, 20.0, NULL, 0};
   mapd_view *view = NULL;
   mapd_path *path = NULL;
   mapd_permission permission;

@@ -185,6 +185,41 @@ inline void answer_today(const mapd::Snapshot& under, Question& q, Numbers& a, m
   for (const auto& one : found.lanes) a.id(one.lane).u(one.forward).f(one.probability);
 }
 
+inline void answer_request(const mapd::Snapshot& map, Question& q, Numbers& a, mapd::Scratch& scratch) {
+  std::vector<mapd::RouteEnd> ends;
+  for (int i = 0; i < 4; ++i) {
+    const auto place = q.place();
+    const double cost = q.f();
+    ends.emplace_back(place, static_cast<std::uint8_t>(q.u()), cost);
+  }
+  const mapd::LaneId avoid[] = {q.id()};
+  const mapd::Cost length{MAPD_COST_LENGTH, car, 20.0};
+  mapd::RouteRequest request({ends.data(), 2}, {ends.data() + 2, 2}, length, avoid);
+  request.turn_left = q.f();
+  request.turn_right = 0.5 * request.turn_left;
+  request.turn_back = 90.0;
+  const double limit = q.f();
+  const auto route = map.find_route(request, scratch);
+  a.u(route.has_value());
+  if (route) a.all(route->sum.cost, route->sum.length).u(route->sum.start).u(route->sum.goal).steps(route->steps);
+  const auto routes = map.alternatives(request, scratch);
+  a.u(routes.size());
+  for (const auto& one : routes) a.f(one.sum.cost).steps(one.steps);
+  for (const bool to : {false, true}) {
+    const auto reach = map.reach(request, limit, to, scratch);
+    a.u(reach.pieces.size());
+    auto link = reach.links.begin();
+    for (std::size_t i = 0; i < reach.pieces.size(); ++i) {
+      const auto& one = reach.pieces[i];
+      auto end = link;
+      while (end != reach.links.end() && end->from == i) ++end;
+      a.id(one.lane).u(one.forward).all(one.cost, one.s_from, one.s_to).u(one.lane_changes);
+      a.u(static_cast<std::uint64_t>(end - link));
+      for (; link != end; ++link) a.u(link->to).u(link->enter);
+    }
+  }
+}
+
 inline void answer_tracker(const mapd::Snapshot& map, Question& q, Numbers& a) {
   const mapd::LaneId lane = q.id();
   mapd::Tracker tracker;

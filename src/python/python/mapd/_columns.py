@@ -250,7 +250,10 @@ class Waypoints(Columns):
 
 
 class Reached(Columns):
-    """Pieces of lanes that can be reached, nearest first: ``cost`` up to their beginning, [m] by length or [s] by time."""
+    """Pieces of lanes that can be reached, nearest first: ``cost`` up to their beginning, [m] by length or [s] by time, with so many changes of lane.
+
+    ``s_from`` and ``s_to`` are where the part within the limit begins and ends, in driving direction [m].
+    """
 
     __slots__ = ()
     lane: Ids
@@ -258,6 +261,16 @@ class Reached(Columns):
     s_from: Numbers
     s_to: Numbers
     cost: Numbers
+    lane_changes: Counts
+
+
+class ReachLinks(Columns):
+    """How one goes on from one piece that is reached to another, by their rows; ``enter`` is 1 ahead, 2 by a change of lane to the left, 3 to the right."""
+
+    __slots__ = ()
+    start: Counts
+    end: Counts
+    enter: Codes
 
 
 class Geodetics(Columns):

@@ -57,10 +57,12 @@ from ._results import (
     Permission,
     Pose,
     PoseMatch,
+    Reach,
     Rebased,
     Report,
     Restriction,
     Route,
+    RouteEnd,
     RouteStep,
     SignalAhead,
     SpeedRule,
@@ -76,7 +78,7 @@ _Track = tuple[float, float] | tuple[float, float, float]
 _Region = tuple[float, float, float, float]
 _Types = str | Iterable[str]
 _LaneRef = Lane | str | int | np.uint64
-_Place = Nearest | tuple[_LaneRef, float]
+_Place = Nearest | RouteEnd | tuple[_LaneRef, float]
 _By = Literal["length", "time"]
 
 __all__ = [
@@ -421,11 +423,59 @@ class Map:
         vehicle: str = "passengerCar",
         by: _By = "length",
         lane_change: float | None = None,
+        factors: NDArray[np.float64] | None = None,
     ) -> Route | None:
         """The cheapest way in driving direction, by allowed changes of lane only; None if there is none.
 
-        A place is (lane, s) or what nearest_lane found. `lane_change` is what a change costs: default 20 m, or 2 s by time.
+        A place is (lane, s) or what nearest_lane found. `lane_change` is what a change costs: default 20 m, or 2 s by time. `factors`
+        multiply the cost of each lane, by its row (mapd.raw.rows): infinity closes it; lanes beyond their end have the factor 1.
         """
+    def find_route(
+        self,
+        starts: _Place | Sequence[_Place],
+        goals: _Place | Sequence[_Place],
+        *,
+        avoid: Sequence[_LaneRef] | None = None,
+        vehicle: str = "passengerCar",
+        by: _By = "length",
+        lane_change: float | None = None,
+        factors: NDArray[np.float64] | None = None,
+        turns: Sequence[float] = ...,
+    ) -> Route | None:
+        """The cheapest way from any of some starts to any of some goals, which may be `RouteEnd`; lanes to avoid are not entered.
+
+        `turns` are what turns to the left, to the right and back at junctions cost beside the way, in its unit; other options are those of route.
+        """
+    def alternatives(
+        self,
+        starts: _Place | Sequence[_Place],
+        goals: _Place | Sequence[_Place],
+        *,
+        count: int = 3,
+        share: float = 0.3,
+        longest: float = 1.5,
+        avoid: Sequence[_LaneRef] | None = None,
+        vehicle: str = "passengerCar",
+        by: _By = "length",
+        lane_change: float | None = None,
+        factors: NDArray[np.float64] | None = None,
+        turns: Sequence[float] = ...,
+    ) -> list[Route]:
+        """The cheapest way and alternatives to it, cheapest first: `count` at most, each on other roads for a `share` of its length, none `longest` times as expensive."""
+    def reach(
+        self,
+        limit: float,
+        *,
+        starts: _Place | Sequence[_Place] | None = None,
+        goals: _Place | Sequence[_Place] | None = None,
+        avoid: Sequence[_LaneRef] | None = None,
+        vehicle: str = "passengerCar",
+        by: _By = "length",
+        lane_change: float | None = None,
+        factors: NDArray[np.float64] | None = None,
+        turns: Sequence[float] = ...,
+    ) -> Reach:
+        """The network that can be reached from starts within a limit [m, or s by time], or from which goals can be, with the ways on."""
     def path(
         self,
         steps: Route | Iterable[RouteStep],
@@ -484,6 +534,7 @@ class Map:
         vehicle: str = "passengerCar",
         by: _By = "length",
         lane_change: float | None = None,
+        factors: NDArray[np.float64] | None = None,
     ) -> Reached:
         """Pieces of lanes whose beginning can be reached within a limit [m, or s by time], nearest first."""
     def reachable_to(
@@ -494,6 +545,7 @@ class Map:
         vehicle: str = "passengerCar",
         by: _By = "length",
         lane_change: float | None = None,
+        factors: NDArray[np.float64] | None = None,
     ) -> Reached:
         """Pieces of lanes from whose beginning a place can be reached within a limit [m, or s by time], nearest first."""
     def lane_sequences_ahead(
@@ -757,7 +809,13 @@ class Path:
     def steps_between(self, start: float, end: float) -> tuple[RouteStep, ...]:
         """The part of its steps from one S to another [m], for a path over that part."""
     def rebase(
-        self, map: Map, *, vehicle: str = "passengerCar", by: _By = "length", lane_change: float | None = None
+        self,
+        map: Map,
+        *,
+        vehicle: str = "passengerCar",
+        by: _By = "length",
+        lane_change: float | None = None,
+        factors: NDArray[np.float64] | None = None,
     ) -> Rebased:
         """Its way on another map, such as the next version of its own, and what has changed."""
 
@@ -825,8 +883,55 @@ class View:
         vehicle: str = "passengerCar",
         by: _By = "length",
         lane_change: float | None = None,
+        factors: NDArray[np.float64] | None = None,
     ) -> Route | None:
         """As Map.route, with the overlay's current entries applied."""
+    def find_route(
+        self,
+        starts: _Place | Sequence[_Place],
+        goals: _Place | Sequence[_Place],
+        *,
+        avoid: Sequence[_LaneRef] | None = None,
+        vehicle: str = "passengerCar",
+        by: _By = "length",
+        lane_change: float | None = None,
+        factors: NDArray[np.float64] | None = None,
+        turns: Sequence[float] = ...,
+    ) -> Route | None:
+        """The cheapest way from any of some starts to any of some goals, which may be `RouteEnd`; lanes to avoid are not entered.
+
+        `turns` are what turns to the left, to the right and back at junctions cost beside the way, in its unit; other options are those of route.
+        """
+    def alternatives(
+        self,
+        starts: _Place | Sequence[_Place],
+        goals: _Place | Sequence[_Place],
+        *,
+        count: int = 3,
+        share: float = 0.3,
+        longest: float = 1.5,
+        avoid: Sequence[_LaneRef] | None = None,
+        vehicle: str = "passengerCar",
+        by: _By = "length",
+        lane_change: float | None = None,
+        factors: NDArray[np.float64] | None = None,
+        turns: Sequence[float] = ...,
+    ) -> list[Route]:
+        """The cheapest way and alternatives to it, cheapest first: `count` at most, each on other roads for a `share` of its length, none `longest` times as expensive."""
+    def reach(
+        self,
+        limit: float,
+        *,
+        starts: _Place | Sequence[_Place] | None = None,
+        goals: _Place | Sequence[_Place] | None = None,
+        avoid: Sequence[_LaneRef] | None = None,
+        vehicle: str = "passengerCar",
+        by: _By = "length",
+        lane_change: float | None = None,
+        factors: NDArray[np.float64] | None = None,
+        turns: Sequence[float] = ...,
+    ) -> Reach:
+        """The network that can be reached from starts within a limit [m, or s by time], or from which goals can be, with the ways on."""
     def reachable(
         self,
         start: _Place,
@@ -835,6 +940,7 @@ class View:
         vehicle: str = "passengerCar",
         by: _By = "length",
         lane_change: float | None = None,
+        factors: NDArray[np.float64] | None = None,
     ) -> Reached:
         """As Map.reachable, with the overlay's current entries applied [m, or s by time]."""
     def corridor(

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     import geopandas
 
+    from ._columns import Reached, ReachLinks
     from ._mapd import Lane, Map, Object, Signal
 
 
@@ -191,6 +192,10 @@ class Route:
     """At the speed limits [s]."""
     lane_changes: int
     steps: tuple[RouteStep, ...]
+    start: int = 0
+    """Of several starts, the number of the one from which it leads."""
+    goal: int = 0
+    """Of several goals, the number of the one to which it leads."""
 
     def __repr__(self) -> str:
         return f"<mapd.Route {self.length:.1f} m, {self.travel_time:.1f} s, {self.lane_changes} lane changes, {len(self.steps)} lanes>"
@@ -259,6 +264,26 @@ class PathConflict(NamedTuple):
     reason: str
     wait: float
     """S at which to wait [m]."""
+
+
+class RouteEnd(NamedTuple):
+    """A start or goal."""
+
+    lane: Lane | str | int | np.uint64
+    s: float
+    """On the road [m]."""
+    forward: bool | None = None
+    """Whether the lane is travelled towards +s there; None for either way."""
+    cost: float = 0.0
+    """What it costs to start or end there, beside the way."""
+
+
+class Reach(NamedTuple):
+    """What can be reached: the network of lanes ahead, or behind."""
+
+    pieces: Reached
+    links: ReachLinks
+    """How one goes on from each piece to others; against driving direction where goals were given."""
 
 
 class LaneLine(NamedTuple):

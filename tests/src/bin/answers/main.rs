@@ -11,6 +11,7 @@ mod driving;
 mod localising;
 mod numbers;
 mod places;
+mod requests;
 mod today;
 mod tracking;
 
@@ -120,6 +121,7 @@ fn main() -> Result<()> {
             asker.poses(&mut localising)?;
             asker.drive()?;
             asker.comes(&mut scratch)?;
+            asker.requests(&mut scratch)?;
             asker.today(&under, &mut scratch)?;
         }
         std::fs::write(path.with_extension("answers"), asker.out)?;
