@@ -2,8 +2,9 @@
 """For docs/build. `site.py sidebar INDEX` writes mdBook's SUMMARY.md from the headings and lists of the index; `site.py folders SITE` gives folders
 without a page one that lists their files; `site.py links SITE` proves that every link inside the site leads somewhere, to headings too.
 
-`site.py run PAGE...` runs the pages: their blocks of `sh` in order, and compares what they write with the block of `text` behind; there … stands for
-anything. mapd and the examples must be in PATH."""
+`site.py run [--with LANGUAGE] PAGE...` runs the pages: their blocks of `sh` in order, and compares what they write with the block of `text` behind;
+there … stands for anything. mapd and the examples must be in PATH. LANGUAGE adds its blocks: `c++` those of `sh c++`, where pkg-config knows mapd;
+`py` those of `py`, by python3, with the module mapd."""
 
 import html
 import html.parser
@@ -91,18 +92,26 @@ def links(site):
 
 
 def run(*pages):
+    kinds = {"sh"}
+    if pages[0] == "--with":
+        kinds.add({"c++": "sh c++", "py": "py"}[pages[1]])
+        pages = pages[2:]
     for page in pages:
-        text = pathlib.Path(page).read_text()
-        blocks = re.findall(r"^```(sh|text)\n(.*?)^```", text, re.S | re.M)
+        blocks, wanted = [], False
+        for kind, text in re.findall(r"^```(sh|sh c\+\+|py|text)\n(.*?)^```", pathlib.Path(page).read_text(), re.S | re.M):
+            # What a block writes belongs to it.
+            wanted = kind in kinds or (kind == "text" and wanted)
+            if wanted:
+                blocks.append((kind, text))
         with tempfile.TemporaryDirectory() as folder:
             run_in(pathlib.Path(folder), page, blocks)
-        print(f"{page}: {sum(kind == 'sh' for kind, _ in blocks)} blocks do what the page says")
+        print(f"{page}: {sum(kind in kinds for kind, _ in blocks)} blocks do what the page says")
 
 
 def run_in(folder, page, blocks):
     """All in one shell, so that a block goes on where the one before ended; what it has started ends with it."""
     (folder / "examples").symlink_to(pathlib.Path("examples").resolve())
-    commands = [text for kind, text in blocks if kind == "sh"]
+    commands = [f"python3 - <<'PAGE'\n{text}PAGE" if kind == "py" else text for kind, text in blocks if kind != "text"]
     script = ["set -e", "trap 'kill $(jobs -p) 2>/dev/null || true; wait' EXIT"]
     for number, text in enumerate(commands):
         script += [f"exec >written.{number} 2>&1", text]
@@ -113,7 +122,7 @@ def run_in(folder, page, blocks):
         sys.exit(f"{page}: a block ends with {ended.returncode}: {''.join(written)}")
     number = -1
     for kind, text in blocks:
-        if kind == "sh":
+        if kind != "text":
             number += 1
             continue
         pattern = ".*?".join(re.escape(part) for part in text.strip().split("…"))

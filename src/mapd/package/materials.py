@@ -12,7 +12,7 @@ import uuid
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 TARGET = "x86_64-unknown-linux-gnu"
 # Programs and libraries that packages carry.
-PACKED = ("mapd", "mapd-c")
+PACKED = ("mapd", "mapd-c", "mapd-python")
 LICENCE_FILES = ("licen", "copying", "notice", "unlicense", "copyright")
 
 

@@ -104,9 +104,6 @@ enum Command {
     /// Say what is so on the road today: closed, slower, opened, slippery, out of service (docs/overlay.md)
     Overlay(OverlayCommand),
     /// Write the script with which a shell completes commands and options
-    #[command(
-        after_help = "bash: mapd completions bash > ~/.local/share/bash-completion/completions/mapd"
-    )]
     Completions(CompletionsCommand),
     /// Write the man pages
     Man(ManCommand),
@@ -124,7 +121,7 @@ pub fn command() -> clap::Command {
         let told = TOLD_FIRST.contains(&arg.get_id().as_str());
         arg.hide_short_help(!told)
     };
-    help::with_words(numbers_of_options(Cli::command().mut_args(told)))
+    help::completed(numbers_of_options(Cli::command().mut_args(told)))
 }
 
 /// Lets an option's own check refuse a negative number, which would be taken for an unknown option otherwise.

@@ -96,6 +96,10 @@ fn a_trace_is_matched_row_by_row() {
     );
     assert!(rows[4][4].is_empty() && text.contains("time must not decrease"), "{text}");
     assert!(rows[5][4].is_empty() && !rows[5][7].is_empty() && rows[5][8].is_empty(), "{text}");
+    let output = run(&["match", &one_road(), "--format", "json"], "time,x,y\n0,10,-1.7\n");
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!((&json[0]["lane"], &json[0]["s"]), (&"1:0:-1".into(), &10.0.into()), "{json}");
+    assert!(json[0]["probability"].is_f64(), "{json}");
     let output = run(&["match", &one_road()], "time,x\n0,1\n");
     assert_eq!(output.status.code(), Some(2));
     let output = run(&["match", &one_road(), "--deviation", "0"], "time,x,y\n0,1,1\n");

@@ -7,6 +7,7 @@ mod dependencies;
 mod export;
 mod export_lanelet2;
 mod export_layers;
+mod help_examples;
 mod help_text;
 mod numbers;
 mod options_documented;

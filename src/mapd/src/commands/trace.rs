@@ -4,6 +4,7 @@ use super::query::QueryRunError;
 use super::query::command::usage_of;
 use super::query::earth::Earth;
 use super::query::kinds::{number, point_in};
+use super::query::output::{Format, Output};
 use super::query::row::Row;
 use crate::args::{Opening, lane_types, not_negative, vehicle};
 use crate::exit::Exit;
@@ -17,9 +18,7 @@ use std::io::{self, Read, Write};
 /// Said at the end of `mapd help match`.
 pub(crate) const HELP: &str = "\
 In: time [s] and x,y[,z] or lat,lon[,alt], in the order of time; hdg if known. Out: lane,s,offset (from the lane's centre, positive to
-the left of the reference line) and the probability of the lane given the whole trace; lane is empty if the trace is on no lane.
-
-  mapd match map.xodr --deviation 2 < trace.csv";
+the left of the reference line) and the probability of the lane given the whole trace; lane is empty if the trace is on no lane.";
 
 /// Columns of the answer.
 const COLUMNS: [&str; 4] = ["lane", "s", "offset", "probability"];
@@ -33,6 +32,9 @@ pub(crate) struct TraceCommand {
     source: String,
     #[command(flatten)]
     trace: TraceArgs,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Csv)]
+    format: Format,
     #[command(flatten)]
     opening: Opening,
 }
@@ -44,6 +46,7 @@ impl TraceCommand {
     pub(crate) fn run(self, out: &mut dyn Write) -> anyhow::Result<Exit> {
         let options = self.trace.options(lane_types(&self.trace.types)?);
         let Some(snapshot) = self.opening.open(&self.source)? else { return Ok(Exit::Rejected) };
+        let out = Output::new(self.format, out);
         answer(snapshot.map(), &options, io::stdin().lock(), out).map_err(usage_of)?;
         Ok(Exit::Done)
     }
@@ -89,7 +92,7 @@ fn answer(
     map: Map<'_>,
     options: &TraceOptions,
     input: impl Read,
-    output: impl Write,
+    output: Output<impl Write>,
 ) -> Result<(), QueryRunError> {
     let mut reader =
         csv::ReaderBuilder::new().trim(csv::Trim::Headers).flexible(true).from_reader(input);
@@ -131,13 +134,12 @@ fn write(
     headers: &StringRecord,
     rows: &[(StringRecord, Option<String>)],
     matches: &[TraceMatch],
-    output: impl Write,
+    mut output: Output<impl Write>,
 ) -> Result<(), QueryRunError> {
-    let mut writer = csv::Writer::from_writer(output);
     let is_own = |name: &str| COLUMNS.contains(&name) || name == "error";
     let echoed: Vec<usize> = (0..headers.len()).filter(|i| !is_own(&headers[*i])).collect();
     let head = echoed.iter().map(|i| &headers[*i]).chain(COLUMNS).chain(["error"]);
-    writer.write_record(head)?;
+    output.head(head)?;
     let mut matches = matches.iter();
     for (record, error) in rows {
         let found = if error.is_none() { matches.next() } else { None };
@@ -153,8 +155,8 @@ fn write(
         }
         let echo = echoed.iter().map(|i| record.get(*i).unwrap_or(""));
         let answer = answer.iter().map(String::as_str);
-        writer.write_record(echo.chain(answer).chain([error.as_deref().unwrap_or("")]))?;
+        output.row(echo.chain(answer).chain([error.as_deref().unwrap_or("")]))?;
     }
-    writer.flush()?;
+    output.finish()?;
     Ok(())
 }

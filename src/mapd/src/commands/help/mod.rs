@@ -1,5 +1,7 @@
 //! `mapd help`: the help of a command, or a topic that concerns several.
 
+mod examples;
+
 use crate::exit::{Exit, UsageError};
 use anyhow::Result;
 use clap::builder::PossibleValuesParser;
@@ -53,8 +55,12 @@ impl HelpCommand {
     }
 }
 
-/// Lets the command line know the words that `mapd help` takes: it completes them, and suggests the nearest one for another.
-pub(crate) fn with_words(program: Command) -> Command {
+/// Completes the help: the words that `mapd help` takes, which shells complete and of which the nearest is suggested for another; and examples of each command.
+pub(crate) fn completed(program: Command) -> Command {
+    examples::with_examples(with_words(program))
+}
+
+fn with_words(program: Command) -> Command {
     let commands = program.get_subcommands().filter(|command| !command.is_hide_set());
     let commands = commands.map(|command| command.get_name().to_owned());
     let words: Vec<String> =

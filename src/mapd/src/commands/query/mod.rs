@@ -13,7 +13,7 @@ mod landmarks;
 mod localising;
 mod matching;
 mod objects;
-mod output;
+pub(super) mod output;
 mod path;
 mod route;
 pub(super) mod row;

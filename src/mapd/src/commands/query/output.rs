@@ -53,7 +53,6 @@ const NUMBERS: &[&str] = &[
     "forward",
     "back",
     "speed",
-    "friction",
     "left_x",
     "left_y",
     "right_x",
@@ -68,15 +67,22 @@ const NUMBERS: &[&str] = &[
     "wait_S",
     "line",
     "column",
+    "probability",
+    "level",
+    "painted",
+    "time",
+    "sx",
+    "sy",
+    "shdg",
 ];
 
-pub(super) enum Output<W: Write> {
+pub(in crate::commands) enum Output<W: Write> {
     Csv(Box<csv::Writer<W>>),
     Json { out: W, columns: Vec<String>, rows: usize },
 }
 
 impl<W: Write> Output<W> {
-    pub(super) fn new(format: Format, out: W) -> Self {
+    pub(in crate::commands) fn new(format: Format, out: W) -> Self {
         match format {
             Format::Csv => Self::Csv(Box::new(csv::Writer::from_writer(out))),
             Format::Json => Self::Json { out, columns: Vec::new(), rows: 0 },
@@ -84,7 +90,7 @@ impl<W: Write> Output<W> {
     }
 
     /// Names the columns.
-    pub(super) fn head<'r>(
+    pub(in crate::commands) fn head<'r>(
         &mut self,
         names: impl Iterator<Item = &'r str>,
     ) -> Result<(), csv::Error> {
@@ -98,7 +104,7 @@ impl<W: Write> Output<W> {
     }
 
     /// Writes a row.
-    pub(super) fn row<'r>(
+    pub(in crate::commands) fn row<'r>(
         &mut self,
         values: impl Iterator<Item = &'r str>,
     ) -> Result<(), csv::Error> {
@@ -116,7 +122,7 @@ impl<W: Write> Output<W> {
         }
     }
 
-    pub(super) fn finish(self) -> io::Result<()> {
+    pub(in crate::commands) fn finish(self) -> io::Result<()> {
         match self {
             Self::Csv(mut writer) => writer.flush(),
             Self::Json { mut out, .. } => {
