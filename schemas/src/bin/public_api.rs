@@ -17,10 +17,11 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 /// The libraries whose API is listed.
-const LIBRARIES: [&str; 7] = [
+const LIBRARIES: [&str; 8] = [
     "mapd-archive",
     "mapd-client",
     "mapd-compiler",
+    "mapd-export",
     "mapd-geodesy",
     "mapd-geometry",
     "mapd-overlay",

@@ -26,7 +26,7 @@ pub(crate) enum Manner {
 
 /// Shows how far work is.
 pub(crate) struct Meter {
-    /// Hidden where there is no terminal.
+    /// Hidden where there is no terminal; of work on a number that is not known, words and the time so far.
     bar: ProgressBar,
     lines: Option<Mutex<Lines>>,
 }
@@ -47,11 +47,14 @@ impl Meter {
             }
             _ => None,
         };
-        if !is_terminal || total == 0 || matches!(manner, Manner::Silent) {
+        if !is_terminal || matches!(manner, Manner::Silent) {
             return Self { bar: ProgressBar::hidden(), lines };
         }
         let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::stderr());
-        let template = "{msg} [{bar:30}] {bytes}/{total_bytes} {bytes_per_sec} {eta}";
+        let template = match total {
+            0 => "{msg} {elapsed}",
+            _ => "{msg} [{bar:30}] {bytes}/{total_bytes} {bytes_per_sec} {eta}",
+        };
         bar.set_style(
             ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar()),
         );
@@ -82,8 +85,8 @@ impl Meter {
         self.line(|lines, now| lines.read(now, bytes, &made()));
     }
 
-    /// Shows what is being done with what was read.
-    fn stage(&self, doing: impl Fn() -> String) {
+    /// Shows what is being done.
+    pub(crate) fn stage(&self, doing: impl Fn() -> String) {
         if !self.bar.is_hidden() {
             self.bar.set_message(doing());
         }

@@ -219,7 +219,7 @@ fn a_file_that_cannot_be_finished_leaves_the_old_one() {
     let folder = tempfile::tempdir().expect("a folder");
     let map = carried("one_road.xodr");
     let name = map.to_str().expect("a path");
-    for format in ["svg", "geojson", "flatgeobuf", "lanelet2"] {
+    for format in ["svg", "geojson", "flatgeobuf", "lanelet2", "html"] {
         fs::write(folder.path().join("out"), "old").expect("written");
         // The bound on a file's size stands for a full disk: writing fails on the way.
         let command = format!(

@@ -5,8 +5,15 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Crates whose messages a user may see.
-const SPEAKERS: [&str; 6] =
-    ["src/query", "src/client", "src/transport", "src/archive", "src/mapd", "src/overlay"];
+const SPEAKERS: [&str; 7] = [
+    "src/query",
+    "src/client",
+    "src/transport",
+    "src/archive",
+    "src/mapd",
+    "src/overlay",
+    "src/export",
+];
 
 fn page(name: &str) -> String {
     fs::read_to_string(workspace().join("docs").join(name)).expect("the page can be read")

@@ -65,6 +65,21 @@ fn lines_where_there_is_no_terminal() {
     }
 }
 
+/// An export says how far compiling is, then how far writing is, unless it is told to be quiet.
+#[test]
+fn an_export_says_what_it_writes() {
+    let scene = Scene::new();
+    let command = ["export", "maps/town.xodr", "--format", "flatgeobuf", "-o", "town.fgb"];
+    let plain = scene.run(&command);
+    assert_eq!(plain, (String::new(), String::new()), "all is done before a line is due");
+    let (_, told) = scene.run(&[&command[..], &EACH].concat());
+    for part in ["town.xodr: ", " roads, ", "town.fgb: writing lanes", "town.fgb: writing edges"] {
+        assert!(told.contains(part), "{part:?} is missing in {told}");
+    }
+    let quiet = scene.run(&[&command[..], &["--quiet"], &EACH].concat());
+    assert_eq!(quiet, (String::new(), String::new()));
+}
+
 #[test]
 fn quiet_says_nothing_but_findings_and_errors() {
     let scene = Scene::new();

@@ -71,12 +71,19 @@ impl Opening {
     /// Errors: files that cannot be read, archives that this release cannot read, no such live map; options that do not go
     /// with the source.
     pub(crate) fn open(&self, source: &str) -> Result<Option<Snapshot>> {
+        self.open_showing(source, Manner::Bar)
+    }
+
+    /// As [`Opening::open`], and says how far compiling is.
+    ///
+    /// Errors: as [`Opening::open`].
+    pub(crate) fn open_showing(&self, source: &str, manner: Manner) -> Result<Option<Snapshot>> {
         let (domain, wait) = self.live.get()?;
         let reading = self.ontology.for_source(source::is_compiled(source))?;
         let options = self.frame.source(source)?;
         let compiling = Compiling { reading: &reading, options: &options };
         let live = Attaching { domain: &domain, attach: self.attach.get(), wait };
-        open_or_report(source, compiling, self.trust.key()?, live)
+        open_or_report(source, compiling, self.trust.key()?, live, manner)
     }
 }
 
@@ -117,6 +124,7 @@ fn open_or_report(
     compiling: Compiling<'_>,
     key: Option<TrustedKey>,
     live: Attaching<'_>,
+    manner: Manner,
 ) -> Result<Option<Snapshot>> {
     if let Some(key) = key {
         if source.starts_with(SHARED) {
@@ -128,7 +136,7 @@ fn open_or_report(
     if !source::is_compiled(source) {
         ThreadsArg::default().start(None)?;
     }
-    let bar = Meter::of_file(Path::new(source), Manner::Bar);
+    let bar = Meter::of_file(Path::new(source), manner);
     let opened = source::open(source, compiling, live, &mut |p| bar.show(p))?;
     bar.finish();
     Ok(match opened {

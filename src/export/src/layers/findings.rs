@@ -1,7 +1,7 @@
 //! Parts of the document that are not in the map as written.
 
 use super::{Column, Kind, Shape, Sink};
-use anyhow::Result;
+use crate::Result;
 use mapd_client::Map;
 use mapd_client::Region;
 use mapd_client::document::SourcePosition;

@@ -1,11 +1,11 @@
 //! A map as one GeoJSON feature collection (RFC 7946).
 
-use super::earth::{self, Coordinate};
-use super::layers::{Layer, Shape, Value};
-use anyhow::{Context, Result};
+use crate::earth::{self, Coordinate};
+use crate::layers::{Layer, Shape, Value};
+use crate::{ExportError, Progress, Result};
 use geojson::{Feature, FeatureWriter, Geometry, GeometryValue, JsonObject, JsonValue, Position};
 use mapd_client::geodesy::Projector;
-use mapd_query::view::View;
+use mapd_client::view::View;
 use std::io::Write;
 
 /// Writes the layers, one after the other; each feature says its own.
@@ -15,13 +15,16 @@ pub(super) fn write(
     view: View<'_>,
     layers: &[Layer],
     projector: &Projector,
+    progress: &mut dyn FnMut(Progress),
     out: &mut dyn Write,
 ) -> Result<()> {
     let mut writer = FeatureWriter::from_writer(out);
     for layer in layers {
+        let mut done = 0;
         layer.visit(view, &mut |shape, values| {
-            let places = earth::on_earth(&shape, projector)
-                .with_context(|| format!("writing the layer {}", layer.name()))?;
+            Progress::tell(layer.name(), done, progress);
+            done += 1;
+            let places = earth::on_earth(&shape, projector)?;
             let mut properties = JsonObject::new();
             properties.insert("layer".to_owned(), layer.name().into());
             for ((name, _), value) in layer.columns().iter().zip(values) {
@@ -29,10 +32,19 @@ pub(super) fn write(
             }
             let geometry = geometry(&shape, places).map(Geometry::new);
             let properties = Some(properties);
-            Ok(writer.write_feature(&Feature { geometry, properties, ..Feature::default() })?)
+            let feature = Feature { geometry, properties, ..Feature::default() };
+            writer.write_feature(&feature).map_err(encoding)
         })?;
     }
-    Ok(writer.finish()?)
+    writer.finish().map_err(encoding)
+}
+
+/// What the encoder says, which may be what writing gives.
+fn encoding(error: geojson::Error) -> ExportError {
+    match error {
+        geojson::Error::Io(error) => error.into(),
+        other => ExportError::Encoding(other.to_string()),
+    }
 }
 
 fn json(value: &Value<'_>) -> JsonValue {

@@ -1,10 +1,10 @@
 //! What objects cover.
 
-use super::svg::{Paper, escape, points};
+use super::{Paper, escape, points};
 use mapd_client::Map;
 use mapd_client::glam::DVec3;
-use mapd_query::objects::ObjectPlacement;
-use mapd_query::vocabulary::ObjectShape;
+use mapd_client::objects::ObjectPlacement;
+use mapd_client::vocabulary::ObjectShape;
 use std::io::{Result, Write};
 
 /// Radius of the mark of an object without extent `[m]`.

@@ -13,12 +13,12 @@ mod signs;
 mod stretches;
 mod tags;
 
-use anyhow::Result;
+use crate::{Progress, Result};
 use mapd_client::Map;
 use mapd_client::geodesy::Projector;
 use model::Model;
 use network::Network;
-pub(crate) use report::Report;
+pub use report::Report;
 use std::io::Write;
 
 /// Writes a map, and returns what could not be kept as it is. With `autoware` there is also what Autoware reads and Lanelet2's own
@@ -29,16 +29,20 @@ pub(super) fn write(
     map: Map<'_>,
     projector: &Projector,
     autoware: bool,
+    progress: &mut dyn FnMut(Progress),
     out: &mut dyn Write,
 ) -> Result<Report> {
     let mut report = Report::default();
+    progress(Progress { doing: "joining lanes", done: 0 });
     let network = Network::of(map, &mut report);
     let mut model = Model::new(map, network);
+    progress(Progress { doing: "aligning borders", done: 0 });
     model.align(&mut report);
+    progress(Progress { doing: "rules", done: 0 });
     crossings::add(map, autoware, &mut model, &mut report);
     lights::add(map, &mut model, &mut report);
     signs::add(map, autoware, &mut model, &mut report);
     right_of_way::add(&mut model);
-    osm::write(&model, projector, &mut report, out)?;
+    osm::write(&model, projector, &mut report, progress, out)?;
     Ok(report)
 }

@@ -1,6 +1,6 @@
 //! Road marks in a drawing: each line of a mark along its lane's border, broken as the file says.
 
-use super::svg::{Paper, points};
+use super::{Paper, points};
 use mapd_client::Lane;
 use mapd_client::roads::RoadMark;
 use mapd_client::vocabulary::RoadMarkColor;

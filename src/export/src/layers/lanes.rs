@@ -1,7 +1,7 @@
 //! Lanes, as areas and as centre lines.
 
 use super::{Column, Kind, Shape, Sink, Value, lanes, named};
-use anyhow::Result;
+use crate::Result;
 use mapd_client::glam::DVec3;
 use mapd_client::{Lane, Map};
 

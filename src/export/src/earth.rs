@@ -1,7 +1,8 @@
 //! Where the shapes of files for other programs lie.
 
-use super::layers::Shape;
-use anyhow::{Context, Result, ensure};
+#[cfg(any(feature = "flatgeobuf", feature = "geojson"))]
+use crate::layers::Shape;
+use crate::{ExportError, Result};
 use mapd_client::Map;
 use mapd_client::geodesy::{Geodetic, Offset, Projector};
 use mapd_client::glam::DVec3;
@@ -14,11 +15,6 @@ pub(super) type Coordinate = [f64; 3];
 const DEGREE_DIGITS: f64 = 1e9;
 /// Digits behind the point of heights: a ten thousandth of a metre.
 const METRE_DIGITS: f64 = 1e4;
-
-/// What to add to a map without a georeference.
-const NO_GEOREFERENCE: &str = "this format needs latitudes and longitudes: add the map's projection as \
-    PROJ parameters, such as +proj=utm +zone=32 +datum=WGS84, to header/geoReference of the OpenDRIVE file, or say \
-    with --origin LAT,LON where the map's point 0, 0 is to lie";
 
 /// Where a map without a georeference is to lie: the place on WGS 84 of its point x = 0, y = 0, with x to the east and y to the north.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,25 +47,22 @@ impl FromStr for Origin {
 /// Errors: the map has none, with what to add; it has one, and an origin is given, too.
 pub(super) fn projector(map: Map<'_>, origin: Option<Origin>) -> Result<Projector> {
     let Some(Origin { latitude, longitude }) = origin else {
-        return map.projector().context(NO_GEOREFERENCE);
+        return map.projector().map_err(ExportError::NoGeoreference);
     };
-    ensure!(
-        map.projection().is_empty(),
-        "the map has a georeference ({}): --origin is for maps without one",
-        map.projection()
-    );
+    if !map.projection().is_empty() {
+        return Err(ExportError::TwoGeoreferences(map.projection().to_owned()));
+    }
     let plane =
         format!("+proj=tmerc +lat_0={latitude} +lon_0={longitude} +k=1 +datum=WGS84 +units=m");
-    Ok(Projector::new(&plane, Offset::default())?)
+    Projector::new(&plane, Offset::default()).map_err(ExportError::NoGeoreference)
 }
 
 /// Where a point of the map lies on Earth.
 ///
 /// Errors: it lies outside the projection's area.
 pub(super) fn place(projector: &Projector, point: DVec3) -> Result<Geodetic> {
-    projector.to_geodetic(point).with_context(|| {
-        format!("the point x {} m, y {} m has no latitude and longitude", point.x, point.y)
-    })
+    let place = projector.to_geodetic(point);
+    place.map_err(|source| ExportError::OffEarth { x: point.x, y: point.y, source })
 }
 
 /// The points of a shape as longitude, latitude `[deg]` and altitude `[m]`. Of a shape across the antimeridian the longitudes

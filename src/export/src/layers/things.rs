@@ -2,7 +2,7 @@
 
 use super::lines::{across, source};
 use super::{Column, Kind, Shape, Sink, Value, lanes};
-use anyhow::Result;
+use crate::Result;
 use mapd_client::Map;
 use mapd_client::glam::DVec3;
 use mapd_client::objects::{Object, ObjectPlacement};

@@ -1,6 +1,6 @@
 //! The spatial index as boxes: those of its nodes, and the rectangles around the segments in its leaves.
 
-use super::svg::Paper;
+use super::Paper;
 use mapd_archive::NONE;
 use mapd_archive::packed_index::{REACH_UNIT, WIDTH};
 use mapd_client::Map;

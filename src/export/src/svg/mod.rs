@@ -1,14 +1,21 @@
 //! A map as a drawing: x to the right, y up, one unit a metre.
 
-use super::{Options, index_boxes, marks, objects, overlay, style};
+mod index_boxes;
+mod marks;
+mod objects;
+mod route;
+mod style;
+
+use crate::{Options, Progress, Result, overlay};
+use mapd_client::Bounds;
 use mapd_client::glam::{DVec2, DVec3};
 use mapd_client::roads::Polyline;
+use mapd_client::signals::Signal;
+use mapd_client::view::View;
 use mapd_client::vocabulary::LaneType;
 use mapd_client::{Lane, LaneSection};
-use mapd_query::Bounds;
-use mapd_query::signals::Signal;
-use mapd_query::view::View;
-use std::io::{Result, Write};
+pub use route::RouteEnds;
+use std::io::{self, Write};
 
 /// Room around the map `[m]`.
 const MARGIN: f64 = 5.0;
@@ -23,14 +30,14 @@ const DIGITS: usize = 3;
 
 /// From inertial coordinates to those of the drawing, relative to its upper left corner.
 #[derive(Clone, Copy)]
-pub(super) struct Paper {
+struct Paper {
     left: f64,
     top: f64,
 }
 
 impl Paper {
     /// A point of the drawing.
-    pub(super) fn at(self, p: DVec2) -> DVec2 {
+    fn at(self, p: DVec2) -> DVec2 {
         DVec2::new(p.x - self.left, self.top - p.y)
     }
 }
@@ -41,10 +48,11 @@ impl Paper {
 pub(super) fn write(
     view: View<'_>,
     options: &Options,
-    route: Option<&[DVec2]>,
+    progress: &mut dyn FnMut(Progress),
     out: &mut dyn Write,
 ) -> Result<()> {
     let map = view.map();
+    let route = options.route.as_ref().map(|ends| route::line(map, ends)).transpose()?;
     let Bounds { low, high } = map.bounds();
     let size = (high - low).truncate() + 2.0 * MARGIN;
     let paper = Paper { left: low.x - MARGIN, top: high.y + MARGIN };
@@ -67,12 +75,15 @@ pub(super) fn write(
         .map(|section| ((height(&section) / LEVEL).round() as i64, section))
         .collect();
     sections.sort_by_key(|(level, _)| *level);
+    let mut done = 0;
     for level in sections.chunk_by(|(a, _), (b, _)| a == b) {
         let lanes = || {
             let lanes = level.iter().flat_map(|(_, section)| section.lanes());
             lanes.filter(|lane| lane.number() != 0)
         };
         for lane in lanes().filter(|lane| lane.kind() != LaneType::None) {
+            Progress::tell("lanes", done, progress);
+            done += 1;
             area(&lane, paper, out)?;
         }
         for lane in lanes() {
@@ -88,6 +99,7 @@ pub(super) fn write(
             way(&lane, paper, out)?;
         }
     }
+    progress(Progress { doing: "objects and signals", done: 0 });
     objects::write(map, paper, out)?;
     for signal in map.signals() {
         mark(&signal, paper, out)?;
@@ -102,13 +114,13 @@ pub(super) fn write(
         let (id, kind, text) = (one.entry.id(), one.entry.kind().name(), one.entry.text());
         writeln!(out, "z\"><title>{}: {kind} {}</title></path>", escape(id), escape(text))?;
     }
-    if let Some(line) = route {
-        super::route::write(line, paper, out)?;
+    if let Some(line) = &route {
+        route::write(line, paper, out)?;
     }
     if options.index_boxes {
         index_boxes::write(map, paper, out)?;
     }
-    writeln!(out, "</svg>")
+    Ok(writeln!(out, "</svg>")?)
 }
 
 /// Height in the middle of a section `[m]`.
@@ -118,7 +130,7 @@ fn height(section: &LaneSection<'_>) -> f64 {
 }
 
 /// The lane's area, filled by its type.
-fn area(lane: &Lane<'_>, paper: Paper, out: &mut dyn Write) -> Result<()> {
+fn area(lane: &Lane<'_>, paper: Paper, out: &mut dyn Write) -> io::Result<()> {
     if lane.center_line().len() < 2 {
         return Ok(());
     }
@@ -134,7 +146,7 @@ fn area(lane: &Lane<'_>, paper: Paper, out: &mut dyn Write) -> Result<()> {
     )
 }
 
-fn line(line: Polyline<'_>, class: &str, paper: Paper, out: &mut dyn Write) -> Result<()> {
+fn line(line: Polyline<'_>, class: &str, paper: Paper, out: &mut dyn Write) -> io::Result<()> {
     if line.len() < 2 {
         return Ok(());
     }
@@ -144,12 +156,12 @@ fn line(line: Polyline<'_>, class: &str, paper: Paper, out: &mut dyn Write) -> R
 }
 
 /// Points of a path, the first one after `first`.
-pub(super) fn points(
+fn points(
     points: impl Iterator<Item = DVec3>,
     paper: Paper,
     first: char,
     out: &mut dyn Write,
-) -> Result<()> {
+) -> io::Result<()> {
     for (i, point) in points.enumerate() {
         let p = paper.at(point.truncate());
         let command = if i == 0 { first } else { ' ' };
@@ -159,7 +171,7 @@ pub(super) fn points(
 }
 
 /// A triangle in the middle of a lane that motor vehicles use, pointing where they drive.
-fn way(lane: &Lane<'_>, paper: Paper, out: &mut dyn Write) -> Result<()> {
+fn way(lane: &Lane<'_>, paper: Paper, out: &mut dyn Write) -> io::Result<()> {
     let section = lane.section();
     let (start, end) = (section.s_start(), section.s_end());
     let (size, shortest) = WAY;
@@ -184,7 +196,7 @@ fn way(lane: &Lane<'_>, paper: Paper, out: &mut dyn Write) -> Result<()> {
 }
 
 /// A dot where a signal stands, with a stroke to where it faces.
-fn mark(signal: &Signal<'_>, paper: Paper, out: &mut dyn Write) -> Result<()> {
+fn mark(signal: &Signal<'_>, paper: Paper, out: &mut dyn Write) -> io::Result<()> {
     let at = signal.position().truncate();
     let (from, to) = (paper.at(at), paper.at(at + DVec2::from_angle(signal.facing()) * SIGNAL));
     writeln!(
@@ -200,6 +212,6 @@ fn mark(signal: &Signal<'_>, paper: Paper, out: &mut dyn Write) -> Result<()> {
 }
 
 /// Text that may stand between tags.
-pub(super) fn escape(text: &str) -> String {
+fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

@@ -1,10 +1,10 @@
 //! The file: OpenStreetMap's XML as Lanelet2 reads it.
 
-use super::super::earth;
 use super::model::{Lines, Member, Model};
 use super::report::Report;
 use super::tags::{self, Tag, number};
-use anyhow::Result;
+use crate::earth;
+use crate::{Progress, Result};
 use mapd_client::geodesy::Projector;
 use mapd_client::glam::DVec3;
 use quick_xml::Writer;
@@ -37,6 +37,7 @@ pub(super) fn write(
     model: &Model<'_>,
     projector: &Projector,
     report: &mut Report,
+    progress: &mut dyn FnMut(Progress),
     out: &mut dyn Write,
 ) -> Result<()> {
     let lines = Lines::of(model);
@@ -51,8 +52,11 @@ pub(super) fn write(
     file.xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
     file.begin("osm", &[("version", "0.6"), ("generator", "mapd")])?;
     file.empty("MetaInfo", &[("format_version", "1")])?;
+    progress(Progress { doing: "points", done: 0 });
     let ways = file.nodes(model, &lines, &ids)?;
+    progress(Progress { doing: "lines", done: 0 });
     file.ways(model, &lines, &ids, &ways)?;
+    progress(Progress { doing: "lanelets", done: 0 });
     file.relations(model, &lines, &ids, report)?;
     file.xml.write_event(Event::End(BytesEnd::new("osm")))?;
     Ok(writeln!(file.xml.get_mut())?)

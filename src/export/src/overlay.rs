@@ -2,7 +2,7 @@
 
 use mapd_client::Map;
 use mapd_client::glam::DVec3;
-use mapd_query::view::{OverlayKind, Restriction};
+use mapd_client::view::{OverlayKind, Restriction};
 
 /// How far apart the corners of a drawn stretch are at most `[m]`.
 const STEP: f64 = 2.0;

@@ -1,6 +1,5 @@
 //! What became of a map where Lanelet2 cannot have it as it is.
 
-use anyhow::Result;
 use mapd_client::glam::DVec3;
 use std::collections::BTreeMap;
 use std::io::Write;
@@ -36,9 +35,9 @@ pub(super) enum Entry {
     Turned,
 }
 
-/// All of it.
+/// What is not in a Lanelet2 file as it is in the map, lane by lane.
 #[derive(Default)]
-pub(crate) struct Report {
+pub struct Report {
     lines: Vec<Line>,
     /// What Lanelet2 has no words for, and how often it occurs.
     unsaid: BTreeMap<&'static str, usize>,
@@ -103,7 +102,7 @@ impl Report {
     /// Says in a few lines how much of what there is.
     ///
     /// Errors: what writing gives.
-    pub(crate) fn summary(&self, out: &mut dyn Write) -> std::io::Result<()> {
+    pub fn summary(&self, out: &mut dyn Write) -> std::io::Result<()> {
         for (name, text) in SUMMARY {
             let of_kind = self.lines.iter().filter(|line| line.entry.name() == *name);
             let (mut count, mut most) = (0, 0.0_f64);
@@ -123,10 +122,10 @@ impl Report {
         Ok(())
     }
 
-    /// Writes all of it as CSV.
+    /// Writes all of it as CSV: what, lane, other lane, x and y `[m]`, metres, count.
     ///
     /// Errors: what writing gives.
-    pub(crate) fn write(&self, out: &mut dyn Write) -> Result<()> {
+    pub fn write(&self, out: &mut dyn Write) -> std::io::Result<()> {
         let mut csv = csv::Writer::from_writer(out);
         csv.write_record(["what", "lane", "other", "x", "y", "metres", "count"])?;
         for line in &self.lines {
@@ -138,6 +137,6 @@ impl Report {
         for (what, count) in &self.unsaid {
             csv.write_record([what, "", "", "", "", "", &count.to_string()])?;
         }
-        Ok(csv.flush()?)
+        csv.flush()
     }
 }

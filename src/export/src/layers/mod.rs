@@ -7,36 +7,34 @@ mod lines;
 mod overlay;
 mod things;
 
-use anyhow::Result;
-use clap::ValueEnum;
+use crate::Result;
 use mapd_client::glam::DVec3;
+use mapd_client::view::View;
 use mapd_client::{Lane, LaneSection, Map};
-use mapd_query::view::View;
 use std::borrow::Cow;
 
 /// Features of one kind.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
-#[value(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Layer {
-    /// Lanes as polygons
+    /// Lanes as polygons.
     Lanes,
-    /// Centre lines of lanes, in driving direction
+    /// Centre lines of lanes, in driving direction.
     CenterLines,
-    /// Borders of lanes, cut where their road mark changes
+    /// Borders of lanes, cut where their road mark changes.
     Borders,
-    /// Lines across a lane where its traffic stops or yields
+    /// Lines across a lane where its traffic stops or yields.
     StopLines,
-    /// Crosswalks and bicycle crossings
+    /// Crosswalks and bicycle crossings.
     Crosswalks,
-    /// Signals as points
+    /// Signals as points.
     Signals,
-    /// Objects, outline by outline
+    /// Objects, outline by outline.
     Objects,
-    /// Edges of the lane graph
+    /// Edges of the lane graph.
     Edges,
-    /// Parts of the file that are in quarantine, as boxes
+    /// Parts of the file that are in quarantine, as boxes.
     Findings,
-    /// What is laid over a live map now, as polygons
+    /// What is laid over a live map now, as polygons.
     Overlay,
 }
 
@@ -56,7 +54,7 @@ impl Layer {
     ];
 
     /// What files and the command line call it.
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Self::Lanes => "lanes",
             Self::CenterLines => "center_lines",
@@ -68,6 +66,22 @@ impl Layer {
             Self::Edges => "edges",
             Self::Findings => "findings",
             Self::Overlay => "overlay",
+        }
+    }
+
+    /// What it is, in a few words.
+    pub const fn about(self) -> &'static str {
+        match self {
+            Self::Lanes => "Lanes as polygons",
+            Self::CenterLines => "Centre lines of lanes, in driving direction",
+            Self::Borders => "Borders of lanes, cut where their road mark changes",
+            Self::StopLines => "Lines across a lane where its traffic stops or yields",
+            Self::Crosswalks => "Crosswalks and bicycle crossings",
+            Self::Signals => "Signals as points",
+            Self::Objects => "Objects, outline by outline",
+            Self::Edges => "Edges of the lane graph",
+            Self::Findings => "Parts of the file that are in quarantine, as boxes",
+            Self::Overlay => "What is laid over a live map now, as polygons",
         }
     }
 
@@ -117,6 +131,12 @@ impl Layer {
             Self::Overlay => overlay::stretches(view, sink),
         }
     }
+}
+
+/// The layers that are written where these are asked for: each once, in the order of all; where none is, all.
+pub(super) fn wanted(layers: &[Layer]) -> Vec<Layer> {
+    let is_wanted = |layer: &Layer| layers.is_empty() || layers.contains(layer);
+    Layer::ALL.into_iter().filter(is_wanted).collect()
 }
 
 /// Takes a feature: its shape, and one value for each column of its layer.
@@ -269,10 +289,9 @@ mod tests {
 
     #[test]
     fn a_column_is_of_one_kind_wherever_it_stands_and_on_the_page() {
-        let page = include_str!("../../../../../../docs/export.md");
+        let page = include_str!("../../../../docs/export.md");
         let mut kinds = BTreeMap::new();
         for layer in Layer::ALL {
-            assert_eq!(layer.to_possible_value().expect("a name").get_name(), layer.name());
             assert!(page.contains(&format!("| `{}` |", layer.name())), "{}", layer.name());
             for (name, kind) in layer.columns() {
                 assert_eq!(*kinds.entry(*name).or_insert(*kind), *kind, "{name}");

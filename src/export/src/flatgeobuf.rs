@@ -1,15 +1,15 @@
 //! A map as a FlatGeobuf file: one table of all layers with an index in plan view.
 
-use super::earth::{self, Coordinate};
-use super::layers::{Column, Kind, Layer, Shape, ShapeKind, Value};
-use anyhow::{Context, Result, anyhow};
+use crate::earth::{self, Coordinate};
+use crate::layers::{Column, Kind, Layer, Shape, ShapeKind, Value};
+use crate::{ExportError, Progress, Result};
 use flatgeobuf::geozero::error::Result as GeometryResult;
 use flatgeobuf::geozero::{ColumnValue, GeomProcessor, PropertyProcessor};
 use flatgeobuf::{ColumnType, FgbCrs, FgbWriter, FgbWriterOptions, GeometryType, GeozeroGeometry};
 use mapd_client::Map;
 use mapd_client::document::HeaderOffset;
 use mapd_client::geodesy::{Offset, Projector};
-use mapd_query::view::View;
+use mapd_client::view::View;
 use std::io::Write;
 
 /// EPSG's code of latitude and longitude on WGS 84.
@@ -126,7 +126,12 @@ fn crs(definition: &str) -> Option<Crs> {
 /// cannot hold.
 ///
 /// Errors: a point outside the area of the map's projection; what writing gives.
-pub(super) fn write(view: View<'_>, layers: &[Layer], out: &mut dyn Write) -> Result<usize> {
+pub(super) fn write(
+    view: View<'_>,
+    layers: &[Layer],
+    progress: &mut dyn FnMut(Progress),
+    out: &mut dyn Write,
+) -> Result<usize> {
     let map = view.map();
     let (frame, crs) = OutputFrame::of(map)?;
     // A table of one layer has the type of its shapes.
@@ -151,7 +156,7 @@ pub(super) fn write(view: View<'_>, layers: &[Layer], out: &mut dyn Write) -> Re
         ShapeKind::Line => GeometryType::LineString,
         ShapeKind::Polygon => GeometryType::Polygon,
     });
-    let mut writer = FgbWriter::create_with_options(name, kind, options)?;
+    let mut writer = FgbWriter::create_with_options(name, kind, options).map_err(encoding)?;
     let columns = columns(layers);
     for (name, kind) in &columns {
         let kind = match kind {
@@ -164,6 +169,7 @@ pub(super) fn write(view: View<'_>, layers: &[Layer], out: &mut dyn Write) -> Re
     }
     let mut left_out = 0;
     for layer in layers {
+        let mut done = 0;
         let own = layer.columns().iter();
         let place_of = |column| columns.iter().position(|there| there == column);
         let numbers: Vec<usize> = own.filter_map(place_of).collect();
@@ -172,31 +178,40 @@ pub(super) fn write(view: View<'_>, layers: &[Layer], out: &mut dyn Write) -> Re
                 left_out += 1;
                 return Ok(());
             }
-            let places = frame
-                .places(&shape)
-                .with_context(|| format!("writing the layer {}", layer.name()))?;
+            Progress::tell(layer.name(), done, progress);
+            done += 1;
+            let places = frame.places(&shape)?;
             let mut written = Ok(false);
             let placed = Placed { shape: &shape, places: &places };
-            writer.add_feature_geom(placed, |row| {
+            let added = writer.add_feature_geom(placed, |row| {
                 written = row.property(0, LAYER.0, &ColumnValue::String(layer.name()));
                 for (number, value) in numbers.iter().zip(values) {
                     if let (Ok(_), Some(value)) = (&written, column_value(value)) {
                         written = row.property(*number, "", &value);
                     }
                 }
-            })?;
-            written.map(drop).map_err(|error| anyhow!(error))
+            });
+            added.map_err(|error| ExportError::Encoding(error.to_string()))?;
+            written.map(drop).map_err(|error| ExportError::Encoding(error.to_string()))
         })?;
     }
-    writer.write(out)?;
+    progress(Progress { doing: "the index", done: 0 });
+    writer.write(out).map_err(encoding)?;
     Ok(left_out)
+}
+
+/// What the encoder says, which may be what writing gives.
+fn encoding(error: flatgeobuf::Error) -> ExportError {
+    match error {
+        flatgeobuf::Error::IO(error) => error.into(),
+        other => ExportError::Encoding(other.to_string()),
+    }
 }
 
 /// Whether a layer has a feature that will be written. Looks no farther than to the first.
 fn has_any(layer: Layer, view: View<'_>, kept: &dyn Fn(&Shape) -> bool) -> bool {
-    layer
-        .visit(view, &mut |shape, _| if kept(&shape) { Err(anyhow!("found")) } else { Ok(()) })
-        .is_err()
+    let found = || Err(ExportError::Encoding(String::new()));
+    layer.visit(view, &mut |shape, _| if kept(&shape) { found() } else { Ok(()) }).is_err()
 }
 
 /// The column that says which layer a feature is of.

@@ -1,9 +1,9 @@
 //! What is laid over a live map now.
 
 use super::{Column, Kind, Shape, Sink, named};
-use crate::commands::export::overlay::area;
-use anyhow::Result;
-use mapd_query::view::View;
+use crate::Result;
+use crate::overlay::area;
+use mapd_client::view::View;
 
 pub(super) const COLUMNS: &[Column] = &[
     ("key", Kind::Text),

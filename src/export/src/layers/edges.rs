@@ -1,7 +1,7 @@
 //! The lane graph.
 
 use super::{Column, Kind, Shape, Sink};
-use anyhow::Result;
+use crate::Result;
 use mapd_client::Map;
 use mapd_client::SRange;
 use mapd_client::glam::DVec3;

@@ -1,18 +1,18 @@
 //! A route as it is asked for on the command line, and drawn.
 
-use super::svg::Paper;
-use anyhow::{Context, Result, bail};
+use super::Paper;
+use crate::{ExportError, Result};
 use mapd_client::Map;
-use mapd_query::path::{PathBuffer, PathOptions};
-use mapd_query::route::{PositionOnLane, RouteScratch, ShortestLength};
-use mapd_query::vocabulary::VehicleClass;
+use mapd_client::path::{PathBuffer, PathOptions};
+use mapd_client::route::{PositionOnLane, RouteScratch, ShortestLength};
+use mapd_client::vocabulary::{QuarantinedKind, VehicleClass};
 use std::io::{self, Write};
 use std::str::FromStr;
 
 /// From point to point of the drawn line `[m]`.
 const STEP: f64 = 0.5;
 
-/// Two places: `ROAD,S,LANE:ROAD,S,LANE`.
+/// Two places on lanes, which are parsed from `ROAD,S,LANE:ROAD,S,LANE`: ids of roads as the file has them, s `[m]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RouteEnds {
     from: End,
@@ -51,15 +51,16 @@ fn end(text: &str) -> Option<End> {
 
 fn place(map: Map<'_>, end: &End) -> Result<PositionOnLane> {
     let Some(road) = map.road_by_id(&end.road) else {
-        let left_out = map.left_out(mapd_query::vocabulary::QuarantinedKind::Road, &end.road);
-        match left_out {
-            Some(part) => bail!("{}", part.explained("the document")),
-            None => bail!("the map has no road {:?}", end.road),
-        }
+        let left_out = map.left_out(QuarantinedKind::Road, &end.road);
+        return Err(ExportError::NoRoute(match left_out {
+            Some(part) => part.explained("the document").to_string(),
+            None => format!("the map has no road {:?}", end.road),
+        }));
     };
     let lane = road.section_at(end.s).and_then(|section| section.lane(end.lane));
-    let lane = lane.with_context(|| {
-        format!("road {:?} has no lane {} at s = {:?}", end.road, end.lane, end.s)
+    let lane = lane.ok_or_else(|| {
+        let End { road, lane, s } = end;
+        ExportError::NoRoute(format!("road {road:?} has no lane {lane} at s = {s:?}"))
     })?;
     Ok(PositionOnLane { lane: lane.lane_id(), s: end.s })
 }
@@ -72,7 +73,7 @@ pub(super) fn line(map: Map<'_>, ends: &RouteEnds) -> Result<Vec<mapd_client::gl
     let (car, cost) = (VehicleClass::PassengerCar, ShortestLength::default());
     let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
     map.route(from, to, car, &cost, &mut scratch, &mut steps)?
-        .with_context(|| format!("no way for {}", car.name()))?;
+        .ok_or_else(|| ExportError::NoRoute(format!("no way for {}", car.name())))?;
     let mut buffer = PathBuffer::default();
     let path = map.path(&steps, &PathOptions::default(), &mut buffer)?;
     let count = (path.length() / STEP).ceil().max(1.0) as usize;

@@ -1,7 +1,7 @@
 //! What is painted along and across lanes.
 
 use super::{Column, Kind, Shape, Sink, Value, lanes, named, sections};
-use anyhow::Result;
+use crate::Result;
 use mapd_client::glam::DVec3;
 use mapd_client::roads::RoadMark;
 use mapd_client::rules::{LaneLine, LineSource};

@@ -1,0 +1,146 @@
+//! `mapd export`: a map drawn or converted, by `mapd-export`.
+
+use crate::args::{Opening, ProgressArgs};
+use crate::draft;
+use crate::exit::{Exit, UsageError};
+use crate::progress::Meter;
+use crate::same_file::is_same_file;
+use crate::source::SHARED;
+use anyhow::{Result, bail};
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use mapd_client::Snapshot;
+use mapd_export::{ExportError, Format, Layer, LeftOut, Options, Origin, RouteEnds, write};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// What to write of which map.
+#[derive(Args)]
+pub(crate) struct ExportCommand {
+    /// .xodr, .mapd or shm:NAME
+    source: String,
+    /// Output format
+    #[arg(long, value_parser = one_of(Format::ALL, Format::name, Format::about))]
+    format: Format,
+    /// File to write [default: stdout]
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+    /// svg: also the boxes of the spatial index
+    #[arg(long)]
+    index_boxes: bool,
+    /// svg: also the driven line of a passenger car's shortest route
+    #[arg(long, value_name = "ROAD,S,LANE:ROAD,S,LANE", allow_hyphen_values = true)]
+    route: Option<RouteEnds>,
+    /// geojson, flatgeobuf: layers to write [default: all]
+    #[arg(long, value_name = "LAYER,…", value_delimiter = ',', value_parser = one_of(&Layer::ALL, Layer::name, Layer::about))]
+    layers: Vec<Layer>,
+    /// geojson, lanelet2: where the point 0, 0 of a map without a georeference is to lie [deg]
+    #[arg(long, value_name = "LAT,LON", allow_hyphen_values = true)]
+    origin: Option<Origin>,
+    /// lanelet2: also what Autoware reads and Lanelet2's own loader refuses
+    #[arg(long)]
+    autoware: bool,
+    /// lanelet2: CSV file that lists what is not in OUT as it is in the map
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
+    #[command(flatten)]
+    progress: ProgressArgs,
+    #[command(flatten)]
+    opening: Opening,
+}
+
+impl ExportCommand {
+    /// Writes the map.
+    ///
+    /// Errors: wrong usage; the source cannot be opened; as [`write`]; a file cannot be written.
+    pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
+        let output = self.output.as_deref();
+        if let Some(output) = output.filter(|file| is_same_file(file, self.source.as_ref())) {
+            bail!(UsageError(format!("{} would overwrite its source", output.display())));
+        }
+        let manner = self.progress.manner();
+        let Some(snapshot) = self.opening.open_showing(&self.source, manner)? else {
+            return Ok(Exit::Rejected);
+        };
+        let title = title(&self.source);
+        let Self { index_boxes, route, layers, origin, autoware, .. } = self;
+        let options = Options { index_boxes, route, layers, origin, autoware, title };
+        let name = output.map_or_else(|| self.format.name().into(), Path::to_string_lossy);
+        let meter = Meter::new(&name, 0, manner);
+        let to = |out: &mut dyn Write| to_writer(&snapshot, self.format, &options, &meter, out);
+        let left_out = match output {
+            Some(path) => {
+                let mut left_out = LeftOut::default();
+                draft::write_by(path, |out| Ok(left_out = to(out)?))?;
+                left_out
+            }
+            None => to(out)?,
+        };
+        meter.finish();
+        tell(&left_out, self.report.as_deref())?;
+        Ok(Exit::Done)
+    }
+}
+
+/// Writes a map, and shows how far that is.
+///
+/// Errors: as [`write`].
+fn to_writer(
+    snapshot: &Snapshot,
+    format: Format,
+    options: &Options,
+    meter: &Meter,
+    out: &mut dyn Write,
+) -> Result<LeftOut> {
+    let mut show = |progress: mapd_export::Progress| {
+        meter.stage(|| match progress.done {
+            0 => format!("writing {}", progress.doing),
+            done => format!("writing {}, {done} so far", progress.doing),
+        });
+    };
+    write(snapshot, format, options, &mut show, out).map_err(|error| match error {
+        // As itself, so that a closed pipe is known as one.
+        ExportError::Io(error) => error.into(),
+        other => other.into(),
+    })
+}
+
+/// Says on stderr what the format cannot hold, and writes Lanelet2's report to a file where there is one.
+///
+/// Errors: the file cannot be written.
+fn tell(left_out: &LeftOut, file: Option<&Path>) -> Result<()> {
+    // A closed stderr is nobody's loss.
+    if left_out.features > 0 {
+        let _ = writeln!(
+            io::stderr(),
+            "mapd: {} features without a place are left out: this format cannot hold them",
+            left_out.features
+        );
+    }
+    let Some(report) = &left_out.report else { return Ok(()) };
+    let _ = report.summary(&mut io::stderr());
+    match file {
+        Some(path) => draft::write_by(path, |out| Ok(report.write(out)?)),
+        None => Ok(()),
+    }
+}
+
+/// Takes one of these, by its name.
+fn one_of<T: Copy + Send + Sync + 'static>(
+    all: &'static [T],
+    name: fn(T) -> &'static str,
+    about: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    let values = all.iter().map(|one| PossibleValue::new(name(*one)).help(about(*one)));
+    PossibleValuesParser::new(values.collect::<Vec<_>>()).try_map(move |text| {
+        let named = all.iter().copied().find(|one| name(*one) == text);
+        named.ok_or_else(|| format!("{text:?} is none of them"))
+    })
+}
+
+/// What a page is called: a file without its folder and kind, a live map by its name.
+fn title(source: &str) -> String {
+    let name = source.strip_prefix(SHARED).unwrap_or(source);
+    let stem = Path::new(name).file_stem().unwrap_or_default();
+    stem.to_string_lossy().into_owned()
+}
