@@ -134,10 +134,7 @@ pub(crate) fn write(place: &Path, bytes: &[u8]) -> Result<()> {
 /// As [`write`], piece by piece.
 ///
 /// Errors: what the system or `fill` says; then nothing is left behind.
-pub(crate) fn write_by(
-    place: &Path,
-    fill: impl FnOnce(&mut dyn Write) -> Result<()>,
-) -> Result<()> {
+pub fn write_by(place: &Path, fill: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
     let writing = || format!("writing {}", place.display());
     let fill = |file: &File| -> Result<()> {
         let mut out = BufWriter::new(file);

@@ -27,7 +27,7 @@ mod colour;
 pub mod commands;
 pub mod control;
 mod daemon;
-mod draft;
+pub mod draft;
 pub mod exit;
 mod faults;
 mod joining;

@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+"""What others read in the MCAP files of mapd-foxglove, compared with what mapd says of the same maps.
+
+    pip install mcap mcap-protobuf-support pyogrio shapely
+    tests/differential/mcap_files.py --mapd target/debug/mapd --foxglove target/foxglove/debug/mapd-foxglove examples/maps/*.xodr
+
+For each map: the topics are there, once each, with the schemas that Foxglove knows; every road is an entity, and its triangles cover the area
+of its lanes as GDAL reads it from mapd's FlatGeobuf; every road with marks and every signal is there, where mapd has it; the place on Earth
+is that of the frame's origin; the bytes are the same when written again. Ends with 1 where something differs.
+"""
+
+import argparse
+import collections
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import pyogrio
+import shapely
+from mcap.reader import make_reader
+from mcap_protobuf.decoder import DecoderFactory
+
+TOPICS = {
+    "/tf": "foxglove.FrameTransform",
+    "/map/location": "foxglove.LocationFix",
+    "/map/lanes": "foxglove.SceneUpdate",
+    "/map/marks": "foxglove.SceneUpdate",
+    "/map/signals": "foxglove.SceneUpdate",
+}
+# Seconds and nanoseconds since 1970.
+TIME, NANOSECONDS = "1700000000.25", 1_700_000_000_250_000_000
+# Areas may differ by this part, and by so much besides [m²]: lanes that cross themselves.
+AREA, CROSSED = 1e-5, 0.05
+# Where GDAL has degrees, areas are those on a sphere [m], which differ by this part.
+DEGREES, RADIUS, ON_SPHERE = "EPSG:4326", 6_371_008.8, 0.01
+# Places may differ by so much [m].
+PLACE = 1e-6
+
+
+def run(program, *arguments):
+    done = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True)
+    if done.returncode != 0:
+        raise RuntimeError(done.stderr.strip())
+
+
+def layer(mapd, source, name, folder):
+    """Rows of a layer, each with its geometry."""
+    file = folder / f"{name}.fgb"
+    run(mapd, "export", source, "--format", "flatgeobuf", "--layers", name, "-o", file)
+    meta, _, geometry, columns = pyogrio.raw.read(file)
+    rows = [dict(zip(meta["fields"], values)) for values in zip(*columns)] if len(columns) else []
+    return list(zip(rows, shapely.from_wkb(geometry))), meta["crs"]
+
+
+def on_sphere(shape):
+    """A small shape of longitudes and latitudes in metres."""
+    middle = math.radians(shape.centroid.y)
+    return shapely.transform(shape, lambda places: places * [math.radians(math.cos(middle)) * RADIUS, math.radians(RADIUS)])
+
+
+def area(entity):
+    """Area in plan view [m²] of an entity's triangles."""
+    total = 0.0
+    for part in entity.triangles:
+        corners = [(part.points[i].x, part.points[i].y) for i in part.indices]
+        assert len(part.colors) == len(part.points)
+        for (ax, ay), (bx, by), (cx, cy) in zip(corners[::3], corners[1::3], corners[2::3], strict=True):
+            total += 0.5 * ((bx - ax) * (cy - ay) - (by - ay) * (cx - ax))
+    return total
+
+
+def check(mapd, foxglove, source, folder):
+    files = [folder / "a.mcap", folder / "b.mcap"]
+    for file in files:
+        run(foxglove, source, "-o", file, "--time", TIME)
+    assert files[0].read_bytes() == files[1].read_bytes(), "other bytes"
+    messages = {}
+    with open(files[0], "rb") as stream:
+        for schema, channel, message, decoded in make_reader(stream, decoder_factories=[DecoderFactory()]).iter_decoded_messages():
+            assert channel.topic not in messages, f"{channel.topic} twice"
+            assert schema.name == TOPICS[channel.topic], schema.name
+            assert message.log_time == NANOSECONDS, message.log_time
+            messages[channel.topic] = decoded
+    lanes, crs = layer(mapd, source, "lanes", folder)
+    signals, _ = layer(mapd, source, "signals", folder)
+    borders, _ = layer(mapd, source, "borders", folder)
+    assert set(messages) == {topic for topic in TOPICS if crs or topic != "/map/location"}, set(messages)
+    middle = messages["/tf"].translation
+    entities = {one.id: one for topic in TOPICS if "map/" in topic and topic in messages for one in getattr(messages[topic], "entities", [])}
+    assert all(one.frame_id == messages["/tf"].child_frame_id for one in entities.values())
+
+    areas = collections.defaultdict(float)
+    for row, shape in lanes:
+        if not row["is_temporary"]:
+            areas[row["road"]] += (on_sphere(shape) if crs == DEGREES else shape).area
+    assert areas.keys() == {name[5:] for name in entities if name.startswith("road ")}
+    for road, expected in areas.items():
+        found = area(entities[f"road {road}"])
+        assert abs(found - expected) <= (ON_SPHERE if crs == DEGREES else AREA) * expected + CROSSED, f"road {road}: {found} m², not {expected}"
+    marked = {row["road"] for row, _ in borders if row["mark"] not in (None, "none") and not row["is_temporary"]}
+    drawn = {name[6:] for name in entities if name.startswith("marks ")}
+    assert drawn <= marked, drawn - marked
+    assert marked <= drawn, marked - drawn
+
+    assert len(messages["/map/signals"].entities) == len(signals)
+    for one in messages["/map/signals"].entities:
+        told = {pair.key: pair.value for pair in one.metadata}
+        own = [(row, shape) for row, shape in signals if row["id"] == told["signal"] and row["class"] == told["class"]]
+        assert own, told
+        (board,), (text,) = one.cubes, one.texts
+        place = board.pose.position
+        lower = place.z - 0.5 * board.size.z + middle.z
+        away = min(math.dist((place.x + middle.x, place.y + middle.y, lower), shape.coords[0]) for _, shape in own)
+        # Where the file has a frame of its own, the map's is moved and turned in it.
+        assert crs or away <= PLACE, f"signal {told['signal']}: {away} m away"
+        assert text.text.startswith(told["class"]), text.text
+    if crs:
+        fix = messages["/map/location"]
+        assert abs(fix.latitude) <= 90 and abs(fix.longitude) <= 180
+    print(f"{source}: {len(areas)} roads, {len(drawn)} with marks, {len(signals)} signals, {files[0].stat().st_size} bytes")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--mapd", default="target/debug/mapd")
+    parser.add_argument("--foxglove", default="target/foxglove/debug/mapd-foxglove")
+    parser.add_argument("maps", nargs="+", type=pathlib.Path)
+    options = parser.parse_args()
+    failed = False
+    for source in options.maps:
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                check(options.mapd, options.foxglove, source, pathlib.Path(folder))
+            except AssertionError as error:
+                print(f"{source}: WRONG: {error}")
+                failed = True
+    sys.exit(failed)
+
+
+if __name__ == "__main__":
+    main()
