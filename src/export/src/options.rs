@@ -123,7 +123,7 @@ impl Progress {
     /// Tells how far something is, now and then.
     #[allow(dead_code, reason = "a page is written in one piece")]
     pub(crate) fn tell(doing: &'static str, done: usize, progress: &mut dyn FnMut(Self)) {
-        if done % OFTEN == 0 {
+        if done.is_multiple_of(OFTEN) {
             progress(Self { doing, done });
         }
     }

@@ -83,7 +83,7 @@ fn dashed(points: &[DVec3], dashes: Option<[f64; 2]>, mut each: impl FnMut(DVec3
             each(from, to);
             continue;
         };
-        let at = |place: f64| from.lerp(to, ((place - along) / length).clamp(0.0, 1.0));
+        let at = |place: f64| from.lerp(to, (place - along) / length);
         let period = dash + gap;
         let mut begin = (along / period).floor() * period;
         while begin < along + length {

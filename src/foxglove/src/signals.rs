@@ -42,10 +42,10 @@ fn of(signal: &Signal<'_>, frame: &Frame, stamp: Option<Timestamp>) -> SceneEnti
     let given = |size: Option<f64>, or: f64| size.filter(|size| *size > 0.0).unwrap_or(or);
     let size = [BOARD[0], given(width, BOARD[1]), given(height, BOARD[2])];
     let middle = signal.position() + DVec3::new(0.0, 0.0, 0.5 * size[2]);
-    let half = 0.5 * signal.facing();
+    let (sin, cos) = libm::sincos(0.5 * signal.facing());
     let position = frame.point(middle);
     let position = Vector3 { x: position.x, y: position.y, z: position.z };
-    let turn = Quaternion { x: 0.0, y: 0.0, z: half.sin(), w: half.cos() };
+    let turn = Quaternion { x: 0.0, y: 0.0, z: sin, w: cos };
     let pose = || Some(Pose { position: Some(position), orientation: Some(turn) });
     let paint = color(
         match SignalSign::of(signal) {

@@ -131,23 +131,25 @@ pub(crate) fn write(place: &Path, bytes: &[u8]) -> Result<()> {
     write_by(place, |out| Ok(out.write_all(bytes)?))
 }
 
-/// As [`write`], piece by piece.
+/// As [`write`], piece by piece. Returns what `fill` does.
 ///
 /// Errors: what the system or `fill` says; then nothing is left behind.
-pub fn write_by(place: &Path, fill: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
+pub fn write_by<T>(place: &Path, fill: impl FnOnce(&mut dyn Write) -> Result<T>) -> Result<T> {
     let writing = || format!("writing {}", place.display());
-    let fill = |file: &File| -> Result<()> {
+    let fill = |file: &File| -> Result<T> {
         let mut out = BufWriter::new(file);
-        fill(&mut out)?;
-        Ok(out.flush()?)
+        let filled = fill(&mut out)?;
+        out.flush()?;
+        Ok(filled)
     };
     if fs::metadata(place).is_ok_and(|there| !there.is_file() && !there.is_dir()) {
         let file = OpenOptions::new().write(true).open(place).with_context(writing)?;
         return fill(&file).with_context(writing);
     }
     let draft = Draft::begin(place).with_context(writing)?;
-    fill(draft.file()).with_context(writing)?;
-    draft.publish().with_context(writing)
+    let filled = fill(draft.file()).with_context(writing)?;
+    draft.publish().with_context(writing)?;
+    Ok(filled)
 }
 
 #[cfg(test)]

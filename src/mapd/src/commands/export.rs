@@ -69,11 +69,7 @@ impl ExportCommand {
         let meter = Meter::new(&name, 0, manner);
         let to = |out: &mut dyn Write| to_writer(&snapshot, self.format, &options, &meter, out);
         let left_out = match output {
-            Some(path) => {
-                let mut left_out = LeftOut::default();
-                draft::write_by(path, |out| Ok(left_out = to(out)?))?;
-                left_out
-            }
+            Some(path) => draft::write_by(path, to)?,
             None => to(out)?,
         };
         meter.finish();
