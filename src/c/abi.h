@@ -457,6 +457,8 @@ enum mapd_code
   MAPD_CODE_NO_ROOM = 30,
   MAPD_CODE_TRANSPORT = 31,
   MAPD_CODE_NAME = 32,
+  MAPD_CODE_REFUSED = 33,
+  MAPD_CODE_LATE = 34,
   MAPD_CODE_NOT_AN_ARCHIVE = 40,
   MAPD_CODE_NOT_PROVEN = 41,
   MAPD_CODE_FILE = 42,
@@ -1057,6 +1059,11 @@ typedef struct mapd_signal_ahead {
   double distance;
   double s;
 } mapd_signal_ahead;
+typedef struct mapd_decision {
+  uint8_t is_accepted;
+  uint32_t agree;
+  uint32_t needed;
+} mapd_decision;
 typedef struct mapd_route_end {
   struct mapd_lane_id lane;
   double s;
@@ -1486,6 +1493,7 @@ mapd_code mapd_nearest_lane_batch(const struct mapd_snapshot *snapshot,
                                   const struct mapd_point *points,
                                   size_t count,
                                   const struct mapd_nearest_options *options,
+                                  struct mapd_scratch *scratch,
                                   struct mapd_nearest *out,
                                   struct mapd_error *error);
 mapd_code mapd_lanes_near(const struct mapd_snapshot *snapshot,
@@ -2109,6 +2117,13 @@ mapd_code mapd_view_match_pose(const struct mapd_view *view,
                                size_t *count,
                                double *none,
                                struct mapd_error *error);
+mapd_code mapd_propose(const char *map,
+                       const char *prefix,
+                       const char *source,
+                       const char *entry,
+                       double wait_s,
+                       struct mapd_decision *out,
+                       struct mapd_error *error);
 mapd_code mapd_route_request_init(struct mapd_route_request *request, size_t size, struct mapd_error *error);
 mapd_code mapd_alternative_options_init(struct mapd_alternative_options *options,
                                         size_t size,

@@ -914,6 +914,14 @@ enum mapd_code
    */
   MAPD_CODE_NAME = 32,
   /*
+   The daemon refuses what was proposed: the message has its reason.
+   */
+  MAPD_CODE_REFUSED = 33,
+  /*
+   The daemon did not decide in time.
+   */
+  MAPD_CODE_LATE = 34,
+  /*
    The bytes are no archive that this library reads.
    */
   MAPD_CODE_NOT_AN_ARCHIVE = 40,
@@ -3154,6 +3162,24 @@ typedef struct mapd_signal_ahead {
 } mapd_signal_ahead;
 
 /*
+ What becomes of a proposal that is not refused.
+ */
+typedef struct mapd_decision {
+  /*
+   1: it is laid over the map, and readers see it. 0: others must say the same first.
+   */
+  uint8_t is_accepted;
+  /*
+   Where it is not: sources that have said so, with this one.
+   */
+  uint32_t agree;
+  /*
+   Where it is not: sources that must.
+   */
+  uint32_t needed;
+} mapd_decision;
+
+/*
  A start or goal.
  */
 typedef struct mapd_route_end {
@@ -4595,14 +4621,15 @@ mapd_code mapd_nearest_lane(const struct mapd_snapshot *snapshot,
 
 /*
  As `mapd_nearest_lane`, of `count` points; `out` has room for as many answers. What has none gets a lane with the row `MAPD_NO_ROW`
- and a position of zeros. The hint is for the first point; each next one takes the answer before.
+ and a position of zeros. Points near each other, in whatever order, cost a fraction of single calls.
 
- Errors: as `mapd_nearest_lane`; the answers before the point that has one are written.
+ Errors: as `mapd_nearest_lane`, with the number of the point; no answer is written then.
  */
 mapd_code mapd_nearest_lane_batch(const struct mapd_snapshot *snapshot,
                                   const struct mapd_point *points,
                                   size_t count,
                                   const struct mapd_nearest_options *options,
+                                  struct mapd_scratch *scratch,
                                   struct mapd_nearest *out,
                                   struct mapd_error *error);
 
@@ -5842,6 +5869,23 @@ mapd_code mapd_view_match_pose(const struct mapd_view *view,
                                size_t *count,
                                double *none,
                                struct mapd_error *error);
+
+/*
+ Proposes an entry of an overlay to the daemon that serves a map, and waits at most `wait_s` [s] for its decision. `prefix` as for
+ `mapd_client_connect`. `source` is what the process calls itself: the daemon's policy names it. `entry` is JSON by
+ schemas/overlay.schema.json; one of the same id is replaced, and so goes on to hold.
+
+ Errors: `MAPD_CODE_REFUSED`, with the daemon's reason as the message; `MAPD_CODE_NO_DAEMON` if none takes proposals
+ (`--overlay-from`); `MAPD_CODE_PERMISSION_DENIED`; `MAPD_CODE_LATE`, and it may still be taken; `MAPD_CODE_ARGUMENT` for a longer entry than
+ 64 KiB; `MAPD_CODE_TRANSPORT`.
+ */
+mapd_code mapd_propose(const char *map,
+                       const char *prefix,
+                       const char *source,
+                       const char *entry,
+                       double wait_s,
+                       struct mapd_decision *out,
+                       struct mapd_error *error);
 
 /*
  Sets a request to its defaults: no starts and no goals. `size` is `sizeof(mapd_route_request)`.

@@ -74,10 +74,11 @@ class Snapshot : public Queries {
 #endif
 
   /// Nearest lanes of many points; what has none gets a lane that names nothing. `out` has as many entries as `points`.
-  Error try_nearest_lanes(span<const mapd_point> points, span<Nearest> out, const NearestOptions& options = {}) const {
+  Error try_nearest_lanes(span<const mapd_point> points, span<Nearest> out, Scratch& scratch,
+                          const NearestOptions& options = {}) const {
     const mapd_nearest_options own = options.c();
     return detail::batch(points, out, [&](auto all, auto count, auto... rest) {
-      return mapd_nearest_lane_batch(get(), all, count, &own, rest...);
+      return mapd_nearest_lane_batch(get(), all, count, &own, scratch.get(), rest...);
     });
   }
   /// The ground at many places; what has none gets a lane that names nothing. `out` has as many entries as `points`.
@@ -149,8 +150,9 @@ class Snapshot : public Queries {
   void to_track(RoadId road, span<const mapd_point> points, span<TrackPosition> out) const {
     detail::must(try_to_track(road, points, out));
   }
-  void nearest_lanes(span<const mapd_point> points, span<Nearest> out, const NearestOptions& options = {}) const {
-    detail::must(try_nearest_lanes(points, out, options));
+  void nearest_lanes(span<const mapd_point> points, span<Nearest> out, Scratch& scratch,
+                     const NearestOptions& options = {}) const {
+    detail::must(try_nearest_lanes(points, out, scratch, options));
   }
   void ground_below(span<const mapd_point> points, span<Ground> out, Scratch& scratch) const {
     detail::must(try_ground_below(points, out, scratch));
@@ -400,6 +402,21 @@ class Client : public detail::Owner<mapd_client, mapd_client_close> {
   Events events() const { return try_events().value(); }
 #endif
 };
+
+/// Proposes an entry of an overlay (JSON) to the daemon that serves a map, and waits at most `wait_s` [s] for its decision; `source` is what this
+/// process calls itself. A refusal is an error, whose message is the reason.
+inline Result<Decision> try_propose(const std::string& map, const std::string& source, const std::string& entry, double wait_s,
+                                    const char* prefix = nullptr) {
+  return detail::value<Decision>([&](auto... out) {
+    return mapd_propose(map.c_str(), prefix, source.c_str(), entry.c_str(), wait_s, out...);
+  });
+}
+#if MAPD_EXCEPTIONS
+inline Decision propose(const std::string& map, const std::string& source, const std::string& entry, double wait_s,
+                        const char* prefix = nullptr) {
+  return try_propose(map, source, entry, wait_s, prefix).value();
+}
+#endif
 
 /// The word of a code; vocabulary is a MAPD_WORDS_…. Empty for an unknown vocabulary.
 inline std::string_view word(std::uint32_t vocabulary, std::uint16_t code) noexcept {

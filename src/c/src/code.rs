@@ -53,6 +53,10 @@ pub enum mapd_code {
     TRANSPORT = 31,
     /// The domain's prefix or the map's name cannot be used.
     NAME = 32,
+    /// The daemon refuses what was proposed: the message has its reason.
+    REFUSED = 33,
+    /// The daemon did not decide in time.
+    LATE = 34,
     /// The bytes are no archive that this library reads.
     NOT_AN_ARCHIVE = 40,
     /// The archive does not prove.

@@ -75,7 +75,7 @@ fn check_size<T>(count: usize) -> Result<(), Failure> {
 /// # Safety
 ///
 /// `out` is null or valid for writes.
-#[inline]
+#[inline(always)]
 pub(crate) unsafe fn put<T>(out: *mut T, value: T) -> Outcome {
     check(out, "the answer")?;
     // SAFETY: as just proven and promised above.
@@ -88,7 +88,7 @@ pub(crate) unsafe fn put<T>(out: *mut T, value: T) -> Outcome {
 /// # Safety
 ///
 /// As [`put`].
-#[inline]
+#[inline(always)]
 pub(crate) unsafe fn put_some<T>(out: *mut T, value: Option<T>) -> Outcome {
     check(out, "the answer")?;
     let Some(value) = value else { return Ok(mapd_code::NONE) };

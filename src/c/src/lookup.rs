@@ -13,7 +13,7 @@ use std::ffi::c_char;
 /// # Safety
 ///
 /// As [`map_of`].
-#[inline]
+#[inline(always)]
 pub(crate) unsafe fn lane_of<'a>(
     snapshot: *const mapd_snapshot,
     lane: mapd_lane_id,
@@ -26,7 +26,7 @@ pub(crate) unsafe fn lane_of<'a>(
 /// # Safety
 ///
 /// As [`map_of`].
-#[inline]
+#[inline(always)]
 pub(crate) unsafe fn road_of<'a>(
     snapshot: *const mapd_snapshot,
     road: mapd_road_id,

@@ -8,7 +8,8 @@ use crate::options::{given_options, put_defaults};
 use crate::point::{mapd_lane_position, mapd_point, mapd_region};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
-use mapd_client::{LaneTypes, Nearest, NearestOptions};
+use mapd_client::batch::Places;
+use mapd_client::{LaneTypes, Map, Nearest, NearestOptions, QueryError};
 
 /// The nearest lane and the point in its coordinates.
 #[repr(C)]
@@ -69,7 +70,7 @@ impl From<mapd_nearest> for Nearest {
 /// # Safety
 ///
 /// As [`given_options`]; so is its `hint`.
-#[inline]
+#[inline(always)]
 pub(crate) unsafe fn options_of(
     options: *const mapd_nearest_options,
 ) -> Result<NearestOptions, Failure> {
@@ -145,40 +146,63 @@ pub unsafe extern "C" fn mapd_nearest_lane(
 }
 
 /// As `mapd_nearest_lane`, of `count` points; `out` has room for as many answers. What has none gets a lane with the row `MAPD_NO_ROW`
-/// and a position of zeros. The hint is for the first point; each next one takes the answer before.
+/// and a position of zeros. Points near each other, in whatever order, cost a fraction of single calls.
 ///
-/// Errors: as `mapd_nearest_lane`; the answers before the point that has one are written.
+/// Errors: as `mapd_nearest_lane`, with the number of the point; no answer is written then.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_nearest_lane_batch(
     snapshot: *const mapd_snapshot,
     points: *const mapd_point,
     count: usize,
     options: *const mapd_nearest_options,
+    scratch: *mut mapd_scratch,
     out: *mut mapd_nearest,
     error: *mut mapd_error,
 ) -> mapd_code {
-    unsafe { answer(error, || batch(snapshot, points, count, options, out)) }
+    unsafe {
+        answer(error, || {
+            let (map, options) = (map_of(snapshot)?, options_of(options)?);
+            let points = entries(points, count, "the points")?;
+            let scratch = get_mut(scratch, "a scratch")?;
+            batch(map, points, options, scratch, out)
+        })
+    }
 }
 
 unsafe fn batch(
-    snapshot: *const mapd_snapshot,
-    points: *const mapd_point,
-    count: usize,
-    options: *const mapd_nearest_options,
+    map: Map<'_>,
+    points: &[mapd_point],
+    mut options: NearestOptions,
+    scratch: &mut mapd_scratch,
     out: *mut mapd_nearest,
 ) -> Outcome {
-    let map = unsafe { map_of(snapshot) }?;
-    let mut options = unsafe { options_of(options) }?;
-    let points = unsafe { entries(points, count, "the points") }?;
     let none = mapd_nearest { lane: mapd_lane_id::NONE, position: mapd_lane_position::NOWHERE };
-    unsafe {
-        fill(out, points, |point| {
+    let with_z = points.iter().filter(|point| point.has_z != 0).count();
+    if with_z != 0 && with_z != points.len() {
+        // Columns have a z for all points or for none.
+        let ask = |point: &mapd_point| {
             map.nearest_lane(*point, &options).map(|found| {
                 options.hint = found.or(options.hint);
                 found.map_or(none, mapd_nearest::from)
             })
-        })
+        };
+        return unsafe { fill(out, points, ask) };
     }
+    let mapd_scratch { columns: [x, y, z], batch, nearest_lanes, .. } = scratch;
+    let coordinates: [fn(&mapd_point) -> f64; 3] =
+        [|point| point.x, |point| point.y, |point| point.z];
+    for (column, coordinate) in [&mut *x, y, z].into_iter().zip(coordinates) {
+        column.clear();
+        column.extend(points.iter().map(coordinate));
+    }
+    let places = Places { x, y, z: (with_z > 0).then_some(z), heading: None };
+    map.nearest_lanes(places, &options, batch, nearest_lanes)?;
+    let mut numbers = 0..points.len();
+    let answer = |_: &mapd_point| {
+        let found = numbers.next().and_then(|number| nearest_lanes.get(number));
+        Ok::<_, QueryError>(found.map_or(none, mapd_nearest::from))
+    };
+    unsafe { fill(out, points, answer) }
 }
 
 /// Every lane whose area lies within the options' radius of a point, nearest first, each once.

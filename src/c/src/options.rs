@@ -8,7 +8,7 @@ use crate::list::{get, put};
 /// # Safety
 ///
 /// `options` is null or valid for reads of as many bytes as its first field, a `size_t`, says.
-#[inline]
+#[inline(always)]
 pub(crate) unsafe fn given_options<'a, T>(
     options: *const T,
     init: &'static str,

@@ -2,7 +2,7 @@
 
 use crate::code::{answer, mapd_code, mapd_error};
 use crate::list::{close, hand_out};
-use mapd_client::batch::{BatchScratch, PoseMatches};
+use mapd_client::batch::{BatchScratch, NearestLanes, PoseMatches};
 use mapd_client::glam::{DMat3, DVec2, DVec3};
 use mapd_client::localisation::{
     GroundScratch, Landmark, LandmarkInView, LaneMatch, MarkPoint, TraceFix, TraceMatch,
@@ -61,6 +61,9 @@ pub struct mapd_scratch {
     pub(crate) covariances: Vec<DMat3>,
     pub(crate) batch: BatchScratch,
     pub(crate) batch_matches: PoseMatches,
+    /// x, y and z of the points of a batch.
+    pub(crate) columns: [Vec<f64>; 3],
+    pub(crate) nearest_lanes: NearestLanes,
     pub(crate) in_view: Vec<LandmarkInView>,
     pub(crate) mark_points: Vec<MarkPoint>,
     pub(crate) routes: Routes,

@@ -57,6 +57,10 @@ int main(int argc, char** argv) try {
 
   const auto client = mapd::Client::connect(name, patience);
   const auto map = client.snapshot();
+  const auto waiting = mapd::propose(name, "first", R"({"id":"rain","kind":"wet","lanes":[{"road":"1"}]})", patience);
+  good = good && !waiting.is_accepted && waiting.needed == 2;
+  const auto refused = mapd::try_propose(name, "nobody", R"({"id":"rain","kind":"wet","lanes":[{"road":"1"}]})", patience);
+  good = good && !refused && refused.error().code == MAPD_CODE_REFUSED;
   std::atomic<int> wrong{0};
   std::vector<std::thread> threads;
   for (int i = 0; i < 8; ++i) {

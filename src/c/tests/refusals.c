@@ -83,10 +83,17 @@ int main(int argc, char **argv) {
   hint.position.clamped = 77;
   options.hint = &hint;
   EXPECT(MAPD_CODE_OK, mapd_nearest_lane(map, point, &options, &hit, &error));
-  EXPECT(MAPD_CODE_NULL_POINTER, mapd_nearest_lane_batch(map, NULL, 2, NULL, &hit, &error));
-  EXPECT(MAPD_CODE_NULL_POINTER, mapd_nearest_lane_batch(map, &point, 1, NULL, NULL, &error));
-  EXPECT(MAPD_CODE_ARGUMENT, mapd_nearest_lane_batch(map, &point, SIZE_MAX / 4, NULL, &hit, &error));
-  EXPECT(MAPD_CODE_OK, mapd_nearest_lane_batch(map, NULL, 0, NULL, NULL, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_nearest_lane_batch(map, NULL, 2, NULL, scratch, &hit, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_nearest_lane_batch(map, &point, 1, NULL, scratch, NULL, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_nearest_lane_batch(map, &point, SIZE_MAX / 4, NULL, scratch, &hit, &error));
+  EXPECT(MAPD_CODE_OK, mapd_nearest_lane_batch(map, NULL, 0, NULL, scratch, NULL, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_nearest_lane_batch(map, &point, 1, NULL, NULL, &hit, &error));
+  /* Some points have z, others have none. */
+  const mapd_point mixed[] = {{50.0, -1.75, 0.0, 1}, {1e9, 1e9, 0.0, 0}, {50.0, -1.75, NAN, 1}};
+  mapd_nearest hits[3];
+  EXPECT(MAPD_CODE_OK, mapd_nearest_lane_batch(map, mixed, 2, NULL, scratch, hits, &error));
+  if (hits[0].lane.row != hit.lane.row || hits[1].lane.row != MAPD_NO_ROW) ++failures;
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_nearest_lane_batch(map, mixed, 3, NULL, scratch, hits, &error));
   EXPECT(MAPD_CODE_ARGUMENT,
          mapd_nearest_lane(map, point, NULL, (mapd_nearest *)((char *)&options + 1), &error));
 

@@ -141,6 +141,25 @@ static void swaps_are_seen(const char *swap) {
   mapd_snapshot_close(&after);
 }
 
+static void what_is_proposed_is_decided(void) {
+  static const char *const closed = "{\"id\":\"cones\",\"kind\":\"closed\",\"lanes\":[{\"road\":\"1\",\"s\":[10,20],\"lane\":-1}]}";
+  static const char *const wet = "{\"id\":\"rain\",\"kind\":\"wet\",\"lanes\":[{\"road\":\"1\"}]}";
+  mapd_client *client = NULL;
+  mapd_decision decision = {0};
+  uint8_t changed = 0;
+  CHECK(mapd_client_connect(name, NULL, PATIENCE, &client, &error) == MAPD_CODE_OK);
+  CHECK(mapd_propose(name, NULL, "tests", closed, PATIENCE, &decision, &error) == MAPD_CODE_OK && decision.is_accepted == 1);
+  CHECK(mapd_client_wait_change(client, PATIENCE, &changed, &error) == MAPD_CODE_OK && changed == 1);
+  CHECK(mapd_propose(name, NULL, "tests", wet, PATIENCE, &decision, &error) == MAPD_CODE_REFUSED && error.length > 0);
+  CHECK(mapd_propose(name, NULL, "first", wet, PATIENCE, &decision, &error) == MAPD_CODE_OK);
+  CHECK(decision.is_accepted == 0 && decision.agree == 1 && decision.needed == 2);
+  CHECK(mapd_propose("nowhere", NULL, "tests", wet, PATIENCE, &decision, &error) == MAPD_CODE_NO_DAEMON);
+  CHECK(mapd_propose(name, NULL, "two\nlines", wet, PATIENCE, &decision, &error) == MAPD_CODE_ARGUMENT);
+  CHECK(mapd_propose(name, NULL, NULL, wet, PATIENCE, &decision, &error) == MAPD_CODE_NULL_POINTER);
+  CHECK(mapd_propose(name, NULL, "tests", wet, -1.0, &decision, &error) == MAPD_CODE_ARGUMENT);
+  mapd_client_close(&client);
+}
+
 static void forks_read_and_attach(void) {
   mapd_client *client = NULL;
   mapd_snapshot *map = NULL;
@@ -189,6 +208,7 @@ int main(int argc, char **argv) {
   process_is_left_alone();
   nothing_is_left();
   forks_read_and_attach();
+  what_is_proposed_is_decided();
   swaps_are_seen(argv[3]);
   what_is_held_outlives_the_daemon((pid_t)atoi(argv[2]));
   printf("service: %d failures\n", failures);

@@ -48,9 +48,9 @@ int main(int argc, char** argv) {
 
   const mapd_point points[] = {mapd::Point(50.0, -1.75), mapd::Point(1e9, 1e9)};
   mapd::Nearest answers[2];
-  CHECK(map.try_nearest_lanes(points, answers).code == MAPD_CODE_OK);
+  CHECK(map.try_nearest_lanes(points, answers, scratch).code == MAPD_CODE_OK);
   CHECK(answers[0].lane == lane && !mapd::is_some(answers[1].lane));
-  CHECK(map.try_nearest_lanes(points, mapd::span<mapd::Nearest>(answers, 1)).code == MAPD_CODE_TOO_SMALL);
+  CHECK(map.try_nearest_lanes(points, mapd::span<mapd::Nearest>(answers, 1), scratch).code == MAPD_CODE_TOO_SMALL);
 
   const auto key = map.try_key(lane);
   CHECK(key && *map.try_lane_by_key(*key) == lane);

@@ -46,7 +46,7 @@ impl Drop for Connection {
 }
 
 /// A time to wait.
-fn seconds(timeout: f64) -> PyResult<Duration> {
+pub(crate) fn seconds(timeout: f64) -> PyResult<Duration> {
     Duration::try_from_secs_f64(timeout).map_err(|_| {
         PyValueError::new_err(format!("expected a timeout in seconds, found {timeout}"))
     })

@@ -20,6 +20,7 @@ mod map;
 mod matching;
 mod object;
 mod path;
+mod propose;
 mod raw;
 mod request;
 mod road;
@@ -55,6 +56,7 @@ fn _mapd(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_function(wrap_pyfunction!(map::open_archive, m)?)?;
     m.add_function(wrap_pyfunction!(compile::read_file, m)?)?;
     m.add_function(wrap_pyfunction!(along::outline, m)?)?;
+    m.add_function(wrap_pyfunction!(propose::propose, m)?)?;
     m.add("NONE", input::NONE_ID)?;
     m.add(
         "LANE_TYPES",

@@ -18,6 +18,19 @@ MAPS = WORKSPACE / "examples" / "maps"
 # How long anything that must happen may take [s].
 PATIENCE = 60.0
 NUMBERS = itertools.count()
+# What processes on board may say.
+POLICY = """
+[[allow]]
+source = "camera"
+kinds = ["closed"]
+longest = 60
+
+[[allow]]
+source = "rain sensor"
+kinds = ["wet"]
+longest = 60
+agree = 2
+"""
 
 
 def program() -> Path:
@@ -39,7 +52,9 @@ class Daemon:
         self.start()
 
     def start(self) -> None:
-        command = [str(program()), "--load", str(self.file)]
+        policy = self.file.with_name("policy.toml")
+        policy.write_text(POLICY)
+        command = [str(program()), "--load", str(self.file), "--overlay-from", str(policy)]
         self.process = subprocess.Popen(command, env=self.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
     def client(self) -> mapd.Client:

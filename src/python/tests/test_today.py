@@ -86,6 +86,26 @@ def test_the_daemons_overlay_is_seen(daemon: Daemon, tmp_path: Path) -> None:
     assert [entry.id for entry in view.entries()] == ["works"] and "1 of 1" in repr(view)
 
 
+def test_what_is_proposed_is_decided(daemon: Daemon) -> None:
+    client = daemon.client()
+    client.map()
+    cones = {"id": "cones", "kind": "closed", "lanes": [{"road": "1", "lane": -1, "s": [10, 30]}]}
+    options: dict[str, Any] = {"timeout": PATIENCE, "prefix": daemon.prefix}
+    assert mapd.propose("town", "camera", cones, **options) == mapd.Decision(True, 0, 0)
+    assert client.wait_change(PATIENCE)
+    assert not client.map().view().allows(("1:0:-1", 20.0)).is_allowed
+    wet = json.dumps({**cones, "id": "rain", "kind": "wet"})
+    assert mapd.propose("town", "rain sensor", wet, **options) == mapd.Decision(False, 1, 2)
+    with pytest.raises(mapd.ProposalRefusedError, match="wet"):
+        mapd.propose("town", "camera", wet, **options)
+    with pytest.raises(mapd.NoDaemonError, match="overlay-from"):
+        mapd.propose("elsewhere", "camera", cones, **options)
+    with pytest.raises(ValueError, match="one line"):
+        mapd.propose("town", "two\nlines", cones, **options)
+    with pytest.raises(TypeError):
+        mapd.propose("town", "camera", {"id": object()}, **options)
+
+
 def drive(town: mapd.Map, rows: int = 20) -> tuple[Any, ...]:
     lane = town.lane("1:0:-1")
     s = np.linspace(5.0, 60.0, rows)

@@ -34,6 +34,7 @@ const SOURCES: &[&str] = &[
     "conflicts",
     "view",
     "view_ways",
+    "propose",
     "request",
     "junction",
     "signals",

@@ -38,6 +38,7 @@ using SignalId = mapd_signal_id;
 using ObjectId = mapd_object_id;
 using PlacementId = mapd_placement_id;
 using Generation = mapd_generation;
+using Decision = mapd_decision;
 using Event = mapd_event;
 using MapFacts = mapd_map_facts;
 using GeodeticBounds = mapd_geodetic_bounds;

@@ -16,8 +16,9 @@ void points(const char *kind, const uint64_t *q, struct numbers *out) {
     if (strcmp(kind, "nearest") == 0) {
       mapd_nearest hit, batch;
       const int found = is(mapd_nearest_lane(map, point, &options, &hit, &error));
-      must(mapd_nearest_lane_batch(map, &point, 1, &options, &batch, &error));
+      must(mapd_nearest_lane_batch(map, &point, 1, &options, scratch, &batch, &error));
       if ((batch.lane.row != MAPD_NO_ROW) != found) abort();
+      if (found && (batch.lane.row != hit.lane.row || memcmp(&batch.position.s, &hit.position.s, 7 * sizeof(double)) != 0)) abort();
       add_u(out, (uint64_t)found);
       if (found) add_nearest(out, hit.lane, hit.position);
     } else {

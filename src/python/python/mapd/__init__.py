@@ -63,6 +63,7 @@ from ._errors import (
     NotPermittedError,
     PathError,
     ProjectionError,
+    ProposalRefusedError,
     QueryError,
     RejectedError,
     SupersededError,
@@ -87,10 +88,12 @@ from ._mapd import (
     Tracker,
     View,
     __version__,
+    propose,
 )
 from ._results import (
     DaemonBack,
     DaemonGone,
+    Decision,
     Event,
     Finding,
     Generation,
@@ -149,6 +152,7 @@ __all__ = [
     "CorruptError",
     "DaemonBack",
     "DaemonGone",
+    "Decision",
     "EDGES",
     "Event",
     "Events",
@@ -212,6 +216,7 @@ __all__ = [
     "PoseMatch",
     "Poses",
     "ProjectionError",
+    "ProposalRefusedError",
     "QuarantinedPart",
     "QueryError",
     "Reach",
@@ -250,5 +255,6 @@ __all__ = [
     "check",
     "compile",
     "open",
+    "propose",
     "raw",
 ]

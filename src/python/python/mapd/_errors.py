@@ -45,11 +45,15 @@ class NotPermittedError(AttachError, PermissionError):
 
 
 class BusyError(AttachError, TimeoutError):
-    """A lock was not released in time, or a killed process left a file that a daemon has to remove."""
+    """A lock was not released in time, a killed process left a file that a daemon has to remove, or a decision did not come in time."""
 
 
 class BadNameError(AttachError, ValueError):
     """The name of a map or the prefix of a domain is invalid."""
+
+
+class ProposalRefusedError(MapdError, PermissionError):
+    """The daemon refuses what was proposed; the message has its reason."""
 
 
 class ClosedError(MapdError):

@@ -1,7 +1,7 @@
 """The compiled part of mapd."""
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
 from types import TracebackType
 from typing import Literal, final, overload
@@ -37,6 +37,7 @@ from ._columns import (
     Waypoints,
 )
 from ._results import (
+    Decision,
     Event,
     Ground,
     Landmark,
@@ -121,6 +122,14 @@ EDGES: list[str]
 """Words of what lies beyond an edge of a corridor, in the order of the codes in columns."""
 TRACKED: list[str]
 """Words of what a tracker says, in the order of the codes in columns."""
+
+def propose(map: str, source: str, entry: str | Mapping[str, object], *, timeout: float = 1.0, prefix: str | None = None) -> Decision:
+    """Proposes an entry of an overlay to the daemon that serves a map, and waits for its decision (docs/overlay.md).
+
+    `source` is what this process calls itself: the daemon's policy names it. `entry` is JSON, or what becomes JSON, by
+    schemas/overlay.schema.json; one of the same id is replaced, and so goes on to hold. A refusal raises
+    `ProposalRefusedError`, with the daemon's reason.
+    """
 
 def open_archive(path: str | os.PathLike[str]) -> Map: ...
 def read_file(

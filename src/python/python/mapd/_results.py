@@ -266,6 +266,17 @@ class PathConflict(NamedTuple):
     """S at which to wait [m]."""
 
 
+class Decision(NamedTuple):
+    """What becomes of a proposal that is not refused."""
+
+    accepted: bool
+    """It is laid over the map, and readers see it. Otherwise, others must say the same first."""
+    agree: int
+    """Where it is not: sources that have said so, with this one."""
+    needed: int
+    """Where it is not: sources that must."""
+
+
 class RouteEnd(NamedTuple):
     """A start or goal."""
 
