@@ -88,6 +88,9 @@ class Map:
         self.wrong += [("load", error) for error in errors]
         self.own = [one for one in self.map.laneletLayer if "lane_key" in one.attributes]
         self.counts["lanelets"] = len(self.own)
+        self.counts["areas"] = len(self.map.areaLayer)
+        if len(self.map.areaLayer) != len(re.findall('v="multipolygon"', osm.read_text())):
+            self.wrong.append(("areas", len(self.map.areaLayer)))
         self.graphs = {}
         for name in ("VehicleCar", "VehicleBus", "Bicycle", "Pedestrian"):
             rules = traffic_rules.create(traffic_rules.Locations.Germany, getattr(traffic_rules.Participants, name))

@@ -9,11 +9,14 @@ use mapd_client::glam::DVec3;
 use std::str::FromStr;
 
 /// A point of a file: x or longitude, y or latitude, z.
+#[cfg(any(feature = "flatgeobuf", feature = "geojson"))]
 pub(super) type Coordinate = [f64; 3];
 
 /// Digits behind the point of longitudes and latitudes: a ten thousandth of a metre.
+#[cfg(any(feature = "flatgeobuf", feature = "geojson"))]
 const DEGREE_DIGITS: f64 = 1e9;
 /// Digits behind the point of heights: a ten thousandth of a metre.
+#[cfg(any(feature = "flatgeobuf", feature = "geojson"))]
 const METRE_DIGITS: f64 = 1e4;
 
 /// Where a map without a georeference is to lie: the place on WGS 84 of its point x = 0, y = 0, with x to the east and y to the north.
@@ -69,6 +72,7 @@ pub(super) fn place(projector: &Projector, point: DVec3) -> Result<Geodetic> {
 /// pass 180 or −180, so that it stays in one piece.
 ///
 /// Errors: a point outside the projection's area.
+#[cfg(any(feature = "flatgeobuf", feature = "geojson"))]
 pub(super) fn on_earth(shape: &Shape, projector: &Projector) -> Result<Vec<Coordinate>> {
     let mut first = None;
     let place = |point: &DVec3| {
@@ -86,6 +90,7 @@ pub(super) fn on_earth(shape: &Shape, projector: &Projector) -> Result<Vec<Coord
 }
 
 /// Whether the corners of an area run clockwise in plan view.
+#[cfg(feature = "geojson")]
 pub(super) fn is_clockwise(corners: &[Coordinate]) -> bool {
     let Some([x, y, _]) = corners.first() else { return false };
     let next = corners.iter().cycle().skip(1);

@@ -1,9 +1,10 @@
 //! Why a map cannot be written.
 
+use mapd_client::QueryError;
 #[cfg(any(feature = "flatgeobuf", feature = "geojson", feature = "lanelet2"))]
 use mapd_client::geodesy::{DefinitionError, ProjectionError};
 #[cfg(feature = "svg")]
-use mapd_client::{QueryError, path::PathError};
+use mapd_client::path::PathError;
 use std::io;
 
 /// Why a map cannot be written.
@@ -39,7 +40,6 @@ pub enum ExportError {
     #[error(transparent)]
     Path(#[from] PathError),
     /// A query cannot be answered, as on a damaged archive.
-    #[cfg(feature = "svg")]
     #[error(transparent)]
     Query(#[from] QueryError),
     /// A feature cannot be encoded.

@@ -37,7 +37,7 @@ mod overlay;
 #[cfg(feature = "svg")]
 mod svg;
 
-#[cfg(any(feature = "geojson", feature = "lanelet2"))]
+#[cfg(any(feature = "flatgeobuf", feature = "geojson", feature = "lanelet2"))]
 pub use earth::Origin;
 pub use error::{ExportError, Result};
 #[cfg(feature = "lanelet2")]

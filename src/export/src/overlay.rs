@@ -2,12 +2,15 @@
 
 use mapd_client::Map;
 use mapd_client::glam::DVec3;
-use mapd_client::view::{OverlayKind, Restriction};
+#[cfg(feature = "svg")]
+use mapd_client::view::OverlayKind;
+use mapd_client::view::Restriction;
 
 /// How far apart the corners of a drawn stretch are at most `[m]`.
 const STEP: f64 = 2.0;
 
 /// Its class in a drawing.
+#[cfg(feature = "svg")]
 pub(super) fn class(kind: OverlayKind) -> &'static str {
     match kind {
         OverlayKind::Closed => "closed",

@@ -4,6 +4,7 @@ use mapd_client::SRange;
 use mapd_client::geodesy::{Geodetic, Projector};
 use mapd_client::glam::DVec3;
 use mapd_client::graph::LaneNode;
+use mapd_client::vocabulary::LaneType;
 use mapd_client::{Lane, Map, Track};
 use mapd_tests::carried;
 use mapd_tests::maps::{carried_and, open};
@@ -158,7 +159,9 @@ struct Lanelet<'a> {
 }
 
 fn lanelets<'a>(map: Map<'a>, osm: &Osm) -> Vec<Lanelet<'a>> {
-    let of_lanes = |element: &&Element| element.tags.contains_key("lane_key");
+    let of_lanes = |element: &&Element| {
+        says(element, "type", "lanelet") && element.tags.contains_key("lane_key")
+    };
     let all = osm.relations.values().filter(of_lanes).map(|element| {
         let s = ["s_from", "s_to"].map(|name| element.tags[name].parse::<f64>().expect("a number"));
         let key = element.tags["lane_key"].parse().expect("a key");
@@ -216,9 +219,27 @@ fn every_reference_has_its_element_and_every_element_its_tags() {
                     };
                     assert!(osm.relations.values().any(refers), "{name}: nobody heeds {id}");
                 }
+                "multipolygon" => {
+                    assert!(relation.tags.contains_key("subtype"), "{name}: {id}");
+                    for (_, way) in &relation.members {
+                        let ring = &osm.ways[way].members;
+                        assert!(ring.len() > 3 && ring.first() == ring.last(), "{name}: {ring:?}");
+                    }
+                }
                 other => panic!("{name}: {other}"),
             }
         }
+        let keyed = |kind: &str| {
+            let of_kind = osm.relations.values().filter(move |one| says(one, "type", kind));
+            of_kind.filter_map(|one| one.tags.get("lane_key")).collect::<BTreeSet<_>>()
+        };
+        let (driven, areas) = (keyed("lanelet"), keyed("multipolygon"));
+        let lanes = snapshot.map().lanes().filter(|lane| !lane.is_temporary());
+        let stands =
+            lanes.filter(|lane| matches!(lane.kind(), LaneType::Parking | LaneType::Median));
+        let keys: BTreeSet<String> = stands.map(|lane| lane.key().to_string()).collect();
+        let expected: BTreeSet<&String> = keys.iter().filter(|key| !driven.contains(key)).collect();
+        assert_eq!(areas, expected, "{name}");
     }
 }
 

@@ -1,6 +1,7 @@
 //! A map as Lanelet2 has it: lanelets between borders that neighbours share, and the rules that hold on them.
 
 mod align;
+mod areas;
 mod crossings;
 mod joints;
 mod lights;
@@ -43,6 +44,7 @@ pub(super) fn write(
     lights::add(map, &mut model, &mut report);
     signs::add(map, autoware, &mut model, &mut report);
     right_of_way::add(&mut model);
+    areas::add(map, &mut model, &mut report);
     osm::write(&model, projector, &mut report, progress, out)?;
     Ok(report)
 }

@@ -11,12 +11,23 @@ use mapd_client::vocabulary::Class;
 use std::collections::{HashMap, HashSet};
 
 /// Points of a line that are nearer to each other are one `[m]`.
-const DISTINCT: f64 = 1e-3;
+pub(super) const DISTINCT: f64 = 1e-3;
 
 /// A line that no lanelet shares with another: across lanes, of a sign or light, of a crossing.
 pub(super) struct OwnLine<'a> {
     /// At least two points in the map's frame `[m]`.
     pub(super) points: Vec<DVec3>,
+    pub(super) tags: Vec<Tag<'a>>,
+    /// Whether it ends at the point where it begins.
+    pub(super) is_ring: bool,
+}
+
+/// An area.
+pub(super) struct Area<'a> {
+    /// Number of the ring around it among the model's lines.
+    pub(super) outer: usize,
+    /// Those of the rings around its holes.
+    pub(super) inner: Vec<usize>,
     pub(super) tags: Vec<Tag<'a>>,
 }
 
@@ -54,6 +65,7 @@ pub(super) struct Model<'a> {
     pub(super) lines: Vec<OwnLine<'a>>,
     pub(super) crossings: Vec<Crossing<'a>>,
     pub(super) rules: Vec<Rule<'a>>,
+    pub(super) areas: Vec<Area<'a>>,
     /// By the corner at which a border begins: the part of its length that is to be its middle, where it matters.
     middles: HashMap<u32, f64>,
     /// Corners at which borders begin of which what crosses itself is cut out.
@@ -82,14 +94,20 @@ pub(super) struct Lines {
 impl<'a> Model<'a> {
     /// Lanelets alone.
     pub(super) fn new(map: Map<'a>, network: Network<'a>) -> Self {
-        let (lines, crossings, rules) = (Vec::new(), Vec::new(), Vec::new());
+        let (lines, crossings, rules, areas) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let (middles, cut, stop_lines) = (HashMap::new(), HashSet::new(), HashMap::new());
-        Self { map, network, lines, crossings, rules, middles, cut, stop_lines }
+        Self { map, network, lines, crossings, rules, areas, middles, cut, stop_lines }
     }
 
     /// Adds a line of its own and returns its number.
     pub(super) fn add_line(&mut self, points: Vec<DVec3>, tags: Vec<Tag<'a>>) -> usize {
-        self.lines.push(OwnLine { points, tags });
+        self.lines.push(OwnLine { points, tags, is_ring: false });
+        self.lines.len() - 1
+    }
+
+    /// Adds a line that ends where it begins, by its corners, and returns its number.
+    pub(super) fn add_ring(&mut self, points: Vec<DVec3>, tags: Vec<Tag<'a>>) -> usize {
+        self.lines.push(OwnLine { points, tags, is_ring: true });
         self.lines.len() - 1
     }
 

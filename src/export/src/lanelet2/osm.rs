@@ -16,10 +16,11 @@ const DEGREE_DIGITS: usize = 10;
 /// Digits behind the point of lengths `[m]`.
 const METRE_DIGITS: usize = 4;
 
-/// Numbers of the file's elements: lanelets, what lies across lanes, rules, lines, points, one kind behind the other.
+/// Numbers of the file's elements: lanelets, what lies across lanes, rules, areas, lines, points, one kind behind the other.
 struct Ids {
     extra_lanelets: u64,
     rules: u64,
+    areas: u64,
     extra_lines: u64,
     borders: u64,
     points: u64,
@@ -44,10 +45,11 @@ pub(super) fn write(
     let lanelets = model.network.lanelets.len() as u64;
     let extra_lanelets = 1 + lanelets;
     let rules = extra_lanelets + model.crossings.len() as u64;
-    let extra_lines = rules + model.rules.len() as u64;
+    let areas = rules + model.rules.len() as u64;
+    let extra_lines = areas + model.areas.len() as u64;
     let borders = extra_lines + model.lines.len() as u64;
     let points = borders + lines.used.len() as u64;
-    let ids = Ids { extra_lanelets, rules, extra_lines, borders, points };
+    let ids = Ids { extra_lanelets, rules, areas, extra_lines, borders, points };
     let mut file = File { xml: Writer::new_with_indent(out, b' ', 1), projector };
     file.xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
     file.begin("osm", &[("version", "0.6"), ("generator", "mapd")])?;
@@ -156,7 +158,8 @@ impl File<'_, '_> {
             self.way(ids.borders + number as u64, points, &tags)?;
         }
         for (number, (line, own)) in others.enumerate() {
-            self.way(ids.extra_lines + number as u64, own.from..own.to, &line.tags)?;
+            let end = (line.is_ring && own.from < own.to).then_some(own.from);
+            self.way(ids.extra_lines + number as u64, (own.from..own.to).chain(end), &line.tags)?;
         }
         Ok(())
     }
@@ -216,6 +219,12 @@ impl File<'_, '_> {
             };
             let members: Vec<_> = rule.members.iter().map(member).collect();
             self.relation(ids.rules + number as u64, &members, &rule.tags)?;
+        }
+        for (number, area) in model.areas.iter().enumerate() {
+            let way = |at: usize, role| ("way", ids.extra_lines + at as u64, role);
+            let inner = area.inner.iter().map(|at| way(*at, "inner"));
+            let members: Vec<_> = [way(area.outer, "outer")].into_iter().chain(inner).collect();
+            self.relation(ids.areas + number as u64, &members, &area.tags)?;
         }
         Ok(())
     }

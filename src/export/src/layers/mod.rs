@@ -102,6 +102,7 @@ impl Layer {
     }
 
     /// What its shapes are; none where they are not all of one kind.
+    #[cfg(feature = "flatgeobuf")]
     pub(super) fn shapes(self) -> Option<ShapeKind> {
         match self {
             Self::Lanes | Self::Findings | Self::Overlay => Some(ShapeKind::Polygon),
@@ -217,6 +218,7 @@ impl<'a, T: Into<Value<'a>>> From<Option<T>> for Value<'a> {
 }
 
 /// Kind of a [`Shape`] that has a place.
+#[cfg(feature = "flatgeobuf")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ShapeKind {
     /// A point.
