@@ -77,16 +77,24 @@ class Viewer {
 
   changed() {
     if (this.asked) return;
-    this.asked = requestAnimationFrame(() => { this.asked = 0; this.paint(); });
+    this.asked = requestAnimationFrame(() => this.frame());
     clearTimeout(this.writing);
     this.writing = setTimeout(() => this.writeAddress(), 300);
   }
 
-  paint() {
+  // Draws as far as a frame has time, and goes on in the next one.
+  frame() {
+    this.asked = 0;
+    if (this.paint(false)) this.asked = requestAnimationFrame(() => this.frame());
+  }
+
+  // Draws all of it, or as far as a frame has time: whether there is more to draw.
+  paint(all = true) {
     const [low, high] = this.map.bounds, span = high[2] - low[2];
     const heights = this.isByHeight ? [low[2] - this.map.middle[2], 1 / Math.max(span, 1e-3)] : [0, 0];
-    this.painter.paint(this.camera, this.shown, heights);
+    const isMore = this.painter.paint(this.camera, this.shown, heights, all);
     this.labels.paint(this.camera, this.dark ? "#f2f5f7" : "#15191d", this.dark ? "#14181bcc" : "#ffffffdd");
+    return isMore;
   }
 
   setTheme() {

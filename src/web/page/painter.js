@@ -7,17 +7,46 @@ const ORDER = [
 ];
 // Pixels a metre below which roads are drawn as lines, because their lanes are too thin to be seen.
 const FAR = 0.5;
+// Pixels a metre below which only these lines are drawn, of pieces as long as that [m]: a lane is thinner than a pixel.
+const FARTHEST = 0.3, FAR_PIECE = 12;
+// Corners that are drawn at a time at most, but for chunks that have more.
+const PIECE = 6000;
 // Radius of a signal [m], and its least and largest radius on the screen [pixels].
 const SIGN = [0.8, 3.4, 12];
 
+// A drawing of lines with fewer pieces: those that go on where the last one ended are one with it, up to a length.
+function coarse({ strokes, chunks, ranges }) {
+  const places = new Float32Array(strokes.buffer, strokes.byteOffset, strokes.length), kept = new Uint32Array(strokes.length), own = ranges.slice();
+  let count = 0;
+  for (let i = 0; i < ranges.length; i += 8) {
+    const [from, of] = ranges.subarray(i + 6, i + 8);
+    own[i + 6] = count;
+    let length = Infinity;
+    for (let at = 9 * from; at < 9 * (from + of); at += 9) {
+      const [x, y, toX, toY] = places.subarray(at, at + 4), end = 9 * (count - 1), kind = strokes[at + 8];
+      const isNext = count > own[i + 6] && kept[end + 2] === strokes[at] && kept[end + 3] === strokes[at + 1] && kept[end + 8] === kind;
+      length = (isNext ? length : 0) + Math.hypot(toX - x, toY - y);
+      if (isNext && length <= FAR_PIECE) {
+        kept.set(strokes.subarray(at + 2, at + 4), end + 2);
+        continue;
+      }
+      length = Math.hypot(toX - x, toY - y);
+      kept.set(strokes.subarray(at, at + 9), 9 * count++);
+    }
+    own[i + 7] = count - own[i + 6];
+  }
+  return { corners: [], triangles: [], strokes: kept.slice(0, 9 * count), chunks, ranges: own };
+}
+
 class Painter {
   constructor(canvas) {
-    const gl = canvas.getContext("webgl2", { antialias: true, alpha: false, powerPreference: "high-performance" });
+    const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, powerPreference: "high-performance" });
     if (!gl) throw new Error("This browser has no WebGL 2, which the map is drawn with.");
-    Object.assign(this, { canvas, gl, layers: new Map(), overlay: null, lowest: 0, frames: 0 });
+    Object.assign(this, { canvas, gl, layers: new Map(), overlay: null, lowest: 0, changes: 0 });
     this.area = this.program(AREA_VERTEX, AREA_FRAGMENT);
     this.stroke = this.program(STROKE_VERTEX, STROKE_FRAGMENT);
     this.sign = this.program(SIGN_VERTEX, SIGN_FRAGMENT);
+    this.frames = new Frames(gl, this.program(SEEN_VERTEX, SEEN_FRAGMENT));
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.enable(gl.DEPTH_TEST);
@@ -81,11 +110,14 @@ class Painter {
   }
 
   set(name, drawing) {
+    this.changes++;
     this.unload(this.layers.get(name));
     this.layers.set(name, this.load(drawing));
+    if (name === "reference lines") this.set("far lines", coarse(drawing));
   }
 
   setOverlay(drawing) {
+    this.changes++;
     this.unload(this.overlay);
     this.overlay = drawing && this.load(drawing);
   }
@@ -98,19 +130,20 @@ class Painter {
   }
 
   setColors(names, dark, back) {
+    this.changes++;
     this.colors = new Float32Array(64 * 4);
     names.forEach((name, i) => this.colors.set(rgba(name, dark), 4 * i));
     Object.assign(this, { names, dark, back });
   }
 
-  // Ranges of what is seen: of triangles (2, 4 of a chunk) or strokes (6), side by side as one.
-  *runs(made, which, [x0, y0, x1, y1]) {
+  // Ranges of what is seen: of triangles (2, 4 of a chunk) or strokes (6), side by side as one up to so many.
+  *runs(made, which, [x0, y0, x1, y1], most) {
     let first = 0, count = 0;
     for (let i = 0; i < made.ranges.length; i += 8) {
       const [a, b, c, d] = made.chunks.subarray(i, i + 4);
       const [from, of] = made.ranges.subarray(i + which, i + which + 2);
       if (!of || a > x1 || c < x0 || b > y1 || d < y0) continue;
-      if (count && first + count === from) { count += of; continue; }
+      if (count && first + count === from && count < most) { count += of; continue; }
       if (count) yield [first, count];
       [first, count] = [from, of];
     }
@@ -127,68 +160,90 @@ class Painter {
     return places;
   }
 
-  areas(made, camera, ratio, seen, { alpha = 1, heights = [0, 0] } = {}) {
+  *areas(made, camera, ratio, seen, { alpha = 1, heights = [0, 0] } = {}) {
     if (!made?.areas) return;
-    const gl = this.gl, places = this.use(this.area, camera, ratio);
-    gl.uniform2f(places.heights, ...heights);
-    gl.uniform1f(places.alpha, alpha);
-    gl.uniform1ui(places.hatched, this.names.indexOf("left out"));
-    gl.uniform1f(places.metre, camera.scale);
-    gl.depthMask(alpha === 1);
-    gl.bindVertexArray(made.areas);
-    for (const [first, count] of this.runs(made, 4, seen)) gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 4 * first);
-  }
-
-  strokes(made, camera, ratio, seen, kind = this.stroke, { thinnest = 1.2, tint = [0, 0, 0, 0], radius = 0 } = {}) {
-    if (!made?.strokes) return;
-    const gl = this.gl, places = this.use(kind, camera, ratio);
-    gl.uniform1f(places.thinnest, thinnest * ratio);
-    gl.uniform4f(places.tint, ...tint);
-    gl.uniform1f(places.radius, radius * ratio);
-    gl.depthMask(false);
-    gl.bindVertexArray(made.strokes);
-    gl.bindBuffer(gl.ARRAY_BUFFER, made.pieces);
-    for (const [first, count] of this.runs(made, 6, seen)) {
-      const at = 36 * first;
-      gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 36, at);
-      gl.vertexAttribPointer(1, 2, gl.FLOAT, false, 36, at + 8);
-      gl.vertexAttribPointer(2, 4, gl.FLOAT, false, 36, at + 16);
-      gl.vertexAttribIPointer(3, 1, gl.UNSIGNED_INT, 36, at + 32);
-      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
+    const gl = this.gl;
+    const prepare = () => {
+      const places = this.use(this.area, camera, ratio);
+      gl.uniform2f(places.heights, ...heights);
+      gl.uniform1f(places.alpha, alpha);
+      gl.uniform1ui(places.hatched, this.names.indexOf("left out"));
+      gl.uniform1f(places.metre, camera.scale);
+      gl.depthMask(alpha === 1);
+      gl.bindVertexArray(made.areas);
+    };
+    for (const [first, count] of this.runs(made, 4, seen, PIECE)) {
+      yield { prepare, corners: count, draw: () => gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 4 * first) };
     }
   }
 
-  // One frame. `shown` are the names of layers; `heights` colours lanes by height.
-  paint(camera, shown, heights) {
-    const gl = this.gl, ratio = Math.min(devicePixelRatio || 1, 2);
+  *strokes(made, camera, ratio, seen, kind = this.stroke, { thinnest = 1.2, tint = [0, 0, 0, 0], radius = 0 } = {}) {
+    if (!made?.strokes) return;
+    const gl = this.gl;
+    const prepare = () => {
+      const places = this.use(kind, camera, ratio);
+      gl.uniform1f(places.thinnest, thinnest * ratio);
+      gl.uniform4f(places.tint, ...tint);
+      gl.uniform1f(places.radius, radius * ratio);
+      gl.depthMask(false);
+      gl.bindVertexArray(made.strokes);
+      gl.bindBuffer(gl.ARRAY_BUFFER, made.pieces);
+    };
+    for (const [first, count] of this.runs(made, 6, seen, PIECE / 4)) {
+      const draw = () => {
+        const at = 36 * first;
+        gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 36, at);
+        gl.vertexAttribPointer(1, 2, gl.FLOAT, false, 36, at + 8);
+        gl.vertexAttribPointer(2, 4, gl.FLOAT, false, 36, at + 16);
+        gl.vertexAttribIPointer(3, 1, gl.UNSIGNED_INT, 36, at + 32);
+        gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
+      };
+      yield { prepare, corners: 4 * count, draw };
+    }
+  }
+
+  // One frame. `shown` are the names of layers; `heights` colours lanes by height; with `all` it is complete, else it may be what was seen
+  // before, moved. Returns whether more frames are needed.
+  paint(camera, shown, heights, all) {
+    const ratio = Math.min(devicePixelRatio || 1, 2);
     const [width, height] = [Math.round(camera.width * ratio), Math.round(camera.height * ratio)];
     if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
-    gl.viewport(0, 0, width, height);
-    gl.depthMask(true);
-    gl.clearColor(...this.back, 1);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    const view = { x: camera.x, y: camera.y, scale: camera.scale * ratio, turn: camera.turn };
+    const still = Object.assign(Object.create(Camera.prototype), { ...camera });
+    return this.frames.show(view, JSON.stringify([this.changes, [...shown], heights]), () => this.pieces(still, ratio, shown, heights), this.back, all);
+  }
+
+  // All that is seen, piece by piece.
+  *pieces(camera, ratio, shown, heights) {
+    const gl = this.gl;
+    const clear = () => {
+      gl.depthMask(true);
+      gl.clearColor(...this.back, 1);
+      gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    };
+    yield { prepare: clear, corners: 0, draw() {} };
     const [x0, y0, x1, y1] = camera.bounds(), room = 20 / camera.scale, seen = [x0 - room, y0 - room, x1 + room, y1 + room];
     for (const [name, from] of ORDER) {
       const made = this.layers.get(name);
-      if (name === "lanes" && shown.has("lanes")) this.areas(made, camera, ratio, seen, { heights });
+      if (name === "lanes" && shown.has("lanes") && camera.scale >= FARTHEST) yield* this.areas(made, camera, ratio, seen, { heights });
       const isFar = name === "reference lines" && camera.scale < FAR && shown.has("lanes");
-      if (isFar) this.strokes(made, camera, ratio, seen, this.stroke, { thinnest: 1.6, tint: rgba("driving", this.dark) });
+      if (isFar) yield* this.strokes(camera.scale < FARTHEST ? this.layers.get("far lines") : made, camera, ratio, seen, this.stroke, { thinnest: 1.6, tint: rgba("driving", this.dark) });
       if (name === "lanes" || !made || !shown.has(name) || camera.scale < from) continue;
       if (name === "signals") {
         const radius = Math.min(SIGN[2], Math.max(SIGN[1], SIGN[0] * camera.scale));
-        this.strokes(made, camera, ratio, seen, this.sign, { radius });
+        yield* this.strokes(made, camera, ratio, seen, this.sign, { radius });
         continue;
       }
-      this.areas(made, camera, ratio, seen, { alpha: 0.5 });
+      yield* this.areas(made, camera, ratio, seen, { alpha: 0.5 });
       const thinnest = name === "left out" || name === "conflicts" ? 2 : name === "borders" ? 1 : 1.2;
-      this.strokes(made, camera, ratio, seen, this.stroke, { thinnest });
+      yield* this.strokes(made, camera, ratio, seen, this.stroke, { thinnest });
     }
     if (this.overlay) {
-      gl.clear(gl.DEPTH_BUFFER_BIT);
-      this.areas(this.overlay, camera, ratio, seen, { alpha: 0.5 });
-      this.strokes(this.overlay, camera, ratio, seen, this.stroke, { thinnest: 2.5 });
+      const clear = () => { gl.depthMask(true); gl.clear(gl.DEPTH_BUFFER_BIT); };
+      yield { prepare: clear, corners: 0, draw() {} };
+      yield* this.areas(this.overlay, camera, ratio, seen, { alpha: 0.5 });
+      yield* this.strokes(this.overlay, camera, ratio, seen, this.stroke, { thinnest: 2.5 });
     }
-    this.frames++;
   }
 
   // How many pixels differ from the background: for tests.

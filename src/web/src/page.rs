@@ -16,12 +16,13 @@ pub const MODULE: &[u8] = include_bytes!("../module/mapd_web.wasm.gz");
 const TEMPLATE: &str = include_str!("../page/page.html");
 const STYLE: &str = include_str!("../page/page.css");
 /// What names come from others first.
-const SCRIPTS: [&str; 11] = [
+const SCRIPTS: [&str; 12] = [
     "\"use strict\";\n",
     include_str!("../page/colors.js"),
     include_str!("../page/shaders.js"),
     include_str!("../page/module.js"),
     include_str!("../page/camera.js"),
+    include_str!("../page/frames.js"),
     include_str!("../page/painter.js"),
     include_str!("../page/labels.js"),
     include_str!("../page/panel.js"),

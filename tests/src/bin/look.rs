@@ -1,0 +1,102 @@
+//! Looks at a page of `mapd export --format html` in Chromium: how large it is, how soon ready, how many frames it draws a second while it is moved, and
+//! what it looks like.
+//!
+//! ```text
+//! look map.html                              the figures
+//! look map.html --picture map.png            a picture, too
+//! look map.html --size 800x500 --run 'viewer.choose({ kind: "road", row: 0 })' --picture map.png
+//! ```
+//!
+//! Chromium draws in software (SwiftShader), so that every machine has the same picture and no graphics card helps.
+
+use clap::Parser;
+use ct_codecs::{Base64, Decoder};
+use mapd_tests::browser::Browser;
+use serde_json::{Value, json};
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Looks at a page.
+#[derive(Parser)]
+struct Arguments {
+    /// The page
+    page: PathBuf,
+    /// Its size on the screen [px]
+    #[arg(long, default_value = "1000x700", value_parser = size)]
+    size: (u32, u32),
+    /// JavaScript to run first, whose value is printed; `viewer` is the page
+    #[arg(long)]
+    run: Option<String>,
+    /// PNG to write
+    #[arg(long, value_name = "FILE")]
+    picture: Option<PathBuf>,
+}
+
+fn size(text: &str) -> Result<(u32, u32), String> {
+    let parts = text.split_once('x').map(|(width, height)| (width.parse(), height.parse()));
+    let Some((Ok(width), Ok(height))) = parts else { return Err("expected WIDTHxHEIGHT".into()) };
+    Ok((width, height))
+}
+
+/// Moves the map, each frame a little, for some seconds: frames a second of the whole map, and of a piece of 600 m.
+const MOVE: &str = "(async () => {
+    const speed = async () => {
+        viewer.paint();
+        const { gl } = viewer.painter, begun = performance.now();
+        let frames = 0;
+        while (performance.now() - begun < 5000) {
+            viewer.camera.x += 6 / viewer.camera.scale * (frames % 200 < 100 ? 1 : -1);
+            viewer.paint(false);
+            // Until it is drawn.
+            gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+            frames++;
+            await new Promise(done => setTimeout(done));
+        }
+        return frames / (performance.now() - begun) * 1000;
+    };
+    viewer.fit();
+    const whole = await speed();
+    viewer.fit();
+    const { x, y } = viewer.camera;
+    viewer.show([x - 300, y - 300, x + 300, y + 300]);
+    const near = await speed();
+    viewer.fit();
+    viewer.paint();
+    return [whole, near];
+})()";
+
+fn main() {
+    let Arguments { page, size, run, picture } = Arguments::parse();
+    let page = page.canonicalize().expect("the page is there");
+    let mut browser = Browser::start(size).expect("Chromium is installed");
+    browser.open(
+        &page,
+        "globalThis.viewer?.ready || document.querySelector('#message')?.textContent.includes('cannot')",
+    );
+    let mut out = std::io::stdout().lock();
+    let bytes = page.metadata().expect("a file").len();
+    let ready = browser.evaluate("viewer.ready / 1000");
+    let mut say = |text: String| writeln!(out, "{text}").expect("stdout");
+    say(format!("{:.1} MB, ready after {:.1} s", bytes as f64 / 1e6, number(&ready)));
+    if picture.is_none() {
+        let speeds = browser.evaluate(MOVE);
+        let [whole, near] = [0, 1].map(|at| number(&speeds[at]));
+        say(format!("{whole:.0} frames/s of the whole map, {near:.0} of a piece of 600 m"));
+    }
+    let value = run.map(|run| browser.evaluate(&run)).unwrap_or_default();
+    if !value.is_null() {
+        say(value.to_string());
+    }
+    // Until all of it is painted.
+    browser.evaluate("new Promise(done => setTimeout(done, 500))");
+    if let Some(file) = picture {
+        let taken = browser.call("Page.captureScreenshot", json!({ "format": "png" }));
+        let text = taken["data"].as_str().expect("a picture");
+        std::fs::write(file, Base64::decode_to_vec(text, None).expect("base64")).expect("written");
+    }
+    assert_eq!(browser.complaints, [""; 0]);
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or(f64::NAN)
+}
