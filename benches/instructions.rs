@@ -3,6 +3,8 @@
 //!
 //! The count of a long run less that of a short one, so that starting and opening do not count. Time is in `queries.rs`.
 
+mod views;
+
 use mapd_benches::print;
 use mapd_compiler::{CompileOptions, compile};
 use std::path::Path;
@@ -52,17 +54,18 @@ const COMPILATIONS: [usize; 2] = [1, 3];
 /// Instructions that compiling may take per byte of OpenDRIVE, without landmarks: as for queries.
 const PER_BYTE: f64 = 473.0;
 
-/// The program that asks, built as planners link the client: nothing is said of code generation, and it lies outside of the crates
-/// that answer. None where it cannot be built.
-fn query_probe() -> Option<String> {
+/// The programs that ask, built as planners link the client: nothing is said of code generation, and they lie outside of the crates
+/// that answer. None where they cannot be built.
+fn probes() -> Option<[String; 2]> {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
     let arguments = ["build", "--quiet", "--profile", "planner", "--package", "mapd-planner"];
     let is_built =
         Command::new(cargo).args(arguments).status().is_ok_and(|status| status.success());
     // Beside the folder of this profile.
     let target = Path::new(env!("CARGO_BIN_EXE_compile_probe")).parent()?.parent()?;
-    let program = target.join("planner").join("query_probe");
-    (is_built && program.exists()).then(|| program.to_string_lossy().into_owned())
+    let programs = ["query_probe", "view_probe"].map(|name| target.join("planner").join(name));
+    (is_built && programs.iter().all(|program| program.exists()))
+        .then(|| programs.map(|program| program.to_string_lossy().into_owned()))
 }
 
 /// Instructions of a whole run on two threads; none where valgrind is missing or says nothing.
@@ -99,20 +102,25 @@ fn exceeds(what: &str, found: f64, bound: f64, digits: usize) -> bool {
     found > bound
 }
 
+/// Compiles a map and writes its archive.
+fn write(text: impl std::io::Read + Send, path: &Path) {
+    let compiled = compile(text, &CompileOptions::default(), &mut |_| {}).expect("reading works");
+    let rows = compiled.rows.expect("accepted");
+    let archive = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes");
+    std::fs::write(path, &archive[..]).expect("the archive is written");
+}
+
 fn main() -> ExitCode {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("town.mapd");
     let file = std::fs::File::open(mapd_tests::carried("town.xodr")).expect("the town opens");
-    let compiled = compile(file, &CompileOptions::default(), &mut |_| {}).expect("reading works");
-    let rows = compiled.rows.expect("accepted");
-    let archive = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes");
-    std::fs::write(&path, &archive[..]).expect("the archive is written");
+    write(file, &path);
     let text = mapd_tests::town::town(BLOCKS, BLOCKS);
     let town = folder.path().join("town.xodr");
     std::fs::write(&town, &text).expect("the town is written");
     let (path, town) = (path.to_string_lossy(), town.to_string_lossy());
-    let Some(probe) = query_probe() else {
-        print("the program that asks queries cannot be built");
+    let Some([probe, view_probe]) = probes() else {
+        print("the programs that ask queries cannot be built");
         return ExitCode::FAILURE;
     };
     let mut exceeded = false;
@@ -139,5 +147,6 @@ fn main() -> ExitCode {
     if let Some(each) = of_one(env!("CARGO_BIN_EXE_compile_probe"), &[&town], COMPILATIONS) {
         exceeded |= exceeds("compile, per byte", each / text.len() as f64, PER_BYTE, 1);
     }
+    exceeded |= views::run(&view_probe, folder.path());
     if exceeded { ExitCode::FAILURE } else { ExitCode::SUCCESS }
 }

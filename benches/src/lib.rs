@@ -6,6 +6,7 @@
 //! cargo bench -p mapd-benches --bench reading
 //! cargo bench -p mapd-benches --bench attach
 //! cargo bench -p mapd-benches --bench reload
+//! cargo bench -p mapd-benches --bench overlays
 //! cargo bench -p mapd-benches --bench queries
 //! cargo bench -p mapd-benches --bench geodesy
 //! cargo bench -p mapd-benches --bench instructions

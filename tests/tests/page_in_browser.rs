@@ -1,12 +1,14 @@
 //! The page of `mapd export --format html` in a browser: what it draws, says and answers. Needs Chromium, with which `.ci/run page`
 //! runs it.
 
-use mapd_client::{Lane, Map, Snapshot};
+use mapd_client::{Lane, Map, Road, Snapshot};
 use mapd_tests::browser::Browser;
 use mapd_tests::maps::{Random, carried_and, open, open_text};
+use mapd_tests::overlays::over;
 use mapd_web::page::Content;
 use mapd_web::{Kind, Layer, Link, Question};
 use serde_json::{Value, json};
+use std::time::UNIX_EPOCH;
 
 /// Size of the page.
 const SIZE: (u32, u32) = (1000, 700);
@@ -28,10 +30,25 @@ fn browser(map: &Snapshot) -> Option<Browser> {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("map.html");
     let mut page = std::fs::File::create(&file).expect("a file");
-    mapd_web::page::write(Content::Archive(map.bytes()), "map", &mut page).expect("written");
+    let content = Content::Archive { map: map.bytes(), overlay: map.overlay_bytes() };
+    mapd_web::page::write(content, "map", &mut page).expect("written");
     browser.open(&file, "globalThis.viewer?.ready || document.querySelector('#message')?.textContent.includes('cannot')");
     assert_eq!(browser.evaluate("document.querySelector('#message').textContent"), json!(""));
     Some(browser)
+}
+
+/// The same map with some of its roads closed, slower, and told of.
+fn under_works(snapshot: Snapshot) -> Snapshot {
+    let what =
+        [r#""kind":"closed""#, r#""kind":"speed","value":1"#, r#""kind":"wet","text":"<b>""#];
+    let entry = |(i, road): (usize, Road<'_>)| {
+        let (what, id) = (what[i % what.len()], json!(road.id()));
+        format!(r#"{{"id":"{i}",{what},"lanes":[{{"road":{id}}}]}}"#)
+    };
+    let roads = snapshot.map().roads().step_by(7).enumerate();
+    let text = format!(r#"{{"entries":[{}]}}"#, roads.map(entry).collect::<Vec<_>>().join(","));
+    let (bytes, _) = over(snapshot.map(), &text, true);
+    snapshot.with_overlay(bytes).expect("its own")
 }
 
 fn questions(map: Map<'_>) -> Vec<Question<'static>> {
@@ -76,7 +93,7 @@ const ASK: &str = "(questions => questions.map(([name, ...of]) => {
 #[test]
 fn the_page_answers_as_the_native_build() {
     for path in carried_and(&["carla/Town05", "esmini/soderleden"]) {
-        let snapshot = open(&path);
+        let snapshot = under_works(open(&path));
         let Some(mut browser) = browser(&snapshot) else { return };
         let questions = questions(snapshot.map());
         let list = Value::from(questions.iter().map(asked).collect::<Vec<_>>());
@@ -84,7 +101,7 @@ fn the_page_answers_as_the_native_build() {
         let answers = answers.as_array().expect("answers");
         assert_eq!(answers.len(), questions.len());
         for (question, answer) in questions.iter().zip(answers) {
-            let expected = question.answer(snapshot.map()).json;
+            let expected = question.answer(snapshot.view(UNIX_EPOCH)).json;
             assert_eq!(
                 answer.as_str(),
                 Some(expected.as_str()),
@@ -108,11 +125,11 @@ fn painted(browser: &mut Browser, layers: &[&str]) -> f64 {
 #[test]
 fn every_layer_is_seen() {
     for path in carried_and(&["esmini/soderleden"]) {
-        let snapshot = open(&path);
+        let snapshot = under_works(open(&path));
         let Some(mut browser) = browser(&snapshot) else { return };
         let names = browser.evaluate("LAYERS");
         for (layer, name) in Layer::ALL.iter().zip(names.as_array().expect("names")) {
-            let drawing = layer.draw(snapshot.map());
+            let drawing = layer.draw(snapshot.view(UNIX_EPOCH));
             // So near that each layer is drawn.
             let corner = drawing.corners.first().map(|corner| corner.place);
             if let Some([x, y]) = drawing.strokes.first().map(|stroke| stroke.from).or(corner) {

@@ -169,6 +169,11 @@ impl Snapshot {
         self.over.as_ref().map_or(0, |over| over.memory.revision())
     }
 
+    /// The overlay's bytes; none without an overlay.
+    pub fn overlay_bytes(&self) -> &[u8] {
+        self.over.as_ref().map_or(&[], |over| over.memory.bytes())
+    }
+
     /// Maps every page of the archive into this process now, so that no query waits for the kernel. Without this call, a page is mapped
     /// when a query first reads it, in each process. Reads one byte of each page: linear in the archive's
     /// size, milliseconds per 100 MB in shared memory. Pages stay mapped unless the kernel runs short of memory;

@@ -94,7 +94,8 @@ pub fn write(
         #[cfg(feature = "html")]
         Format::Html => {
             progress(Progress { doing: "packing the map", done: 0 });
-            let content = mapd_web::page::Content::Archive(snapshot.bytes());
+            let (map, overlay) = (snapshot.bytes(), snapshot.overlay_bytes());
+            let content = mapd_web::page::Content::Archive { map, overlay };
             mapd_web::page::write(content, &options.title, out)?;
         }
         #[cfg(feature = "lanelet2")]

@@ -310,8 +310,12 @@ impl<'a> Lane<'a> {
         let way = |node: &LaneNode<'a>| node.is_forward() == forward;
         let mut found = None;
         for node in self.nodes().filter(way) {
-            let SRange { low: from, high: to } = node.s_range();
-            if found.is_none() || (if forward { s >= from } else { s <= to }) {
+            // Most lanes have one node in a direction, whose ends need not be known.
+            let is_reached = found.is_none() || {
+                let SRange { low: from, high: to } = node.s_range();
+                if forward { s >= from } else { s <= to }
+            };
+            if is_reached {
                 found = Some(node);
             }
         }

@@ -40,10 +40,17 @@ const COLORS = {
   "route": ["#d6246e", "#ff5a9d", 0.95],
   "corridor": ["#d6246e", "#ff5a9d", 0.25],
   "corridor edge": ["#d6246e", "#ff5a9d", 0.8],
+  "closed": ["#c0272d", "#ff5a52", 1],
+  "opened": ["#3f9a4a", "#53d067", 1],
+  "slower": ["#ee8a2a", "#ffa04d", 1],
+  "told": ["#d9b400", "#ffdf4d", 1],
 };
 
 // Lanes by type, as the legend lists them.
 const LEGEND = ["driving", "bus", "biking", "walking", "parking", "edge", "median", "rail", "road works", "other lane", "none"];
+
+// What an overlay says, as the legend lists it.
+const TODAY = [["closed", "closed"], ["opened", "opened"], ["slower", "another speed"], ["told", "told of: wet, works, …"]];
 
 function rgba(name, dark) {
   const [light, night, alpha] = COLORS[name] ?? ["#ff00ff", "#ff00ff", 1];

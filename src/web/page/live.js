@@ -9,7 +9,15 @@ class Live {
     const answer = await fetch(`map/${number}`);
     if (!answer.ok) throw new Error(`mapd view says ${answer.status} ${answer.statusText}`);
     const generation = Number(answer.headers.get("Mapd-Generation"));
-    return Queries.open(this.code, new Uint8Array(await answer.arrayBuffer()), generation);
+    const queries = await Queries.open(this.code, new Uint8Array(await answer.arrayBuffer()), generation);
+    await this.lay(number, queries);
+    return queries;
+  }
+
+  // Lays over a map what is laid over it now. If it belongs to another generation already, that one is told next.
+  async lay(number, queries) {
+    const answer = await fetch(`overlay/${number}`);
+    if (answer.ok) queries.lay(new Uint8Array(await answer.arrayBuffer()), Number(answer.headers.get("Mapd-Revision")));
   }
 
   // Follows the first map, and lets the user choose among several.
@@ -31,14 +39,25 @@ class Live {
     const { viewer } = this;
     this.events?.close();
     const events = this.events = new EventSource(`events/${number}`);
-    events.onmessage = async ({ data }) => {
-      if (Number(data) === viewer.map.generation) return;
-      const queries = await this.load(number);
-      // Another map may have been chosen meanwhile.
-      if (events !== this.events) return;
-      viewer.swap(queries);
-      viewer.note(`Generation ${queries.map.generation} is served now.`);
-    };
+    // One after the other, so that what is older never comes last.
+    let before = Promise.resolve();
+    events.onmessage = ({ data }) => { before = before.then(() => this.heed(number, events, ...data.split(" ").map(Number))).catch(() => {}); };
     events.onerror = () => viewer.note("mapd view does not answer; trying again …");
+  }
+
+  // Shows what an event tells: another generation of the map, or another overlay of the same. Another map may be chosen meanwhile.
+  async heed(number, events, generation, revision) {
+    const { viewer } = this, { queries } = viewer;
+    if (events !== this.events || generation === viewer.map.generation && revision === queries.revision) return;
+    if (generation !== viewer.map.generation) {
+      const next = await this.load(number);
+      if (events !== this.events) return;
+      viewer.swap(next);
+      return viewer.note(`Generation ${next.map.generation} is served now.`);
+    }
+    await this.lay(number, queries);
+    if (queries !== viewer.queries) return;
+    viewer.today();
+    viewer.note("What is laid over the map has changed.");
   }
 }

@@ -7,6 +7,7 @@ const SHOWN = [
   ["lanes", "Lanes by type", true], ["marks", "Road marks", true], ["borders", "Lane borders", true],
   ["directions", "Directions of travel", true], ["stop lines", "Stop lines", true], ["crosswalks", "Crosswalks", true],
   ["signals", "Signals", true], ["objects", "Objects", true], ["left out", "Left out", true],
+  ["today", "Overlay: today's road", true],
   ["reference lines", "Reference lines", false], ["conflicts", "Conflicts", false], ["index boxes", "Index boxes", false],
 ];
 const KEYS = [
@@ -14,6 +15,9 @@ const KEYS = [
   ["click, Enter", "what is there, at the pointer or the middle"], ["/", "search"], ["r", "route between two clicks"],
   ["m", "measure"], ["l", "layers"], ["h", "colour lanes by height"], ["f", "what is left out"], ["0", "whole map"], ["d", "dark or light"], ["Esc", "close"],
 ];
+
+// How often it is looked at whether what is laid over the map begins or ends [ms].
+const MOMENT = 10000;
 
 class Viewer {
   constructor(queries) {
@@ -30,12 +34,14 @@ class Viewer {
     this.camera.resize();
     this.setTheme();
     if (!this.readAddress()) this.fit();
+    setInterval(() => { if (this.queries.isOver) this.today(); }, MOMENT);
   }
 
   // Takes a map.
   open(queries) {
     const { map } = queries;
     Object.assign(this, { queries, map });
+    queries.setMoment(Date.now() / 1000);
     this.camera.farthest = 50 / Math.max(map.bounds[1][0] - map.bounds[0][0], map.bounds[1][1] - map.bounds[0][1], 1);
     LAYERS.forEach((name, number) => {
       const drawing = queries.draw(number);
@@ -49,6 +55,14 @@ class Viewer {
     $("show-left-out").textContent = `${map.left_out} left out`;
     this.clear();
     this.legend();
+  }
+
+  // Draws what is laid over the map at this moment, after it has changed or time has passed.
+  today() {
+    this.queries.setMoment(Date.now() / 1000);
+    this.painter.set("today", this.queries.draw(LAYERS.indexOf("today")));
+    if (this.chosen) this.choose(this.chosen);
+    this.changed();
   }
 
   // Shows another generation of the same map: the view stays where it is.
@@ -120,6 +134,7 @@ class Viewer {
     $("layers").replaceChildren(
       element("h2", { textContent: "Layers" }), ...layers, toggle("Lanes by height", this.isByHeight, isOn => { this.isByHeight = isOn; }),
       element("h2", { textContent: "Lane types" }), ...LEGEND.map(name => element("label", {}, swatch(name), name)),
+      element("h2", { textContent: "Overlay" }), ...TODAY.map(([name, title]) => element("label", {}, swatch(name), title)),
       element("h2", { textContent: "Chosen lane" }),
       ...[["chosen", "the lane"], ["next", "leads to"], ["before", "comes from"], ["other", "gives way to"]].map(([name, title]) => element("label", {}, swatch(name), title)));
   }
@@ -278,6 +293,7 @@ async function start() {
     const code = await embedded("module"), served = JSON.parse($("served").textContent);
     const live = served && new Live(served, code);
     const queries = live ? await live.load(0) : await Queries.open(code, await embedded("archive"), 0);
+    if (!live) queries.lay(await embedded("overlay"));
     $("message").textContent = "";
     const viewer = globalThis.viewer = new Viewer(queries);
     live?.show(viewer);

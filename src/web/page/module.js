@@ -1,7 +1,7 @@
 // The queries: the module of WebAssembly with one map in it.
 
 // Numbers of the module's layers, kinds of things, and parts of drawings.
-const LAYERS = ["lanes", "borders", "reference lines", "marks", "directions", "crosswalks", "stop lines", "objects", "signals", "conflicts", "index boxes", "left out"];
+const LAYERS = ["lanes", "borders", "reference lines", "marks", "directions", "crosswalks", "stop lines", "objects", "signals", "conflicts", "index boxes", "left out", "today"];
 const KINDS = ["lane", "road", "junction", "signal", "object", "quarantine"];
 const CORNERS = 0, TRIANGLES = 1, STROKES = 2, CHUNKS = 3;
 
@@ -44,6 +44,15 @@ class Queries {
     new Uint8Array(this.module.memory.buffer, at, bytes.length).set(bytes);
     return bytes.length;
   }
+
+  // Lays an overlay over the map, in the place of the one before; without bytes nothing. One that was made for another map is none.
+  lay(overlay, revision = 0) {
+    this.revision = revision;
+    this.isOver = Boolean(this.module.lay(this.put(overlay)));
+  }
+
+  // The moment of what is asked from now on [s since 1970].
+  setMoment(seconds) { this.module.set_moment(seconds); }
 
   text() {
     return new TextDecoder().decode(new Uint8Array(this.module.memory.buffer, this.module.answer(), this.module.answer_length()));

@@ -3,7 +3,7 @@
 // Layers in the order in which they are drawn, and pixels a metre from which they are seen.
 const ORDER = [
   ["lanes", 0], ["crosswalks", 0.5], ["borders", 1.5], ["reference lines", 0], ["marks", 0.7], ["stop lines", 0.5],
-  ["directions", 1.6], ["conflicts", 0.2], ["objects", 0.4], ["index boxes", 0], ["left out", 0], ["signals", 0.1],
+  ["directions", 1.6], ["today", 0], ["conflicts", 0.2], ["objects", 0.4], ["index boxes", 0], ["left out", 0], ["signals", 0.1],
 ];
 // Pixels a metre below which roads are drawn as lines, because their lanes are too thin to be seen.
 const FAR = 0.5;
@@ -235,7 +235,7 @@ class Painter {
         continue;
       }
       yield* this.areas(made, camera, ratio, seen, { alpha: 0.5 });
-      const thinnest = name === "left out" || name === "conflicts" ? 2 : name === "borders" ? 1 : 1.2;
+      const thinnest = ["left out", "conflicts", "today"].includes(name) ? 2 : name === "borders" ? 1 : 1.2;
       yield* this.strokes(made, camera, ratio, seen, this.stroke, { thinnest });
     }
     if (this.overlay) {

@@ -64,10 +64,11 @@ class Panel {
     const steps = this.table(["lane", "entered", "s from [m]", "to [m]"], way.steps.map(step => [step.lane, step.enter, ...step.s]));
     const meets = this.table(["from [m]", "to [m]", "meets", "who waits", "why"],
       way.conflicts.map(one => [...one.along, one.other, one.yields, one.reason]));
+    const told = way.today.length ? [this.table(["from [m]", "to [m]", "today"], way.today.map(one => [...one.along, one.entry]))] : [];
     const title = (text, count) => element("p", { className: "soft", textContent: `${text} (${count})` });
     this.open(`Route ${way.length.toFixed(1)} m, ${time}`, element("div", { className: "body" },
-      element("p", { textContent: `Shortest time of a passenger car at the speed limits; ${changes}.` }),
-      title("Lanes", way.steps.length), steps, title("Lanes that it meets", way.conflicts.length), meets));
+      element("p", { textContent: `Shortest time of a passenger car at the speed limits of today; ${changes}.` }),
+      ...told, title("Lanes", way.steps.length), steps, title("Lanes that it meets", way.conflicts.length), meets));
   }
 
   leftOut(parts, count) {

@@ -8,17 +8,36 @@
 #![allow(unsafe_code)]
 
 use crate::{Answer, Drawing, Kind, Layer, Link, Question};
-use mapd_archive::{Archive, open};
+use mapd_archive::{Archive, open, open_overlay};
 use mapd_query::Map;
+use mapd_query::view::View;
 use std::cell::RefCell;
+use std::time::{Duration, UNIX_EPOCH};
 
 #[derive(Default)]
 struct Module {
     archive: Option<&'static Archive<'static>>,
+    /// What is laid over the map: an overlay's bytes; none where nothing is.
+    overlay: Vec<u64>,
+    overlay_bytes: usize,
+    /// The moment that is asked about, in seconds since 1970.
+    moment: f64,
     /// Room for what the page hands over: the archive, then texts.
     input: &'static mut [u64],
     answer: String,
     drawing: Drawing,
+}
+
+impl Module {
+    /// Does something with the map and what is laid over it; none without an open archive.
+    fn with_view<T>(&self, work: impl FnOnce(View<'_>) -> T) -> Option<T> {
+        let map = Map::new(self.archive?, 0);
+        let bytes: &[u8] = bytemuck::cast_slice(&self.overlay);
+        let overlay = bytes.get(..self.overlay_bytes).and_then(|bytes| open_overlay(bytes).ok());
+        let since = Duration::try_from_secs_f64(self.moment).unwrap_or_default();
+        let view = View::new(map, overlay.as_ref(), UNIX_EPOCH + since);
+        view.or_else(|_| View::new(map, None, UNIX_EPOCH + since)).ok().map(work)
+    }
 }
 
 thread_local! {
@@ -50,7 +69,10 @@ extern "C" fn open_archive(bytes: usize, generation: f64) -> bool {
             Ok(archive) => {
                 let archive: &'static Archive<'static> = Box::leak(Box::new(archive));
                 module.archive = Some(archive);
-                module.answer = Question::Map.answer(Map::new(archive, generation as u64)).json;
+                let map = Map::new(archive, generation as u64);
+                let view = View::new(map, None, UNIX_EPOCH);
+                module.answer =
+                    view.map(|view| Question::Map.answer(view).json).unwrap_or_default();
                 true
             }
             Err(error) => {
@@ -61,13 +83,36 @@ extern "C" fn open_archive(bytes: usize, generation: f64) -> bool {
     })
 }
 
+/// Lays the overlay of so many bytes in the room that was reserved over the map; 0: nothing any more. Whether it is one of this map; if not, nothing
+/// is laid over it.
+#[unsafe(no_mangle)]
+extern "C" fn lay(bytes: usize) -> bool {
+    MODULE.with_borrow_mut(|module| {
+        let input: &[u8] = bytemuck::cast_slice(&*module.input);
+        let overlay = input.get(..bytes).and_then(|bytes| open_overlay(bytes).ok());
+        let of = overlay.map(|overlay| overlay.header.provenance.input_hash);
+        let own = module.archive.map(|archive| archive.header.content_hash);
+        let is_own = of.is_some() && of == own;
+        let words = if is_own { bytes.div_ceil(size_of::<u64>()) } else { 0 };
+        module.overlay = module.input.get(..words).unwrap_or_default().to_vec();
+        module.overlay_bytes = if is_own { bytes } else { 0 };
+        is_own
+    })
+}
+
+/// Sets the moment of all that is asked from now on, in seconds since 1970.
+#[unsafe(no_mangle)]
+extern "C" fn set_moment(seconds: f64) {
+    MODULE.with_borrow_mut(|module| module.moment = seconds);
+}
+
 /// Asks: length of the answer, 0 without an open archive.
 fn ask(question: impl FnOnce(&[u8]) -> Option<Question<'_>>) -> usize {
     MODULE.with_borrow_mut(|module| {
-        let Some(archive) = module.archive else { return 0 };
         let input: &[u8] = bytemuck::cast_slice(&*module.input);
         let Some(question) = question(input) else { return 0 };
-        let Answer { json, drawing } = question.answer(Map::new(archive, 0));
+        let answer = module.with_view(|view| question.answer(view));
+        let Some(Answer { json, drawing }) = answer else { return 0 };
         module.answer = json;
         module.drawing = drawing.unwrap_or_default();
         module.answer.len()
@@ -126,10 +171,10 @@ extern "C" fn answer_length() -> usize {
 #[unsafe(no_mangle)]
 extern "C" fn draw(layer: usize) {
     MODULE.with_borrow_mut(|module| {
-        let (Some(archive), Some(layer)) = (module.archive, Layer::ALL.get(layer)) else { return };
+        let Some(layer) = Layer::ALL.get(layer) else { return };
         // What came before need not lie beside it.
         module.drawing = Drawing::default();
-        module.drawing = layer.draw(Map::new(archive, 0));
+        module.drawing = module.with_view(|view| layer.draw(view)).unwrap_or_default();
     });
 }
 

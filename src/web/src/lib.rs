@@ -29,4 +29,4 @@ pub use scene::Layer;
 pub use sheet::{Fact, Kind, Link, Sheet, Words};
 pub use signs::SignalSign;
 pub use strokes::MarkStroke;
-pub use way::{DrawnWay, Meeting, Step, Way, highlight, way};
+pub use way::{DrawnWay, Meeting, Step, Told, Way, highlight, way};

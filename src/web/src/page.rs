@@ -37,10 +37,15 @@ const PIECE: usize = 3 << 16;
 /// Where a page has its map from.
 #[derive(Clone, Copy, Debug)]
 pub enum Content<'a> {
-    /// An archive, which lies in the page.
-    Archive(&'a [u8]),
-    /// Maps of these names, which whoever serves the page serves, too: the archive of the first at `map/0`, its events at
-    /// `events/0`, and so on.
+    /// An archive and what is laid over it, if anything is, which lie in the page.
+    Archive {
+        /// The archive's bytes.
+        map: &'a [u8],
+        /// The overlay's bytes; none without one.
+        overlay: &'a [u8],
+    },
+    /// Maps of these names, which whoever serves the page serves, too: the archive of the first at `map/0`, what is laid over it at `overlay/0`, its events
+    /// at `events/0`, and so on.
     Served(&'a [String]),
 }
 
@@ -61,7 +66,8 @@ pub fn write(content: Content<'_>, title: &str, out: &mut dyn Write) -> io::Resu
             "script" => out.write_all(script.as_bytes())?,
             "module" => base64(MODULE, out)?,
             "served" => out.write_all(served(content).as_bytes())?,
-            _ => archive(content, out)?,
+            "overlay" => packed(content, |_, overlay| overlay, out)?,
+            _ => packed(content, |map, _| map, out)?,
         }
         rest = after;
     }
@@ -73,7 +79,7 @@ fn policy(script: &str, content: Content<'_>) -> String {
     let hash = |text: &str| encoded(&Sha256::digest(text));
     let (script, style) = (hash(script), hash(STYLE));
     let connect = match content {
-        Content::Archive(_) => "",
+        Content::Archive { .. } => "",
         Content::Served(_) => "connect-src 'self'; ",
     };
     format!(
@@ -88,11 +94,15 @@ fn served(content: Content<'_>) -> String {
     serde_json::to_string(names).unwrap_or_default().replace('<', "\\u003c")
 }
 
-/// The archive, packed; nothing for a page that fetches it.
-fn archive(content: Content<'_>, out: &mut dyn Write) -> io::Result<()> {
-    let Content::Archive(archive) = content else { return Ok(()) };
+/// The archive or the overlay, packed; nothing for a page that fetches it.
+fn packed<'a>(
+    content: Content<'a>,
+    which: impl FnOnce(&'a [u8], &'a [u8]) -> &'a [u8],
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let Content::Archive { map, overlay } = content else { return Ok(()) };
     let mut packer = GzEncoder::new(Vec::new(), Compression::best());
-    packer.write_all(archive)?;
+    packer.write_all(which(map, overlay))?;
     base64(&packer.finish()?, out)
 }
 

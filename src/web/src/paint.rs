@@ -1,5 +1,6 @@
 //! What stands out by its colour. The page has the colours, by these names.
 
+use mapd_query::view::OverlayKind;
 use mapd_query::vocabulary::{LaneType, RoadMarkColor};
 
 macro_rules! paints {
@@ -102,6 +103,14 @@ paints! {
     Corridor = "corridor",
     /// Edges of that room.
     CorridorLine = "corridor edge",
+    /// Lanes that an overlay closes now.
+    Closed = "closed",
+    /// Lanes that it opens.
+    Opened = "opened",
+    /// Lanes on which it states a speed.
+    Slower = "slower",
+    /// Lanes of which it says something else.
+    Told = "told",
 }
 
 impl From<LaneType> for Paint {
@@ -128,6 +137,17 @@ impl From<LaneType> for Paint {
             LaneType::Median | LaneType::Restricted => Self::Green,
             LaneType::RoadWorks => Self::Works,
             _ => Self::OtherLane,
+        }
+    }
+}
+
+impl From<OverlayKind> for Paint {
+    fn from(kind: OverlayKind) -> Self {
+        match kind {
+            OverlayKind::Closed => Self::Closed,
+            OverlayKind::Open => Self::Opened,
+            OverlayKind::Speed => Self::Slower,
+            _ => Self::Told,
         }
     }
 }

@@ -8,12 +8,13 @@ use crate::{find, scene, way};
 use mapd_query::Bounds;
 use mapd_query::Map;
 use mapd_query::document::SourcePosition;
+use mapd_query::view::View;
 use serde::Serialize;
 
 /// Parts that are left out and listed at most.
 const MOST_LISTED: usize = 5000;
 
-/// A question about a map.
+/// A question about a map, with what is laid over it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Question<'a> {
     /// What the map is: its name, extent, numbers of things and paints.
@@ -79,19 +80,19 @@ pub struct Answer {
 }
 
 impl Question<'_> {
-    /// The answer.
-    pub fn answer(&self, map: Map<'_>) -> Answer {
-        let mut drawing = None;
+    /// The answer, with what is laid over the map.
+    pub fn answer(&self, view: View<'_>) -> Answer {
+        let (map, mut drawing) = (view.map(), None);
         let json = match self {
             Self::Map => json(&overview(map)),
             Self::Place([x, y]) => result(PlanPoint::at(map, *x, *y)),
             Self::Pick([x, y], radius) => result(pick(map, *x, *y, *radius)),
             Self::Sheet(link) => {
                 drawing = Some(way::highlight(map, *link));
-                json(&Sheet::of(map, *link))
+                json(&Sheet::of(view, *link))
             }
             Self::Find(text) => json(&find::find(map, text)),
-            Self::Way(from, to) => match way::way(map, *from, *to) {
+            Self::Way(from, to) => match way::way(view, *from, *to) {
                 Ok(found) => {
                     drawing = Some(found.drawing);
                     json(&found.way)

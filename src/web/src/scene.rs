@@ -2,6 +2,7 @@
 
 mod lanes;
 mod things;
+mod today;
 
 pub(crate) use lanes::area;
 pub(crate) use things::{level_of, object};
@@ -9,6 +10,7 @@ pub(crate) use things::{level_of, object};
 use crate::drawing::{Drawing, level};
 use mapd_query::Bounds;
 use mapd_query::glam::DVec3;
+use mapd_query::view::View;
 use mapd_query::{LaneSection, Map};
 
 /// What can be shown and hidden.
@@ -41,6 +43,8 @@ pub enum Layer {
     IndexBoxes,
     /// What is left out.
     Quarantine,
+    /// What an overlay says now: closed, opened, slower, told.
+    Today,
 }
 
 impl Layer {
@@ -58,10 +62,12 @@ impl Layer {
         Self::Conflicts,
         Self::IndexBoxes,
         Self::Quarantine,
+        Self::Today,
     ];
 
-    /// The layer of a map.
-    pub fn draw(self, map: Map<'_>) -> Drawing {
+    /// The layer of a map, with what is laid over it.
+    pub fn draw(self, view: View<'_>) -> Drawing {
+        let map = view.map();
         let mut drawing = Drawing::new(middle(map));
         match self {
             Self::Lanes => lanes::areas(map, &mut drawing),
@@ -76,6 +82,7 @@ impl Layer {
             Self::Conflicts => things::conflicts(map, &mut drawing),
             Self::IndexBoxes => things::index_boxes(map, &mut drawing),
             Self::Quarantine => things::quarantine(map, &mut drawing),
+            Self::Today => today::stretches(view, &mut drawing),
         }
         drawing.finish();
         drawing

@@ -6,8 +6,9 @@ mod other;
 use mapd_query::compiling::ByRow as _;
 use mapd_query::objects::Object;
 use mapd_query::signals::Signal;
+use mapd_query::view::{OverlayEntry, View};
 use mapd_query::vocabulary::QuarantinedKind;
-use mapd_query::{Junction, Lane, Map, Road};
+use mapd_query::{Junction, Lane, Road};
 use serde::Serialize;
 
 /// What a sheet can be about.
@@ -78,12 +79,15 @@ pub struct Sheet {
 
 impl Sheet {
     /// The sheet of a thing; none where the map has no such thing.
-    pub fn of(map: Map<'_>, about: Link) -> Option<Self> {
+    pub fn of(view: View<'_>, about: Link) -> Option<Self> {
+        let map = view.map();
         match about.kind {
-            Kind::Lane => map.lane_by_row(about.row).map(|lane| lane::sheet(map, &lane)),
+            Kind::Lane => map.lane_by_row(about.row).map(|lane| lane::sheet(view, &lane)),
             Kind::Road => map.road_by_row(about.row).map(|road| other::road(&road)),
             Kind::Junction => map.junction_by_row(about.row).map(|one| other::junction(&one)),
-            Kind::Signal => map.signals().nth(about.row as usize).map(|one| other::signal(&one)),
+            Kind::Signal => {
+                map.signals().nth(about.row as usize).map(|one| other::signal(view, &one))
+            }
             Kind::Object => map.objects().nth(about.row as usize).map(|one| other::object(&one)),
             Kind::Quarantine => {
                 map.quarantined().nth(about.row as usize).map(|one| other::quarantine(&one, about))
@@ -163,6 +167,21 @@ impl From<&Object<'_>> for Words {
     fn from(object: &Object<'_>) -> Self {
         let link = Link { kind: Kind::Object, row: object.object_id().row() };
         Self { text: format!("{} {}", object.id(), object.class().name()), link: Some(link) }
+    }
+}
+
+impl From<OverlayEntry<'_>> for Words {
+    fn from(entry: OverlayEntry<'_>) -> Self {
+        let mut text = format!("{}: {}", entry.id(), entry.kind().name());
+        if let Some(value) = entry.value() {
+            text += &format!(" {}", speed(value));
+        }
+        for (before, said) in [("“", entry.text()), ("from “", entry.source())] {
+            if !said.is_empty() {
+                text += &format!(", {before}{said}”");
+            }
+        }
+        Self { text, link: None }
     }
 }
 

@@ -9,6 +9,7 @@ use mapd_query::compiling::ByRow as _;
 use mapd_query::glam::{DVec2, DVec3};
 use mapd_query::path::{Corridor, Path, PathBuffer, PathOptions};
 use mapd_query::route::{Enter, PositionOnLane, RouteScratch, RouteStep, ShortestTime};
+use mapd_query::view::View;
 use mapd_query::vocabulary::VehicleClass;
 use mapd_query::{Lane, Map, QueryError};
 use serde::Serialize;
@@ -31,6 +32,17 @@ pub struct Way {
     pub steps: Vec<Step>,
     /// Whom it meets.
     pub conflicts: Vec<Meeting>,
+    /// What an overlay says along it now.
+    pub today: Vec<Told>,
+}
+
+/// Where an entry of an overlay holds on a route.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Told {
+    /// From and to where on the route `[m]`.
+    pub along: [f64; 2],
+    /// The entry.
+    pub entry: Words,
 }
 
 /// A lane of a route.
@@ -69,14 +81,15 @@ pub struct DrawnWay {
 const NO_LANE: &str = "no lane for passenger cars within 10 m of";
 const NO_WAY: &str = "no way for a passenger car leads there";
 
-/// The way of a passenger car that takes the shortest time, from the lane at one place to that at another.
+/// The way of a passenger car that takes the shortest time today, from the lane at one place to that at another.
 ///
 /// Errors: a sentence that says why there is none.
-pub fn way(map: Map<'_>, from: [f64; 2], to: [f64; 2]) -> Result<DrawnWay, String> {
+pub fn way(view: View<'_>, from: [f64; 2], to: [f64; 2]) -> Result<DrawnWay, String> {
+    let map = view.map();
     let (from, to) = (place(map, from, "the start")?, place(map, to, "the destination")?);
     let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
     let (car, cost) = (VehicleClass::PassengerCar, ShortestTime::default());
-    let route = map
+    let route = view
         .route(from, to, car, &cost, &mut scratch, &mut steps)
         .map_err(|error| error.to_string())?
         .ok_or(NO_WAY)?;
@@ -86,6 +99,8 @@ pub fn way(map: Map<'_>, from: [f64; 2], to: [f64; 2]) -> Result<DrawnWay, Strin
         .map_err(|error| error.to_string())?;
     let mut found = Vec::new();
     path.conflicts(&mut found);
+    let mut told = Vec::new();
+    view.restrictions_on_path(&path, car, &mut told).map_err(|error| error.to_string())?;
     let conflicts = found.iter().filter_map(|conflict| {
         Some(Meeting {
             along: conflict.along,
@@ -100,8 +115,12 @@ pub fn way(map: Map<'_>, from: [f64; 2], to: [f64; 2]) -> Result<DrawnWay, Strin
         lane_changes: route.lane_changes,
         steps: steps.iter().filter_map(|step| table_row(map, step)).collect(),
         conflicts: conflicts.collect(),
+        today: told
+            .iter()
+            .map(|one| Told { along: one.along, entry: Words::from(one.restriction.entry) })
+            .collect(),
     };
-    let drawing = draw(map, &path).map_err(|error| error.to_string())?;
+    let drawing = draw(view, &path).map_err(|error| error.to_string())?;
     Ok(DrawnWay { way, drawing })
 }
 
@@ -124,10 +143,11 @@ fn table_row(map: Map<'_>, step: &RouteStep) -> Option<Step> {
 }
 
 /// The driven line, and the room beside it.
-fn draw(map: Map<'_>, path: &Path<'_, '_>) -> Result<Drawing, QueryError> {
+fn draw<'a>(view: View<'a>, path: &Path<'a, '_>) -> Result<Drawing, QueryError> {
+    let (map, car) = (view.map(), VehicleClass::PassengerCar);
     let mut drawing = Drawing::new(middle(map));
     let mut corridor = Corridor::default();
-    path.corridor(0.0, path.length(), STEP, VehicleClass::PassengerCar, &mut corridor)?;
+    view.corridor(path, 0.0, path.length(), STEP, car, &mut corridor)?;
     drawing.near(DVec2::ZERO);
     let level = level(map.bounds().high.z - middle(map).z);
     let points = |line: &[DVec3]| -> Vec<(f64, DVec3)> {

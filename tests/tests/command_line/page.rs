@@ -1,12 +1,18 @@
 //! `mapd export --format html`: one page, whole, that lets nothing in and nothing out.
 
 use ct_codecs::{Base64, Decoder, Encoder};
+use mapd_client::Snapshot;
 use mapd_tests::maps::{Random, carried_and, open, open_text};
-use mapd_web::{Kind, Layer, Link, Question};
+use mapd_tests::overlays::over;
+use mapd_tests::town::town;
+use mapd_web::page::Content;
+use mapd_web::{Kind, Layer, Link, Paint, Question};
 use sha2::{Digest, Sha256};
+use std::collections::BTreeSet;
 use std::io::Read;
 use std::path::Path;
 use std::process::Command;
+use std::time::UNIX_EPOCH;
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 
@@ -78,9 +84,58 @@ fn hostile_names_are_text() {
     let renamed = text.replacen("<road name=\"", &format!("<road name=\"{escaped}"), 1);
     assert_ne!(renamed, text, "the map's first road has a name");
     let snapshot = open_text(&renamed);
-    let answer = Question::Find("script").answer(snapshot.map()).json;
+    let answer = Question::Find("script").answer(snapshot.view(UNIX_EPOCH)).json;
     let found: serde_json::Value = serde_json::from_str(&answer).expect("JSON");
     assert!(found[0]["text"].as_str().expect("text").contains(HOSTILE), "{answer}");
+}
+
+/// What is laid over the map is in the page, drawn, and said of lanes, signals and ways.
+#[test]
+fn what_is_laid_over_the_map_is_shown() {
+    let snapshot = over_the_town();
+    let mut page = Vec::new();
+    let content = Content::Archive { map: snapshot.bytes(), overlay: snapshot.overlay_bytes() };
+    mapd_web::page::write(content, "town", &mut page).expect("written");
+    let page = String::from_utf8(page).expect("UTF-8");
+    assert_eq!(unpacked(&page, "overlay"), snapshot.overlay_bytes());
+    let bare = snapshot_of_town();
+    for (snapshot, is_over) in [(&snapshot, true), (&bare, false)] {
+        let view = snapshot.view(UNIX_EPOCH);
+        let map = view.map();
+        let drawing = Layer::Today.draw(view);
+        let paints: BTreeSet<u32> = drawing.corners.iter().map(|c| c.paint & 255).collect();
+        let expected = [Paint::Closed, Paint::Slower, Paint::Told].map(|paint| paint as u32);
+        assert_eq!(paints, expected.into_iter().filter(|_| is_over).collect());
+        let lane = map.road_by_id("1").and_then(|road| road.section(0)?.lane(-1)).expect("a lane");
+        let row = lane.lane_id().row();
+        let sheet = Question::Sheet(Link { kind: Kind::Lane, row }).answer(view).json;
+        assert_eq!(
+            sheet.contains("works: closed, “cable”, from “city”, s 30.00 … 40.00 m"),
+            is_over
+        );
+        let at = |s: f64| lane.pose_at(s, 0.0).expect("a place").position.truncate().to_array();
+        let way = Question::Way(at(5.0), at(15.0)).answer(view).json;
+        assert_eq!(way.contains("wet: wet"), is_over, "{way}");
+        let through = Question::Way(at(5.0), at(60.0)).answer(view).json;
+        assert_eq!(through.contains("no way for a passenger car"), is_over, "{through}");
+    }
+}
+
+/// The town with a stretch of road 1 closed, one wet, and road 2 slower.
+fn over_the_town() -> Snapshot {
+    let snapshot = snapshot_of_town();
+    let lanes = |s: &str| format!(r#""lanes":[{{"road":"1","s":{s},"lane":-1}}]"#);
+    let (closed, wet) = (lanes("[30,40]"), lanes("[8,12]"));
+    let text = format!(
+        r#"{{"entries":[{{"id":"works","kind":"closed","source":"city","text":"cable",{closed}}},{{"id":"wet","kind":"wet",{wet}}},
+        {{"id":"slow","kind":"speed","value":2,"lanes":[{{"road":"2"}}]}}]}}"#
+    );
+    let (bytes, _) = over(snapshot.map(), &text, false);
+    snapshot.with_overlay(bytes).expect("its own")
+}
+
+fn snapshot_of_town() -> Snapshot {
+    open_text(&town(3, 3))
 }
 
 /// Every question has an answer that is JSON, whatever is asked; what is drawn lies within the map.
@@ -88,7 +143,8 @@ fn hostile_names_are_text() {
 fn whatever_is_asked_is_answered() {
     for path in carried_and(&["esmini/soderleden"]) {
         let snapshot = open(&path);
-        let (map, mut random) = (snapshot.map(), Random(7));
+        let (view, mut random) = (snapshot.view(UNIX_EPOCH), Random(7));
+        let map = view.map();
         let mut questions =
             vec![Question::Map, Question::LeftOut, Question::Find("1"), Question::Find("")];
         for row in 0..QUESTIONS {
@@ -104,12 +160,12 @@ fn whatever_is_asked_is_answered() {
         questions
             .extend([Question::Place([f64::NAN, 0.0]), Question::Pick([0.0; 2], f64::INFINITY)]);
         for question in questions {
-            let answer = question.answer(map).json;
+            let answer = question.answer(view).json;
             let read: Result<serde_json::Value, _> = serde_json::from_str(&answer);
             assert!(read.is_ok(), "{question:?}: {answer}");
         }
         for layer in Layer::ALL {
-            let drawing = layer.draw(map);
+            let drawing = layer.draw(view);
             let corners = drawing.corners.len() as u32;
             assert!(drawing.triangles.iter().all(|corner| *corner < corners), "{layer:?}");
             let strokes: u32 = drawing.chunks.iter().map(|chunk| chunk.strokes[1]).sum();

@@ -84,11 +84,11 @@ fn there<'a>(map: Map<'a>, lane: &Lane<'_>) -> Lane<'a> {
     map.lane_by_key(&lane.key()).expect("the same lanes")
 }
 
-/// Compares a map with these stretches written into it; speeds from one limit to another `[m/s]`.
-fn check(name: &str, text: &str, speeds: [f64; 2]) {
+/// Compares a map with random stretches written into it; speeds from one limit to another `[m/s]`.
+fn check(name: &str, text: &str, (speeds, seed): ([f64; 2], u64)) {
     let plain = open_text(text);
     let map = plain.map();
-    let mut random = Random(5);
+    let mut random = Random(seed);
     let mut written = text.to_owned();
     let mut kept = Vec::new();
     for stretch in stretches(map, speeds, &mut random) {
@@ -210,10 +210,10 @@ fn routes(
     found
 }
 
-/// Closed, and slower than any road.
-const SLOWER: [f64; 2] = [1.0, 4.0];
-/// Closed, and slower or faster.
-const FASTER: [f64; 2] = [4.0, 40.0];
+/// Closed, and slower than any road; and where.
+const SLOWER: ([f64; 2], u64) = ([1.0, 4.0], 5);
+/// Closed, and slower or faster; elsewhere.
+const FASTER: ([f64; 2], u64) = ([4.0, 40.0], 6);
 
 /// Steps by the names of their lanes.
 fn named(map: Map<'_>, steps: &[RouteStep]) -> Vec<String> {

@@ -125,6 +125,29 @@ fn readers_see_it() {
     assert!(!scene.place.domain().root().exists());
 }
 
+/// What changes it tells what is laid over the map then, as `list` does.
+#[test]
+fn changes_are_told_as_json() {
+    let scene = Scene::new();
+    let _daemon = scene.place.serve(&scene.args());
+    let mut last = 0;
+    let changes: [(&[&str], &str, usize); 4] = [
+        (&["apply", "-", "--json"], &closed("works", -1), 1),
+        (&["apply", "--json", "-"], &closed("more", -1), 2),
+        (&["remove", "works", "--json"], "", 1),
+        (&["clear", "--json"], "", 0),
+    ];
+    for (args, stdin, left) in changes {
+        let told: Value = serde_json::from_str(&scene.ends(args, stdin, 0)).expect("JSON");
+        assert_eq!(told["entries"].as_array().map(Vec::len), Some(left), "{args:?}");
+        assert_eq!(told, scene.list(), "{args:?}");
+        let revision = told["revision"].as_u64().expect("a number");
+        assert!(revision > last, "{args:?}: {told}");
+        last = revision;
+    }
+    scene.ends(&["apply", "-", "--watch", "--json"], "", 2);
+}
+
 /// Status and drawings of a live map show it.
 #[test]
 fn it_is_shown() {
@@ -380,6 +403,11 @@ fn a_feed_applied_again_is_all_that_it_says() {
     assert_eq!(ids(), ["own", "second", "zone", "zone/closed"], "{said}");
     apply("cancelled");
     assert_eq!(ids(), ["own", "second"]);
+    fs::write(&feed, zone("active").to_string().replace("47.9", "47.8")).expect("written");
+    let told = scene.ends(&["apply", feed.to_str().expect("a name"), "--json"], "", 0);
+    let told: Value = serde_json::from_str(&told).expect("JSON");
+    let found = told["findings"][0]["place"].as_str();
+    assert!(found.is_some_and(|place| place.starts_with("features[0]")), "{told}");
     let said = scene.ends(&["apply", feed.to_str().expect("a name"), "--tolerance", "500"], "", 2);
     assert!(said.contains("at most 100 m"), "{said}");
 }

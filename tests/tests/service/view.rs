@@ -1,6 +1,6 @@
 //! `mapd view`: who is answered what.
 
-use mapd_client::Client;
+use mapd_client::{Attach, Client};
 use mapd_tests::maps::open;
 use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use std::io::{BufRead, BufReader, Read, Write};
@@ -91,7 +91,7 @@ fn only_this_machine_is_answered() {
 }
 
 #[test]
-fn who_listens_hears_of_every_generation() {
+fn who_listens_hears_of_every_generation_and_overlay() {
     let place = place();
     let folder = tempfile::tempdir().expect("a folder");
     let map = folder.path().join("town.xodr");
@@ -104,16 +104,33 @@ fn who_listens_hears_of_every_generation() {
     let mut next = || loop {
         let mut line = String::new();
         assert_ne!(events.read_line(&mut line).expect("an event"), 0, "the events ended");
-        if let Some(generation) = line.strip_prefix("data: ") {
-            return generation.trim().parse::<u64>().expect("a generation");
+        if let Some(pair) = line.strip_prefix("data: ") {
+            let (generation, revision) = pair.trim().split_once(' ').expect("two numbers");
+            let number = |text: &str| text.parse::<u64>().expect("a number");
+            return (number(generation), number(revision));
         }
     };
-    let client = Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
-    assert_eq!(next(), client.snapshot().generation());
+    let client =
+        Client::connect_as(Attach::Observer, &place.domain(), "town", PATIENCE).expect("attaches");
+    assert_eq!(next(), (client.snapshot().generation(), 0));
+    let overlay = || view.ask("GET /overlay/0 HTTP/1.1\r\nHost: 127.0.0.1:PORT\r\n\r\n");
+    assert_eq!(overlay(), (200, Vec::new()));
+    let entries = folder.path().join("works.json");
+    let text = r#"{"entries":[{"id":"works","kind":"wet","lanes":[{"road":"1"}]}]}"#;
+    std::fs::write(&entries, text).expect("written");
+    let file = entries.to_str().expect("a path");
+    for (args, is_over) in [(["apply", file], true), (["remove", "works"], false)] {
+        let laid = place.command().args(["overlay", "town"]).args(args).output().expect("ends");
+        assert!(laid.status.success(), "{laid:?}");
+        let newest = client.refresh().expect("the newest");
+        assert_eq!(next(), (newest.generation(), newest.overlay_revision()));
+        assert_eq!(newest.overlay_bytes().is_empty(), !is_over);
+        assert_eq!(overlay(), (200, newest.overlay_bytes().to_vec()));
+    }
     put("one_road.xodr");
     place.reload("town");
     let newest = client.wait_next(PATIENCE).expect("a generation");
-    assert_eq!(next(), newest.generation());
+    assert_eq!(next(), (newest.generation(), 0));
     let answer = view.ask("GET /map/0 HTTP/1.1\r\nHost: 127.0.0.1:PORT\r\n\r\n");
     assert_eq!(answer, (200, newest.bytes().to_vec()));
 }

@@ -86,8 +86,9 @@ impl<'a> View<'a> {
         let map = path.speed_at(along).ok_or(QueryError::NotFinite)?;
         let at = path.at(along)?;
         let lane = self.map.lane(at.lane)?;
-        let piece = self.piece_at(&lane, at.s, at.forward);
-        Ok(SpeedToday::of(map, self.restrictions_on(piece), vehicle))
+        let mut today = SpeedToday { max: map.max, map, restriction: None };
+        self.lower(&mut today, &lane, self.piece_at(&lane, at.s, at.forward), vehicle);
+        Ok(today)
     }
 
     /// As [`Path::corridor`], with the overlay's current entries applied: beside the path a lane that is closed cannot be changed to and adds no room, and one that is

@@ -1,11 +1,11 @@
 //! The lane graph with an overlay applied, for searches.
 
-use super::{View, node_of};
+use super::{View, is_touched, node_row};
 use crate::graph::LaneNode;
-use crate::lane::Lane;
+use crate::lane::{Lane, edges_of};
 use crate::map::Map;
 use crate::route::{Bounds, RouteCost, Ways};
-use mapd_archive::VehicleClass;
+use mapd_archive::{ArchivedTouchedRow, NONE, VehicleClass};
 
 /// A view, for a class of vehicles.
 ///
@@ -15,6 +15,8 @@ pub(super) struct OverlaidGraph<'a> {
     view: View<'a>,
     vehicle: VehicleClass,
     nodes: u32,
+    /// Which nodes have pieces.
+    touched: &'a [ArchivedTouchedRow],
     /// What raised speeds make of a time: at least this share of it is left, and all but so many seconds.
     time_factor: f64,
     time_saved: f64,
@@ -28,6 +30,7 @@ impl<'a> OverlaidGraph<'a> {
             view,
             vehicle,
             nodes: view.map.tables().lane_nodes.len() as u32,
+            touched: view.tables().map_or(&[], |tables| tables.touched),
             time_factor: row.map_or(1.0, |row| row.time_factor()),
             time_saved: row.map_or(0.0, |row| row.time_saved()),
             has_bounds: row.is_none_or(|row| row.opens() == 0),
@@ -47,15 +50,14 @@ impl<'a> OverlaidGraph<'a> {
         if pieces.is_empty() { node } else { self.nodes + pieces.start }
     }
 
-    /// The node of the map, and the number of this piece in it.
+    /// The node of the map, the number of this piece in it, and how many it has.
     #[inline]
     fn base(&self, number: u32) -> (u32, u32, u32) {
-        let (Some(piece), Some(tables)) = (self.piece(number), self.view.tables()) else {
-            return (number, 0, 1);
-        };
-        let node = node_of(tables, piece);
-        let pieces = self.view.pieces_of(node);
-        (node, piece.saturating_sub(pieces.start), pieces.end - pieces.start)
+        let Some(piece) = self.piece(number) else { return (number, 0, 1) };
+        let row = self.view.tables().and_then(|tables| node_row(tables, piece));
+        let Some(row) = row else { return (NONE, 0, 1) };
+        let pieces = row.pieces();
+        (row.node(), piece.wrapping_sub(pieces.first), pieces.count)
     }
 }
 
@@ -86,10 +88,16 @@ impl<'a> Ways<'a> for OverlaidGraph<'a> {
     #[inline]
     fn ahead(&self, number: u32, mut enter: impl FnMut(u32)) {
         let (node, index, count) = self.base(number);
-        if index + 1 < count {
-            return enter(number + 1);
+        let (tables, beyond) = (self.view.map.tables(), [number.wrapping_add(1)]);
+        // One loop, so that what is done with each is generated once.
+        let next = match index + 1 < count {
+            true => &beyond,
+            false => edges_of(tables.successor_offsets, tables.successors, node),
+        };
+        for next in next {
+            // A piece's number is beyond all bits.
+            enter(if is_touched(self.touched, *next) { self.entered(*next) } else { *next });
         }
-        self.view.map.ahead(node, |next| enter(self.entered(next)));
     }
 
     fn behind(&self, number: u32, mut enter: impl FnMut(u32)) {

@@ -17,7 +17,10 @@ pub use queries::{Permission, SpeedToday};
 use crate::graph::{LaneNode, NodePiece};
 use crate::lane::Lane;
 use crate::map::Map;
-use mapd_archive::{ArchivedOverlayEntryRow, ArchivedPieceRow, NONE, OverlayTables, VehicleClass};
+use mapd_archive::{
+    ArchivedOverlayEntryRow, ArchivedOverlayNodeRow, ArchivedPieceRow, ArchivedTouchedRow,
+    OverlayTables, VehicleClass,
+};
 use std::time::{SystemTime, UNIX_EPOCH};
 use thiserror::Error;
 
@@ -102,6 +105,14 @@ impl<'a> View<'a> {
                 .any(|time| self.in_week >= time.from() && self.in_week < time.until())
     }
 
+    /// Whether the overlay has pieces of a lane.
+    #[inline]
+    fn touches(&self, lane: &Lane<'a>) -> bool {
+        let Some(tables) = self.tables() else { return false };
+        let nodes = lane.row.nodes();
+        (0..nodes.count).any(|i| is_touched(tables.touched, nodes.first.wrapping_add(i)))
+    }
+
     /// Rows of the pieces of a node of the map; empty where the overlay says nothing of it.
     #[inline]
     fn pieces_of(&self, node: u32) -> std::ops::Range<u32> {
@@ -177,9 +188,14 @@ impl<'a> View<'a> {
     }
 }
 
-/// Row of the node that an overlay's piece is of.
-fn node_of(tables: &OverlayTables<'_>, piece: u32) -> u32 {
-    let row =
-        tables.pieces.get(piece as usize).and_then(|row| tables.nodes.get(row.node() as usize));
-    row.map_or(NONE, |row| row.node())
+/// The row of the node that an overlay's piece is of.
+#[inline]
+fn node_row<'a>(tables: &OverlayTables<'a>, piece: u32) -> Option<&'a ArchivedOverlayNodeRow> {
+    tables.nodes.get(tables.pieces.get(piece as usize)?.node() as usize)
+}
+
+/// Whether a node of the map has pieces.
+#[inline]
+fn is_touched(touched: &[ArchivedTouchedRow], node: u32) -> bool {
+    touched.get(node as usize / 64).is_some_and(|word| word.bits() >> (node % 64) & 1 != 0)
 }

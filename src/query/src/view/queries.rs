@@ -5,12 +5,13 @@ use super::{OverlayEntry, Restriction, View};
 use crate::error::QueryError;
 use crate::graph::LaneNode;
 use crate::ids::{LaneId, SignalId};
+use crate::lane::Lane;
 use crate::route::{
     AlternativeOptions, PositionOnLane, Reach, Reached, Route, RouteCost, RouteError, RouteRequest,
     RouteScratch, RouteStep, Routes, alternatives, find, find_via, network, reach,
 };
 use crate::rules::SpeedRule;
-use mapd_archive::{OverlayKind, VehicleClass};
+use mapd_archive::{ArchivedPieceRow, Overlay, OverlayKind, VehicleClass};
 
 /// Whether a class of vehicles may use a lane at a place.
 #[derive(Clone, Copy, Debug)]
@@ -32,25 +33,6 @@ pub struct SpeedToday<'a> {
     pub restriction: Option<Restriction<'a>>,
 }
 
-impl<'a> SpeedToday<'a> {
-    /// What the map says, and entries of a place.
-    pub(super) fn of(
-        map: SpeedRule,
-        entries: impl Iterator<Item = Restriction<'a>>,
-        vehicle: VehicleClass,
-    ) -> Self {
-        let mut today = Self { max: map.max, map, restriction: None };
-        let mut lowest = f64::INFINITY;
-        for one in entries.filter(|one| one.entry.concerns(vehicle)) {
-            if let Some(value) = one.entry.value().filter(|value| *value < lowest) {
-                lowest = value;
-                (today.max, today.restriction) = (Some(value), Some(one));
-            }
-        }
-        today
-    }
-}
-
 impl<'a> View<'a> {
     /// Entries that hold now at s of a lane, in its direction of travel, for any class of vehicles, in the order of the overlay.
     ///
@@ -64,10 +46,18 @@ impl<'a> View<'a> {
         if !s.is_finite() {
             return Err(QueryError::NotFinite);
         }
-        let section = own.section();
+        Ok(self.restrictions_in(&own, s))
+    }
+
+    /// [`View::restrictions_at`] of an s that is a number.
+    fn restrictions_in(
+        &self,
+        lane: &Lane<'a>,
+        s: f64,
+    ) -> impl Iterator<Item = Restriction<'a>> + use<'a> {
+        let section = lane.section();
         let s = mapd_geometry::clamp(s, section.s_start(), section.s_end());
-        let piece = self.piece_at(&own, s, own.is_forward());
-        Ok(self.restrictions_on(piece))
+        self.restrictions_on(self.piece_at(lane, s, lane.is_forward()))
     }
 
     /// Entries that hold now on a piece.
@@ -75,20 +65,14 @@ impl<'a> View<'a> {
         &self,
         piece: Option<u32>,
     ) -> impl Iterator<Item = Restriction<'a>> + use<'a> {
-        let view = *self;
-        let row = piece.and_then(|piece| view.tables()?.pieces.get(piece as usize));
-        let content = self.map.content();
-        let found = row.zip(self.overlay).map(move |(row, overlay)| {
-            let tables = &overlay.tables;
-            let node = piece.map_or(u32::MAX, |piece| super::node_of(tables, piece));
-            let lane = LaneNode::new(view.map, node).map(|node| node.row.lane());
-            view.active_on(tables, row).filter_map(move |(number, _)| {
-                let entry = OverlayEntry::new(overlay, number)?;
-                let lane = LaneId::new(lane?, content);
-                Some(Restriction { entry, lane, s_from: row.s_from(), s_to: row.s_to() })
-            })
-        });
-        found.into_iter().flatten()
+        let (view, content) = (*self, self.map.content());
+        self.piece_row(piece).into_iter().flat_map(move |(overlay, row)| {
+            let node = overlay.tables.nodes.get(row.node() as usize);
+            let node = node.and_then(|node| LaneNode::new(view.map, node.node()));
+            let lane = node.map(|node| LaneId::new(node.row.lane(), content));
+            let active = view.active_on(&overlay.tables, row);
+            active.filter_map(move |(number, _)| restriction(overlay, number, row, lane?))
+        })
     }
 
     /// What holds now, wherever it does: each entry once for each piece of a lane, for each way in which that is travelled.
@@ -102,40 +86,120 @@ impl<'a> View<'a> {
     /// entry closes no other opens.
     ///
     /// Errors: as [`View::restrictions_at`].
+    #[inline]
     pub fn allows(
         &self,
         lane: LaneId,
         s: f64,
         vehicle: VehicleClass,
     ) -> Result<Permission<'a>, QueryError> {
-        let is_open = self.map.lane(lane)?.allows_at(s, vehicle);
+        let own = self.map.lane(lane)?;
+        if !s.is_finite() {
+            return Err(QueryError::NotFinite);
+        }
+        let is_open = own.allows_at(s, vehicle);
+        if !self.touches(&own) {
+            return Ok(Permission { is_allowed: is_open, restriction: None });
+        }
+        Ok(self.permission(&own, s, vehicle, is_open))
+    }
+
+    /// [`View::allows`] on a lane of which the overlay says something.
+    #[cold]
+    fn permission(
+        &self,
+        lane: &Lane<'a>,
+        s: f64,
+        vehicle: VehicleClass,
+        is_open: bool,
+    ) -> Permission<'a> {
+        let plain = Permission { is_allowed: is_open, restriction: None };
+        let Some((overlay, piece)) = self.piece_row(self.piece_at(lane, s, lane.is_forward()))
+        else {
+            return plain;
+        };
         let mut opens = None;
-        for one in self.restrictions_at(lane, s)?.filter(|one| one.entry.concerns(vehicle)) {
-            match one.entry.kind() {
+        for (number, entry) in self.active_on(&overlay.tables, piece) {
+            if entry.vehicles() & vehicle.bit() == 0 {
+                continue;
+            }
+            match OverlayKind::from_code(entry.kind()) {
                 OverlayKind::Closed => {
-                    return Ok(Permission { is_allowed: false, restriction: Some(one) });
+                    let restriction = restriction(overlay, number, piece, lane.lane_id());
+                    return Permission { is_allowed: false, restriction };
                 }
-                OverlayKind::Open if !is_open => opens = opens.or(Some(one)),
+                OverlayKind::Open if !is_open => opens = opens.or(Some(number)),
                 _ => {}
             }
         }
-        Ok(Permission { is_allowed: is_open || opens.is_some(), restriction: opens })
+        let Some(number) = opens else { return plain };
+        let restriction = restriction(overlay, number, piece, lane.lane_id());
+        Permission { is_allowed: true, restriction }
     }
 
     /// The speed limit at s for a class of vehicles: the lowest that an entry states, else the map's ([`crate::Lane::speed_rule_at`]).
     ///
     /// Errors: as [`View::restrictions_at`].
+    #[inline]
     pub fn speed_rule_at(
         &self,
         lane: LaneId,
         s: f64,
         vehicle: VehicleClass,
     ) -> Result<SpeedToday<'a>, QueryError> {
-        let map = self.map.lane(lane)?.speed_rule_at(s);
-        if self.overlay.is_none() && s.is_finite() {
-            return Ok(SpeedToday { max: map.max, map, restriction: None });
+        let own = self.map.lane(lane)?;
+        let map = own.speed_rule_at(s);
+        // Of an s that is no number the map knows nothing.
+        if map.max.is_none() && !s.is_finite() {
+            return Err(QueryError::NotFinite);
         }
-        Ok(SpeedToday::of(map, self.restrictions_at(lane, s)?, vehicle))
+        if self.touches(&own) {
+            return Ok(self.speed_today(&own, s, vehicle, map));
+        }
+        Ok(SpeedToday { max: map.max, map, restriction: None })
+    }
+
+    /// [`View::speed_rule_at`] on a lane of which the overlay says something.
+    #[cold]
+    fn speed_today(
+        &self,
+        lane: &Lane<'a>,
+        s: f64,
+        vehicle: VehicleClass,
+        map: SpeedRule,
+    ) -> SpeedToday<'a> {
+        let mut today = SpeedToday { max: map.max, map, restriction: None };
+        self.lower(&mut today, lane, self.piece_at(lane, s, lane.is_forward()), vehicle);
+        today
+    }
+
+    /// Takes the lowest limit that an entry states on a piece of a lane.
+    pub(super) fn lower(
+        &self,
+        today: &mut SpeedToday<'a>,
+        lane: &Lane<'a>,
+        piece: Option<u32>,
+        vehicle: VehicleClass,
+    ) {
+        let Some((overlay, piece)) = self.piece_row(piece) else { return };
+        let (mut lowest, mut by) = (f64::INFINITY, None);
+        for (number, entry) in self.active_on(&overlay.tables, piece) {
+            let states = OverlayKind::from_code(entry.kind()) == OverlayKind::Speed
+                && entry.vehicles() & vehicle.bit() != 0;
+            if states && entry.value() < lowest {
+                (lowest, by) = (entry.value(), Some(number));
+            }
+        }
+        if let Some(number) = by {
+            today.max = Some(lowest);
+            today.restriction = restriction(overlay, number, piece, lane.lane_id());
+        }
+    }
+
+    /// The row of a piece.
+    fn piece_row(&self, piece: Option<u32>) -> Option<(&'a Overlay<'a>, &'a ArchivedPieceRow)> {
+        let overlay = self.overlay?;
+        Some((overlay, overlay.tables.pieces.get(piece? as usize)?))
     }
 
     /// The entry by which a signal is out of service now, if one says so.
@@ -283,4 +347,15 @@ impl<'a> View<'a> {
         }
         Ok(())
     }
+}
+
+/// An entry on a piece of a lane.
+fn restriction<'a>(
+    overlay: &'a Overlay<'a>,
+    number: u32,
+    piece: &ArchivedPieceRow,
+    lane: LaneId,
+) -> Option<Restriction<'a>> {
+    let entry = OverlayEntry::new(overlay, number)?;
+    Some(Restriction { entry, lane, s_from: piece.s_from(), s_to: piece.s_to() })
 }

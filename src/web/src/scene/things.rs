@@ -28,7 +28,7 @@ fn is_crosswalk(object: &Object<'_>) -> bool {
 }
 
 /// Square by square, so that what lies near each other is one chunk.
-fn in_tiles<T>(mut things: Vec<(DVec3, T)>) -> impl Iterator<Item = (DVec3, T)> {
+pub(super) fn in_tiles<T>(mut things: Vec<(DVec3, T)>) -> impl Iterator<Item = (DVec3, T)> {
     let tile = |place: &DVec3| {
         let tile = (place.truncate() / TILE).floor();
         (tile.y as i64, tile.x as i64)

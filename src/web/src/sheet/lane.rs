@@ -2,13 +2,16 @@
 
 use super::{Kind, Link, Sheet, Words, metres, speed};
 use mapd_query::rules::Basis;
+use mapd_query::view::View;
 use mapd_query::vocabulary::VehicleClass;
 use mapd_query::{Lane, Map};
 
-pub(super) fn sheet(map: Map<'_>, lane: &Lane<'_>) -> Sheet {
+pub(super) fn sheet(view: View<'_>, lane: &Lane<'_>) -> Sheet {
+    let map = view.map();
     let link = Link { kind: Kind::Lane, row: lane.lane_id().row() };
     let mut sheet = Sheet::new(link, format!("Lane {}", lane.key()));
     shape(lane, &mut sheet);
+    today(view, lane, &mut sheet);
     neighbours(map, lane, &mut sheet);
     traffic(lane, &mut sheet);
     things(map, lane, &mut sheet);
@@ -36,6 +39,15 @@ fn shape(lane: &Lane<'_>, sheet: &mut Sheet) {
     if lane.is_temporary() {
         sheet.say("layer", "temporary");
     }
+}
+
+/// What an overlay says of it now.
+fn today(view: View<'_>, lane: &Lane<'_>, sheet: &mut Sheet) {
+    let own = view.restrictions().filter(|one| one.lane == lane.lane_id());
+    let told = own.map(|one| {
+        Words::from(one.entry).with(&format!(", s {:.2} … {:.2} m", one.s_from, one.s_to))
+    });
+    sheet.add("today", told);
 }
 
 fn neighbours(map: Map<'_>, lane: &Lane<'_>, sheet: &mut Sheet) {

@@ -9,6 +9,7 @@ use mapd_query::objects::Object;
 use mapd_query::rules::Turn;
 use mapd_query::signals::Signal;
 use mapd_query::signals::WrittenValue;
+use mapd_query::view::View;
 use mapd_query::{Junction, Road};
 use std::f64::consts::PI;
 
@@ -69,10 +70,12 @@ pub(super) fn junction(junction: &Junction<'_>) -> Sheet {
     sheet
 }
 
-pub(super) fn signal(signal: &Signal<'_>) -> Sheet {
+pub(super) fn signal(view: View<'_>, signal: &Signal<'_>) -> Sheet {
     let link = Link { kind: Kind::Signal, row: signal.signal_id().row() };
     let mut sheet = Sheet::new(link, format!("Signal {}", signal.id()));
     sheet.say("meaning", signal.class().name());
+    let off = view.signal_out_of_service(signal.signal_id()).ok().flatten();
+    sheet.add("today", off.map(Words::from));
     sheet.say("name", signal.name());
     sheet.say("code", signal.code().join(" ").trim().to_owned());
     sheet.say("text", signal.shown_text());

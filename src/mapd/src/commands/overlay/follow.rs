@@ -62,7 +62,11 @@ pub(super) fn follow(
                     continue;
                 }
                 let feed = followed.feed(file);
-                match command.apply(file, tolerance, Some(&feed), out) {
+                let applied = command.apply(file, tolerance, Some(&feed));
+                let told = applied.and_then(|(report, findings)| {
+                    Ok(command.tell(file, &report, &findings, out)?)
+                });
+                match told {
                     Ok(()) => drop(done.insert(file.clone(), state)),
                     Err(error) => {
                         // What is wrong with a file stays so until it changes; a daemon may come back.

@@ -57,6 +57,9 @@ enum Action {
         /// Go on: apply the file, or each file of a folder, whenever it changes; what it has no more is removed
         #[arg(long)]
         watch: bool,
+        /// Tell as JSON what list --json tells, and findings of a feed
+        #[arg(long, conflicts_with = "watch")]
+        json: bool,
     },
     /// List the entries, and which of them hold
     List {
@@ -75,9 +78,16 @@ enum Action {
         /// Their ids
         #[arg(required = true)]
         ids: Vec<String>,
+        /// Tell as JSON what is left, as list --json does
+        #[arg(long)]
+        json: bool,
     },
     /// Remove all entries
-    Clear,
+    Clear {
+        /// Tell as JSON what is left, as list --json does
+        #[arg(long)]
+        json: bool,
+    },
 }
 
 #[derive(Args)]
@@ -92,8 +102,17 @@ struct How {
 
 impl How {
     fn moment(&self) -> Moment {
-        self.at.unwrap_or_else(|| Moment { unix_seconds: since_epoch().as_secs_f64() })
+        self.at.unwrap_or_else(now)
     }
+}
+
+fn now() -> Moment {
+    Moment { unix_seconds: since_epoch().as_secs_f64() }
+}
+
+fn print(value: &Value, out: &mut dyn Write) -> Result<()> {
+    serde_json::to_writer_pretty(&mut *out, value)?;
+    Ok(writeln!(out)?)
 }
 
 impl OverlayCommand {
@@ -105,14 +124,17 @@ impl OverlayCommand {
             Action::Apply { file, tolerance, watch: true, .. } => {
                 follow::follow(&self, file, *tolerance, out)?;
             }
-            Action::Apply { file, tolerance, feed, .. } => {
-                self.apply(file, *tolerance, feed.as_deref(), out)?;
+            Action::Apply { file, tolerance, feed, json, .. } => {
+                let (report, findings) = self.apply(file, *tolerance, feed.as_deref())?;
+                match json {
+                    true => print(&applied(&report, &findings), out)?,
+                    false => self.tell(file, &report, &findings, out)?,
+                }
             }
             Action::List { how } => {
                 let report = self.ask(OverlayAction::List)?;
                 if how.json {
-                    serde_json::to_writer_pretty(&mut *out, &as_json(&report, how.moment()))?;
-                    writeln!(out)?;
+                    print(&as_json(&report, how.moment()), out)?;
                 } else {
                     for one in &report.entries {
                         line(one, how.moment(), out)?;
@@ -125,29 +147,34 @@ impl OverlayCommand {
                 let Some(one) = report.entries.first() else {
                     bail!(UsageError(format!("there is no entry {id:?}")));
                 };
-                serde_json::to_writer_pretty(&mut *out, &entry_as_json(one, how.moment()))?;
-                writeln!(out)?;
+                print(&entry_as_json(one, how.moment()), out)?;
             }
-            Action::Remove { ids } => {
+            Action::Remove { ids, json } => {
                 let report = self.ask(OverlayAction::Remove { ids: ids.clone() })?;
-                writeln!(out, "{}: {} entries", self.name, report.entries.len())?;
+                match json {
+                    true => print(&as_json(&report, now()), out)?,
+                    false => writeln!(out, "{}: {} entries", self.name, report.entries.len())?,
+                }
             }
-            Action::Clear => {
-                self.ask(OverlayAction::Clear)?;
-                writeln!(out, "{}: no entries", self.name)?;
+            Action::Clear { json } => {
+                let report = self.ask(OverlayAction::Clear)?;
+                match json {
+                    true => print(&as_json(&report, now()), out)?,
+                    false => writeln!(out, "{}: no entries", self.name)?,
+                }
             }
         }
         Ok(Exit::Done)
     }
 
-    /// Applies a file; as a feed of this name, what it has no more is removed. A WZDx feed is a whole state, so it always has a name.
+    /// Applies a file; as a feed of this name, what it has no more is removed. A WZDx feed is a whole state, so it always has a name. Also what of a feed
+    /// could not be placed; none for entries.
     fn apply(
         &self,
         file: &Path,
         tolerance: f64,
         feed: Option<&str>,
-        out: &mut dyn Write,
-    ) -> Result<()> {
+    ) -> Result<(OverlayReport, Option<Vec<FeedFinding>>)> {
         let mut document = read(file)?;
         let mut findings = None;
         let mut feed = feed.map(str::to_owned);
@@ -162,7 +189,17 @@ impl OverlayCommand {
         if document.len() > LONGEST {
             bail!(UsageError(format!("{}: longer than {LONGEST} bytes", file.display())));
         }
-        let report = self.ask(OverlayAction::Apply { document, feed })?;
+        Ok((self.ask(OverlayAction::Apply { document, feed })?, findings))
+    }
+
+    /// Says what has been applied, and what could not be placed.
+    fn tell(
+        &self,
+        file: &Path,
+        report: &OverlayReport,
+        findings: &Option<Vec<FeedFinding>>,
+        out: &mut dyn Write,
+    ) -> io::Result<()> {
         writeln!(out, "{}: {} entries", self.name, report.entries.len())?;
         for FeedFinding { place, why } in findings.iter().flatten() {
             writeln!(out, "{}: {place}: {why}", file.display())?;
@@ -244,6 +281,16 @@ fn entry_as_json(one: &ListedEntry, at: Moment) -> Value {
 fn as_json(report: &OverlayReport, at: Moment) -> Value {
     let entries: Vec<Value> = report.entries.iter().map(|one| entry_as_json(one, at)).collect();
     json!({ "revision": report.revision, "entries": entries })
+}
+
+/// What is laid over the map after a file was applied, and what of a feed could not be placed.
+fn applied(report: &OverlayReport, findings: &Option<Vec<FeedFinding>>) -> Value {
+    let mut value = as_json(report, now());
+    if let Some(findings) = findings {
+        let told = |one: &FeedFinding| json!({ "place": one.place, "why": one.why });
+        value["findings"] = findings.iter().map(told).collect();
+    }
+    value
 }
 
 fn line(one: &ListedEntry, at: Moment, out: &mut dyn Write) -> io::Result<()> {

@@ -1,4 +1,4 @@
-//! Just enough of HTTP for one page: `GET` of the page, of an archive, and of events.
+//! Just enough of HTTP for one page: `GET` of the page, of an archive, of what is laid over it, and of events.
 //!
 //! A page of somebody else that knows the port must not read maps. It is kept out by the names that a request may have for this
 //! machine (a name of its own that leads here is refused), and by browsers themselves, because nothing here allows another origin.
@@ -95,6 +95,8 @@ impl Server {
             self.page(&mut stream)
         } else if let Some(map) = numbered("/map/") {
             archive(map, &mut stream)
+        } else if let Some(map) = numbered("/overlay/") {
+            overlay(map, &mut stream)
         } else if let Some(map) = numbered("/events/") {
             events(map, &mut stream)
         } else {
@@ -178,20 +180,30 @@ fn archive(map: &Served, stream: &mut TcpStream) -> io::Result<()> {
     stream.write_all(bytes)
 }
 
-/// An event for each generation, from the one that is served now on, until whoever listens has gone.
+/// What is laid over it now; nothing where nothing is.
+fn overlay(map: &Served, stream: &mut TcpStream) -> io::Result<()> {
+    let snapshot = map.snapshot();
+    let (bytes, revision) = (snapshot.overlay_bytes(), snapshot.overlay_revision());
+    let more = format!("Content-Length: {}\r\nMapd-Revision: {revision}\r\n", bytes.len());
+    ok(stream, "application/octet-stream", &more)?;
+    stream.write_all(bytes)
+}
+
+/// An event for each generation and overlay, from those that are served now on, until whoever listens has gone.
 fn events(map: &Served, stream: &mut TcpStream) -> io::Result<()> {
     ok(stream, "text/event-stream", "")?;
     let mut told = None;
     loop {
-        let generation = match told {
-            None => map.snapshot().generation(),
+        let now = match told {
+            None => map.pair(),
             Some(told) => map.other_than(told, SIGN_OF_LIFE),
         };
-        match told == Some(generation) {
+        let (generation, revision) = now;
+        match told == Some(now) {
             true => stream.write_all(b":\n\n")?,
-            false => write!(stream, "data: {generation}\n\n")?,
+            false => write!(stream, "data: {generation} {revision}\n\n")?,
         }
         stream.flush()?;
-        told = Some(generation);
+        told = Some(now);
     }
 }

@@ -8,7 +8,14 @@ use std::path::Path;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// Longest wait for the next generation, after which it is waited for anew.
+/// A generation, and the revision of what is laid over it.
+pub(super) type Pair = (u64, u64);
+
+fn pair(snapshot: &Snapshot) -> Pair {
+    (snapshot.generation(), snapshot.overlay_revision())
+}
+
+/// Longest wait for the next generation or overlay, after which it is waited for anew.
 const WAIT: Duration = Duration::from_secs(5);
 /// Pause after the daemon could not be asked.
 const PAUSE: Duration = Duration::from_secs(1);
@@ -58,23 +65,29 @@ impl Served {
         self.lock().clone()
     }
 
-    /// Waits until another generation than this is served, so long at most; the one that is.
-    pub(super) fn other_than(&self, generation: u64, longest: Duration) -> u64 {
-        let is_same = |now: &mut Snapshot| now.generation() == generation;
+    /// Generation and revision of the overlay that are served now.
+    pub(super) fn pair(&self) -> Pair {
+        pair(&self.lock())
+    }
+
+    /// Waits until another generation or overlay than this is served, so long at most; what is.
+    pub(super) fn other_than(&self, known: Pair, longest: Duration) -> Pair {
+        let is_same = |now: &mut Snapshot| pair(now) == known;
         let waited = self.changed.wait_timeout_while(self.lock(), longest, is_same);
-        waited.unwrap_or_else(PoisonError::into_inner).0.generation()
+        pair(&waited.unwrap_or_else(PoisonError::into_inner).0)
     }
 
     /// Follows a live map for ever; returns at once for a file.
     pub(super) fn follow(&self) {
         let Some(client) = &self.client else { return };
         loop {
-            match client.wait_next(WAIT) {
-                Ok(next) => {
-                    *self.lock() = next;
+            match client.wait_change(WAIT) {
+                Ok(true) => {
+                    *self.lock() = client.snapshot();
                     self.changed.notify_all();
                 }
-                // None came; or the daemon has gone, and another one may come.
+                Ok(false) => {}
+                // The daemon has gone, and another one may come.
                 Err(_) => std::thread::sleep(PAUSE),
             }
         }

@@ -1,0 +1,149 @@
+//! What changes today's road, in time: from publishing an overlay until a waiting reader has it, and compiling a map with a patch against without.
+
+use mapd::serve::{OverlayBytes, PublishMeta, Server, StopSignal};
+use mapd_archive::{HEADER_LENGTH, Header};
+use mapd_benches::{best_computed, maps, percentiles, print};
+use mapd_client::{Attach, Client, Domain, Map, Snapshot};
+use mapd_compiler::{CompileOptions, ReadOptions, compile, compile_from};
+use mapd_tests::overlays::over;
+use mapd_tests::town::town;
+use mapd_xodr::Patch;
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::mpsc::channel;
+use std::time::{Duration, Instant, UNIX_EPOCH};
+
+/// Overlays that a client waits for.
+const REVISIONS: u64 = 500;
+/// Pause between two of them: the client waits again by then.
+const PAUSE: Duration = Duration::from_millis(5);
+/// Longest wait for anything.
+const WAIT: Duration = Duration::from_secs(60);
+/// Blocks of the town that they are laid over, in either direction.
+const BLOCKS: usize = 48;
+/// Entries of overlays.
+const ENTRIES: [usize; 3] = [1, 1_000, 10_000];
+/// Every how many roads of a map one is in its patch.
+const PATCHED: usize = 50;
+
+fn main() {
+    let text = town(BLOCKS, BLOCKS);
+    let compiled = compile(text.as_bytes(), &CompileOptions::default(), &mut |_| {});
+    let compiled = compiled.expect("reading works");
+    let rows = compiled.rows.expect("accepted");
+    let archive = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes");
+    let snapshot = Snapshot::from_bytes(archive).expect("opens");
+    for count in ENTRIES {
+        waiting(&snapshot, count);
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, path) in maps(folder.path()) {
+        patching(name, &path, folder.path());
+    }
+}
+
+/// Bytes of an overlay that closes the middle of as many lanes.
+fn overlay(map: Map<'_>, entries: usize, revision: u64) -> OverlayBytes {
+    let lanes = map.lanes().filter(|lane| lane.number() != 0).take(entries);
+    let all = lanes.enumerate().map(|(i, lane)| {
+        let (key, text) = (lane.key(), revision);
+        format!(r#"{{"id":"{i}","kind":"closed","text":"{text}","lanes":[{{"key":"{key}"}}]}}"#)
+    });
+    let document = format!(r#"{{"entries":[{}]}}"#, all.collect::<Vec<_>>().join(","));
+    let (bytes, _) = over(map, &document, false);
+    let header = Header::decode(&bytes[..HEADER_LENGTH]).expect("a header");
+    OverlayBytes { revision, content_hash: header.content_hash, bytes: bytes.to_vec() }
+}
+
+/// From just before an overlay is published until a client that waits has it and has asked it.
+fn waiting(snapshot: &Snapshot, entries: usize) {
+    let domain = Domain::new(&format!("mapdover{}_", std::process::id())).expect("a prefix");
+    let stop = StopSignal::new().expect("a signal");
+    let (ready, served) = channel();
+    let (begun, begins) = channel();
+    let kinds = [1, 2].map(|revision| overlay(snapshot.map(), entries, revision));
+    let length = kinds[0].bytes.len();
+    let times = std::thread::scope(|scope| {
+        let (stop, domain) = (&stop, &domain);
+        scope.spawn(move || {
+            let mut server = Server::start(domain).expect("starts");
+            let (bytes, header) = (snapshot.bytes(), snapshot.header());
+            let fill = |loan: &mut [u8]| {
+                loan.copy_from_slice(bytes);
+                let (layout_id, content_hash) = ([0; 32], header.content_hash);
+                Ok(PublishMeta { layout_id, content_hash, input_hash: [0; 32] })
+            };
+            server.publish("map", bytes.len(), fill).expect("publishes");
+            ready.send(()).expect("told");
+            // Until the client has attached.
+            server.run(stop).expect("serves");
+            for revision in 1..=REVISIONS {
+                std::thread::sleep(PAUSE);
+                let one = OverlayBytes { revision, ..kinds[revision as usize % 2].clone() };
+                begun.send(Instant::now()).expect("told");
+                server.lay("map", Some(&one)).expect("lays");
+            }
+            std::thread::sleep(PAUSE * 20);
+        });
+        served.recv().expect("serves");
+        let client = Client::connect_as(Attach::Observer, domain, "map", WAIT).expect("attaches");
+        stop.request();
+        let mut times = Vec::new();
+        while (times.len() as u64) < REVISIONS {
+            assert!(client.wait_change(WAIT).expect("no error"), "it came");
+            let snapshot = client.snapshot();
+            assert_eq!(snapshot.view(UNIX_EPOCH).entries().count(), entries);
+            let now = Instant::now();
+            // Whatever else came meanwhile was seen with it.
+            while (times.len() as u64) < snapshot.overlay_revision() {
+                times.push(now.duration_since(begins.recv().expect("told")));
+            }
+        }
+        times
+    });
+    let (median, late) = percentiles(times);
+    print(&format!(
+        "an overlay of {entries} entries ({length} B): a waiting client has it {median:.0?} (99 %: {late:.0?}) after it is published, {REVISIONS} times"
+    ));
+}
+
+/// A compilation with a patch that replaces roads by themselves, against one without.
+fn patching(name: &str, path: &Path, folder: &Path) {
+    let text = std::fs::read_to_string(path).expect("the map");
+    let ends = text.match_indices("</road>").map(|(at, tag)| at + tag.len());
+    let roads = ends.step_by(PATCHED).map(|end| {
+        let begin = text[..end].rfind("<road ").expect("a road begins");
+        &text[begin..end]
+    });
+    let roads: Vec<&str> = roads.collect();
+    let file = folder.join("patch.xodr");
+    let document = format!("<OpenDRIVE>{}</OpenDRIVE>", roads.concat());
+    std::fs::write(&file, &document).expect("the patch is written");
+    let patch = Patch::removing(Vec::new()).with_document(file, document.into_bytes());
+    let patch = Arc::new(patch.expect("a patch"));
+    let runs = if text.len() > 50_000_000 { 3 } else { 10 };
+    let options = CompileOptions::default();
+    let [plain, patched] = [None, Some(patch)].map(|patch| {
+        let reading = ReadOptions { patch, ..ReadOptions::default() };
+        best_computed(runs, || {
+            let from = || std::fs::File::open(path);
+            let compiled = compile_from(from, &reading, &options, &mut |_| {}).expect("compiles");
+            let rows = compiled.rows.expect("accepted");
+            let archive = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes");
+            mapd_archive::verify(&archive).expect("proves");
+        })
+    });
+    let more = |with: Duration, without: Duration| {
+        100.0 * (with.as_secs_f64() / without.as_secs_f64() - 1.0)
+    };
+    print(&format!(
+        "{name} with a patch of {} roads: {:.1?}, without {:.1?} ({:+.1} %); computed {:.1?} and {:.1?} ({:+.1} %)",
+        roads.len(),
+        patched.0,
+        plain.0,
+        more(patched.0, plain.0),
+        patched.1,
+        plain.1,
+        more(patched.1, plain.1)
+    ));
+}

@@ -1,0 +1,128 @@
+//! One process that asks a map, or a view over it, a number of questions: `view_probe MAP OVERLAY KIND COUNT`, for counting instructions. OVERLAY is the
+//! bytes of an overlay, or `-` for a view without one. Kinds: `speed`, `allows`, `nearest`, `route` (the fastest way between random places that have one), each also
+//! with `map-` before it, of the map itself; `factors-route` has the map search with what the overlay says of whole lanes as factors of them.
+
+use mapd_archive::AlignedBytes;
+use mapd_client::route::{PositionOnLane, RouteScratch, ShortestTime, WithFactors};
+use mapd_client::view::View;
+use mapd_client::vocabulary::VehicleClass;
+use mapd_client::{Lane, LaneId, Map, NearestOptions, Snapshot, glam::DVec2};
+use mapd_planner::Random;
+use std::hint::black_box;
+use std::path::Path;
+use std::process::ExitCode;
+use std::time::UNIX_EPOCH;
+
+/// Places that are prepared; questions go round them.
+const PLACES: usize = 4_096;
+/// Ways that are prepared.
+const WAYS: usize = 64;
+/// Vehicle that drives them.
+const CAR: VehicleClass = VehicleClass::PassengerCar;
+
+/// Places on lanes that cars use.
+fn places(map: Map<'_>) -> Vec<(LaneId, f64)> {
+    let open = |lane: &Lane<'_>| lane.nodes().any(|node| node.allows(CAR));
+    let lanes: Vec<Lane<'_>> = map.lanes().filter(open).collect();
+    let mut random = Random(3);
+    let mut place = || {
+        let lane = &lanes[(random.unit() * lanes.len() as f64) as usize];
+        let section = lane.section();
+        let s = section.s_start() + random.unit() * (section.s_end() - section.s_start());
+        (lane.lane_id(), s)
+    };
+    (0..PLACES).map(|_| place()).collect()
+}
+
+/// Pairs of places with a way between them.
+fn ways(map: Map<'_>, places: &[(LaneId, f64)]) -> Vec<[PositionOnLane; 2]> {
+    let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
+    let place = |(lane, s): (LaneId, f64)| PositionOnLane { lane, s };
+    let pairs = places.chunks_exact(2).map(|pair| [place(pair[0]), place(pair[1])]);
+    let cost = ShortestTime::default();
+    let mut found = |[from, to]: &[PositionOnLane; 2]| {
+        map.route(*from, *to, CAR, &cost, &mut scratch, &mut steps).is_ok_and(|way| way.is_some())
+    };
+    pairs.filter(|pair| found(pair)).take(WAYS).collect()
+}
+
+/// What an overlay says of whole lanes, as factors of the map's own times: what closes a lane or slows it without a view.
+fn factors(view: View<'_>) -> Vec<f64> {
+    let factor = |lane: Lane<'_>| {
+        let section = lane.section();
+        let middle = 0.5 * (section.s_start() + section.s_end());
+        let time = lane.nodes().find(|node| node.is_forward() == lane.is_forward())?.travel_time();
+        let today = view.speed_rule_at(lane.lane_id(), middle, CAR).ok()?;
+        let slower = today.restriction.and(today.max).map_or(1.0, |max| {
+            lane.length_between(section.s_start(), section.s_end()) / max / time
+        });
+        let closes = view.allows(lane.lane_id(), middle, CAR).ok()?.restriction.is_some();
+        Some(if closes { f64::INFINITY } else { slower })
+    };
+    view.map().lanes().map(|lane| factor(lane).unwrap_or(1.0)).collect()
+}
+
+fn main() -> ExitCode {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let [path, overlay, kind, count] = args.as_slice() else { return ExitCode::from(2) };
+    let (Ok(mut snapshot), Ok(count)) = (Snapshot::open(Path::new(path)), count.parse::<usize>())
+    else {
+        return ExitCode::from(1);
+    };
+    if overlay != "-" {
+        let bytes = std::fs::read(overlay).unwrap_or_default();
+        let mut aligned = AlignedBytes::with_capacity(bytes.len());
+        aligned.extend_from_slice(&bytes);
+        let Ok(under) = snapshot.with_overlay(aligned) else { return ExitCode::from(1) };
+        snapshot = under;
+    }
+    let map = snapshot.map();
+    let view = snapshot.view(UNIX_EPOCH);
+    let places = places(map);
+    let middle = |&(lane, s): &(LaneId, f64)| {
+        map.lane(lane).ok()?.pose_at(s, 0.0).ok().map(|pose| pose.position.truncate())
+    };
+    let points: Vec<DVec2> = places.iter().filter_map(middle).collect();
+    let ways = if kind.ends_with("route") { ways(map, &places) } else { Vec::new() };
+    let (options, cost) = (NearestOptions::default(), ShortestTime::default());
+    let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
+    let factors = if kind == "factors-route" { factors(view) } else { Vec::new() };
+    let factors = WithFactors { base: cost, factors: &factors };
+    for i in 0..count {
+        let (lane, s) = places[i % places.len()];
+        match kind.as_str() {
+            "map-speed" => {
+                black_box(&map.lane(lane).map(|lane| lane.speed_rule_at(s)));
+            }
+            "speed" => {
+                black_box(&view.speed_rule_at(lane, s, CAR));
+            }
+            "map-allows" => {
+                black_box(&map.lane(lane).map(|lane| lane.allows_at(s, CAR)));
+            }
+            "allows" => {
+                black_box(&view.allows(lane, s, CAR));
+            }
+            "map-nearest" => {
+                black_box(&map.nearest_lane(points[i % points.len()], &options));
+            }
+            "nearest" => {
+                black_box(&view.map().nearest_lane(points[i % points.len()], &options));
+            }
+            "map-route" => {
+                let [from, to] = ways[i % ways.len()];
+                black_box(&map.route(from, to, CAR, &cost, &mut scratch, &mut steps));
+            }
+            "factors-route" => {
+                let [from, to] = ways[i % ways.len()];
+                black_box(&map.route(from, to, CAR, &factors, &mut scratch, &mut steps));
+            }
+            "route" => {
+                let [from, to] = ways[i % ways.len()];
+                black_box(&view.route(from, to, CAR, &cost, &mut scratch, &mut steps));
+            }
+            _ => return ExitCode::from(2),
+        }
+    }
+    ExitCode::SUCCESS
+}
