@@ -103,7 +103,7 @@ fn waiting(snapshot: &Snapshot, entries: usize) {
     });
     let (median, late) = percentiles(times);
     print(&format!(
-        "an overlay of {entries} entries ({length} B): a waiting client has it {median:.0?} (99 %: {late:.0?}) after it is published, {REVISIONS} times"
+        "an overlay of {entries} entries ({length} B): a waiting client has it {median:.2?} (99 %: {late:.2?}) after it is published, {REVISIONS} times"
     ));
 }
 

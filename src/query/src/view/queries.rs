@@ -148,11 +148,10 @@ impl<'a> View<'a> {
         vehicle: VehicleClass,
     ) -> Result<SpeedToday<'a>, QueryError> {
         let own = self.map.lane(lane)?;
-        let map = own.speed_rule_at(s);
-        // Of an s that is no number the map knows nothing.
-        if map.max.is_none() && !s.is_finite() {
+        if !s.is_finite() {
             return Err(QueryError::NotFinite);
         }
+        let map = own.speed_rule_at(s);
         if self.touches(&own) {
             return Ok(self.speed_today(&own, s, vehicle, map));
         }

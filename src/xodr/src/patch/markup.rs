@@ -42,7 +42,12 @@ pub(super) fn markup(text: &[u8], from: usize) -> Option<Markup> {
     if let Some(length) = other {
         return Some(Markup { start, end: start + length?, kind: Kind::Other });
     }
-    let mut at = 1;
+    let first = memchr::memchr(b'>', rest)?;
+    let head = &rest[..first];
+    let in_no_value = memchr::memchr(b'\'', head).is_none()
+        && memchr::memchr_iter(b'"', head).count().is_multiple_of(2);
+    // Values are looked at one by one only where one of them may hold the first `>`.
+    let mut at = if in_no_value { first } else { 1 };
     loop {
         at += memchr::memchr3(b'>', b'"', b'\'', &rest[at..])?;
         match rest[at] {

@@ -13,6 +13,7 @@ mod splice;
 
 use crate::source::Position;
 use markup::{Kind, attribute, markup, name};
+use std::collections::BTreeSet;
 use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -140,9 +141,10 @@ impl Patch {
         if let Err(error) = std::str::from_utf8(&text) {
             return Err(wrong(error.valid_up_to(), "not UTF-8"));
         }
-        let mut elements: Vec<PatchElement> = Vec::new();
+        let (mut elements, mut ids) = (Vec::new(), BTreeSet::new());
         let (mut depth, mut from, mut open) = (0_usize, 0, None);
         let mut ends = Vec::new();
+        let (mut here, mut passed) = (Position { line: 1, column: 1 }, 0);
         while let Some(found) = markup(&text, from) {
             let tag = &text[found.start..found.end];
             from = found.end;
@@ -189,11 +191,12 @@ impl Patch {
                 if id.id.is_empty() {
                     return Err(wrong(start, "has no id"));
                 }
-                if elements.iter().any(|other| other.id == id) {
+                if !ids.insert(id.clone()) {
                     return Err(wrong(start, &format!("a second {id}")));
                 }
-                let (at, range) = (position(&text, start), (start, found.end));
-                elements.push(PatchElement { id, range, at });
+                advance(&mut here, &text[passed..start]);
+                passed = start;
+                elements.push(PatchElement { id, range: (start, found.end), at: here });
             }
         }
         if depth > 0 || ends.is_empty() {
@@ -219,8 +222,18 @@ impl Patch {
 }
 
 fn position(text: &[u8], at: usize) -> Position {
-    let before = &text[..at.min(text.len())];
-    let begin = memchr::memrchr(b'\n', before).map_or(0, |end| end + 1);
-    let line = memchr::memchr_iter(b'\n', before).count() as u32 + 1;
-    Position { line, column: (before.len() - begin) as u32 + 1 }
+    let mut here = Position { line: 1, column: 1 };
+    advance(&mut here, &text[..at.min(text.len())]);
+    here
+}
+
+/// Passes over a text.
+fn advance(here: &mut Position, passed: &[u8]) {
+    match memchr::memrchr(b'\n', passed) {
+        Some(last) => {
+            here.line += memchr::memchr_iter(b'\n', passed).count() as u32;
+            here.column = (passed.len() - last) as u32;
+        }
+        None => here.column += passed.len() as u32,
+    }
 }

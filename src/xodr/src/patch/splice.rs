@@ -1,9 +1,9 @@
 //! A document's text with a patch in it.
 
 use super::markup::{Kind, Markup, attribute, markup, name};
-use super::{Patch, PatchError, PatchedId, PatchedKind};
+use super::{Patch, PatchError, PatchedId, PatchedKind, advance};
 use crate::source::{Places, Position, Source};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Read};
 
 /// Bytes that are read at once.
@@ -16,6 +16,8 @@ const LONGEST_MARKUP: usize = 64 << 20;
 const AFTER_ROADS: [&[u8]; 4] = [b"controller", b"junction", b"junctionGroup", b"station"];
 const AFTER_JUNCTIONS: [&[u8]; 2] = [b"junctionGroup", b"station"];
 
+const BOTH: [PatchedKind; 2] = [PatchedKind::Road, PatchedKind::Junction];
+
 /// Passes a document on, with a patch in it.
 pub(crate) struct Splice<'a> {
     source: Source<'a>,
@@ -23,9 +25,10 @@ pub(crate) struct Splice<'a> {
     places: Places,
     /// Number of the patch among the files.
     file: u16,
-    /// Text that is not passed on yet: from `at` on.
+    /// Text that is not passed on yet: from `at` on; markup is looked for from `seen` on.
     text: Vec<u8>,
     at: usize,
+    seen: usize,
     is_read: bool,
     /// Where `at` stands in the document.
     here: Position,
@@ -40,6 +43,11 @@ pub(crate) struct Splice<'a> {
     made: u64,
     /// Elements that are done: passed on, or left out.
     done: BTreeSet<PatchedId>,
+    /// The patch's elements by their ids, and what goes.
+    own: BTreeMap<&'a PatchedId, usize>,
+    removed: BTreeSet<&'a PatchedId>,
+    /// Kinds of which all elements are passed on.
+    inserted: BTreeSet<PatchedKind>,
 }
 
 impl<'a> Splice<'a> {
@@ -51,6 +59,7 @@ impl<'a> Splice<'a> {
             file,
             text: Vec::new(),
             at: 0,
+            seen: 0,
             is_read: false,
             here: Position { line: 1, column: 1 },
             depth: 0,
@@ -60,6 +69,9 @@ impl<'a> Splice<'a> {
             taken: 0,
             made: 0,
             done: BTreeSet::new(),
+            own: patch.elements.iter().enumerate().map(|(i, own)| (&own.id, i)).collect(),
+            removed: patch.removed.iter().collect(),
+            inserted: BTreeSet::new(),
         }
     }
 
@@ -73,41 +85,47 @@ impl<'a> Splice<'a> {
             self.out.extend_from_slice(piece);
             self.made += piece.len() as u64;
         }
-        match memchr::memrchr(b'\n', piece) {
-            Some(last) => {
-                self.here.line += memchr::memchr_iter(b'\n', piece).count() as u32;
-                self.here.column = (piece.len() - last) as u32;
-            }
-            None => self.here.column += piece.len() as u32,
-        }
+        advance(&mut self.here, piece);
         self.at = to;
     }
 
-    /// Passes on elements of the patch that are not yet.
-    fn insert(&mut self, is_wanted: impl Fn(&PatchedId) -> bool) {
-        for element in &self.patch.elements {
-            if is_wanted(&element.id) && self.done.insert(element.id.clone()) {
-                self.places.piece(self.made, self.file, element.at);
-                let text = &self.patch.text[element.range.0..element.range.1];
-                self.out.extend_from_slice(text);
-                self.made += text.len() as u64;
-                self.is_cut = true;
+    /// Passes on elements of the patch of these kinds that are not yet.
+    fn insert(&mut self, kinds: &[PatchedKind]) {
+        if kinds.iter().all(|kind| self.inserted.contains(kind)) {
+            return;
+        }
+        for (number, element) in self.patch.elements.iter().enumerate() {
+            if kinds.contains(&element.id.kind) {
+                self.insert_one(number);
             }
+        }
+        self.inserted.extend(kinds);
+    }
+
+    /// Passes on an element of the patch, if it is not yet.
+    fn insert_one(&mut self, number: usize) {
+        let element = &self.patch.elements[number];
+        if self.done.insert(element.id.clone()) {
+            self.places.piece(self.made, self.file, element.at);
+            let text = &self.patch.text[element.range.0..element.range.1];
+            self.out.extend_from_slice(text);
+            self.made += text.len() as u64;
+            self.is_cut = true;
         }
     }
 
-    /// Looks at markup that is next.
+    /// Looks at markup that is next. What lies within an element is passed on with what comes behind.
     fn look(&mut self, found: Markup) {
-        self.pass(found.start);
+        self.seen = found.end;
         match found.kind {
             Kind::Other => {}
             Kind::Start | Kind::Empty => {
                 if self.depth == 1 {
+                    self.pass(found.start);
                     let tag = self.text[found.start..found.end].to_vec();
                     self.element(&tag);
                 }
                 let deeper = usize::from(found.kind == Kind::Start);
-                self.pass(found.end);
                 self.depth += deeper;
                 if deeper == 0 && self.skips == Some(self.depth) {
                     self.resume();
@@ -115,21 +133,20 @@ impl<'a> Splice<'a> {
             }
             Kind::End => {
                 if self.depth == 1 {
-                    self.insert(|_| true);
+                    self.pass(found.start);
+                    self.insert(&BOTH);
                 }
-                self.pass(found.end);
                 self.depth = self.depth.saturating_sub(1);
                 if self.skips == Some(self.depth) {
                     self.resume();
                 }
             }
         }
-        if found.kind == Kind::Other {
-            self.pass(found.end);
-        }
     }
 
+    /// What was left out is over.
     fn resume(&mut self) {
+        self.pass(self.seen);
         self.skips = None;
         self.is_cut = true;
     }
@@ -138,36 +155,38 @@ impl<'a> Splice<'a> {
     fn element(&mut self, tag: &[u8]) {
         let name = name(tag);
         if AFTER_ROADS.contains(&name) {
-            self.insert(|id| id.kind == PatchedKind::Road);
+            self.insert(&[PatchedKind::Road]);
         }
         if AFTER_JUNCTIONS.contains(&name) {
-            self.insert(|_| true);
+            self.insert(&BOTH);
         }
         let Some(kind) = PatchedKind::of(name) else { return };
         let id = PatchedId { kind, id: attribute(tag, b"id").unwrap_or_default() };
-        if self.patch.removed.contains(&id) {
+        if self.removed.contains(&id) {
             self.done.insert(id);
             self.skips = Some(self.depth);
-        } else if self.patch.elements.iter().any(|own| own.id == id) {
-            self.insert(|own| *own == id);
+        } else if let Some(number) = self.own.get(&id) {
+            self.insert_one(*number);
             self.skips = Some(self.depth);
         }
     }
 
     /// Makes more text.
     fn make(&mut self) -> io::Result<()> {
-        if let Some(found) = markup(&self.text, self.at) {
+        if let Some(found) = markup(&self.text, self.seen) {
             self.look(found);
             return Ok(());
         }
+        self.pass(self.seen);
         if self.is_read || self.text.len() - self.at > LONGEST_MARKUP {
             self.pass(self.text.len());
+            self.seen = self.at;
         }
         if self.is_read {
             return Ok(());
         }
         self.text.drain(..self.at);
-        self.at = 0;
+        (self.at, self.seen) = (0, 0);
         let before = self.text.len();
         self.text.resize(before + WINDOW, 0);
         let count = self.source.read(&mut self.text[before..])?;
