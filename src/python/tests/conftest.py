@@ -6,6 +6,7 @@ import itertools
 import os
 import signal
 import subprocess
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -60,6 +61,16 @@ class Daemon:
     def client(self) -> mapd.Client:
         return mapd.Client("town", timeout=PATIENCE, prefix=self.prefix)
 
+    def wait_until_serving(self) -> None:
+        """Until this daemon serves: what one before it has left can be attached to, too."""
+        deadline = time.monotonic() + PATIENCE
+        while True:
+            with self.client() as client:
+                if client.served_by == self.process.pid:
+                    return
+            assert time.monotonic() < deadline
+            time.sleep(0.01)
+
     def swap(self) -> None:
         """Serves the town again, one street longer in name."""
         text = self.file.read_text()
@@ -85,7 +96,7 @@ def daemon(tmp_path: Path) -> Iterator[Daemon]:
         # A daemon that was killed left files, which another one of its domain removes as it ends.
         if daemon.process.poll() is not None:
             daemon.start()
-            daemon.client().close()
+            daemon.wait_until_serving()
     finally:
         daemon.stop()
 

@@ -96,6 +96,7 @@ __all__ = [
     "open_archive",
     "read_file",
     "outline",
+    "propose",
     "NONE",
     "LANE_TYPES",
     "MARK_KINDS",
