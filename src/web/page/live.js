@@ -1,3 +1,6 @@
+// How often it is asked who reads a map [ms].
+const ASK = 5000;
+
 // A page that `mapd view` serves: its maps are fetched, and live ones followed.
 class Live {
   constructor(names, code) {
@@ -35,9 +38,20 @@ class Live {
     this.follow(0);
   }
 
+  // Shows who serves a live map, and how many subscribe to it; observers cannot be counted.
+  async clients(number) {
+    const answer = await fetch(`status/${number}`).catch(() => null), status = answer?.ok ? await answer.json() : null;
+    if (!status) return $("clients").textContent = "";
+    const { alive, pid, subscribers } = status;
+    $("clients").textContent = alive ? `daemon ${pid} · ${subscribers} ${subscribers === 1 ? "subscriber" : "subscribers"}` : "no daemon";
+  }
+
   follow(number) {
     const { viewer } = this;
     this.events?.close();
+    clearInterval(this.asking);
+    this.asking = setInterval(() => this.clients(number), ASK);
+    this.clients(number);
     const events = this.events = new EventSource(`events/${number}`);
     // One after the other, so that what is older never comes last.
     let before = Promise.resolve();

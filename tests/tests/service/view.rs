@@ -77,6 +77,7 @@ fn only_this_machine_is_answered() {
     }
     let us = "Host: 127.0.0.1:PORT";
     assert_eq!(get("/map/0?x", us), (200, open(&file).bytes().to_vec()));
+    assert_eq!(get("/status/0", us), (200, b"null".to_vec()), "a file is served by nobody");
     for path in ["/map/1", "/map/", "/map/-1", "/../etc/passwd", "/map/0/"] {
         assert_eq!(get(path, us).0, 404, "{path}");
     }
@@ -133,4 +134,11 @@ fn who_listens_hears_of_every_generation_and_overlay() {
     assert_eq!(next(), (newest.generation(), 0));
     let answer = view.ask("GET /map/0 HTTP/1.1\r\nHost: 127.0.0.1:PORT\r\n\r\n");
     assert_eq!(answer, (200, newest.bytes().to_vec()));
+    let _one = Client::connect_as(Attach::Subscriber, &place.domain(), "town", PATIENCE)
+        .expect("subscribes");
+    let (code, status) = view.ask("GET /status/0 HTTP/1.1\r\nHost: 127.0.0.1:PORT\r\n\r\n");
+    let status: serde_json::Value = serde_json::from_slice(&status).expect("JSON");
+    assert_eq!((code, &status["name"], &status["alive"]), (200, &"town".into(), &true.into()));
+    assert_eq!(status["generation"], newest.generation());
+    assert_eq!(status["subscribers"], 1, "the view itself only observes");
 }

@@ -88,6 +88,13 @@ impl Opening {
 }
 
 impl Opening {
+    /// Where live maps are.
+    ///
+    /// Errors: no such domain.
+    pub(crate) fn domain(&self) -> Result<Domain> {
+        Ok(self.live.get()?.0)
+    }
+
     /// Attaches to a live map, to follow it.
     ///
     /// Errors: no such live map; a key, which no live map can be proved with.

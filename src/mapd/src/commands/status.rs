@@ -133,9 +133,16 @@ impl StatusCommand {
     }
 }
 
-/// Lists the maps of a domain, and hands them on.
-fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<Vec<Status>> {
-    let maps = list_maps(domain)?;
+/// What everybody can see of a map and what its daemon says of it, as JSON; `null` if there is no such map.
+///
+/// Errors: the domain cannot be read.
+pub(crate) fn of_map(domain: &Domain, name: &str) -> Result<String> {
+    let maps = list_maps(domain)?.into_iter().filter(|map| map.name == name).collect();
+    Ok(serde_json::to_string(&all(domain, maps).first())?)
+}
+
+/// Maps, with what their daemons say.
+fn all(domain: &Domain, maps: Vec<MapStatus>) -> Vec<Status> {
     let daemons = daemons(domain, &maps);
     let of = |map: MapStatus| {
         let its = |daemon: &&DaemonStatus| daemon.maps.iter().any(|m| m.name == map.name);
@@ -143,7 +150,12 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<Vec<Status>>
         let subscribers = map.info.and_then(|_| count_subscriptions(domain, &map.name));
         Status::of(map, subscribers.unwrap_or(0), daemon)
     };
-    let maps: Vec<Status> = maps.into_iter().map(of).collect();
+    maps.into_iter().map(of).collect()
+}
+
+/// Lists the maps of a domain, and hands them on.
+fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<Vec<Status>> {
+    let maps = all(domain, list_maps(domain)?);
     if json {
         serde_json::to_writer_pretty(&mut *out, &maps)?;
         writeln!(out)?;

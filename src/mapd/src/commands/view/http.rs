@@ -99,6 +99,8 @@ impl Server {
             overlay(map, &mut stream)
         } else if let Some(map) = numbered("/events/") {
             events(map, &mut stream)
+        } else if let Some(map) = numbered("/status/") {
+            status(map, &mut stream)
         } else {
             refuse(&mut stream, "404 Not Found", "the page is at /")
         }
@@ -187,6 +189,18 @@ fn overlay(map: &Served, stream: &mut TcpStream) -> io::Result<()> {
     let more = format!("Content-Length: {}\r\nMapd-Revision: {revision}\r\n", bytes.len());
     ok(stream, "application/octet-stream", &more)?;
     stream.write_all(bytes)
+}
+
+/// What is known of who serves and reads the map now.
+fn status(map: &Served, stream: &mut TcpStream) -> io::Result<()> {
+    match map.status() {
+        Ok(status) => {
+            let length = format!("Content-Length: {}\r\n", status.len());
+            ok(stream, "application/json", &length)?;
+            stream.write_all(status.as_bytes())
+        }
+        Err(error) => refuse(stream, "503 Service Unavailable", &error.to_string()),
+    }
 }
 
 /// An event for each generation and overlay, from those that are served now on, until whoever listens has gone.

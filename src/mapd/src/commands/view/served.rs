@@ -1,9 +1,10 @@
 //! A map that is shown: a file, or a live one that is followed.
 
 use crate::args::Opening;
+use crate::commands::status;
 use crate::source::SHARED;
 use anyhow::Result;
-use mapd_client::{Client, Snapshot};
+use mapd_client::{Client, Domain, Snapshot};
 use std::path::Path;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -24,6 +25,8 @@ const PAUSE: Duration = Duration::from_secs(1);
 pub(super) struct Served {
     source: String,
     client: Option<Client>,
+    /// Where a live map is.
+    domain: Option<Domain>,
     now: Mutex<Snapshot>,
     changed: Condvar,
 }
@@ -41,8 +44,15 @@ impl Served {
             }
             None => (None, opening.open(source)?),
         };
+        let domain = client.as_ref().map(|_| opening.domain()).transpose()?;
         let source = source.to_owned();
-        Ok(snapshot.map(|now| Self { source, client, now: now.into(), changed: Condvar::new() }))
+        Ok(snapshot.map(|now| Self {
+            source,
+            client,
+            domain,
+            now: now.into(),
+            changed: Condvar::new(),
+        }))
     }
 
     /// As it was named.
@@ -54,6 +64,14 @@ impl Served {
     pub(super) fn name(&self) -> String {
         let name = self.source.strip_prefix(SHARED).unwrap_or(&self.source);
         Path::new(name).file_stem().unwrap_or_default().to_string_lossy().into_owned()
+    }
+
+    /// What `mapd status --json` says of a live map, `null` for a file.
+    ///
+    /// Errors: the domain cannot be read.
+    pub(super) fn status(&self) -> Result<String> {
+        let name = self.source.strip_prefix(SHARED).unwrap_or_default();
+        self.domain.as_ref().map_or(Ok("null".to_owned()), |domain| status::of_map(domain, name))
     }
 
     fn lock(&self) -> MutexGuard<'_, Snapshot> {
